@@ -1,0 +1,21 @@
+# veritope_layer(NAME FOLDER LINK...): one library a layer, from the .cc files of its folder. LINK names
+# the layers that docs/layers.txt allows, so that the linker knows the same arrows as the test.
+function(veritope_layer name folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.cc")
+  if(folder STREQUAL "robust")
+    list(FILTER sources EXCLUDE REGEX "/robust/base/")
+  endif()
+  add_library(veritope_${name} STATIC ${sources})
+  add_library(veritope::${name} ALIAS veritope_${name})
+  target_include_directories(veritope_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/veritope>)
+  target_compile_features(veritope_${name} PUBLIC cxx_std_20)
+  target_link_libraries(veritope_${name} PRIVATE $<BUILD_INTERFACE:veritope_flags>)
+  foreach(lower IN LISTS ARGN)
+    target_link_libraries(veritope_${name} PUBLIC ${lower})
+  endforeach()
+  # Users of our inline filters need the same arithmetic.
+  target_compile_options(veritope_${name} INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+  set_target_properties(veritope_${name} PROPERTIES EXPORT_NAME ${name} VERITOPE_FOLDER "${folder}")
+  set_property(GLOBAL APPEND PROPERTY VERITOPE_LAYERS veritope_${name})
+endfunction()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// predicates/vec.h: points with binary64 coordinates; plain data, no arithmetic.
+#pragma once
+
+namespace veritope {
+
+struct Vec2d {
+  double x = 0, y = 0;
+  friend bool operator==(const Vec2d&, const Vec2d&) = default;
+};
+
+struct Vec3d {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Vec3d&, const Vec3d&) = default;
+  /// Coordinate 0, 1 or 2.
+  double operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
+};
+
+}  // namespace veritope

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// robust/base/sign.h: the sign of an exact quantity, and the answer of a tier that may not know it.
+#pragma once
+
+namespace veritope {
+
+/// The exact sign of a real number.
+enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };
+
+/// What one tier of a cascade says: the exact sign, or that it cannot tell.
+enum class Sign3 : signed char { kNegative = -1, kZero = 0, kPositive = 1, kUncertain = 2 };
+
+constexpr bool is_certain(Sign3 s) { return s != Sign3::kUncertain; }
+/// REQUIRES is_certain(s).
+constexpr Sign to_sign(Sign3 s) { return static_cast<Sign>(s); }
+constexpr Sign3 to_sign3(Sign s) { return static_cast<Sign3>(s); }
+
+constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
+constexpr Sign operator*(Sign a, Sign b) {
+  return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
+}
+constexpr int to_int(Sign s) { return static_cast<int>(s); }
+
+/// Sign of an integer that C++ can compare with zero.
+template <typename T>
+constexpr Sign sign_of(const T& v) {
+  return v > T(0) ? Sign::kPositive : (v < T(0) ? Sign::kNegative : Sign::kZero);
+}
+
+}  // namespace veritope

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// predicates/orient2d.h: on which side of the line from a to b does c lie?
+// Source: [She97] bound A, with terms for underflow.  Bound: docs/bounds/orient2d.md.
+#pragma once
+#include <cmath>
+
+#include "predicates/formulas.h"
+#include "predicates/vec.h"
+#include "robust/base/fp_strict.h"
+#include "robust/base/sign.h"
+#include "robust/cascade.h"
+
+namespace veritope {
+
+/// The exact sign of (b - a) x (c - a), twice the signed area of a, b, c: positive iff they turn counter-clockwise,
+/// orient2d((0,0), (1,0), (0,1)) = +1; zero iff they lie on one line. Laws:
+///   (1) swapping two points negates it; a cyclic shift keeps it;
+///   (2) it does not change when all points move by the same vector exactly, nor when one axis is scaled by a power of two.
+/// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
+Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr);
+
+/// First tier. Never zero: a sign or uncertain.
+/// Claim    a certain answer is the exact sign.
+/// Bound    |left - right - exact| <= (3u + O(u^2)) S + underflow, S = |left| + |right|, u = 2^-53.
+/// Derived  docs/bounds/orient2d.md, and again in tests/predicates/orient2d_bound_test.cc.
+/// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
+Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c);
+
+namespace internal {
+inline constexpr double kOrient2dRel = 0x1.8000000000008p-52;
+inline constexpr double kOrient2dAbs = 0x1p-960;
+
+Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c);
+Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c);
+Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c);
+Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally);
+}  // namespace internal
+
+// Bodies.
+
+inline Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) {
+  const formulas::Orient2d<double> f(a.x, a.y, b.x, b.y, c.x, c.y);
+  const double det = f.det();
+  const double bound = internal::kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) +
+                       internal::kOrient2dAbs;
+  // Overflow makes the bound infinite or NaN, and both comparisons false.
+  if (det > bound) return Sign3::kPositive;
+  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+}
+
+inline Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) {
+  return cascade(
+      tally, [&] { return orient2d_filter(a, b, c); },
+      [&](TierCounts* t) { return internal::orient2d_after_filter(a, b, c, t); });
+}
+
+}  // namespace veritope

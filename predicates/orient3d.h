@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// predicates/orient3d.h: on which side of the plane through a, b, c does d lie?
+// Source: [She97] bound A, with terms for underflow.  Bound: docs/bounds/orient3d.md.
+#pragma once
+#include <cmath>
+
+#include "predicates/formulas.h"
+#include "predicates/vec.h"
+#include "robust/base/fp_strict.h"
+#include "robust/base/sign.h"
+#include "robust/cascade.h"
+
+namespace veritope {
+
+/// The exact sign of det(b - a, c - a, d - a), six times the signed volume of a, b, c, d: positive iff a, b, c turn
+/// counter-clockwise as seen from d, orient3d(0, e1, e2, e3) = +1; zero iff they lie on one plane. Laws:
+///   (1) swapping two points negates it;
+///   (2) it does not change when all points move by the same vector exactly, nor when one axis is scaled by a power of two.
+/// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
+Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+              TierCounts* tally = nullptr);
+
+/// First tier. Never zero: a sign or uncertain.
+/// Claim    a certain answer is the exact sign.
+/// Bound    |det - exact| <= (7u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
+/// Derived  docs/bounds/orient3d.md, and again in tests/predicates/orient3d_bound_test.cc.
+/// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
+Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+
+/// The same filter, bit for bit, for one plane and many points d: the products of a, b, c are kept.
+class Orient3dPlaneFilter {
+ public:
+  Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+  Sign3 operator()(const Vec3d& d) const;
+
+ private:
+  formulas::Plane3<double> plane_;
+};
+
+namespace internal {
+inline constexpr double kOrient3dRel = 0x1.c000000000010p-51;
+inline constexpr double kOrient3dEta = 0x1p-900;
+inline constexpr double kOrient3dAbs = 0x1p-960;
+
+Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign orient3d_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                           TierCounts* tally);
+}  // namespace internal
+
+// Bodies.
+
+inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c)
+    : plane_(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z) {}
+
+inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const {
+  const auto abs = [](double v) { return std::abs(v); };
+  const double wx = d.x - plane_.px, wy = d.y - plane_.py, wz = d.z - plane_.pz;
+  const double det = plane_.det(wx, wy, wz);
+  const double bound = internal::kOrient3dRel * plane_.magnitude(wx, wy, wz, abs) +
+                       (internal::kOrient3dEta * ((abs(wx) + abs(wy)) + abs(wz)) + internal::kOrient3dAbs);
+  // Overflow makes the bound infinite or NaN, and both comparisons false.
+  if (det > bound) return Sign3::kPositive;
+  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+}
+
+inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  return Orient3dPlaneFilter(a, b, c)(d);
+}
+
+inline Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                     TierCounts* tally) {
+  return cascade(
+      tally, [&] { return orient3d_filter(a, b, c, d); },
+      [&](TierCounts* t) { return internal::orient3d_after_filter(a, b, c, d, t); });
+}
+
+}  // namespace veritope

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// robust/binary64.h: the parts of an IEEE 754 binary64 number, by its bits: right in every floating-point environment.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace veritope {
+
+static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
+
+inline constexpr int kMinExponent = -1074;  ///< of the least subnormal's unit, 2^-1074
+inline constexpr std::uint64_t kInfinityBits = 0x7ff0000000000000u;
+inline constexpr std::uint64_t kMaxFiniteBits = kInfinityBits - 1;
+
+/// mantissa * 2^exponent with |mantissa| < 2^53; not normalised.
+struct Binary64 {
+  std::int64_t mantissa;
+  int exponent;
+};
+
+constexpr bool is_finite(double v) {
+  return (std::bit_cast<std::uint64_t>(v) & kInfinityBits) != kInfinityBits;
+}
+
+/// The exact parts of a finite number; exponent >= kMinExponent. REQUIRES is_finite(v).
+constexpr Binary64 split(double v) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(v);
+  const int biased = static_cast<int>(bits >> 52 & 0x7ff);
+  const std::uint64_t fraction = bits & 0xfffffffffffffu;
+  const std::uint64_t m = biased == 0 ? fraction : fraction | std::uint64_t{1} << 52;
+  const std::int64_t mantissa = static_cast<std::int64_t>(m);
+  return {(bits >> 63) != 0 ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 1075};
+}
+
+/// 2^n as a double. REQUIRES -1022 <= n <= 1023.
+constexpr double exp2_int(int n) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
+}
+
+}  // namespace veritope

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "robust/rational.h"
+
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+#include "robust/base/check.h"
+#include "robust/binary64.h"
+
+namespace veritope {
+namespace {
+
+enum class Direction { kTowardZero, kNearest, kAwayFromZero };
+
+// |a| rounded, as the bits of a non-negative double. The quotient keeps 53 bits, or fewer where the result is subnormal;
+// the bits of consecutive doubles are consecutive integers, so that rounding up is adding one.
+std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
+  const Integer num = abs(a.numerator());
+  const Integer& den = a.denominator();
+  if (num.is_zero()) return 0;
+  // 2^(e-1) < |a| < 2^(e+1)
+  const std::int64_t e = static_cast<std::int64_t>(num.bit_length()) -
+                         static_cast<std::int64_t>(den.bit_length());
+  const auto scaled_floor = [&](std::int64_t exponent, Integer& remainder) {
+    // floor(|a| / 2^exponent)
+    Integer n = num;
+    Integer d = den;
+    if (exponent < 0) {
+      n.shift_left(static_cast<std::uint64_t>(-exponent));
+    } else {
+      d.shift_left(static_cast<std::uint64_t>(exponent));
+    }
+    Integer q = floor_divide(n, d);
+    remainder = n - q * d;
+    // Compare the remainder with half the divisor through its double.
+    remainder.shift_left(1);
+    remainder -= d;
+    return q;
+  };
+  if (e > 1100) return direction == Direction::kTowardZero ? kMaxFiniteBits : kInfinityBits;
+  std::int64_t lsb = e - 53;  // the quotient then has 53 or 54 bits
+  if (lsb < kMinExponent) lsb = kMinExponent;
+  Integer twice_excess;  // 2 * remainder - divisor: its sign says below, at or above one half
+  Integer q = scaled_floor(lsb, twice_excess);
+  if (q.bit_length() > 53) q = scaled_floor(++lsb, twice_excess);
+  const std::uint64_t m = q.low_bits();
+  // m * 2^lsb with m < 2^53; if lsb > kMinExponent then m >= 2^52.
+  std::uint64_t bits = lsb == kMinExponent
+                           ? m
+                           : (static_cast<std::uint64_t>(lsb - kMinExponent) << 52) + m;
+  if (bits > kMaxFiniteBits) return direction == Direction::kTowardZero ? kMaxFiniteBits : kInfinityBits;
+  const Sign half = twice_excess.sign();
+  bool up = false;
+  if (direction == Direction::kNearest) {
+    up = half == Sign::kPositive || (half == Sign::kZero && (m & 1) != 0);
+  } else if (direction == Direction::kAwayFromZero) {
+    // The remainder is zero iff m * 2^lsb is the value itself.
+    Rational exact(q);
+    exact *= Rational::power_of_two(lsb);
+    up = exact != abs(a);
+  }
+  return bits + (up ? 1 : 0);
+}
+
+double with_sign(std::uint64_t magnitude, bool negative) {
+  return std::bit_cast<double>(magnitude | (negative ? std::uint64_t{1} << 63 : 0));
+}
+
+}  // namespace
+
+Rational::Rational(Integer numerator, Integer denominator)
+    : num_(std::move(numerator)), den_(std::move(denominator)) {
+  VT_CHECK(!den_.is_zero(), "zero denominator");
+  if (den_.sign() == Sign::kNegative) {
+    num_.negate();
+    den_.negate();
+  }
+  const Integer g = gcd(num_, den_);
+  if (g != Integer(1)) {
+    num_ = divide_exactly(num_, g);
+    den_ = divide_exactly(den_, g);
+  }
+}
+
+Rational Rational::from_double(double value) {
+  VT_CHECK(is_finite(value), "from_double of NaN or infinity");
+  const Binary64 b = split(value);
+  return Rational(Integer(b.mantissa)) * power_of_two(b.exponent);
+}
+
+Rational Rational::power_of_two(std::int64_t n) {
+  Rational r(1);
+  (n >= 0 ? r.num_ : r.den_).shift_left(static_cast<std::uint64_t>(n >= 0 ? n : -n));
+  return r;
+}
+
+Rational& Rational::operator+=(const Rational& b) {
+  return *this = Rational(num_ * b.den_ + b.num_ * den_, den_ * b.den_);
+}
+Rational& Rational::operator-=(const Rational& b) {
+  return *this = Rational(num_ * b.den_ - b.num_ * den_, den_ * b.den_);
+}
+Rational& Rational::operator*=(const Rational& b) {
+  return *this = Rational(num_ * b.num_, den_ * b.den_);
+}
+Rational& Rational::operator/=(const Rational& b) {
+  return *this = Rational(num_ * b.den_, den_ * b.num_);
+}
+Rational& Rational::negate() {
+  num_.negate();
+  return *this;
+}
+
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+  return a.num_ * b.den_ <=> b.num_ * a.den_;
+}
+
+std::string Rational::to_string() const {
+  return den_ == Integer(1) ? num_.to_string() : num_.to_string() + "/" + den_.to_string();
+}
+
+Rational abs(Rational a) { return a.sign() == Sign::kNegative ? -std::move(a) : a; }
+
+double nearest_double(const Rational& a) {
+  return with_sign(rounded_magnitude(a, Direction::kNearest), a.sign() == Sign::kNegative);
+}
+double round_down(const Rational& a) {
+  const bool negative = a.sign() == Sign::kNegative;
+  return with_sign(rounded_magnitude(a, negative ? Direction::kAwayFromZero : Direction::kTowardZero), negative);
+}
+double round_up(const Rational& a) {
+  const bool negative = a.sign() == Sign::kNegative;
+  return with_sign(rounded_magnitude(a, negative ? Direction::kTowardZero : Direction::kAwayFromZero), negative);
+}
+
+}  // namespace veritope

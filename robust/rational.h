@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// robust/rational.h: exact fractions in lowest terms. Slow and sure: oracles, witnesses and reports, not hot loops.
+#pragma once
+#include <compare>
+#include <string>
+#include <utility>
+
+#include "robust/base/sign.h"
+#include "robust/integer.h"
+
+namespace veritope {
+
+/// p / q with q > 0 and gcd(p, q) = 1; zero is 0 / 1.
+class Rational {
+ public:
+  Rational() : den_(1) {}
+  /// Exact from an integer; a double is exact too, but must be asked for: from_double.
+  Rational(Integer numerator) : num_(std::move(numerator)), den_(1) {}
+  template <BuiltinInteger T>
+  Rational(T numerator) : num_(numerator), den_(1) {}
+  /// REQUIRES denominator != 0; any sign.
+  Rational(Integer numerator, Integer denominator);
+  /// The exact value. REQUIRES a finite argument.
+  static Rational from_double(double value);
+  /// 2^n for n of either sign.
+  static Rational power_of_two(std::int64_t n);
+
+  const Integer& numerator() const { return num_; }
+  const Integer& denominator() const { return den_; }
+
+  Rational& operator+=(const Rational& b);
+  Rational& operator-=(const Rational& b);
+  Rational& operator*=(const Rational& b);
+  /// REQUIRES b != 0.
+  Rational& operator/=(const Rational& b);
+  friend Rational operator+(Rational a, const Rational& b) { return a += b; }
+  friend Rational operator-(Rational a, const Rational& b) { return a -= b; }
+  friend Rational operator*(Rational a, const Rational& b) { return a *= b; }
+  friend Rational operator/(Rational a, const Rational& b) { return a /= b; }
+  friend Rational operator-(Rational a) { return a.negate(); }
+  Rational& negate();
+
+  friend bool operator==(const Rational& a, const Rational& b) {
+    return a.num_ == b.num_ && a.den_ == b.den_;
+  }
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+
+  Sign sign() const { return num_.sign(); }
+  /// "p/q", or "p" when q = 1.
+  std::string to_string() const;
+
+ private:
+  Integer num_;
+  Integer den_;
+};
+
+Rational abs(Rational a);
+inline Sign sign_of(const Rational& a) { return a.sign(); }
+
+/// The binary64 number next to `a`, ties to even; infinity from the overflow threshold on, as IEEE 754 rounds. Independent of the
+/// rounding mode.
+double nearest_double(const Rational& a);
+/// The largest binary64 number <= a, and the least >= a; infinities where none is finite.
+double round_down(const Rational& a);
+double round_up(const Rational& a);
+
+}  // namespace veritope

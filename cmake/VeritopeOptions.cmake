@@ -3,8 +3,9 @@ option(VERITOPE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(VERITOPE_FUZZ "Build the fuzz targets (clang: libFuzzer; otherwise the replay mains)" OFF)
 option(VERITOPE_BENCH "Build the benchmarks and the soak experiments (needs CGAL as the peer)" OFF)
 option(VERITOPE_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
-set(VERITOPE_SANITIZE "" CACHE STRING "Comma-separated list for -fsanitize=")
+option(VERITOPE_SLOW_CHECKS "Turn on VT_SLOW_CHECK in builds that define NDEBUG" OFF)
 option(VERITOPE_COVERAGE "Instrument for line and branch coverage (gcov)" OFF)
+set(VERITOPE_SANITIZE "" CACHE STRING "Comma-separated list for -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -25,16 +26,25 @@ endif()
 
 find_package(Threads REQUIRED)
 
+# Instrumentation goes to every target, the checker's included.
+if(VERITOPE_SANITIZE)
+  add_compile_options(-fsanitize=${VERITOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${VERITOPE_SANITIZE})
+endif()
+if(VERITOPE_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # libFuzzer sees only code that is compiled so; its own main comes with -fsanitize=fuzzer on the targets.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+if(VERITOPE_COVERAGE)
+  # -O0: a branch in the report is a branch of the source.
+  add_compile_options(--coverage -fprofile-abs-path -O0)
+  add_link_options(--coverage)
+endif()
+if(VERITOPE_SLOW_CHECKS)
+  add_compile_definitions(VERITOPE_SLOW_CHECKS)
+endif()
+
 add_library(veritope_flags INTERFACE)
 # -ffp-contract=off: a fused product changes the rounding errors that the filters' bounds count.
 target_compile_options(veritope_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic
                        -Wno-unused-parameter $<$<BOOL:${VERITOPE_WERROR}>:-Werror>)
-if(VERITOPE_SANITIZE)
-  target_compile_options(veritope_flags INTERFACE -fsanitize=${VERITOPE_SANITIZE}
-                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(veritope_flags INTERFACE -fsanitize=${VERITOPE_SANITIZE})
-endif()
-if(VERITOPE_COVERAGE)
-  target_compile_options(veritope_flags INTERFACE --coverage -O1)
-  target_link_options(veritope_flags INTERFACE --coverage)
-endif()

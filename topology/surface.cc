@@ -133,7 +133,7 @@ class DisjointSets {
 
 // The fans as nodes: a regular vertex is its own node, an irregular one has a node a fan behind all vertices.
 struct FanNodes {
-  std::vector<std::uint32_t> irregular;                  // ascending
+  std::span<const std::uint32_t> irregular;                // ascending
   std::vector<std::vector<std::uint32_t>> node_of_corner;  // for each irregular vertex
   std::vector<bool> is_irregular;
   std::size_t count = 0;
@@ -148,10 +148,10 @@ struct FanNodes {
   }
 };
 
-FanNodes number_fans(Faces faces, const Incidence& incidence, std::vector<std::uint32_t> irregular) {
+FanNodes number_fans(Faces faces, const Incidence& incidence, std::span<const std::uint32_t> irregular) {
   FanNodes out;
   out.count = incidence.num_vertices();
-  out.irregular = std::move(irregular);
+  out.irregular = irregular;
   if (out.irregular.empty()) return out;
   out.is_irregular.resize(incidence.num_vertices());
   for (std::uint32_t v : out.irregular) {
@@ -245,7 +245,6 @@ SurfaceTopology analyse_surface(Faces faces, const Incidence& incidence, std::si
   });
   SurfaceTopology out;
   out.is_cycle = true;
-  std::vector<std::uint32_t> irregular;
   for (auto& p : parts) {
     out.vertices += p.vertices;
     out.edges += p.edges;
@@ -258,13 +257,13 @@ SurfaceTopology analyse_surface(Faces faces, const Incidence& incidence, std::si
     append(out.nonmanifold, p.nonmanifold_list, max_listed);
     append(out.misoriented, p.misoriented_list, max_listed);
     append(out.pinched, p.pinched_list, max_listed);
-    irregular.insert(irregular.end(), p.irregular.begin(), p.irregular.end());
+    out.irregular.insert(out.irregular.end(), p.irregular.begin(), p.irregular.end());
   }
   for (std::size_t f = 0; f < faces.size(); ++f)
     if (is_collapsed(faces[f])) out.collapsed.push_back(static_cast<std::uint32_t>(f));
   out.faces = faces.size() - out.collapsed.size();
 
-  const FanNodes fans = number_fans(faces, incidence, std::move(irregular));
+  const FanNodes fans = number_fans(faces, incidence, out.irregular);
   DisjointSets sets(fans.count);
   parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
     sets.reset(cut(fans.count, j), cut(fans.count, j + 1));

@@ -45,6 +45,7 @@ struct SurfaceTopology {
   std::uint64_t nonmanifold_vertices = 0;  ///< faces at the vertex form more than one fan
   bool is_cycle = false;                   ///< every edge is used equally often in both directions: volume is defined
   std::vector<std::uint32_t> collapsed;    ///< all faces with a repeated id, ascending
+  std::vector<std::uint32_t> irregular;    ///< all vertices whose faces are not one closed, oriented fan, ascending
   std::vector<EdgeDefect> boundary, nonmanifold, misoriented;
   std::vector<VertexDefect> pinched;
   std::vector<Shell> shells;

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/polyhedron/box_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "robust/base/parallel.h"
+#include "robust/binary64.h"
+
+namespace veritope {
+namespace {
+
+constexpr unsigned kBits = 11;  // of a coordinate, and of a radix pass: three passes sort the 33-bit code
+constexpr std::size_t kRadix = std::size_t{1} << kBits;
+constexpr unsigned kIndexBits = 31;
+
+// The low 11 bits of v, two zeros between neighbours.
+std::uint64_t spread(std::uint64_t v) {
+  v = (v | v << 16) & 0xff0000ffu;
+  v = (v | v << 8) & 0x0f00f00fu;
+  v = (v | v << 4) & 0xc30c30c3u;
+  return (v | v << 2) & 0x249249249u;
+}
+
+std::uint64_t cell(float unit) {
+  return static_cast<std::uint64_t>(std::min(unit * static_cast<float>(kRadix), static_cast<float>(kRadix - 1)));
+}
+
+std::uint64_t morton_code(const TriangleMesh& mesh, std::uint32_t facet, const UnitScale& scale) {
+  const auto& t = mesh.faces[facet];
+  const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+  const auto centre = [](float p, float q, float r) {
+    return 0.5f * (std::min({p, q, r}) + std::max({p, q, r}));
+  };
+  return spread(cell(centre(scale.x(a.x), scale.x(b.x), scale.x(c.x)))) << 2 |
+         spread(cell(centre(scale.y(a.y), scale.y(b.y), scale.y(c.y)))) << 1 |
+         spread(cell(centre(scale.z(a.z), scale.z(b.z), scale.z(c.z))));
+}
+
+// One stable pass of a least-significant-digit radix sort; each block of keys counts and places on its own.
+void radix_pass(const std::uint64_t* from, std::uint64_t* to, std::size_t n, unsigned shift,
+                std::size_t blocks, unsigned jobs) {
+  std::vector<std::array<std::uint32_t, kRadix>> counts(blocks);
+  const auto cut = [&](std::size_t j) { return n * j / blocks; };
+  parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
+    counts[j].fill(0);
+    for (std::size_t i = cut(j); i < cut(j + 1); ++i) ++counts[j][from[i] >> shift & (kRadix - 1)];
+  });
+  std::uint32_t sum = 0;
+  for (std::size_t digit = 0; digit < kRadix; ++digit)
+    for (auto& c : counts) {
+      const std::uint32_t k = c[digit];
+      c[digit] = sum;
+      sum += k;
+    }
+  parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
+    for (std::size_t i = cut(j); i < cut(j + 1); ++i) to[counts[j][from[i] >> shift & (kRadix - 1)]++] = from[i];
+  });
+}
+
+struct Centre {
+  std::array<float, 3> at;
+  std::uint32_t facet;
+};
+
+// Arranges [begin, end) as the certificate's tree halves it: floor(n / 2) positions to the left.
+void arrange(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
+  if (end - begin < 2) return;
+  std::array<float, 3> lo = items[begin].at, hi = lo;
+  for (std::size_t i = begin + 1; i < end; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      lo[k] = std::min(lo[k], items[i].at[k]);
+      hi[k] = std::max(hi[k], items[i].at[k]);
+    }
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+  const std::size_t mid = begin + (end - begin) / 2;
+  const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(it(begin), it(mid), it(end), [axis](const Centre& a, const Centre& b) {
+    return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.facet < b.facet;
+  });
+  arrange(items, begin, mid);
+  arrange(items, mid, end);
+}
+
+}  // namespace
+
+UnitScale::UnitScale(const std::vector<Vec3d>& positions) {
+  Vec3d lo = positions[0], hi = positions[0];
+  double largest = 0;
+  for (const Vec3d& p : positions) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+  }
+  for (double v : {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}) largest = std::max(largest, std::abs(v));
+  if (largest > 0x1p1000) pre_ = 0x1p-60;
+  if (largest < 0x1p-900) pre_ = 0x1p120;
+  low_[0] = lo.x * pre_;
+  low_[1] = lo.y * pre_;
+  low_[2] = lo.z * pre_;
+  const double range =
+      std::max({hi.x * pre_ - low_[0], hi.y * pre_ - low_[1], hi.z * pre_ - low_[2]});
+  if (range > 0) scale_ = exp2_int(std::clamp(-std::ilogb(range) - 1, -1022, 1023));
+}
+
+std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
+                                        const UnitScale& scale, unsigned jobs) {
+  const std::size_t n = facets.size();
+  const std::size_t blocks = jobs == 0 ? 1 : jobs;
+  auto keys = std::make_unique_for_overwrite<std::uint64_t[]>(n);
+  auto other = std::make_unique_for_overwrite<std::uint64_t[]>(n);
+  parallel_for(n, 1 << 14, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      keys[i] = morton_code(mesh, facets[i], scale) << kIndexBits | facets[i];
+  });
+  for (unsigned pass = 0; pass < 3; ++pass) {
+    radix_pass(keys.get(), other.get(), n, kIndexBits + kBits * pass, blocks, jobs);
+    keys.swap(other);
+  }
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t i = 0; i < n; ++i)
+    order[i] = static_cast<std::uint32_t>(keys[i] & ((std::uint64_t{1} << kIndexBits) - 1));
+  return order;
+}
+
+std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets) {
+  const UnitScale scale(mesh.positions);
+  std::vector<Centre> items;
+  items.reserve(facets.size());
+  for (std::uint32_t f : facets) {
+    const auto& t = mesh.faces[f];
+    Centre c{{0, 0, 0}, f};
+    for (std::uint32_t v : t) {
+      const Vec3d& p = mesh.positions[v];
+      c.at[0] += scale.x(p.x);
+      c.at[1] += scale.y(p.y);
+      c.at[2] += scale.z(p.z);
+    }
+    items.push_back(c);
+  }
+  arrange(items, 0, items.size());
+  std::vector<std::uint32_t> order;
+  order.reserve(items.size());
+  for (const Centre& c : items) order.push_back(c.facet);
+  return order;
+}
+
+}  // namespace veritope

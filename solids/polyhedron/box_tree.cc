@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/polyhedron/box_tree.h"
+
+#include <algorithm>
+
+#include "robust/base/check.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::uint32_t kPartDepth = 8;  // of the nodes whose self(...) is one part
+
+void append_parts(const TreeRange& r, std::uint32_t depth, std::vector<WalkPart>& out) {
+  if (depth == 0 || r.is_leaf()) {
+    out.push_back({r, r});
+    return;
+  }
+  append_parts(r.left(), depth - 1, out);
+  append_parts(r.right(), depth - 1, out);
+  out.push_back({r.left(), r.right()});
+}
+
+}  // namespace
+
+BoxTree::BoxTree(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars)
+    : order_(std::move(order)) {
+  VT_CHECK(!order_.empty() && order_.size() < (std::size_t{1} << 30), "facets of a box tree");
+  nodes_ = std::make_unique_for_overwrite<Node[]>(2 * order_.size() - 1);
+  build(mesh, stars, root());
+}
+
+std::vector<WalkPart> BoxTree::parts() const {
+  std::vector<WalkPart> out;
+  append_parts(root(), kPartDepth, out);
+  return out;
+}
+
+void BoxTree::build(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r) {
+  Node& n = nodes_[r.node];
+  n.common.fill(kNone);
+  std::size_t filled = 0;
+  if (r.is_leaf()) {
+    const auto& t = mesh.faces[order_[r.lo]];
+    const Vec3d& p = mesh.positions[t[0]];
+    n.lo = n.hi = {p.x, p.y, p.z};
+    for (std::uint32_t v : t) {
+      const Vec3d& q = mesh.positions[v];
+      n.lo = {std::min(n.lo[0], q.x), std::min(n.lo[1], q.y), std::min(n.lo[2], q.z)};
+      n.hi = {std::max(n.hi[0], q.x), std::max(n.hi[1], q.y), std::max(n.hi[2], q.z)};
+      if (stars[v]) n.common[filled++] = v;
+    }
+    return;
+  }
+  build(mesh, stars, r.left());
+  build(mesh, stars, r.right());
+  const Node &a = nodes_[r.left().node], &b = nodes_[r.right().node];
+  for (std::size_t k = 0; k < 3; ++k) {
+    n.lo[k] = std::min(a.lo[k], b.lo[k]);
+    n.hi[k] = std::max(a.hi[k], b.hi[k]);
+  }
+  for (std::uint32_t v : a.common)
+    if (v != kNone && std::find(b.common.begin(), b.common.end(), v) != b.common.end()) n.common[filled++] = v;
+}
+
+}  // namespace veritope

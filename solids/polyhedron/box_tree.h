@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/polyhedron/box_tree.h: the certificate's box tree and its walk, exactly as docs/certificates/mesh.md section 5 says.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solids/polyhedron/triangle_mesh.h"
+#include "solids/polyhedron/vertex_star.h"
+
+namespace veritope {
+
+/// A node: positions [lo, hi) of the order. Children halve it; nodes are numbered in preorder.
+struct TreeRange {
+  std::uint32_t node, lo, hi;
+  std::uint32_t size() const { return hi - lo; }
+  bool is_leaf() const { return hi - lo == 1; }
+  TreeRange left() const { return {node + 1, lo, lo + (hi - lo) / 2}; }
+  TreeRange right() const {
+    const std::uint32_t mid = lo + (hi - lo) / 2;
+    return {node + 2 * (mid - lo), mid, hi};
+  }
+};
+
+/// One part of the walk that can be done on its own; the parts in order make up the walk.
+struct WalkPart {
+  TreeRange a, b;  // the same node: self(a)
+};
+
+class BoxTree {
+ public:
+  /// REQUIRES a non-empty order. @cost O(F) time, 128 bytes a facet.
+  BoxTree(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars);
+
+  const std::vector<std::uint32_t>& order() const { return order_; }
+  std::span<const std::uint32_t> facets(const TreeRange& r) const { return {order_.data() + r.lo, r.size()}; }
+  TreeRange root() const { return {0, 0, static_cast<std::uint32_t>(order_.size())}; }
+
+  /// The walk's parts in its order; they do not depend on anything but the number of facets.
+  std::vector<WalkPart> parts() const;
+
+  /// Walks one part. The visitor has
+  ///   bool node_pair(a, b, k): a pair of nodes at step 3, k counted from 0 in this part; true: settled, go on behind it;
+  ///   void leaf_pair(i, j): facets order()[i], order()[j] at step 4.
+  ///   bool stop(): true ends the walk early.
+  /// Returns the number of times that step 3 was reached.
+  template <typename Visitor>
+  std::uint64_t walk(const WalkPart& part, Visitor& visitor) const {
+    std::uint64_t k = 0;
+    if (part.a.node == part.b.node) {
+      self(part.a, visitor, k);
+    } else {
+      cross(part.a, part.b, visitor, k);
+    }
+    return k;
+  }
+
+ private:
+  struct Node {
+    std::array<double, 3> lo, hi;
+    std::array<std::uint32_t, 3> common;  // star vertices of all facets below; kNone fills up
+  };
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  void build(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r);
+  bool skips(const Node& a, const Node& b) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (a.hi[k] < b.lo[k] || b.hi[k] < a.lo[k]) return true;
+    if (a.common[0] == kNone || b.common[0] == kNone) return false;
+    for (std::uint32_t v : a.common)
+      for (std::uint32_t w : b.common)
+        if (v == w && v != kNone) return true;
+    return false;
+  }
+  template <typename Visitor>
+  void self(const TreeRange& r, Visitor& visitor, std::uint64_t& k) const {
+    if (r.is_leaf()) return;
+    self(r.left(), visitor, k);
+    self(r.right(), visitor, k);
+    cross(r.left(), r.right(), visitor, k);
+  }
+  template <typename Visitor>
+  void cross(const TreeRange& a, const TreeRange& b, Visitor& visitor, std::uint64_t& k) const {
+    if (skips(nodes_[a.node], nodes_[b.node]) || visitor.stop()) return;
+    if (visitor.node_pair(a, b, k++)) return;
+    if (a.is_leaf() && b.is_leaf()) return visitor.leaf_pair(a.lo, b.lo);
+    if (a.size() >= b.size()) {
+      cross(a.left(), b, visitor, k);
+      cross(a.right(), b, visitor, k);
+    } else {
+      cross(a, b.left(), visitor, k);
+      cross(a, b.right(), visitor, k);
+    }
+  }
+
+  std::vector<std::uint32_t> order_;
+  std::unique_ptr<Node[]> nodes_;
+};
+
+}  // namespace veritope

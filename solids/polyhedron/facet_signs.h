@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/polyhedron/facet_signs.h: the signs of the components of every facet's normal, and which facets are degenerate.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope {
+
+/// Bit 2k: component k of the normal (v1 - v0) x (v2 - v0) is positive; bit 2k + 1: it is negative. Neither: it is zero or
+/// was not decided.
+using NormalSigns = std::uint8_t;
+
+struct FacetSigns {
+  std::vector<NormalSigns> signs;         ///< a facet; 0 iff it is degenerate
+  std::vector<std::uint32_t> degenerate;  ///< facets with a repeated id or exactly collinear corners, ascending
+};
+
+/// Every facet that is not degenerate gets at least one certain bit. @cost O(F); exact arithmetic only where no component is
+/// certain in floating point.
+FacetSigns facet_signs(const TriangleMesh& mesh, unsigned jobs);
+
+/// The corner without coordinate `axis`, the others in cyclic order: the plane in which component `axis` of a normal is an area.
+inline Vec2d drop_axis(const Vec3d& p, int axis) {
+  return axis == 0 ? Vec2d{p.y, p.z} : (axis == 1 ? Vec2d{p.z, p.x} : Vec2d{p.x, p.y});
+}
+
+}  // namespace veritope

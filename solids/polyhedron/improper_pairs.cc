@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/polyhedron/improper_pairs.h"
+
+#include <algorithm>
+
+#include "predicates/triangle_triangle.h"
+#include "robust/base/parallel.h"
+#include "solids/polyhedron/box_tree.h"
+#include "solids/polyhedron/separator.h"
+
+namespace veritope {
+namespace {
+
+// Comparisons of a facet with a group of eight, a facet: ordinary meshes need 5 to 15.
+constexpr std::uint64_t kBudgetPerFacet = 64;
+// Smaller nodes are cheaper to take apart than to separate.
+constexpr std::uint32_t kMinSeparated = 4;
+
+IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {
+  const auto& t = mesh.faces[f];
+  return {{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, {t[0], t[1], t[2]}};
+}
+
+// The pairs that one task found: all counted, the least kept.
+class Finds {
+ public:
+  void decide(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g, std::size_t max_listed) {
+    if (is_proper(triangle_triangle(indexed(mesh, f), indexed(mesh, g)))) [[likely]] return;
+    ++count_;
+    if (max_listed == 0) return;
+    const FacetPair pair = std::minmax(f, g);
+    if (least_.size() < max_listed) {
+      least_.push_back(pair);
+      std::push_heap(least_.begin(), least_.end());
+    } else if (pair < least_.front()) {
+      std::pop_heap(least_.begin(), least_.end());
+      least_.back() = pair;
+      std::push_heap(least_.begin(), least_.end());
+    }
+  }
+  std::uint64_t count() const { return count_; }
+  const std::vector<FacetPair>& least() const { return least_; }
+
+ private:
+  std::uint64_t count_ = 0;
+  std::vector<FacetPair> least_;  // a heap, greatest first
+};
+
+struct SeparatorWalk {
+  const TriangleMesh& mesh;
+  const BoxTree& tree;
+  std::size_t max_listed;
+  SeparatorFinder finder;
+  Finds finds;
+
+  bool stop() const { return false; }
+  bool node_pair(const TreeRange& a, const TreeRange& b, std::uint64_t) {
+    return a.size() >= kMinSeparated && b.size() >= kMinSeparated &&
+           finder.find(tree.facets(a), tree.facets(b)).has_value();
+  }
+  void leaf_pair(std::uint32_t i, std::uint32_t j) {
+    finds.decide(mesh, tree.order()[i], tree.order()[j], max_listed);
+  }
+};
+
+std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
+                                        const VertexStars& stars, std::size_t max_listed, unsigned jobs) {
+  const BoxTree tree(mesh, median_order(mesh, facets), stars);
+  const auto parts = tree.parts();
+  const double largest = largest_coordinate(mesh);
+  std::vector<Finds> finds(parts.size());
+  parallel_for(parts.size(), 1, jobs, [&](std::size_t i, std::size_t, std::size_t) {
+    SeparatorWalk walk{mesh, tree, max_listed, SeparatorFinder(mesh, largest), {}};
+    tree.walk(parts[i], walk);
+    finds[i] = std::move(walk.finds);
+  });
+  return finds;
+}
+
+}  // namespace
+
+ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
+                                  const std::vector<std::uint32_t>& facets, const VertexStars& stars,
+                                  std::size_t max_listed, unsigned jobs) {
+  ImproperPairs out;
+  if (facets.empty()) return out;
+  std::vector<Finds> finds(boxes.num_tasks());
+  const std::uint64_t budget = kBudgetPerFacet * facets.size() + 4096;
+  out.long_thin = !boxes.for_each_overlap(budget, jobs, [&](std::size_t task, std::span<const FacetPair> pairs) {
+    for (const auto& [f, g] : pairs) finds[task].decide(mesh, f, g, max_listed);
+  });
+  if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, max_listed, jobs);
+  for (const Finds& part : finds) {
+    out.count += part.count();
+    out.first.insert(out.first.end(), part.least().begin(), part.least().end());
+  }
+  std::sort(out.first.begin(), out.first.end());
+  if (out.first.size() > max_listed) out.first.resize(max_listed);
+  return out;
+}
+
+}  // namespace veritope

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/polyhedron/improper_pairs.h: all pairs of facets that meet outside their common simplex (rule M7).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "solids/polyhedron/broad_phase.h"
+
+namespace veritope {
+
+struct ImproperPairs {
+  std::uint64_t count = 0;        ///< exact
+  std::vector<FacetPair> first;   ///< the `max_listed` least, each with first < second, ascending
+  bool long_thin = false;         ///< the box groups gave up and the separator walk decided
+};
+
+/// Among the facets of `boxes`. REQUIRES none of them degenerate. The result does not depend on jobs.
+ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
+                                  const std::vector<std::uint32_t>& facets, const VertexStars& stars,
+                                  std::size_t max_listed, unsigned jobs);
+
+}  // namespace veritope

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/polyhedron/validity.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "robust/base/check.h"
+#include "solids/polyhedron/box_order.h"
+#include "solids/polyhedron/defects.h"
+#include "solids/polyhedron/duplicates.h"
+#include "solids/polyhedron/facet_signs.h"
+#include "solids/polyhedron/improper_pairs.h"
+#include "solids/polyhedron/volume.h"
+
+namespace veritope {
+namespace {
+
+// Seconds since construction or the last call.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<std::uint32_t> proper_facets(std::size_t num_faces, const std::vector<std::uint32_t>& degenerate) {
+  std::vector<std::uint32_t> out;
+  out.reserve(num_faces - degenerate.size());
+  auto skip = degenerate.begin();
+  for (std::uint32_t f = 0; f < num_faces; ++f) {
+    if (skip != degenerate.end() && *skip == f) {
+      ++skip;
+    } else {
+      out.push_back(f);
+    }
+  }
+  return out;
+}
+
+// One decision, step by step; each step fills its part of the report.
+class Decision {
+ public:
+  Decision(const TriangleMesh& mesh, const ValidityOptions& options) : mesh_(mesh), options_(options) {
+    VT_CHECK(!mesh.faces.empty() && mesh.faces.size() < Incidence::kMaxFaces, "number of faces");
+    if (options_.jobs == 0) options_.jobs = 1;
+  }
+
+  ValidityReport run() {
+    decide_topology();
+    decide_pairs();
+    measure_volume();
+    decide_nesting();
+    for (std::size_t i = 0; i < kNumMeshRules; ++i) any_ = any_ || report_.rule_counts[i] != 0;
+    report_.is_valid = !any_;
+    list_defects();
+    return std::move(report_);
+  }
+
+ private:
+  std::uint64_t& rule(MeshRule r) { return report_.rule_counts[rule_index(r)]; }
+
+  void decide_topology() {
+    const auto num_vertices = static_cast<std::uint32_t>(mesh_.positions.size());
+    Incidence incidence = Incidence::build(mesh_.faces, num_vertices, options_.jobs);
+    report_.seconds.incidence = watch_.lap();
+    signs_ = facet_signs(mesh_, options_.jobs);
+    report_.seconds.signs = watch_.lap();
+    topology_ = analyse_surface(mesh_.faces, incidence, options_.max_defects, options_.jobs);
+    duplicates_ = find_duplicate_faces(mesh_.faces, topology_, options_.max_defects);
+    report_.seconds.topology = watch_.lap();
+    report_.stars = find_vertex_stars(mesh_, incidence, signs_, topology_.irregular, options_.jobs);
+    report_.seconds.stars = watch_.lap();
+    MeshCounts& c = report_.counts;
+    c.faces = mesh_.faces.size();
+    c.referenced_vertices = topology_.vertices;
+    c.edges = topology_.edges;
+    rule(MeshRule::kM1) = c.degenerate_faces = signs_.degenerate.size();
+    rule(MeshRule::kM2) = c.duplicate_faces = duplicates_.count;
+    rule(MeshRule::kM3) = c.boundary_edges = topology_.boundary_edges;
+    rule(MeshRule::kM4) = c.nonmanifold_edges = topology_.nonmanifold_edges;
+    rule(MeshRule::kM5) = c.misoriented_edges = topology_.misoriented_edges;
+    rule(MeshRule::kM6) = c.nonmanifold_vertices = topology_.nonmanifold_vertices;
+    c.shells = topology_.shells.size();
+    c.euler = topology_.euler();
+    is_manifold_ = topology_.is_closed_oriented_manifold() && c.degenerate_faces + c.duplicate_faces == 0;
+    for (const Shell& s : topology_.shells) {
+      ShellReport r;
+      r.euler = s.euler();
+      r.first_face = s.first_face;
+      if (is_manifold_) {
+        r.genus = (2 - s.euler()) / 2;
+        c.genus = c.genus.value_or(0) + *r.genus;
+      }
+      report_.shells.push_back(std::move(r));
+    }
+  }
+
+  void decide_pairs() {
+    const UnitScale scale(mesh_.positions);
+    facets_ = proper_facets(mesh_.faces.size(), signs_.degenerate);
+    boxes_.emplace(mesh_, morton_order(mesh_, facets_, scale, options_.jobs), report_.stars, scale,
+                   options_.jobs);
+    report_.seconds.boxes = watch_.lap();
+    pairs_ = find_improper_pairs(mesh_, *boxes_, facets_, report_.stars, options_.max_defects, options_.jobs);
+    report_.long_thin = pairs_.long_thin;
+    rule(MeshRule::kM7) = report_.counts.selfint_pairs = pairs_.count;
+    report_.seconds.pairs = watch_.lap();
+  }
+
+  void measure_volume() {
+    if (topology_.is_cycle && !topology_.shells.empty()) {
+      const auto volumes =
+          shell_volumes(mesh_, topology_.shell_of_face, topology_.shells.size(), options_.jobs);
+      Rational sum;
+      for (std::size_t s = 0; s < volumes.size(); ++s) {
+        sum += volumes[s];
+        report_.shells[s].volume = volumes[s];
+      }
+      report_.volume = std::move(sum);
+    }
+    report_.seconds.volume = watch_.lap();
+  }
+
+  void decide_nesting() {
+    report_.nesting_decided = is_manifold_ && pairs_.count == 0;
+    if (report_.nesting_decided) {
+      report_.nesting =
+          nest_shells(mesh_, *boxes_, topology_.shell_of_face, report_.shells.size(), options_.jobs);
+      std::uint64_t bodies = 0;
+      for (std::size_t s = 0; s < report_.shells.size(); ++s) {
+        ShellReport& shell = report_.shells[s];
+        const std::uint32_t depth = report_.nesting.depth[s];
+        shell.depth = depth;
+        shell.outward = shell.volume->sign() == Sign::kPositive;
+        bodies += depth % 2 == 0;
+        if (*shell.outward != (depth % 2 == 0)) ++rule(depth == 0 ? MeshRule::kM8 : MeshRule::kM9);
+      }
+      report_.counts.bodies = bodies;
+    }
+    report_.seconds.nesting = watch_.lap();
+  }
+
+  void list_defects() {
+    DefectLister lister(mesh_, options_.max_defects);
+    lister.degenerate(signs_.degenerate);
+    lister.duplicate(duplicates_);
+    lister.topology(topology_);
+    lister.improper(pairs_);
+    if (report_.nesting_decided) lister.nesting(report_.shells);
+    report_.defects = lister.take();
+    report_.box_lo = mesh_.positions[mesh_.faces[0][0]];
+    report_.box_hi = report_.box_lo;
+    Vec3d &lo = report_.box_lo, &hi = report_.box_hi;
+    for (const auto& t : mesh_.faces)
+      for (std::uint32_t v : t) {
+        const Vec3d& p = mesh_.positions[v];
+        lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+        hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+      }
+  }
+
+  const TriangleMesh& mesh_;
+  ValidityOptions options_;
+  ValidityReport report_;
+  Stopwatch watch_;
+  FacetSigns signs_;
+  SurfaceTopology topology_;
+  DuplicateFaces duplicates_;
+  std::vector<std::uint32_t> facets_;  // those that are not degenerate
+  std::optional<BoxGroups> boxes_;
+  ImproperPairs pairs_;
+  bool is_manifold_ = false;
+  bool any_ = false;
+};
+
+}  // namespace
+
+ValidityReport decide_validity(const TriangleMesh& mesh, const ValidityOptions& options) {
+  return Decision(mesh, options).run();
+}
+
+}  // namespace veritope

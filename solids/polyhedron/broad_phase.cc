@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kFlush = 1 << 12;
+constexpr std::uint64_t kWorkPerPair = 8;  // deciding a pair costs as much as comparing so many facets with a group
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr std::size_t kTaskGoal = 256;  // enough to keep several threads busy to the end; a constant, so tasks do not depend on jobs
 
@@ -38,26 +39,27 @@ struct BroadPhaseWalk {
   std::size_t task;
   std::atomic<std::uint64_t>& total;
   std::uint64_t budget;
-  std::uint64_t compared = 0;
+  std::uint64_t work = 0;
   std::uint64_t reported = 0;
   std::vector<FacetPair> found;
 
   void emit(std::uint32_t i, std::uint32_t j) {
     found.emplace_back(order[i], order[j]);
+    work += kWorkPerPair;
     if (found.size() == kFlush) flush();
   }
   void flush() {
     if (!found.empty()) sink(task, found);
     found.clear();
   }
-  // Adds up what all tasks compared; true once that is over the budget.
+  // Adds up the work of all tasks; true once that is over the budget.
   bool exhausted() {
-    if (compared - reported >= 4096) report();
+    if (work - reported >= 4096) report();
     return total.load(std::memory_order_relaxed) > budget;
   }
   void report() {
-    total.fetch_add(compared - reported, std::memory_order_relaxed);
-    reported = compared;
+    total.fetch_add(work - reported, std::memory_order_relaxed);
+    reported = work;
   }
 
   // All groups under both nodes; instruction set chosen at run time.

@@ -29,9 +29,9 @@ class BoxGroups {
   using Sink = std::function<void(std::size_t task, std::span<const FacetPair>)>;
 
   /// Finds every unordered pair whose boxes overlap and whose common vertices, if any, are no stars. Which task finds a pair
-  /// does not depend on jobs. Stops early and returns false when more than `budget` facets were compared with groups: the boxes
-  /// of long thin facets overlap too much for this method (what the sink has seen is then incomplete). Whether it
-  /// returns false does not depend on jobs either.
+  /// does not depend on jobs. Stops early and returns false when the work (facets compared with groups, and 8 for each pair) exceeds
+  /// `budget`: the boxes of long thin facets overlap too much for this method, and what the sink has seen is
+  /// incomplete. Whether it returns false does not depend on jobs either.
   bool for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink& sink) const;
   std::size_t num_tasks() const { return tasks_.size(); }
 

@@ -11,8 +11,8 @@
 namespace veritope {
 namespace {
 
-// Comparisons of a facet with a group of eight, a facet: ordinary meshes need 5 to 15.
-constexpr std::uint64_t kBudgetPerFacet = 64;
+// Work of the box groups a facet: ordinary meshes need 5 to 25.
+constexpr std::uint64_t kBudgetPerFacet = 96;
 // Smaller nodes are cheaper to take apart than to separate.
 constexpr std::uint32_t kMinSeparated = 4;
 

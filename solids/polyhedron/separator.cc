@@ -119,13 +119,6 @@ IntVec3 to_integers(const Vec3d& d) {
   return {part(d.x), part(d.y), part(d.z)};
 }
 
-void take_sample(const TriangleMesh& mesh, std::span<const std::uint32_t> facets, std::vector<Vec3d>& out) {
-  out.clear();
-  const std::size_t n = std::min(facets.size(), kSampleFacets);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::uint32_t v : mesh.faces[facets[i * facets.size() / n]]) out.push_back(mesh.positions[v]);
-}
-
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
@@ -173,9 +166,25 @@ bool SeparatorFinder::proves(const IntVec3& d, std::span<const std::uint32_t> a,
   return false;
 }
 
+// The corners of up to kSampleFacets facets, few of them twice. Of the second group: false if a vertex of the first is seen again.
+bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out) {
+  out.clear();
+  ++stamp_;
+  const std::size_t n = std::min(facets.size(), kSampleFacets);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::uint32_t v : mesh_.faces[facets[i * facets.size() / n]]) {
+      Slot& slot = slots_[v % kSlots];
+      if (slot.vertex == v && slot.stamp == stamp_) continue;
+      if (second && slot.vertex == v && slot.stamp == stamp_ - 1) return false;
+      slot = {v, stamp_};
+      out.push_back(mesh_.positions[v]);
+    }
+  return true;
+}
+
 std::optional<IntVec3> SeparatorFinder::find(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
-  take_sample(mesh_, a, sample_a_);
-  take_sample(mesh_, b, sample_b_);
+  take_sample(a, false, sample_a_);
+  if (!take_sample(b, true, sample_b_)) return std::nullopt;  // they share a vertex
   Simplex simplex;
   Vec3d nearest = minus(sample_b_[0], sample_a_[0]);  // of the differences q - p to the origin
   for (int round = 0; round < kRounds; ++round) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/polyhedron/separator.h: an integer direction that proves two groups of facets disjoint.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,11 +27,20 @@ class SeparatorFinder {
   std::optional<IntVec3> find(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
  private:
+  // Vertices met lately, by the low bits of their ids: finds almost all repetitions at the price of an array access.
+  struct Slot {
+    std::uint32_t vertex = 0, stamp = 0;
+  };
+  static constexpr std::size_t kSlots = 256;
+
+  bool take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out);
   bool proves(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
   const TriangleMesh& mesh_;
   double largest_;
   std::vector<Vec3d> sample_a_, sample_b_;
+  std::array<Slot, kSlots> slots_{};
+  std::uint32_t stamp_ = 0;
 };
 
 }  // namespace veritope

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/read_mesh.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "io/file_bytes.h"
+#include "io/parsed_mesh.h"
+#include "io/sniff.h"
+#include "io/source.h"
+#include "io/vertex_table.h"
+#include "verify/format/sha256.h"
+
+namespace veritope {
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Result<ParsedMesh> parse(MeshFormat format, const Source& source, const ReadOptions& options) {
+  switch (format) {
+    case MeshFormat::kStl: return read_stl(source, options);
+    case MeshFormat::kObj: return read_obj(source, options);
+    case MeshFormat::kPly: return read_ply(source, options);
+    case MeshFormat::kOff: return read_off(source, options);
+  }
+  return error_in_file(*source.name, Code::kBadArgument, "no such format");
+}
+
+std::uint64_t count_referenced(const TriangleMesh& mesh) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const auto& face : mesh.faces) {
+    for (const std::uint32_t v : face) used[v] = true;
+  }
+  return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
+}
+
+void merge_and_count(ParsedMesh& parsed, bool as_indexed) {
+  TriangleMesh& mesh = parsed.mesh;
+  ReadReport& report = parsed.report;
+  if (report.format == MeshFormat::kStl) {
+    report.distinct_vertices = mesh.positions.size();
+  } else {
+    report.distinct_vertices =
+        as_indexed ? count_distinct_positions(mesh) : merge_equal_positions(mesh);
+  }
+  report.referenced_vertices = count_referenced(mesh);
+  report.unreferenced_vertices = mesh.positions.size() - report.referenced_vertices;
+}
+
+Result<MeshFormat> choose_format(const Source& source, const ReadOptions& options) {
+  if (options.format) return *options.format;
+  if (const auto format = mesh_format_from_path(*source.name)) return *format;
+  if (const auto format = mesh_format_from_content(source)) return *format;
+  return error_in_file(*source.name, Code::kUnknownFormat,
+                       "neither the extension nor the content says whether this is STL, OBJ, PLY "
+                       "or OFF (--format)");
+}
+
+Result<ParsedMesh> parse_and_merge(const Source& source, const ReadOptions& options) {
+  if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
+  const Result<MeshFormat> format = choose_format(source, options);
+  if (!format) return format.error();
+  Result<ParsedMesh> parsed = parse(*format, source, options);
+  if (!parsed) return parsed;
+  parsed->report.format = *format;
+  parsed->report.bytes = source.size();
+  merge_and_count(*parsed, options.as_indexed);
+  return parsed;
+}
+
+Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
+                             const ReadOptions& options) {
+  MeshFile file;
+  const auto hash = [&] {
+    const Stopwatch watch;
+    file.sha256 = to_hex(sha256({buffer.data(), buffer.size()}));
+    file.seconds_hash = watch.seconds();
+  };
+  const Stopwatch watch;
+  std::jthread hashing;
+  if (options.jobs > 1 && buffer.size() > (1 << 16)) hashing = std::jthread(hash);
+  Result<ParsedMesh> parsed = parse_and_merge(source_of(buffer, name), options);
+  if (!parsed) return parsed.error();
+  file.seconds_parse = watch.seconds();
+  hashing.joinable() ? hashing.join() : hash();
+  file.mesh = std::move(parsed->mesh);
+  file.report = std::move(parsed->report);
+  file.polygon_of_face = std::move(parsed->polygon_of_face);
+  return file;
+}
+
+std::optional<Error> check_options(const std::string& name, const ReadOptions& options) {
+  if (options.jobs >= 1) return std::nullopt;
+  return error_in_file(name, Code::kBadArgument,
+                       "jobs must be at least 1, not " + std::to_string(options.jobs));
+}
+
+}  // namespace
+
+Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& options) {
+  if (std::optional<Error> error = check_options(path, options)) return std::move(*error);
+  if (path == "-" && !options.format) {
+    return error_in_file(path, Code::kBadArgument, "standard input needs a format (--format)");
+  }
+  const Stopwatch watch;
+  const std::uint64_t max_bytes = options.limits.max_bytes;
+  const Result<ByteBuffer> buffer = path == "-" ? read_descriptor(STDIN_FILENO, path, 0, max_bytes)
+                                                : read_file_bytes(path, max_bytes);
+  if (!buffer) return buffer.error();
+  const double seconds = watch.seconds();
+  Result<MeshFile> file = read_buffer(*buffer, path, options);
+  if (file) file->seconds_read = seconds;
+  return file;
+}
+
+Result<MeshFile> read_mesh_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                                 const ReadOptions& options) {
+  if (std::optional<Error> error = check_options(name, options)) return std::move(*error);
+  if (bytes.size() > options.limits.max_bytes) {
+    return error_in_file(name, Code::kOverLimit,
+                         over_limit("bytes", "--max-bytes", options.limits.max_bytes));
+  }
+  return read_buffer(copy_to_buffer(bytes), name, options);
+}
+
+}  // namespace veritope

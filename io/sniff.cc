@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/sniff.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/scan.h"
+#include "io/stl_reader.h"
+
+namespace veritope {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Signature {
+  std::string_view bytes;
+  const char* name;
+};
+
+// The four-byte marks stand before the two-byte ones that they begin with.
+constexpr std::array kForeign = {
+    Signature{"\xFF\xFE\0\0"sv, "UTF-32 text"},     Signature{"\0\0\xFE\xFF"sv, "UTF-32 text"},
+    Signature{"\xFF\xFE"sv, "UTF-16 text"},         Signature{"\xFE\xFF"sv, "UTF-16 text"},
+    Signature{"\x1F\x8B"sv, "gzip data"},           Signature{"PK\x03\x04"sv, "a zip archive"},
+    Signature{"PK\x05\x06"sv, "a zip archive"},     Signature{"BZh"sv, "bzip2 data"},
+    Signature{"\xFD" "7zXZ\0"sv, "xz data"},        Signature{"\x28\xB5\x2F\xFD"sv, "zstd data"},
+    Signature{"version https://git-lfs"sv, "a git-lfs pointer (run: git lfs pull)"},
+};
+
+bool is_off_word(std::string_view word) {
+  for (const std::string_view prefix : {"ST", "C", "N"}) {
+    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  }
+  return word == "OFF";
+}
+
+bool is_obj_word(std::string_view word) {
+  constexpr std::array kWords = {"v"sv, "vn"sv, "vt"sv, "f"sv, "g"sv, "o"sv, "s"sv, "mtllib"sv,
+                                 "usemtl"sv, "fo"sv, "l"sv, "p"sv};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+// The first token that is not in a comment.
+std::string_view first_word(const Source& source) {
+  const char* p = skip_byte_order_mark(source);
+  for (;;) {
+    p = skip_space(p, source.end);
+    if (p >= source.end) return {};
+    if (*p != '#') break;
+    p = find_eol(p);
+  }
+  const char* const last = skip_token(p, kTokenEndOrComment);
+  return {p, static_cast<std::size_t>(last - p)};
+}
+
+}  // namespace
+
+std::optional<Error> refuse_foreign(const Source& source) {
+  if (source.size() == 0) return error_in_file(*source.name, Code::kEmpty, "the file is empty");
+  const std::string_view text(source.begin, static_cast<std::size_t>(source.size()));
+  for (const Signature& signature : kForeign) {
+    if (text.starts_with(signature.bytes)) {
+      return error_at_byte(source, source.begin, Code::kForeignFormat,
+                           std::string("this is ") + signature.name + ", not a mesh");
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<MeshFormat> mesh_format_from_content(const Source& source) {
+  const bool has_header = source.size() >= kStlHeader;
+  if (has_header && source.size() == stl_binary_size(source)) return MeshFormat::kStl;
+  const std::string_view word = first_word(source);
+  if (word == "ply") return MeshFormat::kPly;
+  if (is_off_word(word)) return MeshFormat::kOff;
+  if (is_word(word, "solid")) return MeshFormat::kStl;
+  if (is_obj_word(word)) return MeshFormat::kObj;
+  return std::nullopt;
+}
+
+}  // namespace veritope

@@ -14,7 +14,7 @@
 namespace veritope {
 
 template <typename T>
-concept BuiltinInteger = std::integral<T> && !std::same_as<T, bool>;
+concept BuiltinInteger = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= 8;
 
 /// A mathematical integer. Ring operations never fail; out of memory ends the program (GMP aborts).
 class Integer {

@@ -18,6 +18,7 @@ const char* code_name(Code code) {
     case Code::kCannotWrite: return "cannot-write";
     case Code::kInterrupted: return "interrupted";
     case Code::kBadArgument: return "bad-argument";
+    case Code::kBadEnvironment: return "bad-environment";
   }
   return "unknown";
 }

@@ -26,6 +26,7 @@ enum class Code {
   kCannotWrite,      ///< the output could not be written; nothing was left behind
   kInterrupted,      ///< the user stopped it
   kBadArgument,      ///< a parameter outside its documented range
+  kBadEnvironment,   ///< this process computes in a way that the predicates do not allow (fp_guard.h)
 };
 
 /// The stable lower-case name of a code, for reports: "index-out-of-range".

@@ -1,0 +1,59 @@
+# What goes into an installation: the layers as static libraries with their public headers, the programs, the checker in Python,
+# the documents; a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc. tests/install/ uses them all.
+include(CMakePackageConfigHelpers)
+
+# veritope_programs: every executable of cli/ and verify/checker/, without the tests.
+set(veritope_executables "")
+foreach(folder IN ITEMS cli verify/checker)
+  get_property(targets DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")
+      list(APPEND veritope_executables ${target})
+    endif()
+  endforeach()
+endforeach()
+add_custom_target(veritope_programs DEPENDS ${veritope_executables})
+
+# Layers, lowest first; what serves only the command line stays here.
+set(veritope_layers "")
+set(veritope_pc_libs "")
+get_property(layers GLOBAL PROPERTY VERITOPE_LAYERS)
+foreach(layer IN LISTS layers)
+  get_target_property(folder ${layer} VERITOPE_FOLDER)
+  if(folder MATCHES "^cli")
+    continue()
+  endif()
+  list(APPEND veritope_layers ${layer})
+  string(PREPEND veritope_pc_libs "-l${layer} ")
+  cmake_path(GET folder PARENT_PATH parent)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/${parent}"
+          FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
+endforeach()
+
+add_library(veritope_all INTERFACE)
+add_library(veritope::veritope ALIAS veritope_all)
+set_target_properties(veritope_all PROPERTIES EXPORT_NAME veritope)
+target_link_libraries(veritope_all INTERFACE ${veritope_layers})
+
+install(TARGETS veritope_all ${veritope_layers} EXPORT veritopeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS ${veritope_executables} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(PROGRAMS "${PROJECT_SOURCE_DIR}/verify/checker/veritope_check.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
+
+set(veritope_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/veritope")
+install(EXPORT veritopeTargets NAMESPACE veritope:: DESTINATION "${veritope_cmake_dir}")
+configure_package_config_file(cmake/veritopeConfig.cmake.in "${PROJECT_BINARY_DIR}/veritopeConfig.cmake"
+                              INSTALL_DESTINATION "${veritope_cmake_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/veritopeConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/veritopeConfig.cmake" "${PROJECT_BINARY_DIR}/veritopeConfigVersion.cmake"
+        DESTINATION "${veritope_cmake_dir}")
+
+# Paths in the .pc file are relative to it, so that an installed tree may be moved.
+set(veritope_pc_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+file(RELATIVE_PATH veritope_pc_prefix "/p/${veritope_pc_dir}" "/p")
+cmake_path(CONVERT "${veritope_pc_prefix}" TO_CMAKE_PATH_LIST veritope_pc_prefix NORMALIZE)
+configure_file(cmake/veritope.pc.in "${PROJECT_BINARY_DIR}/veritope.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/veritope.pc" DESTINATION "${veritope_pc_dir}")
+
+install(FILES README.md LICENSE.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY LICENSES docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The checkers stand alone: their files, copied into an empty folder, build as C++11 with every compiler there is, run, and use the
+standard library only. Their size stays within the promise of the style guide.
+
+usage: checker_alone_test.py [UNITTEST ARGUMENT...]
+"""
+import ast
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CHECKER = ROOT / "verify" / "checker"
+COMPILERS = [name for name in ("g++", "clang++", "clang++-14") if shutil.which(name)]
+MOST_LINES_OF_A_KIND, MOST_COMMON_LINES = 300, 600
+
+
+def lines(path):
+    return len(path.read_text().splitlines())
+
+
+class CheckerAlone(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.alone = pathlib.Path(folder.name)
+        for path in CHECKER.iterdir():
+            if path.suffix in (".h", ".cc", ".py"):
+                shutil.copy(path, self.alone)
+
+    def run_here(self, *command):
+        return subprocess.run(command, cwd=self.alone, capture_output=True, text=True)
+
+    def test_it_builds_as_strict_cpp11_and_runs(self):
+        self.assertIn("g++", COMPILERS)
+        sources = sorted(path.name for path in self.alone.glob("*.cc"))
+        for compiler in COMPILERS:
+            build = self.run_here(compiler, "-std=c++11", "-pedantic-errors", "-Wall", "-Wextra", "-Werror", *sources, "-o", "check")
+            self.assertEqual(build.returncode, 0, f"{compiler}: {build.stderr}")
+            version = self.run_here("./check", "--version")
+            self.assertEqual(version.returncode, 0, version.stderr)
+            self.assertRegex(version.stdout, r"^veritope-check .*\d")
+            self.assertEqual(self.run_here("./check").returncode, 2)
+
+    def test_the_python_one_runs_without_any_installed_package(self):
+        command = (sys.executable, "-I", "-S", "veritope_check.py")
+        version = self.run_here(*command, "--version")
+        self.assertEqual(version.returncode, 0, version.stderr)
+        self.assertRegex(version.stdout, r"^veritope.check.* .*\d")
+        self.assertEqual(self.run_here(*command).returncode, 2)
+
+    def test_the_python_one_imports_the_standard_library_only(self):
+        for node in ast.walk(ast.parse((self.alone / "veritope_check.py").read_text())):
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            for name in names:
+                self.assertIn(name.split(".")[0], sys.stdlib_module_names)
+
+    def test_the_cpp_one_includes_its_own_files_and_the_standard_library_only(self):
+        for path in [*self.alone.glob("*.h"), *self.alone.glob("*.cc")]:
+            for mark, header in re.findall(r'(?m)^\s*#\s*include\s*([<"])([^>"]+)', path.read_text()):
+                if mark == '"':
+                    self.assertTrue((self.alone / header).is_file(), f"{path.name}: {header}")
+                else:
+                    self.assertRegex(header, r"^[a-z_0-9]+$", f"{path.name}: {header} is no header of the C++ library")
+
+    def test_it_is_short_enough_to_read(self):
+        kinds = sorted(path for path in self.alone.glob("*.cc") if re.match(r"mesh_|claim_", path.name))
+        common = [path for path in [*self.alone.glob("*.h"), *self.alone.glob("*.cc")] if path not in kinds]
+        for path in kinds:
+            self.assertLessEqual(lines(path), MOST_LINES_OF_A_KIND, path.name)
+        self.assertLessEqual(sum(map(lines, common)), MOST_COMMON_LINES, sorted(path.name for path in common))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""An installation serves programs outside the tree: it is made, moved to another folder, and used through find_package, through
+pkg-config, and by its programs.
+
+usage: install_test.py BUILD_FOLDER CMAKE CXX_COMPILER
+"""
+import concurrent.futures
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CONSUMER = ROOT / "tests" / "install" / "consumer"
+EXAMPLES = ROOT / "examples"
+
+
+def run(*command, env=None, cwd=None):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, env=env, cwd=cwd)
+    return done.returncode, done.stdout, done.stdout + done.stderr
+
+
+class Installation(unittest.TestCase):
+    BUILD = CMAKE = COMPILER = None
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        status, _, text = run(cls.CMAKE, "--install", cls.BUILD, "--prefix", cls.folder / "first")
+        if status != 0:
+            raise AssertionError(text)
+        cls.prefix = cls.folder / "moved"
+        (cls.folder / "first").rename(cls.prefix)
+        cls.include = cls.prefix / "include" / "veritope"
+        cls.pc_folder = next(cls.prefix.rglob("veritope.pc")).parent
+
+    def succeed(self, *command, **keywords):
+        status, output, text = run(*command, **keywords)
+        self.assertEqual(status, 0, text)
+        return output
+
+    def pkg_config(self, *options):
+        output = self.succeed("pkg-config", *options, "veritope", env={"PKG_CONFIG_LIBDIR": str(self.pc_folder), "PATH": "/usr/bin:/bin"})
+        return output.split()
+
+    def assert_consumer_works(self, program):
+        self.assertEqual(run(program, EXAMPLES / "sound_part.stl")[:2], (0, "orient3d: 1\nvalid, 112 faces\n"))
+        self.assertEqual(run(program, EXAMPLES / "self_crossing.off")[:2], (1, "orient3d: 1\ninvalid, 60 faces\n"))
+
+    def test_find_package_gives_a_consumer_all_that_it_needs(self):
+        build = self.folder / "cmake"
+        self.succeed(self.CMAKE, "-S", CONSUMER, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                     f"-DCMAKE_CXX_COMPILER={self.COMPILER}")
+        self.succeed(self.CMAKE, "--build", build, "-j", 2)
+        self.assert_consumer_works(build / "consumer")
+        self.assert_consumer_works(build / "consumer_of_io")
+
+    def test_pkg_config_gives_a_consumer_all_that_it_needs(self):
+        program = self.folder / "by_pkg_config"
+        flags = self.pkg_config("--cflags"), self.pkg_config("--libs", "--static")
+        self.assertIn("-ffp-contract=off", flags[0])
+        self.succeed(self.COMPILER, "-std=c++20", *flags[0], CONSUMER / "main.cc", "-o", program, *flags[1])
+        self.assert_consumer_works(program)
+
+    def test_every_installed_header_compiles_alone(self):
+        headers = sorted(str(path.relative_to(self.include)) for path in self.include.rglob("*") if path.is_file())
+        self.assertIn("predicates/orient3d.h", headers)
+        cflags = self.pkg_config("--cflags")
+
+        def compile_alone(header):
+            source = self.folder / (header.replace("/", "_") + ".cc")
+            source.write_text(f'#include "{header}"\n')
+            return run(self.COMPILER, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *cflags, source)
+
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for header, (status, _, text) in zip(headers, pool.map(compile_alone, headers)):
+                self.assertEqual(status, 0, f"{header}: {text}")
+
+    def test_no_internal_header_and_nothing_of_the_checker_is_among_the_headers(self):
+        self.assertEqual([path.name for path in self.include.rglob("*_internal.h")], [])
+        self.assertFalse((self.include / "verify" / "checker").exists())
+
+    def test_the_installed_programs_work_without_the_tree(self):
+        model = self.folder / "part.stl"
+        shutil.copy(EXAMPLES / "sound_part.stl", model)
+        self.succeed(self.prefix / "bin" / "veritope", "certify", model, "--certificate", "part.cert", cwd=self.folder)
+        self.succeed(self.prefix / "bin" / "veritope-check", model, "part.cert", cwd=self.folder)
+        checker = self.prefix / "share" / "veritope" / "veritope_check.py"
+        self.succeed(sys.executable, "-I", checker, model, self.folder / "part.cert")
+
+    def test_licences_and_documents_are_there(self):
+        for name in ("README.md", "LICENSE.md", "LICENSES/LGPL-3.0-or-later.txt", "docs/certificates/mesh.md"):
+            self.assertTrue((self.prefix / "share" / "doc" / "veritope" / name).is_file(), name)
+
+
+if __name__ == "__main__":
+    Installation.BUILD, Installation.CMAKE, Installation.COMPILER = sys.argv[1:4]
+    del sys.argv[1:4]
+    unittest.main()

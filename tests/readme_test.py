@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""README.md shows what happens: its transcripts are run and compared, its C++ is the program that the install test builds.
+
+usage: readme_test.py BIN_FOLDER
+
+A fenced block tagged `console` is a transcript: lines that begin with "$ " are commands, the lines after each are its standard
+output and standard error. The commands of a block run in one bash, in a fresh folder where examples/, docs/, verify/ and tests/ are
+those of the tree and build/bin/ is BIN_FOLDER, so what they write is gone afterwards. Times compare as equal: a number with its
+unit (0.31 s, 12 ms), and all numbers of a JSON object "seconds". A line of three dots stands for any lines.
+A block tagged `cpp` must occur, apart from blank lines at its ends, in tests/install/consumer/main.cc.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MARK = "--- next command ---"
+
+
+def fenced_blocks(text, tag):
+    return re.findall(rf"(?ms)^```{tag}\n(.*?)^```$", text)
+
+
+def split_transcript(block):
+    """[(command, output)] of a console block."""
+    pieces = re.split(r"(?m)^\$ (.*)\n", block if block.endswith("\n") else block + "\n")
+    return list(zip(pieces[1::2], pieces[2::2]))
+
+
+def run_block(commands, folder):
+    """The output of each command; all run in one shell, $? is that of the command before."""
+    script = "status=0\n"
+    for command in commands:
+        script += f"printf '%s\\n' '{MARK}'\n(exit $status)\n{command}\nstatus=$?\n"
+    done = subprocess.run(["bash", "-c", script], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return done.stdout.split(MARK + "\n")[1:]
+
+
+def normalise(output):
+    """The lines without what differs from run to run."""
+    output = re.sub(r'("seconds": ?)\{[^}]*\}', r"\1{}", output)
+    output = re.sub(r"\b\d+(\.\d+)? ?(s|ms|us|min|seconds)\b", "<time>", output)
+    return [line.rstrip() for line in output.strip("\n").splitlines()]
+
+
+def matches(shown, actual):
+    """Whether the lines agree; a line "..." of the first stands for any lines."""
+    if not shown:
+        return not actual
+    if shown[0] == "...":
+        return any(matches(shown[1:], actual[skip:]) for skip in range(len(actual) + 1))
+    return bool(actual) and shown[0] == actual[0] and matches(shown[1:], actual[1:])
+
+
+class Readme(unittest.TestCase):
+    BIN_FOLDER = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for name in ("examples", "docs", "verify", "tests"):
+            (self.folder / name).symlink_to(ROOT / name)
+        (self.folder / "build").mkdir()
+        (self.folder / "build" / "bin").symlink_to(self.BIN_FOLDER)
+        self.text = (ROOT / "README.md").read_text()
+
+    def test_the_transcripts_are_what_happens(self):
+        for block in fenced_blocks(self.text, "console"):
+            transcript = split_transcript(block)
+            self.assertTrue(transcript, f"a console block without a command:\n{block}")
+            outputs = run_block([command for command, _ in transcript], self.folder)
+            for (command, shown), actual in zip(transcript, outputs, strict=True):
+                if not matches(normalise(shown), normalise(actual)):
+                    self.fail(f"$ {command}\n--- README.md shows\n{shown}--- it prints\n{actual}")
+
+    def test_the_cpp_examples_are_compiled_by_the_install_test(self):
+        consumer = (ROOT / "tests" / "install" / "consumer" / "main.cc").read_text()
+        for block in fenced_blocks(self.text, "cpp"):
+            self.assertIn(block.strip("\n"), consumer)
+
+    def test_the_two_commands_come_first(self):
+        commands = re.findall(r"\./dev \w+", self.text)
+        self.assertEqual(commands[:2], ["./dev demo", "./dev test"])
+
+
+class TheComparison(unittest.TestCase):
+    def test_a_block_runs_in_one_shell_and_keeps_the_status(self):
+        with tempfile.TemporaryDirectory() as folder:
+            outputs = run_block(["x=3; false", "echo $? $x", "echo oops >&2"], folder)
+        self.assertEqual(outputs, ["", "1 3\n", "oops\n"])
+
+    def test_a_transcript_splits_into_commands_and_outputs(self):
+        self.assertEqual(split_transcript("$ a\n1\n2\n$ b\n"), [("a", "1\n2\n"), ("b", "")])
+
+    def test_times_are_equal_and_other_numbers_are_not(self):
+        self.assertEqual(normalise("12 faces, 0.31 s"), normalise("12 faces, 4 s"))
+        self.assertNotEqual(normalise("12 faces"), normalise("13 faces"))
+        self.assertEqual(normalise('{"seconds":{"read":0.1}}'), normalise('{"seconds":{"read":0.2}}'))
+
+    def test_three_dots_stand_for_lines_and_nothing_else_does(self):
+        self.assertTrue(matches(["a", "...", "d"], ["a", "b", "c", "d"]))
+        self.assertTrue(matches(["a", "..."], ["a"]))
+        self.assertFalse(matches(["a", "...", "d"], ["a", "b"]))
+        self.assertFalse(matches(["a"], ["a", "b"]))
+
+
+if __name__ == "__main__":
+    Readme.BIN_FOLDER = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()

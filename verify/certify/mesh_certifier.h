@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/mesh_certifier.h: from a decided mesh to its certificate. The search; the checkers do not search.
+#pragma once
+#include "solids/polyhedron/triangle_mesh.h"
+#include "solids/polyhedron/validity.h"
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope {
+
+/// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken rule.
+/// REQUIRES report = decide_validity(mesh, options) with max_defects >= 1. The bytes do not depend on `jobs`.
+/// @cost about as long as the decision. Throws InternalError if a proper pair has no code: a bug, never a property of the model.
+certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
+                                         const certificate::Subject& subject, unsigned jobs);
+
+}  // namespace veritope

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+#include "verify/format/mesh_certificate.h"
+
+#include <algorithm>
+
+#include "verify/format/byte_stream.h"
+#include "verify/format/sha256.h"
+
+namespace veritope::certificate {
+namespace {
+
+using internal::ByteReader;
+using internal::ByteWriter;
+
+constexpr std::size_t kMaxStatement = 64 << 10;
+constexpr unsigned char kValidMagic[] = {'V', 'T', 'M', 'V'};
+constexpr unsigned char kInvalidMagic[] = {'V', 'T', 'M', 'I'};
+
+// One flat JSON object; the values hold no character that needs an escape.
+class StatementWriter {
+ public:
+  void text(std::string_view key, std::string_view value) {
+    open(key);
+    line_ += '"';
+    line_ += value;
+    line_ += '"';
+  }
+  void number(std::string_view key, std::uint64_t value) {
+    open(key);
+    line_ += std::to_string(value);
+  }
+  void boolean(std::string_view key, bool value) {
+    open(key);
+    line_ += value ? "true" : "false";
+  }
+  std::string take() { return line_ + "}"; }
+
+ private:
+  void open(std::string_view key) {
+    line_ += line_.empty() ? "{\"" : ",\"";
+    line_ += key;
+    line_ += "\":";
+  }
+  std::string line_;
+};
+
+void state_subject(StatementWriter& w, const Subject& s, std::string_view claim, const Bytes& body) {
+  w.text("certificate", kFormatName);
+  w.text("tool", s.tool);
+  w.text("claim", claim);
+  w.text("subject_sha256", s.sha256);
+  w.number("subject_bytes", s.bytes);
+  w.text("subject_format", s.format);
+  w.text("reading_rule", s.reading_rule);
+  w.boolean("as_indexed", s.as_indexed);
+  w.text("body_sha256", to_hex(sha256(body)));
+}
+
+Bytes join(std::string statement, const Bytes& body) {
+  Bytes out;
+  out.reserve(statement.size() + 1 + body.size());
+  out.insert(out.end(), statement.begin(), statement.end());
+  out.push_back('\n');
+  out.insert(out.end(), body.begin(), body.end());
+  return out;
+}
+
+std::string rules_of(const InvalidBody& body) {
+  std::string rules;
+  int last = 0;
+  for (const Witness& w : body.witnesses) {
+    if (w.rule == last) continue;
+    last = w.rule;
+    rules += (rules.empty() ? "M" : " M") + std::to_string(last);
+  }
+  return rules;
+}
+
+void write(ByteWriter& w, const Natural& n) {
+  w.u32(static_cast<std::uint32_t>(n.size()));
+  w.raw(n);
+}
+
+void write(ByteWriter& w, const Witness& x) {
+  w.u8(x.rule);
+  w.u32(x.first);
+  if (x.rule >= 2 && x.rule <= 5) w.u32(x.second);
+  if (x.rule == 7) {
+    w.u32(x.second);
+    for (const Natural& n : x.weights) write(w, n);
+  }
+  if (x.rule >= 8) w.u8(x.axis);
+}
+
+Witness read_witness(ByteReader& r) {
+  Witness x;
+  x.rule = r.u8();
+  if (x.rule < 1 || x.rule > 9) r.fail();
+  x.first = r.u32();
+  if ((x.rule >= 2 && x.rule <= 5) || x.rule == 7) x.second = r.u32();
+  if (x.rule == 7)
+    for (Natural& n : x.weights) {
+      const auto bytes = r.raw(r.count(1));
+      n.assign(bytes.begin(), bytes.end());
+    }
+  if (x.rule >= 8) x.axis = r.u8();
+  return x;
+}
+
+std::optional<ValidBody> read_valid(ByteReader r) {
+  ValidBody b;
+  r.raw(4);
+  const std::uint32_t faces = r.count(4);
+  b.num_vertex_ids = r.u32();
+  if (!r.ok() || faces > r.left() / 4) return std::nullopt;
+  for (std::uint32_t i = 0; i < faces; ++i) b.order.push_back(r.u32());
+  const auto stars = r.raw(b.num_vertex_ids);
+  b.stars.assign(stars.begin(), stars.end());
+  for (std::uint32_t i = 0, n = r.count(12); i < n; ++i) {
+    const std::int32_t x = r.i32(), y = r.i32(), z = r.i32();
+    b.star_vectors.push_back({x, y, z});
+  }
+  std::uint64_t next = 0;
+  for (std::uint32_t i = 0, n = r.count(4); i < n && r.ok(); ++i) {
+    Separator s;
+    s.index = next + r.varint();
+    next = s.index + 1;
+    for (auto& c : s.direction) c = static_cast<std::int32_t>(r.zigzag());
+    b.separators.push_back(s);
+  }
+  const auto codes = r.raw(r.count(1));
+  b.codes.assign(codes.begin(), codes.end());
+  const auto nesting = r.raw(r.left());
+  b.nesting.assign(nesting.begin(), nesting.end());
+  if (!r.ok()) return std::nullopt;
+  return b;
+}
+
+std::optional<InvalidBody> read_invalid(ByteReader r) {
+  InvalidBody b;
+  r.raw(4);
+  b.num_faces = r.u32();
+  b.num_vertex_ids = r.u32();
+  for (std::uint32_t i = 0, n = r.count(5); i < n && r.ok(); ++i) b.witnesses.push_back(read_witness(r));
+  if (!r.at_end()) return std::nullopt;
+  return b;
+}
+
+}  // namespace
+
+Bytes encode(const ValidBody& b) {
+  ByteWriter w;
+  w.reserve(64 + 4 * b.order.size() + b.stars.size() + 12 * b.separators.size() + b.codes.size());
+  w.raw(kValidMagic);
+  w.u32(static_cast<std::uint32_t>(b.order.size()));
+  w.u32(b.num_vertex_ids);
+  for (std::uint32_t f : b.order) w.u32(f);
+  w.raw(b.stars);
+  w.u32(static_cast<std::uint32_t>(b.star_vectors.size()));
+  for (const auto& d : b.star_vectors)
+    for (std::int32_t c : d) w.i32(c);
+  w.u32(static_cast<std::uint32_t>(b.separators.size()));
+  std::uint64_t next = 0;
+  for (const Separator& s : b.separators) {
+    w.varint(s.index - next);
+    next = s.index + 1;
+    for (std::int32_t c : s.direction) w.zigzag(c);
+  }
+  w.u32(static_cast<std::uint32_t>(b.codes.size()));
+  w.raw(b.codes);
+  w.raw(b.nesting);
+  return w.take();
+}
+
+Bytes encode(const InvalidBody& b) {
+  ByteWriter w;
+  w.raw(kInvalidMagic);
+  w.u32(b.num_faces);
+  w.u32(b.num_vertex_ids);
+  w.u32(static_cast<std::uint32_t>(b.witnesses.size()));
+  for (const Witness& x : b.witnesses) write(w, x);
+  return w.take();
+}
+
+Bytes encode(const Subject& subject, const Quantities& q, const ValidBody& body) {
+  const Bytes bytes = encode(body);
+  StatementWriter w;
+  state_subject(w, subject, kValidClaim, bytes);
+  w.number("vertices", q.vertices);
+  w.number("edges", q.edges);
+  w.number("faces", q.faces);
+  w.number("shells", q.shells);
+  w.number("bodies", q.bodies);
+  w.number("genus", q.genus);
+  w.text("volume", q.volume);
+  return join(w.take(), bytes);
+}
+
+Bytes encode(const Subject& subject, const InvalidBody& body) {
+  const Bytes bytes = encode(body);
+  StatementWriter w;
+  state_subject(w, subject, kInvalidClaim, bytes);
+  w.text("rules", rules_of(body));
+  return join(w.take(), bytes);
+}
+
+std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::string& why) {
+  const auto head = bytes.first(std::min(bytes.size(), kMaxStatement + 1));
+  const auto end = std::find(head.begin(), head.end(), static_cast<unsigned char>('\n'));
+  if (end == head.end()) {
+    why = "no line feed in the first 64 KiB: a certificate starts with one line of JSON";
+    return std::nullopt;
+  }
+  Certificate out;
+  out.statement.assign(head.begin(), end);
+  const auto body = bytes.subspan(static_cast<std::size_t>(end - head.begin()) + 1);
+  const auto has_magic = [&](const unsigned char (&magic)[4]) {
+    return body.size() >= 4 && std::equal(magic, magic + 4, body.begin());
+  };
+  if (has_magic(kValidMagic)) out.valid = read_valid(ByteReader(body));
+  if (has_magic(kInvalidMagic)) out.invalid = read_invalid(ByteReader(body));
+  if (!out.valid && !out.invalid) {
+    why = has_magic(kValidMagic) || has_magic(kInvalidMagic)
+              ? "the body ends too early, is too long, or holds a malformed number"
+              : "the body starts neither with VTMV nor with VTMI";
+    return std::nullopt;
+  }
+  return out;
+}
+
+}  // namespace veritope::certificate

@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "predicates/orient2d.h"
 
-#include "predicates/lattice.h"
-#include "robust/base/int128.h"
+#include "interval/interval.h"
+#include "predicates/fixed_formulas.h"
 
 namespace veritope::internal {
+namespace {
 
-// Differences have at most 61 bits, their products 122.
-Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) {
-  std::array<std::int64_t, 3> x, y;
-  if (!to_short_lattice<3>({a.x, b.x, c.x}, x) || !to_short_lattice<3>({a.y, b.y, c.y}, y)) {
-    return Sign3::kUncertain;
-  }
-  const int128 left = static_cast<int128>(x[1] - x[0]) * (y[2] - y[0]);
-  const int128 right = static_cast<int128>(y[1] - y[0]) * (x[2] - x[0]);
-  return to_sign3(sign_of(left - right));
+// The sign, if each axis fits a lattice of L limbs.
+template <int L>
+Sign3 on_lattice(Vec2d a, Vec2d b, Vec2d c) {
+  std::array<FixedInt<L>, 3> x, y;
+  if (!to_lattice<3>({a.x, b.x, c.x}, x) || !to_lattice<3>({a.y, b.y, c.y}, y)) return Sign3::kUncertain;
+  return to_sign3(orient2d_fixed<L>(x, y));
 }
 
-Sign3 orient2d_interval(Vec2d, Vec2d, Vec2d) { return Sign3::kUncertain; }
+}  // namespace
+
+Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) {
+  if (same_bits(a.x, b.x, c.x) || same_bits(a.y, b.y, c.y)) return Sign3::kZero;
+  return on_lattice<1>(a, b, c);
+}
+
+Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) {
+  const ScopedUpward upward;
+  return formulas::Orient2d<Interval>(Interval(a.x), Interval(a.y), Interval(b.x), Interval(b.y),
+                                      Interval(c.x), Interval(c.y))
+      .det()
+      .sign();
+}
 
 Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c) {
+  const Sign3 s = on_lattice<2>(a, b, c);
+  return is_certain(s) ? to_sign(s) : orient2d_integer(a, b, c);
+}
+
+Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) {
   const auto x = to_integers<3>({a.x, b.x, c.x});
   const auto y = to_integers<3>({a.y, b.y, c.y});
   return formulas::Orient2d<Integer>(x[0], y[0], x[1], y[1], x[2], y[2]).det().sign();

@@ -32,7 +32,8 @@ inline constexpr double kOrient2dAbs = 0x1p-960;
 
 Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c);
 Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c);
-Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c);
+Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c);    // two limbs, else orient2d_integer
+Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c);  // any exponents
 Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally);
 }  // namespace internal
 

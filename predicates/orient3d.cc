@@ -1,41 +1,47 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "predicates/orient3d.h"
 
-#include "predicates/lattice.h"
-#include "robust/base/int128.h"
+#include "interval/interval.h"
+#include "predicates/fixed_formulas.h"
 
 namespace veritope::internal {
+namespace {
 
-// Differences have at most 61 bits and minors 123. A minor is cut into high * 2^64 + low with 0 <= low < 2^64: a difference times
-// `low` has 125 bits and the sum of three of them stays under 2^127; a difference times `high` is shorter.
-Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
-  static_assert(2 * (kLatticeBits + 1) + 1 <= 126 && 64 + kLatticeBits + 1 + 2 <= 127);
-  std::array<std::int64_t, 4> x, y, z;
-  if (!to_short_lattice<4>({a.x, b.x, c.x, d.x}, x) || !to_short_lattice<4>({a.y, b.y, c.y, d.y}, y) ||
-      !to_short_lattice<4>({a.z, b.z, c.z, d.z}, z)) {
+// The sign, if each axis fits a lattice of L limbs.
+template <int L>
+Sign3 on_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  std::array<FixedInt<L>, 4> x, y, z;
+  if (!to_lattice<4>({a.x, b.x, c.x, d.x}, x) || !to_lattice<4>({a.y, b.y, c.y, d.y}, y) ||
+      !to_lattice<4>({a.z, b.z, c.z, d.z}, z)) {
     return Sign3::kUncertain;
   }
-  const int128 ux = x[1] - x[0], uy = y[1] - y[0], uz = z[1] - z[0];
-  const std::int64_t vx = x[2] - x[0], vy = y[2] - y[0], vz = z[2] - z[0];
-  const int128 nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-  const auto low = [](int128 minor, std::int64_t w) {
-    return static_cast<int128>(static_cast<std::uint64_t>(minor)) * w;
-  };
-  const auto high = [](int128 minor, std::int64_t w) {
-    return static_cast<int128>(static_cast<std::int64_t>(minor >> 64)) * w;
-  };
-  const std::int64_t wx = x[3] - x[0], wy = y[3] - y[0], wz = z[3] - z[0];
-  const int128 low_sum = low(nx, wx) + low(ny, wy) + low(nz, wz);
-  const int128 high_sum = high(nx, wx) + high(ny, wy) + high(nz, wz) + (low_sum >> 64);
-  if (high_sum != 0) return to_sign3(sign_of(high_sum));
-  return static_cast<std::uint64_t>(low_sum) != 0 ? Sign3::kPositive : Sign3::kZero;
+  return to_sign3(orient3d_fixed<L>(x, y, z));
 }
 
-Sign3 orient3d_interval(const Vec3d&, const Vec3d&, const Vec3d&, const Vec3d&) {
-  return Sign3::kUncertain;
+}  // namespace
+
+Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  // Faces along the axes are the commonest degenerate ones.
+  if (same_bits(a.x, b.x, c.x, d.x) || same_bits(a.y, b.y, c.y, d.y) || same_bits(a.z, b.z, c.z, d.z)) {
+    return Sign3::kZero;
+  }
+  return on_lattice<1>(a, b, c, d);
+}
+
+Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  const ScopedUpward upward;
+  const formulas::Plane3<Interval> plane(Interval(a.x), Interval(a.y), Interval(a.z), Interval(b.x),
+                                         Interval(b.y), Interval(b.z), Interval(c.x), Interval(c.y),
+                                         Interval(c.z));
+  return plane.det(Interval(d.x) - plane.ax, Interval(d.y) - plane.ay, Interval(d.z) - plane.az).sign();
 }
 
 Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  const Sign3 s = on_lattice<2>(a, b, c, d);
+  return is_certain(s) ? to_sign(s) : orient3d_integer(a, b, c, d);
+}
+
+Sign orient3d_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const auto x = to_integers<4>({a.x, b.x, c.x, d.x});
   const auto y = to_integers<4>({a.y, b.y, c.y, d.y});
   const auto z = to_integers<4>({a.z, b.z, c.z, d.z});

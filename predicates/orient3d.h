@@ -44,7 +44,9 @@ inline constexpr double kOrient3dAbs = 0x1p-960;
 
 Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
 Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+// Two limbs, else orient3d_integer, which takes any exponents.
 Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign orient3d_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
 Sign orient3d_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                            TierCounts* tally);
 }  // namespace internal
@@ -56,10 +58,10 @@ inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, 
 
 inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const {
   const auto abs = [](double v) { return std::abs(v); };
-  const double wx = d.x - plane_.px, wy = d.y - plane_.py, wz = d.z - plane_.pz;
+  const double wx = d.x - plane_.ax, wy = d.y - plane_.ay, wz = d.z - plane_.az;
   const double det = plane_.det(wx, wy, wz);
   const double bound = internal::kOrient3dRel * plane_.magnitude(wx, wy, wz, abs) +
-                       (internal::kOrient3dEta * ((abs(wx) + abs(wy)) + abs(wz)) + internal::kOrient3dAbs);
+                       (internal::kOrient3dEta * plane_.size(wx, wy, wz, abs) + internal::kOrient3dAbs);
   // Overflow makes the bound infinite or NaN, and both comparisons false.
   if (det > bound) return Sign3::kPositive;
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;

@@ -7,6 +7,7 @@ table files:
  - a path that starts with a top folder and ends in a file type: robust/base/sign.h. With a * it must match a file; a path with
    <, > or { in it is a pattern for the reader and is left alone;
  - a symbol written veritope::name: the name occurs in code;
+ - a source cited as [Key]: docs/references.bib has it;
 and in documents only:
  - a file name alone between backquotes, such as `sign.h`: some file has that name;
  - the target of a link [text](target) that is no address, and the heading after its #.
@@ -27,6 +28,7 @@ cmake changes LICENSES""".split()
 TYPES = "h|cc|inc|py|md|txt|cmake|json|bib|stl|off|obj|ply"
 PATH = re.compile(rf"(?<![\w./<>{{*-])((?:{'|'.join(TOP)})/[\w./*-]*?[\w*]\.(?:{TYPES}))(?![\w<{{*/])")
 SYMBOL = re.compile(r"\bveritope::(\w+)")
+CITED = re.compile(r"\[([A-Z][A-Za-z+]*\d\d[a-z]?)\](?!\()")
 BARE = re.compile(r"`([\w-]+\.(?:h|cc|inc|py|md|cmake))`")
 LINK = re.compile(r"\[[^\]\n]*\]\(([^)\s]+)\)")
 HISTORY = ("changes/", "docs/design/")
@@ -41,6 +43,7 @@ class Names:
         self.paths = set(self.all)
         self.names = {pathlib.PurePath(path).name for path in self.all}
         self.texts = {path: self.read(path) for path in self.all}
+        self.keys = set(re.findall(r"(?m)^@\w+\{(\w+),", self.texts.get("docs/references.bib") or ""))
         self.words = set()
         for path, text in self.texts.items():
             if text is not None and not path.endswith((".md", ".stl", ".off", ".obj", ".ply", ".bib", ".json")):
@@ -71,13 +74,16 @@ def anchors(text):
 
 
 def faults_of_text(names, text):
-    """(offset, fault) for paths and symbols."""
+    """(offset, fault) for paths, symbols and sources."""
     for match in PATH.finditer(text):
         if not names.has_path(match[1]):
             yield match.start(), f"{match[1]} does not exist"
     for match in SYMBOL.finditer(text):
         if match[1] not in names.words:
             yield match.start(), f"veritope::{match[1]} does not occur in code"
+    for match in CITED.finditer(text):
+        if match[1] not in names.keys:
+            yield match.start(), f"docs/references.bib has no [{match[1]}]"
 
 
 def faults_of_document(names, path, text):
@@ -118,7 +124,8 @@ class NamesInTheTree(unittest.TestCase):
 
 class PlantedFaults(unittest.TestCase):
     def faults(self, name, text):
-        sound = {"robust/sign.h": "enum class Sign {};  // robust/sign.h\n", "docs/a.md": "# One thing {#ONE-1}\n"}
+        sound = {"robust/sign.h": "enum class Sign {};  // robust/sign.h\n", "docs/a.md": "# One thing {#ONE-1}\n",
+                 "docs/references.bib": "@book{She97,\n}\n"}
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             for path, content in {**sound, name: text}.items():
@@ -127,7 +134,7 @@ class PlantedFaults(unittest.TestCase):
             return find_faults(root)
 
     def test_existing_names_pass(self):
-        text = "`robust/sign.h` robust/*.h `sign.h` veritope::Sign [a](a.md#ONE-1) [b](a.md#one-thing) tests/<layer>/x_test.cc\n"
+        text = "`robust/sign.h` robust/*.h `sign.h` veritope::Sign [She97] [a](a.md#ONE-1) [b](a.md#one-thing) tests/<layer>/x_test.cc\n"
         self.assertEqual(self.faults("docs/b.md", text), [])
         self.assertEqual(self.faults("robust/b.cc", '// robust/sign.h\nauto s = "robust/none.h";\n'), [])
 
@@ -138,8 +145,8 @@ class PlantedFaults(unittest.TestCase):
             self.assertEqual(len(faults), 1, (name, faults))
             self.assertIn("robust/none.h does not exist", faults[0])
 
-    def test_a_lost_name_symbol_link_or_heading_is_found(self):
-        for text in ("`none.h`", "`veritope::None`", "[a](none.md)", "[a](a.md#TWO)", "`robust/*.cc`"):
+    def test_a_lost_name_symbol_source_link_or_heading_is_found(self):
+        for text in ("`none.h`", "`veritope::None`", "[a](none.md)", "[a](a.md#TWO)", "[She98]", "`robust/*.cc`"):
             self.assertEqual(len(self.faults("docs/b.md", text)), 1, text)
 
 

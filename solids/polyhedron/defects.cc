@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/polyhedron/defects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "predicates/triangle_witness.h"
+
+namespace veritope {
+namespace {
+
+std::array<Rational, 3> exact(const Vec3d& p) {
+  return {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)};
+}
+
+// (sum of weight * point) / (sum of weights).
+RationalPoint weighted(std::initializer_list<std::pair<int, const Vec3d*>> terms) {
+  RationalPoint out;
+  Rational total;
+  for (const auto& [weight, point] : terms) {
+    const auto p = exact(*point);
+    for (std::size_t k = 0; k < 3; ++k) out.at[k] += Rational(weight) * p[k];
+    total += Rational(weight);
+  }
+  for (Rational& c : out.at) c /= total;
+  return out;
+}
+
+double distance(const Vec3d& a, const Vec3d& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+double diameter(const TriangleMesh& mesh, std::uint32_t face) {
+  const auto& t = mesh.faces[face];
+  const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+  return std::max({distance(a, b), distance(b, c), distance(c, a)});
+}
+
+std::string list(const std::vector<std::uint32_t>& ids) {
+  constexpr std::size_t kMost = 8;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(ids.size(), kMost); ++i) out += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+  return ids.size() > kMost ? out + " and " + std::to_string(ids.size() - kMost) + " more" : out;
+}
+
+std::string edge_sentence(MeshRule rule, const EdgeDefect& e) {
+  const std::string edge = "edge " + std::to_string(e.a) + "-" + std::to_string(e.b);
+  if (rule == MeshRule::kM3) return edge + " has one face only (" + list(e.faces) + "): the surface is open there";
+  if (rule == MeshRule::kM4) return edge + " has " + std::to_string(e.faces.size()) + " faces (" + list(e.faces) + ")";
+  return "faces " + list(e.faces) + " both run along " + edge + " in the same direction: one of them is turned over";
+}
+
+}  // namespace
+
+RationalPoint witness_point(const TriangleMesh& mesh, std::uint32_t face) {
+  const auto& t = mesh.faces[face];
+  return weighted({{2, &mesh.positions[t[0]]}, {1, &mesh.positions[t[1]]}, {1, &mesh.positions[t[2]]}});
+}
+
+void DefectLister::degenerate(const std::vector<std::uint32_t>& faces) {
+  for (std::size_t i = 0; i < std::min(faces.size(), max_listed_); ++i) {
+    const auto& t = mesh_.faces[faces[i]];
+    const bool repeated = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    Defect d;
+    d.rule = MeshRule::kM1;
+    d.faces = {faces[i]};
+    d.vertices.assign(t.begin(), t.end());
+    d.point = {exact(mesh_.positions[t[0]])};
+    d.size = diameter(mesh_, faces[i]);
+    d.message = "face " + std::to_string(faces[i]) + " has no area: " +
+                (repeated ? "two of its corners are one vertex" : "its corners lie on one line") + " (vertices " +
+                list(d.vertices) + ")";
+    defects_.push_back(std::move(d));
+  }
+}
+
+void DefectLister::duplicate(const DuplicateFaces& duplicates) {
+  for (const auto& [first, later] : duplicates.first) {
+    const auto& t = mesh_.faces[later];
+    Defect d;
+    d.rule = MeshRule::kM2;
+    d.faces = {first, later};
+    d.vertices.assign(t.begin(), t.end());
+    d.point = witness_point(mesh_, later);
+    d.size = diameter(mesh_, later);
+    d.message = "face " + std::to_string(later) + " has the same three vertices as face " + std::to_string(first);
+    defects_.push_back(std::move(d));
+  }
+}
+
+void DefectLister::add_edges(MeshRule rule, const std::vector<EdgeDefect>& edges) {
+  for (const EdgeDefect& e : edges) {
+    Defect d;
+    d.rule = rule;
+    d.faces = e.faces;
+    d.edges = {{e.a, e.b}};
+    const Vec3d &a = mesh_.positions[e.a], &b = mesh_.positions[e.b];
+    d.point = weighted({{1, &a}, {1, &b}});
+    d.size = distance(a, b);
+    d.message = edge_sentence(rule, e);
+    defects_.push_back(std::move(d));
+  }
+}
+
+void DefectLister::topology(const SurfaceTopology& topology) {
+  add_edges(MeshRule::kM3, topology.boundary);
+  add_edges(MeshRule::kM4, topology.nonmanifold);
+  add_edges(MeshRule::kM5, topology.misoriented);
+  for (const VertexDefect& v : topology.pinched) {
+    Defect d;
+    d.rule = MeshRule::kM6;
+    d.faces = v.faces;
+    d.vertices = {v.vertex};
+    d.point = {exact(mesh_.positions[v.vertex])};
+    d.message = "the faces at vertex " + std::to_string(v.vertex) + " form " + std::to_string(v.fans) +
+                " fans that touch in this point only (one face of each: " + list(v.faces) + ")";
+    defects_.push_back(std::move(d));
+  }
+}
+
+void DefectLister::improper(const ImproperPairs& pairs) {
+  const auto indexed = [&](std::uint32_t f) {
+    const auto& t = mesh_.faces[f];
+    return IndexedTriangle{{mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]}, {t[0], t[1], t[2]}};
+  };
+  for (const auto& [f, g] : pairs.first) {
+    TriangleWitness w = triangle_witness(indexed(f), indexed(g));
+    Defect d;
+    d.rule = MeshRule::kM7;
+    d.faces = {f, g};
+    d.size = std::sqrt(nearest_double(w.squared_extent));
+    d.point.at = std::move(w.point);
+    d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) +
+                (w.squared_extent.sign() == Sign::kZero ? " touch in a point that is no common vertex"
+                                                        : " meet outside their common vertex or edge");
+    defects_.push_back(std::move(d));
+  }
+}
+
+void DefectLister::nesting(const std::vector<ShellReport>& shells) {
+  for (const MeshRule rule : {MeshRule::kM8, MeshRule::kM9}) {
+    std::size_t listed = 0;
+    for (std::size_t s = 0; s < shells.size() && listed < max_listed_; ++s) {
+      const std::uint32_t depth = *shells[s].depth;
+      if (*shells[s].outward == (depth % 2 == 0) || (depth == 0) != (rule == MeshRule::kM8)) continue;
+      ++listed;
+      Defect d;
+      d.rule = rule;
+      d.faces = {shells[s].first_face};
+      d.point = witness_point(mesh_, shells[s].first_face);
+      d.size = std::cbrt(std::abs(nearest_double(*shells[s].volume)));
+      d.message = "shell " + std::to_string(s) + " (face " + std::to_string(shells[s].first_face) +
+                  " is one of its faces) lies inside " + std::to_string(depth) + " shells and faces " +
+                  (*shells[s].outward ? "outward" : "inward") + "; it should face " +
+                  (depth % 2 == 0 ? "outward" : "inward");
+      defects_.push_back(std::move(d));
+    }
+  }
+}
+
+}  // namespace veritope

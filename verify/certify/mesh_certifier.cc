@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/mesh_certifier.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "predicates/orient2d.h"
+#include "predicates/triangle_witness.h"
+#include "robust/base/check.h"
+#include "robust/base/parallel.h"
+#include "solids/polyhedron/box_order.h"
+#include "solids/polyhedron/box_tree.h"
+#include "solids/polyhedron/facet_signs.h"
+#include "solids/polyhedron/separator.h"
+#include "verify/certify/pair_codes.h"
+
+namespace veritope {
+namespace {
+
+using certificate::InvalidBody;
+using certificate::Natural;
+using certificate::Separator;
+using certificate::ValidBody;
+using certificate::Witness;
+
+constexpr std::uint32_t kMinSeparated = 4;
+
+// What one part of the walk contributes; pair numbers count from the part's start.
+struct PartWitness {
+  std::uint64_t pairs = 0;
+  std::vector<Separator> separators;
+  std::vector<std::uint8_t> codes;
+};
+
+struct CertifyingWalk {
+  const TriangleMesh& mesh;
+  const BoxTree& tree;
+  bool with_separators;
+  SeparatorFinder finder;
+  PartWitness out;
+
+  bool stop() const { return false; }
+  bool node_pair(const TreeRange& a, const TreeRange& b, std::uint64_t k) {
+    if (!with_separators || a.size() < kMinSeparated || b.size() < kMinSeparated) return false;
+    const auto d = finder.find(tree.facets(a), tree.facets(b));
+    if (d) out.separators.push_back({k, *d});
+    return d.has_value();
+  }
+  void leaf_pair(std::uint32_t i, std::uint32_t j) {
+    const auto codes = find_pair_codes(mesh, tree.order()[i], tree.order()[j]);
+    VT_CHECK(!codes.empty(), "no axes for a proper pair of facets");
+    out.codes.insert(out.codes.end(), codes.begin(), codes.end());
+  }
+};
+
+std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> out(mesh.faces.size());
+  std::iota(out.begin(), out.end(), 0u);
+  return out;
+}
+
+void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs, ValidBody& body) {
+  const auto facets = all_facets(mesh);
+  const BoxTree tree(mesh,
+                     report.long_thin ? median_order(mesh, facets)
+                                      : morton_order(mesh, facets, UnitScale(mesh.positions), jobs),
+                     report.stars);
+  const auto parts = tree.parts();
+  const double largest = largest_coordinate(mesh);
+  std::vector<PartWitness> found(parts.size());
+  parallel_for(parts.size(), 1, jobs, [&](std::size_t i, std::size_t, std::size_t) {
+    CertifyingWalk walk{mesh, tree, report.long_thin, SeparatorFinder(mesh, largest), {}};
+    walk.out.pairs = tree.walk(parts[i], walk);
+    found[i] = std::move(walk.out);
+  });
+  std::uint64_t pairs = 0;
+  for (PartWitness& p : found) {
+    for (Separator& s : p.separators) {
+      s.index += pairs;
+      body.separators.push_back(s);
+    }
+    body.codes.insert(body.codes.end(), p.codes.begin(), p.codes.end());
+    pairs += p.pairs;
+  }
+  body.order = tree.order();
+}
+
+ValidBody valid_body(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs) {
+  ValidBody body;
+  body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
+  body.stars = report.stars.code;
+  for (const auto& [vertex, direction] : report.stars.own) body.star_vectors.push_back(direction);
+  add_walk(mesh, report, jobs, body);
+  if (report.shells.size() > 1) body.nesting = report.nesting.axis_code;
+  return body;
+}
+
+certificate::Quantities quantities(const ValidityReport& report) {
+  certificate::Quantities q;
+  q.vertices = report.counts.referenced_vertices;
+  q.edges = report.counts.edges;
+  q.faces = report.counts.faces;
+  q.shells = report.counts.shells;
+  q.bodies = report.counts.bodies.value();
+  q.genus = static_cast<std::uint64_t>(report.counts.genus.value());
+  const Rational& v = report.volume.value();
+  q.volume = v.numerator().to_string() + "/" + v.denominator().to_string();
+  return q;
+}
+
+Natural to_natural(Integer n) {
+  Natural out;
+  for (; !n.is_zero(); n.shift_right(8)) out.push_back(static_cast<unsigned char>(n.low_bits() & 0xffu));
+  return out;
+}
+
+IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {
+  const auto& t = mesh.faces[f];
+  return {{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, {t[0], t[1], t[2]}};
+}
+
+// An axis along which the face's normal has a component.
+std::uint8_t axis_of(const TriangleMesh& mesh, std::uint32_t face) {
+  const auto& t = mesh.faces[face];
+  for (int axis = 0; axis < 3; ++axis)
+    if (orient2d(drop_axis(mesh.positions[t[0]], axis), drop_axis(mesh.positions[t[1]], axis),
+                 drop_axis(mesh.positions[t[2]], axis)) != Sign::kZero)
+      return static_cast<std::uint8_t>(axis);
+  VT_CHECK(false, "a degenerate face bounds a shell");
+  return 0;
+}
+
+Witness witness_of(const TriangleMesh& mesh, const Defect& d) {
+  Witness w;
+  w.rule = static_cast<std::uint8_t>(d.rule);
+  switch (d.rule) {
+    case MeshRule::kM1: w.first = d.faces[0]; break;
+    case MeshRule::kM2:
+      w.first = d.faces[0];
+      w.second = d.faces[1];
+      break;
+    case MeshRule::kM3:
+    case MeshRule::kM4:
+    case MeshRule::kM5:
+      w.first = d.edges[0].first;
+      w.second = d.edges[0].second;
+      break;
+    case MeshRule::kM6: w.first = d.vertices[0]; break;
+    case MeshRule::kM7: {
+      w.first = d.faces[0];
+      w.second = d.faces[1];
+      const TriangleWitness point = triangle_witness(indexed(mesh, w.first), indexed(mesh, w.second));
+      for (std::size_t i = 0; i < 3; ++i) {
+        w.weights[i] = to_natural(point.t_weight[i]);
+        w.weights[3 + i] = to_natural(point.u_weight[i]);
+      }
+      break;
+    }
+    case MeshRule::kM8:
+    case MeshRule::kM9:
+      w.first = d.faces[0];
+      w.axis = axis_of(mesh, w.first);
+      break;
+  }
+  return w;
+}
+
+InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report) {
+  InvalidBody body;
+  body.num_faces = static_cast<std::uint32_t>(mesh.faces.size());
+  body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Defect& d : report.defects)
+    if (body.witnesses.empty() || body.witnesses.back().rule != static_cast<std::uint8_t>(d.rule))
+      body.witnesses.push_back(witness_of(mesh, d));
+  VT_CHECK(!body.witnesses.empty(), "an invalid report lists no defect");
+  return body;
+}
+
+}  // namespace
+
+certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
+                                         const certificate::Subject& subject, unsigned jobs) {
+  if (report.is_valid) return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
+  return certificate::encode(subject, invalid_body(mesh, report));
+}
+
+}  // namespace veritope

@@ -30,29 +30,51 @@ internal::Sha256Blocks best_blocks() {
 }  // namespace
 
 namespace internal {
+namespace {
+
+// The message schedule of one block.
+void expand(const unsigned char* block, std::uint32_t* w) {
+  for (int t = 0; t < 16; ++t) w[t] = load_big_endian(block + 4 * t);
+  for (int t = 16; t < 64; ++t) {
+    const std::uint32_t a = w[t - 15], b = w[t - 2];
+    w[t] = w[t - 16] + w[t - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ (a >> 3)) +
+           (std::rotr(b, 17) ^ std::rotr(b, 19) ^ (b >> 10));
+  }
+}
+
+// One round; the caller renames the variables instead of moving them.
+inline void round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d,
+                  std::uint32_t e, std::uint32_t f, std::uint32_t g, std::uint32_t& h,
+                  std::uint32_t input) {
+  const std::uint32_t t1 =
+      h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + ((e & f) ^ (~e & g)) + input;
+  const std::uint32_t t2 =
+      (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
+  d += t1;
+  h = t1 + t2;
+}
+
+}  // namespace
 
 void sha256_blocks_portable(std::uint32_t* state, const unsigned char* blocks, std::size_t num) {
   for (; num > 0; --num, blocks += 64) {
     std::uint32_t w[64];
-    for (int t = 0; t < 16; ++t) w[t] = load_big_endian(blocks + 4 * t);
-    for (int t = 16; t < 64; ++t) {
-      const std::uint32_t a = w[t - 15], b = w[t - 2];
-      w[t] = w[t - 16] + w[t - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ (a >> 3)) +
-             (std::rotr(b, 17) ^ std::rotr(b, 19) ^ (b >> 10));
+    expand(blocks, w);
+    std::uint32_t a = state[0], b = state[1], c = state[2], d = state[3];
+    std::uint32_t e = state[4], f = state[5], g = state[6], h = state[7];
+    const std::uint32_t* k = kSha256Rounds;
+    for (int t = 0; t < 64; t += 8) {
+      round(a, b, c, d, e, f, g, h, k[t] + w[t]);
+      round(h, a, b, c, d, e, f, g, k[t + 1] + w[t + 1]);
+      round(g, h, a, b, c, d, e, f, k[t + 2] + w[t + 2]);
+      round(f, g, h, a, b, c, d, e, k[t + 3] + w[t + 3]);
+      round(e, f, g, h, a, b, c, d, k[t + 4] + w[t + 4]);
+      round(d, e, f, g, h, a, b, c, k[t + 5] + w[t + 5]);
+      round(c, d, e, f, g, h, a, b, k[t + 6] + w[t + 6]);
+      round(b, c, d, e, f, g, h, a, k[t + 7] + w[t + 7]);
     }
-    std::uint32_t s[8];
-    std::copy(state, state + 8, s);
-    for (int t = 0; t < 64; ++t) {
-      const std::uint32_t a = s[0], e = s[4];
-      const std::uint32_t t1 = s[7] + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
-                               ((e & s[5]) ^ (~e & s[6])) + kSha256Rounds[t] + w[t];
-      const std::uint32_t t2 = (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) +
-                               ((a & s[1]) ^ (a & s[2]) ^ (s[1] & s[2]));
-      std::copy_backward(s, s + 7, s + 8);
-      s[4] += t1;
-      s[0] = t1 + t2;
-    }
-    for (int i = 0; i < 8; ++i) state[i] += s[i];
+    const std::uint32_t sums[8] = {a, b, c, d, e, f, g, h};
+    for (int i = 0; i < 8; ++i) state[i] += sums[i];
   }
 }
 

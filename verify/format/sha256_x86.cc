@@ -1,58 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/sha256_x86.cc: the compression function with the x86 SHA extensions, chosen at run time.
+// verify/format/sha256_x86.cc: the compression function with the x86 SHA instructions, chosen at run time.
 // Source: Intel, "Intel SHA Extensions" (2013): the instructions keep the state as (A,B,E,F) and (C,D,G,H).
+// This folder includes the standard library only; GCC (from 12) and clang know these instructions without a header.
+#include <cstring>
+
 #include "verify/format/sha256.h"
 #include "verify/format/sha256_constants.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#include <cpuid.h>
-#include <immintrin.h>
+#if defined(__x86_64__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
 
 namespace veritope::internal {
 namespace {
 
-bool has_sha_instructions() {
-  unsigned a = 0, b = 0, c = 0, d = 0;
-  if (__get_cpuid(1, &a, &b, &c, &d) == 0) return false;
-  const bool has_sse = (c & bit_SSSE3) != 0 && (c & bit_SSE4_1) != 0;
-  if (__get_cpuid_count(7, 0, &a, &b, &c, &d) == 0) return false;
-  return has_sse && (b & (1u << 29)) != 0;  // CPUID.7.0:EBX bit 29
-}
+using Int4 = int __attribute__((vector_size(16)));
+using Word4 = unsigned __attribute__((vector_size(16)));
+using Char16 = char __attribute__((vector_size(16)));
 
 #define VT_SHA_TARGET __attribute__((target("sha,sse4.1,ssse3")))
 
+struct CpuId {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  explicit CpuId(unsigned leaf) {
+    __asm__("cpuid" : "=a"(a), "=b"(b), "=c"(c), "=d"(d) : "a"(leaf), "c"(0));
+  }
+};
+
+bool has_sha_instructions() {
+  if (CpuId(0).a < 7) return false;
+  const bool has_sse = (CpuId(1).c >> 9 & 1) != 0 && (CpuId(1).c >> 19 & 1) != 0;  // SSSE3, SSE4.1
+  return has_sse && (CpuId(7).b >> 29 & 1) != 0;
+}
+
+VT_SHA_TARGET inline Int4 load(const void* p) {
+  Int4 words;
+  std::memcpy(&words, p, sizeof words);
+  return words;
+}
+
+VT_SHA_TARGET inline Int4 add(Int4 a, Int4 b) {
+  return reinterpret_cast<Int4>(reinterpret_cast<Word4>(a) + reinterpret_cast<Word4>(b));
+}
+
+VT_SHA_TARGET inline Int4 load_big_endian(const unsigned char* p) {
+  const auto bytes = reinterpret_cast<Char16>(load(p));
+  return reinterpret_cast<Int4>(__builtin_shufflevector(bytes, bytes, 3, 2, 1, 0, 7, 6, 5, 4, 11,
+                                                        10, 9, 8, 15, 14, 13, 12));
+}
+
 VT_SHA_TARGET void blocks_sha(std::uint32_t* state, const unsigned char* blocks, std::size_t num) {
-  const __m128i swap = _mm_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203);
-  auto* const words = reinterpret_cast<__m128i*>(state);
-  // (D,C,B,A) and (H,G,F,E), high lane first, to (A,B,E,F) and (C,D,G,H).
-  const __m128i badc = _mm_shuffle_epi32(_mm_loadu_si128(words), 0xB1);
-  const __m128i efgh = _mm_shuffle_epi32(_mm_loadu_si128(words + 1), 0x1B);
-  __m128i abef = _mm_alignr_epi8(badc, efgh, 8);
-  __m128i cdgh = _mm_blend_epi16(efgh, badc, 0xF0);
+  const Int4 abcd = load(state), efgh = load(state + 4);
+  Int4 abef = __builtin_shufflevector(abcd, efgh, 5, 4, 1, 0);  // lane 0 holds F
+  Int4 cdgh = __builtin_shufflevector(abcd, efgh, 7, 6, 3, 2);
   for (; num > 0; --num, blocks += 64) {
-    const __m128i abef_before = abef, cdgh_before = cdgh;
-    __m128i w[4];  // the last sixteen words of the schedule
+    const Int4 abef_before = abef, cdgh_before = cdgh;
+    Int4 w[4];  // the last sixteen words of the schedule
+#pragma GCC unroll 16
     for (int i = 0; i < 16; ++i) {
       if (i < 4) {
-        const auto* const p = reinterpret_cast<const __m128i*>(blocks + 16 * i);
-        w[i] = _mm_shuffle_epi8(_mm_loadu_si128(p), swap);
+        w[i] = load_big_endian(blocks + 16 * i);
       } else {
-        const __m128i w7 = _mm_alignr_epi8(w[(i + 3) & 3], w[(i + 2) & 3], 4);
-        const __m128i sum = _mm_add_epi32(_mm_sha256msg1_epu32(w[i & 3], w[(i + 1) & 3]), w7);
-        w[i & 3] = _mm_sha256msg2_epu32(sum, w[(i + 3) & 3]);
+        const Int4 w1 = w[(i + 1) & 3], w2 = w[(i + 2) & 3], w3 = w[(i + 3) & 3];
+        const Int4 w7 = __builtin_shufflevector(w2, w3, 1, 2, 3, 4);
+        w[i & 3] = __builtin_ia32_sha256msg2(add(__builtin_ia32_sha256msg1(w[i & 3], w1), w7), w3);
       }
-      const __m128i round = _mm_loadu_si128(reinterpret_cast<const __m128i*>(kSha256Rounds) + i);
-      const __m128i input = _mm_add_epi32(w[i & 3], round);
-      cdgh = _mm_sha256rnds2_epu32(cdgh, abef, input);
-      abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(input, 0x0E));
+      const Int4 input = add(w[i & 3], load(kSha256Rounds + 4 * i));
+      const Int4 upper = __builtin_shufflevector(input, input, 2, 3, 0, 0);
+      cdgh = __builtin_ia32_sha256rnds2(cdgh, abef, input);
+      abef = __builtin_ia32_sha256rnds2(abef, cdgh, upper);
     }
-    abef = _mm_add_epi32(abef, abef_before);
-    cdgh = _mm_add_epi32(cdgh, cdgh_before);
+    abef = add(abef, abef_before);
+    cdgh = add(cdgh, cdgh_before);
   }
-  const __m128i feba = _mm_shuffle_epi32(abef, 0x1B);
-  const __m128i dchg = _mm_shuffle_epi32(cdgh, 0xB1);
-  _mm_storeu_si128(words, _mm_blend_epi16(feba, dchg, 0xF0));
-  _mm_storeu_si128(words + 1, _mm_alignr_epi8(dchg, feba, 8));
+  const Int4 after_abcd = __builtin_shufflevector(abef, cdgh, 3, 2, 7, 6);
+  const Int4 after_efgh = __builtin_shufflevector(abef, cdgh, 1, 0, 5, 4);
+  std::memcpy(state, &after_abcd, sizeof after_abcd);
+  std::memcpy(state + 4, &after_efgh, sizeof after_efgh);
 }
 
 }  // namespace

@@ -51,6 +51,12 @@ std::string edge_sentence(MeshRule rule, const EdgeDefect& e) {
 
 }  // namespace
 
+bool same_vertices(std::array<std::uint32_t, 3> f, std::array<std::uint32_t, 3> g) {
+  std::sort(f.begin(), f.end());
+  std::sort(g.begin(), g.end());
+  return f == g;
+}
+
 RationalPoint witness_point(const TriangleMesh& mesh, std::uint32_t face) {
   const auto& t = mesh.faces[face];
   return weighted({{2, &mesh.positions[t[0]]}, {1, &mesh.positions[t[1]]}, {1, &mesh.positions[t[2]]}});
@@ -123,10 +129,17 @@ void DefectLister::improper(const ImproperPairs& pairs) {
     return IndexedTriangle{{mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]}, {t[0], t[1], t[2]}};
   };
   for (const auto& [f, g] : pairs.first) {
-    TriangleWitness w = triangle_witness(indexed(f), indexed(g));
     Defect d;
     d.rule = MeshRule::kM7;
     d.faces = {f, g};
+    if (same_vertices(mesh_.faces[f], mesh_.faces[g])) {
+      d.point = witness_point(mesh_, f);
+      d.size = diameter(mesh_, f);
+      d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) + " cover each other: same vertices (M2)";
+      defects_.push_back(std::move(d));
+      continue;
+    }
+    TriangleWitness w = triangle_witness(indexed(f), indexed(g));
     d.size = std::sqrt(nearest_double(w.squared_extent));
     d.point.at = std::move(w.point);
     d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) +

@@ -31,6 +31,9 @@ class DefectLister {
   std::vector<Defect> defects_;
 };
 
+/// The same three ids in any order.
+bool same_vertices(std::array<std::uint32_t, 3> f, std::array<std::uint32_t, 3> g);
+
 /// The interior point (2a + b + c) / 4 of a face: the certificate's witness point of M8 and M9.
 RationalPoint witness_point(const TriangleMesh& mesh, std::uint32_t face);
 

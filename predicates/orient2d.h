@@ -27,7 +27,7 @@ Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr);
 Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c);
 
 namespace internal {
-inline constexpr double kOrient2dRel = 0x1.8000000000008p-52;
+inline constexpr double kOrient2dRel = 0x1.8000000000007p-52;
 inline constexpr double kOrient2dAbs = 0x1p-960;
 
 Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c);

@@ -38,7 +38,7 @@ class Orient3dPlaneFilter {
 };
 
 namespace internal {
-inline constexpr double kOrient3dRel = 0x1.c000000000010p-51;
+inline constexpr double kOrient3dRel = 0x1.c00000000000dp-51;
 inline constexpr double kOrient3dEta = 0x1p-900;
 inline constexpr double kOrient3dAbs = 0x1p-960;
 

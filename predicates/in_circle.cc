@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "predicates/in_circle.h"
+
+#include "interval/interval.h"
+#include "predicates/fixed_formulas.h"
+
+namespace veritope::internal {
+namespace {
+
+std::array<double, 8> coordinates(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  return {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
+}
+
+// The sign, if all coordinates fit one lattice of L limbs.
+template <int L>
+Sign3 on_lattice(const std::array<double, 8>& c) {
+  std::array<FixedInt<L>, 8> v;
+  return to_lattice<8>(c, v) ? to_sign3(in_circle_fixed<L>(v)) : Sign3::kUncertain;
+}
+
+}  // namespace
+
+Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  return on_lattice<1>(coordinates(a, b, c, d));
+}
+
+Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  const ScopedUpward upward;
+  return formulas::InCircle<Interval>(Interval(a.x), Interval(a.y), Interval(b.x), Interval(b.y),
+                                      Interval(c.x), Interval(c.y), Interval(d.x), Interval(d.y))
+      .det()
+      .sign();
+}
+
+Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  const Sign3 s = on_lattice<2>(coordinates(a, b, c, d));
+  return is_certain(s) ? to_sign(s) : in_circle_integer(a, b, c, d);
+}
+
+Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  const auto v = to_integers<8>(coordinates(a, b, c, d));
+  return formulas::InCircle<Integer>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]).det().sign();
+}
+
+Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) {
+  return cascade<1>(
+      tally, [&] { return in_circle_lattice(a, b, c, d); },
+      [&] { return in_circle_interval(a, b, c, d); }, [&] { return in_circle_exact(a, b, c, d); });
+}
+
+}  // namespace veritope::internal

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// predicates/in_circle.h: on which side of the circle through a, b, c does d lie?
+// Source: [She97] bound A, with terms for underflow.  Bound: docs/bounds/in_circle.md.
+#pragma once
+#include <cmath>
+
+#include "predicates/formulas.h"
+#include "predicates/vec.h"
+#include "robust/base/fp_strict.h"
+#include "robust/base/sign.h"
+#include "robust/cascade.h"
+
+namespace veritope {
+
+/// The exact sign of the lifted determinant. If orient2d(a, b, c) > 0: positive iff d lies inside the circle through a, b, c, zero iff on
+/// it, negative iff outside. Laws:
+///   (1) swapping two of the four points negates it;
+///   (2) it does not change when all points move by the same vector exactly, or are scaled by one power of two;
+///   (3) it is zero iff two of the points coincide or all four lie on one circle or one line.
+/// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
+Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr);
+
+/// First tier. Never zero: a sign or uncertain.
+/// Claim    a certain answer is the exact sign.
+/// Bound    |det - exact| <= (10u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
+/// Derived  docs/bounds/in_circle.md, and again in tests/predicates/in_circle_bound_test.cc.
+/// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
+Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
+
+namespace internal {
+inline constexpr double kInCircleRel = 0x1.400000000000cp-50;
+inline constexpr double kInCircleEta = 0x1p-900;
+inline constexpr double kInCircleAbs = 0x1p-900;
+
+Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
+Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
+Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d);    // two limbs, else in_circle_integer
+Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d);  // any exponents
+Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally);
+}  // namespace internal
+
+// Bodies.
+
+inline Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+  const formulas::InCircle<double> f(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
+  const double det = f.det();
+  const double bound = internal::kInCircleRel * f.magnitude([](double v) { return std::abs(v); }) +
+                       (internal::kInCircleEta * f.size() + internal::kInCircleAbs);
+  // Overflow makes the bound infinite or NaN, and both comparisons false.
+  if (det > bound) return Sign3::kPositive;
+  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+}
+
+inline Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) {
+  return cascade(
+      tally, [&] { return in_circle_filter(a, b, c, d); },
+      [&](TierCounts* t) { return internal::in_circle_after_filter(a, b, c, d, t); });
+}
+
+}  // namespace veritope

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "predicates/in_sphere.h"
+
+#include "interval/interval.h"
+#include "predicates/fixed_formulas.h"
+
+namespace veritope::internal {
+namespace {
+
+using Coordinates = std::array<double, 15>;
+
+Coordinates coordinates(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+  return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z};
+}
+
+// The sign, if all coordinates fit one lattice of L limbs.
+template <int L>
+Sign3 on_lattice(const Coordinates& c) {
+  std::array<FixedInt<L>, 15> v;
+  return to_lattice<15>(c, v) ? to_sign3(in_sphere_fixed<L>(v)) : Sign3::kUncertain;
+}
+
+template <typename T>
+formulas::InSphere<T> formula(const std::array<T, 15>& v) {
+  return {v[0], v[1], v[2],  v[3],  v[4],  v[5],  v[6], v[7],
+          v[8], v[9], v[10], v[11], v[12], v[13], v[14]};
+}
+
+}  // namespace
+
+Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+  return on_lattice<1>(coordinates(a, b, c, d, e));
+}
+
+Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+  const Coordinates v = coordinates(a, b, c, d, e);
+  std::array<Interval, 15> w;
+  for (int i = 0; i < 15; ++i) w[i] = Interval(v[i]);
+  const ScopedUpward upward;
+  return formula<Interval>(w).det().sign();
+}
+
+Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+  const Sign3 s = on_lattice<2>(coordinates(a, b, c, d, e));
+  return is_certain(s) ? to_sign(s) : in_sphere_integer(a, b, c, d, e);
+}
+
+Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+  return formula<Integer>(to_integers<15>(coordinates(a, b, c, d, e))).det().sign();
+}
+
+Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                            const Vec3d& e, TierCounts* tally) {
+  return cascade<1>(
+      tally, [&] { return in_sphere_lattice(a, b, c, d, e); },
+      [&] { return in_sphere_interval(a, b, c, d, e); },
+      [&] { return in_sphere_exact(a, b, c, d, e); });
+}
+
+}  // namespace veritope::internal

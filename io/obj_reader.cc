@@ -16,7 +16,7 @@ class ObjReader : TextReader {
   Result<ParsedMesh> read() {
     if (!(read_lines() && check_forward_indices())) return take_error();
     if (sink_.faces.empty()) {
-      return error_in_file(*source_.name, Code::kEmpty, "there is no face");
+      return error_at_line(source_, source_.end, Code::kEmpty, "the file ends without a face");
     }
     ParsedMesh parsed;
     parsed.report.variant = "obj";

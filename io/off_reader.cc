@@ -76,6 +76,7 @@ class OffReader : TextReader {
 
   bool read_header() {
     if (!read_keyword()) return false;
+    skip_to_token();
     const char* const counts = p_;
     if (!read_count(num_vertices_, "the number of vertices")) return false;
     if (!read_count(num_faces_, "the number of faces")) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/ply_binary_reader.cc: reading rule v1, section 4, binary bodies.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -71,7 +72,7 @@ class PlyBinaryReader {
   }
 
   bool skip_bytes(std::uint64_t size, std::uint64_t count) {
-    if (size > 0 && count > left() / size) return fail_truncated();
+    if (count > left() / size) return fail_truncated(size, count);
     p_ += size * count;
     return true;
   }
@@ -95,28 +96,49 @@ class PlyBinaryReader {
     return true;
   }
 
+  // Where x, y and z stand in the instance at p_, and behind it. Lists make that differ from one to the next.
+  bool find_xyz(const PlyElement& element, std::array<const char*, 3>& xyz) {
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (header_.xyz[axis] == k) xyz[axis] = p_;
+      }
+      if (!skip_properties(element, k, k + 1)) return false;
+    }
+    return true;
+  }
+
   bool read_vertices(const PlyElement& element) {
     positions_.reserve(element.count);
+    const bool has_lists = element.has_lists();
+    const std::uint64_t stride = element.least_size(header_.encoding);
+    if (!has_lists && element.count > left() / stride) return fail_truncated(stride, element.count);
+    std::array<const char*, 3> xyz{};
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      double xyz[3] = {0, 0, 0};
-      for (std::size_t k = 0; k < element.properties.size(); ++k) {
-        const char* const at = p_;
-        if (!skip_properties(element, k, k + 1)) return false;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          if (header_.xyz[axis] != k) continue;
-          xyz[axis] = load_number(element.properties[k].type, at, is_big_);
-          if (!std::isfinite(xyz[axis])) return fail_not_finite(at, xyz[axis]);
-        }
+      if (has_lists || i == 0) {
+        if (!find_xyz(element, xyz)) return false;
+      } else {
+        for (const char*& at : xyz) at += stride;
+        p_ += stride;
       }
-      positions_.push_back({xyz[0] + 0.0, xyz[1] + 0.0, xyz[2] + 0.0});
+      if (!read_position(element, xyz)) return false;
     }
+    return true;
+  }
+
+  bool read_position(const PlyElement& element, const std::array<const char*, 3>& xyz) {
+    double values[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      values[axis] = load_number(element.properties[header_.xyz[axis]].type, xyz[axis], is_big_);
+      if (!std::isfinite(values[axis])) return fail_not_finite(xyz[axis], values[axis]);
+    }
+    // + 0.0 turns -0 into +0.
+    positions_.push_back({values[0] + 0.0, values[1] + 0.0, values[2] + 0.0});
     return true;
   }
 
   bool read_lists(const PlyElement& element) {
     const std::size_t number = ply_index_list(element);
     const PlyProperty& list = element.properties[number];
-    const std::size_t size = ply_type_size(list.type);
     const PlyRole role = ply_role(element);
     if (role == PlyRole::kFaces) lists_.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -124,28 +146,48 @@ class PlyBinaryReader {
       if (!skip_properties(element, 0, number) || !read_count(*list.count_type, length)) {
         return false;
       }
-      const char* const at = p_;
-      if (!skip_bytes(size, length)) return false;
-      indices_.resize(length);
-      for (std::uint64_t k = 0; k < length; ++k) {
-        indices_[k] = load_integer(list.type, at + k * size, is_big_);
-      }
-      if (const auto fault = lists_.add(role, indices_)) {
-        return fail(at, fault->code, fault->message);
+      if (!(role == PlyRole::kFaces && length == 3 ? read_triangle(list.type)
+                                                   : read_list(role, list.type, length))) {
+        return false;
       }
       if (!skip_properties(element, number + 1, element.properties.size())) return false;
     }
     return true;
   }
 
+  bool read_list(PlyRole role, PlyType type, std::uint64_t length) {
+    const char* const at = p_;
+    const std::size_t size = ply_type_size(type);
+    if (!skip_bytes(size, length)) return false;
+    indices_.resize(length);
+    for (std::uint64_t k = 0; k < length; ++k) {
+      indices_[k] = load_integer(type, at + k * size, is_big_);
+    }
+    const auto fault = lists_.add(role, indices_);
+    return !fault || fail(at, fault->code, fault->message);
+  }
+
+  // The usual case of read_list.
+  bool read_triangle(PlyType type) {
+    const char* const at = p_;
+    const std::size_t size = ply_type_size(type);
+    if (!skip_bytes(size, 3)) return false;
+    std::array<std::int64_t, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = load_integer(type, at + k * size, is_big_);
+    if (lists_.add_triangle(corners)) return true;
+    const auto fault = lists_.add(PlyRole::kFaces, corners);  // says why not
+    return !fault || fail(at, fault->code, fault->message);
+  }
+
   bool fail(const char* at, Code code, std::string message) {
     error_ = error_at_byte(source_, at, code, std::move(message));
     return false;
   }
-  bool fail_truncated() {
-    return fail(source_.end, Code::kTruncated,
-                "the file ends within the data that begin at byte " +
-                    std::to_string(source_.offset(p_)));
+  bool fail_truncated(std::uint64_t size, std::uint64_t count) {
+    return fail(p_, Code::kTruncated,
+                std::to_string(count) + " values of " + std::to_string(size) +
+                    " bytes should stand here, but only " + std::to_string(left()) +
+                    " bytes are left");
   }
   bool fail_not_finite(const char* at, double value) {
     const char* const word = std::isnan(value) ? "NaN" : (value > 0 ? "inf" : "-inf");

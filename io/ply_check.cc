@@ -95,12 +95,12 @@ Status check_ply_header(const Source& source, const ReadLimits& limits, PlyHeade
     if (!status) return status;
   }
   if (times[static_cast<std::size_t>(PlyRole::kVertices)] == 0) {
-    return error_in_file(*source.name, Code::kSyntax, "the header announces no element vertex");
+    return error_at_line(source, header.body - 1, Code::kSyntax, "no element vertex is announced");
   }
   if (times[static_cast<std::size_t>(PlyRole::kFaces)] == 0 &&
       times[static_cast<std::size_t>(PlyRole::kStrips)] == 0) {
-    return error_in_file(*source.name, Code::kEmpty,
-                         "the header announces neither element face nor element tristrips");
+    return error_at_line(source, header.body - 1, Code::kEmpty,
+                         "neither element face nor element tristrips is announced");
   }
   if (const Status fits = check_size(source, header); !fits) return fits;
   return check_limits(source, limits, header);

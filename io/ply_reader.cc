@@ -81,7 +81,10 @@ std::optional<PlyLists::Fault> PlyLists::add_strips(std::span<const std::int64_t
 Result<ParsedMesh> PlyLists::finish(const Source& source, const PlyHeader& header,
                                     std::vector<Vec3d> positions, const char* end) {
   if (sink_.faces.empty()) {
-    return error_in_file(*source.name, Code::kEmpty, "there is no triangle");
+    const char* const what = "there is no triangle";
+    return header.encoding == PlyEncoding::kAscii
+               ? error_at_line(source, source.end, Code::kEmpty, what)
+               : error_at_byte(source, end, Code::kEmpty, what);
   }
   ParsedMesh parsed;
   parsed.report.variant = variant_name(header.encoding);

@@ -28,9 +28,11 @@ class PlyLists {
   bool is_vertex(std::int64_t index) const {
     return index >= 0 && static_cast<std::uint64_t>(index) < num_vertices_;
   }
-  /// A triangle whose corners are vertices; false over --max-faces.
-  bool add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return sink_.add_triangle(a, b, c);
+  /// The usual case of add(): false, and nothing done, if add() would find a fault.
+  bool add_triangle(const std::array<std::int64_t, 3>& v) {
+    if (!(is_vertex(v[0]) && is_vertex(v[1]) && is_vertex(v[2]))) return false;
+    return sink_.add_triangle(static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1]),
+                              static_cast<std::uint32_t>(v[2]));
   }
   void reserve(std::size_t faces) { sink_.faces.reserve(faces); }
 

@@ -56,7 +56,9 @@ std::string_view first_word(const Source& source) {
 }  // namespace
 
 std::optional<Error> refuse_foreign(const Source& source) {
-  if (source.size() == 0) return error_in_file(*source.name, Code::kEmpty, "the file is empty");
+  if (source.size() == 0) {
+    return error_at_byte(source, source.begin, Code::kEmpty, "the file is empty");
+  }
   const std::string_view text(source.begin, static_cast<std::size_t>(source.size()));
   for (const Signature& signature : kForeign) {
     if (text.starts_with(signature.bytes)) {

@@ -21,7 +21,7 @@ class StlAsciiReader : TextReader {
     }
     flush();
     if (sink_.num_facets() == 0) {
-      return error_in_file(*source_.name, Code::kEmpty, "there is no facet");
+      return error_at_line(source_, source_.end, Code::kEmpty, "the file ends without a facet");
     }
     ParsedMesh parsed;
     IgnoredCounts ignored;

@@ -558,6 +558,7 @@ def honest_certificates(rng):
         yield "no_chain_found", case, b""
     for k in range(2):
         plan = forge.Plan(case.mesh, rng, (1, 0)[k])
+        plan.detours = rng.choice((0, .2, 1))
         if rng.random() < .5:
             rng.shuffle(plan.order)
         if rng.random() < .5:

@@ -413,6 +413,24 @@ def chain_from(mesh, axes, ps, qs, left):
     return None
 
 
+def detour(mesh, a, b, rng):
+    """A valid chain that starts with open bytes although it need not, or None if no test is open."""
+    axes = [(d, c) for c, d in enumerate(axis_vectors(mesh, a, b))]
+    axes += [(neg(d), c + 32) for d, c in axes]
+    ps, qs, out = list(mesh.tris[a]), list(mesh.tris[b]), []
+    for left in (3, 2, 1)[:rng.choice((1, 1, 2, 3))]:
+        steps = [(c, apply_axis(mesh, d, ps, qs)) for d, c in axes]
+        steps = [(c, p, q) for c, (gap, p, q) in steps if gap == 0 and not closes(mesh, p, q)]
+        if not steps:
+            break
+        code, p, q = rng.choice(steps)
+        rest = chain_from(mesh, axes, p, q, left)
+        if rest is None:
+            break
+        out, ps, qs = out + [code + 64], p, q
+    return out + chain_from(mesh, axes, ps, qs, 4 - len(out)) if out else None
+
+
 def star_holds(mesh, v, d):
     g = (0, d[2], -d[1]) if d[1] or d[2] else (0, 0, 1)
     turns, side = 0, 0
@@ -538,6 +556,7 @@ class Plan:
         self.nesting = [rng.randrange(6) for _ in self.shells] if len(self.shells) > 1 else []
         self.forced = {}                                  # frozenset of two triangles -> bytes
         self.cut = None
+        self.detours = 0                                  # share of pairs with needlessly long chains
         self.extra_codes, self.extra_separators = b"", []
         self.values = {}                                  # statement quantities to lie about
 
@@ -552,6 +571,10 @@ class Plan:
         forced = self.forced.get(frozenset((a, b)))
         if forced is not None:
             return forced
+        if self.detours and self.rng.random() < self.detours:
+            longer = detour(self.mesh, a, b, self.rng)
+            if longer:
+                return bytes(longer)
         return bytes(chain(self.mesh, a, b) or [0])       # no honest chain: any byte
 
     def walk(self):

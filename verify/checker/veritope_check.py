@@ -27,10 +27,8 @@ READING_RULE = (
     " STL are one model; the file is refused unless it yields at least one triangle, finite"
     " coordinates and indices in range.")
 
-
 class Refused(Exception):
     """The reading rule refuses the model: exit 4."""
-
 
 class Reject(Exception):
     """A condition of the certificate pages fails: exit 1."""
@@ -50,19 +48,16 @@ REST_OF_LINE = re.compile(rb"[^\r\n]*")
 FOREIGN = (b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff", b"\x1f\x8b", b"PK\x03\x04", b"BZh",
            b"\xfd7zXZ\x00", b"\x28\xb5\x2f\xfd", b"version https://git-lfs")
 
-
 def decimal(token):
     """The binary64 nearest to a decimal; float() rounds correctly once the grammar is checked."""
     if not NUMBER.fullmatch(token):
         raise Refused("not a decimal number: %r" % token[:40])
     return finite(float(token))
 
-
 def finite(value):
     if not math.isfinite(value):
         raise Refused("a coordinate is not finite")
     return value
-
 
 def integer(token):
     if not INTEGER.fullmatch(token):
@@ -71,22 +66,18 @@ def integer(token):
     value = int(digits or b"0") if len(digits) < 30 else 10 ** 30      # beyond every valid range
     return -value if token[:1] == b"-" else value
 
-
 def index(value, num_vertices):
     if not 0 <= value < num_vertices:
         raise Refused("index %d is out of range (%d vertices)" % (value, num_vertices))
     return value
 
-
 def without_mark(data):
     return data[3:] if data[:3] == b"\xef\xbb\xbf" else data
-
 
 def fan(corners):
     if len(corners) < 3:
         raise Refused("a face has %d corners" % len(corners))
     return [(corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1)]
-
 
 def read_model(data, fmt, as_indexed):
     """(points, triangles): float triples by id, and id triples in file order."""
@@ -123,7 +114,6 @@ def read_stl(data):
         finite(c[0]), finite(c[1]), finite(c[2])
     return corners, [(i, i + 1, i + 2) for i in range(0, len(corners), 3)]
 
-
 def read_ascii_stl(text):
     corners, pos = [], 0
 
@@ -150,7 +140,6 @@ def read_ascii_stl(text):
         pos = REST_OF_LINE.match(text, pos).end()
     return corners, [(i, i + 1, i + 2) for i in range(0, len(corners), 3)]
 
-
 def read_obj(data):
     points, faces = [], []
     text = re.sub(rb"\\[\r\n]", b"", without_mark(data))
@@ -171,7 +160,6 @@ def read_obj(data):
     for corners in faces:
         triangles += fan([index(i, len(points)) for i in corners])
     return points, triangles
-
 
 def read_off(data):
     lines = re.split(rb"[\r\n]", without_mark(data))
@@ -197,72 +185,30 @@ def read_off(data):
         triangles += fan([index(integer(w), num_vertices) for w in words[1:n + 1]])
     return points, triangles
 
-
 PLY_TYPES = {b"char": "b", b"int8": "b", b"uchar": "B", b"uint8": "B", b"short": "h", b"int16": "h",
              b"ushort": "H", b"uint16": "H", b"int": "i", b"int32": "i", b"uint": "I",
              b"uint32": "I", b"float": "f", b"float32": "f", b"double": "d", b"float64": "d"}
+SIZES = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "f": 4, "d": 8}
 
+class PlyBody:
+    """The values behind the header: ASCII tokens, or packed numbers if an endianness is given."""
 
-class AsciiBody:
-    def __init__(self, data):
-        self.tokens, self.pos = data.split(), 0
-
-    def many(self, n, _):
-        self.pos += n
-        if self.pos > len(self.tokens):
-            raise Refused("ply: the body is truncated")
-        return self.tokens[self.pos - n:self.pos]
-
-    def integer(self, token):
-        return integer(token)
-
-    def decimal(self, token):
-        return decimal(token)
-
-    def uniform(self, count, properties):
-        return None
-
-
-class BinaryBody:
     def __init__(self, data, endian):
-        self.data, self.endian, self.pos = data, endian, 0
+        self.data, self.endian, self.pos = data if endian else data.split(), endian, 0
 
     def many(self, n, kind):
-        at, self.pos = self.pos, self.pos + n * struct.calcsize(self.endian + kind)
+        at, self.pos = self.pos, self.pos + n * (SIZES[kind] if self.endian else 1)
         if self.pos > len(self.data):
             raise Refused("ply: the body is truncated")
+        if not self.endian:
+            return self.data[at:self.pos]
         return struct.unpack_from("%s%d%s" % (self.endian, n, kind), self.data, at)
 
     def integer(self, value):
-        return value
+        return value if self.endian else integer(value)
 
     def decimal(self, value):
-        return finite(float(value))
-
-    def uniform(self, count, properties):
-        """All rows at once if every list is as long as in the first instance (else None)."""
-        start, row, at, lists = self.pos, self.endian, 0, []
-        for _, count_kind, kind in properties:
-            n = 1
-            if count_kind:
-                n = self.many(1, count_kind)[0]
-                if n < 0:
-                    return None
-                row += count_kind
-                lists.append((at, n))
-                at += 1
-            self.many(n, kind)
-            row += "%d%s" % (n, kind)
-            at += n
-        size, self.pos = self.pos - start, start
-        if size * count > len(self.data) - start:
-            return None
-        rows = list(struct.iter_unpack(row, self.data[start:start + size * count]))
-        if any(r[i] != n for i, n in lists for r in rows):
-            return None
-        self.pos += size * count
-        return rows
-
+        return finite(float(value)) if self.endian else decimal(value)
 
 def ply_header(data):
     """(format, elements, offset of the body); element = (name, count, [(name, count type, type)])"""
@@ -296,23 +242,10 @@ def ply_header(data):
         else:
             raise Refused("ply: header line %r" % b" ".join(words)[:60])
 
-
-def ply_columns(body, element, wanted):
+def ply_rows(body, element, wanted):
     """For each instance the values of the wanted properties (a list's values as a sequence)."""
-    name, count, properties = element
-    if not properties or not count:
-        return []
-    rows = body.uniform(count, properties)
-    if rows is not None:
-        slices, at = {}, 0
-        for k, (_, count_kind, kind) in enumerate(properties):
-            n = rows[0][at] if count_kind else 1
-            at += 1 if count_kind else 0
-            slices[k] = slice(at, at + n) if count_kind else at
-            at += n
-        return [[row[slices[k]] for k in wanted] for row in rows]
-    out = []
-    for _ in range(count):
+    rows, (_, count, properties) = [], element
+    for _ in range(count if properties else 0):
         values = []
         for _, count_kind, kind in properties:
             n = body.integer(body.many(1, count_kind)[0]) if count_kind else 1
@@ -320,9 +253,9 @@ def ply_columns(body, element, wanted):
                 raise Refused("ply: a negative list count")
             v = body.many(n, kind)
             values.append(v if count_kind else v[0])
-        out.append([values[k] for k in wanted])
-    return out
-
+        if wanted:
+            rows.append([values[k] for k in wanted])
+    return rows
 
 def ply_property(element, names, is_list):
     found = [k for k, p in enumerate(element[2]) if p[0] in names and bool(p[1]) == is_list]
@@ -330,36 +263,31 @@ def ply_property(element, names, is_list):
         raise Refused("ply: element %r needs one property %r" % (element[0], names))
     return found[0]
 
-
 def read_ply(data):
     data = without_mark(data)
     fmt, elements, pos = ply_header(data)
     names = [e[0] for e in elements]
     if names.count(b"vertex") != 1 or names.count(b"face") > 1 or names.count(b"tristrips") > 1:
         raise Refused("ply: not one element vertex, or several of face or tristrips")
-    body = (AsciiBody(data[pos:]) if fmt == b"ascii" else
-            BinaryBody(data[pos:], "<" if fmt == b"binary_little_endian" else ">"))
-    wanted = [[ply_property(e, (c,), False) for c in (b"x", b"y", b"z")] if e[0] == b"vertex" else
-              [ply_property(e, (b"vertex_indices", b"vertex_index"), True)]
-              if e[0] in (b"face", b"tristrips") else [] for e in elements]
+    body = PlyBody(data[pos:], {b"ascii": "", b"binary_little_endian": "<"}.get(fmt, ">"))
+    wanted = {b"vertex": lambda e: [ply_property(e, (c,), False) for c in (b"x", b"y", b"z")],
+              b"face": lambda e: [ply_property(e, (b"vertex_indices", b"vertex_index"), True)]}
+    wanted[b"tristrips"] = wanted[b"face"]
+    wanted = [wanted.get(e[0], lambda e: [])(e) for e in elements]
     points, polygons = [], []
     for element, want in zip(elements, wanted):
-        columns = ply_columns(body, element, want)
+        rows = ply_rows(body, element, want)
         if element[0] == b"vertex":
-            points = [tuple(map(body.decimal, row)) for row in columns]
-        elif want:
-            polygons += [(element[0], list(map(body.integer, row[0]))) for row in columns]
+            points = [tuple(map(body.decimal, row)) for row in rows]
+        else:
+            polygons += [(element[0], list(map(body.integer, row[0]))) for row in rows]
     triangles, n = [], len(points)
     for kind, values in polygons:
-        triangles += (fan(values) if kind == b"face" else strip(values))
-    for a, b, c in triangles:
-        if not (0 <= a < n and 0 <= b < n and 0 <= c < n):
-            raise Refused("ply: an index is out of range")
-    for kind, values in polygons:
-        if kind == b"tristrips":
-            [index(v, n) for v in values if v != -1]
+        for v in values:
+            if not (0 <= v < n or v == -1 and kind == b"tristrips"):
+                raise Refused("ply: index %d is out of range" % v)
+        triangles += fan(values) if kind == b"face" else strip(values)
     return points, triangles
-
 
 def strip(values):
     triangles, start = [], 0
@@ -384,7 +312,6 @@ CLAIM_KEYS = {
     "mesh-valid-1": {"vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int,
                      "genus": int, "volume": r"(0|-?[1-9][0-9]*)/[1-9][0-9]*"},
     "mesh-invalid-1": {"rules": r"M[1-9]( M[1-9])*"}}
-
 
 def parse_statement(cert):
     """(statement, body): S1."""
@@ -412,7 +339,6 @@ def parse_statement(cert):
     check_keys(statement)
     return statement, cert[end + 1:]
 
-
 def check_keys(statement):
     keys = dict(COMMON_KEYS)
     keys.update(CLAIM_KEYS.get(statement.get("claim"), {}))
@@ -432,7 +358,6 @@ def check_keys(statement):
     if rules != sorted(set(rules)):
         raise Reject("S1", "rules are not ascending")
 
-
 def big_integer(text):
     """int(text) without the interpreter's limit on the number of digits."""
     sign, text, value = (-1, text[1:], 0) if text[0] == "-" else (1, text, 0)
@@ -440,11 +365,9 @@ def big_integer(text):
         value = value * 10 ** len(text[i:i + 1000]) + int(text[i:i + 1000])
     return sign * value
 
-
 def check(model_bytes, cert_bytes):
     """(exit code, line to print) for a model and a certificate given as bytes."""
     return _check(model_bytes, cert_bytes, frozenset())
-
 
 def _check(model_bytes, cert_bytes, skip):
     """check() with some conditions disabled: for tests only, main() has no way to reach it."""
@@ -468,7 +391,6 @@ def _check(model_bytes, cert_bytes, skip):
         return 5, "BUG: %s: %s" % (type(e).__name__, e)
     return 0, "ACCEPT " + statement["claim"]
 
-
 class Body:
     """A cursor over the body; running out of bytes is B1."""
 
@@ -486,6 +408,12 @@ class Body:
 
     def u32(self):
         return int.from_bytes(self.bytes(4), "little")
+
+    def count(self, least_size):
+        n = self.u32()
+        if n * least_size > len(self.data) - self.pos:
+            raise Reject("B1", "a count is larger than the body")
+        return n
 
     def array(self, n, kind):
         return list(struct.unpack("<%d%s" % (n, kind), self.bytes(n * struct.calcsize("<" + kind))))
@@ -520,7 +448,6 @@ class Body:
         if self.pos != len(self.data):
             raise Reject("B1", "bytes after the end of the body")
 
-
 class Mesh:
     """floats: coordinates for comparisons; points: the same as integers, times 2^-E = 1/unit."""
 
@@ -537,27 +464,52 @@ class Mesh:
         self.unit = Fraction(low, common)
         self.normals = [cross(sub(self.points[b], self.points[a]), sub(self.points[c], self.points[a]))
                         for a, b, c in triangles]
+        self.fans = [[] for _ in floats]                    # at each vertex v: (f, p, q), f = (v, p, q)
+        for f, (a, b, c) in enumerate(triangles):
+            self.fans[a].append((f, b, c))
+            self.fans[b].append((f, c, a))
+            self.fans[c].append((f, a, b))
 
+    def corners(self, f):
+        return [self.points[v] for v in self.triangles[f]]
 
 def sub(a, b):
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
-
 def cross(a, b):
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
 
 def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
-
 def sign(x):
     return (x > 0) - (x < 0)
 
+def directed_edges(triangles):
+    """How often each directed edge occurs."""
+    count = {}
+    for a, b, c in triangles:
+        for edge in ((a, b), (b, c), (c, a)):
+            count[edge] = count.get(edge, 0) + 1
+    return count
 
-def undirected(a, b):
-    return (a, b) if a < b else (b, a)
+def shells_of(triangles):
+    """(shell number of each triangle, number of undirected edges)"""
+    parent, first = list(range(len(triangles))), {}
 
+    def root(f):
+        while parent[f] != f:
+            parent[f] = f = parent[parent[f]]
+        return f
+
+    for f, (a, b, c) in enumerate(triangles):
+        for u, v in ((a, b), (b, c), (c, a)):
+            g = first.setdefault((u, v) if u < v else (v, u), f)
+            if g != f:
+                r, s = root(f), root(g)
+                parent[max(r, s)] = min(r, s)
+    numbers = {}
+    return [numbers.setdefault(root(f), len(numbers)) for f in range(len(triangles))], len(first)
 
 def line_stabs(t, v, u):
     """Section 6: does the line along axis u through v, moved by (e, e^2), stab triangle t?"""
@@ -575,8 +527,7 @@ def line_stabs(t, v, u):
 
 DIRECTIONS = (None, (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1),
               (0, 1, 1), (0, 1, -1), (1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1))
-NO_VERTEX = frozenset()
-
+TOO_MUCH_WORK = "more work than the certificate's size allows"
 
 def check_valid(statement, body, mesh, skip):
     cert = ValidBody(body, mesh)
@@ -592,7 +543,6 @@ def check_valid(statement, body, mesh, skip):
         if statement[key] != found[key] and "V11" not in skip:
             raise Reject("V11", "%s: stated %s, computed %s" % (key, statement[key], found[key]))
 
-
 class ValidBody:
     """The fields of section 3: B1."""
 
@@ -603,82 +553,43 @@ class ValidBody:
         self.stars = list(body.bytes(len(mesh.points)))
         if max(self.stars) > 14:
             raise Reject("B1", "a star code is above 14")
-        at = body.array(3 * self.counted(body, 12), "i")
+        at = body.array(3 * body.count(12), "i")
         if len(at) != 3 * self.stars.count(14):
             raise Reject("B1", "not one star vector for each star code 14")
         vectors = iter(zip(at[::3], at[1::3], at[2::3]))
         self.star_directions = [next(vectors) if c == 14 else DIRECTIONS[c] for c in self.stars]
         self.separators, k = [], -1
-        for _ in range(self.counted(body, 4)):
+        for _ in range(body.count(4)):
             k += 1 + body.varint()
             self.separators.append((k, (body.zigzag(), body.zigzag(), body.zigzag())))
-        self.codes = body.bytes(self.counted(body, 1))
+        self.codes = body.bytes(body.count(1))
         self.shell_of, self.edges = shells_of(mesh.triangles)
         self.num_shells = max(self.shell_of) + 1
         self.nesting = body.bytes(self.num_shells) if self.num_shells > 1 else b""
         if any(c > 5 for c in self.nesting):
             raise Reject("B1", "a nesting code is above 5")
         body.end()
-        self.fans = [[] for _ in mesh.points]               # at each vertex v: (f, p, q), f = (v, p, q)
-        for f, (a, b, c) in enumerate(mesh.triangles):
-            self.fans[a].append((f, b, c))
-            self.fans[b].append((f, c, a))
-            self.fans[c].append((f, a, b))
-
-    @staticmethod
-    def counted(body, least_size):
-        n = body.u32()
-        if n * least_size > len(body.data) - body.pos:
-            raise Reject("B1", "a count is larger than the body")
-        return n
-
-
-def shells_of(triangles):
-    """(shell number of each triangle, number of undirected edges)"""
-    parent, first = list(range(len(triangles))), {}
-
-    def root(f):
-        while parent[f] != f:
-            parent[f] = f = parent[parent[f]]
-        return f
-
-    for f, (a, b, c) in enumerate(triangles):
-        for edge in (undirected(a, b), undirected(b, c), undirected(c, a)):
-            g = first.setdefault(edge, f)
-            if g != f:
-                r, s = root(f), root(g)
-                parent[max(r, s)] = min(r, s)
-    numbers = {}
-    return [numbers.setdefault(root(f), len(numbers)) for f in range(len(triangles))], len(first)
-
 
 def v1_order(cert, mesh):
     if sorted(cert.order) != list(range(len(mesh.triangles))):
         return "order is not a permutation"
 
-
 def v2_distinct(cert, mesh):
     seen = {}
-    for v, fan_at_v in enumerate(cert.fans):
+    for v, fan_at_v in enumerate(mesh.fans):
         if fan_at_v and seen.setdefault(mesh.floats[v], v) != v:
             return "vertices %d and %d have equal coordinates" % (seen[mesh.floats[v]], v)
-
 
 def v3_not_degenerate(cert, mesh):
     for f, (a, b, c) in enumerate(mesh.triangles):
         if a == b or b == c or c == a or mesh.normals[f] == (0, 0, 0):
             return "triangle %d is degenerate" % f
 
-
 def v4_edges(cert, mesh):
-    count = {}
-    for a, b, c in mesh.triangles:
-        for edge in ((a, b), (b, c), (c, a)):
-            count[edge] = count.get(edge, 0) + 1
+    count = directed_edges(mesh.triangles)
     for (a, b), n in count.items():
         if n != 1 or (b, a) not in count:
             return "directed edge (%d, %d): %d, its reverse: %d" % (a, b, n, count.get((b, a), 0))
-
 
 def v5_no_duplicates(cert, mesh):
     seen = {}
@@ -686,9 +597,8 @@ def v5_no_duplicates(cert, mesh):
         if seen.setdefault(tuple(sorted(t)), f) != f:
             return "triangles %d and %d have the same vertices" % (seen[tuple(sorted(t))], f)
 
-
 def v6_one_cycle(cert, mesh):
-    for v, fan_at_v in enumerate(cert.fans):
+    for v, fan_at_v in enumerate(mesh.fans):
         link = {}                                           # p -> the q with a triangle v, p, q
         for _, p, q in fan_at_v:
             link.setdefault(p, []).append(q)
@@ -705,13 +615,12 @@ def v6_one_cycle(cert, mesh):
         if steps != len(link):
             return "the triangles at vertex %d form several cycles" % v
 
-
 def v7_stars(cert, mesh):
     points, normals = mesh.points, mesh.normals
     for v, d in enumerate(cert.star_directions):
         if d is None:
             continue
-        fan_at_v = cert.fans[v]
+        fan_at_v = mesh.fans[v]
         if not fan_at_v:
             return "vertex %d has a star code and no triangle" % v
         dx, dy, dz = d
@@ -734,68 +643,48 @@ def v7_stars(cert, mesh):
         if turns != 1:
             return "vertex %d: its triangles turn %d times around it" % (v, turns)  # (b)
 
-
 def compare(d, ps, qs, points):
     """Test of a direction: 0 it fails, 1 it holds, or the open pair (P', Q')."""
     dx, dy, dz = d
-    up, uq = [], []
-    for i in ps:
-        x, y, z = points[i]
-        up.append(dx * x + dy * y + dz * z)
-    for i in qs:
-        x, y, z = points[i]
-        uq.append(dx * x + dy * y + dz * z)
+    up = [dx * x + dy * y + dz * z for x, y, z in map(points.__getitem__, ps)]
+    uq = [dx * x + dy * y + dz * z for x, y, z in map(points.__getitem__, qs)]
     hi, lo = max(up), min(uq)
     if hi != lo:
         return 1 if hi < lo else 0
     p2 = [i for i, s in zip(ps, up) if s == hi]
     q2 = [i for i, s in zip(qs, uq) if s == lo]
     k = list(set(p2 + q2))
-    if len(k) <= 2:
-        return 1
-    if len(k) == 3 and any(cross(sub(points[k[1]], points[k[0]]), sub(points[k[2]], points[k[0]]))):
+    if len(k) <= 2 or len(k) == 3 and any(cross(sub(points[k[1]], points[k[0]]),
+                                                sub(points[k[2]], points[k[0]]))):
         return 1
     return p2, q2
-
 
 class Walk:
     """Section 5.  Node i of the tree has the children 2i and 2i + 1; the root is 1."""
 
     def __init__(self, cert, mesh, skip):
-        self.cert, self.mesh = cert, mesh
-        self.wrong = {c: None for c in ("V8", "V9")}        # the first failure of each
-        self.skip, self.used_codes = skip, 0
-        total = len(cert.order)
-        nodes = 2 << (total - 1).bit_length()
-        self.first, self.size = [0] * nodes, [0] * nodes
-        self.size[1] = total
+        self.cert, self.mesh, self.skip, self.used_codes = cert, mesh, skip, 0
+        self.wrong = {"V8": None, "V9": None}               # the first failure of each
+        nodes = 2 << (len(cert.order) - 1).bit_length()
+        self.first, self.size, self.common = [0] * nodes, [0] * nodes, [frozenset()] * nodes
+        self.boxes = [([None] * nodes, [None] * nodes) for _ in range(3)]
+        self.size[1] = len(cert.order)
         for i in range(1, nodes // 2):
             n, half = self.size[i], self.size[i] // 2
             if n > 1:
                 self.first[2 * i], self.size[2 * i] = self.first[i], half
                 self.first[2 * i + 1], self.size[2 * i + 1] = self.first[i] + half, n - half
-        self.boxes = [self.bounds(axis) for axis in range(3)]
-        self.common = [NO_VERTEX] * nodes
         for i in range(nodes - 1, 0, -1):
             if self.size[i] == 1:
                 t = mesh.triangles[cert.order[self.first[i]]]
                 self.common[i] = frozenset(v for v in t if cert.stars[v])
-            elif self.size[i] and self.common[2 * i] and self.common[2 * i + 1]:
-                self.common[i] = self.common[2 * i] & self.common[2 * i + 1]
-
-    def bounds(self, axis):
-        """(least, greatest) coordinate of each node along an axis"""
-        least, greatest = [None] * len(self.size), [None] * len(self.size)
-        column = [p[axis] for p in self.mesh.floats]
-        for i in range(len(self.size) - 1, 0, -1):
-            if self.size[i] == 1:
-                a, b, c = self.mesh.triangles[self.cert.order[self.first[i]]]
-                a, b, c = column[a], column[b], column[c]
-                least[i], greatest[i] = min(a, b, c), max(a, b, c)
+                for (least, greatest), c in zip(self.boxes, zip(*[mesh.floats[v] for v in t])):
+                    least[i], greatest[i] = min(c), max(c)
             elif self.size[i]:
-                least[i] = min(least[2 * i], least[2 * i + 1])
-                greatest[i] = max(greatest[2 * i], greatest[2 * i + 1])
-        return least, greatest
+                self.common[i] = self.common[2 * i] & self.common[2 * i + 1]
+                for least, greatest in self.boxes:
+                    least[i] = min(least[2 * i], least[2 * i + 1])
+                    greatest[i] = max(greatest[2 * i], greatest[2 * i + 1])
 
     def run(self):
         todo, nodes = [1], []
@@ -823,7 +712,7 @@ class Walk:
                 b, a = stack.pop(), stack.pop()
                 work -= 1
                 if work < 0:
-                    raise Reject("B1", "more work than the certificate's size allows")
+                    raise Reject("B1", TOO_MUCH_WORK)
                 if (x1[a] < x0[b] or x1[b] < x0[a] or y1[a] < y0[b] or y1[b] < y0[a] or
                         z1[a] < z0[b] or z1[b] < z0[a]):                        # step 1
                     continue
@@ -831,8 +720,6 @@ class Walk:
                     continue
                 if reached == index:                                            # step 3
                     work -= size[a] + size[b]
-                    if work < 0:
-                        raise Reject("B1", "more work than the certificate's size allows")
                     self.separator(d, a, b)
                     index, d = next(separators, (-1, None))
                 elif size[a] == 1 == size[b]:                                   # step 4
@@ -842,55 +729,47 @@ class Walk:
                 else:
                     stack += (a, 2 * b + 1, a, 2 * b)
                 reached += 1
+        if work < 0:
+            raise Reject("B1", TOO_MUCH_WORK)
         if d is not None and not self.wrong["V8"]:
             self.wrong["V8"] = "a separator is not used"
 
     def separator(self, d, a, b):
-        if self.wrong["V8"]:
-            return
-        triangles, sides = self.mesh.triangles, []
-        for n in (a, b):
-            lo = self.first[n]
-            sides.append(list({v for f in self.cert.order[lo:lo + self.size[n]] for v in triangles[f]}))
-        if compare(d, sides[0], sides[1], self.mesh.points) != 1:
+        ps, qs = [list({v for f in self.cert.order[self.first[n]:self.first[n] + self.size[n]]
+                        for v in self.mesh.triangles[f]}) for n in (a, b)]
+        if not self.wrong["V8"] and compare(d, ps, qs, self.mesh.points) != 1:
             self.wrong["V8"] = "separator %s does not hold" % (d,)
 
     def axis(self, code, a, b):
-        normals, t = self.mesh.normals, self.mesh.triangles
-
-        def edge(f, i):
-            return sub(self.mesh.points[t[f][(i + 1) % 3]], self.mesh.points[t[f][i]])
-
+        na, nb = self.mesh.normals[a], self.mesh.normals[b]
+        ea, eb = [[sub(t[i - 2], t[i]) for i in range(3)] for t in (self.mesh.corners(a), self.mesh.corners(b))]
         if code < 2:
-            return normals[b] if code else normals[a]
+            return (na, nb)[code]
         if code < 11:
-            return cross(edge(a, (code - 2) // 3), edge(b, (code - 2) % 3))
-        return cross(normals[a], edge(a, code - 11)) if code < 14 else cross(normals[b], edge(b, code - 14))
+            return cross(ea[(code - 2) // 3], eb[(code - 2) % 3])
+        return cross(na, ea[code - 11]) if code < 14 else cross(nb, eb[code - 14])
 
     def leaf_pair(self, a, b):
-        if self.wrong["V9"]:
-            return
+        if not self.wrong["V9"] and not self.codes_hold(a, b):
+            self.wrong["V9"] = "triangles %d and %d are not shown to meet properly" % (a, b)
+
+    def codes_hold(self, a, b):
         pair = self.mesh.triangles[a], self.mesh.triangles[b]
-        for more in (True, True, True, False):              # at most four bytes
-            if self.used_codes >= len(self.cert.codes):
-                self.wrong["V9"] = "triangles %d and %d: no code left" % (a, b)
-                return
+        for _ in range(4):                                  # at most four bytes
+            if self.used_codes == len(self.cert.codes):
+                return False
             code = self.cert.codes[self.used_codes]
             self.used_codes += 1
-            if code & 128 or code & 31 > 16 or code & 64 and not more:
-                self.wrong["V9"] = "triangles %d and %d: no such code: %d" % (a, b, code)
-                return
+            if code & 128 or code & 31 > 16:
+                return False
             d = self.axis(code & 31, a, b)
             if code & 32:
                 d = -d[0], -d[1], -d[2]
             result = compare(d, pair[0], pair[1], self.mesh.points)
-            if result == 1 and not code & 64:
-                return
             if result in (0, 1) or not code & 64:
-                break
+                return result == 1 and not code & 64
             pair = result
-        self.wrong["V9"] = "triangles %d and %d: code %d does not show that they meet properly" % (a, b, code)
-
+        return False
 
 class Nesting:
     """Section 6: V10 and the quantities."""
@@ -915,8 +794,8 @@ class Nesting:
             return 0
         u, minus = divmod(self.cert.nesting[s], 2)
         p, q = (u + 1) % 3, (u + 2) % 3
-        v = min(self.vertices[s], key=lambda i: (self.mesh.floats[i][u] if minus else
-                                                 -self.mesh.floats[i][u], i))
+        extreme = (min if minus else max)(self.mesh.points[v][u] for v in self.vertices[s])
+        v = min(v for v in self.vertices[s] if self.mesh.points[v][u] == extreme)
         at, depth = self.mesh.floats[v], 0
         for other, box in enumerate(self.boxes):
             (lo, hi), (plo, phi), (qlo, qhi) = box[u], box[p], box[q]
@@ -929,7 +808,7 @@ class Nesting:
         """1 if the ray from v stabs an odd number of triangles of the shell, else 0"""
         mesh, at, odd = self.mesh, self.mesh.points[v], 0
         for f in self.faces[shell]:
-            corners = [mesh.points[i] for i in mesh.triangles[f]]
+            corners = mesh.corners(f)
             if line_stabs(corners, at, u):
                 t = dot(mesh.normals[f], sub(corners[0], at))
                 if t == 0:
@@ -946,7 +825,7 @@ class Nesting:
                 self.fail("shell %d of depth %d is oriented the wrong way" % (s, depth))
         num_vertices, num_faces = sum(map(len, self.vertices)), len(self.mesh.triangles)
         volume = Fraction(sum(self.six_volumes), 6) * self.mesh.unit ** 3
-        return {"vertices": sum(1 for fan_at_v in self.cert.fans if fan_at_v),
+        return {"vertices": sum(1 for fan_at_v in self.mesh.fans if fan_at_v),
                 "edges": self.cert.edges, "faces": num_faces, "shells": len(depths),
                 "bodies": sum(1 for depth in depths if depth % 2 == 0),
                 "genus": (2 * len(depths) - num_vertices + self.cert.edges - num_faces) // 2,
@@ -956,7 +835,6 @@ class Nesting:
 # ---------------------------------------------------------------- mesh.md, section 7: invalid
 
 INVALID_FIELDS = {1: "f", 2: "ff", 3: "vv", 4: "vv", 5: "vv", 6: "v", 7: "ffnnnnnn", 8: "fu", 9: "fu"}
-
 
 def check_invalid(statement, body, mesh, skip):
     witnesses, last = [], 0
@@ -971,16 +849,15 @@ def check_invalid(statement, body, mesh, skip):
         witnesses.append((rule, [read_field(body, mesh, kind) for kind in INVALID_FIELDS[rule]]))
         last = rule
     body.end()
-    complex_ = Incidence(mesh)
+    directed = directed_edges(mesh.triangles)
     holds = {1: i1_degenerate, 2: i2_duplicate, 3: i3_boundary, 4: i4_crowded, 5: i5_misoriented,
              6: i6_fans, 7: i7_intersection, 8: i8_winding, 9: i8_winding}
     for rule, fields in witnesses:
-        if not holds[rule](mesh, complex_, *fields) and "I%d" % rule not in skip:
+        if not holds[rule](mesh, directed, *fields) and "I%d" % rule not in skip:
             raise Reject("I%d" % rule, "witness %s of rule M%d proves nothing" % (fields[:2], rule))
     rules = " ".join("M%d" % r for r in sorted({r for r, _ in witnesses}))
     if statement["rules"] != rules and "I10" not in skip:
         raise Reject("I10", "the statement lists %s, the witnesses %s" % (statement["rules"], rules))
-
 
 def read_field(body, mesh, kind):
     if kind == "n":
@@ -993,55 +870,33 @@ def read_field(body, mesh, kind):
         raise Reject("B1", "an index is out of range")
     return value
 
-
-class Incidence:
-    """How often each directed edge occurs, and the triangles at each vertex."""
-
-    def __init__(self, mesh):
-        self.directed, self.triangles_at = {}, {}
-        for f, t in enumerate(mesh.triangles):
-            for edge in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
-                self.directed[edge] = self.directed.get(edge, 0) + 1
-            for v in set(t):
-                self.triangles_at.setdefault(v, []).append(f)
-
-    def uses(self, a, b):
-        return self.directed.get((a, b), 0) + self.directed.get((b, a), 0)
-
-
 def is_degenerate(mesh, f):
     return len(set(mesh.triangles[f])) < 3 or mesh.normals[f] == (0, 0, 0)
-
 
 def i1_degenerate(mesh, _, f):
     return is_degenerate(mesh, f)
 
-
 def i2_duplicate(mesh, _, f, g):
     return f != g and set(mesh.triangles[f]) == set(mesh.triangles[g])
 
+def uses(directed, a, b):
+    return directed.get((a, b), 0) + directed.get((b, a), 0)
 
-def i3_boundary(_, complex_, a, b):
-    return a != b and complex_.uses(a, b) == 1
+def i3_boundary(_, directed, a, b):
+    return a != b and uses(directed, a, b) == 1
 
+def i4_crowded(_, directed, a, b):
+    return a != b and uses(directed, a, b) >= 3
 
-def i4_crowded(_, complex_, a, b):
-    return a != b and complex_.uses(a, b) >= 3
+def i5_misoriented(_, directed, a, b):
+    return a != b and uses(directed, a, b) == 2 == directed.get((a, b), 0)
 
-
-def i5_misoriented(_, complex_, a, b):
-    return a != b and complex_.uses(a, b) == 2 == complex_.directed.get((a, b), 0)
-
-
-def i6_fans(mesh, complex_, v):
+def i6_fans(mesh, _, v):
     classes = []                                            # the other ends of the edges at v
-    for t in (mesh.triangles[f] for f in complex_.triangles_at.get(v, [])):
-        ends = {w for i in range(3) for w in (t[i - 1], t[i]) if v in (t[i - 1], t[i])} - {v}
-        ends |= {v} if t.count(v) > 1 else set()            # the edge {v, v}
+    for ends in ({p, q} for _, p, q in mesh.fans[v]):
         touching = [c for c in classes if c & ends]
         classes = [c for c in classes if not c & ends] + [ends.union(*touching)]
     return len(classes) >= 2
-
 
 def i7_intersection(mesh, _, f, g, *weights):
     if f == g or is_degenerate(mesh, f) or is_degenerate(mesh, g):
@@ -1049,23 +904,19 @@ def i7_intersection(mesh, _, f, g, *weights):
     w, x = weights[:3], weights[3:]
     if sum(w) == 0 or sum(x) == 0:
         return False
-    at_f = [mesh.points[i] for i in mesh.triangles[f]]
-    at_g = [mesh.points[i] for i in mesh.triangles[g]]
-    for k in range(3):
-        if sum(x) * sum(w[i] * at_f[i][k] for i in range(3)) != sum(w) * sum(x[i] * at_g[i][k] for i in range(3)):
+    for at_f, at_g in zip(zip(*mesh.corners(f)), zip(*mesh.corners(g))):            # x, y, z
+        if sum(x) * dot(w, at_f) != sum(w) * dot(x, at_g):
             return False
     return any(w[i] > 0 and mesh.triangles[f][i] not in mesh.triangles[g] for i in range(3))
-
 
 def i8_winding(mesh, _, f, u):
     outward = sign(mesh.normals[f][u])
     if outward == 0:
         return False
-    f0, f1, f2 = (mesh.points[i] for i in mesh.triangles[f])
-    at = [2 * a + b + c for a, b, c in zip(f0, f1, f2)]     # 4 P
+    at = [2 * a + b + c for a, b, c in zip(*mesh.corners(f))]                       # 4 P
     w = 0
     for g in range(len(mesh.triangles)):
-        corners = [[4 * c for c in mesh.points[i]] for i in mesh.triangles[g]]
+        corners = [[4 * c for c in p] for p in mesh.corners(g)]
         if g != f and line_stabs(corners, at, u):
             t = dot(mesh.normals[g], sub(corners[0], at))
             if t == 0:
@@ -1095,7 +946,6 @@ def main(argv):
     code, message = check(data[0], data[1])
     print(message, file=sys.stdout if code < 2 else sys.stderr)
     return code
-
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv))

@@ -23,14 +23,14 @@ variant vector version cassert cctype cerrno cfenv cfloat cinttypes climits cloc
 cstdio cstdlib cstring ctime cuchar cwchar cwctype assert.h ctype.h errno.h fenv.h float.h inttypes.h limits.h locale.h math.h
 setjmp.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h""".split())
 OUTSIDE = [  # kind, headers
-    ("posix", r"(unistd|fcntl|dirent|poll|pthread|spawn|termios)\.h|sys/.*\.h"),
+    ("posix", r"(unistd|malloc|fcntl|dirent|poll|pthread|spawn|termios)\.h|sys/.*\.h"),
     ("intrinsics", r"([a-z]*intrin|x86gprintrin|cpuid|arm_neon)\.h"),
     ("gmp", r"gmp\.h"),
     ("cli11", r"CLI/.*"),
     ("json", r"nlohmann/.*"),
     ("gtest", r"(gtest|gmock)/.*"),
     ("rapidcheck", r"rapidcheck(/.*|\.h)"),
-    ("cgal", r"(CGAL|boost)/.*|mpfr\.h"),
+    ("cgal", r"(CGAL|boost)/.*|mpfr\.h|gmpxx\.h"),
     ("eigen", r"Eigen/.*"),
 ]
 PUBLIC_OUTSIDE = {"intrinsics", "gmp"}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The mesh decision beside CGAL's, and what certificates and checkers cost. One JSON row a line; figures in docs/benchmarks.md.
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/cgal_peer.h"
+#include "bench/models.h"
+#include "robust/base/check.h"
+#include "solids/polyhedron/validity.h"
+
+namespace veritope::bench {
+namespace {
+
+constexpr int kRuns = 7;
+
+double median(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v[v.size() / 2];
+}
+
+double seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// "peer": null if there is none.
+void row(const std::string& name, double ours, double peer, const char* unit, const std::string& more = "") {
+  char buffer[64];
+  std::string line = "{\"row\":\"" + name + "\",\"ours\":";
+  std::snprintf(buffer, sizeof buffer, "%.6g", ours);
+  line += buffer;
+  line += ",\"peer\":";
+  if (peer > 0) {
+    std::snprintf(buffer, sizeof buffer, "%.6g", peer);
+    line += buffer;
+  } else {
+    line += "null";
+  }
+  std::printf("%s,\"unit\":\"%s\"%s}\n", line.c_str(), unit, more.c_str());
+  std::fflush(stdout);
+}
+
+ValidityReport decide(const TriangleMesh& mesh, unsigned jobs) {
+  ValidityOptions options;
+  options.jobs = jobs;
+  ValidityReport report = decide_validity(mesh, options);
+  VT_CHECK(report.is_valid, "the benchmark's models are valid");
+  return report;
+}
+
+// Where the time of one run goes, as a JSON object in ns a facet.
+std::string breakdown(const DecisionTimes& t, double facets) {
+  char buffer[256];
+  const double ns = 1e9 / facets;
+  std::snprintf(buffer, sizeof buffer,
+                ",\"parts\":{\"incidence\":%.0f,\"signs\":%.0f,\"topology\":%.0f,\"stars\":%.0f,\"boxes\":%.0f,"
+                "\"pairs\":%.0f,\"volume\":%.0f,\"nesting\":%.0f}",
+                t.incidence * ns, t.signs * ns, t.topology * ns, t.stars * ns, t.boxes * ns, t.pairs * ns,
+                t.volume * ns, t.nesting * ns);
+  return buffer;
+}
+
+// Ours and CGAL's in turn, medians; then one thread against two.
+void decision_rows(const std::string& name, bool with_peer) {
+  const TriangleMesh mesh = named_model(name);
+  const double facets = static_cast<double>(mesh.faces.size());
+  std::vector<double> one, two, peer;
+  DecisionTimes parts;
+  {
+    const auto cgal = with_peer ? std::make_unique<CgalMesh>(mesh) : nullptr;
+    for (int i = 0; i < kRuns; ++i) {
+      one.push_back(seconds([&] { parts = decide(mesh, 1).seconds; }));
+      if (with_peer)
+        peer.push_back(seconds([&] { VT_CHECK(cgal->is_valid_solid(), "CGAL agrees"); }));
+    }
+  }
+  for (int i = 0; i < kRuns; ++i) two.push_back(seconds([&] { decide(mesh, 2); }));
+  row("decision_" + name + "_vs_cgal", median(one) * 1e9 / facets, with_peer ? median(peer) * 1e9 / facets : 0,
+      "ns/facet", breakdown(parts, facets));
+  row("decision_" + name + "_two_threads_vs_one", median(two) * 1e9 / facets, median(one) * 1e9 / facets, "ns/facet");
+}
+
+// A line of /proc/self/status, in bytes.
+double status_bytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind(key + ":", 0) == 0) return std::atof(line.c_str() + key.size() + 1) * 1024;
+  return 0;
+}
+
+// Peak memory of the decision, the mesh's arrays included, in a process of its own. What making the model needed is returned to
+// the system and the peak reset before the decision starts.
+void memory_row(const std::string& name) {
+  int ends[2];
+  VT_CHECK(pipe(ends) == 0, "pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    const double before = status_bytes("VmRSS");
+    const TriangleMesh mesh = named_model(name);
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";
+    const double held = status_bytes("VmRSS") - before;
+    decide(mesh, 1);
+    const double facets = static_cast<double>(mesh.faces.size());
+    const double figures[2] = {(status_bytes("VmHWM") - before) / facets, held / facets};
+    _exit(write(ends[1], figures, sizeof figures) == static_cast<ssize_t>(sizeof figures) ? 0 : 1);
+  }
+  double figures[2] = {0, 0};
+  VT_CHECK(read(ends[0], figures, sizeof figures) == static_cast<ssize_t>(sizeof figures), "the child's figures");
+  waitpid(child, nullptr, 0);
+  close(ends[0]);
+  close(ends[1]);
+  char more[64];
+  std::snprintf(more, sizeof more, ",\"model_alone\":%.0f", figures[1]);
+  row("memory_" + name, figures[0], 0, "bytes/facet", more);
+}
+
+}  // namespace
+}  // namespace veritope::bench
+
+int main(int argc, char** argv) {
+  using namespace veritope::bench;
+  const std::vector<std::string> with_peer{"bunny70k", "blade199k", "loop1115k", "flat1115k", "sliver20k"};
+  const std::vector<std::string> alone{"loop279k", "sliver80k", "sliver20k_rim", "sliver80k_rim", "sliver20k_zigzag",
+                                       "sliver80k_zigzag"};
+  const auto wanted = [&](const std::string& name) { return argc < 2 || name == argv[1]; };
+  for (const auto& name : {"blade199k", "loop1115k"})
+    if (wanted(name)) memory_row(name);
+  for (const auto& name : with_peer)
+    if (wanted(name)) decision_rows(name, true);
+  for (const auto& name : alone)
+    if (wanted(name)) decision_rows(name, false);
+  return 0;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/models.h: the models that the mesh benchmarks run on. Named in docs/benchmarks.md.
+#pragma once
+#include <string>
+
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope::bench {
+
+/// A real model of $VERITOPE_DATA (default ../shared/data), read by the reading rule. Ends the program if it is not there.
+TriangleMesh data_model(const std::string& name);
+
+/// One step of Loop subdivision: four facets for one, points in generic position. REQUIRES a closed manifold.
+TriangleMesh loop_step(const TriangleMesh& mesh);
+
+/// Every facet cut into four at the midpoints of its edges, rounded: (nearly) coplanar neighbours.
+TriangleMesh flat_step(const TriangleMesh& mesh);
+
+enum class Caps { kCentreFan, kRimFan, kZigzag };
+
+/// A tilted cylinder of radius 1 and length 10 with `sides` sides, all its 4 * sides facets (4 * sides - 4 without centres) long and thin.
+TriangleMesh sliver_cylinder(unsigned sides, Caps caps);
+
+/// bunny70k, blade199k, loop1115k, flat1115k, sliver20k, sliver80k; sliver20k_rim, ... with other caps.
+TriangleMesh named_model(const std::string& name);
+
+}  // namespace veritope::bench

@@ -60,15 +60,19 @@ inline std::vector<HPoint> cut(const std::vector<HPoint>& polygon, const IPoint&
   return out;
 }
 
-/// Points whose convex hull is the intersection of the closed triangles; empty iff they are disjoint. REQUIRES u non-degenerate.
-inline std::vector<HPoint> intersection(const ITriangle& t, const ITriangle& u) {
+/// Points whose convex hull is what the closed triangle u and the hull of `points` (a point, a segment or a triangle) have in common;
+/// empty iff they are disjoint. REQUIRES u non-degenerate.
+inline std::vector<HPoint> intersection(const std::vector<IPoint>& points, const ITriangle& u) {
   std::vector<HPoint> polygon;
-  for (const IPoint& p : t) polygon.push_back({p[0], p[1], p[2], 1});
+  for (const IPoint& p : points) polygon.push_back({p[0], p[1], p[2], 1});
   const IPoint n = cross(minus(u[1], u[0]), minus(u[2], u[0]));
   polygon = cut(polygon, n, u[0]);
   polygon = cut(polygon, {-n[0], -n[1], -n[2]}, u[0]);
   for (int i = 0; i < 3; ++i) polygon = cut(polygon, cross(n, minus(u[(i + 1) % 3], u[i])), u[i]);
   return polygon;
+}
+inline std::vector<HPoint> intersection(const ITriangle& t, const ITriangle& u) {
+  return intersection(std::vector<IPoint>(t.begin(), t.end()), u);
 }
 
 inline bool degenerate(const ITriangle& t) {

@@ -66,7 +66,7 @@ TEST(TriangleWitness, IsACommonPointOutsideTheCommonSimplexForEveryImproperPairO
   }
   long checked = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::size_t j = i % 37; j < triangles.size(); j += 37) {
+    for (std::size_t j = i % 97; j < triangles.size(); j += 97) {
       const ITriangle &t = triangles[i], &u = triangles[j];
       const oracle::Ids t_ids{0, 1, 2};
       oracle::for_all_names(t, u, [&](const oracle::Ids& ids) {
@@ -93,7 +93,7 @@ TEST(TriangleWitness, IsACommonPointOutsideTheCommonSimplexForEveryImproperPairO
       if (HasFailure()) FAIL() << "triangles " << i << " and " << j;
     }
   }
-  EXPECT_GT(checked, 5000);
+  EXPECT_GT(checked, 2000);
 }
 
 TEST(TriangleWitness, TakesTheMiddleOfACrossing) {

@@ -26,8 +26,7 @@ foreach(layer IN LISTS layers)
   endif()
   list(APPEND veritope_layers ${layer})
   string(PREPEND veritope_pc_libs "-l${layer} ")
-  cmake_path(GET folder PARENT_PATH parent)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/${parent}"
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/${folder}"
           FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
 endforeach()
 

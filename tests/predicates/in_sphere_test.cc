@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "predicates/in_sphere.h"
+
+#include <gtest/gtest.h>
+
+#include "predicates/orient3d.h"
+#include "tests/predicates/tier_test.h"
+
+namespace veritope {
+namespace {
+
+using internal::in_sphere_exact;
+using internal::in_sphere_integer;
+using internal::in_sphere_interval;
+using internal::in_sphere_lattice;
+
+// On the unit sphere, positively oriented.
+const Vec3d kA{-1, 0, 0}, kB{1, 0, 0}, kC{0, 1, 0}, kD{0, 0, 1};
+
+TEST(InSphere, IsPositiveInsideZeroOnAndNegativeOutsideOfAPositiveTetrahedron) {
+  ASSERT_EQ(orient3d(kA, kB, kC, kD), Sign::kPositive);
+  EXPECT_EQ(in_sphere(kA, kB, kC, kD, {0, 0, 0}), Sign::kPositive);
+  EXPECT_EQ(in_sphere(kA, kB, kC, kD, {0, 0, -1}), Sign::kZero);
+  EXPECT_EQ(in_sphere(kA, kB, kC, kD, {0, 0, -2}), Sign::kNegative);
+  EXPECT_EQ(in_sphere(kB, kA, kC, kD, {0, 0, 0}), Sign::kNegative);
+}
+
+TEST(InSphere, IsZeroForCoplanarPointsOnOneCircleAndForEqualPoints) {
+  EXPECT_EQ(in_sphere(kA, kB, kC, {0, -1, 0}, {5, 5, 5}), Sign::kZero);
+  EXPECT_EQ(in_sphere(kA, kA, kC, kD, {5, 4, 3}), Sign::kZero);
+}
+
+TEST(InSphere, SeesOneUnitInTheLastPlace) {
+  const Vec3d a{-9, 0, 0}, b{9, 0, 0}, c{0, 9, 0}, d{0, 0, 9};
+  EXPECT_EQ(in_sphere(a, b, c, d, {1, 4, -8}), Sign::kZero);
+  EXPECT_EQ(in_sphere(a, b, c, d, {1, 4, -0x1.0000000000001p3}), Sign::kNegative);
+  EXPECT_EQ(in_sphere(a, b, c, d, {1, 4, -0x1.fffffffffffffp2}), Sign::kPositive);
+}
+
+TEST(InSphere, IsExactWhereProductsUnderflowAndOverflow) {
+  for (const double r : {5e-324, 0x1p-300, 0x1p400, 0x1.fffffffffffffp1023}) {
+    const Vec3d a{-r, 0, 0}, b{r, 0, 0}, c{0, r, 0}, d{0, 0, r};
+    EXPECT_EQ(in_sphere(a, b, c, d, {0, 0, 0}), Sign::kPositive);
+    EXPECT_EQ(in_sphere(a, b, c, d, {0, 0, -r}), Sign::kZero);
+    EXPECT_EQ(in_sphere(a, b, c, d, {0, 5e-324, -r}), Sign::kNegative);
+  }
+}
+
+TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {
+  const auto decide = [](double r, Vec3d e) {
+    return [=](TierCounts* tally) { return in_sphere({-r, 0, 0}, {r, 0, 0}, {0, r, 0}, {0, 0, r}, e, tally); };
+  };
+  expect_decided_by(Tier::kFilter, Sign::kPositive, decide(1, {0, 0, 0}));
+  expect_decided_by(Tier::kLattice, Sign::kZero, decide(1, {0, 0, -1}));
+  expect_decided_by(Tier::kInterval, Sign::kPositive, decide(0x1p-182, {0x1p-260, 0, 0}));
+  expect_decided_by(Tier::kExact, Sign::kNegative, decide(1, {0x1p-70, 0, -1}));
+}
+
+TEST(InSphere, TiersSayUncertainRatherThanGuess) {
+  EXPECT_EQ(in_sphere_filter(kA, kB, kC, kD, {0, 0, -1}), Sign3::kUncertain);
+  const double huge = 0x1p260;
+  EXPECT_EQ(in_sphere_filter({-huge, 0, 0}, {huge, 0, 0}, {0, huge, 0}, {0, 0, huge}, {0, 0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(in_sphere_lattice(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(in_sphere_interval({0.1, 0.2, 0.3}, {-0.1, 0.2, 0.3}, {0.1, -0.2, 0.3}, {0.1, 0.2, -0.3}, {-0.1, -0.2, -0.3}),
+            Sign3::kUncertain);
+}
+
+TEST(InSphere, WideLatticeAndIntegersAgree) {
+  EXPECT_EQ(in_sphere_exact(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign::kPositive);
+  EXPECT_EQ(in_sphere_integer(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign::kPositive);
+  EXPECT_EQ(in_sphere_exact(kA, kB, kC, kD, {0x1p-700, 0, -1}), Sign::kNegative);
+}
+
+}  // namespace
+}  // namespace veritope

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "predicates/orient2d.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/predicates/tier_test.h"
+
+namespace veritope {
+namespace {
+
+using internal::orient2d_exact;
+using internal::orient2d_integer;
+using internal::orient2d_interval;
+using internal::orient2d_lattice;
+
+TEST(Orient2d, IsPositiveForACounterClockwiseTriangle) {
+  EXPECT_EQ(orient2d({0, 0}, {1, 0}, {0, 1}), Sign::kPositive);
+  EXPECT_EQ(orient2d({0, 0}, {0, 1}, {1, 0}), Sign::kNegative);
+}
+
+TEST(Orient2d, IsZeroForPointsOnALineAndForEqualPoints) {
+  EXPECT_EQ(orient2d({0, 0}, {1, 1}, {3, 3}), Sign::kZero);
+  EXPECT_EQ(orient2d({0.1, 0.7}, {0.1, 0.7}, {5, 1e300}), Sign::kZero);
+  EXPECT_EQ(orient2d({0.0, 1}, {-0.0, 2}, {0.0, 1e-300}), Sign::kZero);
+}
+
+TEST(Orient2d, SeesOneUnitInTheLastPlace) {
+  // The classic: 0.5 + k ulp on the line y = x.
+  const double h = 0.5, up = 0.5 + 0x1p-53;
+  EXPECT_EQ(orient2d({12, 12}, {24, 24}, {h, h}), Sign::kZero);
+  EXPECT_EQ(orient2d({12, 12}, {24, 24}, {h, up}), Sign::kPositive);
+  EXPECT_EQ(orient2d({12, 12}, {24, 24}, {up, h}), Sign::kNegative);
+}
+
+TEST(Orient2d, IsExactWhereProductsUnderflowAndOverflow) {
+  const double tiny = 5e-324, huge = 0x1.fffffffffffffp1023;
+  EXPECT_EQ(orient2d({0, 0}, {tiny, 0}, {0, tiny}), Sign::kPositive);
+  EXPECT_EQ(orient2d({0, 0}, {tiny, tiny}, {2 * tiny, 2 * tiny}), Sign::kZero);
+  EXPECT_EQ(orient2d({-huge, -huge}, {huge, -huge}, {-huge, huge}), Sign::kPositive);
+  EXPECT_EQ(orient2d({-huge, -huge}, {huge, huge}, {tiny, 0}), Sign::kNegative);
+  EXPECT_EQ(orient2d({-huge, -huge}, {huge, huge}, {0, tiny}), Sign::kPositive);
+}
+
+TEST(Orient2d, AsksEachTierOnlyAfterTheOneBefore) {
+  const auto decide = [](Vec2d a, Vec2d b, Vec2d c) {
+    return [=](TierCounts* tally) { return orient2d(a, b, c, tally); };
+  };
+  expect_decided_by(Tier::kFilter, Sign::kPositive, decide({0, 0}, {1, 0}, {0, 1}));
+  expect_decided_by(Tier::kLattice, Sign::kZero, decide({0.5, 0.5}, {12, 12}, {24, 24}));
+  // Exponents that span more than 60 bits; the products are far below the filter's absolute term, not below each other.
+  expect_decided_by(Tier::kInterval, Sign::kPositive, decide({0x1p-600, 0}, {0x1p-500, 0}, {0, 0x1p-500}));
+  expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-70, 0x1p-70}, {1, 1}, {3, 3}));
+  expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-900, 0x1p-900}, {1, 1}, {3, 3}));
+}
+
+TEST(Orient2d, TiersSayUncertainRatherThanGuess) {
+  const double huge = 0x1.fffffffffffffp1023;
+  EXPECT_EQ(orient2d_filter({0, 0}, {1, 1}, {3, 3}), Sign3::kUncertain);
+  EXPECT_EQ(orient2d_filter({-huge, -huge}, {huge, -huge}, {-huge, huge}), Sign3::kUncertain);
+  EXPECT_EQ(orient2d_filter({0, 0}, {5e-324, 0}, {0, 5e-324}), Sign3::kUncertain);
+  EXPECT_EQ(orient2d_lattice({0x1p-70, 0}, {1, 1}, {3, 3}), Sign3::kUncertain);
+  EXPECT_EQ(orient2d_interval({0.1, 0.1}, {1, 1}, {3, 3}), Sign3::kUncertain);
+}
+
+TEST(Orient2d, LatticeAndIntegersAgreeWhereBothAnswer) {
+  EXPECT_EQ(orient2d_exact({0x1p-64, 0x1p-64}, {1, 1}, {3, 3}), Sign::kZero);  // two limbs
+  EXPECT_EQ(orient2d_integer({0x1p-64, 0x1p-64}, {1, 1}, {3, 3}), Sign::kZero);
+  EXPECT_EQ(orient2d_exact({0x1p-900, 0x1p-901}, {1, 1}, {3, 3}), Sign::kNegative);  // GMP
+}
+
+}  // namespace
+}  // namespace veritope

@@ -36,13 +36,13 @@ namespace veritope::internal {
 
   const double a = a_v, square = square_v;
   volatile double rest = a * a - square;  // the product's rounding error, if it was not rounded
-  if (rest != 0) problems |= 1u << 3;
+  const bool to_nearest = (problems & 1u) == 0;  // the next two can only be told apart from another mode then
+  if (to_nearest && rest != 0) problems |= 1u << 3;
 
   const double half_ulp = half_ulp_v, quarter_ulp = quarter_ulp_v, huge = huge_v, ten = ten_v;
   volatile double twice = (one + half_ulp) + quarter_ulp;
   volatile double over = huge * ten / ten;
-  // Upward rounding also makes `twice` larger: then only the range tells.
-  if ((twice != 1 && (problems & 1u) == 0) || over <= huge) problems |= 1u << 4;
+  if (to_nearest && (twice != 1 || over <= huge)) problems |= 1u << 4;
 
   const double sum = one + small, part = sum - one;
   volatile double error = (one - (sum - part)) + (small - part);  // 2^-60 in every rounding mode; algebra makes it 0

@@ -43,7 +43,7 @@ Incidence Incidence::build(Faces faces, std::uint32_t num_vertices, unsigned job
     count_corners(faces.subspan(block(j), block(j + 1) - block(j)), rows[j]);
   });
   Incidence out;
-  out.first_.resize(std::size_t{num_vertices} + 1);
+  out.first_ = Buffer<std::uint32_t>(std::size_t{num_vertices} + 1);
   std::uint32_t sum = 0;
   for (std::uint32_t v = 0; v < num_vertices; ++v) {
     out.first_[v] = sum;
@@ -54,7 +54,7 @@ Incidence Incidence::build(Faces faces, std::uint32_t num_vertices, unsigned job
     }
   }
   out.first_[num_vertices] = sum;
-  out.corners_.resize(sum);
+  out.corners_ = Buffer<std::uint32_t>(sum);
   parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
     place_corners(faces.subspan(block(j), block(j + 1) - block(j)),
                   static_cast<std::uint32_t>(block(j)), rows[j], out.corners_.data());

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "robust/base/buffer.h"
+
 namespace veritope {
 
 /// The corners at each vertex, as one array. A corner is 4 * face + k: the vertex is the k-th of the face.
@@ -26,8 +28,8 @@ class Incidence {
   }
 
  private:
-  std::vector<std::uint32_t> first_;    // V + 1
-  std::vector<std::uint32_t> corners_;
+  Buffer<std::uint32_t> first_;  // V + 1
+  Buffer<std::uint32_t> corners_;
 };
 
 inline std::uint32_t corner_face(std::uint32_t corner) { return corner >> 2; }

@@ -14,6 +14,8 @@ namespace {
 
 using Faces = std::span<const std::array<std::uint32_t, 3>>;
 
+constexpr std::size_t kChunk = 1 << 14;
+
 // What one block of vertices contributes; blocks are joined in order.
 struct VertexBlock {
   std::uint64_t vertices = 0, edges = 0, boundary = 0, nonmanifold = 0, misoriented = 0, pinched = 0;
@@ -90,6 +92,17 @@ void append(std::vector<T>& to, std::vector<T>& from, std::size_t max_listed) {
     if (to.size() >= max_listed) return;
     to.push_back(std::move(d));
   }
+}
+
+std::vector<std::uint32_t> collapsed_faces(Faces faces, unsigned jobs) {
+  std::vector<std::vector<std::uint32_t>> parts(num_chunks(faces.size(), kChunk));
+  parallel_for(faces.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+      if (is_collapsed(faces[f])) parts[chunk].push_back(static_cast<std::uint32_t>(f));
+  });
+  std::vector<std::uint32_t> out;
+  for (const auto& p : parts) out.insert(out.end(), p.begin(), p.end());
+  return out;
 }
 
 // Union-find whose roots are the least elements; safe for concurrent use, its result depends on the unions only.
@@ -181,10 +194,26 @@ void connect_faces(Faces faces, const Incidence& incidence, const FanNodes& fans
   }
 }
 
+// The usual case: every face is in one component. False if not.
+bool is_one_shell(Faces faces, const FanNodes& fans, DisjointSets& sets, unsigned jobs, SurfaceTopology& out) {
+  if (faces.empty() || !out.collapsed.empty() || !fans.irregular.empty()) return false;
+  const std::uint32_t root = sets.find(faces[0][0]);
+  std::atomic<bool> one{true};
+  parallel_for(faces.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    bool same = true;
+    for (std::size_t f = begin; f < end; ++f) {
+      same = same && sets.find(faces[f][0]) == root;
+      out.shell_of_face[f] = 0;
+    }
+    if (!same) one.store(false, std::memory_order_relaxed);
+  });
+  if (one.load()) out.shells.push_back({0, out.vertices, out.edges, out.faces});
+  return one.load();
+}
+
 void number_shells(Faces faces, const Incidence& incidence, const FanNodes& fans, DisjointSets& sets,
                    SurfaceTopology& out) {
   std::vector<std::uint32_t> shell_of_root(sets.size(), SurfaceTopology::kNoShell);
-  out.shell_of_face.resize(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (is_collapsed(faces[f])) {
       out.shell_of_face[f] = SurfaceTopology::kNoShell;
@@ -259,8 +288,7 @@ SurfaceTopology analyse_surface(Faces faces, const Incidence& incidence, std::si
     append(out.pinched, p.pinched_list, max_listed);
     out.irregular.insert(out.irregular.end(), p.irregular.begin(), p.irregular.end());
   }
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    if (is_collapsed(faces[f])) out.collapsed.push_back(static_cast<std::uint32_t>(f));
+  out.collapsed = collapsed_faces(faces, jobs);
   out.faces = faces.size() - out.collapsed.size();
 
   const FanNodes fans = number_fans(faces, incidence, out.irregular);
@@ -271,8 +299,11 @@ SurfaceTopology analyse_surface(Faces faces, const Incidence& incidence, std::si
   parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
     connect_faces(faces, incidence, fans, sets, cut(faces.size(), j), cut(faces.size(), j + 1));
   });
-  number_shells(faces, incidence, fans, sets, out);
-  count_shell_cells(faces, incidence, out);
+  out.shell_of_face = Buffer<std::uint32_t>(faces.size());
+  if (!is_one_shell(faces, fans, sets, jobs, out)) {
+    number_shells(faces, incidence, fans, sets, out);
+    count_shell_cells(faces, incidence, out);
+  }
   return out;
 }
 

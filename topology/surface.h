@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "robust/base/buffer.h"
 #include "topology/incidence.h"
 
 namespace veritope {
@@ -49,7 +50,7 @@ struct SurfaceTopology {
   std::vector<EdgeDefect> boundary, nonmanifold, misoriented;
   std::vector<VertexDefect> pinched;
   std::vector<Shell> shells;
-  std::vector<std::uint32_t> shell_of_face;  ///< kNoShell for a collapsed face
+  Buffer<std::uint32_t> shell_of_face;       ///< kNoShell for a collapsed face
 
   static constexpr std::uint32_t kNoShell = 0xffffffffu;
   std::int64_t euler() const {

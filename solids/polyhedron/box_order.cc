@@ -15,6 +15,7 @@ namespace {
 constexpr unsigned kBits = 11;  // of a coordinate, and of a radix pass: three passes sort the 33-bit code
 constexpr std::size_t kRadix = std::size_t{1} << kBits;
 constexpr unsigned kIndexBits = 31;
+constexpr std::size_t kChunk = 1 << 14;
 
 // The low 11 bits of v, two zeros between neighbours.
 std::uint64_t spread(std::uint64_t v) {
@@ -88,13 +89,24 @@ void arrange(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-UnitScale::UnitScale(const std::vector<Vec3d>& positions) {
-  Vec3d lo = positions[0], hi = positions[0];
-  double largest = 0;
-  for (const Vec3d& p : positions) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs) {
+  std::vector<BoundingBox> parts(num_chunks(points.size(), kChunk));
+  parallel_for(points.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    BoundingBox box;
+    for (std::size_t i = begin; i < end; ++i) box.add(points[i]);
+    parts[chunk] = box;
+  });
+  BoundingBox out;
+  for (const BoundingBox& box : parts) {
+    out.add(box.lo);
+    out.add(box.hi);
   }
+  return out;
+}
+
+UnitScale::UnitScale(const std::vector<Vec3d>& positions, unsigned jobs) {
+  const auto [lo, hi] = bounding_box(positions, jobs);
+  double largest = 0;
   for (double v : {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}) largest = std::max(largest, std::abs(v));
   if (largest > 0x1p1000) pre_ = 0x1p-60;
   if (largest < 0x1p-900) pre_ = 0x1p120;
@@ -112,7 +124,7 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
   const std::size_t blocks = jobs == 0 ? 1 : jobs;
   auto keys = std::make_unique_for_overwrite<std::uint64_t[]>(n);
   auto other = std::make_unique_for_overwrite<std::uint64_t[]>(n);
-  parallel_for(n, 1 << 14, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel_for(n, kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       keys[i] = morton_code(mesh, facets[i], scale) << kIndexBits | facets[i];
   });
@@ -121,8 +133,10 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
     keys.swap(other);
   }
   std::vector<std::uint32_t> order(n);
-  for (std::size_t i = 0; i < n; ++i)
-    order[i] = static_cast<std::uint32_t>(keys[i] & ((std::uint64_t{1} << kIndexBits) - 1));
+  parallel_for(n, kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      order[i] = static_cast<std::uint32_t>(keys[i] & ((std::uint64_t{1} << kIndexBits) - 1));
+  });
   return order;
 }
 

@@ -2,18 +2,34 @@
 // solids/polyhedron/box_order.h: orders of the facets in which neighbours in space are neighbours in the list.
 #pragma once
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
 
+/// The least box of some points; of none: lo = +infinity, hi = -infinity.
+struct BoundingBox {
+  Vec3d lo{kInfinity, kInfinity, kInfinity}, hi{-kInfinity, -kInfinity, -kInfinity};
+
+  void add(const Vec3d& p) {
+    lo = {p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y, p.z < lo.z ? p.z : lo.z};
+    hi = {p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y, p.z > hi.z ? p.z : hi.z};
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+};
+BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs);
+
 /// A monotone map of coordinates to [0, 1] floats: x <= y implies map(x) <= map(y), because subtraction, scaling by a power of two
 /// and conversion are rounded monotonically. So boxes that overlap still do after it; no outward rounding is needed.
 class UnitScale {
  public:
   /// Of the positions' bounding box. REQUIRES finite positions, at least one.
-  explicit UnitScale(const std::vector<Vec3d>& positions);
+  explicit UnitScale(const std::vector<Vec3d>& positions, unsigned jobs = 1);
   float x(double v) const { return static_cast<float>((v * pre_ - low_[0]) * scale_); }
   float y(double v) const { return static_cast<float>((v * pre_ - low_[1]) * scale_); }
   float z(double v) const { return static_cast<float>((v * pre_ - low_[2]) * scale_); }

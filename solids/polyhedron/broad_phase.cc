@@ -32,8 +32,8 @@ struct BroadPhaseWalk {
   using Boxes8 = BoxGroups::Boxes8;
   using Ids8 = BoxGroups::Ids8;
 
-  const std::vector<std::vector<Boxes8>>& levels;
-  const std::vector<Ids8>& ids;
+  const std::vector<Buffer<Boxes8>>& levels;
+  const Buffer<Ids8>& ids;
   const std::vector<std::uint32_t>& order;
   const BoxGroups::Sink& sink;
   std::size_t task;
@@ -184,7 +184,7 @@ BoxGroups::BoxGroups(const TriangleMesh& mesh, std::vector<std::uint32_t> order,
 void BoxGroups::build_groups(const TriangleMesh& mesh, const VertexStars& stars, unsigned jobs) {
   const std::size_t groups = num_chunks(order_.size(), 8);
   levels_.emplace_back(groups);
-  ids_.resize(groups);
+  ids_ = Buffer<Ids8>(groups);
   parallel_for(groups, 1 << 11, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       Boxes8& boxes = levels_[0][g];
@@ -215,8 +215,8 @@ void BoxGroups::build_groups(const TriangleMesh& mesh, const VertexStars& stars,
 
 void BoxGroups::build_levels(unsigned jobs) {
   while (levels_.back().size() > 1) {
-    const std::vector<Boxes8>& below = levels_.back();
-    std::vector<Boxes8> level(num_chunks(below.size(), 8));
+    const Buffer<Boxes8>& below = levels_.back();
+    Buffer<Boxes8> level(num_chunks(below.size(), 8));
     parallel_for(level.size(), 1 << 11, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t g = begin; g < end; ++g)
         for (std::size_t i = 0; i < 8; ++i)

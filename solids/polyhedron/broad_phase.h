@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "robust/base/buffer.h"
 #include "solids/polyhedron/box_order.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/vertex_star.h"
@@ -59,8 +60,8 @@ class BoxGroups {
 
   UnitScale scale_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::vector<Boxes8>> levels_;  // levels_[0]: boxes of facets; levels_[k]: boxes of groups of level k - 1
-  std::vector<Ids8> ids_;
+  std::vector<Buffer<Boxes8>> levels_;  // levels_[0]: boxes of facets; levels_[k]: boxes of groups of level k - 1
+  Buffer<Ids8> ids_;
   std::vector<Task> tasks_;
 };
 

@@ -32,6 +32,11 @@ class Stopwatch {
 
 std::vector<std::uint32_t> proper_facets(std::size_t num_faces, const std::vector<std::uint32_t>& degenerate) {
   std::vector<std::uint32_t> out;
+  if (degenerate.empty()) {
+    out.resize(num_faces);
+    std::iota(out.begin(), out.end(), 0u);
+    return out;
+  }
   out.reserve(num_faces - degenerate.size());
   auto skip = degenerate.begin();
   for (std::uint32_t f = 0; f < num_faces; ++f) {
@@ -103,7 +108,7 @@ class Decision {
   }
 
   void decide_pairs() {
-    const UnitScale scale(mesh_.positions);
+    const UnitScale scale(mesh_.positions, options_.jobs);
     facets_ = proper_facets(mesh_.faces.size(), signs_.degenerate);
     boxes_.emplace(mesh_, morton_order(mesh_, facets_, scale, options_.jobs), report_.stars, scale,
                    options_.jobs);
@@ -155,15 +160,18 @@ class Decision {
     lister.improper(pairs_);
     if (report_.nesting_decided) lister.nesting(report_.shells);
     report_.defects = lister.take();
-    report_.box_lo = mesh_.positions[mesh_.faces[0][0]];
-    report_.box_hi = report_.box_lo;
-    Vec3d &lo = report_.box_lo, &hi = report_.box_hi;
+    const BoundingBox box = topology_.vertices == mesh_.positions.size()
+                                ? bounding_box(mesh_.positions, options_.jobs)
+                                : box_of_faces();
+    report_.box_lo = box.lo;
+    report_.box_hi = box.hi;
+  }
+
+  BoundingBox box_of_faces() const {
+    BoundingBox box;
     for (const auto& t : mesh_.faces)
-      for (std::uint32_t v : t) {
-        const Vec3d& p = mesh_.positions[v];
-        lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
-        hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
-      }
+      for (std::uint32_t v : t) box.add(mesh_.positions[v]);
+    return box;
   }
 
   const TriangleMesh& mesh_;

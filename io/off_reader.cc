@@ -20,6 +20,7 @@ class OffReader : TextReader {
     take_faces(sink_, parsed);
     ignored_.add("vertex lines with more values", long_vertices_);
     ignored_.add("face lines with more values", long_faces_);
+    p_ = skip_space(p_, source_.end);
     ignored_.add("bytes behind the last face", source_.size() - source_.offset(p_));
     parsed.report.ignored = ignored_.take();
     return parsed;

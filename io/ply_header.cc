@@ -110,7 +110,7 @@ class HeaderParser {
     const char* p = words_[2].data();  // a line end or a blank follows
     const Integer count = scan_integer(p);
     if (!count.is_valid || p != words_[2].data() + words_[2].size()) return false;
-    if (!count.is_below(UINT64_MAX)) return false;
+    if (count.is_negative && count.magnitude > 0) return false;
     header_.elements.push_back({std::string(words_[1]), count.magnitude, {}, line_});
     return true;
   }

@@ -47,6 +47,7 @@ void expect_valid(const TriangleWitness& w, const IndexedTriangle& t, const Inde
   EXPECT_TRUE(outside);
 }
 
+// PROVES MESH-9.M7
 TEST(TriangleWitness, IsACommonPointOutsideTheCommonSimplexForEveryImproperPairOfTheGrid) {
   std::vector<IPoint> points;
   for (int x = 0; x < 3; ++x) {

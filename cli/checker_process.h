@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/checker_process.h: veritope-check as another process. Its word, not ours, makes a verdict.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "robust/base/result.h"
+
+namespace veritope::cli {
+
+/// The checker's program: beside this program, in ../libexec/veritope or ../libexec, in PATH, or the value of
+/// VERITOPE_CHECK, the first that can be executed.
+/// @error kCannotOpen
+Result<std::string> find_checker();
+
+/// How a run of the checker ended.
+struct CheckerOutcome {
+  bool is_started = false;
+  bool is_accepted = false;  ///< exit 0 and "ACCEPT <claim>" for the claim that was to be checked
+  int exit = -1;             ///< exit status; -1: ended by a signal, or never started
+  std::string words;         ///< its first line of output; or how it died
+  double seconds = 0;
+};
+
+/// Runs `checker model certificate` and waits. `inherited`: descriptors that the child keeps, for paths such as /dev/fd/5.
+CheckerOutcome run_checker(const std::string& checker, const std::string& model,
+                           const std::string& certificate, const std::string& claim,
+                           const std::vector<int>& inherited);
+
+}  // namespace veritope::cli

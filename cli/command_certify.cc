@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope certify.
+#include <sys/stat.h>
+
+#include "cli/certify.h"
+#include "cli/checker_process.h"
+#include "cli/commands.h"
+#include "cli/output_plan.h"
+#include "cli/report_json.h"
+#include "cli/report_text.h"
+
+namespace veritope::cli {
+namespace {
+
+// Keeps certificate i where the plan says.
+KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
+  if (plan.certificates.empty()) return {};
+  return [&plan, i, &out](std::string_view bytes) -> Result<std::string> {
+    // Made for the first certificate, so that a refused run leaves none behind. A failure shows in what follows.
+    if (plan.new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
+    const Status status = write_output(plan.certificates[i], bytes, out);
+    if (!status) return status.error();
+    return plan.certificates[i];
+  };
+}
+
+void print(const FileReport& report, bool quiet, StandardOutput& out) {
+  const Style style = style_of_stdout();
+  out.write(verdict_line(report, style) + (quiet ? "" : details_text(report, style)));
+}
+
+// A verdict with a fault beside it: the certificate could not be kept.
+void complain_beside_verdict(const FileReport& report) {
+  const bool is_verdict =
+      report.verdict == FileVerdict::kValid || report.verdict == FileVerdict::kInvalid;
+  if (!is_verdict || !report.fault) return;
+  complain(harmless(report.fault->place.file + ": " + fault_text(*report.fault)));
+}
+
+ExitCode fail(const Error& error) {
+  complain(harmless(to_string(error)));
+  return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
+}
+
+ExitCode write_json(const Options& options, const std::vector<std::string>& files,
+                    StandardOutput& out) {
+  const Status status =
+      write_output(*options.json, document_json("veritope-report-1", files), out);
+  if (status || *options.json == "-") return kExitValid;  // main looks at standard output
+  complain(harmless(to_string(status.error())));
+  return kExitUnreadable;
+}
+
+}  // namespace
+
+ExitCode run_certify(const Options& options, StandardOutput& out) {
+  const Result<OutputPlan> plan = plan_outputs(options.files, options.certificate, options.json);
+  if (!plan) return fail(plan.error());
+  CertifySettings settings{options.reading, options.jobs, options.max_defects, ""};
+  if (!options.no_check) {
+    const Result<std::string> checker = find_checker();
+    if (!checker) return complain(checker.error().message), kExitUsage;
+    settings.checker = *checker;
+  }
+  std::vector<std::string> json;
+  ExitCode exit = kExitValid;
+  Progress progress(!options.quiet);
+  for (std::size_t i = 0; i < options.files.size(); ++i) {
+    const FileReport report =
+        certify_file(options.files[i], settings, keeper(*plan, i, out), progress);
+    progress.clear();
+    exit = first_of(exit, report.exit);
+    if (options.json) json.push_back(report_json(report));
+    if (options.json != "-") print(report, options.quiet, out);
+    complain_beside_verdict(report);
+  }
+  return options.json ? first_of(exit, write_json(options, json, out)) : exit;
+}
+
+}  // namespace veritope::cli

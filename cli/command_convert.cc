@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope convert.
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "cli/commands.h"
+#include "cli/decimal_text.h"
+#include "cli/output_plan.h"
+#include "cli/text_style.h"
+#include "io/write_mesh.h"
+
+namespace veritope::cli {
+namespace {
+
+// The names of --to, and what io/ calls them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kTargets = {{
+    {"stl", "stl-binary"},
+    {"stl-ascii", "stl-ascii"},
+    {"obj", "obj"},
+    {"ply", "ply-binary-little-endian"},
+    {"ply-ascii", "ply-ascii"},
+    {"ply-be", "ply-binary-big-endian"},
+    {"off", "off"},
+}};
+
+Error bad_argument(std::string message) {
+  return Error{Code::kBadArgument, Place{}, std::move(message)};
+}
+
+Result<WriteOptions> target_of(const Options& o) {
+  std::string name;
+  if (o.to) {
+    name = *o.to;
+  } else if (const auto format = mesh_format_from_path(o.output)) {
+    name = mesh_format_name(*format);
+  } else {
+    return bad_argument("the name " + o.output + " does not end in stl, obj, ply or off: use --to");
+  }
+  for (const auto& [target, variant] : kTargets) {
+    if (target != name) continue;
+    WriteOptions options = write_options_from_name(variant).value();
+    if (!o.single_precision) return options;
+    const bool is_binary_ply =
+        options.format == MeshFormat::kPly && options.encoding != MeshEncoding::kAscii;
+    if (!is_binary_ply) return bad_argument("--float is for binary PLY (--to ply, --to ply-be)");
+    options.single_precision = true;
+    return options;
+  }
+  return bad_argument("--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " + name);
+}
+
+std::string displacement_text(const LossReport& loss) {
+  return counted(loss.moved_vertices, "vertex moves", "vertices move") + " by at most " +
+         short_decimal(loss.max_displacement) + " (vertex " + std::to_string(loss.vertex) + ")";
+}
+
+// What the new file would not keep; empty if it keeps everything. Vertex ids count only if they were kept on reading.
+std::string loss_text(const LossReport& loss, bool as_indexed) {
+  std::string text;
+  if (loss.coordinates_change) text = displacement_text(loss);
+  if (loss.merged_vertices > 0) {
+    text += ", " + counted(loss.merged_vertices, "vertex becomes", "vertices become") +
+            " equal to others";
+  }
+  if (as_indexed && loss.indexing_changes) {
+    text += (text.empty() ? "" : ", ") + std::string("the vertex indices are not kept");
+  }
+  return text;
+}
+
+std::string dropped_text(const ReadReport& reading) {
+  std::string text;
+  for (const auto& [what, count] : reading.ignored) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + harmless(what);
+  }
+  return text;
+}
+
+ExitCode fail(const Error& error) {
+  complain(harmless(to_string(error)));
+  return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
+}
+
+ExitCode refuse(const Options& o, const std::string& loss, const WriteOptions& target) {
+  std::string advice = "--lossy writes it all the same";
+  if (target.format == MeshFormat::kStl && target.encoding != MeshEncoding::kAscii &&
+      !o.reading.as_indexed) {
+    advice += "; --to stl-ascii keeps all digits";
+  } else {
+    advice += "; --to ply keeps everything";
+  }
+  complain(harmless(o.output) + ": not written, it would lose something: " + loss + ". " + advice);
+  return kExitInvalid;
+}
+
+// A failure of standard output is main's to report.
+Status write_model(const std::string& path, const TriangleMesh& mesh, const WriteOptions& target,
+                   StandardOutput& out) {
+  if (!is_stream(path)) return write_mesh_file(path, mesh, target);
+  const Result<std::string> bytes = mesh_to_bytes(mesh, target);
+  if (!bytes) return bytes.error();
+  return write_output(path, *bytes, out);
+}
+
+// Standard output may be the model itself.
+void report(const Options& o, const MeshFile& file, const std::string& loss, StandardOutput& out) {
+  std::string text = "wrote  " + harmless(o.output) + "  " +
+                     counted(file.mesh.faces.size(), "face", "faces") +
+                     (loss.empty() ? ", nothing lost" : ", lossy: " + loss) + "\n";
+  const std::string dropped = dropped_text(file.report);
+  if (!dropped.empty()) text += "  not part of the model, dropped: " + dropped + "\n";
+  if (file.report.polygons_split != 0) {
+    text += "  " + counted(file.report.polygons_split, "polygon", "polygons") +
+            " cut into triangles\n";
+  }
+  if (o.output != "-") out.write(text);
+  if (o.output == "-" && !loss.empty()) complain("lossy: " + loss);
+}
+
+}  // namespace
+
+ExitCode run_convert(const Options& options, StandardOutput& out) {
+  const Result<WriteOptions> target = target_of(options);
+  if (!target) return fail(target.error());
+  if (const Status status = refuse_same(options.files, options.output); !status) {
+    return fail(status.error());
+  }
+  if (const Status status = try_output(options.output); !status) return fail(status.error());
+  const Result<MeshFile> file = read_mesh_file(options.files[0], options.reading);
+  if (!file) return fail(file.error());
+  const bool as_indexed =
+      options.reading.as_indexed && file->report.format != MeshFormat::kStl;
+  const std::string loss = loss_text(loss_of(file->mesh, *target), as_indexed);
+  if (!loss.empty() && !options.lossy) return refuse(options, loss, *target);
+  const Status written = write_model(options.output, file->mesh, *target, out);
+  if (!written && options.output != "-") return fail(written.error());
+  report(options, *file, loss, out);
+  return kExitValid;
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope explain and explain-certificate.
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "cli/commands.h"
+#include "cli/rule_pictures.h"
+#include "cli/text_style.h"
+#include "io/file_bytes.h"
+#include "solids/polyhedron/rules.h"
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr std::size_t kWidth = 78;
+
+// Words in lines of at most kWidth characters, each line indented.
+std::string wrapped(std::string_view text, std::string_view indent) {
+  std::string out, line;
+  while (!text.empty()) {
+    const std::size_t space = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, space);
+    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > kWidth) {
+      out += std::string(indent) + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + std::string(word);
+    text.remove_prefix(std::min(space + 1, text.size()));
+  }
+  return line.empty() ? out : out + std::string(indent) + line + "\n";
+}
+
+std::string indented(std::string_view lines) {
+  std::string out = "  ";
+  for (const char c : lines) {
+    out += c;
+    if (c == '\n') out += "  ";
+  }
+  return out + "\n";
+}
+
+std::string rule_page(MeshRule rule, const Style& style) {
+  const RuleText& text = rule_text(rule);
+  const auto section = [&](const char* title, std::string_view words) {
+    return style.bold(title) + "\n" + wrapped(words, "  ");
+  };
+  return style.bold(std::string(text.id) + "  " + std::string(text.name)) + "\n" +
+         wrapped(text.meaning, "  ") + indented(rule_picture(rule)) +
+         section("Where it comes from", text.causes) + section("What helps", text.remedy) +
+         section("What others call it", text.crosswalk);
+}
+
+std::string rule_list(const Style& style) {
+  std::string out;
+  for (std::size_t i = 0; i < kNumMeshRules; ++i) {
+    const RuleText& text = rule_text(rule_at(i));
+    out += style.bold(text.id) + "  " + std::string(text.name) + "\n";
+  }
+  return out + "A mesh bounds a solid if it breaks none of these. More: veritope explain M1\n";
+}
+
+}  // namespace
+
+ExitCode run_explain(const Options& options, StandardOutput& out) {
+  const Style style = style_of_stdout();
+  if (!options.rule) {
+    out.write(rule_list(style));
+    return kExitValid;
+  }
+  const std::optional<MeshRule> rule = rule_from_id(*options.rule);
+  if (!rule) {
+    complain("there is no rule " + harmless(*options.rule) + "; the rules are M1 to M9");
+    return kExitUsage;
+  }
+  out.write(rule_page(*rule, style));
+  return kExitValid;
+}
+
+ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
+  const std::string& path = options.files[0];
+  const Result<ByteBuffer> bytes = read_file_bytes(path, std::numeric_limits<std::uint64_t>::max());
+  if (!bytes) {
+    complain(harmless(to_string(bytes.error())));
+    return kExitUnreadable;
+  }
+  std::string why;
+  const auto certificate = certificate::decode({bytes->data(), bytes->size()}, why);
+  if (!certificate) {
+    complain(harmless(path + ": not a certificate: " + why));
+    return kExitUnreadable;
+  }
+  std::string text = certificate::explain(*certificate, options.max_items);
+  // A certificate may come from anywhere: its strings must not drive the terminal.
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 32 && c != '\n') c = '?';
+  }
+  out.write(text);
+  return kExitValid;
+}
+
+}  // namespace veritope::cli

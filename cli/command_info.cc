@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope info.
+#include <new>
+
+#include "cli/commands.h"
+#include "cli/output_plan.h"
+#include "cli/report_json.h"
+#include "cli/report_text.h"
+#include "io/write_mesh.h"
+
+namespace veritope::cli {
+namespace {
+
+// The variants that read back as the same model. Vertex ids are part of it only if they were kept.
+std::vector<std::string> lossless_variants(const MeshFile& file, bool as_indexed) {
+  std::vector<std::string> names;
+  for (const std::string& name : write_variant_names()) {
+    const LossReport loss = loss_of(file.mesh, write_options_from_name(name).value());
+    if (!loss.coordinates_change && !(as_indexed && loss.indexing_changes)) names.push_back(name);
+  }
+  return names;
+}
+
+InfoReport info_of(const std::string& path, const ReadOptions& reading) {
+  InfoReport report;
+  report.path = path;
+  report.as_indexed = reading.as_indexed;
+  try {
+    Result<MeshFile> file = read_mesh_file(path, reading);
+    if (file) {
+      report.as_indexed = report.as_indexed && file->report.format != MeshFormat::kStl;
+      report.lossless = lossless_variants(*file, report.as_indexed);
+      report.file = std::move(*file);
+      return report;
+    }
+    report.fault = fault_of(file.error());
+  } catch (const std::bad_alloc&) {
+    report.fault = Fault{"out-of-memory", {}, "not enough memory for this file"};
+  }
+  report.exit = kExitUnreadable;
+  return report;
+}
+
+}  // namespace
+
+ExitCode run_info(const Options& options, StandardOutput& out) {
+  const Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);
+  if (!plan) {
+    complain(harmless(to_string(plan.error())));
+    return plan.error().code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
+  }
+  const Style style = style_of_stdout();
+  std::vector<std::string> json;
+  ExitCode exit = kExitValid;
+  for (const std::string& path : options.files) {
+    const InfoReport report = info_of(path, options.reading);
+    exit = first_of(exit, report.exit);
+    if (options.json) json.push_back(info_json(report));
+    if (options.json != "-") out.write(info_text(report, style));
+  }
+  if (!options.json) return exit;
+  const Status status = write_output(*options.json, document_json("veritope-info-1", json), out);
+  if (status || *options.json == "-") return exit;
+  complain(harmless(to_string(status.error())));
+  return first_of(exit, kExitUnreadable);
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/commands.h: one function a command. Each prints, and returns the exit status.
+#pragma once
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "cli/output.h"
+
+namespace veritope::cli {
+
+ExitCode run_certify(const Options& options, StandardOutput& out);
+ExitCode run_info(const Options& options, StandardOutput& out);
+ExitCode run_convert(const Options& options, StandardOutput& out);
+ExitCode run_explain(const Options& options, StandardOutput& out);
+ExitCode run_explain_certificate(const Options& options, StandardOutput& out);
+
+}  // namespace veritope::cli

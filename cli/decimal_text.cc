@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/decimal_text.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace veritope::cli {
+namespace {
+
+// (-1)^is_negative * 0.d1d2d3... * 10^exponent, d1 != 0; zero has the digits "000...".
+struct Decimal {
+  bool is_negative = false;
+  std::string digits;
+  std::int64_t exponent = 0;
+};
+
+Integer power_of_ten(std::int64_t n) {
+  return Integer::from_decimal("1" + std::string(static_cast<std::size_t>(n), '0'));
+}
+
+// p / q * 10^shift, rounded to an integer, ties to even. REQUIRES p >= 0, q > 0.
+Integer scaled(Integer p, Integer q, std::int64_t shift) {
+  if (shift >= 0) {
+    p *= power_of_ten(shift);
+  } else {
+    q *= power_of_ten(-shift);
+  }
+  Integer whole = floor_divide(p, q);
+  const Integer twice_rest = Integer(2) * (p - whole * q);
+  if (twice_rest > q || (twice_rest == q && whole.test_bit(0))) whole += Integer(1);
+  return whole;
+}
+
+// floor(log10(2^bits)) up to one.
+std::int64_t decimal_exponent(std::int64_t bits) {
+  constexpr std::int64_t kLog2Times100000 = 30103;
+  return bits * kLog2Times100000 / 100000;
+}
+
+Decimal to_decimal(const Rational& value, int num_digits) {
+  Decimal out;
+  const auto n = static_cast<std::size_t>(num_digits);
+  if (value.sign() == Sign::kZero) {
+    out.digits.assign(n, '0');
+    out.exponent = 1;
+    return out;
+  }
+  out.is_negative = value.sign() == Sign::kNegative;
+  const Integer p = abs(value.numerator()), q = value.denominator();
+  // The guess is right or off by one or two; a wrong one shows in the number of digits.
+  out.exponent = decimal_exponent(static_cast<std::int64_t>(p.bit_length()) -
+                                  static_cast<std::int64_t>(q.bit_length()));
+  for (;;) {
+    out.digits = scaled(p, q, num_digits - out.exponent).to_string();
+    if (out.digits.size() == n) return out;
+    out.exponent += out.digits.size() > n ? 1 : -1;
+    // Rounding up to a power of ten looks like one digit too many; with the next exponent it fits.
+  }
+}
+
+std::string exponent_text(std::int64_t exponent) {
+  const std::string digits = std::to_string(exponent < 0 ? -exponent : exponent);
+  return std::string(exponent < 0 ? "e-" : "e+") + (digits.size() < 2 ? "0" : "") + digits;
+}
+
+std::string without_zeros(std::string text) {
+  const std::size_t last = text.find_last_not_of('0');
+  text.erase(last == text.npos ? 0 : last + 1);
+  return text;
+}
+
+// REQUIRES d1 != 0 and no zeros at the end.
+std::string plain_text(const std::string& digits, std::int64_t exponent) {
+  const auto size = static_cast<std::int64_t>(digits.size());
+  if (exponent <= 0) return "0." + std::string(static_cast<std::size_t>(-exponent), '0') + digits;
+  if (exponent >= size) return digits + std::string(static_cast<std::size_t>(exponent - size), '0');
+  const auto whole = static_cast<std::size_t>(exponent);
+  return digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
+}  // namespace
+
+std::string fraction_text(const Rational& value) {
+  return value.numerator().to_string() + "/" + value.denominator().to_string();
+}
+
+std::string scientific_text(const Rational& value, int digits) {
+  const Decimal d = to_decimal(value, digits);
+  return (d.is_negative ? "-" : "") + d.digits.substr(0, 1) + "." + d.digits.substr(1) +
+         exponent_text(d.exponent - 1);
+}
+
+std::string short_decimal(const Rational& value, int digits) {
+  if (value.sign() == Sign::kZero) return "0";
+  const Decimal d = to_decimal(value, digits);
+  const std::string shown = without_zeros(d.digits);
+  const std::string sign = d.is_negative ? "-" : "";
+  if (d.exponent > -4 && d.exponent <= 12) return sign + plain_text(shown, d.exponent);
+  return sign + shown.substr(0, 1) + (shown.size() > 1 ? "." : "") + shown.substr(1) +
+         exponent_text(d.exponent - 1);
+}
+
+std::string short_decimal(double value, int digits) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "nan" : (value < 0 ? "-inf" : "inf");
+  return short_decimal(Rational::from_double(value), digits);
+}
+
+std::string cut(std::string_view text, std::size_t size) {
+  if (text.size() <= size) return std::string(text);
+  return std::string(text.substr(0, size - 3)) + "...";
+}
+
+}  // namespace veritope::cli

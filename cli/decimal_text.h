@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/decimal_text.h: exact numbers as text for people and programs. Integers only: nothing depends on a rounding mode.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "robust/rational.h"
+
+namespace veritope::cli {
+
+/// "p/q", always with the denominator: "1/1".
+std::string fraction_text(const Rational& value);
+
+/// Scientific notation with `digits` significant ones, correctly rounded (ties to even), of any magnitude:
+/// "1.2350000000000000e+02", "1.0000000000000000e+450", "0.0000000000000000e+00". REQUIRES digits >= 2.
+std::string scientific_text(const Rational& value, int digits = 17);
+
+/// For people: at most `digits` significant ones without zeros at the end; plain notation for usual magnitudes:
+/// "123.5", "-0.001", "1e+450". REQUIRES digits >= 2.
+std::string short_decimal(const Rational& value, int digits = 6);
+
+/// The double's exact value as short_decimal; "inf" for infinity.
+std::string short_decimal(double value, int digits = 6);
+
+/// The text, or its start with "..." and a total of `size` characters if it is longer. REQUIRES size >= 4.
+std::string cut(std::string_view text, std::size_t size);
+
+}  // namespace veritope::cli

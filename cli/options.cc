@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <memory>
+
+#include "cli/certify.h"
+#include "io/mesh_format.h"
+#include "robust/base/parallel.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr std::uint64_t kMost64 = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMost32 = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kMostFaces = (std::uint64_t{1} << 30) - 1;  // decide_validity's
+constexpr std::uint64_t kMostJobs = 1024;
+
+// Decimal digits and nothing else.
+std::uint64_t parse_number(const std::string& name, const std::string& text, std::uint64_t least,
+                           std::uint64_t most) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end && value >= least && value <= most) return value;
+  throw CLI::ValidationError(name, "must be a number from " + std::to_string(least) + " to " +
+                                       std::to_string(most) + ", not " + text);
+}
+
+template <typename T>
+void add_number(CLI::App* app, const std::string& name, T& target, std::uint64_t least,
+                std::uint64_t most, const std::string& help) {
+  const std::string last = name.substr(name.rfind("--"));
+  app->add_option_function<std::string>(
+         name,
+         [&target, last, least, most](const std::string& text) {
+           target = static_cast<T>(parse_number(last, text, least, most));
+         },
+         help)
+      ->type_name("N");
+}
+
+void add_text(CLI::App* app, const std::string& name, std::optional<std::string>& target,
+              const char* type, const std::string& help) {
+  app->add_option_function<std::string>(
+         name,
+         [&target, name](const std::string& text) {
+           if (text.empty()) throw CLI::ValidationError(name, "needs a name");
+           target = text;
+         },
+         help)
+      ->type_name(type);
+}
+
+void add_files(CLI::App* app, std::vector<std::string>& files) {
+  app->add_option("FILE", files, "STL, OBJ, PLY or OFF; - is standard input (with --format)")
+      ->required()
+      ->type_name("");
+}
+
+void add_reading(CLI::App* app, Options& o) {
+  app->add_option_function<std::string>(
+         "--format",
+         [&o](const std::string& name) {
+           o.reading.format = mesh_format_from_name(name);
+           if (!o.reading.format) {
+             throw CLI::ValidationError("--format", "must be stl, obj, ply or off, not " + name);
+           }
+         },
+         "stl, obj, ply or off, whatever the name says")
+      ->type_name("F");
+  app->add_flag("--as-indexed", o.reading.as_indexed, "keep the file's vertex indices, merge none");
+  ReadLimits& limits = o.reading.limits;
+  add_number(app, "--max-bytes", limits.max_bytes, 0, kMost64, "limit: size of a file (4 GiB)");
+  add_number(app, "--max-faces", limits.max_faces, 0, kMostFaces, "limit: triangles (200000000)");
+  add_number(app, "--max-digits", limits.max_digits, 1, kMost32, "limit: digits of a number (1000)");
+  add_number(app, "--max-exponent", limits.max_exponent, 0, kMost32,
+             "limit: exponent of a number (4096)");
+}
+
+void add_jobs(CLI::App* app, Options& o) {
+  add_number(app, "-j,--jobs", o.jobs, 1, kMostJobs, "threads (default: all of the machine)");
+}
+
+void add_certify(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("certify", "decide whether meshes bound solids, and prove it");
+  c->callback([&o] { o.command = Command::kCertify; });
+  add_files(c, o.files);
+  add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
+  add_text(c, "--certificate", o.certificate, "F",
+           "keep the certificate; of several files in folder F");
+  add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
+  add_jobs(c, o);
+  c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
+  c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
+  add_reading(c, o);
+}
+
+void add_info(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("info", "what is in mesh files");
+  c->callback([&o] { o.command = Command::kInfo; });
+  add_files(c, o.files);
+  add_text(c, "--json", o.json, "F", "write it as JSON; - is standard output");
+  add_jobs(c, o);
+  add_reading(c, o);
+}
+
+void add_convert(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("convert", "write a mesh in another format, without loss");
+  c->callback([&o] { o.command = Command::kConvert; });
+  c->add_option("IN", o.files, "STL, OBJ, PLY or OFF; - is standard input (with --format)")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  c->add_option("OUT", o.output, "the new file; - is standard output (with --to)")
+      ->required()
+      ->type_name("");
+  add_text(c, "--to", o.to, "V", "stl, stl-ascii, obj, ply, ply-ascii, ply-be or off");
+  c->add_flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
+  c->add_flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
+  add_jobs(c, o);
+  add_reading(c, o);
+}
+
+void add_explain(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("explain", "what a rule means; without RULE: the list");
+  c->callback([&o] { o.command = Command::kExplain; });
+  c->add_option_function<std::string>(
+       "RULE", [&o](const std::string& id) { o.rule = id; }, "M1 to M9")
+      ->type_name("");
+  CLI::App* const e = app.add_subcommand("explain-certificate", "a certificate as text");
+  e->callback([&o] { o.command = Command::kExplainCertificate; });
+  e->add_option("F", o.files, "a certificate file")->required()->expected(1)->type_name("");
+  add_number(e, "--max-items", o.max_items, 0, kMost32, "items of each list that are shown (20)");
+}
+
+// What must hold between options.
+std::string contradiction(const Options& o) {
+  const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
+  const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
+                     o.command == Command::kConvert;
+  if (reads && inputs > 0 && !o.reading.format) return "- is standard input and needs --format";
+  if (inputs > 1) return "standard input can be read once only";
+  if (std::find(o.files.begin(), o.files.end(), "") != o.files.end()) {
+    return "a file name must not be empty";
+  }
+  if (o.command == Command::kConvert && o.output == "-" && !o.to) {
+    return "- is standard output and needs --to";
+  }
+  if (o.certificate == "-") return "--certificate needs a file name, not -";
+  return "";
+}
+
+const char kFooter[] =
+    "Exit: 0 valid or done, 1 invalid, 2 wrong usage, 3 undecided, 4 unreadable, over\n"
+    "a limit or cannot write, 5 our bug; of several files the first of 5, 1, 4, 3, 0";
+
+}  // namespace
+
+ParsedArguments parse_arguments(int argc, const char* const* argv) {
+  Options o;
+  o.jobs = std::clamp(hardware_jobs(), 1u, static_cast<unsigned>(kMostJobs));
+  CLI::App app("veritope: solid models that come with proofs", "veritope");
+  app.set_version_flag("--version", tool_name());
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  app.get_formatter()->column_width(23);
+  add_certify(app, o);
+  add_info(app, o);
+  add_convert(app, o);
+  add_explain(app, o);
+  ParsedArguments out;
+  try {
+    app.parse(argc, argv);
+    o.reading.jobs = static_cast<int>(o.jobs);
+    out.error = contradiction(o);
+    if (out.error.empty()) out.options = std::move(o);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    out.text = chosen.empty() ? app.help() : chosen[0]->help("veritope");
+  } catch (const CLI::CallForVersion&) {
+    out.text = tool_name() + "\n";
+  } catch (const CLI::ParseError& error) {
+    out.error = error.what();
+  }
+  return out;
+}
+
+}  // namespace veritope::cli

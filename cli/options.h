@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/options.h: the command line as data. What it may say: docs/cli.md.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/read_mesh.h"
+
+namespace veritope::cli {
+
+enum class Command { kCertify, kInfo, kConvert, kExplain, kExplainCertificate };
+
+struct Options {
+  Command command = Command::kCertify;
+  std::vector<std::string> files;           ///< certify, info: inputs; convert: IN; explain-certificate: F
+  ReadOptions reading;                      ///< certify, info, convert
+  std::optional<std::string> json;          ///< certify, info
+  std::optional<std::string> certificate;   ///< certify
+  std::uint64_t max_defects = 20;           ///< certify
+  unsigned jobs = 1;
+  bool no_check = false, quiet = false;     ///< certify
+  std::string output;                       ///< convert: OUT
+  std::optional<std::string> to;            ///< convert
+  bool single_precision = false, lossy = false;  ///< convert
+  std::optional<std::string> rule;          ///< explain
+  std::uint64_t max_items = 20;             ///< explain-certificate
+};
+
+/// What the arguments ask for: a command, or a text to print (help, version), or neither: wrong usage.
+struct ParsedArguments {
+  std::optional<Options> options;
+  std::string text;   ///< to print on standard output
+  std::string error;  ///< one sentence
+};
+ParsedArguments parse_arguments(int argc, const char* const* argv);
+
+}  // namespace veritope::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/output.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "io/atomic_file.h"
+
+namespace veritope::cli {
+namespace {
+
+// 0, or an error number.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::size_t size = std::min<std::size_t>(bytes.size(), std::size_t{1} << 30);
+    const ssize_t put = ::write(descriptor, bytes.data(), size);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return put < 0 ? errno : ENOSPC;
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return 0;
+}
+
+Error cannot_write(const std::string& path, int number) {
+  Error error{Code::kCannotWrite, Place{},
+              "cannot be written: " + std::generic_category().message(number)};
+  error.place.file = path;
+  return error;
+}
+
+Status write_through(const std::string& path, std::string_view bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) return cannot_write(path, errno);
+  const int error = write_all(descriptor, bytes);
+  ::close(descriptor);
+  if (error != 0) return cannot_write(path, error);
+  return ok_status();
+}
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == path.npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+}  // namespace
+
+bool is_stream(const std::string& path) {
+  if (path == "-") return true;
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 &&
+         (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode));
+}
+
+void StandardOutput::write(std::string_view text) {
+  if (is_closed_) return;
+  const int error = write_all(STDOUT_FILENO, text);
+  if (error == 0) return;
+  is_closed_ = true;
+  if (error != EPIPE) status_ = cannot_write("standard output", error);
+}
+
+void complain(std::string_view text) {
+  // Nothing can be done if standard error takes no bytes.
+  [[maybe_unused]] const int error =
+      write_all(STDERR_FILENO, "veritope: " + std::string(text) + "\n");
+}
+
+Status write_output(const std::string& path, std::string_view bytes, StandardOutput& out) {
+  if (path == "-") return out.write(bytes), out.status();
+  if (is_stream(path)) return write_through(path, bytes);
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (Status status = file->write(bytes); !status) return status;
+  return file->commit();
+}
+
+Status try_output(const std::string& path) {
+  if (is_stream(path)) return ok_status();
+  const Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  return ok_status();
+}
+
+bool same_target(const std::string& a, const std::string& b) {
+  if (is_stream(a)) return false;  // /dev/null may take everything
+  if (same_file(a, b)) return true;
+  const auto name = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+  return name(a) == name(b) && same_file(folder_of(a), folder_of(b));
+}
+
+}  // namespace veritope::cli

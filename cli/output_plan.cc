@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/output_plan.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <map>
+#include <system_error>
+
+#include "cli/output.h"
+#include "io/atomic_file.h"
+
+namespace veritope::cli {
+namespace {
+
+Error bad_argument(std::string message) {
+  return Error{Code::kBadArgument, Place{}, std::move(message)};
+}
+
+bool is_folder(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+bool exists(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0;
+}
+
+std::string name_of(const std::string& input) {
+  const std::string name = input == "-" ? "stdin" : input.substr(input.rfind('/') + 1);
+  return name + ".cert";
+}
+
+std::string without_slashes(std::string path) {
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  return path;
+}
+
+Status check_new_folder(const std::string& folder) {
+  const std::size_t slash = folder.rfind('/');
+  const std::string parent =
+      slash == folder.npos ? "." : (slash == 0 ? "/" : folder.substr(0, slash));
+  if (::access(parent.c_str(), W_OK | X_OK) == 0) return ok_status();
+  Error error{Code::kCannotWrite, Place{},
+              "the folder cannot be made: " + std::generic_category().message(errno)};
+  error.place.file = folder;
+  return error;
+}
+
+Status check_distinct(const std::vector<std::string>& inputs,
+                      const std::vector<std::string>& certificates) {
+  std::map<std::string, std::string> taken;
+  for (std::size_t i = 0; i < certificates.size(); ++i) {
+    const auto [entry, is_new] = taken.emplace(certificates[i], inputs[i]);
+    if (is_new) continue;
+    return bad_argument(entry->second + " and " + inputs[i] + " would have one certificate, " +
+                        certificates[i]);
+  }
+  return ok_status();
+}
+
+Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& plan,
+                     const std::optional<std::string>& json) {
+  for (const std::string& path : plan.certificates) {
+    if (Status status = refuse_same(inputs, path); !status) return status;
+    if (json && *json != "-" && same_target(*json, path)) {
+      return bad_argument("--json and --certificate would both write " + path);
+    }
+    if (plan.new_folder) continue;
+    if (Status status = try_output(path); !status) return status;
+  }
+  if (!json || *json == "-") return ok_status();
+  if (Status status = refuse_same(inputs, *json); !status) return status;
+  return try_output(*json);
+}
+
+}  // namespace
+
+Status refuse_same(const std::vector<std::string>& inputs, const std::string& output) {
+  for (const std::string& input : inputs) {
+    if (input != "-" && same_file(input, output)) {
+      return bad_argument("the output " + output + " is the input " + input);
+    }
+  }
+  return ok_status();
+}
+
+Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
+                                const std::optional<std::string>& certificate,
+                                const std::optional<std::string>& json) {
+  OutputPlan plan;
+  if (certificate && (inputs.size() > 1 || is_folder(*certificate))) {
+    const std::string folder = without_slashes(*certificate);
+    if (exists(folder) && !is_folder(folder)) {
+      return bad_argument("--certificate " + folder +
+                          " is a file; several inputs need a folder");
+    }
+    if (!exists(folder)) {
+      plan.new_folder = folder;
+      if (Status status = check_new_folder(folder); !status) return status.error();
+    }
+    for (const std::string& input : inputs) plan.certificates.push_back(folder + "/" + name_of(input));
+  } else if (certificate) {
+    plan.certificates = {*certificate};
+  }
+  if (Status status = check_distinct(inputs, plan.certificates); !status) return status.error();
+  if (Status status = check_targets(inputs, plan, json); !status) return status.error();
+  return plan;
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/output_plan.h: which file each output goes to; refused before any work if two of them, or one and an input, are the same.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robust/base/result.h"
+
+namespace veritope::cli {
+
+struct OutputPlan {
+  /// One for each input: where its certificate goes. Empty: no certificates are kept.
+  std::vector<std::string> certificates;
+  std::optional<std::string> new_folder;  ///< of the certificates; to be made
+};
+
+/// `certificate`: a file for one input, a folder (that may be new) for several; an existing folder for one input, too. There the names
+/// are those of the inputs with ".cert" behind.
+/// @error kBadArgument: two outputs, or an output and an input, are one file; a file where a folder is needed.
+///        kCannotWrite: an output could not be written
+Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
+                                const std::optional<std::string>& certificate,
+                                const std::optional<std::string>& json);
+
+/// kBadArgument if `output` is one of the inputs.
+Status refuse_same(const std::vector<std::string>& inputs, const std::string& output);
+
+}  // namespace veritope::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/progress.h: one line on a terminal that says what is being done; nothing for work that is done soon.
+#pragma once
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace veritope::cli {
+
+/// Shows "file: phase, 1.2 s" on standard error while work takes longer than 0.3 s, if standard error is a terminal and
+/// `is_wanted`. Otherwise it does nothing and starts no thread.
+class Progress {
+ public:
+  explicit Progress(bool is_wanted);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// What is being done from now on.
+  void phase(const std::string& file, const std::string& what);
+  /// Erases the line. Call it before anything is printed.
+  void clear();
+
+ private:
+  void run();
+  void draw(const std::string& line);
+  void erase();
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::string line_;  ///< empty: nothing is being done
+  double since_ = 0, started_ = 0;  ///< steady seconds: of the phase, of the first phase after clear()
+  bool is_shown_ = false, ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace veritope::cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/rule_pictures.h: the rules as small pictures of letters, for veritope explain. docs/rules/ has the same ones.
+#pragma once
+#include <string_view>
+
+#include "solids/polyhedron/rules.h"
+
+namespace veritope::cli {
+
+/// Lines of at most 74 printable ASCII characters, at most eight of them, without a line feed at the end.
+std::string_view rule_picture(MeshRule rule);
+
+}  // namespace veritope::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/signals.h: what happens on SIGINT, SIGTERM, SIGHUP and SIGPIPE.
+#pragma once
+#include <sys/types.h>
+
+namespace veritope::cli {
+
+/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs (io/atomic_file.h), end the running checker, say so on
+/// standard error and end this process by the same signal: a shell reports 130, 143, 129. SIGPIPE is ignored: a write
+/// into a closed pipe fails instead, see cli/output.h.
+void install_signal_handlers();
+
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread as long as it lives, so that what must not be cut in two is not.
+class SignalsBlocked {
+ public:
+  SignalsBlocked();
+  ~SignalsBlocked();
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+ private:
+  unsigned char saved_[128];  ///< a sigset_t
+};
+
+/// The child that an interruption ends as well; 0: none.
+void set_child(pid_t child);
+
+/// Whether a line of progress stands on the terminal, to be erased by an interruption.
+void set_progress_shown(bool is_shown);
+
+}  // namespace veritope::cli

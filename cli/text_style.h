@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/text_style.h: what makes a text pleasant on a terminal and harmless anywhere.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace veritope::cli {
+
+/// Colours, or nothing.
+struct Style {
+  bool is_coloured = false;
+
+  std::string bold(std::string_view text) const { return wrap("1", text); }
+  std::string green(std::string_view text) const { return wrap("1;32", text); }
+  std::string red(std::string_view text) const { return wrap("1;31", text); }
+  std::string yellow(std::string_view text) const { return wrap("1;33", text); }
+  std::string dim(std::string_view text) const { return wrap("2", text); }
+
+ private:
+  std::string wrap(const char* code, std::string_view text) const {
+    if (!is_coloured) return std::string(text);
+    return std::string("\033[") + code + "m" + std::string(text) + "\033[0m";
+  }
+};
+
+/// Coloured if standard output is a terminal, NO_COLOR is unset or empty, and TERM is not "dumb".
+Style style_of_stdout();
+
+/// Names and messages from elsewhere: control characters become \xNN, so that no file can drive the terminal.
+std::string harmless(std::string_view text);
+
+/// "1 face", "2 faces".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
+
+}  // namespace veritope::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// write_model NAME FILE...: a model of bench/models.h as files; their extensions choose the formats (PLY binary, doubles).
+#include <cstdio>
+
+#include "bench/models.h"
+#include "io/write_mesh.h"
+
+int main(int argc, char** argv) {
+  using namespace veritope;
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: write_model NAME FILE...\n");
+    return 2;
+  }
+  const TriangleMesh mesh = bench::named_model(argv[1]);
+  for (int i = 2; i < argc; ++i) {
+    const auto format = mesh_format_from_path(argv[i]);
+    if (!format) {
+      std::fprintf(stderr, "%s: no known extension\n", argv[i]);
+      return 2;
+    }
+    const Status status = write_mesh_file(argv[i], mesh, default_write_options(*format));
+    if (!status) {
+      std::fprintf(stderr, "%s\n", to_string(status.error()).c_str());
+      return 4;
+    }
+  }
+  return 0;
+}

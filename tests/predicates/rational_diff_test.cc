@@ -55,7 +55,7 @@ TEST(RationalDifferential, Orient2dAndItsTiersAgreeWithTheOracle) {
 }
 
 TEST(RationalDifferential, Orient3dAndItsTiersAgreeWithTheOracle) {
-  on_all_kinds(10000, [](const Points& p) {
+  on_all_kinds(5000, [](const Points& p) {
     const Sign s = oracle::orient3d(p[0], p[1], p[2], p[3]);
     EXPECT_EQ(orient3d(p[0], p[1], p[2], p[3]), s);
     expect_agrees(orient3d_filter(p[0], p[1], p[2], p[3]), s);
@@ -68,7 +68,7 @@ TEST(RationalDifferential, Orient3dAndItsTiersAgreeWithTheOracle) {
 }
 
 TEST(RationalDifferential, InCircleAndItsTiersAgreeWithTheOracle) {
-  on_all_kinds(10000, [](const Points& p) {
+  on_all_kinds(5000, [](const Points& p) {
     const Vec2d a = xy(p[0]), b = xy(p[1]), c = xy(p[2]), d = xy(p[3]);
     const Sign s = oracle::in_circle(a, b, c, d);
     EXPECT_EQ(in_circle(a, b, c, d), s);

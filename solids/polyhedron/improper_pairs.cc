@@ -13,8 +13,6 @@ namespace {
 
 // Work of the box groups a facet: ordinary meshes need 5 to 25.
 constexpr std::uint64_t kBudgetPerFacet = 96;
-// Smaller nodes are cheaper to take apart than to separate.
-constexpr std::uint32_t kMinSeparated = 4;
 
 IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {
   const auto& t = mesh.faces[f];
@@ -55,7 +53,7 @@ struct SeparatorWalk {
 
   bool stop() const { return false; }
   bool node_pair(const TreeRange& a, const TreeRange& b, std::uint64_t) {
-    return a.size() >= kMinSeparated && b.size() >= kMinSeparated &&
+    return is_worth_separating(a, b) &&
            finder.find(tree.facets(a), tree.facets(b)).has_value();
   }
   void leaf_pair(std::uint32_t i, std::uint32_t j) {

@@ -20,6 +20,12 @@ Vec3d cross(const Vec3d& a, const Vec3d& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+// A heuristic's length: anything may happen near the limits of the range.
+Vec3d unit(const Vec3d& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a.x / length, a.y / length, a.z / length};
+}
+
 // A simplex of at most four points and its point nearest to the origin. A heuristic: nothing relies on its rounding.
 class Simplex {
  public:
@@ -154,8 +160,8 @@ double largest_coordinate(const TriangleMesh& mesh) {
 // Claim  true only if d.p < d.q for all p of a, q of b.
 // Bound  A dot product of three terms rounds by at most (3u + O(u^2)) sum |d_k p_k| <= 3u |d|_1 largest (plus 3 * 2^-1075,
 //        less than u^2 of it while |d|_1 largest >= 2^-900); the gap is the difference of two. 2^-49 = 16u covers it.
-bool SeparatorFinder::proves(const IntVec3& d, std::span<const std::uint32_t> a,
-                             std::span<const std::uint32_t> b) {
+bool SeparatorFinder::proves_apart(const IntVec3& d, std::span<const std::uint32_t> a,
+                                   std::span<const std::uint32_t> b) {
   const Vec3d v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
   const double size = (std::abs(v.x) + std::abs(v.y) + std::abs(v.z)) * largest_;
   if (!(size >= 0x1p-900)) return false;
@@ -166,7 +172,8 @@ bool SeparatorFinder::proves(const IntVec3& d, std::span<const std::uint32_t> a,
   return false;
 }
 
-// The corners of up to kSampleFacets facets, few of them twice. Of the second group: false if a vertex of the first is seen again.
+// The corners of up to kSampleFacets facets, few of them twice. Of the second group: vertices of the first are noticed (and left
+// out); false if there are two.
 bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out) {
   out.clear();
   ++stamp_;
@@ -174,8 +181,12 @@ bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool se
   for (std::size_t i = 0; i < n; ++i)
     for (std::uint32_t v : mesh_.faces[facets[i * facets.size() / n]]) {
       Slot& slot = slots_[v % kSlots];
-      if (slot.vertex == v && slot.stamp == stamp_) continue;
-      if (second && slot.vertex == v && slot.stamp == stamp_ - 1) return false;
+      if ((slot.vertex == v && slot.stamp == stamp_) || (second && v == common_)) continue;
+      if (second && slot.vertex == v && slot.stamp == stamp_ - 1) {
+        if (common_ != kNoVertex) return false;
+        common_ = v;
+        continue;
+      }
       slot = {v, stamp_};
       out.push_back(mesh_.positions[v]);
     }
@@ -183,23 +194,76 @@ bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool se
 }
 
 std::optional<IntVec3> SeparatorFinder::find(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+  common_ = kNoVertex;
   take_sample(a, false, sample_a_);
-  if (!take_sample(b, true, sample_b_)) return std::nullopt;  // they share a vertex
+  if (!take_sample(b, true, sample_b_)) return std::nullopt;  // no plane is known that touches both in an edge
+  return common_ == kNoVertex ? find_apart(a, b) : find_at_common(a, b);
+}
+
+// The difference of the hulls nearest to the origin.
+std::optional<IntVec3> SeparatorFinder::find_apart(std::span<const std::uint32_t> a,
+                                                   std::span<const std::uint32_t> b) {
   Simplex simplex;
-  Vec3d nearest = minus(sample_b_[0], sample_a_[0]);  // of the differences q - p to the origin
+  Vec3d nearest = minus(sample_b_[0], sample_a_[0]);
   for (int round = 0; round < kRounds; ++round) {
     const Vec3d away{-nearest.x, -nearest.y, -nearest.z};
     const Vec3d w = minus(farthest(sample_b_, away), farthest(sample_a_, nearest));
     if (dot(w, nearest) > 0) {
       const IntVec3 d = to_integers(nearest);
       if (d == IntVec3{0, 0, 0}) return std::nullopt;
-      if (proves(d, a, b)) return d;
+      if (proves_apart(d, a, b)) return d;
     }
     simplex.add(w);
-    if (!simplex.nearest(nearest)) return std::nullopt;
-    if (!(dot(nearest, nearest) > 0)) return std::nullopt;
+    if (!simplex.nearest(nearest) || !(dot(nearest, nearest) > 0)) return std::nullopt;
   }
   return std::nullopt;
+}
+
+// The rays q - v and v - p, as unit vectors: is there a half-space that holds them all?
+std::optional<IntVec3> SeparatorFinder::find_at_common(std::span<const std::uint32_t> a,
+                                                       std::span<const std::uint32_t> b) {
+  const Vec3d centre = mesh_.positions[common_];
+  std::vector<Vec3d>& rays = sample_b_;
+  for (Vec3d& q : rays) q = unit(minus(q, centre));
+  for (const Vec3d& p : sample_a_)
+    if (!(p == centre)) rays.push_back(unit(minus(centre, p)));
+  if (rays.empty()) return std::nullopt;
+  Simplex simplex;
+  Vec3d nearest = rays[0];
+  for (int round = 0; round < kRounds; ++round) {
+    const Vec3d w = farthest(rays, {-nearest.x, -nearest.y, -nearest.z});
+    if (dot(w, nearest) > 0) {
+      const IntVec3 d = to_integers(nearest);
+      if (d == IntVec3{0, 0, 0}) return std::nullopt;
+      if (proves_at_common(d, a, b)) return d;
+    }
+    simplex.add(w);
+    if (!simplex.nearest(nearest) || !(dot(nearest, nearest) > 0)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// Claim  true only if d.p < d.v < d.q for v = common_ and all other vertices p of a, q of b. A second common vertex fails.
+// Bound  The differences p - v round once, the rest as in proves_apart: |computed - exact| <= (4u + O(u^2)) sum |d_k (p - v)_k|.
+//        2^-49 = 16u covers it, and underflow, while the sum is at least 2^-900.
+bool SeparatorFinder::proves_at_common(const IntVec3& d, std::span<const std::uint32_t> a,
+                                       std::span<const std::uint32_t> b) {
+  const Vec3d v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
+  const Vec3d centre = mesh_.positions[common_];
+  std::vector<Vec3d>& rays = sample_b_;
+  const auto all_beyond = [&](std::span<const std::uint32_t> facets, double side) {
+    for (std::uint32_t f : facets)
+      for (std::uint32_t id : mesh_.faces[f]) {
+        if (id == common_) continue;
+        const Vec3d r = minus(mesh_.positions[id], centre);
+        const double size = std::abs(v.x * r.x) + std::abs(v.y * r.y) + std::abs(v.z * r.z);
+        if (side * dot(v, r) > 0x1p-49 * size && size >= 0x1p-900) continue;
+        rays.push_back(unit({side * r.x, side * r.y, side * r.z}));
+        return false;
+      }
+    return true;
+  };
+  return all_beyond(b, 1) && all_beyond(a, -1);
 }
 
 }  // namespace veritope

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solids/polyhedron/box_tree.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/vertex_star.h"
 
@@ -15,10 +16,16 @@ namespace veritope {
 /// The greatest absolute value of a coordinate.
 double largest_coordinate(const TriangleMesh& mesh);
 
-/// Finds d with d.p < d.q for every vertex p of a facet of the first group and q of the second: exactly, for all of them. The
-/// direction is searched for in floating point (the closest points of the convex hulls, [GJK88], on a sample that grows where it was
-/// wrong), then proved: the computed gap exceeds the rounding errors of both sides.
-/// One finder a thread: it keeps its buffers.
+/// Smaller nodes are cheaper to take apart than to separate.
+inline bool is_worth_separating(const TreeRange& a, const TreeRange& b) {
+  return a.size() >= 4 && b.size() >= 4;
+}
+
+/// Finds d with d.p < d.q for every vertex p of a facet of the first group and q of the second, exactly; or, if the groups have
+/// one vertex v in common, d.p < d.v < d.q for all others. Either way each two facets of the groups meet exactly in their
+/// common simplex (docs/THEORY.md, MESH-4). The direction is searched for in floating point (the point of a convex hull nearest
+/// to the origin, [GJK88], on a sample that grows where it was wrong), then proved: the computed gap exceeds the
+/// rounding errors of both sides. One finder a thread: it keeps its buffers.
 class SeparatorFinder {
  public:
   /// `largest` = largest_coordinate(mesh), asked for once for all finders of a model.
@@ -33,12 +40,18 @@ class SeparatorFinder {
   };
   static constexpr std::size_t kSlots = 256;
 
+  static constexpr std::uint32_t kNoVertex = 0xffffffffu;
+
   bool take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out);
-  bool proves(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
+  std::optional<IntVec3> find_apart(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
+  std::optional<IntVec3> find_at_common(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
+  bool proves_apart(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
+  bool proves_at_common(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
   const TriangleMesh& mesh_;
   double largest_;
   std::vector<Vec3d> sample_a_, sample_b_;
+  std::uint32_t common_ = kNoVertex;  // seen in both samples
   std::array<Slot, kSlots> slots_{};
   std::uint32_t stamp_ = 0;
 };

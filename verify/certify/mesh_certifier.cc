@@ -24,8 +24,6 @@ using certificate::Separator;
 using certificate::ValidBody;
 using certificate::Witness;
 
-constexpr std::uint32_t kMinSeparated = 4;
-
 // What one part of the walk contributes; pair numbers count from the part's start.
 struct PartWitness {
   std::uint64_t pairs = 0;
@@ -42,7 +40,7 @@ struct CertifyingWalk {
 
   bool stop() const { return false; }
   bool node_pair(const TreeRange& a, const TreeRange& b, std::uint64_t k) {
-    if (!with_separators || a.size() < kMinSeparated || b.size() < kMinSeparated) return false;
+    if (!with_separators || !is_worth_separating(a, b)) return false;
     const auto d = finder.find(tree.facets(a), tree.facets(b));
     if (d) out.separators.push_back({k, *d});
     return d.has_value();

@@ -67,6 +67,24 @@ std::optional<double> DecimalReader::scale_without_zeros(std::uint64_t w, int q)
   return scale(w, q);
 }
 
+double DecimalReader::round(std::string_view digits, std::int64_t exponent) const {
+  const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
+  std::uint64_t w = 0;
+  std::size_t used = zeros;
+  for (; used < digits.size() && used < zeros + 19; ++used) {
+    w = w * 10 + static_cast<std::uint64_t>(digits[used] - '0');
+  }
+  // The value lies in [w, w + 1] * 10^q. Rounding is monotonic: if both ends round alike, so does the value.
+  const std::int64_t q = exponent + static_cast<std::int64_t>(digits.size() - used);
+  if (w > 0 && std::abs(q) <= 400) {
+    const std::optional<double> low = scale(w, static_cast<int>(q));
+    const std::optional<double> high =
+        used == digits.size() ? low : scale(w + 1, static_cast<int>(q));
+    if (low && high && *low == *high) return *low;
+  }
+  return internal::round_decimal_exactly(digits, exponent);
+}
+
 DecimalFault DecimalReader::read_slowly(std::string_view token, double& value) const {
   const std::optional<Parts> parts = split(token);
   if (!parts) return DecimalFault::kSyntax;
@@ -74,7 +92,7 @@ DecimalFault DecimalReader::read_slowly(std::string_view token, double& value) c
   if (std::abs(parts->exponent) > max_exponent_) return DecimalFault::kExponent;
   const std::int64_t exponent =
       parts->exponent + parts->point - static_cast<std::int64_t>(parts->digits.size());
-  const double size = internal::round_decimal_exactly(parts->digits, exponent);
+  const double size = round(parts->digits, exponent);
   if (size > std::numeric_limits<double>::max()) return DecimalFault::kNotFinite;
   value = size == 0 ? 0 : (parts->is_negative ? -size : size);
   return DecimalFault::kNone;

@@ -56,6 +56,9 @@ class DecimalReader {
   /// Tries again without the zeros at the end of w: 0.50000000000000000 is exact.
   std::optional<double> scale_without_zeros(std::uint64_t w, int q) const;
 
+  /// digits * 10^exponent rounded, infinity on overflow.
+  double round(std::string_view digits, std::int64_t exponent) const;
+
   const internal::PowerOfTen* powers_;
   std::uint32_t max_digits_;
   std::uint32_t max_exponent_;

@@ -16,11 +16,13 @@ class PlyAsciiReader : TextReader {
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;  // any number of nothing
       const PlyRole role = ply_role(element);
+      const bool has_triangles = role == PlyRole::kFaces || role == PlyRole::kStrips;
+      const std::size_t list = has_triangles ? ply_index_list(element) : 0;
       for (std::uint64_t i = 0; i < element.count; ++i) {
         const bool is_right = role == PlyRole::kVertices ? read_vertex(element)
                               : role == PlyRole::kOther
                                   ? skip_properties(element, 0, element.properties.size())
-                                  : read_list(role, element);
+                                  : read_list(role, element, list);
         if (!is_right) return take_error();
       }
     }
@@ -78,8 +80,7 @@ class PlyAsciiReader : TextReader {
     return true;
   }
 
-  bool read_list(PlyRole role, const PlyElement& element) {
-    const std::size_t number = ply_index_list(element);
+  bool read_list(PlyRole role, const PlyElement& element, std::size_t number) {
     if (!skip_properties(element, 0, number)) return false;
     std::uint64_t length = 0;
     if (!read_count(length)) return false;

@@ -15,8 +15,12 @@ bool names_no_finite_number(std::string_view token) {
 }  // namespace
 
 bool TextReader::fail(const char* at, Code code, std::string message) {
-  error_ = error_at_line(source_, anchor_ != nullptr ? anchor_ : at, code, std::move(message));
+  fault_ = Fault{anchor_ != nullptr ? anchor_ : at, code, std::move(message)};
   return false;
+}
+
+Error TextReader::take_error() {
+  return error_at_line(source_, fault_->at, fault_->code, std::move(fault_->message));
 }
 
 bool TextReader::fail_expected(const char* at, const std::string& expected) {

@@ -58,7 +58,8 @@ class TextReader {
   bool fail_vertices(const char* at);
   /// "<expected> instead of <token at `at`>": kSyntax, or kTruncated at the end of the file.
   bool fail_expected(const char* at, const std::string& expected);
-  Error take_error() { return std::move(*error_); }
+  /// REQUIRES that a function failed. Finds the line only now: a joined line may fail once and then be read well.
+  Error take_error();
 
   const Source& source_;
   const ReadLimits& limits_;
@@ -68,8 +69,13 @@ class TextReader {
   const char* anchor_ = nullptr; ///< where in the source a joined line begins
 
  private:
+  struct Fault {
+    const char* at;
+    Code code;
+    std::string message;
+  };
   bool read_decimal_slowly(const char*& p, double& value);
-  std::optional<Error> error_;
+  std::optional<Fault> fault_;
 };
 
 }  // namespace veritope

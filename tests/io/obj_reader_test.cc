@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Reading rule v1, sections 1 and 3.
+#include <chrono>
+
 #include "tests/io/io_test_util.h"
 
 namespace veritope {
@@ -145,6 +147,14 @@ TEST(ObjReader, AnErrorInAJoinedLineNamesTheLineWhereItBegins) {
   EXPECT_EQ(outcome(obj("v 0 0 0\nf 1 \\\n2 \\\n9\n")), "index-out-of-range@2");
   const auto file = obj("v 0 0 0\nf 1 1 \\\n1x\n");
   EXPECT_NE(file.error().message.find("'1x'"), std::string::npos) << file.error().message;
+}
+
+TEST(ObjReader, ManyJoinedLinesTakeLinearTime) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 200000; ++i) text += "f 1 2\\\n 3\n";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(outcome(obj(text)), "ok");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));  // quadratic: minutes
 }
 
 TEST(ObjReader, RefusesAFileWithoutAFace) {

@@ -7,6 +7,7 @@
 
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
+#include "solids/polyhedron/broad_phase_internal.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -20,6 +21,8 @@ constexpr std::size_t kFlush = 1 << 12;
 constexpr std::uint64_t kWorkPerPair = 8;  // deciding a pair costs as much as comparing so many facets with a group
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr std::size_t kTaskGoal = 256;  // enough to keep several threads busy to the end; a constant, so tasks do not depend on jobs
+
+std::atomic<bool> only_baseline_boxes{false};
 
 struct Box1 {
   float lo[3], hi[3];
@@ -159,10 +162,12 @@ static inline unsigned shared8(const Ids8& b, const Ids8& a, unsigned k) {
 
 }  // namespace
 
+void internal::use_baseline_boxes(bool only_baseline) { only_baseline_boxes.store(only_baseline); }
+
 void BroadPhaseWalk::run(std::uint32_t level, std::uint32_t a, std::uint32_t b) {
 #if defined(__x86_64__)
   static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2)
+  if (has_avx2 && !only_baseline_boxes.load(std::memory_order_relaxed))
     a == b ? avx2::self(*this, level, a) : avx2::cross(*this, level, a, b);
   else
 #endif

@@ -15,7 +15,7 @@ constexpr double kScale = 0x1p30;  // components of a direction stay below 2^31
 
 Vec3d minus(const Vec3d& a, const Vec3d& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vec3d plus_scaled(const Vec3d& a, double t, const Vec3d& d) { return {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z}; }
-double dot(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double dot(const Vec3d& a, const Vec3d& b) { return formulas::dot3(a.x, a.y, a.z, b.x, b.y, b.z); }
 Vec3d cross(const Vec3d& a, const Vec3d& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -157,16 +157,16 @@ double largest_coordinate(const TriangleMesh& mesh) {
   return largest;
 }
 
-// Claim  true only if d.p < d.q for all p of a, q of b.
-// Bound  A dot product of three terms rounds by at most (3u + O(u^2)) sum |d_k p_k| <= 3u |d|_1 largest (plus 3 * 2^-1075,
-//        less than u^2 of it while |d|_1 largest >= 2^-900); the gap is the difference of two. 2^-49 = 16u covers it.
+// Claim    true only if d.p < d.q for all p of a, q of b.
+// Bound    docs/bounds/separator.md, two groups; tests/solids/separator_bound_test.cc.
+// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 bool SeparatorFinder::proves_apart(const IntVec3& d, std::span<const std::uint32_t> a,
                                    std::span<const std::uint32_t> b) {
   const Vec3d v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
   const double size = (std::abs(v.x) + std::abs(v.y) + std::abs(v.z)) * largest_;
-  if (!(size >= 0x1p-900)) return false;
+  if (!(size <= internal::kSeparatorMaxSize)) return false;
   const Extent ea = extent_along(mesh_, a, v), eb = extent_along(mesh_, b, v);
-  if (eb.least - ea.greatest > 0x1p-49 * size) return true;
+  if (eb.least - ea.greatest > internal::kSeparatorRel * size + internal::kSeparatorAbs) return true;
   sample_a_.push_back(ea.highest);
   sample_b_.push_back(eb.lowest);
   return false;
@@ -243,9 +243,9 @@ std::optional<IntVec3> SeparatorFinder::find_at_common(std::span<const std::uint
   return std::nullopt;
 }
 
-// Claim  true only if d.p < d.v < d.q for v = common_ and all other vertices p of a, q of b. A second common vertex fails.
-// Bound  The differences p - v round once, the rest as in proves_apart: |computed - exact| <= (4u + O(u^2)) sum |d_k (p - v)_k|.
-//        2^-49 = 16u covers it, and underflow, while the sum is at least 2^-900.
+// Claim    true only if d.p < d.v < d.q for v = common_ and all other vertices p of a, q of b. A second common vertex fails.
+// Bound    docs/bounds/separator.md, rays from a vertex; tests/solids/separator_bound_test.cc.
+// Needs    as above.
 bool SeparatorFinder::proves_at_common(const IntVec3& d, std::span<const std::uint32_t> a,
                                        std::span<const std::uint32_t> b) {
   const Vec3d v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
@@ -256,8 +256,8 @@ bool SeparatorFinder::proves_at_common(const IntVec3& d, std::span<const std::ui
       for (std::uint32_t id : mesh_.faces[f]) {
         if (id == common_) continue;
         const Vec3d r = minus(mesh_.positions[id], centre);
-        const double size = std::abs(v.x * r.x) + std::abs(v.y * r.y) + std::abs(v.z * r.z);
-        if (side * dot(v, r) > 0x1p-49 * size && size >= 0x1p-900) continue;
+        const double size = (std::abs(v.x * r.x) + std::abs(v.y * r.y)) + std::abs(v.z * r.z);
+        if (side * dot(v, r) > internal::kSeparatorRayRel * size + internal::kSeparatorAbs) continue;  // false if one overflows
         rays.push_back(unit({side * r.x, side * r.y, side * r.z}));
         return false;
       }

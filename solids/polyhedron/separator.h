@@ -13,6 +13,22 @@
 
 namespace veritope {
 
+namespace formulas {
+/// A dot product, in the order in which it is rounded.
+template <typename T, typename U>
+constexpr auto dot3(const T& dx, const T& dy, const T& dz, const U& x, const U& y, const U& z) {
+  return (dx * x + dy * y) + dz * z;
+}
+}  // namespace formulas
+
+namespace internal {
+// docs/bounds/separator.md
+inline constexpr double kSeparatorRel = 0x1.8000000000004p-51;
+inline constexpr double kSeparatorRayRel = 0x1.8000000000007p-52;
+inline constexpr double kSeparatorAbs = 0x1p-960;
+inline constexpr double kSeparatorMaxSize = 0x1p1020;
+}  // namespace internal
+
 /// The greatest absolute value of a coordinate.
 double largest_coordinate(const TriangleMesh& mesh);
 

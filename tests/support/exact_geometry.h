@@ -2,6 +2,7 @@
 // tests/support/exact_geometry.h: points with rational coordinates and what the oracles ask of them. Slow; no line of it is shared with
 // predicates/.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -304,7 +304,7 @@ class Truth:
         self.uses = edge_uses(mesh)
         self.shells = shells(mesh)
         self.crossings = []
-        sets = [tuple(sorted(t)) for t in mesh.tris]
+        sets = [frozenset(t) for t in mesh.tris]
         used = sorted(mesh.at)
         if self.flat:
             self.broken.add("M1")
@@ -650,12 +650,12 @@ class Plan:
         return b"".join(out + [struct.pack("<I", len(pairs)), pairs, bytes(self.nesting)])
 
     def quantities(self):
-        """The quantities that the page's formulas give, also for meshes that are not valid."""
+        """The page's formulas, also for meshes that are not valid (but a volume has no sign)."""
         mesh = self.mesh
         edges = {frozenset((t[i], t[(i + 1) % 3])) for t in mesh.tris for i in range(3)}
         vs = sum(len({v for f in s for v in mesh.tris[f]}) for s in self.shells)
         six = sum(dot(mesh.p[mesh.tris[f][0]], mesh.n[f]) for f in range(len(mesh.tris)))
-        volume = Fraction(six, 6) * mesh.unit ** 3
+        volume = Fraction(abs(six), 6) * mesh.unit ** 3
         bodies = sum(sum(dot(mesh.p[mesh.tris[f][0]], mesh.n[f]) for f in s) > 0 for s in self.shells)
         out = {"vertices": len(mesh.at), "edges": len(edges), "faces": len(mesh.tris),
                "shells": len(self.shells), "bodies": bodies,

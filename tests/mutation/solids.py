@@ -343,14 +343,16 @@ def fin(p, t, rng):
 
 
 def double(p, t, rng):
-    """One triangle again, with or against its orientation, or both; or a stray two-sided one."""
+    """One triangle again, with or against its orientation, or both."""
     a, b, c = rng.choice(t)
-    kind = rng.randrange(4)
-    if kind == 3:
-        far = [tuple(x + 1000 + s * (i == k) for i, x in enumerate(p[0])) for k, s in ((0, 3), (1, 5), (2, 7))]
-        n = len(p)
-        return list(p) + far, t + [(n, n + 1, n + 2), (n, n + 2, n + 1)]
-    return p, t + [[(b, c, a)], [(a, c, b)], [(a, b, c), (a, c, b)]][kind]
+    return p, t + rng.choice(([(b, c, a)], [(a, c, b)], [(a, b, c), (a, c, b)]))
+
+
+def two_sided(p, t, rng):
+    """A stray triangle with its own back side."""
+    far = [tuple(x + 1000 + s * (i == k) for i, x in enumerate(p[0])) for k, s in ((0, 3), (1, 5), (2, 7))]
+    n = len(p)
+    return list(p) + far, t + [(n, n + 1, n + 2), (n, n + 2, n + 1)]
 
 
 def flatten(p, t, rng):
@@ -401,4 +403,4 @@ def weld(p, t, rng):
 
 
 DEFECTS = (spike, spike, fold, fold, crease, crease, poke, touch_face, touch_edge, stack_boxes, stack_boxes, copy_at_vertex,
-           copy_at_edge, flip, open_up, fin, double, flatten, inside_out, wrong_shells, weld)
+           copy_at_edge, flip, open_up, fin, double, two_sided, flatten, inside_out, wrong_shells, weld)

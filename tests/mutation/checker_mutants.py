@@ -1,0 +1,300 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Would the attacks notice a broken checker?  Source-level mutants of both checkers.
+
+Each mutant is one small textual change in a checking condition (a comparison, a sign, a constant, a
+dropped condition).  It is killed if some case of a fixed corpus (attacks, honest certificates, damaged
+files, the cases of tests/checker_py) gets another verdict than from the unchanged Python checker.
+
+    python3 tests/mutation/checker_mutants.py python [--sample N] [--jobs J]
+    python3 tests/mutation/checker_mutants.py cpp    [--sample N] [--jobs J] [--show]
+"""
+import argparse
+import importlib.util
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import types
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import attacks                                            # noqa: E402
+import differential                                       # noqa: E402
+
+CHECKER = attacks.CHECKER_PY.parent
+NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h")   # C++ headers without conditions of the page
+# Together these attacks hit every pair of strategy and condition that 500 seeds hit.
+SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
+         192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
+LIMIT = 120                                               # seconds for one mutant
+
+# (name, what to look for, replacements); applied to one occurrence at a time, outside of strings
+OPERATORS = [
+    ("comparison", r"(?<![<>=!-])<=(?!>)", ["<"]), ("comparison", r"(?<![<>=!-])>=", [">"]),
+    ("comparison", r"(?<![<\w])<(?![<=])(?= )", ["<=", ">"]), ("comparison", r"(?<![>-])>(?![>=])(?= )", [">=", "<"]),
+    ("comparison", r"==", ["!="]), ("comparison", r"!=", ["=="]),
+    ("sign", r"(?<= )\+(?= )", ["-"]), ("sign", r"(?<= )-(?= )", ["+"]), ("sign", r"(?<=[(\[, ])-(?=[a-z])", [""]),
+    ("off by one", r"(?<=[+-] )1\b", ["0", "2"]), ("constant", r"(?<![\w.\"'])\d+\b(?!\.)", ["N+1", "N-1"]),
+    ("logic", r"\band\b", ["or"]), ("logic", r"\bor\b", ["and"]), ("logic", r"&&", ["||"]), ("logic", r"\|\|", ["&&"]),
+    ("logic", r"\bnot (?!in\b)", [""]), ("logic", r"(?<=[ (])!(?=[a-z_(])", [""]),
+    ("min max", r"\bmin\b", ["max"]), ("min max", r"\bmax\b", ["min"]),
+    ("truth", r"\bTrue\b|\btrue\b", ["FALSE"]), ("truth", r"\bFalse\b|\bfalse\b", ["TRUE"]),
+    ("index", r"\[0\]", ["[1]"]), ("index", r"\[1\]", ["[0]"]), ("bits", r"(?<= )&(?= )", ["|"]), ("bits", r"(?<= )\^(?= )", ["|"]),
+    ("break", r"\bcontinue\b", ["break"]), ("break", r"\bbreak\b", ["continue"]),
+]
+
+
+def mutate_line(line, python):
+    """(operator, new line) for each way to change one line."""
+    code = re.sub(r"\"(\\.|[^\"\\])*\"|'(\\.|[^'\\])*'", lambda m: "\0" * len(m.group()), line)
+    code = re.sub(r"#.*" if python else r"//.*", lambda m: "\0" * len(m.group()), code)
+    for name, pattern, replacements in OPERATORS:
+        for m in re.finditer(pattern, code):
+            for r in replacements:
+                if r in ("N+1", "N-1"):
+                    r = str(int(m.group()) + (1 if r == "N+1" else -1))
+                if r in ("TRUE", "FALSE"):
+                    r = r.capitalize() if python else r.lower()
+                yield name, line[:m.start()] + r + line[m.end():]
+    yield from drop(line, code, python)
+
+
+def drop(line, code, python):
+    """Drop a rejection or force a condition."""
+    indent = line[:len(line) - len(line.lstrip())]
+    if python:
+        if re.match(r"\s*(raise|return \")", code.replace("\0", "\"")):
+            yield "drop", indent + "pass"
+        m = re.match(r"(\s*(?:if|elif|while) )(.*):\s*\0*$", code)
+        if m:
+            yield "force", m.group(1) + "not (" + line[m.start(2):m.end(2)] + "):"
+            yield "force", m.group(1) + "False:"
+    else:
+        if re.match(r"\s*(fail|reject|throw|need|require)\b.*;\s*\0*$", code):
+            yield "drop", indent + ";"
+        m = re.match(r"(\s*if \()(.*)(\) .*;\s*\0*$|\) \{\s*\0*$)", code)
+        if m and m.group(2).count("(") == m.group(2).count(")"):
+            yield "force", m.group(1) + "!(" + line[m.start(2):m.end(2)] + ")" + line[m.start(3):]
+            yield "force", m.group(1) + "false && (" + line[m.start(2):m.end(2)] + ")" + line[m.start(3):]
+
+
+def mutants(path, first=None):
+    """(file, line number, operator, mutated text) of one source file, from the line that holds `first`."""
+    lines = path.read_text().split("\n")
+    python, doc, started = path.suffix == ".py", False, first is None
+    for i, line in enumerate(lines):
+        started = started or first in line
+        quotes = line.count('"""')
+        if started and not doc and not quotes and not line.lstrip().startswith(("#", "//", "import ", "/*", "*", "from ")):
+            seen = {line}
+            for name, new in mutate_line(line, python):
+                if new not in seen:
+                    seen.add(new)
+                    yield path, i + 1, name, new, "\n".join(lines[:i] + [new] + lines[i + 1:])
+        doc = doc != (quotes % 2 == 1)
+
+
+# ---------------------------------------------------------------- the corpus
+
+def corpus():
+    """(model, certificate, verdict of the unchanged Python checker) of all cases, small ones first."""
+    py, cases = attacks.load_checker(), []
+    for seed in SEEDS:
+        cases += [(c.bytes, cert) for _, c, cert in attacks.attacks(random.Random(seed))]
+    for seed in range(40):
+        cases += [(c.bytes, cert) for _, c, cert in attacks.honest_certificates(random.Random(seed)) if cert]
+    for seed in range(600):
+        cases.append(differential.damaged_model(py, random.Random(seed))[1:])
+    for seed in range(40):
+        cases += [c[1:] for c in differential.damaged_certificate(py, random.Random(seed))]
+    cases += unit_cases()
+    cases = list(dict.fromkeys(cases))
+    random.Random(1).shuffle(cases)
+    cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
+    return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
+
+
+def unit_cases():
+    """The models and certificates that tests/checker_py judges."""
+    path = HERE.parent / "checker_py" / "veritope_check_test.py"
+    spec = importlib.util.spec_from_file_location("veritope_check_test", str(path))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    seen, check = [], module.vc.check
+
+    def spy(model, cert):
+        if cert is not None:
+            seen.append((model, cert))
+        return check(model, cert)
+    module.vc.check = spy
+    suite = unittest.defaultTestLoader.loadTestsFromModule(module)
+    unittest.TextTestRunner(stream=open(os.devnull, "w")).run(suite)
+    return seen
+
+
+# ---------------------------------------------------------------- running
+
+def judge_python(text, cases):
+    """The number of the first case with another verdict, or None."""
+    module = types.ModuleType("mutant")
+    module.__dict__["__name__"] = "mutant"
+    try:
+        exec(compile(text, "mutant", "exec"), module.__dict__)
+    except Exception:
+        return 0
+    for i, (model, cert, expected) in enumerate(cases):
+        try:
+            if attacks.condition_of(*module.check(model, cert)) != expected:
+                return i
+        except Exception:
+            return i
+    return None
+
+
+def unit_tests_fail(text):
+    with tempfile.TemporaryDirectory() as d:
+        path = pathlib.Path(d) / "veritope_check.py"
+        path.write_text(text)
+        env = dict(os.environ, VERITOPE_CHECK_PY=str(path))
+        test = HERE.parent / "checker_py" / "veritope_check_test.py"
+        return subprocess.run([sys.executable, str(test)], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
+
+
+def judge_cpp(mutant, objects, cases, options):
+    """As judge_python, for a C++ file: compiles, links, runs; 'build' if it does not compile."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="mutant", dir="/dev/shm" if os.path.isdir("/dev/shm") else None))
+    try:
+        for f in CHECKER.glob("*.[hc]*"):
+            if f.suffix in (".h", ".cc"):
+                shutil.copy(f, folder)
+        (folder / mutant[0].name).write_text(mutant[4])
+        sources = [mutant[0].name] if mutant[0].suffix == ".cc" else [p.name for p in sorted(CHECKER.glob("*.cc")) if p.name in options.users[mutant[0].name]]
+        compiler = [options.compiler, "-std=c++11", "-O1", "-w"]
+        built = []
+        for s in sources:
+            if subprocess.run(compiler + ["-c", s, "-o", s + ".o"], cwd=folder, stderr=subprocess.DEVNULL).returncode:
+                return "build"
+            built.append(str(folder / (s + ".o")))
+        rest = [o for o in objects if pathlib.Path(o).name[:-2] not in sources]
+        if subprocess.run(compiler + built + rest + ["-o", str(folder / "check")], stderr=subprocess.DEVNULL).returncode:
+            return "build"
+        model, cert, last = folder / "model", folder / "cert", None
+        for i, (m, c, expected) in enumerate(cases):
+            if m is not last:
+                model.write_bytes(m)
+                last = m
+            cert.write_bytes(c)
+            r = subprocess.run([str(folder / "check"), str(model), str(cert)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=20)
+            found = attacks.condition_of(r.returncode, r.stdout.decode("latin-1")) if r.returncode in (0, 1) and r.stdout else "exit %d" % r.returncode
+            if found != expected:
+                return i
+        return None
+    except (subprocess.TimeoutExpired, ValueError, IndexError):
+        return "time"
+    finally:
+        shutil.rmtree(folder)
+
+
+def in_child(job):
+    """Forks; the child exits 0 (killed), 1 (survived), 2 (does not build); a time-out is a kill, too."""
+    pid = os.fork()
+    if pid == 0:
+        code = 3
+        try:
+            signal.alarm(LIMIT)
+            found = job()
+            code = 1 if found is None else 2 if found == "build" else 0
+        finally:
+            os._exit(code)
+    return pid
+
+
+def run(kind, options):
+    cases = corpus()
+    print("%d cases" % len(cases))
+    if kind == "python":
+        found = list(mutants(attacks.CHECKER_PY, "class Refused"))
+        def job(m):
+            first = judge_python(m[4], cases)
+            return 0 if first is None and unit_tests_fail(m[4]) else first
+    else:
+        files = sorted(CHECKER.glob("mesh_*.cc")) + [h for h in sorted(CHECKER.glob("*.h")) if h.name not in NOT_CONDITIONS]
+        found = [m for f in files for m in mutants(f)]
+        objects = build_objects(options, files)
+        def job(m):
+            return judge_cpp(m, objects, cases, options)
+    if options.sample and options.sample < len(found):
+        found = random.Random(options.seed).sample(found, options.sample)
+    return execute(found, job, options.jobs)
+
+
+def build_objects(options, files):
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="objects"))
+    options.users = {}
+    for f in files:
+        if f.suffix == ".h":
+            options.users[f.name] = users_of(f.name)
+    out = []
+    for s in sorted(CHECKER.glob("*.cc")):
+        o = folder / (s.name + ".o")
+        subprocess.run([options.compiler, "-std=c++11", "-O1", "-c", str(s), "-o", str(o)], check=True)
+        out.append(str(o))
+    return out
+
+
+def users_of(header):
+    """The .cc files that include a header, directly or through others."""
+    names, grown = {header}, True
+    texts = {p.name: p.read_text() for p in CHECKER.iterdir() if p.suffix in (".h", ".cc")}
+    while grown:
+        more = {n for n, t in texts.items() if any('#include "%s"' % h in t for h in names)} - names
+        names, grown = names | more, bool(more)
+    return {n for n in names if n.endswith(".cc")}
+
+
+def execute(found, job, jobs):
+    running, results, queue = {}, [], list(found)
+    while queue or running:
+        while queue and len(running) < jobs:
+            m = queue.pop(0)
+            running[in_child(lambda: job(m))] = m
+        pid, status = os.wait()
+        if pid in running:
+            code = os.waitstatus_to_exitcode(status)
+            results.append((running.pop(pid), "survived" if code == 1 else "build" if code == 2 else "killed"))
+    return results
+
+
+def main(argv):
+    a = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    a.add_argument("kind", choices=("python", "cpp"))
+    a.add_argument("--sample", type=int, default=0)
+    a.add_argument("--seed", type=int, default=1)
+    a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    a.add_argument("--compiler", default="g++")
+    a.add_argument("--show", action="store_true", help="print the text of surviving lines")
+    options, start = a.parse_args(argv), time.monotonic()
+    results = run(options.kind, options)
+    for (path, line, name, new, _), verdict in sorted(results, key=lambda r: (str(r[0][0]), r[0][1])):
+        if verdict == "survived":
+            print("SURVIVED %s:%d %s%s" % (path.name, line, name, "  " + new.strip() if options.show else ""))
+    count = {v: sum(r[1] == v for r in results) for v in ("killed", "survived", "build")}
+    real = count["killed"] + count["survived"]
+    for name, value, goal in (("mutants_" + options.kind, real, None), ("mutants_killed_" + options.kind, count["killed"], real),
+                              ("mutation_score_percent_" + options.kind, round(100 * count["killed"] / max(real, 1), 2), 99),
+                              ("seconds", round(time.monotonic() - start, 1), None)):
+        print(json.dumps({"name": name, "value": value, "goal": goal}))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -269,28 +269,31 @@ bool BoxGroups::for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink
   return total.load() <= budget;
 }
 
-void BoxGroups::stabbed(const Vec3d& from, int axis, bool positive, std::vector<std::uint32_t>& out) const {
-  if (order_.empty()) return;
+bool BoxGroups::stabbed(const Vec3d& from, int axis, bool positive, std::size_t most,
+                        std::vector<std::uint32_t>& out) const {
+  if (order_.empty()) return true;
   const float at[3] = {scale_.x(from.x), scale_.y(from.y), scale_.z(from.z)};
   float lo[3] = {at[0], at[1], at[2]}, hi[3] = {at[0], at[1], at[2]};
   (positive ? hi : lo)[axis] = positive ? kInf : -kInf;
-  stab(levels_.size() - 1, 0, lo, hi, out);
+  return stab(levels_.size() - 1, 0, lo, hi, most, out);
 }
 
 // Depth is at most log8 of the number of facets.
-void BoxGroups::stab(std::size_t level, std::size_t node, const float (&lo)[3], const float (&hi)[3],
-                     std::vector<std::uint32_t>& out) const {
+bool BoxGroups::stab(std::size_t level, std::size_t node, const float (&lo)[3], const float (&hi)[3],
+                     std::size_t most, std::vector<std::uint32_t>& out) const {
   const Boxes8& b = levels_[level][node];
   for (std::size_t i = 0; i < 8; ++i) {
     bool apart = false;
     for (int m = 0; m < 3; ++m) apart |= b.lo[m][i] > hi[m] || b.hi[m][i] < lo[m];
     if (apart) continue;
     if (level == 0) {
+      if (out.size() == most) return false;
       out.push_back(order_[8 * node + i]);
-    } else {
-      stab(level - 1, 8 * node + i, lo, hi, out);
+    } else if (!stab(level - 1, 8 * node + i, lo, hi, most, out)) {
+      return false;
     }
   }
+  return true;
 }
 
 }  // namespace veritope

@@ -37,8 +37,8 @@ class BoxGroups {
   std::size_t num_tasks() const { return tasks_.size(); }
 
   /// Appends the facets whose boxes meet the ray from `from` along +axis (or -axis), in ascending position of the order; boxes
-  /// that only touch it, and perhaps a few that just miss it, are among them.
-  void stabbed(const Vec3d& from, int axis, bool positive, std::vector<std::uint32_t>& out) const;
+  /// that only touch it, and perhaps a few that just miss it, are among them. False if there are more than `most`: then some are left out.
+  bool stabbed(const Vec3d& from, int axis, bool positive, std::size_t most, std::vector<std::uint32_t>& out) const;
 
  private:
   struct alignas(32) Boxes8 {  // structure of arrays: one instruction compares eight boxes
@@ -55,7 +55,7 @@ class BoxGroups {
   void build_groups(const TriangleMesh& mesh, const VertexStars& stars, unsigned jobs);
   void build_levels(unsigned jobs);
   void plan_tasks();
-  void stab(std::size_t level, std::size_t node, const float (&lo)[3], const float (&hi)[3],
+  bool stab(std::size_t level, std::size_t node, const float (&lo)[3], const float (&hi)[3], std::size_t most,
             std::vector<std::uint32_t>& out) const;
 
   UnitScale scale_;

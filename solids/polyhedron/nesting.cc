@@ -14,7 +14,7 @@ namespace veritope {
 namespace {
 
 constexpr std::uint32_t kNoVertex = 0xffffffffu;
-constexpr std::size_t kFewBoxes = 32;  // a ray that meets no more is good enough
+constexpr std::size_t kFewBoxes = 32;  // a ray that meets no more is taken at once
 
 // The edge {a, b} lies to the right of v, or beyond it upwards: see the stab rule.
 bool counts(Vec2d a, Vec2d b, Vec2d v) {
@@ -53,16 +53,14 @@ struct Ray {
   std::vector<std::uint32_t> facets;
 };
 
+// The first of six directions that meets few boxes; the meaning of few grows until one does.
 Ray choose_ray(const TriangleMesh& mesh, const BoxGroups& boxes, const Extremes& extremes) {
-  Ray best, trial;
-  for (std::uint8_t code = 0; code < 6; ++code) {
-    trial.code = code;
-    trial.facets.clear();
-    boxes.stabbed(mesh.positions[extremes[code]], code / 2, code % 2 == 0, trial.facets);
-    if (code == 0 || trial.facets.size() < best.facets.size()) std::swap(best, trial);
-    if (best.facets.size() <= kFewBoxes) break;
-  }
-  return best;
+  Ray ray;
+  for (std::size_t few = kFewBoxes;; few *= 8)
+    for (ray.code = 0; ray.code < 6; ++ray.code) {
+      ray.facets.clear();
+      if (boxes.stabbed(mesh.positions[extremes[ray.code]], ray.code / 2, ray.code % 2 == 0, few, ray.facets)) return ray;
+    }
 }
 
 std::uint32_t depth_along(const TriangleMesh& mesh, const Ray& ray, const Vec3d& from, std::uint32_t shell,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_read.cc: reading and merging 1.1 million facets from the page cache, in nanoseconds a facet.
-// Subject: read_mesh_file with one thread, SHA-256 apart (row hash_*). Peer: CGAL::IO::read_polygon_soup, for STL with
-// the merging of equal points (the other formats keep their indices there, so the peer does less). Medians of 7, in turns.
-// The mesh: the bunny of the real models after two Loop steps, or without them an icosahedron after eight.
+// Subject: read_mesh_file with one thread, SHA-256 apart (rows hash_*). Peer: CGAL::IO::read_polygon_soup, for STL with
+// the merging of equal points (the other formats keep their indices there: the peer does less). Medians of 7, in turns.
 #include <unistd.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -15,10 +14,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "bench/models.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 
@@ -26,7 +25,6 @@ namespace {
 
 using veritope::TriangleMesh;
 using veritope::Vec3d;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 constexpr int kRuns = 7;
 
@@ -44,66 +42,6 @@ double seconds_of(const std::function<void()>& work) {
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
-}
-
-Vec3d combine(double s, const Vec3d& a, double t, const Vec3d& b) {
-  return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
-}
-
-// One step of Loop's scheme on a closed surface: generic positions, four facets for one, near ones near in the file.
-TriangleMesh loop_step(const TriangleMesh& mesh) {
-  TriangleMesh fine;
-  const std::size_t num = mesh.positions.size();
-  fine.positions.resize(num);
-  std::vector<Vec3d> ring(num);
-  std::vector<int> valence(num);
-  std::map<Edge, std::uint32_t> middle;
-  std::vector<std::map<std::uint32_t, std::uint32_t>> middles(num);
-  const auto middle_of = [&](std::uint32_t a, std::uint32_t b) {
-    auto& slot = middles[std::min(a, b)];
-    const auto [at, is_new] = slot.try_emplace(std::max(a, b), 0);
-    if (is_new) {
-      at->second = static_cast<std::uint32_t>(fine.positions.size());
-      fine.positions.push_back(combine(0.375, mesh.positions[a], 0.375, mesh.positions[b]));
-    }
-    return at->second;
-  };
-  for (const auto& [a, b, c] : mesh.faces) {
-    const std::uint32_t ab = middle_of(a, b), bc = middle_of(b, c), ca = middle_of(c, a);
-    fine.faces.insert(fine.faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    for (const auto& [v, next, opposite] : {std::array{a, b, ab}, {b, c, bc}, {c, a, ca}}) {
-      ring[v] = combine(1, ring[v], 1, mesh.positions[next]);
-      ++valence[v];
-      const std::uint32_t third = a ^ b ^ c ^ v ^ next;
-      fine.positions[opposite] =
-          combine(1, fine.positions[opposite], 0.125, mesh.positions[third]);
-    }
-  }
-  for (std::size_t v = 0; v < num; ++v) {
-    const double beta = valence[v] == 3 ? 3.0 / 16 : 3.0 / (8 * std::max(valence[v], 1));
-    fine.positions[v] = combine(1 - beta * valence[v], mesh.positions[v], beta, ring[v]);
-  }
-  return fine;
-}
-
-TriangleMesh icosahedron() {
-  const double g = 1.618033988749895;
-  TriangleMesh mesh;
-  mesh.positions = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                    {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  mesh.faces = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
-  return mesh;
-}
-
-TriangleMesh make_mesh() {
-  const char* data = std::getenv("VERITOPE_DATA");
-  const std::string folder = data != nullptr ? data : "../shared/data";
-  auto bunny = veritope::read_mesh_file(folder + "/mesh/solid1/thingiCSG__bunny_remap.off", {});
-  TriangleMesh mesh = bunny ? std::move(bunny->mesh) : icosahedron();
-  for (int step = bunny ? 2 : 8; step > 0; --step) mesh = loop_step(mesh);
-  return mesh;
 }
 
 // OBJ and OFF with %.17g, as most programs write them.
@@ -177,7 +115,7 @@ void measure(const Format& format, const std::string& folder, const TriangleMesh
 // usage: bench_read [--alone]   --alone: without the peer
 int main(int argc, char** argv) {
   const bool with_peer = !(argc > 1 && std::string(argv[1]) == "--alone");
-  const TriangleMesh mesh = make_mesh();
+  const TriangleMesh mesh = veritope::bench::named_model("loop1115k");
   std::fprintf(stderr, "%zu facets, %zu vertices\n", mesh.faces.size(), mesh.positions.size());
   const auto folder = std::filesystem::temp_directory_path() /
                       ("veritope-bench-read-" + std::to_string(::getpid()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/polyhedron/separator.h: an integer direction that proves two groups of facets disjoint.
+// Bound: docs/bounds/separator.md.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -49,6 +50,9 @@ class SeparatorFinder {
   /// nullopt: none was found; the groups may touch, or be disjoint by less than rounding can tell.
   std::optional<IntVec3> find(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
+  /// One step, for tests: true only if d.p < d.q for all p of a, q of b.
+  bool proves_apart(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
+
  private:
   // Vertices met lately, by the low bits of their ids: finds almost all repetitions at the price of an array access.
   struct Slot {
@@ -61,7 +65,6 @@ class SeparatorFinder {
   bool take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out);
   std::optional<IntVec3> find_apart(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
   std::optional<IntVec3> find_at_common(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
-  bool proves_apart(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
   bool proves_at_common(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
   const TriangleMesh& mesh_;

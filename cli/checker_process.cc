@@ -90,7 +90,7 @@ void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }
 
-// What the child has that this process has not: /dev/null to read, the pipe to write, `inherited`, SIGPIPE.
+// What the child has that this process has not: /dev/null to read, the pipe to write, `inherited`, the signals ignored here.
 class SpawnSettings {
  public:
   SpawnSettings(const std::vector<int>& inherited, int output) {
@@ -107,6 +107,7 @@ class SpawnSettings {
     sigemptyset(&set);
     ::posix_spawnattr_setsigmask(&attributes_, &set);
     sigaddset(&set, SIGPIPE);
+    sigaddset(&set, SIGXFSZ);
     ::posix_spawnattr_setsigdefault(&attributes_, &set);
     ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }

@@ -30,6 +30,7 @@ InfoReport info_of(const std::string& path, const ReadOptions& reading) {
     if (file) {
       report.as_indexed = report.as_indexed && file->report.format != MeshFormat::kStl;
       report.lossless = lossless_variants(*file, report.as_indexed);
+      report.holds_everywhere = report.lossless.size() == write_variant_names().size();
       report.file = std::move(*file);
       return report;
     }

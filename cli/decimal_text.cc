@@ -31,10 +31,20 @@ Integer scaled(Integer p, Integer q, std::int64_t shift) {
   return whole;
 }
 
-// floor(log10(2^bits)) up to one.
-std::int64_t decimal_exponent(std::int64_t bits) {
+// p / q >= 10^n. REQUIRES p, q > 0.
+bool reaches(const Integer& p, const Integer& q, std::int64_t n) {
+  return n >= 0 ? p >= q * power_of_ten(n) : p * power_of_ten(-n) >= q;
+}
+
+// The e with 10^(e-1) <= p / q < 10^e. REQUIRES p, q > 0.
+std::int64_t decimal_exponent(const Integer& p, const Integer& q) {
   constexpr std::int64_t kLog2Times100000 = 30103;
-  return bits * kLog2Times100000 / 100000;
+  const auto bits =
+      static_cast<std::int64_t>(p.bit_length()) - static_cast<std::int64_t>(q.bit_length());
+  std::int64_t exponent = bits * kLog2Times100000 / 100000;  // off by little
+  while (reaches(p, q, exponent)) ++exponent;
+  while (!reaches(p, q, exponent - 1)) --exponent;
+  return exponent;
 }
 
 Decimal to_decimal(const Rational& value, int num_digits) {
@@ -47,15 +57,13 @@ Decimal to_decimal(const Rational& value, int num_digits) {
   }
   out.is_negative = value.sign() == Sign::kNegative;
   const Integer p = abs(value.numerator()), q = value.denominator();
-  // The guess is right or off by one or two; a wrong one shows in the number of digits.
-  out.exponent = decimal_exponent(static_cast<std::int64_t>(p.bit_length()) -
-                                  static_cast<std::int64_t>(q.bit_length()));
-  for (;;) {
-    out.digits = scaled(p, q, num_digits - out.exponent).to_string();
-    if (out.digits.size() == n) return out;
-    out.exponent += out.digits.size() > n ? 1 : -1;
-    // Rounding up to a power of ten looks like one digit too many; with the next exponent it fits.
+  out.exponent = decimal_exponent(p, q);
+  out.digits = scaled(p, q, num_digits - out.exponent).to_string();
+  if (out.digits.size() > n) {  // rounded up to a power of ten
+    out.digits.pop_back();
+    ++out.exponent;
   }
+  return out;
 }
 
 std::string exponent_text(std::int64_t exponent) {

@@ -61,6 +61,15 @@ void add_files(CLI::App* app, std::vector<std::string>& files) {
       ->type_name("");
 }
 
+// Exactly one.
+void add_file(CLI::App* app, const std::string& name, std::vector<std::string>& files,
+              const std::string& help) {
+  app->add_option_function<std::string>(
+         name, [&files](const std::string& path) { files = {path}; }, help)
+      ->required()
+      ->type_name("");
+}
+
 void add_reading(CLI::App* app, Options& o) {
   app->add_option_function<std::string>(
          "--format",
@@ -111,10 +120,7 @@ void add_info(CLI::App& app, Options& o) {
 void add_convert(CLI::App& app, Options& o) {
   CLI::App* const c = app.add_subcommand("convert", "write a mesh in another format, without loss");
   c->callback([&o] { o.command = Command::kConvert; });
-  c->add_option("IN", o.files, "STL, OBJ, PLY or OFF; - is standard input (with --format)")
-      ->required()
-      ->expected(1)
-      ->type_name("");
+  add_file(c, "IN", o.files, "STL, OBJ, PLY or OFF; - is standard input (with --format)");
   c->add_option("OUT", o.output, "the new file; - is standard output (with --to)")
       ->required()
       ->type_name("");
@@ -133,7 +139,7 @@ void add_explain(CLI::App& app, Options& o) {
       ->type_name("");
   CLI::App* const e = app.add_subcommand("explain-certificate", "a certificate as text");
   e->callback([&o] { o.command = Command::kExplainCertificate; });
-  e->add_option("F", o.files, "a certificate file")->required()->expected(1)->type_name("");
+  add_file(e, "F", o.files, "a certificate file");
   add_number(e, "--max-items", o.max_items, 0, kMost32, "items of each list that are shown (20)");
 }
 

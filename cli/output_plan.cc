@@ -91,7 +91,7 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
                                 const std::optional<std::string>& certificate,
                                 const std::optional<std::string>& json) {
   OutputPlan plan;
-  if (certificate && (inputs.size() > 1 || is_folder(*certificate))) {
+  if (certificate && (inputs.size() > 1 || certificate->ends_with('/') || is_folder(*certificate))) {
     const std::string folder = without_slashes(*certificate);
     if (exists(folder) && !is_folder(folder)) {
       return bad_argument("--certificate " + folder +

@@ -18,6 +18,7 @@ struct InfoReport {
   bool as_indexed = false;
   std::optional<MeshFile> file;        ///< nothing: unreadable
   std::vector<std::string> lossless;   ///< variants that hold it without loss
+  bool holds_everywhere = false;       ///< those are all variants
   std::optional<Fault> fault;
 };
 std::string info_json(const InfoReport& report);

@@ -249,7 +249,7 @@ std::string info_text(const InfoReport& report, const Style& style) {
   out += line("box", point_text(box.lo) + " to " + point_text(box.hi));
   std::string names;
   for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;
-  out += line("lossless as", names.empty() ? "nothing" : names);
+  out += line("lossless as", report.holds_everywhere ? "every format" : names);
   return out + style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
 }
 

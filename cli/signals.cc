@@ -56,6 +56,7 @@ void install_signal_handlers() {
     ::sigaction(number, &action, nullptr);
   }
   ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);
 }
 
 SignalsBlocked::SignalsBlocked() {

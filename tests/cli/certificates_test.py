@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""--certificate and --json: where outputs go, what is refused; the checker's word: no verdict without it."""
+import hashlib
+import os
+import stat
+import unittest
+
+import support
+from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
+
+
+class Outputs(Folder):
+    def test_the_report_describes_the_certificate(self):
+        path = self.folder / "c"
+        certificate = support.only_file(VALID, "--certificate", path)["certificate"]
+        data = path.read_bytes()
+        self.assertEqual(certificate, {"path": str(path), "sha256": hashlib.sha256(data).hexdigest(), "bytes": len(data), "checked": True})
+        self.assertEqual(self.listing(), ["c"])
+
+    def test_a_temporary_certificate_is_the_same_and_leaves_nothing(self):
+        kept = support.only_file(VALID, "--certificate", self.folder / "c")["certificate"]
+        temporary = support.only_file(VALID, env=self.environment)["certificate"]
+        self.assertEqual({**kept, "path": None}, temporary)
+        self.assertEqual(self.listing(), ["c"])
+
+    def test_several_inputs_need_a_folder_which_may_be_new(self):
+        for folder in ("new", "new", "other/"):  # the second time it exists
+            done = run("certify", "-q", VALID, INVALID, UNREADABLE, "--certificate", f"{self.folder}/{folder}")
+            self.assertEqual((done.returncode, done.stderr), (1, ""))
+            self.assertEqual(sorted(os.listdir(self.folder / folder)), [f"{path.name}.cert" for path in (INVALID, VALID)])
+
+    def test_one_input_may_have_an_existing_folder_or_a_new_one_with_a_slash(self):
+        run("certify", VALID, "--certificate", self.folder)
+        run("certify", VALID, "--certificate", f"{self.folder}/new/")
+        self.assertEqual(self.listing(), [f"{VALID.name}.cert", "new", f"new/{VALID.name}.cert"])
+
+    def test_an_existing_certificate_is_replaced_and_a_link_is_followed(self):
+        target, link = self.folder / "target", self.folder / "link"
+        target.write_text("old")
+        link.symlink_to(target)
+        self.assertEqual(run("certify", VALID, "--certificate", link).returncode, 0)
+        self.assertTrue(link.is_symlink())
+        self.assertTrue(target.read_bytes().startswith(b"{"))
+
+    def test_json_goes_to_a_file_beside_the_human_report(self):
+        path = self.folder / "r.json"
+        done = run("certify", VALID, "--json", path)
+        self.assertTrue(done.stdout.startswith("VALID"))
+        self.assertEqual(support.json.loads(path.read_text())["files"][0]["verdict"], "VALID")
+
+    def test_json_alone_on_standard_output(self):
+        done = run("certify", VALID, UNREADABLE, "--json", "-")
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(len(support.json.loads(done.stdout)["files"]), 2)
+        self.assertEqual(len(done.stdout.splitlines()), 4)
+
+    def test_pipes_and_devices_are_written_directly(self):
+        self.assertEqual(run("certify", VALID, "--json", "/dev/null", "--certificate", "/dev/null").returncode, 0)
+        done = support.subprocess.run(["bash", "-c", f'"{BIN}/veritope" certify -q "{VALID}" --json >(cat; echo end) | cat'],
+                                      capture_output=True, text=True)
+        self.assertIn('"verdict":"VALID"', done.stdout)
+
+
+class Refusals(Folder):
+    def assert_refused(self, *arguments, status=2, word=""):
+        before = {name: (self.folder / name).read_bytes() for name in self.listing() if (self.folder / name).is_file()}
+        done = run("certify", *arguments)
+        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
+        self.assertRegex(done.stderr, rf"^veritope: .*{word}")
+        after = {name: (self.folder / name).read_bytes() for name in self.listing() if (self.folder / name).is_file()}
+        self.assertEqual(before, after)
+
+    def copy(self, name):
+        return support.shutil.copy(VALID, self.folder / name)
+
+    def test_an_output_that_is_an_input_is_refused_whatever_its_name(self):
+        a, b = self.copy("a.off"), self.copy("b.off")
+        os.link(a, self.folder / "hard.off")
+        os.symlink(a, self.folder / "soft.off")
+        for output in ("a.off", "hard.off", "soft.off", "../" + self.folder.name + "/a.off"):
+            for option in ("--certificate", "--json"):
+                self.assert_refused(a, option, self.folder / output, word="is the input")
+        self.assert_refused(a, b, "--json", b, word="is the input")
+
+    def test_two_outputs_that_are_one_file_are_refused(self):
+        a = self.copy("a.off")
+        self.assert_refused(a, "--json", self.folder / "x", "--certificate", self.folder / "x", word="both write")
+        self.assert_refused(a, "--json", self.folder / "x", "--certificate", f"{self.folder}/./x", word="both write")
+        os.symlink(self.folder, self.folder / "self")
+        self.assert_refused(a, "--json", self.folder / "x", "--certificate", f"{self.folder}/self/x", word="both write")
+
+    def test_names_that_collide_in_the_folder_are_refused(self):
+        (self.folder / "sub").mkdir()
+        a, b = self.copy("a.off"), self.copy("sub/a.off")
+        self.assert_refused(a, b, "--certificate", self.folder / "certificates", word="would have one certificate")
+        self.assert_refused(a, a, "--certificate", self.folder / "certificates", word="would have one certificate")
+        self.assertFalse((self.folder / "certificates").exists())
+
+    def test_an_input_that_lies_where_a_certificate_goes_is_refused(self):
+        a = self.copy("a.off")
+        b = self.copy("a.off.cert")
+        self.assert_refused("--format", "off", a, b, "--certificate", self.folder, word="is the input")
+
+    def test_a_file_where_a_folder_is_needed_is_refused(self):
+        a, b = self.copy("a.off"), self.copy("b.off")
+        (self.folder / "file").write_text("old")
+        self.assert_refused(a, b, "--certificate", self.folder / "file", word="need a folder")
+
+    def test_an_output_that_cannot_be_written_is_status_4_before_any_work(self):
+        a = self.copy("a.off")
+        self.assert_refused(a, "--certificate", "/nonexistent/c", status=4, word="cannot be written")
+        self.assert_refused(a, "--json", "/nonexistent/c", status=4, word="cannot be written")
+        self.assert_refused(a, "--json", self.folder, status=4, word="directory")
+        self.assert_refused(a, VALID, "--certificate", "/nonexistent/new/folder", status=4, word="cannot be made")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_an_unwritable_folder_is_status_4(self):
+        a = self.copy("a.off")
+        locked = self.folder / "locked"
+        locked.mkdir()
+        locked.chmod(stat.S_IRUSR | stat.S_IXUSR)
+        self.assert_refused(a, "--certificate", locked / "c", status=4, word="Permission denied")
+        locked.chmod(0o700)
+
+
+class Checker(Folder):
+    """Other programs in the place of veritope-check."""
+
+    def verdict_with(self, checker, model=VALID, *arguments):
+        veritope = self.copy_programs(checker)
+        done = run("certify", "--json", "-", model, "--certificate", self.folder / "c", *arguments, program=veritope)
+        file = support.json.loads(done.stdout)["files"][0]
+        support.shutil.rmtree(self.folder / "programs")
+        return done.returncode, file
+
+    def assert_no_verdict(self, checker, words):
+        for model in (VALID, INVALID):
+            status, file = self.verdict_with(checker, model)
+            self.assertEqual((status, file["exit"], file["verdict"], file["certificate"]), (5, 5, "UNDECIDED", None))
+            self.assertEqual(file["error"]["code"], "internal")
+            self.assertIn(words, file["error"]["message"])
+            self.assertIn("please report it", file["error"]["message"])
+            self.assertIn("--no-check --certificate bug.cert", file["error"]["message"])
+            self.assertEqual(self.listing(), [])
+
+    def test_a_rejection_is_our_bug(self):
+        self.assert_no_verdict('echo "REJECT V9: pair 3"; exit 1', "REJECT V9: pair 3")
+
+    def test_a_checker_that_dies_is_our_bug(self):
+        self.assert_no_verdict("kill -SEGV $$", "died by signal 11")
+        self.assert_no_verdict("echo oops >&2; exit 5", "oops")
+
+    def test_a_checker_that_accepts_without_saying_what_is_not_believed(self):
+        self.assert_no_verdict("exit 0", "said nothing")
+        self.assert_no_verdict("echo ACCEPT", "ACCEPT")
+        self.assert_no_verdict("echo ACCEPT mesh-valid-17; exit 0", "mesh-valid-17")
+        self.assert_no_verdict("echo ACCEPT mesh-valid-1 mesh-invalid-1; exit 1", "ACCEPT")
+
+    def test_the_claim_must_be_the_verdict(self):
+        self.assertEqual(self.verdict_with("echo ACCEPT mesh-valid-1: fine")[1]["verdict"], "VALID")
+        self.assertEqual(self.verdict_with("echo ACCEPT mesh-valid-1", INVALID)[0], 5)
+        self.assertEqual(self.verdict_with("echo ACCEPT mesh-invalid-1", INVALID)[1]["verdict"], "INVALID")
+        self.assertEqual(self.verdict_with("echo ACCEPT mesh-invalid-1")[0], 5)
+
+    def test_a_file_that_changes_meanwhile_is_no_bug(self):
+        model = support.shutil.copy(VALID, self.folder / "m.off")
+        status, file = self.verdict_with(f'echo "# changed" >> "{model}"; echo "REJECT S3: hash"; exit 1', model)
+        self.assertEqual((status, file["verdict"], file["error"]["code"]), (4, "UNREADABLE", "file-changed"))
+
+    def test_a_bug_comes_first_among_several_files(self):
+        veritope = self.copy_programs("echo 'REJECT B1: x'; exit 1")
+        self.assertEqual(run("certify", "-q", UNREADABLE, VALID, program=veritope).returncode, 5)
+
+    def test_without_a_checker_there_is_no_work_unless_no_check(self):
+        veritope = self.copy_programs()
+        environment = {**self.environment, "PATH": "/nonexistent"}
+        environment.pop("VERITOPE_CHECK", None)
+        done = run("certify", VALID, program=veritope, env=environment)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("veritope-check was found neither", done.stderr)
+        self.assertEqual(run("certify", "-q", "--no-check", VALID, program=veritope, env=environment).returncode, 0)
+
+    def test_the_checker_is_found_beside_in_libexec_in_path_or_by_name(self):
+        for place in ("programs", "libexec/veritope", "libexec", "elsewhere"):
+            with self.subTest(place):
+                veritope = self.copy_programs()
+                (self.folder / place).mkdir(parents=True, exist_ok=True)
+                checker = support.shutil.copy(BIN / "veritope-check", self.folder / place)
+                for environment in ({"PATH": "/nonexistent:" + str(self.folder / "elsewhere")}, {"PATH": "", "VERITOPE_CHECK": checker}):
+                    done = run("certify", "-q", VALID, program=veritope, env={"TMPDIR": str(self.folder), **environment})
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                for name in ("programs", "libexec", "elsewhere"):
+                    support.shutil.rmtree(self.folder / name, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    support.main()

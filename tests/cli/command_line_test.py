@@ -1,0 +1,271 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The command line itself: usage, help, exit statuses and their order, standard input, limits, what is printed where."""
+import os
+import pty
+import re
+import subprocess
+import unittest
+
+import support
+from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
+
+COMMANDS = ["certify", "info", "convert", "explain", "explain-certificate"]
+
+
+def run_on_terminal(*arguments, environment=None):
+    """Standard output of a program that believes it writes to a terminal."""
+    ours, theirs = pty.openpty()
+    child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
+                             env={**os.environ, "TERM": "xterm", **(environment or {})})
+    os.close(theirs)
+    output = b""
+    while True:
+        try:
+            piece = os.read(ours, 65536)
+        except OSError:
+            break
+        if not piece:
+            break
+        output += piece
+    os.close(ours)
+    child.wait()
+    return output.decode()
+
+
+class Usage(unittest.TestCase):
+    def test_wrong_usage_is_exit_2_with_a_word_on_standard_error_and_nothing_else(self):
+        wrong = [[], ["nonsense"], ["certify"], ["certify", "--jobs", "0", VALID], ["certify", "--jobs", "-1", VALID],
+                 ["certify", "--jobs=-1", VALID], ["certify", "--jobs", "two", VALID], ["certify", "--jobs", "0x2", VALID],
+                 ["certify", "--jobs", "", VALID], ["certify", "--jobs", "99999999999999999999", VALID],
+                 ["certify", "--max-defects", "-1", VALID], ["certify", "--format", "step", VALID], ["certify", "-"],
+                 ["certify", "--format", "off", "-", "-"], ["certify", "--unknown", VALID], ["certify", "--json", "", VALID],
+                 ["certify", "--certificate", "-", VALID], ["certify", "--max-bytes", "1k", VALID], ["certify", ""],
+                 ["info"], ["convert", VALID], ["convert", VALID, "-"], ["convert", VALID, "out.xyz"],
+                 ["convert", "--to", "step", VALID, "out.stl"], ["convert", "--float", VALID, "out.obj"], ["explain", "M0"],
+                 ["explain", "M10"], ["explain", "closed"], ["explain-certificate"], ["--json", "-"]]
+        for arguments in wrong:
+            with self.subTest(arguments):
+                done = run(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertTrue(done.stderr.startswith("veritope: "), done.stderr)
+
+    def test_help_fits_on_one_screen_and_names_every_option(self):
+        for command in [None, *COMMANDS]:
+            with self.subTest(command):
+                done = run(*([command] if command else []), "--help")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                lines = done.stdout.rstrip("\n").split("\n")
+                self.assertLessEqual(len(lines), 24)
+                self.assertLessEqual(max(map(len, lines)), 80)
+        for option in ("--json", "--certificate", "--max-defects", "--jobs", "--no-check", "--as-indexed", "--format", "--max-bytes",
+                       "--max-faces", "--max-digits", "--max-exponent", "--quiet"):
+            self.assertIn(option, run("certify", "--help").stdout)
+        self.assertEqual(re.findall(r"(?m)^  (\w[\w-]*)", run("--help").stdout), COMMANDS)
+
+    def test_the_version_is_one_line(self):
+        done = run("--version")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"^veritope \d+\.\d+\.\d+\n$")
+        self.assertEqual(support.report(VALID)["tool"] + "\n", done.stdout)
+
+    def test_the_page_of_the_command_line_names_every_option(self):
+        page = (support.ROOT / "docs" / "cli.md").read_text()
+        for command in COMMANDS:
+            for option in re.findall(r"--[a-z-]+", run(command, "--help").stdout.split("Options:")[1]):
+                self.assertTrue(option == "--help" or f"`{option}" in page, f"{command} {option}")
+
+
+class ExitStatus(unittest.TestCase):
+    def test_of_several_files_the_first_of_5_1_4_3_0_decides(self):
+        for files, status in [([VALID], 0), ([INVALID], 1), ([UNREADABLE], 4), ([VALID, UNREADABLE], 4), ([UNREADABLE, INVALID], 1),
+                              ([INVALID, UNREADABLE, VALID], 1), ([VALID, VALID], 0)]:
+            done = run("certify", "-q", *files)
+            self.assertEqual(done.returncode, status, files)
+            self.assertEqual(len(done.stdout.splitlines()), len(files))
+
+    def test_what_is_no_file_is_exit_4_with_its_name(self):
+        for path, word in [("/nonexistent/a.stl", "No such file"), (MODELS, "directory"), ("/dev/null", "device")]:
+            done = run("certify", path)
+            self.assertEqual(done.returncode, 4)
+            self.assertRegex(done.stdout, rf"^UNREADABLE  {path}  .*{word}")
+
+    def test_the_first_line_is_the_verdict(self):
+        self.assertEqual(run("certify", MODELS / "valid_frame.off").stdout.split("\n")[0],
+                         f"VALID  {MODELS / 'valid_frame.off'}  1 body, genus 1, volume 8 (checked)")
+        self.assertEqual(run("certify", INVALID).stdout.split("\n")[0], f"INVALID  {INVALID}  3 boundary edges (checked)")
+        self.assertEqual(run("certify", "-q", UNREADABLE).stdout, f"UNREADABLE  {UNREADABLE}  byte 0: the file is empty\n")
+
+    def test_no_check_says_so(self):
+        self.assertIn("(not checked)\n", run("certify", "-q", "--no-check", VALID).stdout)
+        self.assertIn("not checked (--no-check)", run("certify", "--no-check", VALID).stdout)
+        file = support.only_file("--no-check", VALID)
+        self.assertEqual((file["certificate"]["checked"], file["seconds"]["check"]), (False, None))
+
+
+class StandardInput(unittest.TestCase):
+    def test_a_model_from_standard_input_is_certified_and_checked(self):
+        for model in ("valid_solid_header.stl", "valid_quads_crlf.obj", "valid_big_endian.ply", "m7_flat.off"):
+            data = (MODELS / model).read_bytes()
+            done = run("certify", "--json", "-", "--format", model[-3:], "-", input=data, text=False)
+            file = support.json.loads(done.stdout)["files"][0]
+            named = support.only_file(MODELS / model)
+            self.assertEqual((file["path"], file["sha256"], file["verdict"]), ("-", named["sha256"], named["verdict"]))
+            self.assertEqual(file["certificate"], named["certificate"])
+
+    def test_a_certificate_of_standard_input_can_be_kept(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            certificate = os.path.join(folder, "c")
+            run("certify", "--format", "off", "-", "--certificate", certificate, input=VALID.read_text())
+            done = run(VALID, certificate, program=BIN / "veritope-check")
+            self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_bad_model_from_standard_input_names_the_line(self):
+        done = run("certify", "--format", "off", "-", input="OFF\nx\n")
+        self.assertEqual(done.returncode, 4)
+        self.assertRegex(done.stdout, r"^UNREADABLE  standard input  line 2: ")
+
+    def test_names_that_look_like_options_are_files_behind_two_hyphens(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            support.shutil.copy(VALID, os.path.join(folder, "--odd.off"))
+            done = run("certify", "-q", "--", "--odd.off", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("(checked)", done.stdout)
+
+
+class Limits(Folder):
+    def assert_limit(self, path, flag, limit):
+        """`limit` is enough, one less is refused with the flag's name."""
+        self.assertEqual(run("certify", "-q", flag, limit, path).returncode, 0, flag)
+        done = run("certify", "--json", "-", flag, limit - 1, path)
+        error = support.json.loads(done.stdout)["files"][0]["error"]
+        self.assertEqual((done.returncode, error["code"]), (4, "over-limit"), flag)
+        self.assertIn(f"{flag} {limit - 1}", error["message"])
+
+    def test_each_limit_holds_at_n_and_refuses_at_n_plus_1(self):
+        self.assert_limit(VALID, "--max-bytes", VALID.stat().st_size)
+        for model, faces in [("valid_frame.off", 32), ("valid_strip.ply", 4), ("valid_capitals.stl", 4), ("valid_solid_header.stl", 4),
+                             ("valid_quads_crlf.obj", 12), ("valid_big_endian.ply", 12)]:
+            self.assert_limit(MODELS / model, "--max-faces", faces)
+        number = self.folder / "number.off"
+        number.write_text(VALID.read_text().replace("\n1 0 0", "\n1.2500e-07 0 0", 1))
+        self.assert_limit(number, "--max-digits", 5)
+        self.assert_limit(number, "--max-exponent", 7)
+
+    def test_the_byte_limit_holds_for_standard_input(self):
+        text = VALID.read_text()
+        for limit, status in [(len(text), 0), (len(text) - 1, 4)]:
+            done = run("certify", "-q", "--format", "off", "--max-bytes", limit, "-", input=text)
+            self.assertEqual(done.returncode, status)
+
+    def test_the_limits_hold_for_info_and_convert_too(self):
+        self.assertEqual(run("info", "--max-faces", 3, VALID).returncode, 4)
+        self.assertEqual(run("convert", "--max-faces", 3, VALID, self.folder / "x.off").returncode, 4)
+        self.assertEqual(self.listing(), [])
+
+    def test_max_defects_lists_so_many_and_counts_all(self):
+        model = MODELS / "m2_copied_face.off"  # one M2, three M4, one M7
+        for most, listed in [(0, []), (1, ["M2"]), (2, ["M2", "M4"]), (3, ["M2", "M4", "M7"]), (4, ["M2", "M4", "M4", "M7"]),
+                             (100, ["M2", "M4", "M4", "M4", "M7"])]:
+            file = support.only_file("--max-defects", most, model)
+            self.assertEqual([defect["rule"] for defect in file["defects"]], listed)
+            self.assertEqual((file["defects_total"], file["certificate"]["checked"]), (5, True))
+        self.assertIn("... 2 more", run("certify", "--max-defects", 3, model).stdout)
+
+
+class Terminal(Folder):
+    def test_colours_only_on_a_terminal_and_unless_no_color(self):
+        self.assertNotIn("\033", run("certify", VALID).stdout)
+        environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
+        os.environ.pop("NO_COLOR", None)
+        self.assertIn("\033[1;32mVALID\033[0m", run_on_terminal("certify", VALID))
+        self.assertNotIn("\033[1", run_on_terminal("certify", VALID, environment={"NO_COLOR": "1"}))
+        self.assertNotIn("\033[1", run_on_terminal("certify", VALID, environment={"TERM": "dumb"}))
+        os.environ.update(environment)
+
+    def test_progress_shows_on_a_terminal_and_is_erased(self):
+        veritope = self.copy_programs("sleep 1; echo ACCEPT mesh-valid-1")
+        ours, theirs = pty.openpty()
+        done = subprocess.run([veritope, "certify", VALID], stdout=subprocess.PIPE, stderr=theirs, text=True)
+        os.close(theirs)
+        shown = os.read(ours, 65536).decode()
+        os.close(ours)
+        self.assertIn("m3_nearest_valid.off: checking, ", shown)
+        self.assertTrue(shown.endswith("\r\033[K"), shown)
+        self.assertNotIn("checking", done.stdout)
+
+    def test_nothing_shows_where_no_terminal_is(self):
+        veritope = self.copy_programs("sleep 1; echo ACCEPT mesh-valid-1")
+        self.assertEqual(run("certify", VALID, program=veritope).stderr, "")
+
+    def test_a_file_cannot_drive_the_terminal(self):
+        name = self.folder / "a\x1b[31m\nVALID  b.off"
+        name.write_bytes(b"")
+        done = run("certify", "-q", name)
+        self.assertEqual(done.stdout.count("\n"), 1)
+        self.assertNotIn("\x1b", done.stdout)
+
+
+class Explain(unittest.TestCase):
+    def test_every_rule_is_explained_on_one_screen(self):
+        listed = run("explain").stdout
+        for i in range(1, 10):
+            page = run("explain", f"M{i}")
+            self.assertEqual((page.returncode, page.stderr), (0, ""))
+            lines = page.stdout.rstrip("\n").split("\n")
+            self.assertLessEqual(len(lines), 24)
+            self.assertLessEqual(max(map(len, lines)), 80)
+            self.assertIn(lines[0], listed)
+            self.assertEqual(run("explain", f"m{i}").stdout, page.stdout)
+
+    def test_the_catalogue_has_a_page_for_each_with_the_same_picture_and_its_models(self):
+        for i in range(1, 10):
+            page = (support.ROOT / "docs" / "rules" / f"M{i}.md").read_text()
+            explained = run("explain", f"M{i}").stdout
+            name = explained.split("\n")[0].split("  ", 1)[1]
+            self.assertTrue(page.startswith(f"# M{i}: {name}\n"), f"M{i}")
+            picture = re.search(r"(?ms)^```\n(.*?)^```$", page)[1]
+            self.assertIn("".join(f"  {line}\n" for line in picture.splitlines()), explained)
+            for model in (f"m{i}_smallest.off", f"m{i}_nearest_valid.off"):
+                self.assertIn(f"(../../tests/models/{model})", page)
+
+    def test_a_certificate_is_explained_and_another_file_is_refused(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            for model, words in [("valid_nested_three.off", ["mesh-valid-1", "nesting rays: 3"]), ("m7_flat.off", ["mesh-invalid-1", "M7: faces"])]:
+                certificate = os.path.join(folder, "c")
+                run("certify", MODELS / model, "--certificate", certificate)
+                done = run("explain-certificate", certificate)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                for word in words:
+                    self.assertIn(word, done.stdout)
+            shorter = run("explain-certificate", "--max-items", "1", certificate).stdout
+            self.assertLess(len(shorter), len(done.stdout) + 1)
+        for path in (VALID, UNREADABLE, "/nonexistent"):
+            done = run("explain-certificate", path)
+            self.assertEqual((done.returncode, done.stdout), (4, ""))
+
+
+class Info(Folder):
+    def test_info_says_what_is_in_the_file(self):
+        done = run("info", MODELS / "valid_quads_crlf.obj")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for words in ("obj, ", "12 faces, 8 vertices", "6 cut into triangles", "1 mtllib lines", "(0, 0, 0) to (1, 1, 1)", "every format"):
+            self.assertIn(words, done.stdout)
+
+    def test_info_gives_no_verdict_and_reads_all_files(self):
+        done = run("info", INVALID, UNREADABLE, VALID)
+        self.assertEqual(done.returncode, 4)
+        self.assertNotIn("INVALID", done.stdout)
+        self.assertRegex(done.stdout, rf"(?m)^UNREADABLE  {UNREADABLE}  byte 0: the file is empty$")
+
+    def test_lossless_names_what_convert_writes(self):
+        names = {"stl-binary": "stl", "ply-binary-little-endian": "ply", "ply-binary-big-endian": "ply-be"}
+        for model in ("valid_frame.off", "valid_tiny.off", "m3_crack.stl"):
+            lossless = support.json.loads(run("info", "--json", "-", MODELS / model).stdout)["files"][0]["lossless"]
+            for variant in ("stl-binary", "stl-ascii", "obj", "ply-ascii", "ply-binary-little-endian", "ply-binary-big-endian", "off"):
+                done = run("convert", "--to", names.get(variant, variant), MODELS / model, self.folder / "x")
+                self.assertEqual(done.returncode == 0, variant in lossless, (model, variant))
+
+
+if __name__ == "__main__":
+    support.main()

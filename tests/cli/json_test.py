@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The JSON report: the schema holds, and holds tightly; keys in order; exact numbers; what the report says is true of the file."""
+import copy
+import decimal
+import json
+import math
+import unittest
+from fractions import Fraction
+
+import support
+from support import MODELS, ROOT, Folder, run
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
+
+
+def scientific(value, digits=17):
+    """The fraction with so many significant digits, rounded to nearest, ties to even."""
+    if value == 0:
+        return "0." + "0" * (digits - 1) + "e+00"
+    exponent = len(str(abs(value.numerator))) - len(str(value.denominator))
+    if abs(value) < Fraction(10) ** exponent:
+        exponent -= 1
+    whole = round(abs(value) / Fraction(10) ** (exponent - digits + 1))  # ties to even
+    if whole == 10**digits:
+        whole, exponent = whole // 10, exponent + 1
+    text = str(whole)
+    return f"{'-' if value < 0 else ''}{text[0]}.{text[1:]}e{exponent:+03d}"
+
+
+def key_order(schema, name):
+    return list(schema["$defs"][name]["properties"])
+
+
+class Schema(Folder):
+    @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
+    def setUp(self):
+        super().setUp()
+        self.validator = jsonschema.Draft202012Validator(SCHEMA)
+
+    def documents(self):
+        models = [path for path in sorted(MODELS.iterdir()) if path.name != "EXPECT.tsv"]
+        yield support.report(*models)
+        yield support.report("--as-indexed", "--no-check", "--max-defects", 0, *models)
+        yield support.report(MODELS / "valid_frame.off", "--certificate", self.folder / "c")
+        yield support.report(MODELS / "valid_frame.off", "--certificate", "/dev/full")
+        yield support.report(MODELS / "valid_frame.off", program=self.copy_programs("exit 1"))
+        yield json.loads(run("info", "--json", "-", *models).stdout)
+
+    def test_the_schema_is_a_schema_and_every_document_obeys_it(self):
+        self.validator.check_schema(SCHEMA)
+        for document in self.documents():
+            self.assertEqual([], [f"{e.json_path}: {e.message}" for e in self.validator.iter_errors(document)])
+
+    def test_every_key_is_required_and_no_other_is_allowed(self):
+        document = support.report(MODELS / "m2_copied_face.off", MODELS / "valid_frame.off", MODELS / "unreadable_index.off")
+
+        def objects(value, path):
+            if isinstance(value, dict):
+                yield path
+                for key, inner in value.items():
+                    yield from objects(inner, path + [key])
+            elif isinstance(value, list):
+                for i, inner in enumerate(value[:1]):
+                    yield from objects(inner, path + [i])
+
+        def at(value, path):
+            for step in path:
+                value = value[step]
+            return value
+
+        for path in objects(document, []):
+            spoilt = copy.deepcopy(document)
+            at(spoilt, path)["extra"] = 1
+            self.assertFalse(self.validator.is_valid(spoilt), f"an extra key in {path}")
+            for key in at(document, path):
+                spoilt = copy.deepcopy(document)
+                del at(spoilt, path)[key]
+                self.assertFalse(self.validator.is_valid(spoilt), f"{path} without {key}")
+
+    def test_wrong_values_are_refused(self):
+        document = support.report(MODELS / "m2_copied_face.off")
+        for path, value in [(["verdict"], "FINE"), (["exit"], 2), (["sha256"], "0"), (["counts", "faces"], -1), (["counts", "faces"], "5"),
+                            (["defects", 0, "rule"], "M10"), (["defects", 0, "point", "exact", 0], "0"), (["format"], "step")]:
+            spoilt = copy.deepcopy(document)
+            place = spoilt["files"][0]
+            for step in path[:-1]:
+                place = place[step]
+            place[path[-1]] = value
+            self.assertFalse(self.validator.is_valid(spoilt), path)
+
+
+class Values(Folder):
+    def test_keys_stand_in_the_order_of_the_schema(self):
+        def check(value, name):
+            self.assertEqual(list(value), key_order(SCHEMA, name))
+        for document, kind, file_kind in [(support.report(MODELS / "m9_smallest.off", MODELS / "unreadable_nan.stl"), "report", "file"),
+                                          (json.loads(run("info", "--json", "-", MODELS / "valid_strip.ply").stdout), "info", "info_file")]:
+            check(document, kind)
+            for file in document["files"]:
+                check(file, file_kind)
+                self.assertEqual(list(file["counts"]), list(SCHEMA["$defs"][file_kind]["properties"]["counts"]["properties"]))
+                for defect in file.get("defects", []):
+                    check(defect, "defect")
+                for shell in file.get("shells", []):
+                    check(shell, "shell")
+
+    def test_the_decimal_volume_is_the_exact_one_correctly_rounded(self):
+        for file in support.report("--no-check", *MODELS.glob("[mv]*.*"))["files"]:
+            for volume in [file["volume"], *(shell["volume"] for shell in file["shells"])]:
+                if volume is not None:
+                    p, q = map(int, volume["exact"].split("/"))
+                    self.assertEqual(math.gcd(p, q), 1)
+                    self.assertEqual(volume["decimal"], scientific(Fraction(p, q)), file["path"])
+
+    def test_the_rounding_of_the_decimal_volume_at_ties_and_carries(self):
+        model = self.folder / "m.obj"
+        for scale in ["6", "0.6", "1", "3e-162", "1e150", "6.0000000000000005e10", "599.99999999999995", "6e300", "5e-324", "0.1875"]:
+            model.write_text(f"v 0 0 0\nv {scale} 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+            volume = support.only_file(model)["volume"]
+            exact = Fraction(float(scale)) / 6
+            self.assertEqual(volume, {"exact": f"{exact.numerator}/{exact.denominator}", "decimal": scientific(exact)})
+        # 2^57 + 2^3 = 144115188075855880 has 18 digits and ends in 0; halves of such numbers are ties.
+        for number in (2**57 + 8, 10**17 + 5, 10**17 + 15, 10**18 - 5):
+            model.write_text(f"v 0 0 0\nv 6 0 0\nv 0 1 0\nv 0 0 {number}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+            self.assertEqual(support.only_file(model)["volume"]["decimal"], scientific(Fraction(float(number))))
+
+    def test_points_are_fractions_and_the_nearest_doubles(self):
+        for file in support.report("--no-check", *MODELS.glob("m*.*"))["files"]:
+            for defect in file["defects"]:
+                point = defect["point"]
+                self.assertEqual(point["decimal"], [float(Fraction(c)) for c in point["exact"]])
+
+    def test_floats_read_back_as_the_same_numbers(self):
+        model = self.folder / "m.off"
+        numbers = ["0.1", "1.7976931348623157e308", "5e-324"]
+        model.write_text(f"OFF 4 4\n0 0 0\n{numbers[0]} 0 0\n0 {numbers[1]} 0\n0 0 {numbers[2]}\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        text = run("certify", "--json", "-", model).stdout
+        self.assertEqual(json.loads(text)["files"][0]["bbox"]["max"], [float(n) for n in numbers])
+        longest = max(len(str(decimal.Decimal(n).normalize())) for n in numbers)
+        self.assertLess(max(len(part) for part in text.split('"max":[')[1].split("]")[0].split(",")), longest + 4)
+
+    def test_defects_name_the_right_places(self):
+        defects = {d["rule"]: d for d in support.only_file(MODELS / "m2_copied_face.off")["defects"]}
+        self.assertEqual((defects["M2"]["faces"], sorted(defects["M2"]["vertices"])), ([3, 4], [1, 2, 3]))
+        self.assertEqual(sorted(defects["M4"]["faces"])[-2:], [3, 4])
+        touch = support.only_file(MODELS / "m7_touching_point.off")["defects"]
+        for defect in touch:
+            self.assertEqual((defect["point"]["exact"], defect["size"]), (["1/1", "1/1", "0/1"], 0))
+        edge = support.only_file(MODELS / "m4_touching_edge.off")["defects"][0]
+        self.assertEqual((len(edge["faces"]), edge["point"]["exact"], edge["size"]), (4, ["0/1", "0/1", "1/2"], 1))
+
+    def test_polygons_are_those_of_the_file(self):
+        model = self.folder / "m.off"
+        model.write_text((MODELS / "valid_quads.off").read_text().replace("4 0 2 3 1", "4 0 2 3 1").replace("4 1 3 7 5\n", "").replace(" 6 0", " 5 0"))
+        file = support.only_file(model)
+        self.assertEqual((file["counts"]["faces"], file["rules"]["M3"], file["counts"]["polygons_split"]), (10, 4, 5))
+        for defect in file["defects"]:
+            self.assertEqual(defect["polygons"], [face // 2 for face in defect["faces"]])
+
+    def test_a_name_that_is_no_utf_8_is_reported(self):
+        name = bytes(self.folder) + b"/\xff.off"
+        support.shutil.copy(support.VALID, name)
+        done = support.subprocess.run([support.BIN / "veritope", "certify", "--json", "-", name], capture_output=True)
+        self.assertTrue(json.loads(done.stdout)["files"][0]["path"].endswith("/\ufffd.off"))
+
+    def test_what_is_ignored_is_counted(self):
+        ignored = support.only_file(MODELS / "valid_quads_crlf.obj")["ignored"]
+        self.assertIn({"what": "vn lines", "count": 1}, ignored)
+
+    def test_every_shell_is_described(self):
+        file = support.only_file(MODELS / "valid_nested_three.off")
+        self.assertEqual([(s["depth"], s["outward"], s["genus"], s["euler"]) for s in file["shells"]],
+                         [(0, True, 0, 2), (1, False, 0, 2), (2, True, 0, 2)])
+        total = sum(Fraction(shell["volume"]["exact"]) for shell in file["shells"])
+        self.assertEqual(total, Fraction(file["volume"]["exact"]))
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,14 @@
+# Tests of the command line: each runs the programs. veritope_cli_test(NAME LABEL): tests/cli/NAME_test.py
+function(veritope_cli_test name label)
+  add_test(NAME cli_${name} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/${name}_test.py")
+  set_tests_properties(cli_${name} PROPERTIES LABELS "${label};cli" TIMEOUT 600 ENVIRONMENT
+    "PYTHONDONTWRITEBYTECODE=1;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};VERITOPE_SANITIZE=${VERITOPE_SANITIZE}")
+endfunction()
+
+veritope_cli_test(models quick)
+veritope_cli_test(command_line quick)
+veritope_cli_test(json quick)
+veritope_cli_test(certificates quick)
+veritope_cli_test(convert quick)
+veritope_cli_test(interruption quick)
+veritope_cli_test(manifest full)

@@ -6,7 +6,7 @@
 
 namespace veritope::internal {
 
-Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
+Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
   std::array<FixedInt<1>, 3> d;
   std::array<FixedInt<1>, 6> v;
   if (!to_lattice<3>({direction.x, direction.y, direction.z}, d) ||
@@ -20,7 +20,7 @@ Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d&
                       .sign());
 }
 
-Sign3 compare_along_interval(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
+Sign3 compare_along_interval(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
   const ScopedUpward upward;
   return formulas::CompareAlong<Interval>(Interval(direction.x), Interval(direction.y),
                                           Interval(direction.z), Interval(p.x), Interval(p.y),
@@ -29,7 +29,7 @@ Sign3 compare_along_interval(const Vec3d& direction, const Vec3d& p, const Vec3d
       .sign();
 }
 
-Sign compare_along_exact(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
+Sign compare_along_exact(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
   const auto d = to_integers<3>({direction.x, direction.y, direction.z});
   const auto v = to_integers<6>({p.x, p.y, p.z, q.x, q.y, q.z});
   return formulas::CompareAlong<Integer>(d[0], d[1], d[2], v[0], v[1], v[2], v[3], v[4], v[5])
@@ -38,7 +38,7 @@ Sign compare_along_exact(const Vec3d& direction, const Vec3d& p, const Vec3d& q)
 }
 
 Sign compare_along_after_filter(const Vec3d& direction, const Vec3d& p, const Vec3d& q,
-                                TierCounts* tally) {
+                                TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return compare_along_lattice(direction, p, q); },
       [&] { return compare_along_interval(direction, p, q); },

@@ -20,11 +20,11 @@ Sign3 on_lattice(const std::array<double, 8>& c) {
 
 }  // namespace
 
-Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
   return on_lattice<1>(coordinates(a, b, c, d));
 }
 
-Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
   const ScopedUpward upward;
   return formulas::InCircle<Interval>(Interval(a.x), Interval(a.y), Interval(b.x), Interval(b.y),
                                       Interval(c.x), Interval(c.y), Interval(d.x), Interval(d.y))
@@ -32,17 +32,17 @@ Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
       .sign();
 }
 
-Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
   const Sign3 s = on_lattice<2>(coordinates(a, b, c, d));
   return is_certain(s) ? to_sign(s) : in_circle_integer(a, b, c, d);
 }
 
-Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
   const auto v = to_integers<8>(coordinates(a, b, c, d));
   return formulas::InCircle<Integer>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]).det().sign();
 }
 
-Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) {
+Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return in_circle_lattice(a, b, c, d); },
       [&] { return in_circle_interval(a, b, c, d); }, [&] { return in_circle_exact(a, b, c, d); });

@@ -18,30 +18,30 @@ namespace veritope {
 ///   (2) it does not change when all points move by the same vector exactly, or are scaled by one power of two;
 ///   (3) it is zero iff two of the points coincide or all four lie on one circle or one line.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
-Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr);
+Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
 /// Bound    |det - exact| <= (10u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
 /// Derived  docs/bounds/in_circle.md, and again in tests/predicates/in_circle_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
+Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
 
 namespace internal {
 inline constexpr double kInCircleRel = 0x1.400000000000cp-50;
 inline constexpr double kInCircleEta = 0x1p-900;
 inline constexpr double kInCircleAbs = 0x1p-900;
 
-Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
-Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
-Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d);    // two limbs, else in_circle_integer
-Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d);  // any exponents
-Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally);
+Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
+Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
+Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;    // two limbs, else in_circle_integer
+Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;  // any exponents
+Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
 
-inline Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+inline Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
   const formulas::InCircle<double> f(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
   const double det = f.det();
   const double bound = internal::kInCircleRel * f.magnitude([](double v) { return std::abs(v); }) +
@@ -51,7 +51,7 @@ inline Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) {
+inline Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return in_circle_filter(a, b, c, d); },
       [&](TierCounts* t) { return internal::in_circle_after_filter(a, b, c, d, t); });

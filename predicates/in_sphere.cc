@@ -28,11 +28,11 @@ formulas::InSphere<T> formula(const std::array<T, 15>& v) {
 
 }  // namespace
 
-Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
   return on_lattice<1>(coordinates(a, b, c, d, e));
 }
 
-Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
   const Coordinates v = coordinates(a, b, c, d, e);
   std::array<Interval, 15> w;
   for (int i = 0; i < 15; ++i) w[i] = Interval(v[i]);
@@ -40,17 +40,17 @@ Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
   return formula<Interval>(w).det().sign();
 }
 
-Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
   const Sign3 s = on_lattice<2>(coordinates(a, b, c, d, e));
   return is_certain(s) ? to_sign(s) : in_sphere_integer(a, b, c, d, e);
 }
 
-Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
   return formula<Integer>(to_integers<15>(coordinates(a, b, c, d, e))).det().sign();
 }
 
 Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
-                            const Vec3d& e, TierCounts* tally) {
+                            const Vec3d& e, TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return in_sphere_lattice(a, b, c, d, e); },
       [&] { return in_sphere_interval(a, b, c, d, e); },

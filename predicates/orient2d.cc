@@ -17,12 +17,12 @@ Sign3 on_lattice(Vec2d a, Vec2d b, Vec2d c) {
 
 }  // namespace
 
-Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) {
+Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) noexcept {
   if (same_bits(a.x, b.x, c.x) || same_bits(a.y, b.y, c.y)) return Sign3::kZero;
   return on_lattice<1>(a, b, c);
 }
 
-Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) {
+Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) noexcept {
   const ScopedUpward upward;
   return formulas::Orient2d<Interval>(Interval(a.x), Interval(a.y), Interval(b.x), Interval(b.y),
                                       Interval(c.x), Interval(c.y))
@@ -30,18 +30,18 @@ Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) {
       .sign();
 }
 
-Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c) {
+Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c) noexcept {
   const Sign3 s = on_lattice<2>(a, b, c);
   return is_certain(s) ? to_sign(s) : orient2d_integer(a, b, c);
 }
 
-Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) {
+Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) noexcept {
   const auto x = to_integers<3>({a.x, b.x, c.x});
   const auto y = to_integers<3>({a.y, b.y, c.y});
   return formulas::Orient2d<Integer>(x[0], y[0], x[1], y[1], x[2], y[2]).det().sign();
 }
 
-Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) {
+Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return orient2d_lattice(a, b, c); },
       [&] { return orient2d_interval(a, b, c); }, [&] { return orient2d_exact(a, b, c); });

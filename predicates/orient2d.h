@@ -17,29 +17,29 @@ namespace veritope {
 ///   (1) swapping two points negates it; a cyclic shift keeps it;
 ///   (2) it does not change when all points move by the same vector exactly, nor when one axis is scaled by a power of two.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
-Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr);
+Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
 /// Bound    |left - right - exact| <= (3u + O(u^2)) S + underflow, S = |left| + |right|, u = 2^-53.
 /// Derived  docs/bounds/orient2d.md, and again in tests/predicates/orient2d_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c);
+Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) noexcept;
 
 namespace internal {
 inline constexpr double kOrient2dRel = 0x1.8000000000007p-52;
 inline constexpr double kOrient2dAbs = 0x1p-960;
 
-Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c);
-Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c);
-Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c);    // two limbs, else orient2d_integer
-Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c);  // any exponents
-Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally);
+Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) noexcept;
+Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) noexcept;
+Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c) noexcept;    // two limbs, else orient2d_integer
+Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) noexcept;  // any exponents
+Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
 
-inline Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) {
+inline Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) noexcept {
   const formulas::Orient2d<double> f(a.x, a.y, b.x, b.y, c.x, c.y);
   const double det = f.det();
   const double bound = internal::kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) +
@@ -49,7 +49,7 @@ inline Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) {
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) {
+inline Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return orient2d_filter(a, b, c); },
       [&](TierCounts* t) { return internal::orient2d_after_filter(a, b, c, t); });

@@ -18,20 +18,20 @@ namespace veritope {
 ///   (2) it does not change when all points move by the same vector exactly, nor when one axis is scaled by a power of two.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
-              TierCounts* tally = nullptr);
+              TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
 /// Bound    |det - exact| <= (7u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
 /// Derived  docs/bounds/orient3d.md, and again in tests/predicates/orient3d_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 
 /// The same filter, bit for bit, for one plane and many points d: the products of a, b, c are kept.
 class Orient3dPlaneFilter {
  public:
-  Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c);
-  Sign3 operator()(const Vec3d& d) const;
+  Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
+  Sign3 operator()(const Vec3d& d) const noexcept;
 
  private:
   formulas::Plane3<double> plane_;
@@ -42,21 +42,21 @@ inline constexpr double kOrient3dRel = 0x1.c00000000000dp-51;
 inline constexpr double kOrient3dEta = 0x1p-900;
 inline constexpr double kOrient3dAbs = 0x1p-960;
 
-Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
-Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
+Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 // Two limbs, else orient3d_integer, which takes any exponents.
-Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
-Sign orient3d_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
+Sign orient3d_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 Sign orient3d_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
-                           TierCounts* tally);
+                           TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
 
-inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c)
+inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept
     : plane_(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z) {}
 
-inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const {
+inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const noexcept {
   const auto abs = [](double v) { return std::abs(v); };
   const double wx = d.x - plane_.ax, wy = d.y - plane_.ay, wz = d.z - plane_.az;
   const double det = plane_.det(wx, wy, wz);
@@ -67,12 +67,12 @@ inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const {
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
   return Orient3dPlaneFilter(a, b, c)(d);
 }
 
 inline Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
-                     TierCounts* tally) {
+                     TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return orient3d_filter(a, b, c, d); },
       [&](TierCounts* t) { return internal::orient3d_after_filter(a, b, c, d, t); });

@@ -17,10 +17,10 @@ struct Projection {
   Sign sign;  ///< of orient2d of the three projected points
 };
 /// REQUIRES finite coordinates.
-Projection projection_of(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+Projection projection_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
 
 /// Do a, b, c lie on one line (or point)? Exact. REQUIRES finite coordinates.
-inline bool collinear(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+inline bool collinear(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
   return projection_of(a, b, c).sign == Sign::kZero;
 }
 

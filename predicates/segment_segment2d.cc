@@ -23,7 +23,7 @@ SegmentContact on_one_line(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1) {
 
 }  // namespace
 
-SegmentContact segment_segment2d(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1, TierCounts* tally) {
+SegmentContact segment_segment2d(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1, TierCounts* tally) noexcept {
   const Sign a = orient2d(p0, p1, q0, tally), b = orient2d(p0, p1, q1, tally);
   if (a * b == Sign::kPositive) return SegmentContact::kDisjoint;
   const Sign c = orient2d(q0, q1, p0, tally), d = orient2d(q0, q1, p1, tally);

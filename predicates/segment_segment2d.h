@@ -19,6 +19,6 @@ enum class SegmentContact : std::uint8_t {
 
 /// The exact classification of the segments p0 p1 and q0 q1. Symmetric under swapping the segments and the ends of each.
 /// REQUIRES finite coordinates.
-SegmentContact segment_segment2d(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1, TierCounts* tally = nullptr);
+SegmentContact segment_segment2d(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1, TierCounts* tally = nullptr) noexcept;
 
 }  // namespace veritope

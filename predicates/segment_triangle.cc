@@ -62,21 +62,20 @@ class InPlane {
     }
     for (int i = 0; i < 3; ++i) {
       if (over_line[i] == Sign::kZero && over_line[next(i)] == over_line[previous(i)]) {
-        return {Kind::kVertex, i, t_[i] == p_ || t_[i] == q_};
+        return {Kind::kVertex, i, false};  // an end there would be weakly outside an edge
       }
     }
     return {Kind::kOverlap, 0, false};
   }
 
  private:
-  // The segment lies on the line of the edge from corner i.
+  // The segment lies on the line of the edge from corner i, and meets it: no other edge separated them.
   Contact along_edge(int i) const {
     const auto before = [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
     Vec2d p = p_, q = q_, a = t_[i], b = t_[next(i)];
     if (before(q, p)) std::swap(p, q);
     const bool turned = before(b, a);
     if (turned) std::swap(a, b);
-    if (before(q, a) || before(b, p)) return {};
     if (q == a) return {Kind::kVertex, turned ? next(i) : i, true};
     if (b == p) return {Kind::kVertex, turned ? i : next(i), true};
     return {Kind::kOverlap, 0, false};
@@ -93,7 +92,7 @@ class InPlane {
 }  // namespace
 
 SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q, const std::array<Vec3d, 3>& t,
-                                        TierCounts* tally) {
+                                        TierCounts* tally) noexcept {
   const Sign sp = orient3d(t[0], t[1], t[2], p, tally), sq = orient3d(t[0], t[1], t[2], q, tally);
   if (sp * sq == Sign::kPositive) return {};
   if (sp == Sign::kZero && sq == Sign::kZero) return InPlane(p, q, t, tally).contact();

@@ -28,6 +28,6 @@ struct SegmentTriangleContact {
 /// The exact classification of the segment p q and the triangle t. The segment may be a point, which counts as its end.
 /// REQUIRES finite coordinates and a non-degenerate triangle.
 SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q, const std::array<Vec3d, 3>& t,
-                                        TierCounts* tally = nullptr);
+                                        TierCounts* tally = nullptr) noexcept;
 
 }  // namespace veritope

@@ -15,7 +15,7 @@ std::array<double, 4> right(const Vec3d& p) { return {p.x, p.y, p.z, 1}; }
 
 }  // namespace
 
-Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) {
+Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
   std::array<FixedInt<1>, 4> a, b;
   if (!to_lattice<4>(left(plane), a) || !to_lattice<4>(right(p), b)) return Sign3::kUncertain;
   static_assert(bits_of_sum(4, bits_of_product(lattice_bits(1), lattice_bits(1))) < FixedInt<2>::kBits);
@@ -24,7 +24,7 @@ Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) {
                       .sign());
 }
 
-Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) {
+Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
   const ScopedUpward upward;
   return formulas::SideOfPlane<Interval>(Interval(plane.normal.x), Interval(plane.normal.y),
                                          Interval(plane.normal.z), Interval(plane.offset),
@@ -33,7 +33,7 @@ Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) {
       .sign();
 }
 
-Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) {
+Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
   const auto a = to_integers<4>(left(plane));
   const auto b = to_integers<4>(right(p));
   Integer sum;
@@ -41,7 +41,7 @@ Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) {
   return sum.sign();
 }
 
-Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) {
+Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return side_of_plane_lattice(plane, p); },
       [&] { return side_of_plane_interval(plane, p); },

@@ -20,28 +20,28 @@ struct PlaneCoefficients {
 
 /// The exact sign of normal . p + offset; positive on the side that the normal points to. Negating all coefficients negates it.
 /// REQUIRES finite numbers; all are allowed.
-Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally = nullptr);
+Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
 /// Bound    |det - exact| <= (3u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
 /// Derived  docs/bounds/side_of_plane.md, and again in tests/predicates/side_of_plane_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p);
+Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
 
 namespace internal {
 inline constexpr double kSideOfPlaneRel = 0x1.8000000000007p-52;
 inline constexpr double kSideOfPlaneAbs = 0x1p-960;
 
-Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p);
-Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p);
-Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p);
-Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally);
+Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
+Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
+Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
+Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
 
-inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) {
+inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
   const formulas::SideOfPlane<double> f(plane.normal.x, plane.normal.y, plane.normal.z, plane.offset,
                                         p.x, p.y, p.z);
   const double det = f.det();
@@ -52,7 +52,7 @@ inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) {
+inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return side_of_plane_filter(plane, p); },
       [&](TierCounts* t) { return internal::side_of_plane_after_filter(plane, p, t); });

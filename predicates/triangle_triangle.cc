@@ -105,12 +105,12 @@ bool angle_contains(const Corners& c, const Vec3d& p, const PlaneView& view) {
 }
 
 // t[0] = u[0] is the common vertex. Near it both triangles are angles, and convex: they meet elsewhere iff the angles share a ray; two
-// closed arcs shorter than a half turn share a direction iff an end of one lies in the other.
+// closed arcs shorter than a half turn share a direction iff an end of v lies in t, or t lies in v with both its ends.
 Contact coplanar_shared_vertex(const Corners& t, const Corners& u, TierCounts* tally) {
   const PlaneView view(t, tally);
   const Corners v = counter_clockwise(u, view);
   return angle_contains(t, *v[1], view) || angle_contains(t, *v[2], view) ||
-                 angle_contains(v, *t[1], view) || angle_contains(v, *t[2], view)
+                 angle_contains(v, *t[1], view)
              ? Contact::kCoplanarOverlap
              : Contact::kSharedVertex;
 }
@@ -173,7 +173,7 @@ Contact shared_edge(const IndexedTriangle& a, int i, const IndexedTriangle& b, i
 }  // namespace
 
 TriangleContact triangle_triangle(const IndexedTriangle& t, const IndexedTriangle& u,
-                                  TierCounts* tally) {
+                                  TierCounts* tally) noexcept {
   int common = 0, t_sum = 0, u_sum = 0;  // of the numbers of the common corners
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

@@ -37,6 +37,6 @@ constexpr bool is_proper(TriangleContact c) {
 /// REQUIRES finite coordinates; both triangles non-degenerate (not collinear); the ids of one triangle distinct; equal ids have equal
 /// coordinates. `tally` counts the tiers of the orientations asked for.
 TriangleContact triangle_triangle(const IndexedTriangle& t, const IndexedTriangle& u,
-                                  TierCounts* tally = nullptr);
+                                  TierCounts* tally = nullptr) noexcept;
 
 }  // namespace veritope

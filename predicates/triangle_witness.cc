@@ -66,7 +66,8 @@ std::array<Point, 2> section_ends(const Corners& t, const std::array<Rational, 3
 }
 
 // The two segments on the line of the planes, intersected.
-std::vector<Point> transversal(const Corners& t, const Corners& u, const Point& nt, const Point& nu) {
+std::vector<Point> transversal(const Corners& t, const Corners& u) {
+  const Point nt = normal(t), nu = normal(u);
   std::array<Rational, 3> ht, hu;
   for (int i = 0; i < 3; ++i) ht[i] = dot(nu, t[i] - u[0]), hu[i] = dot(nt, u[i] - t[0]);
   const std::array<Point, 2> on_t = section_ends(t, ht);
@@ -76,7 +77,9 @@ std::vector<Point> transversal(const Corners& t, const Corners& u, const Point& 
   const Point& first = precedes(on_t[0], u_first) ? u_first : on_t[0];
   const Point& last = precedes(on_t[1], u_last) ? on_t[1] : u_last;
   VT_CHECK(!precedes(last, first), "the triangles do not meet");
-  return {first, last};
+  std::vector<Point> ends(1, first);
+  ends.push_back(last);
+  return ends;
 }
 
 // Twice the signed area of three points seen along an axis.
@@ -131,8 +134,13 @@ TriangleWitness triangle_witness(const IndexedTriangle& t, const IndexedTriangle
   const Corners a = corners(t), b = corners(u);
   const Projection t_view = projection_of(t.point[0], t.point[1], t.point[2]);
   const Projection u_view = projection_of(u.point[0], u.point[1], u.point[2]);
-  const Extent e = extent(contact == TriangleContact::kImproper ? transversal(a, b, normal(a), normal(b))
-                                                                : coplanar(a, b, u_view));
+  std::vector<Point> meet;
+  if (contact == TriangleContact::kImproper) {
+    meet = transversal(a, b);
+  } else {
+    meet = coplanar(a, b, u_view);
+  }
+  const Extent e = extent(meet);
   return {weights(e.mean, a, t_view.axis), weights(e.mean, b, u_view.axis), e.mean, e.squared};
 }
 

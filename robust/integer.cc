@@ -18,16 +18,16 @@ mpz_ptr z(Integer& a) { return std::launder(static_cast<mpz_ptr>(a.gmp())); }
 mpz_srcptr z(const Integer& a) { return std::launder(static_cast<mpz_srcptr>(a.gmp())); }
 }  // namespace
 
-Integer::Integer() {
+Integer::Integer() noexcept {
   ::new (static_cast<void*>(storage_)) __mpz_struct;
   mpz_init(z(*this));
 }
-Integer::Integer(const Integer& other) {
+Integer::Integer(const Integer& other) noexcept {
   ::new (static_cast<void*>(storage_)) __mpz_struct;
   mpz_init_set(z(*this), z(other));
 }
 Integer::Integer(Integer&& other) noexcept : Integer() { mpz_swap(z(*this), z(other)); }
-Integer& Integer::operator=(const Integer& other) {
+Integer& Integer::operator=(const Integer& other) noexcept {
   mpz_set(z(*this), z(other));
   return *this;
 }
@@ -37,10 +37,10 @@ Integer& Integer::operator=(Integer&& other) noexcept {
 }
 Integer::~Integer() { mpz_clear(z(*this)); }
 
-void Integer::set_signed(long long value) { mpz_set_si(z(*this), value); }
-void Integer::set_unsigned(unsigned long long value) { mpz_set_ui(z(*this), value); }
+void Integer::set_signed(long long value) noexcept { mpz_set_si(z(*this), value); }
+void Integer::set_unsigned(unsigned long long value) noexcept { mpz_set_ui(z(*this), value); }
 
-Integer Integer::from_limbs(const std::uint64_t* limbs, std::size_t count, bool negative) {
+Integer Integer::from_limbs(const std::uint64_t* limbs, std::size_t count, bool negative) noexcept {
   Integer r;
   mpz_import(z(r), count, -1, sizeof(std::uint64_t), 0, 0, limbs);
   if (negative) mpz_neg(z(r), z(r));
@@ -53,53 +53,53 @@ Integer Integer::from_decimal(std::string_view digits) {
   return r;
 }
 
-Integer& Integer::operator+=(const Integer& b) {
+Integer& Integer::operator+=(const Integer& b) noexcept {
   mpz_add(z(*this), z(*this), z(b));
   return *this;
 }
-Integer& Integer::operator-=(const Integer& b) {
+Integer& Integer::operator-=(const Integer& b) noexcept {
   mpz_sub(z(*this), z(*this), z(b));
   return *this;
 }
-Integer& Integer::operator*=(const Integer& b) {
+Integer& Integer::operator*=(const Integer& b) noexcept {
   mpz_mul(z(*this), z(*this), z(b));
   return *this;
 }
-Integer& Integer::negate() {
+Integer& Integer::negate() noexcept {
   mpz_neg(z(*this), z(*this));
   return *this;
 }
-Integer& Integer::add_product(const Integer& a, const Integer& b) {
+Integer& Integer::add_product(const Integer& a, const Integer& b) noexcept {
   mpz_addmul(z(*this), z(a), z(b));
   return *this;
 }
-Integer& Integer::subtract_product(const Integer& a, const Integer& b) {
+Integer& Integer::subtract_product(const Integer& a, const Integer& b) noexcept {
   mpz_submul(z(*this), z(a), z(b));
   return *this;
 }
-Integer& Integer::shift_left(std::uint64_t n) {
+Integer& Integer::shift_left(std::uint64_t n) noexcept {
   mpz_mul_2exp(z(*this), z(*this), n);
   return *this;
 }
-Integer& Integer::shift_right(std::uint64_t n) {
+Integer& Integer::shift_right(std::uint64_t n) noexcept {
   mpz_fdiv_q_2exp(z(*this), z(*this), n);
   return *this;
 }
 
-int Integer::compare(const Integer& a, const Integer& b) { return mpz_cmp(z(a), z(b)); }
-Sign Integer::sign() const { return static_cast<Sign>(mpz_sgn(z(*this))); }
-std::uint64_t Integer::bit_length() const { return is_zero() ? 0 : mpz_sizeinbase(z(*this), 2); }
+int Integer::compare(const Integer& a, const Integer& b) noexcept { return mpz_cmp(z(a), z(b)); }
+Sign Integer::sign() const noexcept { return static_cast<Sign>(mpz_sgn(z(*this))); }
+std::uint64_t Integer::bit_length() const noexcept { return is_zero() ? 0 : mpz_sizeinbase(z(*this), 2); }
 std::uint64_t Integer::trailing_zeros() const {
   VT_CHECK(!is_zero(), "trailing_zeros of zero");
   return mpz_scan1(z(*this), 0);  // the same in two's complement and in |this|
 }
-bool Integer::fits_int64() const { return mpz_fits_slong_p(z(*this)) != 0; }
+bool Integer::fits_int64() const noexcept { return mpz_fits_slong_p(z(*this)) != 0; }
 std::int64_t Integer::to_int64() const {
   VT_CHECK(fits_int64(), "the integer is outside int64");
   return mpz_get_si(z(*this));
 }
-std::uint64_t Integer::low_bits() const { return mpz_get_ui(z(*this)); }
-bool Integer::test_bit(std::uint64_t n) const {
+std::uint64_t Integer::low_bits() const noexcept { return mpz_get_ui(z(*this)); }
+bool Integer::test_bit(std::uint64_t n) const noexcept {
   const std::uint64_t limb = mpz_getlimbn(z(*this), static_cast<mp_size_t>(n / 64));
   return (limb >> (n % 64) & 1) != 0;
 }
@@ -110,11 +110,11 @@ std::string Integer::to_string() const {
   return text;
 }
 
-Integer abs(Integer a) {
+Integer abs(Integer a) noexcept {
   mpz_abs(z(a), z(a));
   return a;
 }
-Integer gcd(const Integer& a, const Integer& b) {
+Integer gcd(const Integer& a, const Integer& b) noexcept {
   Integer r;
   mpz_gcd(z(r), z(a), z(b));
   return r;
@@ -131,7 +131,7 @@ Integer floor_divide(const Integer& a, const Integer& b) {
   mpz_fdiv_q(z(r), z(a), z(b));
   return r;
 }
-Integer power_of_two(std::uint64_t n) {
+Integer power_of_two(std::uint64_t n) noexcept {
   Integer r(1);
   return r.shift_left(n);
 }

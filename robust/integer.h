@@ -16,65 +16,65 @@ namespace veritope {
 template <typename T>
 concept BuiltinInteger = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= 8;
 
-/// A mathematical integer. Ring operations never fail; out of memory ends the program (GMP aborts).
+/// A mathematical integer. Ring operations never fail and never throw: when memory runs out, GMP ends the program.
 class Integer {
  public:
-  Integer();
+  Integer() noexcept;
   /// Exact from every built-in integer type, and from nothing else: a double does not convert.
   template <BuiltinInteger T>
-  Integer(T value) : Integer() {
+  Integer(T value) noexcept : Integer() {
     if constexpr (std::is_signed_v<T>) {
       set_signed(value);
     } else {
       set_unsigned(value);
     }
   }
-  Integer(const Integer& other);
+  Integer(const Integer& other) noexcept;
   Integer(Integer&& other) noexcept;
-  Integer& operator=(const Integer& other);
+  Integer& operator=(const Integer& other) noexcept;
   Integer& operator=(Integer&& other) noexcept;
   ~Integer();
 
   /// The integer sum of limbs[i] * 2^(64 i), limbs unsigned, negated if `negative`.
-  static Integer from_limbs(const std::uint64_t* limbs, std::size_t count, bool negative);
+  static Integer from_limbs(const std::uint64_t* limbs, std::size_t count, bool negative) noexcept;
   /// Decimal digits with an optional '-'. REQUIRES exactly that.
   static Integer from_decimal(std::string_view digits);
 
-  Integer& operator+=(const Integer& b);
-  Integer& operator-=(const Integer& b);
-  Integer& operator*=(const Integer& b);
-  friend Integer operator+(Integer a, const Integer& b) { return a += b; }
-  friend Integer operator-(Integer a, const Integer& b) { return a -= b; }
-  friend Integer operator*(Integer a, const Integer& b) { return a *= b; }
-  friend Integer operator-(Integer a) { return a.negate(); }
-  Integer& negate();
+  Integer& operator+=(const Integer& b) noexcept;
+  Integer& operator-=(const Integer& b) noexcept;
+  Integer& operator*=(const Integer& b) noexcept;
+  friend Integer operator+(Integer a, const Integer& b) noexcept { return a += b; }
+  friend Integer operator-(Integer a, const Integer& b) noexcept { return a -= b; }
+  friend Integer operator*(Integer a, const Integer& b) noexcept { return a *= b; }
+  friend Integer operator-(Integer a) noexcept { return a.negate(); }
+  Integer& negate() noexcept;
   /// *this += a * b and *this -= a * b, without a temporary.
-  Integer& add_product(const Integer& a, const Integer& b);
-  Integer& subtract_product(const Integer& a, const Integer& b);
+  Integer& add_product(const Integer& a, const Integer& b) noexcept;
+  Integer& subtract_product(const Integer& a, const Integer& b) noexcept;
 
   /// this * 2^n, exact.
-  Integer& shift_left(std::uint64_t n);
+  Integer& shift_left(std::uint64_t n) noexcept;
   /// floor(this / 2^n).
-  Integer& shift_right(std::uint64_t n);
+  Integer& shift_right(std::uint64_t n) noexcept;
 
-  friend bool operator==(const Integer& a, const Integer& b) { return compare(a, b) == 0; }
-  friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
+  friend bool operator==(const Integer& a, const Integer& b) noexcept { return compare(a, b) == 0; }
+  friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) noexcept {
     return compare(a, b) <=> 0;
   }
 
-  Sign sign() const;
-  bool is_zero() const { return sign() == Sign::kZero; }
+  Sign sign() const noexcept;
+  bool is_zero() const noexcept { return sign() == Sign::kZero; }
   /// Bits of |this|: 0 for 0, else floor(log2 |this|) + 1.
-  std::uint64_t bit_length() const;
+  std::uint64_t bit_length() const noexcept;
   /// Index of the lowest set bit of |this|. REQUIRES !is_zero().
   std::uint64_t trailing_zeros() const;
-  bool fits_int64() const;
+  bool fits_int64() const noexcept;
   /// REQUIRES fits_int64().
   std::int64_t to_int64() const;
   /// The low 64 bits of |this|.
-  std::uint64_t low_bits() const;
+  std::uint64_t low_bits() const noexcept;
   /// True iff bit n of |this| is set.
-  bool test_bit(std::uint64_t n) const;
+  bool test_bit(std::uint64_t n) const noexcept;
   /// "-12".
   std::string to_string() const;
 
@@ -83,23 +83,23 @@ class Integer {
   const void* gmp() const { return storage_; }
 
  private:
-  static int compare(const Integer& a, const Integer& b);
-  void set_signed(long long value);
-  void set_unsigned(unsigned long long value);
+  static int compare(const Integer& a, const Integer& b) noexcept;
+  void set_signed(long long value) noexcept;
+  void set_unsigned(unsigned long long value) noexcept;
 
   alignas(void*) unsigned char storage_[16];  // holds the mpz
 };
 
-Integer abs(Integer a);
+Integer abs(Integer a) noexcept;
 /// The greatest common divisor, >= 0; gcd(0, 0) = 0.
-Integer gcd(const Integer& a, const Integer& b);
+Integer gcd(const Integer& a, const Integer& b) noexcept;
 /// a / b when b divides a. REQUIRES b != 0 and that it does.
 Integer divide_exactly(const Integer& a, const Integer& b);
 /// floor(a / b). REQUIRES b != 0.
 Integer floor_divide(const Integer& a, const Integer& b);
 /// 2^n.
-Integer power_of_two(std::uint64_t n);
+Integer power_of_two(std::uint64_t n) noexcept;
 
-inline Sign sign_of(const Integer& a) { return a.sign(); }
+inline Sign sign_of(const Integer& a) noexcept { return a.sign(); }
 
 }  // namespace veritope

@@ -69,9 +69,7 @@ double with_sign(std::uint64_t magnitude, bool negative) {
 
 }  // namespace
 
-Rational::Rational(Integer numerator, Integer denominator)
-    : num_(std::move(numerator)), den_(std::move(denominator)) {
-  VT_CHECK(!den_.is_zero(), "zero denominator");
+Rational& Rational::canonicalise() noexcept {
   if (den_.sign() == Sign::kNegative) {
     num_.negate();
     den_.negate();
@@ -81,6 +79,13 @@ Rational::Rational(Integer numerator, Integer denominator)
     num_ = divide_exactly(num_, g);
     den_ = divide_exactly(den_, g);
   }
+  return *this;
+}
+
+Rational::Rational(Integer numerator, Integer denominator)
+    : num_(std::move(numerator)), den_(std::move(denominator)) {
+  VT_CHECK(!den_.is_zero(), "zero denominator");
+  canonicalise();
 }
 
 Rational Rational::from_double(double value) {
@@ -89,30 +94,36 @@ Rational Rational::from_double(double value) {
   return Rational(Integer(b.mantissa)) * power_of_two(b.exponent);
 }
 
-Rational Rational::power_of_two(std::int64_t n) {
+Rational Rational::power_of_two(std::int64_t n) noexcept {
   Rational r(1);
   (n >= 0 ? r.num_ : r.den_).shift_left(static_cast<std::uint64_t>(n >= 0 ? n : -n));
   return r;
 }
 
-Rational& Rational::operator+=(const Rational& b) {
-  return *this = Rational(num_ * b.den_ + b.num_ * den_, den_ * b.den_);
+Rational& Rational::operator+=(const Rational& b) noexcept {
+  num_ = num_ * b.den_ + b.num_ * den_;
+  den_ = den_ * b.den_;
+  return canonicalise();
 }
-Rational& Rational::operator-=(const Rational& b) {
-  return *this = Rational(num_ * b.den_ - b.num_ * den_, den_ * b.den_);
+Rational& Rational::operator-=(const Rational& b) noexcept {
+  num_ = num_ * b.den_ - b.num_ * den_;
+  den_ = den_ * b.den_;
+  return canonicalise();
 }
-Rational& Rational::operator*=(const Rational& b) {
-  return *this = Rational(num_ * b.num_, den_ * b.den_);
+Rational& Rational::operator*=(const Rational& b) noexcept {
+  num_ = num_ * b.num_;
+  den_ = den_ * b.den_;
+  return canonicalise();
 }
 Rational& Rational::operator/=(const Rational& b) {
   return *this = Rational(num_ * b.den_, den_ * b.num_);
 }
-Rational& Rational::negate() {
+Rational& Rational::negate() noexcept {
   num_.negate();
   return *this;
 }
 
-std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) noexcept {
   return a.num_ * b.den_ <=> b.num_ * a.den_;
 }
 
@@ -120,7 +131,7 @@ std::string Rational::to_string() const {
   return den_ == Integer(1) ? num_.to_string() : num_.to_string() + "/" + den_.to_string();
 }
 
-Rational abs(Rational a) { return a.sign() == Sign::kNegative ? -std::move(a) : a; }
+Rational abs(Rational a) noexcept { return a.sign() == Sign::kNegative ? -std::move(a) : a; }
 
 double nearest_double(const Rational& a) {
   return with_sign(rounded_magnitude(a, Direction::kNearest), a.sign() == Sign::kNegative);

@@ -13,49 +13,52 @@ namespace veritope {
 /// p / q with q > 0 and gcd(p, q) = 1; zero is 0 / 1.
 class Rational {
  public:
-  Rational() : den_(1) {}
+  Rational() noexcept : den_(1) {}
   /// Exact from an integer; a double is exact too, but must be asked for: from_double.
-  Rational(Integer numerator) : num_(std::move(numerator)), den_(1) {}
+  Rational(Integer numerator) noexcept : num_(std::move(numerator)), den_(1) {}
   template <BuiltinInteger T>
-  Rational(T numerator) : num_(numerator), den_(1) {}
+  Rational(T numerator) noexcept : num_(numerator), den_(1) {}
   /// REQUIRES denominator != 0; any sign.
   Rational(Integer numerator, Integer denominator);
   /// The exact value. REQUIRES a finite argument.
   static Rational from_double(double value);
   /// 2^n for n of either sign.
-  static Rational power_of_two(std::int64_t n);
+  static Rational power_of_two(std::int64_t n) noexcept;
 
-  const Integer& numerator() const { return num_; }
-  const Integer& denominator() const { return den_; }
+  const Integer& numerator() const noexcept { return num_; }
+  const Integer& denominator() const noexcept { return den_; }
 
-  Rational& operator+=(const Rational& b);
-  Rational& operator-=(const Rational& b);
-  Rational& operator*=(const Rational& b);
+  Rational& operator+=(const Rational& b) noexcept;
+  Rational& operator-=(const Rational& b) noexcept;
+  Rational& operator*=(const Rational& b) noexcept;
   /// REQUIRES b != 0.
   Rational& operator/=(const Rational& b);
-  friend Rational operator+(Rational a, const Rational& b) { return a += b; }
-  friend Rational operator-(Rational a, const Rational& b) { return a -= b; }
-  friend Rational operator*(Rational a, const Rational& b) { return a *= b; }
+  friend Rational operator+(Rational a, const Rational& b) noexcept { return a += b; }
+  friend Rational operator-(Rational a, const Rational& b) noexcept { return a -= b; }
+  friend Rational operator*(Rational a, const Rational& b) noexcept { return a *= b; }
   friend Rational operator/(Rational a, const Rational& b) { return a /= b; }
-  friend Rational operator-(Rational a) { return a.negate(); }
-  Rational& negate();
+  friend Rational operator-(Rational a) noexcept { return a.negate(); }
+  Rational& negate() noexcept;
 
-  friend bool operator==(const Rational& a, const Rational& b) {
+  friend bool operator==(const Rational& a, const Rational& b) noexcept {
     return a.num_ == b.num_ && a.den_ == b.den_;
   }
-  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) noexcept;
 
-  Sign sign() const { return num_.sign(); }
+  Sign sign() const noexcept { return num_.sign(); }
   /// "p/q", or "p" when q = 1.
   std::string to_string() const;
 
  private:
+  // Lowest terms, positive denominator. REQUIRES den_ != 0.
+  Rational& canonicalise() noexcept;
+
   Integer num_;
   Integer den_;
 };
 
-Rational abs(Rational a);
-inline Sign sign_of(const Rational& a) { return a.sign(); }
+Rational abs(Rational a) noexcept;
+inline Sign sign_of(const Rational& a) noexcept { return a.sign(); }
 
 /// The binary64 number next to `a`, ties to even; infinity from the overflow threshold on, as IEEE 754 rounds. Independent of the
 /// rounding mode.

@@ -83,6 +83,14 @@ TEST(SegmentTriangle, IsNotFooledByExtremeExponents) {
   EXPECT_EQ(segment_triangle({0, -huge, tiny}, {tiny, -huge, -tiny}, t), (SegmentTriangleContact{Kind::kEdge, 0, false}));
 }
 
+TEST(SegmentTriangle, TellsContactsApartByKindPartAndEnd) {
+  const SegmentTriangleContact a{Kind::kEdge, 1, false};
+  EXPECT_EQ(a, (SegmentTriangleContact{Kind::kEdge, 1, false}));
+  EXPECT_FALSE(a == (SegmentTriangleContact{Kind::kVertex, 1, false}));
+  EXPECT_FALSE(a == (SegmentTriangleContact{Kind::kEdge, 2, false}));
+  EXPECT_FALSE(a == (SegmentTriangleContact{Kind::kEdge, 1, true}));
+}
+
 TEST(SegmentTriangle, CountsTheTiersOfItsOrientations) {
   TierCounts tally;
   segment_triangle({0.25, 0.25, -1}, {0.25, 0.25, 1}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, &tally);

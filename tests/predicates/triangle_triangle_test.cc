@@ -107,5 +107,13 @@ TEST(TriangleTriangle, DecidesGenericPairsWithTheFilterAlone) {
   EXPECT_EQ(tally[Tier::kFilter], 6u);
 }
 
+TEST(TriangleTriangle, CountsTheDearerTiersOfCoplanarPairs) {
+  TierCounts tally;
+  const IndexedTriangle t = triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1, 2);
+  EXPECT_EQ(triangle_triangle(t, triangle({3, -1, -1}, {4, -2, -1}, {3, -2, 0}, 3, 4, 5), &tally), Contact::kDisjoint);
+  EXPECT_GE(tally[Tier::kLattice], 3u);  // the three signs over the plane, and some in it
+  EXPECT_EQ(tally[Tier::kInterval] + tally[Tier::kExact], 0u);
+}
+
 }  // namespace
 }  // namespace veritope

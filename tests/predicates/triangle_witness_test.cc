@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robust/base/check.h"
 #include "tests/predicates/triangle_triangle_oracle.h"
@@ -105,6 +107,20 @@ TEST(TriangleWitness, TakesTheMiddleOfACrossing) {
   EXPECT_EQ(w.point[1].to_string(), "1");
   EXPECT_EQ(w.point[2].to_string(), "0");
   EXPECT_EQ(w.squared_extent.to_string(), "1");
+}
+
+TEST(TriangleWitness, TakesTheMiddleOfTwoEdgesThatTouch) {
+  // In one plane, on either side of the x-axis: they share [1, 3], in every order of their corners.
+  std::array<Vec3d, 3> p{{{0, 0, 7}, {4, 0, 7}, {0, -4, 7}}}, q{{{1, 0, 7}, {3, 0, 7}, {2, 2, 7}}};
+  for (int i = 0; i < 6; ++i, i % 3 == 0 ? std::swap(p[0], p[1]) : void(std::rotate(p.begin(), p.begin() + 1, p.end()))) {
+    for (int j = 0; j < 6; ++j, j % 3 == 0 ? std::swap(q[0], q[1]) : void(std::rotate(q.begin(), q.begin() + 1, q.end()))) {
+      const IndexedTriangle t{p, {0, 1, 2}}, u{q, {3, 4, 5}};
+      for (const TriangleWitness& w : {triangle_witness(t, u), triangle_witness(u, t)}) {
+        EXPECT_EQ(w.point[0].to_string() + " " + w.point[1].to_string() + " " + w.point[2].to_string(), "2 0 7");
+        EXPECT_EQ(w.squared_extent.to_string(), "4");
+      }
+    }
+  }
 }
 
 TEST(TriangleWitness, StaysExactWhenExponentsSpanTheWholeRange) {

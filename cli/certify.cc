@@ -12,6 +12,7 @@
 
 #include "cli/checker_process.h"
 #include "cli/scratch_file.h"
+#include "cli/text_style.h"
 #include "io/file_bytes.h"
 #include "io/reading_rule.h"
 #include "robust/base/check.h"
@@ -80,7 +81,8 @@ class Certification {
 
   void phase(const char* what) {
     const std::string& path = report_.path;
-    progress_.phase(path == "-" ? "standard input" : path.substr(path.rfind('/') + 1), what);
+    const std::string name = harmless(path.substr(path.rfind('/') + 1));
+    progress_.phase(path == "-" ? "standard input" : name, what);
     watch_.lap();
   }
 
@@ -184,9 +186,10 @@ class Certification {
       report_.certificate.reset();
       return refuse({"file-changed", {}, "the file changed while it was being certified"});
     }
-    return fail_to_check(
-        kExitBug, {"internal", {}, "veritope-check did not accept our certificate (" +
-                                       outcome.words + "); " + how_to_report()});
+    return fail_to_check(kExitBug, {"internal",
+                                    {},
+                                    "veritope-check did not accept our certificate (" +
+                                        outcome.words + "); " + how_to_report()});
   }
 
   // A verdict that nobody else confirmed is none. Always false.

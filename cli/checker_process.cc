@@ -90,7 +90,8 @@ void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }
 
-// What the child has that this process has not: /dev/null to read, the pipe to write, `inherited`, the signals ignored here.
+// What the child has that this process has not: /dev/null to read, the pipe to write, `inherited`,
+// the signals ignored here.
 class SpawnSettings {
  public:
   SpawnSettings(const std::vector<int>& inherited, int output) {
@@ -180,8 +181,7 @@ CheckerOutcome run_checker(const std::string& checker, const std::string& model,
     set_child(0);
     judge(status, claim, outcome);
   }
-  outcome.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
 }
 

@@ -44,8 +44,7 @@ ExitCode fail(const Error& error) {
 
 ExitCode write_json(const Options& options, const std::vector<std::string>& files,
                     StandardOutput& out) {
-  const Status status =
-      write_output(*options.json, document_json("veritope-report-1", files), out);
+  const Status status = write_output(*options.json, document_json("veritope-report-1", files), out);
   if (status || *options.json == "-") return kExitValid;  // main looks at standard output
   complain(harmless(to_string(status.error())));
   return kExitUnreadable;

@@ -47,7 +47,8 @@ Result<WriteOptions> target_of(const Options& o) {
     options.single_precision = true;
     return options;
   }
-  return bad_argument("--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " + name);
+  return bad_argument("--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " +
+                      name);
 }
 
 std::string displacement_text(const LossReport& loss) {
@@ -111,8 +112,8 @@ void report(const Options& o, const MeshFile& file, const std::string& loss, Sta
   const std::string dropped = dropped_text(file.report);
   if (!dropped.empty()) text += "  not part of the model, dropped: " + dropped + "\n";
   if (file.report.polygons_split != 0) {
-    text += "  " + counted(file.report.polygons_split, "polygon", "polygons") +
-            " cut into triangles\n";
+    text +=
+        "  " + counted(file.report.polygons_split, "polygon", "polygons") + " cut into triangles\n";
   }
   if (o.output != "-") out.write(text);
   if (o.output == "-" && !loss.empty()) complain("lossy: " + loss);
@@ -129,8 +130,7 @@ ExitCode run_convert(const Options& options, StandardOutput& out) {
   if (const Status status = try_output(options.output); !status) return fail(status.error());
   const Result<MeshFile> file = read_mesh_file(options.files[0], options.reading);
   if (!file) return fail(file.error());
-  const bool as_indexed =
-      options.reading.as_indexed && file->report.format != MeshFormat::kStl;
+  const bool as_indexed = options.reading.as_indexed && file->report.format != MeshFormat::kStl;
   const std::string loss = loss_text(loss_of(file->mesh, *target), as_indexed);
   if (!loss.empty() && !options.lossy) return refuse(options, loss, *target);
   const Status written = write_model(options.output, file->mesh, *target, out);

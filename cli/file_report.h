@@ -23,7 +23,7 @@ struct CertificateReport {
   std::optional<std::string> path;  ///< nothing: a temporary one
   std::string sha256;
   std::uint64_t bytes = 0;
-  bool is_checked = false;          ///< false: --no-check
+  bool is_checked = false;  ///< false: --no-check
 };
 
 /// Wall-clock seconds of the phases that took place.
@@ -31,7 +31,8 @@ struct PhaseSeconds {
   std::optional<double> read, decide, certify, check;
 };
 
-/// What went wrong with a file. Code names are those of code_name, and "internal", "not-checked", "out-of-memory", "file-changed".
+/// What went wrong with a file. Code names are those of code_name, and "internal", "not-checked",
+/// "out-of-memory", "file-changed".
 struct Fault {
   std::string code;
   Place place;
@@ -49,13 +50,14 @@ struct FileReport {
   FileVerdict verdict = FileVerdict::kUndecided;
   ExitCode exit = kExitUndecided;
   bool as_indexed = false;
-  std::string sha256;                    ///< empty: unknown
-  std::optional<ReadReport> reading;     ///< nothing: unreadable
+  std::string sha256;                      ///< empty: unknown
+  std::optional<ReadReport> reading;       ///< nothing: unreadable
   std::optional<ValidityReport> decision;  ///< without its defects, see `defects`
-  std::vector<ListedDefect> defects;     ///< at most --max-defects
+  std::vector<ListedDefect> defects;       ///< at most --max-defects
   std::optional<CertificateReport> certificate;
   PhaseSeconds seconds;
-  std::optional<Fault> fault;            ///< why it is undecided, unreadable, or why the exit is not the verdict's
+  std::optional<Fault>
+      fault;  ///< why it is undecided, unreadable, or why the exit is not the verdict's
 };
 
 Fault fault_of(const Error& error);
@@ -63,8 +65,8 @@ Fault fault_of(const Error& error);
 /// "line 12: <message>": without the file.
 std::string fault_text(const Fault& fault);
 
-/// The first `most` of the defects, shared out among the rules: one of each broken rule, then a second one of each, and so on; sorted
-/// by rule as before.
+/// The first `most` of the defects, shared out among the rules: one of each broken rule, then a second
+/// one of each, and so on; sorted by rule as before.
 std::vector<Defect> share_out(std::vector<Defect> defects, std::size_t most);
 
 /// How many defects there are; nothing if that was not decided.

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/signals.h"
+#include "cli/text_style.h"
 #include "robust/base/check.h"
 #include "robust/base/fp_guard.h"
 
@@ -49,7 +50,7 @@ ExitCode guarded(const Options& options, StandardOutput& out) {
 int main_of(int argc, const char* const* argv) {
   const ParsedArguments arguments = parse_arguments(argc, argv);
   if (!arguments.error.empty()) {
-    complain(arguments.error + "\nveritope --help and veritope COMMAND --help say more");
+    complain(harmless(arguments.error) + "\nveritope --help and veritope COMMAND --help say more");
     return kExitUsage;
   }
   StandardOutput out;

@@ -85,7 +85,8 @@ void add_reading(CLI::App* app, Options& o) {
   ReadLimits& limits = o.reading.limits;
   add_number(app, "--max-bytes", limits.max_bytes, 0, kMost64, "limit: size of a file (4 GiB)");
   add_number(app, "--max-faces", limits.max_faces, 0, kMostFaces, "limit: triangles (200000000)");
-  add_number(app, "--max-digits", limits.max_digits, 1, kMost32, "limit: digits of a number (1000)");
+  add_number(app, "--max-digits", limits.max_digits, 1, kMost32,
+             "limit: digits of a number (1000)");
   add_number(app, "--max-exponent", limits.max_exponent, 0, kMost32,
              "limit: exponent of a number (4096)");
 }
@@ -95,7 +96,8 @@ void add_jobs(CLI::App* app, Options& o) {
 }
 
 void add_certify(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("certify", "decide whether meshes bound solids, and prove it");
+  CLI::App* const c =
+      app.add_subcommand("certify", "decide whether meshes bound solids, and prove it");
   c->callback([&o] { o.command = Command::kCertify; });
   add_files(c, o.files);
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");

@@ -14,18 +14,18 @@ enum class Command { kCertify, kInfo, kConvert, kExplain, kExplainCertificate };
 
 struct Options {
   Command command = Command::kCertify;
-  std::vector<std::string> files;           ///< certify, info: inputs; convert: IN; explain-certificate: F
-  ReadOptions reading;                      ///< certify, info, convert
-  std::optional<std::string> json;          ///< certify, info
-  std::optional<std::string> certificate;   ///< certify
-  std::uint64_t max_defects = 20;           ///< certify
+  std::vector<std::string> files;   ///< certify, info: inputs; convert: IN; explain-certificate: F
+  ReadOptions reading;              ///< certify, info, convert
+  std::optional<std::string> json;  ///< certify, info
+  std::optional<std::string> certificate;  ///< certify
+  std::uint64_t max_defects = 20;          ///< certify
   unsigned jobs = 1;
-  bool no_check = false, quiet = false;     ///< certify
-  std::string output;                       ///< convert: OUT
-  std::optional<std::string> to;            ///< convert
+  bool no_check = false, quiet = false;          ///< certify
+  std::string output;                            ///< convert: OUT
+  std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert
-  std::optional<std::string> rule;          ///< explain
-  std::uint64_t max_items = 20;             ///< explain-certificate
+  std::optional<std::string> rule;               ///< explain
+  std::uint64_t max_items = 20;                  ///< explain-certificate
 };
 
 /// What the arguments ask for: a command, or a text to print (help, version), or neither: wrong usage.

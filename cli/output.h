@@ -8,8 +8,8 @@
 
 namespace veritope::cli {
 
-/// Standard output. A pipe that nobody reads any more is no error: the rest is dropped quietly. Any other failure (a full disk) is
-/// remembered and reported once, by status().
+/// Standard output. A pipe that nobody reads any more is no error: the rest is dropped quietly. Any
+/// other failure (a full disk) is remembered and reported once, by status().
 class StandardOutput {
  public:
   void write(std::string_view text);

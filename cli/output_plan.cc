@@ -72,6 +72,9 @@ Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& p
     if (Status status = try_output(path); !status) return status;
   }
   if (!json || *json == "-") return ok_status();
+  if (plan.new_folder && same_target(*json, *plan.new_folder)) {
+    return bad_argument("--json and --certificate would both make " + *json);
+  }
   if (Status status = refuse_same(inputs, *json); !status) return status;
   return try_output(*json);
 }
@@ -91,17 +94,18 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
                                 const std::optional<std::string>& certificate,
                                 const std::optional<std::string>& json) {
   OutputPlan plan;
-  if (certificate && (inputs.size() > 1 || certificate->ends_with('/') || is_folder(*certificate))) {
+  if (certificate &&
+      (inputs.size() > 1 || certificate->ends_with('/') || is_folder(*certificate))) {
     const std::string folder = without_slashes(*certificate);
     if (exists(folder) && !is_folder(folder)) {
-      return bad_argument("--certificate " + folder +
-                          " is a file; several inputs need a folder");
+      return bad_argument("--certificate " + folder + " is a file; several inputs need a folder");
     }
     if (!exists(folder)) {
       plan.new_folder = folder;
       if (Status status = check_new_folder(folder); !status) return status.error();
     }
-    for (const std::string& input : inputs) plan.certificates.push_back(folder + "/" + name_of(input));
+    for (const std::string& input : inputs)
+      plan.certificates.push_back(folder + "/" + name_of(input));
   } else if (certificate) {
     plan.certificates = {*certificate};
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/output_plan.h: which file each output goes to; refused before any work if two of them, or one and an input, are the same.
+// cli/output_plan.h: which file each output goes to; refused before any work if two outputs, or an
+// output and an input, are one file.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,8 +16,9 @@ struct OutputPlan {
   std::optional<std::string> new_folder;  ///< of the certificates; to be made
 };
 
-/// `certificate`: a file for one input, a folder (that may be new) for several; for one input, too, if the folder exists or the name
-/// ends in "/". In the folder the names are those of the inputs with ".cert" behind.
+/// `certificate`: a file for one input, a folder (that may be new) for several; for one input, too,
+/// if the folder exists or the name ends in "/". In the folder the names are those of the inputs with
+/// ".cert" behind.
 /// @error kBadArgument: two outputs, or an output and an input, are one file; a file where a folder is needed.
 ///        kCannotWrite: an output could not be written
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,

@@ -30,7 +30,8 @@ class Progress {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::string line_;  ///< empty: nothing is being done
-  double since_ = 0, started_ = 0;  ///< steady seconds: of the phase, of the first phase after clear()
+  double since_ = 0,
+         started_ = 0;  ///< steady seconds: of the phase, of the first phase after clear()
   bool is_shown_ = false, ends_ = false;
   std::thread thread_;
 };

@@ -142,12 +142,9 @@ Json certificate_json(const FileReport& report) {
 Json fault_json(const std::optional<Fault>& fault) {
   if (!fault) return nullptr;
   const Place& p = fault->place;
-  return {{"code", fault->code},
-          {"message", fault->message},
-          {"line", optional_json(p.line)},
-          {"byte", optional_json(p.byte)},
-          {"face", optional_json(p.face)},
-          {"vertex", optional_json(p.vertex)}};
+  return {{"code", fault->code},           {"message", fault->message},
+          {"line", optional_json(p.line)}, {"byte", optional_json(p.byte)},
+          {"face", optional_json(p.face)}, {"vertex", optional_json(p.vertex)}};
 }
 
 // File names need not be UTF-8: what is not becomes U+FFFD.
@@ -176,8 +173,8 @@ std::string report_json(const FileReport& report) {
   out["rules"] = rules_json(report);
   out["shells"] = shells_json(report);
   out["volume"] = report.decision ? volume_json(report.decision->volume) : Json(nullptr);
-  out["bbox"] = report.decision ? box_json(report.decision->box_lo, report.decision->box_hi)
-                                : Json(nullptr);
+  out["bbox"] =
+      report.decision ? box_json(report.decision->box_lo, report.decision->box_hi) : Json(nullptr);
   out["ignored"] = ignored_json(r);
   out["defects_total"] = optional_json(total_defects(report));
   out["defects"] = std::move(defects);

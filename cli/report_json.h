@@ -8,7 +8,8 @@
 
 namespace veritope::cli {
 
-/// One line: the element of "files" that describes this file. Keys in the order of the schema; the same bytes for every --jobs, "seconds" apart.
+/// One line: the element of "files" that describes this file. Keys in the order of the schema; the
+/// same bytes for every --jobs, "seconds" apart.
 std::string report_json(const FileReport& report);
 
 /// What veritope info says about a file.
@@ -16,9 +17,9 @@ struct InfoReport {
   std::string path;
   ExitCode exit = kExitValid;
   bool as_indexed = false;
-  std::optional<MeshFile> file;        ///< nothing: unreadable
-  std::vector<std::string> lossless;   ///< variants that hold it without loss
-  bool holds_everywhere = false;       ///< those are all variants
+  std::optional<MeshFile> file;       ///< nothing: unreadable
+  std::vector<std::string> lossless;  ///< variants that hold it without loss
+  bool holds_everywhere = false;      ///< those are all variants
   std::optional<Fault> fault;
 };
 std::string info_json(const InfoReport& report);

@@ -120,8 +120,7 @@ std::string counts_text(const FileReport& report) {
 
 std::string volume_text(const Rational& volume) {
   const std::string exact = volume.to_string(), decimal = short_decimal(volume, 12);
-  return line("volume",
-              exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
+  return line("volume", exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
 }
 
 std::string shells_text(const ValidityReport& decision) {
@@ -129,10 +128,10 @@ std::string shells_text(const ValidityReport& decision) {
   std::string text;
   for (std::size_t i = 0; i < std::min(decision.shells.size(), kMostShells); ++i) {
     const ShellReport& s = decision.shells[i];
-    text += line("shell " + std::to_string(i),
-                 std::string(*s.outward ? "outward" : "inward") + ", depth " +
-                     std::to_string(*s.depth) + ", genus " + std::to_string(*s.genus) +
-                     ", volume " + short_decimal(*s.volume));
+    text += line("shell " + std::to_string(i), std::string(*s.outward ? "outward" : "inward") +
+                                                   ", depth " + std::to_string(*s.depth) +
+                                                   ", genus " + std::to_string(*s.genus) +
+                                                   ", volume " + short_decimal(*s.volume));
   }
   if (decision.shells.size() > kMostShells) {
     text += line("...", std::to_string(decision.shells.size() - kMostShells) +
@@ -193,8 +192,10 @@ std::string invalid_text(const FileReport& report, const Style& style) {
   if (!report.decision->nesting_decided) {
     out += style.dim("  M8 and M9 (which side is inside) are decided once M1 to M7 hold.") + "\n";
   }
-  return out + style.dim("  What it means and what helps: veritope explain " + first +
-                         ".  All defects: --max-defects N, --json F.") + "\n";
+  return out +
+         style.dim("  What it means and what helps: veritope explain " + first +
+                   ".  All defects: --max-defects N, --json F.") +
+         "\n";
 }
 
 std::string certificate_text(const FileReport& report) {
@@ -239,12 +240,13 @@ std::string info_text(const InfoReport& report, const Style& style) {
   const Box box = bounding_box(report.file->mesh);
   std::string out = path + "\n" + file_text(r, report.as_indexed);
   out += line("sha256", report.file->sha256);
-  out += line("mesh", counted(report.file->mesh.faces.size(), "face", "faces") + ", " +
-                          vertices_text(r));
+  out += line("mesh",
+              counted(report.file->mesh.faces.size(), "face", "faces") + ", " + vertices_text(r));
   if (r.polygons_split != 0) {
     out += line("polygons", std::to_string(r.polygons_split) + " cut into triangles");
   }
-  if (r.strip_joints != 0) out += line("strips", std::to_string(r.strip_joints) + " joints dropped");
+  if (r.strip_joints != 0)
+    out += line("strips", std::to_string(r.strip_joints) + " joints dropped");
   out += ignored_text(r);
   out += line("box", point_text(box.lo) + " to " + point_text(box.hi));
   std::string names;

@@ -5,9 +5,10 @@
 
 namespace veritope::cli {
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs (io/atomic_file.h), end the running checker, say so on
-/// standard error and end this process by the same signal: a shell reports 130, 143, 129. SIGPIPE and SIGXFSZ
-/// are ignored: a write into a closed pipe, or beyond a limit, fails instead, see cli/output.h.
+/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs (io/atomic_file.h), end the running
+/// checker, say so on standard error and end this process by the same signal: a shell reports 130, 143,
+/// 129. SIGPIPE and SIGXFSZ are ignored: a write into a closed pipe, or beyond a limit, fails instead,
+/// see cli/output.h.
 void install_signal_handlers();
 
 /// Blocks SIGINT, SIGTERM and SIGHUP in this thread as long as it lives, so that what must not be cut in two is not.

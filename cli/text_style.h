@@ -27,7 +27,8 @@ struct Style {
 /// Coloured if standard output is a terminal, NO_COLOR is unset or empty, and TERM is not "dumb".
 Style style_of_stdout();
 
-/// Names and messages from elsewhere: control characters become \xNN, so that no file can drive the terminal.
+/// Names and messages from elsewhere: control characters and what is no UTF-8 become \xNN, so that no
+/// file can drive the terminal.
 std::string harmless(std::string_view text);
 
 /// "1 face", "2 faces".

@@ -346,8 +346,8 @@ def add_rules_1_to_5(m):
     m.add("m1_collinear_nearest_valid.off", split_edge((1, TINY, 0)), breaks={})
 
     m.add("m2_smallest.off", Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 1)]), breaks={"M2": 1, "M7": 1})
-    m.add("m2_nearest_valid.off", Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.25, 0.25, TINY)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]),
-          breaks={})
+    m.add("m2_nearest_valid.off",
+          Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.25, 0.25, TINY)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]), breaks={})
     m.add("m2_copied_face.off", Mesh(TET.vertices, TET.faces + [(2, 3, 1)]), breaks={"M2": 1, "M4": 3, "M7": 1})
 
     m.add("m3_smallest.off", Mesh(TET.vertices[:3], [(0, 1, 2)]), breaks={"M3": 3})
@@ -434,7 +434,8 @@ def add_valid_formats(m):
     m.add("valid_big_endian.ply", box, ply_binary(box, ">", "double"))
     m.add("valid_little_endian_float.ply", box, ply_binary(box, "<", "float"))
     strip = Mesh(TET.vertices, [(0, 2, 1, 3, 0, 2, -1)])
-    m.add("valid_strip.ply", Mesh(TET.vertices, [(0, 2, 1), (1, 2, 3), (1, 3, 0), (0, 3, 2)]), ply_ascii(strip, face_element="tristrips"))
+    m.add("valid_strip.ply", Mesh(TET.vertices, [(0, 2, 1), (1, 2, 3), (1, 3, 0), (0, 3, 2)]),
+          ply_ascii(strip, face_element="tristrips"))
 
 
 def add_unreadable(m):
@@ -443,7 +444,8 @@ def add_unreadable(m):
     m.refuse("unreadable_no_face.obj", tet_obj.split(b"f ")[0], "empty")
     m.refuse("unreadable_gzip.obj", b"\x1f\x8b\x08\0\0\0\0\0\0\3" + tet_obj, "foreign-format")
     m.refuse("unreadable_utf16.off", tet_off.decode().encode("utf-16"), "foreign-format")
-    m.refuse("unreadable_lfs_pointer.ply", b"version https://git-lfs.github.com/spec/v1\noid sha256:" + b"0" * 64 + b"\nsize 9\n", "foreign-format")
+    pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:" + b"0" * 64 + b"\nsize 9\n"
+    m.refuse("unreadable_lfs_pointer.ply", pointer, "foreign-format")
     m.refuse("unreadable_unknown.dat", b"neither of the four\n", "unknown-format")
     m.refuse("unreadable_comma.off", tet_off.replace(b"1 0 0", b"1,5 0 0", 1), "syntax")
     m.refuse("unreadable_hex_float.off", tet_off.replace(b"\n1 0 0", b"\n0x1p0 0 0", 1), "syntax")

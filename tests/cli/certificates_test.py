@@ -90,6 +90,9 @@ class Refusals(Folder):
         os.symlink(self.folder, self.folder / "self")
         self.assert_refused(a, "--json", self.folder / "x", "--certificate", f"{self.folder}/self/x", word="both write")
 
+    def test_a_report_where_the_folder_of_certificates_goes_is_refused(self):
+        self.assert_refused(VALID, INVALID, "--json", self.folder / "x", "--certificate", self.folder / "x/", word="both make")
+
     def test_names_that_collide_in_the_folder_are_refused(self):
         (self.folder / "sub").mkdir()
         a, b = self.copy("a.off"), self.copy("sub/a.off")

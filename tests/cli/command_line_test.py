@@ -199,11 +199,12 @@ class Terminal(Folder):
         self.assertEqual(run("certify", VALID, program=veritope).stderr, "")
 
     def test_a_file_cannot_drive_the_terminal(self):
-        name = self.folder / "a\x1b[31m\nVALID  b.off"
-        name.write_bytes(b"")
-        done = run("certify", "-q", name)
-        self.assertEqual(done.stdout.count("\n"), 1)
-        self.assertNotIn("\x1b", done.stdout)
+        name = bytes(self.folder) + "/Gr\u00fc\u00dfe\x1b[31m\nVALID \x9b".encode() + b"\x9b.off"
+        with open(name, "w"):
+            pass
+        done = subprocess.run([BIN / "veritope", "certify", "-q", name], capture_output=True)
+        self.assertEqual(done.stdout.count(b"\n"), 1)
+        self.assertIn("/Gr\u00fc\u00dfe\\x1b[31m\\x0aVALID \\xc2\\x9b\\x9b.off  byte 0", done.stdout.decode())
 
 
 class Explain(unittest.TestCase):
@@ -231,7 +232,8 @@ class Explain(unittest.TestCase):
 
     def test_a_certificate_is_explained_and_another_file_is_refused(self):
         with support.tempfile.TemporaryDirectory() as folder:
-            for model, words in [("valid_nested_three.off", ["mesh-valid-1", "nesting rays: 3"]), ("m7_flat.off", ["mesh-invalid-1", "M7: faces"])]:
+            for model, words in [("valid_nested_three.off", ["mesh-valid-1", "nesting rays: 3"]),
+                                 ("m7_flat.off", ["mesh-invalid-1", "M7: faces"])]:
                 certificate = os.path.join(folder, "c")
                 run("certify", MODELS / model, "--certificate", certificate)
                 done = run("explain-certificate", certificate)
@@ -249,7 +251,8 @@ class Info(Folder):
     def test_info_says_what_is_in_the_file(self):
         done = run("info", MODELS / "valid_quads_crlf.obj")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for words in ("obj, ", "12 faces, 8 vertices", "6 cut into triangles", "1 mtllib lines", "(0, 0, 0) to (1, 1, 1)", "every format"):
+        for words in ("obj, ", "12 faces, 8 vertices", "6 cut into triangles", "1 mtllib lines", "(0, 0, 0) to (1, 1, 1)",
+                      "every format"):
             self.assertIn(words, done.stdout)
 
     def test_info_gives_no_verdict_and_reads_all_files(self):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Every file of the real models (VERITOPE_DATA): verdict, exit status and counts as their MANIFEST.tsv says; one run, and each alone."""
+"""Every file of the real models (VERITOPE_DATA): verdict, exit status, counts and volume as their MANIFEST.tsv says."""
 import csv
 import os
 import unittest

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What the tests of the command line share. The programs are found through VERITOPE_BIN (a folder), the real models through VERITOPE_DATA."""
+"""What the tests of the command line share. The programs are found through VERITOPE_BIN (a folder), the real models through
+VERITOPE_DATA."""
 import csv
 import json
 import os

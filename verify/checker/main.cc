@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// main.cc: veritope-check MODEL CERT. Output and exit codes: docs/certificates/mesh.md.
+#include <cstdio>
+#include <exception>
+
+#include "checker.h"
+
+namespace {
+
+const char kUsage[] =
+    "usage: veritope-check MODEL CERT\n"
+    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY or OFF). Prints ACCEPT with\n"
+    "the claim and exits with 0, or REJECT with the condition that fails and exits with 1.\n"
+    "Other exit codes: 2 usage; 4 a file cannot be opened, or the reading rule refuses the model;\n"
+    "5 a bug, or out of memory.";
+
+std::string read_file(const std::string& name) {
+  std::FILE* const file = std::fopen(name.c_str(), "rb");
+  if (file == nullptr) throw Refused{"cannot be opened"};
+  std::string bytes;
+  char part[65536];
+  for (size_t n; (n = std::fread(part, 1, sizeof part, file)) > 0;) bytes.append(part, n);
+  const bool failed = std::ferror(file) != 0;
+  std::fclose(file);
+  if (failed) throw Refused{"cannot be read"};
+  return bytes;
+}
+
+int say(std::FILE* to, const std::string& text, int exit_code) {
+  for (char c : text + '\n') std::fputc((c < 32 || c > 126) && c != '\n' ? '?' : c, to);
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (argc == 2 && first == "--help") return say(stdout, kUsage, 0);
+  if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
+  if (argc != 3 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
+  std::string name = argv[2];  // of the file that may be refused
+  try {
+    const std::string certificate = read_file(name);
+    name = first;
+    std::string file = read_file(name);
+    Body body = {nullptr, nullptr};
+    const Statement s = read_statement(certificate, file, &body);
+    const std::string &claim = s.text.at("claim"), &format = s.text.at("subject_format");
+    const Model model = read_model(std::move(file), format, s.flag.at("as_indexed"));
+    const auto check = claim == "mesh-valid-1" ? check_mesh_valid : check_mesh_invalid;
+    return say(stdout, "ACCEPT " + claim + ": " + check(s, model, body), 0);
+  } catch (const Rejected& r) {
+    return say(stdout, "REJECT " + r.id + ": " + r.why, 1);
+  } catch (const Refused& r) {
+    return say(stderr, name + ": " + r.why, 4);
+  } catch (const std::exception& e) {
+    return say(stderr, std::string("veritope-check stops: ") + e.what(), 5);
+  }
+}

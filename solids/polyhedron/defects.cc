@@ -35,6 +35,15 @@ double diameter(const TriangleMesh& mesh, std::uint32_t face) {
   return std::max({distance(a, b), distance(b, c), distance(c, a)});
 }
 
+// The root of degree 2 or 3 of a >= 0, rounded; in range whenever the root is, though a may not be.
+double rounded_root(const Rational& a, int degree) {
+  if (a.sign() == Sign::kZero) return 0;
+  const auto bits = [](const Integer& n) { return static_cast<std::int64_t>(n.bit_length()); };
+  const std::int64_t exponent = (bits(a.numerator()) - bits(a.denominator())) / degree;
+  const double near_one = nearest_double(a * Rational::power_of_two(-degree * exponent));
+  return std::ldexp(degree == 2 ? std::sqrt(near_one) : std::cbrt(near_one), static_cast<int>(exponent));
+}
+
 std::string list(const std::vector<std::uint32_t>& ids) {
   constexpr std::size_t kMost = 8;
   std::string out;
@@ -140,7 +149,7 @@ void DefectLister::improper(const ImproperPairs& pairs) {
       continue;
     }
     TriangleWitness w = triangle_witness(indexed(f), indexed(g));
-    d.size = std::sqrt(nearest_double(w.squared_extent));
+    d.size = rounded_root(w.squared_extent, 2);
     d.point.at = std::move(w.point);
     d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) +
                 (w.squared_extent.sign() == Sign::kZero ? " touch in a point that is no common vertex"
@@ -160,7 +169,7 @@ void DefectLister::nesting(const std::vector<ShellReport>& shells) {
       d.rule = rule;
       d.faces = {shells[s].first_face};
       d.point = witness_point(mesh_, shells[s].first_face);
-      d.size = std::cbrt(std::abs(nearest_double(*shells[s].volume)));
+      d.size = rounded_root(abs(*shells[s].volume), 3);
       d.message = "shell " + std::to_string(s) + " (face " + std::to_string(shells[s].first_face) +
                   " is one of its faces) lies inside " + std::to_string(depth) + " shells and faces " +
                   (*shells[s].outward ? "outward" : "inward") + "; it should face " +

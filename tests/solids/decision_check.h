@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// tests/solids/decision_check.h: a report of decide_validity against brute force, and reports against each other.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "solids/polyhedron/validity.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/exact_geometry.h"
+#include "tests/support/shapes.h"
+
+namespace veritope {
+
+inline ValidityReport decide(const TriangleMesh& mesh, unsigned jobs = 1, std::size_t max_defects = 20) {
+  ValidityOptions options;
+  options.jobs = jobs;
+  options.max_defects = max_defects;
+  return decide_validity(mesh, options);
+}
+
+inline std::string spelled(const std::optional<Rational>& r) { return r ? r->to_string() : "unknown"; }
+
+/// Counts, shells, volumes, depths and verdict in one line.
+inline std::string summary(const ValidityReport& r) {
+  std::string out = r.is_valid ? "valid" : "invalid";
+  for (std::uint64_t n : r.rule_counts) out += " " + std::to_string(n);
+  const MeshCounts& c = r.counts;
+  out += " F" + std::to_string(c.faces) + " V" + std::to_string(c.referenced_vertices) + " E" + std::to_string(c.edges) + " euler " +
+         std::to_string(c.euler) + " bodies " + (c.bodies ? std::to_string(*c.bodies) : "unknown") + " genus " +
+         (c.genus ? std::to_string(*c.genus) : "unknown") + " volume " + spelled(r.volume) + " shells";
+  for (const ShellReport& s : r.shells)
+    out += " (" + std::to_string(s.first_face) + ", " + std::to_string(s.euler) + ", " + (s.genus ? std::to_string(*s.genus) : "unknown") + ", " +
+           spelled(s.volume) + ", " + (s.depth ? std::to_string(*s.depth) : "unknown") + ", " + (s.outward ? (*s.outward ? "out" : "in") : "unknown") + ")";
+  return out;
+}
+
+/// The same as summary(), from the definitions alone.
+inline std::string summary(const TriangleMesh& mesh, const oracle::BruteDecision& b) {
+  std::string out = b.is_valid ? "valid" : "invalid";
+  for (std::uint64_t n : b.rules) out += " " + std::to_string(n);
+  const auto& t = b.topology;
+  const auto known = [](const auto& v) { return v ? std::to_string(*v) : std::string("unknown"); };
+  const auto euler = static_cast<std::int64_t>(t.vertices.size()) - static_cast<std::int64_t>(t.edges.size()) +
+                     static_cast<std::int64_t>(mesh.faces.size() - t.collapsed.size());
+  std::optional<Rational> volume;
+  if (b.volumes) {
+    volume.emplace();
+    for (const Rational& v : *b.volumes) *volume += v;
+  }
+  out += " F" + std::to_string(mesh.faces.size()) + " V" + std::to_string(t.vertices.size()) + " E" + std::to_string(t.edges.size()) + " euler " +
+         std::to_string(euler) + " bodies " + known(b.bodies) + " genus " + known(b.genus) + " volume " + spelled(volume) + " shells";
+  for (std::size_t s = 0; s < t.shells.size(); ++s) {
+    std::set<std::uint32_t> vertices;
+    std::set<oracle::Edge> edges;
+    for (std::uint32_t f : t.shells[s])
+      for (std::size_t i = 0; i < 3; ++i) {
+        vertices.insert(mesh.faces[f][i]);
+        edges.insert(std::minmax(mesh.faces[f][i], mesh.faces[f][(i + 1) % 3]));
+      }
+    const auto shell_euler = static_cast<std::int64_t>(vertices.size()) - static_cast<std::int64_t>(edges.size()) +
+                             static_cast<std::int64_t>(t.shells[s].size());
+    out += " (" + std::to_string(t.shells[s][0]) + ", " + std::to_string(shell_euler) + ", " +
+           (b.genus ? std::to_string((2 - shell_euler) / 2) : "unknown") + ", " + (b.volumes ? spelled((*b.volumes)[s]) : "unknown") + ", " +
+           (b.depths ? std::to_string((*b.depths)[s]) : "unknown") + ", " +
+           (b.depths ? (oracle::sgn((*b.volumes)[s]) > 0 ? "out" : "in") : "unknown") + ")";
+  }
+  return out;
+}
+
+/// The point lies in the face.
+inline bool is_in_face(const TriangleMesh& mesh, std::uint32_t f, const RationalPoint& point) {
+  const oracle::RTriangle t = oracle::rational_triangle(mesh, f);
+  const oracle::RVec n = oracle::normal_of(t);
+  const oracle::RVec p{point.at[0], point.at[1], point.at[2]};
+  using oracle::operator-;
+  if (oracle::sgn(oracle::dot(n, p - t[0])) != 0) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (oracle::sgn(oracle::dot(n, oracle::cross(t[(i + 1) % 3] - t[i], p - t[i]))) < 0) return false;
+  return true;
+}
+
+/// The listed defects are the first of their rules and point at what is wrong.
+inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport& r, const oracle::BruteDecision& b, std::size_t max_defects) {
+  std::array<std::size_t, kNumMeshRules> listed{};
+  std::size_t last_rule = 0;
+  for (const Defect& d : r.defects) {
+    const std::size_t rule = rule_index(d.rule);
+    EXPECT_GE(rule, last_rule) << "defects are ordered by rule";
+    last_rule = rule;
+    const std::size_t i = listed[rule]++;
+    EXPECT_FALSE(d.message.empty());
+    EXPECT_GE(d.size, 0);
+    const auto& t = b.topology;
+    switch (d.rule) {
+      case MeshRule::kM1: EXPECT_EQ(d.faces, (std::vector<std::uint32_t>{b.degenerate[i]})); break;
+      case MeshRule::kM2: EXPECT_EQ(d.faces, (std::vector<std::uint32_t>{t.duplicate_pairs[i].first, t.duplicate_pairs[i].second})); break;
+      case MeshRule::kM3: EXPECT_EQ(d.edges, (std::vector<oracle::Edge>{t.boundary[i]})); break;
+      case MeshRule::kM4: EXPECT_EQ(d.edges, (std::vector<oracle::Edge>{t.nonmanifold[i]})); break;
+      case MeshRule::kM5: EXPECT_EQ(d.edges, (std::vector<oracle::Edge>{t.misoriented[i].second})); break;
+      case MeshRule::kM6: EXPECT_EQ(d.vertices, (std::vector<std::uint32_t>{t.pinched[i]})); break;
+      case MeshRule::kM7:
+        EXPECT_EQ(d.faces, (std::vector<std::uint32_t>{b.improper[i].first, b.improper[i].second}));
+        for (std::uint32_t f : d.faces) EXPECT_TRUE(is_in_face(mesh, f, d.point)) << f;
+        break;
+      case MeshRule::kM8:
+      case MeshRule::kM9: EXPECT_TRUE(is_in_face(mesh, d.faces[0], d.point)); break;
+    }
+  }
+  for (std::size_t k = 0; k < kNumMeshRules; ++k) EXPECT_EQ(listed[k], std::min<std::uint64_t>(max_defects, r.rule_counts[k])) << "M" << k + 1;
+}
+
+/// Everything that decide_validity says about the model, by brute force.
+inline ValidityReport expect_as_brute_force(const TriangleMesh& mesh, unsigned jobs = 1, std::size_t max_defects = 20) {
+  const bool failed_before = ::testing::Test::HasFailure();
+  const ValidityReport r = decide(mesh, jobs, max_defects);
+  const oracle::BruteDecision b = oracle::brute_decide(mesh);
+  const std::string got = summary(r), want = summary(mesh, b);
+  EXPECT_EQ(got, want) << shapes::to_text(mesh);
+  if (got != want) return r;
+  EXPECT_EQ(r.nesting_decided, b.depths.has_value());
+  expect_right_defects(mesh, r, b, max_defects);
+  if (!failed_before && ::testing::Test::HasFailure()) ADD_FAILURE() << "model: " << shapes::to_text(mesh);
+  return r;
+}
+
+/// A second report says the same, defects and certificate hints included.
+inline void expect_same_report(const ValidityReport& a, const ValidityReport& b) {
+  EXPECT_EQ(summary(a), summary(b));
+  EXPECT_EQ(a.long_thin, b.long_thin);
+  EXPECT_EQ(a.stars.code, b.stars.code);
+  EXPECT_EQ(a.stars.own, b.stars.own);
+  EXPECT_EQ(a.nesting.axis_code, b.nesting.axis_code);
+  EXPECT_EQ(a.box_lo, b.box_lo);
+  EXPECT_EQ(a.box_hi, b.box_hi);
+  ASSERT_EQ(a.defects.size(), b.defects.size());
+  for (std::size_t i = 0; i < a.defects.size(); ++i) {
+    const Defect &x = a.defects[i], &y = b.defects[i];
+    EXPECT_EQ(x.message, y.message);
+    EXPECT_EQ(x.rule, y.rule);
+    EXPECT_EQ(x.faces, y.faces);
+    EXPECT_EQ(x.edges, y.edges);
+    EXPECT_EQ(x.vertices, y.vertices);
+    EXPECT_EQ(x.size, y.size);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(x.point.at[k] == y.point.at[k], true);
+  }
+}
+
+}  // namespace veritope

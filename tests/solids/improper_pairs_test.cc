@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/polyhedron/improper_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/predicates/test_scale.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/shapes.h"
+#include "topology/surface.h"
+
+namespace veritope {
+namespace {
+
+ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 100000, unsigned jobs = 1) {
+  const Incidence incidence = Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), 1);
+  const SurfaceTopology topology = analyse_surface(mesh.faces, incidence, 0, 1);
+  const FacetSigns signs = facet_signs(mesh, 1);
+  const VertexStars stars = find_vertex_stars(mesh, incidence, signs, topology.irregular, 1);
+  std::vector<std::uint32_t> facets;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+    if (signs.signs[f] != 0) facets.push_back(f);
+  const UnitScale scale(mesh.positions);
+  const BoxGroups boxes(mesh, morton_order(mesh, facets, scale, jobs), stars, scale, jobs);
+  return find_improper_pairs(mesh, boxes, facets, stars, max_listed, jobs);
+}
+
+std::string first_difference(const std::vector<FacetPair>& got, const std::vector<FacetPair>& want) {
+  for (const auto& p : got)
+    if (!std::binary_search(want.begin(), want.end(), p)) return "not improper: " + std::to_string(p.first) + ", " + std::to_string(p.second);
+  for (const auto& p : want)
+    if (!std::binary_search(got.begin(), got.end(), p)) return "missed: " + std::to_string(p.first) + ", " + std::to_string(p.second);
+  return "";
+}
+
+// The exact pairs; the count; the least when cut; the same for every number of jobs.
+ImproperPairs expect_exact(const TriangleMesh& mesh) {
+  const auto want = oracle::brute_improper(mesh);
+  const ImproperPairs got = find_pairs(mesh);
+  EXPECT_EQ(got.count, want.size()) << shapes::to_text(mesh);
+  EXPECT_EQ(first_difference(got.first, want), "") << shapes::to_text(mesh);
+  for (unsigned jobs : {2u, 3u})
+    for (std::size_t max_listed : {0u, 3u}) {
+      const ImproperPairs some = find_pairs(mesh, max_listed, jobs);
+      EXPECT_EQ(some.count, want.size());
+      EXPECT_EQ(some.long_thin, got.long_thin);
+      auto least = want;
+      if (least.size() > max_listed) least.resize(max_listed);
+      EXPECT_EQ(some.first == least, true);
+    }
+  return got;
+}
+
+TEST(ImproperPairs, OfNothingAreNone) {
+  const ImproperPairs p = find_pairs(shapes::parse("v 0,0,0 1,1,1 2,2,2 ; f 0,1,2 0,0,1"));
+  EXPECT_EQ(p.count, 0u);
+  EXPECT_FALSE(p.long_thin);
+}
+
+TEST(ImproperPairs, EveryKindOfContact) {
+  for (const auto& [text, count] : std::vector<std::pair<const char*, std::uint64_t>>{
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,-1 1,1,1 2,1,1", 1},        // crossing
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 1,1,1 2,1,1", 1},         // a corner on a facet
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 2,0,0 2,-1,0 3,-1,1", 1},       // a corner on an edge
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 2,-1,-1 2,1,1 2,-1,2", 1},      // edge through edge
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 2,1,0 1,2,0", 1},         // inside, in one plane
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 8,0,0 8,1,0", 0},         // a common vertex
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 1,1,0 1,1,1", 1},         // a common vertex and more
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,-4,0", 0},        // a common edge, flat
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,0,4", 0},         // a common edge, folded
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 4,0,0 1,1,0", 1},         // a common edge, folded over
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,4,0", 1},         // the same vertices
+           {"v 0,0,0 4,0,0 0,4,0 0,0,0 -1,0,0 0,-1,1 ; f 0,1,2 3,4,5", 1},  // equal coordinates, two vertices
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,1 4,0,1 0,4,1", 0}})
+    EXPECT_EQ(expect_exact(shapes::parse(text)).count, count) << text;
+}
+
+TEST(ImproperPairsLaw, AreExactOnGridSoups) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(60)); ++seed) {
+    Random random(seed);
+    expect_exact(shapes::grid_soup(random, static_cast<int>(2 + random.below(25)), static_cast<int>(2 + random.below(3))));
+    expect_exact(shapes::random_indexed(random, 12, 9, 3));  // equal coordinates under two ids
+    if (HasFailure()) return;
+  }
+}
+
+TEST(ImproperPairsLaw, BothWalksAreExact) {
+  bool thin = false, ordinary = false;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(3)); ++seed) {
+    Random random(seed);
+    for (const TriangleMesh& mesh : {shapes::needle_soup(random, 70), shapes::needle_soup(random, 20), shapes::grid_soup(random, 60, 3),
+                                     shapes::joined(shapes::needle_soup(random, 64), shapes::hyperboloid(12, 3))}) {
+      const ImproperPairs p = expect_exact(mesh);
+      (p.long_thin ? thin : ordinary) = true;
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_TRUE(thin);
+  EXPECT_TRUE(ordinary);
+}
+
+TEST(ImproperPairsLaw, LongThinValidModelsHaveNone) {
+  using shapes::Cap;
+  for (const TriangleMesh& mesh : {shapes::tilted_cylinder(200, Cap::kCentreFan), shapes::tilted_cylinder(200, Cap::kRimFan),
+                                   shapes::tilted_cylinder(200, Cap::kZigzag), shapes::hyperboloid(300, 90)}) {
+    const ImproperPairs p = find_pairs(mesh);
+    EXPECT_EQ(p.count, 0u);
+    EXPECT_TRUE(p.long_thin) << mesh.faces.size();
+  }
+}
+
+// A hyperboloid whose one ring was moved a little: hits appear in the middle of long thin facets.
+TEST(ImproperPairsLaw, LongThinModelsThatCrossThemselvesAreExact) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    TriangleMesh mesh = shapes::hyperboloid(36, 11);
+    for (int i = 0; i < 6; ++i) mesh.positions[2 * random.below(36)].x *= 0.6;
+    EXPECT_TRUE(expect_exact(mesh).long_thin);
+  }
+}
+
+}  // namespace
+}  // namespace veritope

@@ -61,15 +61,16 @@ void radix_pass(const std::uint64_t* from, std::uint64_t* to, std::size_t n, uns
   });
 }
 
+// In doubles: parts of a model that are far from each other must not become points.
 struct Centre {
-  std::array<float, 3> at;
+  std::array<double, 3> at;
   std::uint32_t facet;
 };
 
 // Arranges [begin, end) as the certificate's tree halves it: floor(n / 2) positions to the left.
 void arrange(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
   if (end - begin < 2) return;
-  std::array<float, 3> lo = items[begin].at, hi = lo;
+  std::array<double, 3> lo = items[begin].at, hi = lo;
   for (std::size_t i = begin + 1; i < end; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       lo[k] = std::min(lo[k], items[i].at[k]);
@@ -104,8 +105,24 @@ BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs) {
   return out;
 }
 
-UnitScale::UnitScale(const std::vector<Vec3d>& positions, unsigned jobs) {
-  const auto [lo, hi] = bounding_box(positions, jobs);
+BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs) {
+  std::vector<BoundingBox> parts(num_chunks(mesh.faces.size(), kChunk));
+  parallel_for(mesh.faces.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    BoundingBox box;
+    for (std::size_t f = begin; f < end; ++f)
+      for (std::uint32_t v : mesh.faces[f]) box.add(mesh.positions[v]);
+    parts[chunk] = box;
+  });
+  BoundingBox out;
+  for (const BoundingBox& box : parts) {
+    out.add(box.lo);
+    out.add(box.hi);
+  }
+  return out;
+}
+
+UnitScale::UnitScale(const BoundingBox& box) {
+  const auto& [lo, hi] = box;
   double largest = 0;
   for (double v : {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}) largest = std::max(largest, std::abs(v));
   if (largest > 0x1p1000) pre_ = 0x1p-60;
@@ -141,17 +158,15 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
 }
 
 std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets) {
-  const UnitScale scale(mesh.positions);
   std::vector<Centre> items;
   items.reserve(facets.size());
   for (std::uint32_t f : facets) {
     const auto& t = mesh.faces[f];
     Centre c{{0, 0, 0}, f};
-    for (std::uint32_t v : t) {
-      const Vec3d& p = mesh.positions[v];
-      c.at[0] += scale.x(p.x);
-      c.at[1] += scale.y(p.y);
-      c.at[2] += scale.z(p.z);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = [&](std::size_t i) { return mesh.positions[t[i]][static_cast<int>(k)]; };
+      c.at[k] = at(0) + at(1) + at(2);
+      if (!is_finite(c.at[k])) c.at[k] = at(0) / 4 + at(1) / 4 + at(2) / 4;
     }
     items.push_back(c);
   }

@@ -23,13 +23,15 @@ struct BoundingBox {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs);
+/// Of the vertices of the faces: a stray vertex that no face has would spoil every scale. REQUIRES at least one face.
+BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
 
 /// A monotone map of coordinates to [0, 1] floats: x <= y implies map(x) <= map(y), because subtraction, scaling by a power of two
 /// and conversion are rounded monotonically. So boxes that overlap still do after it; no outward rounding is needed.
 class UnitScale {
  public:
-  /// Of the positions' bounding box. REQUIRES finite positions, at least one.
-  explicit UnitScale(const std::vector<Vec3d>& positions, unsigned jobs = 1);
+  /// Of the points in a box. REQUIRES a finite box that is not empty.
+  explicit UnitScale(const BoundingBox& box);
   float x(double v) const { return static_cast<float>((v * pre_ - low_[0]) * scale_); }
   float y(double v) const { return static_cast<float>((v * pre_ - low_[1]) * scale_); }
   float z(double v) const { return static_cast<float>((v * pre_ - low_[2]) * scale_); }

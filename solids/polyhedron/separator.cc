@@ -152,8 +152,11 @@ Extent extent_along(const TriangleMesh& mesh, std::span<const std::uint32_t> fac
 
 double largest_coordinate(const TriangleMesh& mesh) {
   double largest = 0;
-  for (const Vec3d& p : mesh.positions)
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  for (const auto& t : mesh.faces)
+    for (std::uint32_t v : t) {
+      const Vec3d& p = mesh.positions[v];
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
   return largest;
 }
 

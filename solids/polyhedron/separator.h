@@ -30,7 +30,7 @@ inline constexpr double kSeparatorAbs = 0x1p-960;
 inline constexpr double kSeparatorMaxSize = 0x1p1020;
 }  // namespace internal
 
-/// The greatest absolute value of a coordinate.
+/// The greatest absolute value of a coordinate of a vertex that a face has.
 double largest_coordinate(const TriangleMesh& mesh);
 
 /// Smaller nodes are cheaper to take apart than to separate.

@@ -108,7 +108,11 @@ class Decision {
   }
 
   void decide_pairs() {
-    const UnitScale scale(mesh_.positions, options_.jobs);
+    const BoundingBox box = topology_.vertices == mesh_.positions.size() ? bounding_box(mesh_.positions, options_.jobs)
+                                                                         : bounding_box_of_faces(mesh_, options_.jobs);
+    report_.box_lo = box.lo;
+    report_.box_hi = box.hi;
+    const UnitScale scale(box);
     facets_ = proper_facets(mesh_.faces.size(), signs_.degenerate);
     boxes_.emplace(mesh_, morton_order(mesh_, facets_, scale, options_.jobs), report_.stars, scale,
                    options_.jobs);
@@ -160,18 +164,6 @@ class Decision {
     lister.improper(pairs_);
     if (report_.nesting_decided) lister.nesting(report_.shells);
     report_.defects = lister.take();
-    const BoundingBox box = topology_.vertices == mesh_.positions.size()
-                                ? bounding_box(mesh_.positions, options_.jobs)
-                                : box_of_faces();
-    report_.box_lo = box.lo;
-    report_.box_hi = box.hi;
-  }
-
-  BoundingBox box_of_faces() const {
-    BoundingBox box;
-    for (const auto& t : mesh_.faces)
-      for (std::uint32_t v : t) box.add(mesh_.positions[v]);
-    return box;
   }
 
   const TriangleMesh& mesh_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "solids/polyhedron/box_tree.h"
 #include "tests/predicates/point_generators.h"
 #include "tests/predicates/test_scale.h"
 #include "tests/support/shapes.h"
@@ -28,7 +29,7 @@ bool is_permutation_of(std::vector<std::uint32_t> order, std::vector<std::uint32
 
 // PROVES MESH-10
 void expect_monotone(const std::vector<Vec3d>& positions) {
-  const UnitScale scale(positions);
+  const UnitScale scale(bounding_box(positions, 1));
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
     for (const Vec3d& p : positions) values.push_back(p[axis]);
@@ -75,7 +76,7 @@ TEST(UnitScale, IsMonotoneOnPointsOfEveryKind) {
 }
 
 TEST(UnitScale, UsesTheInterval) {
-  const UnitScale scale({{-3, 0, 10}, {5, 1, 10}});
+  const UnitScale scale(BoundingBox{{-3, 0, 10}, {5, 1, 10}});
   EXPECT_EQ(scale.x(-3), 0.0f);
   EXPECT_GE(scale.x(5), 0.5f);
   EXPECT_EQ(scale.y(0), 0.0f);
@@ -105,7 +106,7 @@ TEST(MortonOrder, IsAPermutationThatDoesNotDependOnJobs) {
   for (const TriangleMesh& mesh :
        {shapes::grid_soup(random, 40000, 50), shapes::needle_soup(random, 500), shapes::torus(40, 30, 3, 1),
         shapes::scaled(shapes::torus(10, 10, 3, 1), 1020), shapes::scaled(shapes::torus(10, 10, 3, 1), -1060)}) {
-    const UnitScale scale(mesh.positions);
+    const UnitScale scale(bounding_box(mesh.positions, 1));
     const auto one = morton_order(mesh, all_facets(mesh), scale, 1);
     EXPECT_TRUE(is_permutation_of(one, all_facets(mesh)));
     for (unsigned jobs : {0u, 2u, 3u, 7u}) EXPECT_EQ(one, morton_order(mesh, all_facets(mesh), scale, jobs));
@@ -115,9 +116,9 @@ TEST(MortonOrder, IsAPermutationThatDoesNotDependOnJobs) {
 TEST(MortonOrder, OrdersSomeOfTheFacetsOnly) {
   const TriangleMesh mesh = shapes::torus(10, 10, 3, 1);
   const std::vector<std::uint32_t> some{3, 5, 8, 13, 21, 34, 55, 89, 144};
-  EXPECT_TRUE(is_permutation_of(morton_order(mesh, some, UnitScale(mesh.positions), 2), some));
+  EXPECT_TRUE(is_permutation_of(morton_order(mesh, some, UnitScale(bounding_box(mesh.positions, 1)), 2), some));
   EXPECT_TRUE(is_permutation_of(median_order(mesh, some), some));
-  EXPECT_TRUE(morton_order(mesh, {}, UnitScale(mesh.positions), 1).empty());
+  EXPECT_TRUE(morton_order(mesh, {}, UnitScale(bounding_box(mesh.positions, 1)), 1).empty());
   EXPECT_TRUE(median_order(mesh, {}).empty());
 }
 
@@ -135,7 +136,7 @@ TEST(MortonOrder, FollowsALine) {
     }
     auto backwards = all_facets(mesh);
     std::reverse(backwards.begin(), backwards.end());
-    EXPECT_EQ(morton_order(mesh, all_facets(mesh), UnitScale(mesh.positions), 1), backwards) << axis;
+    EXPECT_EQ(morton_order(mesh, all_facets(mesh), UnitScale(bounding_box(mesh.positions, 1)), 1), backwards) << axis;
     EXPECT_EQ(median_order(mesh, all_facets(mesh)), backwards) << axis;
   }
 }
@@ -143,7 +144,7 @@ TEST(MortonOrder, FollowsALine) {
 TEST(MortonOrder, KeepsEqualFacetsInTheirOrder) {
   TriangleMesh mesh = shapes::parse("tri 0,0,0 1,0,0 0,1,0");
   mesh.faces.resize(1000, mesh.faces[0]);
-  EXPECT_EQ(morton_order(mesh, all_facets(mesh), UnitScale(mesh.positions), 3), all_facets(mesh));
+  EXPECT_EQ(morton_order(mesh, all_facets(mesh), UnitScale(bounding_box(mesh.positions, 1)), 3), all_facets(mesh));
 }
 
 // Each node of the certificate's tree is halved at a median along its longest axis.
@@ -152,17 +153,12 @@ TEST(MedianOrder, HalvesEveryNodeAlongItsLongestAxis) {
   const TriangleMesh mesh = shapes::needle_soup(random, 300);
   const auto order = median_order(mesh, all_facets(mesh));
   ASSERT_TRUE(is_permutation_of(order, all_facets(mesh)));
-  const UnitScale scale(mesh.positions);
   const auto centre = [&](std::uint32_t f, int axis) {
-    float sum = 0;
-    for (std::uint32_t v : mesh.faces[f]) {
-      const Vec3d& p = mesh.positions[v];
-      sum += axis == 0 ? scale.x(p.x) : (axis == 1 ? scale.y(p.y) : scale.z(p.z));
-    }
-    return sum;
+    const auto& t = mesh.faces[f];
+    return mesh.positions[t[0]][axis] + mesh.positions[t[1]][axis] + mesh.positions[t[2]][axis];
   };
   const auto extent = [&](std::size_t lo, std::size_t hi, int axis) {
-    float least = centre(order[lo], axis), most = least;
+    double least = centre(order[lo], axis), most = least;
     for (std::size_t i = lo; i < hi; ++i) {
       least = std::min(least, centre(order[i], axis));
       most = std::max(most, centre(order[i], axis));
@@ -172,7 +168,7 @@ TEST(MedianOrder, HalvesEveryNodeAlongItsLongestAxis) {
   const auto check = [&](auto&& self, std::size_t lo, std::size_t hi) -> void {
     if (hi - lo < 2) return;
     int longest = 0;
-    std::array<float, 3> length{};
+    std::array<double, 3> length{};
     for (int k = 0; k < 3; ++k) {
       const auto [least, most] = extent(lo, hi, k);
       length[static_cast<std::size_t>(k)] = most - least;
@@ -184,6 +180,29 @@ TEST(MedianOrder, HalvesEveryNodeAlongItsLongestAxis) {
     self(self, mid, hi);
   };
   check(check, 0, order.size());
+}
+
+// Parts so far from each other that single precision sees points.
+TEST(MedianOrder, KeepsTheOrderInsidePartsThatAreFarFromEachOther) {
+  Random random(6);
+  const TriangleMesh part = shapes::relabelled(shapes::torus(30, 20, 3, 1), random);
+  for (double far : {1e9, 1e12, -1e12}) {
+    const TriangleMesh mesh = shapes::joined(part, shapes::box({far, far, far}, {far * 1.5, far * 1.5, far * 1.5}));
+    const BoxTree tree(mesh, median_order(mesh, all_facets(mesh)), {std::vector<std::uint8_t>(mesh.positions.size()), {}});
+    struct Counter {
+      std::uint64_t leaves = 0;
+      bool stop() const { return false; }
+      bool node_pair(const TreeRange&, const TreeRange&, std::uint64_t) { return false; }
+      void leaf_pair(std::uint32_t, std::uint32_t) { ++leaves; }
+    } counter;
+    EXPECT_LT(tree.walk({tree.root(), tree.root()}, counter), 60 * mesh.faces.size()) << far;
+  }
+}
+
+TEST(BoundingBox, OfFacesLeavesOutStrayVertices) {
+  const TriangleMesh mesh = shapes::parse("v -9,0,0 1,2,3 4,0,0 0,5,0 7,7,7 ; f 1,2,3");
+  EXPECT_EQ(bounding_box_of_faces(mesh, 2).lo, (Vec3d{0, 0, 0}));
+  EXPECT_EQ(bounding_box_of_faces(mesh, 2).hi, (Vec3d{4, 5, 3}));
 }
 
 }  // namespace

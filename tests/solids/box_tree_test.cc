@@ -109,7 +109,7 @@ struct Recorder {
 void expect_as_on_the_page(const TriangleMesh& mesh, const VertexStars& stars, Random& random, bool some_separated) {
   std::vector<std::uint32_t> order(mesh.faces.size());
   std::iota(order.begin(), order.end(), 0u);
-  order = random.below(2) == 0 ? median_order(mesh, order) : morton_order(mesh, order, UnitScale(mesh.positions), 1);
+  order = random.below(2) == 0 ? median_order(mesh, order) : morton_order(mesh, order, UnitScale(bounding_box(mesh.positions, 1)), 1);
   std::set<std::int64_t> separated;
   for (std::int64_t k = 0; some_separated && k < 2000; ++k)
     if (random.below(10) == 0) separated.insert(k);

@@ -95,7 +95,7 @@ Found walk(const BoxGroups& groups, std::uint64_t budget, unsigned jobs) {
 
 // All pairs, each once; exactly those whose mapped boxes overlap, among them all whose boxes do. With both instruction sets.
 void expect_complete(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, const VertexStars& stars) {
-  const UnitScale scale(mesh.positions);
+  const UnitScale scale(bounding_box(mesh.positions, 1));
   const auto want = brute_pairs(mesh, facets, stars, &scale), least = brute_pairs(mesh, facets, stars, nullptr);
   EXPECT_TRUE(std::includes(want.begin(), want.end(), least.begin(), least.end()));
   std::vector<std::vector<FacetPair>> tasks;
@@ -117,13 +117,13 @@ void expect_complete(const TriangleMesh& mesh, const std::vector<std::uint32_t>&
 TEST(BroadPhase, FindsTheOneOverlapOfTwo) {
   const TriangleMesh mesh = shapes::parse("tri 0,0,0 2,0,0 0,2,0 ; tri 1,1,0 3,1,0 1,3,1");
   expect_complete(mesh, {0, 1}, {{0, 0, 0, 0, 0, 0}, {}});
-  const BoxGroups groups(mesh, {0, 1}, {{0, 0, 0, 0, 0, 0}, {}}, UnitScale(mesh.positions), 1);
+  const BoxGroups groups(mesh, {0, 1}, {{0, 0, 0, 0, 0, 0}, {}}, UnitScale(bounding_box(mesh.positions, 1)), 1);
   EXPECT_EQ(walk(groups, kNoLimit, 1).pairs, (std::vector<FacetPair>{{0, 1}}));
 }
 
 TEST(BroadPhase, BoxesThatTouchOverlap) {
   const TriangleMesh mesh = shapes::parse("tri 0,0,0 1,0,0 0,1,0 ; tri 1,1,0 2,1,0 1,2,0");
-  const BoxGroups groups(mesh, {0, 1}, {std::vector<std::uint8_t>(6), {}}, UnitScale(mesh.positions), 1);
+  const BoxGroups groups(mesh, {0, 1}, {std::vector<std::uint8_t>(6), {}}, UnitScale(bounding_box(mesh.positions, 1)), 1);
   EXPECT_EQ(walk(groups, kNoLimit, 1).pairs.size(), 1u);
 }
 
@@ -132,7 +132,7 @@ TEST(BroadPhase, LeavesOutPairsThatAStarSettlesAndNoOthers) {
   for (std::uint32_t star = 0; star < 5; ++star) {
     VertexStars stars{std::vector<std::uint8_t>(5), {}};
     stars.code[star] = 1;
-    const BoxGroups groups(mesh, {0, 1}, stars, UnitScale(mesh.positions), 1);
+    const BoxGroups groups(mesh, {0, 1}, stars, UnitScale(bounding_box(mesh.positions, 1)), 1);
     EXPECT_EQ(walk(groups, kNoLimit, 1).pairs.size(), star == 0 ? 0u : 1u) << star;
   }
 }
@@ -140,7 +140,7 @@ TEST(BroadPhase, LeavesOutPairsThatAStarSettlesAndNoOthers) {
 TEST(BroadPhase, OfNothingAndOfOneFacetIsEmpty) {
   const TriangleMesh mesh = shapes::parse("tri 0,0,0 2,0,0 0,2,0");
   for (const std::vector<std::uint32_t>& facets : {std::vector<std::uint32_t>{}, std::vector<std::uint32_t>{0}}) {
-    const BoxGroups groups(mesh, facets, {std::vector<std::uint8_t>(3), {}}, UnitScale(mesh.positions), 1);
+    const BoxGroups groups(mesh, facets, {std::vector<std::uint8_t>(3), {}}, UnitScale(bounding_box(mesh.positions, 1)), 1);
     const Found found = walk(groups, kNoLimit, 2);
     EXPECT_TRUE(found.complete);
     EXPECT_TRUE(found.pairs.empty());
@@ -184,7 +184,7 @@ TEST(BroadPhaseLaw, FindsEveryOverlapOfScenesOfManyKinds) {
 TEST(BroadPhaseLaw, AgreesOverSeveralChunksOfThreads) {
   Random random(3);
   const TriangleMesh mesh = shapes::torus(140, 100, 30, 12);
-  const UnitScale scale(mesh.positions);
+  const UnitScale scale(bounding_box(mesh.positions, 1));
   const VertexStars stars = marked(mesh, random, 2);
   std::vector<std::vector<FacetPair>> tasks;
   for (const bool baseline : {false, true}) {
@@ -203,7 +203,7 @@ TEST(BroadPhaseLaw, AgreesOverSeveralChunksOfThreads) {
 TEST(BroadPhase, BudgetDecidesAloneWhetherTheWalkIsComplete) {
   Random random(1);
   const TriangleMesh mesh = shapes::needle_soup(random, 700);
-  const UnitScale scale(mesh.positions);
+  const UnitScale scale(bounding_box(mesh.positions, 1));
   const BoxGroups groups(mesh, morton_order(mesh, all_facets(mesh), scale, 1), marked(mesh, random, 0), scale, 1);
   std::uint64_t low = 0, high = 1 << 24;  // incomplete at low, complete at high
   ASSERT_FALSE(walk(groups, low, 1).complete);
@@ -231,7 +231,7 @@ TEST(BroadPhase, StabbedAreTheBoxesOnTheWayInAscendingPosition) {
     Random random(seed);
     const TriangleMesh mesh = seed % 2 == 0 ? shapes::grid_soup(random, static_cast<int>(1 + random.below(300)), 8)
                                             : shapes::needle_soup(random, static_cast<int>(1 + random.below(300)));
-    const UnitScale scale(mesh.positions);
+    const UnitScale scale(bounding_box(mesh.positions, 1));
     const auto order = morton_order(mesh, all_facets(mesh), scale, 1);
     const BoxGroups groups(mesh, order, marked(mesh, random, 0), scale, 1);
     const auto boxes = boxes_of(mesh, nullptr), mapped = boxes_of(mesh, &scale);

@@ -19,7 +19,7 @@ ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 1000
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
     if (signs.signs[f] != 0) facets.push_back(f);
-  const UnitScale scale(mesh.positions);
+  const UnitScale scale(bounding_box(mesh.positions, 1));
   const BoxGroups boxes(mesh, morton_order(mesh, facets, scale, jobs), stars, scale, jobs);
   return find_improper_pairs(mesh, boxes, facets, stars, max_listed, jobs);
 }

@@ -23,7 +23,7 @@ Nesting nest(const TriangleMesh& mesh, unsigned jobs = 1) {
   const SurfaceTopology topology = analyse_surface(mesh.faces, incidence, 0, 1);
   std::vector<std::uint32_t> facets(mesh.faces.size());
   std::iota(facets.begin(), facets.end(), 0u);
-  const UnitScale scale(mesh.positions);
+  const UnitScale scale(bounding_box(mesh.positions, 1));
   const BoxGroups boxes(mesh, morton_order(mesh, facets, scale, 1), {std::vector<std::uint8_t>(mesh.positions.size()), {}}, scale, 1);
   return nest_shells(mesh, boxes, topology.shell_of_face, topology.shells.size(), jobs);
 }

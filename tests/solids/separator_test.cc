@@ -219,7 +219,7 @@ TEST(SeparatorRegression, SumsThatOverflowByRoundingProveNothing) {
 }
 
 TEST(Separator, LargestCoordinateIsTheGreatestAbsoluteValue) {
-  EXPECT_EQ(largest_coordinate(shapes::parse("v 1,-7,3 0,5,-6.5")), 7);
+  EXPECT_EQ(largest_coordinate(shapes::parse("v 1,-7,3 0,5,-6.5 100,100,-100 ; f 0,1,1")), 7);
 }
 
 }  // namespace

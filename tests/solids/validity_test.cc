@@ -101,6 +101,17 @@ TEST(Validity, UnreferencedVerticesDoNotMatter) {
   EXPECT_EQ(r.box_hi, (Vec3d{1, 1, 1}));
 }
 
+// A vertex that no face has made the boxes of all others points, and the decision quadratic.
+TEST(ValidityRegression, AStrayVertexFarAwayCostsNothing) {
+  for (double far : {-1e9, 1e15, -1e300}) {
+    TriangleMesh mesh = shapes::torus(40, 30, 3, 1);
+    mesh.positions.push_back({far, far, far});
+    const ValidityReport r = decide(mesh);
+    EXPECT_TRUE(r.is_valid);
+    EXPECT_FALSE(r.long_thin) << far;
+  }
+}
+
 TEST(Validity, ListsAtMostTheDefectsAskedForButCountsAll) {
   Random random(4);
   const TriangleMesh soup = shapes::random_indexed(random, 40, 10, 3);

@@ -62,7 +62,7 @@ void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned j
   const auto facets = all_facets(mesh);
   const BoxTree tree(mesh,
                      report.long_thin ? median_order(mesh, facets)
-                                      : morton_order(mesh, facets, UnitScale(mesh.positions, jobs), jobs),
+                                      : morton_order(mesh, facets, UnitScale(BoundingBox{report.box_lo, report.box_hi}), jobs),
                      report.stars);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);

@@ -38,6 +38,16 @@ std::string_view as_text(const certificate::Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+// A name as a shell takes it.
+std::string shell_word(const std::string& name) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/+-";
+  if (name.find_first_not_of(kPlain) == name.npos) return name;
+  std::string out = "'";
+  for (const char c : name) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
 // The bytes of standard input, which can be read once only.
 struct SpooledInput {
   ByteBuffer bytes;
@@ -183,7 +193,11 @@ class Certification {
                            {"not-checked", {}, settings_.checker + " " + outcome.words});
     }
     if (file_has_changed()) {
-      report_.certificate.reset();
+      FileReport blank;  // what was found is about bytes that are gone
+      blank.path = report_.path;
+      blank.as_indexed = settings_.reading.as_indexed;
+      blank.seconds = report_.seconds;
+      report_ = std::move(blank);
       return refuse({"file-changed", {}, "the file changed while it was being certified"});
     }
     return fail_to_check(kExitBug, {"internal",
@@ -220,10 +234,15 @@ class Certification {
   }
 
   std::string how_to_report() const {
-    const std::string name = report_.path == "-" ? "FILE" : report_.path;
+    const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
+    std::string options = "--no-check --certificate bug.cert ";
+    if (settings_.reading.as_indexed) options += "--as-indexed ";
+    if (settings_.reading.format) {
+      options += std::string("--format ") + mesh_format_name(*settings_.reading.format) + " ";
+    }
     return "this is a bug of veritope, not of your file: please report it with the file, or with "
-           "what this prints: veritope certify --no-check --certificate bug.cert " +
-           name + "; veritope-check " + name + " bug.cert; veritope --version";
+           "what this prints: veritope certify " +
+           options + name + "; veritope-check " + name + " bug.cert; veritope --version";
   }
 
   const CertifySettings& settings_;

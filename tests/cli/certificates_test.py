@@ -170,6 +170,15 @@ class Checker(Folder):
         model = support.shutil.copy(VALID, self.folder / "m.off")
         status, file = self.verdict_with(f'echo "# changed" >> "{model}"; echo "REJECT S3: hash"; exit 1', model)
         self.assertEqual((status, file["verdict"], file["error"]["code"]), (4, "UNREADABLE", "file-changed"))
+        self.assertEqual((file["sha256"], file["counts"]["faces"], file["defects"]), (None, None, []))
+
+    def test_the_words_for_a_report_of_a_bug_can_be_run(self):
+        model = support.shutil.copy(MODELS / "valid_own_corners.off", self.folder / "it's odd.dat")
+        message = self.verdict_with("exit 1", model, "--as-indexed", "--format", "off")[1]["error"]["message"]
+        command = message.split("what this prints: ")[1].split(";")
+        done = support.subprocess.run(";".join(command[:2]), shell=True, cwd=self.folder, capture_output=True, text=True,
+                                      env={**os.environ, "PATH": f"{BIN}:{os.environ['PATH']}"})
+        self.assertIn("ACCEPT mesh-invalid-1", done.stdout + done.stderr)
 
     def test_a_bug_comes_first_among_several_files(self):
         veritope = self.copy_programs("echo 'REJECT B1: x'; exit 1")

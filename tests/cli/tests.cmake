@@ -1,4 +1,4 @@
-# Tests of the command line: each runs the programs. veritope_cli_test(NAME LABEL): tests/cli/NAME_test.py
+# Tests of the command line: each runs the programs. veritope_cli_test(<name> <label>): tests/cli/<name>_test.py
 function(veritope_cli_test name label)
   add_test(NAME cli_${name} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/${name}_test.py")
   set_tests_properties(cli_${name} PROPERTIES LABELS "${label};cli" TIMEOUT 600 ENVIRONMENT

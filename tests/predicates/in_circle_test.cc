@@ -44,6 +44,14 @@ TEST(InCircle, IsExactWhereProductsUnderflowAndOverflow) {
   EXPECT_EQ(in_circle({huge, 0}, {0, huge}, {-huge, 0}, {tiny, -huge}), Sign::kNegative);
 }
 
+TEST(InCircle, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
+  // As for orient3d: minors of 0.4 and -0.6 units, lifts of 1.6 and 1 times 2^1000.
+  const Vec2d a{0.6, 0x1.43d136248490fp500}, b{0.4, 0x1p500}, c{0, 5e-324}, d{0, 0};
+  EXPECT_EQ(in_circle_filter(a, b, c, d), Sign3::kUncertain);
+  EXPECT_EQ(in_circle(a, b, c, d), Sign::kPositive);
+  EXPECT_EQ(in_circle_filter({0x1p-240, 0}, {0, 0x1p-240}, {-0x1p-240, 0}, {0, 0}), Sign3::kUncertain);
+}
+
 TEST(InCircle, AsksEachTierOnlyAfterTheOneBefore) {
   const auto decide = [](Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
     return [=](TierCounts* tally) { return in_circle(a, b, c, d, tally); };

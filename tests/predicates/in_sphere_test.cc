@@ -46,6 +46,15 @@ TEST(InSphere, IsExactWhereProductsUnderflowAndOverflow) {
   }
 }
 
+TEST(InSphere, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
+  // The points of in_circle's test in the plane z = 0, and one above it: the minors are multiplied by its z = 1.
+  const Vec3d a{0.6, 0x1.43d136248490fp500, 0}, b{0.4, 0x1p500, 0}, c{0, 5e-324, 0}, d{0, 0, 1}, e{0, 0, 0};
+  EXPECT_EQ(in_sphere_filter(a, b, c, d, e), Sign3::kUncertain);
+  EXPECT_EQ(in_sphere(a, b, c, d, e), Sign::kPositive);
+  const double r = 0x1p-195;
+  EXPECT_EQ(in_sphere_filter({-r, 0, 0}, {r, 0, 0}, {0, r, 0}, {0, 0, r}, e), Sign3::kUncertain);
+}
+
 TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {
   const auto decide = [](double r, Vec3d e) {
     return [=](TierCounts* tally) { return in_sphere({-r, 0, 0}, {r, 0, 0}, {0, r, 0}, {0, 0, r}, e, tally); };

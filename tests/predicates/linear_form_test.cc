@@ -30,6 +30,11 @@ TEST(SideOfPlane, IsExactWhereProductsUnderflowAndOverflow) {
   EXPECT_EQ(side_of_plane({{kHuge, -kHuge, 0}, -kTiny}, {kHuge, kHuge, 1}), Sign::kNegative);
 }
 
+TEST(SideOfPlane, LeavesTinyValuesToTheExactTiers) {
+  EXPECT_EQ(side_of_plane_filter({{0x1p-490, 0, 0}, 0}, {0x1p-490, 0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(side_of_plane({{0x1p-490, 0, 0}, 0}, {0x1p-490, 0, 0}), Sign::kPositive);
+}
+
 TEST(SideOfPlane, AsksEachTierOnlyAfterTheOneBefore) {
   const auto decide = [](PlaneCoefficients plane, Vec3d p) {
     return [=](TierCounts* tally) { return side_of_plane(plane, p, tally); };
@@ -50,6 +55,11 @@ TEST(CompareAlong, IsPositiveForTheLaterPoint) {
 TEST(CompareAlong, IsExactWhereProductsUnderflowAndOverflow) {
   EXPECT_EQ(compare_along({kTiny, 0, 0}, {kTiny, 0, 0}, {0, 0, 0}), Sign::kPositive);
   EXPECT_EQ(compare_along({kHuge, kHuge, kTiny}, {kHuge, -kHuge, kTiny}, {-kHuge, kHuge, 0}), Sign::kPositive);
+}
+
+TEST(CompareAlong, LeavesTinyValuesToTheExactTiers) {
+  EXPECT_EQ(compare_along_filter({0x1p-490, 0, 0}, {0x1p-490, 0, 0}, {0, 0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(compare_along({0x1p-490, 0, 0}, {0x1p-490, 0, 0}, {0, 0, 0}), Sign::kPositive);
 }
 
 TEST(CompareAlong, AsksEachTierOnlyAfterTheOneBefore) {

@@ -41,6 +41,14 @@ TEST(Orient2d, IsExactWhereProductsUnderflowAndOverflow) {
   EXPECT_EQ(orient2d({-huge, -huge}, {huge, huge}, {0, tiny}), Sign::kPositive);
 }
 
+TEST(Orient2d, IsNotMisledByProductsThatUnderflowToDifferentSides) {
+  // left rounds up to 2^-1074 and right down to 0, while the differences' roundings hide that right is the larger: kAbs pays.
+  const Vec2d a{0x1p-554, 0x1p-627}, b{0x1p-500, -0x1p-574}, c{-0x1p-501, 0x1.0000000000002p-575};
+  EXPECT_EQ(orient2d_filter(a, b, c), Sign3::kUncertain);
+  EXPECT_EQ(orient2d(a, b, c), Sign::kNegative);
+  EXPECT_EQ(orient2d_filter({0, 0}, {0x1p-490, 0}, {0, 0x1p-490}), Sign3::kUncertain);
+}
+
 TEST(Orient2d, AsksEachTierOnlyAfterTheOneBefore) {
   const auto decide = [](Vec2d a, Vec2d b, Vec2d c) {
     return [=](TierCounts* tally) { return orient2d(a, b, c, tally); };

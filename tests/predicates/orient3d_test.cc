@@ -47,6 +47,14 @@ TEST(Orient3d, IsExactWhereProductsUnderflowAndOverflow) {
             Sign::kPositive);
 }
 
+TEST(Orient3d, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
+  // The minors are 0.4 and -0.6 units of 2^-1074, computed as 0 and -1; the last point weighs them with 1.6 and 1: kEta pays.
+  const Vec3d b{0x1.8p-537, 0x1p-537, 0}, c{0, 0, 0x1.999999999999ap-539}, d{0x1.999999999999ap1000, 0x1p1000, 0};
+  EXPECT_EQ(orient3d_filter(kO, b, c, d), Sign3::kUncertain);
+  EXPECT_EQ(orient3d(kO, b, c, d), Sign::kPositive);
+  EXPECT_EQ(orient3d_filter(kO, {0x1p-330, 0, 0}, {0, 0x1p-330, 0}, {0, 0, 0x1p-330}), Sign3::kUncertain);
+}
+
 TEST(Orient3d, AsksEachTierOnlyAfterTheOneBefore) {
   const auto decide = [](Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
     return [=](TierCounts* tally) { return orient3d(a, b, c, d, tally); };

@@ -17,7 +17,8 @@ import attacks                                            # noqa: E402
 import forge                                              # noqa: E402
 import solids                                             # noqa: E402
 
-vc = attacks.load_checker(os.environ.get("VERITOPE_CHECK_PY") or attacks.CHECKER_PY)
+PROGRAM = os.environ.get("VERITOPE_CHECK_PY") or str(attacks.CHECKER_PY)    # a mutant sets it
+vc = attacks.load_checker(PROGRAM)
 TET_POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 TET = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
 T3 = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
@@ -639,7 +640,7 @@ class InvalidTest(CertificateTest):
 
 class CommandLineTest(unittest.TestCase):
     def run_it(self, *args):
-        r = subprocess.run([sys.executable, str(attacks.CHECKER_PY)] + list(args), capture_output=True, text=True)
+        r = subprocess.run([sys.executable, PROGRAM] + list(args), capture_output=True, text=True)
         return r.returncode, r.stdout.strip()
 
     def test_exit_codes(self):

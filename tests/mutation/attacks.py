@@ -200,6 +200,18 @@ def axis_chain(case, rng):
                          [rng.randrange(17) + rng.choice((0, 32))])
 
 
+def axis_pairs(case, rng):
+    """Two bytes: every open code of an offending pair before every code (a sample of 40)."""
+    if not case.open_pairs:
+        return
+    pair = rng.choice(case.open_pairs)
+    opened = open_codes(case.mesh, *pair)[0] or [rng.randrange(17)]
+    codes = [[64 | first, second + axis] for first in opened for second in (0, 32) for axis in range(17)]
+    best = {p: (open_codes(case.mesh, *p)[1] or [0])[:1] for p in case.open_pairs}
+    for two in rng.sample(codes, min(40, len(codes))):
+        yield with_codes(case, lambda a, b: two if (a, b) == pair else best[a, b])
+
+
 def axis_malformed(case, rng):
     """Bytes that are no codes: bit 7, axes above 16, a chain without an end."""
     if case.open_pairs:
@@ -414,7 +426,7 @@ def mixed(case, rng):
         yield case.certificate(plan)
 
 
-VALID_LIARS = (axis_single, axis_best, axis_chain, axis_malformed, drop_triangle, lost_code, other_order, transplant,
+VALID_LIARS = (axis_single, axis_best, axis_chain, axis_pairs, axis_malformed, drop_triangle, lost_code, other_order, transplant,
                star_table, star_vector, star_many, separator_random, separator_fit, separator_spare,
                nesting_codes, mixed)
 HIDDEN = {"M1": "hide_degenerate", "M2": "hide_duplicate", "M3": "hide_open", "M4": "hide_crowded_edge",

@@ -57,7 +57,8 @@ def mutate_line(line, python):
     """(operator, new line) for each way to change one line."""
     code = re.sub(r"\"(\\.|[^\"\\])*\"|'(\\.|[^'\\])*'", lambda m: "\0" * len(m.group()), line)
     code = re.sub(r"#.*" if python else r"//.*", lambda m: "\0" * len(m.group()), code)
-    for name, pattern, replacements in OPERATORS:
+    message = re.match(r"\s*(raise |return \0)", code)      # nothing but the text could change
+    for name, pattern, replacements in () if message else OPERATORS:
         for m in re.finditer(pattern, code):
             for r in replacements:
                 if r in ("N+1", "N-1"):
@@ -271,6 +272,8 @@ def execute(found, job, jobs):
         if pid in running:
             code = os.waitstatus_to_exitcode(status)
             results.append((running.pop(pid), "survived" if code == 1 else "build" if code == 2 else "killed"))
+            if len(results) % 50 == 0:
+                print("%d of %d mutants" % (len(results), len(found)), file=sys.stderr, flush=True)
     return results
 
 

@@ -100,10 +100,12 @@ void measure(const Format& format, const std::string& folder, const TriangleMesh
   const double a = median(ours) * scale;
   if (with_peer) {
     const double b = median(peer) * scale;
-    std::printf("{\"row\":\"read_%s\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns\",\"ratio\":%.4f}\n",
-                format.name, a, b, a / b);
+    std::printf(
+        "{\"row\":\"read_%s\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns\",\"ratio\":%.4f}\n",
+        format.name, a, b, a / b);
   } else {
-    std::printf("{\"row\":\"read_%s\",\"ours\":%.1f,\"peer\":null,\"unit\":\"ns\"}\n", format.name, a);
+    std::printf("{\"row\":\"read_%s\",\"ours\":%.1f,\"peer\":null,\"unit\":\"ns\"}\n", format.name,
+                a);
   }
   std::printf("{\"row\":\"hash_%s\",\"ours\":%.1f,\"peer\":null,\"unit\":\"ns\"}\n", format.name,
               median(hash) * scale);
@@ -120,11 +122,10 @@ int main(int argc, char** argv) {
   const auto folder = std::filesystem::temp_directory_path() /
                       ("veritope-bench-read-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
-  for (const Format& format : {Format{"stl_binary", "stl-binary", "stl"}, Format{"obj", "obj", "obj"},
-                               Format{"off", "off", "off"},
-                               Format{"ply_binary", "ply-binary-little-endian", "ply"},
-                               Format{"ply_ascii", "ply-ascii", "ply"},
-                               Format{"stl_ascii", "stl-ascii", "stl"}}) {
+  for (const Format& format :
+       {Format{"stl_binary", "stl-binary", "stl"}, Format{"obj", "obj", "obj"},
+        Format{"off", "off", "off"}, Format{"ply_binary", "ply-binary-little-endian", "ply"},
+        Format{"ply_ascii", "ply-ascii", "ply"}, Format{"stl_ascii", "stl-ascii", "stl"}}) {
     measure(format, folder.string(), mesh, with_peer);
   }
   std::filesystem::remove_all(folder);

@@ -16,7 +16,8 @@ namespace veritope::fuzz {
 
 inline bool same_bits(const Vec3d& a, const Vec3d& b) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::bit_cast<std::uint64_t>(a[axis]) != std::bit_cast<std::uint64_t>(b[axis])) return false;
+    if (std::bit_cast<std::uint64_t>(a[axis]) != std::bit_cast<std::uint64_t>(b[axis]))
+      return false;
   }
   return true;
 }
@@ -46,7 +47,8 @@ inline void check_mesh(const MeshFile& file) {
   const ReadReport& r = file.report;
   VT_CHECK(r.referenced_vertices + r.unreferenced_vertices == mesh.positions.size(), "counts");
   VT_CHECK(r.distinct_vertices <= r.file_vertices, "more positions than the file lists");
-  VT_CHECK(file.polygon_of_face.size() == (r.polygons_split > 0 ? mesh.faces.size() : 0), "polygons");
+  VT_CHECK(file.polygon_of_face.size() == (r.polygons_split > 0 ? mesh.faces.size() : 0),
+           "polygons");
   VT_CHECK(file.sha256.size() == 64, "hash");
 }
 
@@ -57,7 +59,8 @@ inline void check_merging(const MeshFile& merged, const MeshFile& indexed) {
   VT_CHECK(a.faces.size() == b.faces.size(), "merging changed the number of faces");
   for (std::size_t f = 0; f < a.faces.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      VT_CHECK(same_bits(a.positions[a.faces[f][k]], b.positions[b.faces[f][k]]), "merging moved a corner");
+      VT_CHECK(same_bits(a.positions[a.faces[f][k]], b.positions[b.faces[f][k]]),
+               "merging moved a corner");
       VT_CHECK(a.faces[f][k] <= b.faces[f][k], "a merged id above the file's");
     }
   }
@@ -95,7 +98,8 @@ inline void check_reader(MeshFormat format, std::span<const std::uint8_t> bytes)
   VT_CHECK(merged.has_value() == indexed.has_value(), "as_indexed decides whether a file is read");
   if (!merged) {
     check_error(merged.error());
-    VT_CHECK(to_string(merged.error()) == to_string(indexed.error()), "as_indexed changes the error");
+    VT_CHECK(to_string(merged.error()) == to_string(indexed.error()),
+             "as_indexed changes the error");
     return;
   }
   check_mesh(merged.value());

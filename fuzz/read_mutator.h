@@ -52,20 +52,25 @@ class Mutator {
   /// The number of `size` bytes at `at` becomes an interesting one.
   void change_binary(std::size_t at, std::size_t size) {
     if (at + size > text_.size()) return;
-    static constexpr std::uint64_t kFloats[] = {0, 0x80000000, 0x3F800000, 0x7F800000, 0xFF800000, 0x7FC00000,
-                                                1, 0x7F7FFFFF, 0x00800000, 0xFF7FFFFF, 0xBF800000};
-    static constexpr std::uint64_t kDoubles[] = {0, 0x8000000000000000, 0x3FF0000000000000, 0x7FF0000000000000,
-                                                 0x7FF8000000000000, 1, 0x7FEFFFFFFFFFFFFF, 0xFFF0000000000000};
+    static constexpr std::uint64_t kFloats[] = {0,          0x80000000, 0x3F800000, 0x7F800000,
+                                                0xFF800000, 0x7FC00000, 1,          0x7F7FFFFF,
+                                                0x00800000, 0xFF7FFFFF, 0xBF800000};
+    static constexpr std::uint64_t kDoubles[] = {
+        0, 0x8000000000000000, 0x3FF0000000000000, 0x7FF0000000000000, 0x7FF8000000000000,
+        1, 0x7FEFFFFFFFFFFFFF, 0xFFF0000000000000};
     std::uint64_t value = 0;
     std::memcpy(&value, text_.data() + at, size);
     switch (pick(5)) {
-      case 0: value = size == 8 ? kDoubles[pick(std::size(kDoubles))] : kFloats[pick(std::size(kFloats))]; break;
+      case 0:
+        value = size == 8 ? kDoubles[pick(std::size(kDoubles))] : kFloats[pick(std::size(kFloats))];
+        break;
       case 1: value += pick(7) - 3; break;
       case 2: value = pick(8); break;
       case 3: value = ~std::uint64_t{0} - pick(3); break;
       default: std::memcpy(&value, text_.data() + pick(text_.size() - size + 1), size); break;
     }
-    if (pick(4) == 0) std::reverse(reinterpret_cast<char*>(&value), reinterpret_cast<char*>(&value) + size);
+    if (pick(4) == 0)
+      std::reverse(reinterpret_cast<char*>(&value), reinterpret_cast<char*>(&value) + size);
     std::memcpy(text_.data() + at, &value, size);
   }
 
@@ -92,20 +97,53 @@ class Mutator {
   }
 
   std::string separator() {
-    static constexpr std::string_view kAll[] = {" ", "\n", "\r", "\r\n", "\t", "\v", "\f", " # ", "\\\n", "\\\r\n",
-                                                "#\n", "\n\n", " \\\n ", "/", "\xEF\xBB\xBF", "\\\r"};
+    static constexpr std::string_view kAll[] = {
+        " ",    "\n",     "\r",  "\r\n", "\t",     "\v", "\f",           " # ",
+        "\\\n", "\\\r\n", "#\n", "\n\n", " \\\n ", "/",  "\xEF\xBB\xBF", "\\\r"};
     return std::string(kAll[pick(std::size(kAll))]);
   }
 
   std::string number() {
-    static constexpr std::string_view kAll[] = {
-        "0", "1", "2", "3", "-1", "-2", "4", "-0", "+1", "1.", ".5", "-.5e-3", "1e308", "1.8e308", "1e-400", "5e-324",
-        "2.4703282292062328e-324", "9007199254740993", "0.50000000000000000", "nan", "inf", "1e", "0x1p3", "1,5",
-        "4294967295", "4294967296", "18446744073709551616", "-2147483648", "255", "1e4096", "1e-4097", "0.1",
-        "1234567890123456789012345678901234567890", "0.000000000000000000000000000012345678901234567", "1e22", "1e23"};
+    static constexpr std::string_view kAll[] = {"0",
+                                                "1",
+                                                "2",
+                                                "3",
+                                                "-1",
+                                                "-2",
+                                                "4",
+                                                "-0",
+                                                "+1",
+                                                "1.",
+                                                ".5",
+                                                "-.5e-3",
+                                                "1e308",
+                                                "1.8e308",
+                                                "1e-400",
+                                                "5e-324",
+                                                "2.4703282292062328e-324",
+                                                "9007199254740993",
+                                                "0.50000000000000000",
+                                                "nan",
+                                                "inf",
+                                                "1e",
+                                                "0x1p3",
+                                                "1,5",
+                                                "4294967295",
+                                                "4294967296",
+                                                "18446744073709551616",
+                                                "-2147483648",
+                                                "255",
+                                                "1e4096",
+                                                "1e-4097",
+                                                "0.1",
+                                                "1234567890123456789012345678901234567890",
+                                                "0.000000000000000000000000000012345678901234567",
+                                                "1e22",
+                                                "1e23"};
     if (pick(8) != 0) return std::string(kAll[pick(std::size(kAll))]);
     std::string digits;
-    for (std::size_t i = pick(30); i > 0; --i) digits += "0123456789.e-"[pick(pick(4) == 0 ? 13 : 10)];
+    for (std::size_t i = pick(30); i > 0; --i)
+      digits += "0123456789.e-"[pick(pick(4) == 0 ? 13 : 10)];
     return digits;
   }
 

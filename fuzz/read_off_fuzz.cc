@@ -10,8 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned seed) {
-  static constexpr std::string_view kWords[] = {
-      "OFF", "COFF", "STCNOFF", "4OFF", "BINARY", "#", "3 0 1 2", "4 0 1 2 3", "0 0 0"};
+  static constexpr std::string_view kWords[] = {"OFF", "COFF",    "STCNOFF",   "4OFF", "BINARY",
+                                                "#",   "3 0 1 2", "4 0 1 2 3", "0 0 0"};
   return veritope::fuzz::mutate(data, size, max_size, seed, kWords, [](veritope::fuzz::Mutator& m) {
     m.pick(3) == 0 ? m.change_line(m.text().size()) : m.change_token(m.text().size());
   });

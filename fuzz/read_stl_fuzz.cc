@@ -7,8 +7,18 @@ namespace {
 
 constexpr std::size_t kHeader = 84, kFacet = 50;
 constexpr std::string_view kWords[] = {
-    "solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid", "SOLID",
-    "facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet", "vertex 0 0 0",
+    "solid",
+    "facet",
+    "normal",
+    "outer",
+    "loop",
+    "vertex",
+    "endloop",
+    "endfacet",
+    "endsolid",
+    "SOLID",
+    "facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet",
+    "vertex 0 0 0",
     "endsolid\nsolid x\n"};
 
 // Makes the count at byte 80 that of the size, or nearly.

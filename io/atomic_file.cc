@@ -91,12 +91,17 @@ unsigned next_number() {
 
 AtomicFile::AtomicFile(std::string path, std::string target, std::string temporary, int slot,
                        int descriptor)
-    : path_(std::move(path)), target_(std::move(target)), temporary_(std::move(temporary)),
-      slot_(slot), descriptor_(descriptor) {}
+    : path_(std::move(path)),
+      target_(std::move(target)),
+      temporary_(std::move(temporary)),
+      slot_(slot),
+      descriptor_(descriptor) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
-    : path_(std::move(other.path_)), target_(std::move(other.target_)),
-      temporary_(std::move(other.temporary_)), slot_(std::exchange(other.slot_, -1)),
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      slot_(std::exchange(other.slot_, -1)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 AtomicFile::~AtomicFile() { discard(); }
@@ -179,7 +184,8 @@ void remove_unfinished_files() noexcept {
 }
 
 bool same_file(const std::string& a, const std::string& b) {
-  struct stat status_a {}, status_b {};
+  struct stat status_a {
+  }, status_b{};
   return ::stat(a.c_str(), &status_a) == 0 && ::stat(b.c_str(), &status_b) == 0 &&
          status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
 }

@@ -31,11 +31,11 @@ class AtomicFile {
   Error error(const std::string& why) const;
   void discard();
 
-  std::string path_;       ///< as given: for errors
-  std::string target_;     ///< links followed
+  std::string path_;    ///< as given: for errors
+  std::string target_;  ///< links followed
   std::string temporary_;
-  int slot_;               ///< in the registry of temporaries; -1: not there any more
-  int descriptor_;         ///< -1: closed
+  int slot_;        ///< in the registry of temporaries; -1: not there any more
+  int descriptor_;  ///< -1: closed
 };
 
 /// Unlinks the temporaries of all uncommitted AtomicFiles. Async-signal-safe: for handlers of SIGINT and SIGTERM,

@@ -160,7 +160,8 @@ bool is_rounding(const WriteOptions& options) {
 void encode_mesh(const TriangleMesh& mesh, const WriteOptions& options, ChunkedOutput& out) {
   const bool is_text = options.encoding == MeshEncoding::kAscii;
   switch (options.format) {
-    case MeshFormat::kStl: return is_text ? encode_stl_ascii(mesh, out) : encode_stl_binary(mesh, out);
+    case MeshFormat::kStl:
+      return is_text ? encode_stl_ascii(mesh, out) : encode_stl_binary(mesh, out);
     case MeshFormat::kObj: return encode_obj(mesh, out);
     case MeshFormat::kPly: return encode_ply(mesh, options, out);
     case MeshFormat::kOff: return encode_off(mesh, out);

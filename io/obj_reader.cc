@@ -23,11 +23,10 @@ class ObjReader : TextReader {
     parsed.report.file_vertices = positions_.size();
     parsed.mesh.positions = std::move(positions_);
     take_faces(sink_, parsed);
-    ignored_.add("v lines with more values", long_vertices_);
-    for (const auto& [word, count] : words_.take()) {
-      ignored_.add(word.empty() ? "comment lines" : word + " lines", count);
+    parsed.report.ignored = words_.take(" lines");
+    if (long_vertices_ > 0) {
+      parsed.report.ignored.emplace_back("v lines with more values", long_vertices_);
     }
-    parsed.report.ignored = ignored_.take();
     return parsed;
   }
 
@@ -91,7 +90,9 @@ class ObjReader : TextReader {
 
   void count_ignored(const char* line) {
     const char* const last = skip_token(line, ends_);
-    words_.add(std::string_view(line, static_cast<std::size_t>(last - line)), 1);
+    words_.add(
+        last == line ? "comment" : std::string_view(line, static_cast<std::size_t>(last - line)),
+        1);
   }
 
   // Reads the line at p_, which is not empty, and leaves p_ somewhere in it.
@@ -147,8 +148,8 @@ class ObjReader : TextReader {
     if (index.magnitude - 1 >= (index.is_negative ? num : kMaxVertices)) {
       return fail_index(token, num);
     }
-    corner = static_cast<std::uint32_t>(index.is_negative ? num - index.magnitude
-                                                          : index.magnitude - 1);
+    corner =
+        static_cast<std::uint32_t>(index.is_negative ? num - index.magnitude : index.magnitude - 1);
     if (corner > largest_) {
       largest_ = corner;
       largest_at_ = anchor_ != nullptr ? anchor_ : token;
@@ -166,8 +167,8 @@ class ObjReader : TextReader {
   bool check_forward_indices() {
     if (sink_.faces.empty() || largest_ < positions_.size()) return true;
     return fail(largest_at_, Code::kIndexOutOfRange,
-                "vertex index " + std::to_string(std::uint64_t{largest_} + 1) +
-                    ", but there are " + std::to_string(positions_.size()) + " vertices");
+                "vertex index " + std::to_string(std::uint64_t{largest_} + 1) + ", but there are " +
+                    std::to_string(positions_.size()) + " vertices");
   }
 
   const char* p_ = nullptr;
@@ -177,8 +178,7 @@ class ObjReader : TextReader {
   std::uint32_t largest_ = 0;
   const char* largest_at_ = nullptr;
   std::string joined_;
-  IgnoredCounts words_;  ///< first words of ignored lines; the empty word: a comment
-  IgnoredCounts ignored_;
+  IgnoredCounts words_;  ///< first words of ignored lines
   std::uint64_t long_vertices_ = 0;
 };
 

@@ -21,8 +21,8 @@ void IgnoredCounts::add(std::string_view name, std::uint64_t count) {
   }
 }
 
-std::vector<std::pair<std::string, std::uint64_t>> IgnoredCounts::take() {
-  for (auto& [name, count] : counts_) name = escaped(name);
+std::vector<std::pair<std::string, std::uint64_t>> IgnoredCounts::take(std::string_view suffix) {
+  for (auto& [name, count] : counts_) name = escaped(name).append(suffix);
   return std::move(counts_);
 }
 
@@ -50,8 +50,8 @@ void take_faces(FaceSink& sink, ParsedMesh& parsed) {
 
 std::string over_limit(std::string_view what, std::string_view flag, std::uint64_t limit) {
   const std::string number = std::to_string(limit);
-  return "more than " + number + " " + std::string(what) + " (" + std::string(flag) + " " +
-         number + ")";
+  return "more than " + number + " " + std::string(what) + " (" + std::string(flag) + " " + number +
+         ")";
 }
 
 }  // namespace veritope

@@ -19,12 +19,12 @@ namespace veritope {
 inline constexpr std::uint64_t kMaxVertices = 0xFFFFFFFE;
 
 /// Counts by name, in the order of first mention. At most kMost names from the file; later ones are "other".
-/// Names are cut and escaped as in quoted().
+/// Names are cut and escaped as in quoted(); the suffix comes behind them.
 class IgnoredCounts {
  public:
   static constexpr std::size_t kMost = 64;
   void add(std::string_view name, std::uint64_t count);
-  std::vector<std::pair<std::string, std::uint64_t>> take();
+  std::vector<std::pair<std::string, std::uint64_t>> take(std::string_view suffix = "");
 
  private:
   std::vector<std::pair<std::string, std::uint64_t>> counts_;

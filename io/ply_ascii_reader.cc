@@ -9,7 +9,9 @@ namespace {
 class PlyAsciiReader : TextReader {
  public:
   PlyAsciiReader(const Source& source, const ReadLimits& limits, const PlyHeader& header)
-      : TextReader(source, limits, kTokenEnd), header_(header), p_(header.body),
+      : TextReader(source, limits, kTokenEnd),
+        header_(header),
+        p_(header.body),
         lists_(limits, header.num_vertices) {}
 
   Result<ParsedMesh> read() {

@@ -41,8 +41,11 @@ double load_number(PlyType type, const char* p, bool is_big) {
 class PlyBinaryReader {
  public:
   PlyBinaryReader(const Source& source, const ReadLimits& limits, const PlyHeader& header)
-      : source_(source), header_(header), p_(header.body),
-        is_big_(header.encoding == PlyEncoding::kBigEndian), lists_(limits, header.num_vertices) {}
+      : source_(source),
+        header_(header),
+        p_(header.body),
+        is_big_(header.encoding == PlyEncoding::kBigEndian),
+        lists_(limits, header.num_vertices) {}
 
   Result<ParsedMesh> read() {
     for (const PlyElement& element : header_.elements) {
@@ -64,7 +67,8 @@ class PlyBinaryReader {
   }
 
   bool skip_element(const PlyElement& element) {
-    if (!element.has_lists()) return skip_bytes(element.least_size(header_.encoding), element.count);
+    if (!element.has_lists())
+      return skip_bytes(element.least_size(header_.encoding), element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!skip_properties(element, 0, element.properties.size())) return false;
     }

@@ -48,8 +48,8 @@ Status check_limits(const Source& source, const ReadLimits& limits, const PlyHea
 Status check_vertices(const Source& source, const PlyElement& element, PlyHeader& header) {
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::optional<std::size_t> number = element.find(kNames[axis]);
-    if (!number || element.properties[*number].count_type) {
+    const std::optional<std::size_t> number = element.find(kNames[axis], false);
+    if (!number) {
       return at_element(source, element, Code::kSyntax,
                         std::string("element vertex needs one scalar property ") + kNames[axis]);
     }
@@ -61,11 +61,12 @@ Status check_vertices(const Source& source, const PlyElement& element, PlyHeader
 
 Status check_faces(const Source& source, const PlyElement& element) {
   std::size_t num_lists = 0;
-  bool is_integer_list = true;
+  bool is_integer_list = false;
   for (const PlyProperty& property : element.properties) {
+    if (!property.count_type) continue;
     if (property.name != "vertex_indices" && property.name != "vertex_index") continue;
     ++num_lists;
-    is_integer_list &= property.count_type.has_value() && is_ply_integer(property.type);
+    is_integer_list = is_ply_integer(property.type);
   }
   if (num_lists == 1 && is_integer_list) return ok_status();
   return at_element(source, element, Code::kSyntax,
@@ -76,8 +77,8 @@ Status check_faces(const Source& source, const PlyElement& element) {
 }  // namespace
 
 std::size_t ply_index_list(const PlyElement& element) {
-  const std::optional<std::size_t> number = element.find("vertex_indices");
-  return number ? *number : element.find("vertex_index").value();
+  const std::optional<std::size_t> number = element.find("vertex_indices", true);
+  return number ? *number : element.find("vertex_index", true).value();
 }
 
 Status check_ply_header(const Source& source, const ReadLimits& limits, PlyHeader& header) {
@@ -87,8 +88,7 @@ Status check_ply_header(const Source& source, const ReadLimits& limits, PlyHeade
     const int count = ++times[static_cast<std::size_t>(role)];
     if (role == PlyRole::kOther) continue;
     if (count > 1) {
-      return at_element(source, element, Code::kSyntax,
-                        "a second element " + quoted(element.name));
+      return at_element(source, element, Code::kSyntax, "a second element " + quoted(element.name));
     }
     const Status status = role == PlyRole::kVertices ? check_vertices(source, element, header)
                                                      : check_faces(source, element);

@@ -31,8 +31,7 @@ std::optional<PlyType> type_from_name(std::string_view name) {
 
 class HeaderParser {
  public:
-  explicit HeaderParser(const Source& source)
-      : source_(source), p_(skip_byte_order_mark(source)) {}
+  explicit HeaderParser(const Source& source) : source_(source), p_(skip_byte_order_mark(source)) {}
 
   Result<PlyHeader> parse() {
     if (!read_magic() || !read_format()) return std::move(*error_);
@@ -51,8 +50,8 @@ class HeaderParser {
   bool read_magic() {
     const std::string_view text(p_, static_cast<std::size_t>(source_.end - p_));
     if (!text.starts_with("ply") || text.size() < 4 || !is_eol(text[3])) {
-      return fail(p_, "the first line must be 'ply', but there is " +
-                          quoted_token(p_, source_.end));
+      return fail(p_,
+                  "the first line must be 'ply', but there is " + quoted_token(p_, source_.end));
     }
     line_ = p_;
     line_end_ = text.substr(3, text.substr(3).starts_with("\r\n") ? 2 : 1);
@@ -60,8 +59,15 @@ class HeaderParser {
     return true;
   }
 
-  // Splits the next line into words_.
+  // Splits the next line that is not empty into words_.
   bool next_line() {
+    do {
+      if (!split_line()) return false;
+    } while (words_.empty());
+    return true;
+  }
+
+  bool split_line() {
     const std::string_view rest(p_, static_cast<std::size_t>(source_.end - p_));
     const std::size_t length = rest.find(line_end_);
     if (length == rest.npos) {
@@ -98,7 +104,7 @@ class HeaderParser {
   }
 
   bool read_line() {
-    const std::string_view keyword = words_.empty() ? "" : words_[0];
+    const std::string_view keyword = words_[0];
     if (keyword == "comment" || keyword == "obj_info") return ++header_.comments, true;
     if (keyword == "element") return read_element() || fail_line();
     if (keyword == "property") return read_property() || fail_line();
@@ -160,10 +166,10 @@ std::size_t ply_type_size(PlyType type) {
 
 bool is_ply_integer(PlyType type) { return type < PlyType::kFloat32; }
 
-std::optional<std::size_t> PlyElement::find(std::string_view property) const {
+std::optional<std::size_t> PlyElement::find(std::string_view property, bool is_list) const {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < properties.size(); ++i) {
-    if (properties[i].name != property) continue;
+    if (properties[i].name != property || properties[i].count_type.has_value() != is_list) continue;
     if (found) return std::nullopt;
     found = i;
   }

@@ -15,7 +15,14 @@ namespace veritope {
 enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
 
 enum class PlyType : std::uint8_t {
-  kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64
+  kInt8,
+  kUint8,
+  kInt16,
+  kUint16,
+  kInt32,
+  kUint32,
+  kFloat32,
+  kFloat64
 };
 std::size_t ply_type_size(PlyType type);
 bool is_ply_integer(PlyType type);
@@ -32,8 +39,8 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
   const char* line = nullptr;  ///< where the header announces it
 
-  /// The property with this name; its number, or nothing unless there is exactly one.
-  std::optional<std::size_t> find(std::string_view property) const;
+  /// The number of the list, or scalar, with this name; nothing unless there is exactly one.
+  std::optional<std::size_t> find(std::string_view property, bool is_list) const;
   /// Bytes of an instance whose lists are empty; in ASCII two for each token.
   std::uint64_t least_size(PlyEncoding encoding) const;
   bool has_lists() const;

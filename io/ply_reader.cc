@@ -105,9 +105,8 @@ Result<ParsedMesh> read_ply(const Source& source, const ReadOptions& options) {
   if (!header) return header.error();
   const Status checked = check_ply_header(source, options.limits, *header);
   if (!checked) return checked.error();
-  return header->encoding == PlyEncoding::kAscii
-             ? read_ply_ascii(source, options.limits, *header)
-             : read_ply_binary(source, options.limits, *header);
+  return header->encoding == PlyEncoding::kAscii ? read_ply_ascii(source, options.limits, *header)
+                                                 : read_ply_binary(source, options.limits, *header);
 }
 
 }  // namespace veritope

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stop_token>
 #include <thread>
 
 #include "io/file_bytes.h"
@@ -82,9 +83,17 @@ Result<ParsedMesh> parse_and_merge(const Source& source, const ReadOptions& opti
 Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
                              const ReadOptions& options) {
   MeshFile file;
-  const auto hash = [&] {
+  // In pieces, so that a refused file need not be hashed to its end.
+  const auto hash = [&](std::stop_token stop) {
     const Stopwatch watch;
-    file.sha256 = to_hex(sha256({buffer.data(), buffer.size()}));
+    Sha256 sha;
+    std::span<const unsigned char> rest(buffer.data(), buffer.size());
+    while (!rest.empty() && !stop.stop_requested()) {
+      const std::size_t size = std::min<std::size_t>(rest.size(), std::size_t{1} << 20);
+      sha.update(rest.first(size));
+      rest = rest.subspan(size);
+    }
+    file.sha256 = to_hex(sha.finish());
     file.seconds_hash = watch.seconds();
   };
   const Stopwatch watch;
@@ -93,7 +102,7 @@ Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
   Result<ParsedMesh> parsed = parse_and_merge(source_of(buffer, name), options);
   if (!parsed) return parsed.error();
   file.seconds_parse = watch.seconds();
-  hashing.joinable() ? hashing.join() : hash();
+  hashing.joinable() ? hashing.join() : hash(std::stop_token());
   file.mesh = std::move(parsed->mesh);
   file.report = std::move(parsed->report);
   file.polygon_of_face = std::move(parsed->polygon_of_face);

@@ -19,16 +19,16 @@ namespace veritope {
 /// that needs exactly the limit is read.
 struct ReadLimits {
   std::uint64_t max_bytes = std::uint64_t{4} << 30;  ///< --max-bytes: size of the file
-  std::uint64_t max_faces = 200'000'000;             ///< --max-faces: triangles, after splitting polygons
-  std::uint32_t max_digits = 1000;     ///< --max-digits: digits of one number, its exponent apart
-  std::uint32_t max_exponent = 4096;   ///< --max-exponent: absolute value of a written exponent
+  std::uint64_t max_faces = 200'000'000;  ///< --max-faces: triangles, after splitting polygons
+  std::uint32_t max_digits = 1000;    ///< --max-digits: digits of one number, its exponent apart
+  std::uint32_t max_exponent = 4096;  ///< --max-exponent: absolute value of a written exponent
 };
 
 struct ReadOptions {
   std::optional<MeshFormat> format;  ///< nothing: from the extension, else from the content
   bool as_indexed = false;           ///< keep the file's own indices (no effect on STL)
   ReadLimits limits;
-  int jobs = 1;                      ///< threads; the result is the same for every value >= 1
+  int jobs = 1;  ///< threads; the result is the same for every value >= 1
 };
 
 /// What was read, and what was passed over.
@@ -37,7 +37,8 @@ struct ReadReport {
   std::string variant;  ///< stl-ascii, stl-binary, obj, ply-ascii, ply-binary-little-endian,
                         ///< ply-binary-big-endian, off
   std::uint64_t bytes = 0;
-  std::uint64_t file_vertices = 0;  ///< that the file lists; for STL the number of distinct positions
+  std::uint64_t file_vertices =
+      0;  ///< that the file lists; for STL the number of distinct positions
   std::uint64_t distinct_vertices = 0;      ///< positions that differ as numbers
   std::uint64_t referenced_vertices = 0;    ///< ids that a triangle uses
   std::uint64_t unreferenced_vertices = 0;  ///< mesh.positions.size() - referenced_vertices

@@ -19,11 +19,18 @@ struct Signature {
 
 // The four-byte marks stand before the two-byte ones that they begin with.
 constexpr std::array kForeign = {
-    Signature{"\xFF\xFE\0\0"sv, "UTF-32 text"},     Signature{"\0\0\xFE\xFF"sv, "UTF-32 text"},
-    Signature{"\xFF\xFE"sv, "UTF-16 text"},         Signature{"\xFE\xFF"sv, "UTF-16 text"},
-    Signature{"\x1F\x8B"sv, "gzip data"},           Signature{"PK\x03\x04"sv, "a zip archive"},
-    Signature{"PK\x05\x06"sv, "a zip archive"},     Signature{"BZh"sv, "bzip2 data"},
-    Signature{"\xFD" "7zXZ\0"sv, "xz data"},        Signature{"\x28\xB5\x2F\xFD"sv, "zstd data"},
+    Signature{"\xFF\xFE\0\0"sv, "UTF-32 text"},
+    Signature{"\0\0\xFE\xFF"sv, "UTF-32 text"},
+    Signature{"\xFF\xFE"sv, "UTF-16 text"},
+    Signature{"\xFE\xFF"sv, "UTF-16 text"},
+    Signature{"\x1F\x8B"sv, "gzip data"},
+    Signature{"PK\x03\x04"sv, "a zip archive"},
+    Signature{"PK\x05\x06"sv, "a zip archive"},
+    Signature{"BZh"sv, "bzip2 data"},
+    Signature{"\xFD"
+              "7zXZ"sv,
+              "xz data"},
+    Signature{"\x28\xB5\x2F\xFD"sv, "zstd data"},
     Signature{"version https://git-lfs"sv, "a git-lfs pointer (run: git lfs pull)"},
 };
 
@@ -35,8 +42,8 @@ bool is_off_word(std::string_view word) {
 }
 
 bool is_obj_word(std::string_view word) {
-  constexpr std::array kWords = {"v"sv, "vn"sv, "vt"sv, "f"sv, "g"sv, "o"sv, "s"sv, "mtllib"sv,
-                                 "usemtl"sv, "fo"sv, "l"sv, "p"sv};
+  constexpr std::array kWords = {"v"sv, "vn"sv,     "vt"sv,     "f"sv,  "g"sv, "o"sv,
+                                 "s"sv, "mtllib"sv, "usemtl"sv, "fo"sv, "l"sv, "p"sv};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 

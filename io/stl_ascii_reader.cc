@@ -44,7 +44,8 @@ class StlAsciiReader : TextReader {
 
   bool expect(const char* word) {
     p_ = skip_space(p_, source_.end);
-    return (p_ < source_.end && take_word(word)) || fail_expected(p_, std::string("'") + word + "'");
+    return (p_ < source_.end && take_word(word)) ||
+           fail_expected(p_, std::string("'") + word + "'");
   }
 
   // From one `solid` to behind the line of its `endsolid`.

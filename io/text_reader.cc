@@ -60,8 +60,9 @@ bool TextReader::read_decimal_slowly(const char*& p, double& value) {
       return over("digits in a number", "--max-digits", limits_.max_digits);
     case DecimalFault::kExponent: {
       const std::string limit = std::to_string(limits_.max_exponent);
-      return fail(p, Code::kOverLimit, "an exponent larger than " + limit + " (--max-exponent " +
-                                           limit + "): " + quoted(token));
+      return fail(
+          p, Code::kOverLimit,
+          "an exponent larger than " + limit + " (--max-exponent " + limit + "): " + quoted(token));
     }
   }
   if (token.empty()) return fail_expected(p, "a decimal number");

@@ -19,7 +19,8 @@ enum class MeshEncoding { kAscii, kLittleEndian, kBigEndian };
 struct WriteOptions {
   MeshFormat format = MeshFormat::kPly;
   MeshEncoding encoding = MeshEncoding::kAscii;  ///< OBJ, OFF: kAscii only; STL: not kBigEndian
-  bool single_precision = false;  ///< binary PLY: float instead of double; binary STL is float anyway
+  bool single_precision =
+      false;  ///< binary PLY: float instead of double; binary STL is float anyway
 };
 
 /// "stl-ascii", "stl-binary", "obj", "ply-ascii", "ply-binary-little-endian", "ply-binary-big-endian", the last
@@ -37,8 +38,9 @@ struct LossReport {
   bool indexing_changes = false;
   std::uint64_t moved_vertices = 0;   ///< whose coordinates change
   std::uint64_t merged_vertices = 0;  ///< distinct positions before minus after rounding
-  double max_displacement = 0;  ///< Euclidean, rounded up; infinity if a coordinate is too large for binary32
-  std::uint32_t vertex = 0;     ///< the lowest id that moves that far, if any moves
+  double max_displacement =
+      0;  ///< Euclidean, rounded up; infinity if a coordinate is too large for binary32
+  std::uint32_t vertex = 0;  ///< the lowest id that moves that far, if any moves
 
   bool is_lossless() const { return !coordinates_change && !indexing_changes; }
 };

@@ -11,7 +11,8 @@ namespace {
 
 void expect_laws(const std::string& folder, MeshFormat format) {
   int num = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(VERITOPE_SOURCE_DIR "/fuzz/corpus/" + folder)) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(VERITOPE_SOURCE_DIR "/fuzz/corpus/" + folder)) {
     SCOPED_TRACE(entry.path().filename().string());
     const std::string text = io_test::slurp(entry.path().string());
     EXPECT_NO_THROW(fuzz::check_reader(format, io_test::bytes(text)));

@@ -39,7 +39,8 @@ TEST(ObjReader, LineEndsAndBlanksOfEveryKindAreTheSame) {
 
 TEST(ObjReader, SkipsAByteOrderMarkOnce) {
   EXPECT_EQ(content(obj("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")), kTriangle);
-  EXPECT_EQ(outcome(obj("\xEF\xBB\xBF\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nf 1 2 2")), "index-out-of-range@3");
+  EXPECT_EQ(outcome(obj("\xEF\xBB\xBF\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nf 1 2 2")),
+            "index-out-of-range@3");
 }
 
 TEST(ObjReader, CornersMayCarryTextureAndNormals) {
@@ -71,7 +72,8 @@ TEST(ObjReader, RefusesIndicesThatNameNothing) {
 }
 
 TEST(ObjReader, PolygonsAreFansFromTheirFirstVertex) {
-  const auto file = obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 1 2 3\nf 1 2 3 4 5\nf 1 2 4\n");
+  const auto file =
+      obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 1 2 3\nf 1 2 3 4 5\nf 1 2 4\n");
   EXPECT_EQ(content(file), "0,0,0 1,0,0 1,1,0 0,1,0 0,2,0 | 0,1,2 0,1,2 0,2,3 0,3,4 0,1,3");
   EXPECT_EQ(file->report.polygons_split, 1u);
   EXPECT_EQ(file->polygon_of_face, (std::vector<std::uint32_t>{0, 1, 1, 1, 2}));
@@ -84,18 +86,22 @@ TEST(ObjReader, RefusesFacesWithFewerThanThreeCorners) {
 }
 
 TEST(ObjReader, RefusesVerticesWithoutThreeDecimals) {
-  for (const char* vertex : {"v 1 2", "v", "v ", "v 1 2 x", "v 1,0 2 3", "v 1 2 0x3", "v 1 #2 3", "v 1 2 3\xC2\xA0"}) {
-    EXPECT_EQ(outcome(obj(std::string("v 0 0 0\n") + vertex + "\nf 1 1 1\n")), "syntax@2") << vertex;
+  for (const char* vertex :
+       {"v 1 2", "v", "v ", "v 1 2 x", "v 1,0 2 3", "v 1 2 0x3", "v 1 #2 3", "v 1 2 3\xC2\xA0"}) {
+    EXPECT_EQ(outcome(obj(std::string("v 0 0 0\n") + vertex + "\nf 1 1 1\n")), "syntax@2")
+        << vertex;
   }
   for (const char* vertex : {"v 1 2 nan", "v inf 0 0", "v 1 -Infinity 0", "v 1e999 0 0"}) {
-    EXPECT_EQ(outcome(obj(std::string("v 0 0 0\n") + vertex + "\nf 1 1 1\n")), "not-finite@2") << vertex;
+    EXPECT_EQ(outcome(obj(std::string("v 0 0 0\n") + vertex + "\nf 1 1 1\n")), "not-finite@2")
+        << vertex;
   }
 }
 
 TEST(ObjReader, IgnoresWhatItDoesNotNeedAndCountsIt) {
-  const auto file = obj(
-      "# a comment\nmtllib x.mtl\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0# glued\nvn 0 0 1\nvn x\nvt\n"
-      "usemtl steel\ns off\ng a b\nl 1 2\n#\nf 1 2 3 # the face\ncurv2 1\n");
+  const auto file =
+      obj("# a comment\nmtllib x.mtl\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0# glued\nvn 0 0 1\nvn "
+          "x\nvt\n"
+          "usemtl steel\ns off\ng a b\nl 1 2\n#\nf 1 2 3 # the face\ncurv2 1\n");
   EXPECT_EQ(content(file), kTriangle);
   EXPECT_EQ(ignored(*file, "comment lines"), 2u);
   EXPECT_EQ(ignored(*file, "vn lines"), 2u);
@@ -104,6 +110,17 @@ TEST(ObjReader, IgnoresWhatItDoesNotNeedAndCountsIt) {
   EXPECT_EQ(ignored(*file, "usemtl lines"), 1u);
   EXPECT_EQ(ignored(*file, "curv2 lines"), 1u);
   EXPECT_EQ(ignored(*file, "v lines with more values"), 2u);
+}
+
+TEST(ObjReader, NamesManyIgnoredKeywordsOnlyUpToALimit) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\x01" + std::string(100, 'k') + "\n";
+  for (int i = 0; i < 1000; ++i) text += "word" + std::to_string(i % 100) + " x\n";
+  const auto file = obj(text);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->report.ignored.size(), 65u);
+  EXPECT_EQ(file->report.ignored[0].first, "\\x01" + std::string(36, 'k') + "... lines");
+  EXPECT_EQ(ignored(*file, "word7 lines"), 10u);
+  EXPECT_EQ(ignored(*file, "other lines"), 370u);
 }
 
 TEST(ObjReader, KeywordsAreRecognisedAsWrittenOnly) {
@@ -116,16 +133,18 @@ TEST(ObjReader, KeywordsAreRecognisedAsWrittenOnly) {
 TEST(ObjReader, ABackslashBeforeTheLineEndJoinsTheNextLine) {
   for (const std::string eol : {"\n", "\r\n", "\r"}) {
     const std::string joint = "\\" + eol;
-    for (const std::string& text :
-         std::initializer_list<std::string>{
-          "v 0 0 " + joint + "0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
-          "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 " + joint + "2 " + joint + " 3",
-          joint + "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
-          "v" + joint + " 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
-          "v 0 0 0 7 " + joint + "v 9 9 9" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
-          "# a " + joint + "v 9 9 9" + eol + "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
-          "g a " + joint + joint + "v 9 9 9" + eol + "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
-          "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3 #" + joint + "4"}) {
+    for (const std::string& text : std::initializer_list<std::string>{
+             "v 0 0 " + joint + "0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
+             "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 " + joint + "2 " + joint +
+                 " 3",
+             joint + "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
+             "v" + joint + " 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
+             "v 0 0 0 7 " + joint + "v 9 9 9" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3",
+             "# a " + joint + "v 9 9 9" + eol + "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" +
+                 eol + "f 1 2 3",
+             "g a " + joint + joint + "v 9 9 9" + eol + "v 0 0 0" + eol + "v 1 0 0" + eol +
+                 "v 0 1 0" + eol + "f 1 2 3",
+             "v 0 0 0" + eol + "v 1 0 0" + eol + "v 0 1 0" + eol + "f 1 2 3 #" + joint + "4"}) {
       EXPECT_EQ(content(obj(text)), kTriangle) << text;
     }
   }
@@ -154,7 +173,8 @@ TEST(ObjReader, ManyJoinedLinesTakeLinearTime) {
   for (int i = 0; i < 200000; ++i) text += "f 1 2\\\n 3\n";
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(outcome(obj(text)), "ok");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));  // quadratic: minutes
+  EXPECT_LT(std::chrono::steady_clock::now() - start,
+            std::chrono::seconds(2));  // quadratic: minutes
 }
 
 TEST(ObjReader, RefusesAFileWithoutAFace) {

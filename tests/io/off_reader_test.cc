@@ -24,8 +24,8 @@ TEST(OffReader, ReadsATriangle) {
 
 TEST(OffReader, CommentsBlankLinesAndLineEndsMayBeAnywhere) {
   for (const std::string eol : {"\n", "\r", "\r\n", "\n \t\n", " # x\n", "#\r#\n"}) {
-    const std::string text = "# first" + eol + "OFF" + eol + "3" + eol + "1 0" + eol + "0 0 0" + eol +
-                             "1 0 0" + eol + eol + "0 1 0" + eol + "3 0 1 2";
+    const std::string text = "# first" + eol + "OFF" + eol + "3" + eol + "1 0" + eol + "0 0 0" +
+                             eol + "1 0 0" + eol + eol + "0 1 0" + eol + "3 0 1 2";
     EXPECT_EQ(content(off(text)), kTriangle) << text;
     EXPECT_EQ(content(off(text + eol)), kTriangle) << text;
   }
@@ -34,15 +34,18 @@ TEST(OffReader, CommentsBlankLinesAndLineEndsMayBeAnywhere) {
 }
 
 TEST(OffReader, PrefixesOfOffAreIgnoredInTheirOrder) {
-  for (const char* word : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"}) {
-    const std::string text = std::string(word) + "\n3 1 0\n0 0 0 1 2\n1 0 0 x\n0 1 0\n3 0 1 2 0.5\n";
+  for (const char* word :
+       {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"}) {
+    const std::string text =
+        std::string(word) + "\n3 1 0\n0 0 0 1 2\n1 0 0 x\n0 1 0\n3 0 1 2 0.5\n";
     const auto file = off(text);
     EXPECT_EQ(content(file), kTriangle) << word;
     if (!file) continue;
     EXPECT_EQ(ignored(*file, "vertex lines with more values"), 2u);
     EXPECT_EQ(ignored(*file, "face lines with more values"), 1u);
   }
-  for (const char* word : {"off", "NCOFF", "CSTOFF", "4OFF", "nOFF", "ST4OFF", "4nOFF", "OFFx", "OFF3", "STST", "Off", "CCOFF"}) {
+  for (const char* word : {"off", "NCOFF", "CSTOFF", "4OFF", "nOFF", "ST4OFF", "4nOFF", "OFFx",
+                           "OFF3", "STST", "Off", "CCOFF"}) {
     const std::string text = std::string(word) + "\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     EXPECT_EQ(outcome(off(text)), "syntax@1") << word;
   }

@@ -19,7 +19,8 @@ Result<MeshFile> ply(std::string_view text, ReadOptions options = {}) {
 }
 
 constexpr const char* kTriangle = "0,0,0 1,0,0 0,1,0 | 0,1,2";
-const std::string kVertices = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
+const std::string kVertices =
+    "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
 const std::string kStrips = "element tristrips 1\nproperty list int int vertex_indices\n";
 
@@ -61,7 +62,8 @@ TEST(PlyAscii, LineEndsOfTheBodyAreBlanks) {
 }
 
 TEST(PlyAscii, CoordinatesAreDecimalsWhateverTheirType) {
-  const std::string vertices = "element vertex 3\nproperty uchar x\nproperty float y\nproperty int z\n";
+  const std::string vertices =
+      "element vertex 3\nproperty uchar x\nproperty float y\nproperty int z\n";
   EXPECT_EQ(content(ply(ascii(vertices + kFaces, "0.1 0.1 0.1 1 0 0 0 1 0 3 0 1 2"))),
             "0.10000000000000001,0.10000000000000001,0.10000000000000001 1,0,0 0,1,0 | 0,1,2");
   EXPECT_EQ(outcome(ply(ascii(vertices + kFaces, "nan 0 0 1 0 0 0 1 0 3 0 1 2"))), "not-finite@10");
@@ -91,21 +93,25 @@ TEST(PlyAscii, ReadsOverOtherElementsAndProperties) {
   const std::string elements =
       "comment hello\nobj_info there\n"
       "element material 2\nproperty list uchar float weights\nproperty int kind\n"
-      "element vertex 3\nproperty uchar red\nproperty float z\nproperty list int int ring\nproperty float x\nproperty float y\n"
+      "element vertex 3\nproperty uchar red\nproperty float z\nproperty list int int "
+      "ring\nproperty float x\nproperty float y\n"
       "element nothing 4000000000\n"
       "element face 1\nproperty float area\nproperty list uchar float texcoord\n"
       "property list uchar int vertex_index\nproperty int flags\n";
-  const auto file = ply(ascii(elements, "2 a b c 0 d\n 255 0 0 0 0\n 1 0 2 x y 1 0\n z 0 1 nan 0 1\n"
-                                        "1e999 2 u v 3 0 1 2 !\n"));
+  const auto file = ply(ascii(elements,
+                              "2 a b c 0 d\n 255 0 0 0 0\n 1 0 2 x y 1 0\n z 0 1 nan 0 1\n"
+                              "1e999 2 u v 3 0 1 2 !\n"));
   EXPECT_EQ(content(file), kTriangle);
   EXPECT_EQ(ignored(*file, "header comments"), 2u);
   EXPECT_EQ(ignored(*file, "element material"), 2u);
   EXPECT_EQ(ignored(*file, "property vertex.red"), 3u);
   EXPECT_EQ(ignored(*file, "property face.texcoord"), 1u);
   EXPECT_EQ(outcome(ply(ascii(elements, "-2 a b c 0 d\n"))), "truncated@8");
-  EXPECT_EQ(outcome(ply(ascii(elements, "-2 a b c 0 d\n 255 0 0 0 0\n 1 0 2 x y 1 0\n z 0 1 nan 0 1\n"))),
-            "syntax@21");
-  EXPECT_EQ(outcome(ply(ascii(elements, "1.5 a b c 0 d\n 255 0 0 0 0\n 1 0 2 x y 1 0\n z 0 1 nan 0 1\n"))),
+  EXPECT_EQ(
+      outcome(ply(ascii(elements, "-2 a b c 0 d\n 255 0 0 0 0\n 1 0 2 x y 1 0\n z 0 1 nan 0 1\n"))),
+      "syntax@21");
+  EXPECT_EQ(outcome(ply(
+                ascii(elements, "1.5 a b c 0 d\n 255 0 0 0 0\n 1 0 2 x y 1 0\n z 0 1 nan 0 1\n"))),
             "syntax@21");
 }
 
@@ -113,7 +119,8 @@ TEST(PlyBinary, ReadsBothByteOrders) {
   const auto file = ply(little(kVertices + kFaces, kDoubles + kList));
   EXPECT_EQ(content(file), kTriangle);
   EXPECT_EQ(file->report.variant, "ply-binary-little-endian");
-  const std::string big = "ply\nformat binary_big_endian 1.0\n" + kVertices + kFaces + "end_header\n" +
+  const std::string big = "ply\nformat binary_big_endian 1.0\n" + kVertices + kFaces +
+                          "end_header\n" +
                           packed(0., 0., 0., swapped(1.), 0., 0., 0., swapped(1.), 0.) +
                           packed(std::uint8_t{3}, 0, swapped(1), swapped(2));
   const auto file2 = ply(big);
@@ -125,8 +132,9 @@ TEST(PlyBinary, WidensEveryTypeExactly) {
   const auto one = [](const char* type, const std::string& value) {
     const std::string vertices = std::string("element vertex 3\nproperty ") + type +
                                  " x\nproperty uchar y\nproperty uchar z\n";
-    const auto file = ply(little(vertices + kFaces, value + std::string(2, 0) + value + std::string("\1\0", 2) +
-                                                        value + std::string("\2\0", 2) + kList));
+    const auto file =
+        ply(little(vertices + kFaces, value + std::string(2, 0) + value + std::string("\1\0", 2) +
+                                          value + std::string("\2\0", 2) + kList));
     return file ? file->mesh.positions[0].x : NAN;
   };
   EXPECT_EQ(one("char", packed(std::int8_t{-128})), -128);
@@ -151,8 +159,9 @@ TEST(PlyBinary, WidensEveryTypeExactly) {
 
 TEST(PlyBinary, EveryIntegerTypeMayCountAndIndex) {
   const auto with = [](const char* types, const std::string& list) {
-    return content(ply(little(kVertices + "element face 1\nproperty list " + types + " vertex_index\n",
-                              kDoubles + list)));
+    return content(
+        ply(little(kVertices + "element face 1\nproperty list " + types + " vertex_index\n",
+                   kDoubles + list)));
   };
   EXPECT_EQ(with("char char", all<std::int8_t>({3, 0, 1, 2})), kTriangle);
   EXPECT_EQ(with("ushort uint16", all<std::uint16_t>({3, 0, 1, 2})), kTriangle);
@@ -165,49 +174,69 @@ TEST(PlyBinary, EveryIntegerTypeMayCountAndIndex) {
 TEST(PlyBinary, ReadsOverOtherElementsAndProperties) {
   const std::string elements =
       "element edge 2\nproperty int a\nproperty int b\n"
-      "element vertex 3\nproperty float z\nproperty list uchar short ring\nproperty float x\nproperty float y\n"
+      "element vertex 3\nproperty float z\nproperty list uchar short ring\nproperty float "
+      "x\nproperty float y\n"
       "element hair 1\nproperty list int double d\n"
-      "element face 2\nproperty char c\nproperty list uchar int vertex_indices\nproperty list uchar float uv\n";
+      "element face 2\nproperty char c\nproperty list uchar int vertex_indices\nproperty list "
+      "uchar float uv\n";
   const std::string ring = packed(std::uint8_t{1}, std::int16_t{7});
-  const std::string body = packed(1, 2, 3, 4) + packed(0.f) + ring + packed(0.f, 0.f) + packed(0.f, std::uint8_t{0}) +
-                           packed(1.f, 0.f) + packed(0.f) + ring + packed(0.f, 1.f) + packed(2, 1., 2.) +
-                           packed(std::int8_t{0}) + kList + packed(std::uint8_t{1}, 1.f) + packed(std::int8_t{0}) +
-                           kList + packed(std::uint8_t{0}) + "tail";
+  const std::string body = packed(1, 2, 3, 4) + packed(0.f) + ring + packed(0.f, 0.f) +
+                           packed(0.f, std::uint8_t{0}) + packed(1.f, 0.f) + packed(0.f) + ring +
+                           packed(0.f, 1.f) + packed(2, 1., 2.) + packed(std::int8_t{0}) + kList +
+                           packed(std::uint8_t{1}, 1.f) + packed(std::int8_t{0}) + kList +
+                           packed(std::uint8_t{0}) + "tail";
   const auto file = ply(little(elements, body));
   EXPECT_EQ(content(file), "0,0,0 1,0,0 0,1,0 | 0,1,2 0,1,2");
   EXPECT_EQ(ignored(*file, "element edge"), 2u);
   EXPECT_EQ(ignored(*file, "bytes behind the last element"), 4u);
   for (std::size_t cut = 5; cut < body.size(); cut += 7) {
-    EXPECT_EQ(outcome(ply(little(elements, body.substr(0, body.size() - cut)))).substr(0, 9), "truncated") << cut;
+    EXPECT_EQ(outcome(ply(little(elements, body.substr(0, body.size() - cut)))).substr(0, 9),
+              "truncated")
+        << cut;
   }
 }
 
 TEST(PlyBinary, RefusesWithTheByteOfTheValue) {
   const std::string header = little(kVertices + kFaces, "");
-  const auto at = [&](std::size_t offset) { return "@byte" + std::to_string(header.size() + offset); };
+  const auto at = [&](std::size_t offset) {
+    return "@byte" + std::to_string(header.size() + offset);
+  };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(outcome(ply(header + packed(0., 0., 0., 1., nan, 0., 0., 1., 0.) + kList)), "not-finite" + at(32));
-  EXPECT_EQ(outcome(ply(header + packed(0., 0., 0., 1., 0., -HUGE_VAL, 0., 1., 0.) + kList)), "not-finite" + at(40));
-  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{3}, 0, 1, 3))), "index-out-of-range" + at(73));
-  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{3}, 0, -1, 2))), "index-out-of-range" + at(73));
-  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{2}, 0, 1) + "xxxx")), "syntax" + at(73));
-  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{4}, 0, 1, 2))), "truncated" + at(73));
-  const std::string lists = little(kVertices + "element face 1\nproperty list int int vertex_index\n", "");
-  EXPECT_EQ(outcome(ply(lists + kDoubles + packed(-1, 0, 1, 2))), "syntax@byte" + std::to_string(lists.size() + 72));
+  EXPECT_EQ(outcome(ply(header + packed(0., 0., 0., 1., nan, 0., 0., 1., 0.) + kList)),
+            "not-finite" + at(32));
+  EXPECT_EQ(outcome(ply(header + packed(0., 0., 0., 1., 0., -HUGE_VAL, 0., 1., 0.) + kList)),
+            "not-finite" + at(40));
+  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{3}, 0, 1, 3))),
+            "index-out-of-range" + at(73));
+  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{3}, 0, -1, 2))),
+            "index-out-of-range" + at(73));
+  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{2}, 0, 1) + "xxxx")),
+            "syntax" + at(73));
+  EXPECT_EQ(outcome(ply(header + kDoubles + packed(std::uint8_t{4}, 0, 1, 2))),
+            "truncated" + at(73));
+  const std::string lists =
+      little(kVertices + "element face 1\nproperty list int int vertex_index\n", "");
+  EXPECT_EQ(outcome(ply(lists + kDoubles + packed(-1, 0, 1, 2))),
+            "syntax@byte" + std::to_string(lists.size() + 72));
   EXPECT_EQ(outcome(ply(lists + kDoubles + packed(2147483647, 0, 1, 2))),
             "truncated@byte" + std::to_string(lists.size() + 76));
 }
 
 TEST(PlyBinary, AnUnsignedIndexOfAllOnesEndsNoStripAndIsOutOfRange) {
-  const std::string header = kVertices + "element tristrips 1\nproperty list int uint vertex_indices\n";
-  EXPECT_EQ(outcome(ply(little(header, kDoubles + packed(4, 0, 1, 2, -1)))).substr(0, 12), "index-out-of");
+  const std::string header =
+      kVertices + "element tristrips 1\nproperty list int uint vertex_indices\n";
+  EXPECT_EQ(outcome(ply(little(header, kDoubles + packed(4, 0, 1, 2, -1)))).substr(0, 12),
+            "index-out-of");
 }
 
 TEST(PlyStrips, YieldTrianglesOfAlternatingSense) {
-  const std::string vertices = "element vertex 5\nproperty double x\nproperty double y\nproperty double z\n";
+  const std::string vertices =
+      "element vertex 5\nproperty double x\nproperty double y\nproperty double z\n";
   const std::string body = "0 0 0 1 0 0 0 1 0 1 1 0 0 2 0\n";
   const std::string points = "0,0,0 1,0,0 0,1,0 1,1,0 0,2,0 |";
-  const auto with = [&](const std::string& strips) { return ply(ascii(vertices + kStrips, body + strips)); };
+  const auto with = [&](const std::string& strips) {
+    return ply(ascii(vertices + kStrips, body + strips));
+  };
   EXPECT_EQ(content(with("5 0 1 2 3 4")), points + " 0,1,2 2,1,3 2,3,4");
   EXPECT_EQ(content(with("8 0 1 2 -1 1 2 3 4")), points + " 0,1,2 1,2,3 3,2,4");
   EXPECT_EQ(content(with("9 -1 0 1 -1 -1 1 2 3 -1")), points + " 1,2,3");
@@ -222,18 +251,21 @@ TEST(PlyStrips, YieldTrianglesOfAlternatingSense) {
 }
 
 TEST(PlyStrips, AndFacesMayStandTogether) {
-  const auto file = ply(ascii(kVertices + kStrips + kFaces, "0 0 0 1 0 0 0 1 0  3 0 1 2  4 2 1 0 0"));
+  const auto file =
+      ply(ascii(kVertices + kStrips + kFaces, "0 0 0 1 0 0 0 1 0  3 0 1 2  4 2 1 0 0"));
   EXPECT_EQ(content(file), "0,0,0 1,0,0 0,1,0 | 0,1,2 2,1,0 2,0,0");
   EXPECT_EQ(file->polygon_of_face, (std::vector<std::uint32_t>{0, 1, 1}));
 }
 
 TEST(PlyFaces, MayStandBeforeTheVertices) {
   EXPECT_EQ(content(ply(ascii(kFaces + kVertices, "3 0 1 2 0 0 0 1 0 0 0 1 0"))), kTriangle);
-  EXPECT_EQ(outcome(ply(ascii(kFaces + kVertices, "3 0 1 3 0 0 0 1 0 0 0 1 0"))), "index-out-of-range@10");
+  EXPECT_EQ(outcome(ply(ascii(kFaces + kVertices, "3 0 1 3 0 0 0 1 0 0 0 1 0"))),
+            "index-out-of-range@10");
 }
 
 TEST(PlyHeader, EveryLineEndHoldsForTheWholeHeader) {
-  const std::string header = "ply\nformat binary_little_endian 1.0\n" + kVertices + kFaces + "end_header\n";
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\n" + kVertices + kFaces + "end_header\n";
   for (const std::string eol : {"\n", "\r\n", "\r"}) {
     std::string text;
     for (const char c : header) text += c == '\n' ? eol : std::string(1, c);
@@ -241,15 +273,31 @@ TEST(PlyHeader, EveryLineEndHoldsForTheWholeHeader) {
     EXPECT_EQ(content(ply("\xEF\xBB\xBF" + text + kDoubles + kList)), kTriangle);
   }
   // With CR alone, a line feed behind end_header belongs to the body.
-  std::string cr = "ply\nformat binary_little_endian 1.0\nelement vertex 10\nproperty char x\nproperty char y\n"
-                   "property char z\n" + kFaces + "end_header\n";
+  std::string cr =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 10\nproperty char x\nproperty char y\n"
+      "property char z\n" +
+      kFaces + "end_header\n";
   for (char& c : cr) c = c == '\n' ? '\r' : c;
   const auto file = ply(cr + std::string(30, '\n') + kList);
   ASSERT_TRUE(file) << content(file);
   EXPECT_EQ(file->mesh.positions.size(), 1u);
   EXPECT_EQ(file->mesh.positions[0], (Vec3d{10, 10, 10}));
   // A line end of another kind is not one.
-  EXPECT_EQ(outcome(ply("ply\nformat ascii 1.0\r\n" + kVertices + kFaces + "end_header\n0")), "syntax@2");
+  EXPECT_EQ(outcome(ply("ply\nformat ascii 1.0\r\n" + kVertices + kFaces + "end_header\n0")),
+            "syntax@2");
+}
+
+TEST(PlyHeader, EmptyLinesAreSkipped) {
+  EXPECT_EQ(content(ply("ply\n\nformat ascii 1.0\n \t\n" + kVertices + kFaces +
+                        "\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2")),
+            kTriangle);
+}
+
+TEST(PlyHeader, ScalarsAndListsOfOneNameAreDifferentProperties) {
+  EXPECT_EQ(content(ply(ascii(kVertices + "property list uchar float x\n" + kFaces +
+                                  "property int vertex_index\n",
+                              "0 0 0 0  1 0 0 1 7  0 1 0 0  3 0 1 2 9"))),
+            kTriangle);
 }
 
 TEST(PlyHeader, RefusesWhatIsNoHeader) {
@@ -265,7 +313,9 @@ TEST(PlyHeader, RefusesWhatIsNoHeader) {
   EXPECT_EQ(with("ply\nformat ascii 1.0 x\n"), "syntax@2");
   EXPECT_EQ(with("ply\nformat ascii 1.0\nend_header"), "truncated@3");
   EXPECT_EQ(with("ply\nformat ascii 1.0\nend_header\n"), "syntax@3");
-  const auto line = [&](const std::string& text) { return with("ply\nformat ascii 1.0\n" + text + "\nend_header\n"); };
+  const auto line = [&](const std::string& text) {
+    return with("ply\nformat ascii 1.0\n" + text + "\nend_header\n");
+  };
   EXPECT_EQ(line("nonsense"), "syntax@3");
   EXPECT_EQ(line("element vertex"), "syntax@3");
   EXPECT_EQ(line("element vertex x"), "syntax@3");
@@ -290,21 +340,32 @@ TEST(PlyHeader, RefusesElementsThatAreNoMesh) {
   EXPECT_EQ(with(kVertices + kVertices + kFaces), "syntax@7");
   EXPECT_EQ(with(kVertices + kFaces + kFaces), "syntax@9");
   EXPECT_EQ(with("element vertex 3\nproperty float x\nproperty float y\n" + kFaces), "syntax@3");
-  EXPECT_EQ(with("element vertex 3\nproperty list uchar float x\nproperty float y\nproperty float z\n" + kFaces), "syntax@3");
-  EXPECT_EQ(with("element vertex 3\nproperty float x\nproperty float x\nproperty float y\nproperty float z\n" + kFaces), "syntax@3");
+  EXPECT_EQ(
+      with("element vertex 3\nproperty list uchar float x\nproperty float y\nproperty float z\n" +
+           kFaces),
+      "syntax@3");
+  EXPECT_EQ(with("element vertex 3\nproperty float x\nproperty float x\nproperty float y\nproperty "
+                 "float z\n" +
+                 kFaces),
+            "syntax@3");
   EXPECT_EQ(with(kVertices + "element face 1\nproperty int vertex_indices\n"), "syntax@7");
-  EXPECT_EQ(with(kVertices + "element face 1\nproperty list uchar float vertex_indices\n"), "syntax@7");
+  EXPECT_EQ(with(kVertices + "element face 1\nproperty list uchar float vertex_indices\n"),
+            "syntax@7");
   EXPECT_EQ(with(kVertices + "element face 1\nproperty int area\n"), "syntax@7");
-  EXPECT_EQ(with(kVertices + "element face 1\nproperty list uchar int vertex_index\nproperty list uchar int vertex_indices\n"), "syntax@7");
+  EXPECT_EQ(with(kVertices + "element face 1\nproperty list uchar int vertex_index\nproperty list "
+                             "uchar int vertex_indices\n"),
+            "syntax@7");
   EXPECT_EQ(with(kVertices + "element face 0\nproperty list uchar int vertex_index\n"), "empty@10");
 }
 
 TEST(PlyHeader, CountsAreComparedWithTheBytesLeft) {
   const auto with = [](const std::string& vertices, const std::string& faces, bool is_text) {
     const std::string elements =
-        "element vertex " + vertices + "\nproperty double x\nproperty double y\nproperty double z\nelement face " + faces +
+        "element vertex " + vertices +
+        "\nproperty double x\nproperty double y\nproperty double z\nelement face " + faces +
         "\nproperty list uchar int vertex_indices\n";
-    return outcome(ply(is_text ? ascii(elements, "0 0 0 1 0 0 0 1 0 3 0 1 2") : little(elements, kDoubles + kList)));
+    return outcome(ply(is_text ? ascii(elements, "0 0 0 1 0 0 0 1 0 3 0 1 2")
+                               : little(elements, kDoubles + kList)));
   };
   EXPECT_EQ(with("3", "1", true), "ok");
   EXPECT_EQ(with("3", "1", false), "ok");

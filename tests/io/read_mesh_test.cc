@@ -27,8 +27,10 @@ using namespace std::string_literals;
 const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string kOff = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 const std::string kPly =
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2\n";
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 "
+    "2\n";
 const std::string kStl =
     "solid\nfacet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid\n";
 const std::string kBinaryStl = std::string(80, ' ') + packed(1u) + packed(0.f, 0.f, 0.f) +
@@ -69,14 +71,22 @@ TEST(ReadMesh, TheExtensionDecidesElseTheContent) {
 
 TEST(ReadMesh, NamesForeignDataWhateverTheFormatAskedFor) {
   const std::pair<std::string, const char*> cases[] = {
-      {"\x1F\x8B\x08..."s, "gzip"},           {"PK\3\4....", "zip"},
-      {"PK\5\6....", "zip"},                  {"BZh91AY", "bzip2"},
-      {"\xFD" "7zXZ\0..."s, "xz"},            {"\x28\xB5\x2F\xFD...", "zstd"},
-      {"\xFF\xFEv\0 \0"s, "UTF-16"},          {"\xFE\xFF\0v"s, "UTF-16"},
-      {"\xFF\xFE\0\0v\0\0\0"s, "UTF-32"},     {"\0\0\xFE\xFF\0\0\0v"s, "UTF-32"},
+      {"\x1F\x8B\x08..."s, "gzip"},
+      {"PK\3\4....", "zip"},
+      {"PK\5\6....", "zip"},
+      {"BZh91AY", "bzip2"},
+      {"\xFD"
+       "7zXZ\0..."s,
+       "xz"},
+      {"\x28\xB5\x2F\xFD...", "zstd"},
+      {"\xFF\xFEv\0 \0"s, "UTF-16"},
+      {"\xFE\xFF\0v"s, "UTF-16"},
+      {"\xFF\xFE\0\0v\0\0\0"s, "UTF-32"},
+      {"\0\0\xFE\xFF\0\0\0v"s, "UTF-32"},
       {"version https://git-lfs.github.com/spec/v1\noid sha256:00", "git-lfs"}};
   for (const auto& [text, name] : cases) {
-    for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff}) {
+    for (const MeshFormat format :
+         {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff}) {
       const auto file = read(format, text);
       EXPECT_EQ(outcome(file), "foreign-format@byte0");
       EXPECT_NE(file.error().message.find(name), std::string::npos) << file.error().message;
@@ -100,7 +110,8 @@ TEST(ReadMesh, EqualPositionsMergeInEveryFormatUnlessAsIndexed) {
   EXPECT_EQ(content(indexed), "0,0,0 9,9,9 0,0,0 1,0,0 0,1,0 | 2,3,4");
   EXPECT_EQ(indexed->report.distinct_vertices, 4u);
   EXPECT_EQ(indexed->report.unreferenced_vertices, 2u);
-  EXPECT_EQ(content(read(MeshFormat::kOff, "OFF 4 1\n0 0 0\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3")), kTriangle);
+  EXPECT_EQ(content(read(MeshFormat::kOff, "OFF 4 1\n0 0 0\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3")),
+            kTriangle);
 }
 
 TEST(ReadMesh, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {
@@ -114,7 +125,8 @@ TEST(ReadMesh, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {
     EXPECT_EQ(content(file), kTriangle);
     EXPECT_EQ(file->sha256, expected);
     EXPECT_EQ(file->report.bytes, text.size());
-    EXPECT_EQ(outcome(read(MeshFormat::kObj, text + "f 1 1 9", options)).substr(0, 12), "index-out-of");
+    EXPECT_EQ(outcome(read(MeshFormat::kObj, text + "f 1 1 9", options)).substr(0, 12),
+              "index-out-of");
   }
   ReadOptions options;
   options.jobs = 0;
@@ -124,7 +136,9 @@ TEST(ReadMesh, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {
 TEST(ReadMesh, OffendingValuesAreCutAndEscaped) {
   const auto file = read(MeshFormat::kObj, "v 1 2 \x1b[31m" + std::string(100, 'x') + "\n");
   ASSERT_FALSE(file);
-  EXPECT_EQ(file.error().message, "a decimal number expected, but there is '\\x1b[31mxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...'");
+  EXPECT_EQ(
+      file.error().message,
+      "a decimal number expected, but there is '\\x1b[31mxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...'");
 }
 
 TEST(ReadMesh, ErrorsNameTheFile) {
@@ -133,13 +147,15 @@ TEST(ReadMesh, ErrorsNameTheFile) {
 }
 
 TEST(ReadLimitsTest, BytesFaceCountsDigitsAndExponentsHoldAtNAndFailAtNPlusOne) {
-  const std::pair<MeshFormat, std::string> files[] = {{MeshFormat::kObj, kObj + "f 1 2 3 1\n"},
-                                                      {MeshFormat::kOff, "OFF 3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n4 0 1 2 0"},
-                                                      {MeshFormat::kPly, [] {
-                                                         std::string text = kPly + "4 0 1 2 0";
-                                                         return text.replace(text.find("face 1"), 6, "face 2");
-                                                       }()},
-                                                      {MeshFormat::kStl, kStl + kStl + kStl}};
+  const std::pair<MeshFormat, std::string> files[] = {
+      {MeshFormat::kObj, kObj + "f 1 2 3 1\n"},
+      {MeshFormat::kOff, "OFF 3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n4 0 1 2 0"},
+      {MeshFormat::kPly,
+       [] {
+         std::string text = kPly + "4 0 1 2 0";
+         return text.replace(text.find("face 1"), 6, "face 2");
+       }()},
+      {MeshFormat::kStl, kStl + kStl + kStl}};
   for (const auto& [format, text] : files) {
     ReadOptions options;
     options.limits.max_bytes = text.size();
@@ -163,30 +179,41 @@ TEST(ReadLimitsTest, BinaryFacesHoldAtNAndFailAtNPlusOne) {
   EXPECT_EQ(outcome(read(MeshFormat::kStl, kBinaryStl, options)), "ok");
   options.limits.max_faces = 0;
   EXPECT_EQ(outcome(read(MeshFormat::kStl, kBinaryStl, options)), "over-limit@byte80");
-  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\n"
-                             "property char z\nelement tristrips 1\nproperty list uchar uchar vertex_indices\n"
-                             "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
-  const std::string body("\1\2\3" "\1\0" "\5\0\0\0\0\0", 11);
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\n"
+      "property char z\nelement tristrips 1\nproperty list uchar uchar vertex_indices\n"
+      "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
+  const std::string body(
+      "\1\2\3"
+      "\1\0"
+      "\5\0\0\0\0\0",
+      11);
   options.limits.max_faces = 3;
   EXPECT_EQ(outcome(read(MeshFormat::kPly, header + body, options)), "ok");
   options.limits.max_faces = 2;
-  EXPECT_EQ(outcome(read(MeshFormat::kPly, header + body, options)), "over-limit@byte" + std::to_string(header.size() + 6));
+  EXPECT_EQ(outcome(read(MeshFormat::kPly, header + body, options)),
+            "over-limit@byte" + std::to_string(header.size() + 6));
 }
 
 TEST(ReadLimitsTest, DigitsAndExponentsAreLimitedInEveryTextFormat) {
   const auto with = [](const std::string& number, const std::string& index, MeshFormat format) {
     switch (format) {
       case MeshFormat::kObj: return "v 0 0 0\nv 1 0 0\nv 0 1 " + number + "\nf 1 2 " + index + "\n";
-      case MeshFormat::kOff: return "OFF 4 1\n0 0 0\n1 0 0\n0 1 0\n0 1 " + number + "\n3 0 1 " + index + "\n";
-      case MeshFormat::kStl: return std::string(kStl).replace(kStl.find("0 1 0"), 5, "0 1 " + number);
+      case MeshFormat::kOff:
+        return "OFF 4 1\n0 0 0\n1 0 0\n0 1 0\n0 1 " + number + "\n3 0 1 " + index + "\n";
+      case MeshFormat::kStl:
+        return std::string(kStl).replace(kStl.find("0 1 0"), 5, "0 1 " + number);
       case MeshFormat::kPly: break;
     }
-    return std::string(kPly).replace(kPly.find("3 0 1 2"), 7, "3 0 1 " + index).replace(kPly.find("0 0 0"), 5, "0 0 " + number);
+    return std::string(kPly)
+        .replace(kPly.find("3 0 1 2"), 7, "3 0 1 " + index)
+        .replace(kPly.find("0 0 0"), 5, "0 0 " + number);
   };
   ReadOptions options;
   options.limits.max_digits = 12;
   options.limits.max_exponent = 99;
-  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly, MeshFormat::kStl}) {
+  for (const MeshFormat format :
+       {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly, MeshFormat::kStl}) {
     const auto outcome_of = [&](const std::string& number, const std::string& index) {
       return outcome(read(format, with(number, index, format), options)).substr(0, 10);
     };
@@ -201,8 +228,10 @@ TEST(ReadLimitsTest, DigitsAndExponentsAreLimitedInEveryTextFormat) {
     EXPECT_EQ(outcome_of("0", "000000000002"), "ok");
     EXPECT_EQ(outcome_of("0", "0000000000002"), "over-limit");
   }
-  const auto digits = read(MeshFormat::kObj, with("1234567.123456", "3", MeshFormat::kObj), options);
-  EXPECT_EQ(digits.error().message, "more than 12 digits in a number (--max-digits 12): '1234567.123456'");
+  const auto digits =
+      read(MeshFormat::kObj, with("1234567.123456", "3", MeshFormat::kObj), options);
+  EXPECT_EQ(digits.error().message,
+            "more than 12 digits in a number (--max-digits 12): '1234567.123456'");
   const auto exponent = read(MeshFormat::kObj, with("1e100", "3", MeshFormat::kObj), options);
   EXPECT_EQ(exponent.error().message, "an exponent larger than 99 (--max-exponent 99): '1e100'");
 }
@@ -289,10 +318,14 @@ TEST(ReadMeshFile, RefusesALargeFileBeforeReadingIt) {
 TEST(ReadMesh, AnnouncedCountsCostNothing) {
   const std::string lies[] = {
       "OFF\n4000000000 4000000000 0\n" + kOff,
-      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty "
-      "float z\nelement face 4000000000\nproperty list uint int vertex_indices\nend_header\n" + std::string(60, 0),
-      "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nelement vertex 1\nproperty float x\nproperty float y\n"
-      "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0 4000000000 0 0 0",
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty "
+      "float y\nproperty "
+      "float z\nelement face 4000000000\nproperty list uint int vertex_indices\nend_header\n" +
+          std::string(60, 0),
+      "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nelement vertex 1\nproperty "
+      "float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0 "
+      "4000000000 0 0 0",
       std::string(80, ' ') + packed(4000000000u) + std::string(50, 0)};
   const auto start = std::chrono::steady_clock::now();
   for (const std::string& lie : lies) {

@@ -9,7 +9,8 @@ namespace veritope {
 namespace {
 
 TEST(ReadingRule, IsTheQuotationInThePageJoinedWithSingleSpaces) {
-  const std::string page = io_test::slurp(VERITOPE_SOURCE_DIR "/docs/certificates/reading-rule-1.md");
+  const std::string page =
+      io_test::slurp(VERITOPE_SOURCE_DIR "/docs/certificates/reading-rule-1.md");
   ASSERT_FALSE(page.empty());
   std::istringstream lines(page);
   std::string joined;

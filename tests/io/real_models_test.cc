@@ -66,9 +66,11 @@ void expect_read(const std::string& path, const Row& row) {
 
 TEST(RealModels, AreReadOrRefusedAsTheirManifestSays) {
   const char* const given = std::getenv("VERITOPE_DATA");
-  const std::string folder = std::string(given != nullptr ? given : VERITOPE_DATA_DEFAULT) + "/mesh/";
+  const std::string folder =
+      std::string(given != nullptr ? given : VERITOPE_DATA_DEFAULT) + "/mesh/";
   const std::vector<Row> rows = read_manifest(folder + "MANIFEST.tsv");
-  if (rows.empty()) GTEST_SKIP() << "1 test skipped: no real models in " << folder << " (VERITOPE_DATA)";
+  if (rows.empty())
+    GTEST_SKIP() << "1 test skipped: no real models in " << folder << " (VERITOPE_DATA)";
   int num_refused = 0, num_read = 0;
   for (const Row& row : rows) {
     const bool is_malformed = row.at("class") == "malformed";

@@ -100,7 +100,8 @@ RC_GTEST_PROP(RoundTrip, KeepsEveryBitInEveryLosslessVariant, ()) {
 
 RC_GTEST_PROP(RoundTrip, StlAsciiKeepsTheTrianglesAsPoints, ()) {
   const TriangleMesh mesh = any_mesh();
-  const std::string text = mesh_to_bytes(mesh, write_options_from_name("stl-ascii").value()).value();
+  const std::string text =
+      mesh_to_bytes(mesh, write_options_from_name("stl-ascii").value()).value();
   const TriangleMesh back = read_back(text, MeshFormat::kStl, false);
   RC_ASSERT(back.faces.size() == mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -147,12 +148,15 @@ RC_GTEST_PROP(TextLayout, LineEndsBlanksAndCommentsDoNotMatter, ()) {
 
 RC_GTEST_PROP(TextLayout, PlyBodiesMayBeLaidOutAnew, ()) {
   const TriangleMesh mesh = any_mesh();
-  const std::string text = mesh_to_bytes(mesh, write_options_from_name("ply-ascii").value()).value();
+  const std::string text =
+      mesh_to_bytes(mesh, write_options_from_name("ply-ascii").value()).value();
   const std::size_t body = text.find("end_header\n") + 11;
   const std::string eol = *rc::gen::elementOf(std::vector<std::string>{"\n", "\r", "\r\n"});
   std::string header;
   for (const char c : text.substr(0, body)) header += c == '\n' ? eol : std::string(1, c);
-  expect_same(read_back(header + laid_out_anew(text.substr(body), eol, false), MeshFormat::kPly, true), mesh);
+  expect_same(
+      read_back(header + laid_out_anew(text.substr(body), eol, false), MeshFormat::kPly, true),
+      mesh);
 }
 
 RC_GTEST_PROP(Truncation, EveryPrefixIsReadOrRefusedButNeverWrong, ()) {

@@ -57,7 +57,8 @@ TEST(Integer, MatchesTheGrammarAndSaturates) {
   EXPECT_EQ(scan("000000000000000000000000000042").magnitude, 42u);
   EXPECT_EQ(scan("000000000000000000000000000042").num_digits, 30u);
   EXPECT_EQ(scan("-7").num_digits, 1u);
-  for (const char* text : {"", "-", "+", "x", "--1", "+-1", " 1"}) EXPECT_FALSE(scan(text).is_valid) << text;
+  for (const char* text : {"", "-", "+", "x", "--1", "+-1", " 1"})
+    EXPECT_FALSE(scan(text).is_valid) << text;
   EXPECT_TRUE(scan("-0").is_below(1));
   EXPECT_FALSE(scan("-1").is_below(UINT64_MAX));
   EXPECT_FALSE(scan("5").is_below(5));

@@ -60,7 +60,8 @@ TEST(StlBinary, AttributesAreIgnoredAndCounted) {
 
 TEST(StlBinary, CornersMergeExactlyAndMinusZeroIsZero) {
   const auto file = stl(binary(kFacet + facet({-0.f, 0, -0.f, 0, 1, 0, 0, 0, 1}) +
-                                   facet({0, 0, std::nextafter(1.f, 0.f), 1, -0.f, 0, 0, 0, 1}), 3));
+                                   facet({0, 0, std::nextafter(1.f, 0.f), 1, -0.f, 0, 0, 0, 1}),
+                               3));
   EXPECT_EQ(content(file), "0,0,0 1,0,0 0,1,0 0,0,1 0,0,0.99999994039535522 | 0,1,2 0,2,3 4,1,3");
   for (const Vec3d& p : file->mesh.positions) {
     for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(std::signbit(p[axis]));
@@ -105,13 +106,17 @@ TEST(StlAscii, ReadsATriangle) {
 
 TEST(StlAscii, KeywordsMayHaveAnyCaseAndBlanksAnyKind) {
   EXPECT_EQ(content(stl("\r\n SOLID\rFacet outer LOOP vertex 0 0 0\fVertex\t1 0\n0 verteX 0 1 0 "
-                        "ENDLOOP endFacet EndSolid")), kTriangle);
+                        "ENDLOOP endFacet EndSolid")),
+            kTriangle);
   EXPECT_EQ(content(stl("\xEF\xBB\xBFsolid\n" + kAsciiFacet + "endsolid")), kTriangle);
 }
 
 TEST(StlAscii, AnythingMayStandWhereTheNormalStands) {
-  EXPECT_EQ(content(stl("solid\nfacet normal nan facet solid vertex 1 \xFF outer loop\nvertex 0 0 0 vertex 1 0 0 "
-                        "vertex 0 1 0 endloop endfacet endsolid x")), kTriangle);
+  EXPECT_EQ(
+      content(stl(
+          "solid\nfacet normal nan facet solid vertex 1 \xFF outer loop\nvertex 0 0 0 vertex 1 0 0 "
+          "vertex 0 1 0 endloop endfacet endsolid x")),
+      kTriangle);
 }
 
 TEST(StlAscii, AllSolidBlocksAreOneModel) {
@@ -132,12 +137,15 @@ TEST(StlAscii, RefusesEverythingElse) {
   EXPECT_EQ(with("facet normal 0 0 1"), "truncated@2");
   EXPECT_EQ(with("facet outer\nvertex"), "syntax@3");
   EXPECT_EQ(with("facet outer loop\nvertex 0 0 0\nvertex 1 0 0\nendloop"), "syntax@5");
-  EXPECT_EQ(with("facet outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0\nvertex 1 1 0"), "syntax@6");
-  EXPECT_EQ(with("facet outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0 0\nendloop"), "syntax@5");
+  EXPECT_EQ(with("facet outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0\nvertex 1 1 0"),
+            "syntax@6");
+  EXPECT_EQ(with("facet outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0 0\nendloop"),
+            "syntax@5");
   EXPECT_EQ(with("facet outer loop\nvertex 0 0\nvertex 1 0 0"), "syntax@4");
   EXPECT_EQ(with("facet outer loop\nvertex 0 0 inf\n"), "not-finite@3");
   EXPECT_EQ(with("facet outer loop\nvertex 0 0"), "truncated@3");
-  EXPECT_EQ(with("facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endsolid"), "syntax@2");
+  EXPECT_EQ(with("facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endsolid"),
+            "syntax@2");
   EXPECT_EQ(with("facet outer loop vertex 0 0 0# vertex"), "syntax@2");
 }
 

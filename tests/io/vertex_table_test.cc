@@ -39,8 +39,11 @@ std::vector<std::uint32_t> ids_by_table(VertexTable table, const std::vector<Vec
 std::vector<Vec3d> grid_points(std::size_t num, int size, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<Vec3d> points;
-  const auto coordinate = [&] { return static_cast<double>(random() % static_cast<unsigned>(size)); };
-  for (std::size_t i = 0; i < num; ++i) points.push_back({coordinate(), coordinate(), coordinate()});
+  const auto coordinate = [&] {
+    return static_cast<double>(random() % static_cast<unsigned>(size));
+  };
+  for (std::size_t i = 0; i < num; ++i)
+    points.push_back({coordinate(), coordinate(), coordinate()});
   return points;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/write_mesh.h"
 
+#include <fcntl.h>
+
 #include <cmath>
 #include <limits>
 
@@ -24,10 +26,13 @@ TEST(WriteMesh, WritesTheShortestDecimals) {
   EXPECT_EQ(text_of(triangle(), "obj"), "v 0 0 0\nv 1 0 0\nv 0 0.1 0\nf 1 2 3\n");
   EXPECT_EQ(text_of(triangle(), "off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0.1 0\n3 0 1 2\n");
   EXPECT_EQ(text_of(triangle(), "ply-ascii"),
-            "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
-            "element face 1\nproperty list uchar uint vertex_indices\nend_header\n0 0 0\n1 0 0\n0 0.1 0\n3 0 1 2\n");
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double "
+            "y\nproperty double z\n"
+            "element face 1\nproperty list uchar uint vertex_indices\nend_header\n0 0 0\n1 0 0\n0 "
+            "0.1 0\n3 0 1 2\n");
   EXPECT_EQ(text_of(triangle(), "stl-ascii"),
-            "solid veritope\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0.1 0\nendloop\n"
+            "solid veritope\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 "
+            "0.1 0\nendloop\n"
             "endfacet\nendsolid veritope\n");
 }
 
@@ -40,25 +45,28 @@ TEST(WriteMesh, EveryVariantReadsBackAsItsFormat) {
     EXPECT_EQ(file->report.format, how.format);
     EXPECT_TRUE(name.starts_with(file->report.variant)) << name;
     EXPECT_EQ(file->mesh.faces, triangle().faces);
-    EXPECT_EQ(file->mesh.positions[2].y, loss_of(triangle(), how).coordinates_change ? 0.1f : 0.1) << name;
+    EXPECT_EQ(file->mesh.positions[2].y, loss_of(triangle(), how).coordinates_change ? 0.1f : 0.1)
+        << name;
   }
   EXPECT_EQ(write_variant_names().size(), 9u);
   EXPECT_FALSE(write_options_from_name("ply").has_value());
 }
 
 TEST(WriteMesh, DefaultsKeepTheCoordinates) {
-  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff}) {
+  for (const MeshFormat format :
+       {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kOff}) {
     EXPECT_FALSE(loss_of(triangle(), default_write_options(format)).coordinates_change);
     EXPECT_TRUE(mesh_to_bytes(triangle(), default_write_options(format)));
   }
 }
 
 TEST(WriteMesh, RefusesCombinationsThatDoNotExist) {
-  for (const WriteOptions& wrong : {WriteOptions{MeshFormat::kObj, MeshEncoding::kLittleEndian, false},
-                                    WriteOptions{MeshFormat::kOff, MeshEncoding::kBigEndian, false},
-                                    WriteOptions{MeshFormat::kStl, MeshEncoding::kBigEndian, false},
-                                    WriteOptions{MeshFormat::kPly, MeshEncoding::kAscii, true},
-                                    WriteOptions{MeshFormat::kStl, MeshEncoding::kAscii, true}}) {
+  for (const WriteOptions& wrong :
+       {WriteOptions{MeshFormat::kObj, MeshEncoding::kLittleEndian, false},
+        WriteOptions{MeshFormat::kOff, MeshEncoding::kBigEndian, false},
+        WriteOptions{MeshFormat::kStl, MeshEncoding::kBigEndian, false},
+        WriteOptions{MeshFormat::kPly, MeshEncoding::kAscii, true},
+        WriteOptions{MeshFormat::kStl, MeshEncoding::kAscii, true}}) {
     const auto bytes = mesh_to_bytes(triangle(), wrong);
     ASSERT_FALSE(bytes);
     EXPECT_EQ(bytes.error().code, Code::kBadArgument);
@@ -69,7 +77,8 @@ TEST(WriteMesh, RefusesCombinationsThatDoNotExist) {
 TEST(WriteMesh, RefusesACoordinateTooLargeForFloatWithItsVertex) {
   TriangleMesh mesh = triangle();
   mesh.positions[1].x = 0x1.ffffffp127;  // half an ulp above the largest: a tie that rounds up
-  for (const char* variant : {"stl-binary", "ply-binary-little-endian-float", "ply-binary-big-endian-float"}) {
+  for (const char* variant :
+       {"stl-binary", "ply-binary-little-endian-float", "ply-binary-big-endian-float"}) {
     const auto bytes = mesh_to_bytes(mesh, options(variant));
     ASSERT_FALSE(bytes);
     EXPECT_EQ(bytes.error().code, Code::kNotFinite);
@@ -83,7 +92,8 @@ TEST(WriteMesh, RefusesACoordinateTooLargeForFloatWithItsVertex) {
 }
 
 TEST(WriteMesh, NormalsOfExtremeFacetsAreZeroOrOfUnitLength) {
-  TriangleMesh mesh{{{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e-300, 0, 0}}, {{{0, 1, 2}}, {{0, 3, 3}}, {{1, 2, 3}}}};
+  TriangleMesh mesh{{{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e-300, 0, 0}},
+                    {{{0, 1, 2}}, {{0, 3, 3}}, {{1, 2, 3}}}};
   const std::string text = text_of(mesh, "stl-ascii");
   EXPECT_EQ(text.find("nan"), text.npos);
   EXPECT_EQ(text.find("inf"), text.npos);
@@ -109,8 +119,26 @@ TEST(WriteMeshFile, LeavesTheOldFileWhenTheMeshCannotBeWritten) {
   EXPECT_EQ(io_test::slurp(folder / "a.stl"), "old");
 }
 
+TEST(WriteMeshFile, WritesStandardOutput) {
+  const TempFolder folder;
+  const int saved = ::dup(STDOUT_FILENO);
+  const int target = ::open((folder / "out").c_str(), O_WRONLY | O_CREAT, 0600);
+  ::dup2(target, STDOUT_FILENO);
+  const bool is_written = write_mesh_file("-", triangle(), options("obj")).has_value();
+  ::close(STDOUT_FILENO);
+  const Status refused = write_mesh_file("-", triangle(), options("obj"));
+  ::dup2(saved, STDOUT_FILENO);
+  ::close(saved);
+  ::close(target);
+  EXPECT_TRUE(is_written);
+  EXPECT_EQ(io_test::slurp(folder / "out"), text_of(triangle(), "obj"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, Code::kCannotWrite);
+}
+
 TEST(LossOf, ALosslessFileLosesNothing) {
-  for (const char* variant : {"obj", "off", "ply-ascii", "ply-binary-little-endian", "ply-binary-big-endian"}) {
+  for (const char* variant :
+       {"obj", "off", "ply-ascii", "ply-binary-little-endian", "ply-binary-big-endian"}) {
     const LossReport loss = loss_of(triangle(), options(variant));
     EXPECT_TRUE(loss.is_lossless()) << variant;
     EXPECT_EQ(loss.max_displacement, 0);

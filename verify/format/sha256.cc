@@ -21,9 +21,9 @@ void store_big_endian(std::uint32_t value, unsigned char* p) {
 }
 
 internal::Sha256Blocks best_blocks() {
-  static const internal::Sha256Blocks best =
-      internal::sha256_blocks_x86() != nullptr ? internal::sha256_blocks_x86()
-                                               : internal::sha256_blocks_portable;
+  static const internal::Sha256Blocks best = internal::sha256_blocks_x86() != nullptr
+                                                 ? internal::sha256_blocks_x86()
+                                                 : internal::sha256_blocks_portable;
   return best;
 }
 

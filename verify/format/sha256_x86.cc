@@ -43,8 +43,8 @@ VT_SHA_TARGET inline Int4 add(Int4 a, Int4 b) {
 
 VT_SHA_TARGET inline Int4 load_big_endian(const unsigned char* p) {
   const auto bytes = reinterpret_cast<Char16>(load(p));
-  return reinterpret_cast<Int4>(__builtin_shufflevector(bytes, bytes, 3, 2, 1, 0, 7, 6, 5, 4, 11,
-                                                        10, 9, 8, 15, 14, 13, 12));
+  return reinterpret_cast<Int4>(
+      __builtin_shufflevector(bytes, bytes, 3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12));
 }
 
 VT_SHA_TARGET void blocks_sha(std::uint32_t* state, const unsigned char* blocks, std::size_t num) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// tests/certify/round_trip.h: model -> file -> reader -> decision -> certificate, as the command line does it.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/read_mesh.h"
+#include "io/reading_rule.h"
+#include "io/write_mesh.h"
+#include "solids/polyhedron/validity.h"
+#include "tests/support/shapes.h"
+#include "verify/certify/mesh_certifier.h"
+#include "verify/format/sha256.h"
+
+namespace veritope {
+
+struct Certified {
+  std::string file;         ///< the model's bytes
+  TriangleMesh mesh;        ///< as read back
+  ValidityReport report;
+  certificate::Bytes bytes;  ///< the certificate
+  std::string certificate() const { return {bytes.begin(), bytes.end()}; }
+  certificate::Certificate decoded() const {
+    std::string why;
+    return certificate::decode(bytes, why).value();
+  }
+};
+
+inline Certified certified_file(std::string file, const std::string& name, bool as_indexed, unsigned jobs) {
+  Certified out;
+  out.file = std::move(file);
+  ReadOptions read;
+  read.as_indexed = as_indexed;
+  const auto bytes = std::span(reinterpret_cast<const unsigned char*>(out.file.data()), out.file.size());
+  auto model = read_mesh_bytes(bytes, name, read);
+  out.mesh = std::move(model.value().mesh);
+  ValidityOptions options;
+  options.jobs = jobs;
+  out.report = decide_validity(out.mesh, options);
+  certificate::Subject subject;
+  subject.sha256 = model.value().sha256;
+  subject.bytes = out.file.size();
+  subject.format = name.substr(name.find('.') + 1);
+  subject.as_indexed = as_indexed;
+  subject.reading_rule = std::string(kReadingRule);
+  subject.tool = "tests";
+  out.bytes = make_mesh_certificate(out.mesh, out.report, subject, jobs);
+  return out;
+}
+
+/// Through a binary PLY file with doubles: every coordinate survives.
+inline Certified certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1) {
+  auto file = mesh_to_bytes(mesh, *write_options_from_name("ply-binary-little-endian"));
+  return certified_file(std::move(file.value()), "model.ply", as_indexed, jobs);
+}
+
+}  // namespace veritope

@@ -32,7 +32,8 @@ std::string pair_code_text(std::uint8_t code) {
   return text + ((code & 64) != 0 ? ", then" : "");
 }
 
-// Values of the flat object in its own order, one a line. Statements hold no escapes and no blanks outside strings.
+// Values of the flat object in its own order, one a line. Statements hold no escapes and no blanks outside strings; what is not
+// printable, in the statement of a file that is no certificate, becomes '?'.
 std::string statement_text(const std::string& line) {
   std::string out;
   bool in_string = false;
@@ -44,7 +45,7 @@ std::string statement_text(const std::string& line) {
     } else if (c == ':' && !in_string) {
       out += ": ";
     } else if (c != '"') {
-      out += c;
+      out += c >= ' ' && c <= '~' ? c : '?';
     }
   }
   return out + "\n";

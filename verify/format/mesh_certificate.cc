@@ -102,6 +102,7 @@ Witness read_witness(ByteReader& r) {
     for (Natural& n : x.weights) {
       const auto bytes = r.raw(r.count(1));
       n.assign(bytes.begin(), bytes.end());
+      if (!n.empty() && n.back() == 0) r.fail();  // not the shortest form
     }
   if (x.rule >= 8) x.axis = r.u8();
   return x;
@@ -125,7 +126,11 @@ std::optional<ValidBody> read_valid(ByteReader r) {
     Separator s;
     s.index = next + r.varint();
     next = s.index + 1;
-    for (auto& c : s.direction) c = static_cast<std::int32_t>(r.zigzag());
+    for (auto& c : s.direction) {
+      const std::int64_t value = r.zigzag();
+      if (value < -0x7fffffff || value > 0x7fffffff) r.fail();
+      c = static_cast<std::int32_t>(value);
+    }
     b.separators.push_back(s);
   }
   const auto codes = r.raw(r.count(1));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_predicates.cc: ns a call, one thread, least of the repetitions, ours and CGAL's EPICK turn by turn; a row names the predicate
-// and the class of its points. Tier hit rates go with each row.
+// bench/bench_predicates.cc: ns a call, one thread, least of the repetitions, ours and CGAL's EPICK
+// turn by turn; a row names the predicate and the class of its points. Tier hit rates go with each
+// row.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -28,7 +29,8 @@ double nanoseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Points of one class for a predicate of `n` points in `dim` dimensions; `round` asks for cocircular or cospherical ones.
+// Points of one class for a predicate of `n` points in `dim` dimensions; `round` asks for
+// cocircular or cospherical ones.
 using Tuple = std::array<Vec3d, 5>;
 
 void set(Vec3d& p, int k, double v) { (k == 0 ? p.x : (k == 1 ? p.y : p.z)) = v; }
@@ -38,16 +40,21 @@ Tuple degenerate(Random& random, int dim, bool round, int bits) {
   if (round) {  // corners of a box
     const std::int64_t range = std::int64_t{1} << (bits - 2);
     for (int k = 0; k < dim; ++k) {
-      const double c = static_cast<double>(random.between(-range, range)), h = static_cast<double>(random.between(1, range));
+      const double c = static_cast<double>(random.between(-range, range)),
+                   h = static_cast<double>(random.between(1, range));
       for (Vec3d& p : t) set(p, k, random.below(2) == 0 ? c + h : c - h);
     }
   } else {  // a line or a plane
     const std::int64_t range = std::int64_t{1} << ((bits - 3) / 2);
     std::array<std::int64_t, 3> o, u, v;
-    for (int k = 0; k < 3; ++k) o[k] = random.between(-range, range), u[k] = random.between(-range, range), v[k] = random.between(-range, range);
+    for (int k = 0; k < 3; ++k)
+      o[k] = random.between(-range, range), u[k] = random.between(-range, range),
+      v[k] = random.between(-range, range);
     for (Vec3d& p : t) {
-      const std::int64_t a = random.between(-range, range), b = dim == 2 ? 0 : random.between(-range, range);
-      for (int k = 0; k < 3; ++k) set(p, k, static_cast<double>(o[k] * range + a * u[k] + b * v[k]));
+      const std::int64_t a = random.between(-range, range),
+                         b = dim == 2 ? 0 : random.between(-range, range);
+      for (int k = 0; k < 3; ++k)
+        set(p, k, static_cast<double>(o[k] * range + a * u[k] + b * v[k]));
     }
   }
   return t;
@@ -64,7 +71,8 @@ Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n)
     for (Vec3d& p : t) {
       for (int k = 0; k < 3; ++k) {
         double v = p[k] * 0x1p-20;
-        for (std::int64_t s = random.between(-2, 2); s != 0; s += s > 0 ? -1 : 1) v = std::nextafter(v, s > 0 ? 9 : -9);
+        for (std::int64_t s = random.between(-2, 2); s != 0; s += s > 0 ? -1 : 1)
+          v = std::nextafter(v, s > 0 ? 9 : -9);
         set(p, k, v);
       }
     }
@@ -76,7 +84,8 @@ Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n)
       for (Vec3d& p : t) set(p, dim - 1, t[0][dim - 1]);
     } else {
       const Tuple two = t;
-      for (Vec3d& p : t) p = {two[random.below(2)].x, two[random.below(2)].y, two[random.below(2)].z};
+      for (Vec3d& p : t)
+        p = {two[random.below(2)].x, two[random.below(2)].y, two[random.below(2)].z};
     }
   }
   if (kind == "RW") {
@@ -91,7 +100,8 @@ Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n)
     }
   } else if (kind == "R" || kind == "RW") {  // points on a circle or sphere, rounded
     for (Vec3d& p : t) {
-      const double x = p.x - 0.5, y = p.y - 0.5, z = dim == 2 ? 0 : p.z - 0.5, r = std::sqrt(x * x + y * y + z * z);
+      const double x = p.x - 0.5, y = p.y - 0.5, z = dim == 2 ? 0 : p.z - 0.5,
+                   r = std::sqrt(x * x + y * y + z * z);
       p = {x / r, y / r, z / r};
     }
   }
@@ -126,10 +136,14 @@ void row(const char* predicate, const std::string& kind, Ours ours, Peer peer) {
   }
   TierCounts tally;
   for (std::size_t i = 0; i < kTuples; ++i) ours(&points[N * i], &tally);
-  std::printf("{\"row\":\"%s_%s_vs_epick\",\"ours\":%.2f,\"peer\":%.2f,\"unit\":\"ns\",\"same_signs\":%s,\"tiers\":[%llu,%llu,%llu,%llu]}\n",
-              predicate, kind.c_str(), best / kTuples, best_peer / kTuples, sum == peer_sum ? "true" : "false",
-              static_cast<unsigned long long>(tally.decided[0]), static_cast<unsigned long long>(tally.decided[1]),
-              static_cast<unsigned long long>(tally.decided[2]), static_cast<unsigned long long>(tally.decided[3]));
+  std::printf(
+      "{\"row\":\"%s_%s_vs_epick\",\"ours\":%.2f,\"peer\":%.2f,\"unit\":\"ns\",\"same_signs\":%s,"
+      "\"tiers\":[%llu,%llu,%llu,%llu]}\n",
+      predicate, kind.c_str(), best / kTuples, best_peer / kTuples,
+      sum == peer_sum ? "true" : "false", static_cast<unsigned long long>(tally.decided[0]),
+      static_cast<unsigned long long>(tally.decided[1]),
+      static_cast<unsigned long long>(tally.decided[2]),
+      static_cast<unsigned long long>(tally.decided[3]));
 }
 
 template <typename Make>
@@ -138,7 +152,8 @@ void triangle_row(const char* name, Make make) {
   std::vector<IndexedTriangle> t(2 * kTuples);
   for (std::size_t i = 0; i < t.size(); i += 2) {
     for (int k = 0; k < 3; ++k) {
-      t[i].id[k] = static_cast<std::uint32_t>(k), t[i + 1].id[k] = static_cast<std::uint32_t>(3 + k);
+      t[i].id[k] = static_cast<std::uint32_t>(k),
+      t[i + 1].id[k] = static_cast<std::uint32_t>(3 + k);
       t[i].point[k] = {random.unit(), random.unit(), random.unit()};
       t[i + 1].point[k] = {random.unit(), random.unit(), random.unit()};
     }
@@ -148,11 +163,14 @@ void triangle_row(const char* name, Make make) {
   long sum = 0;
   for (int r = 0; r < kRepetitions; ++r) {
     const auto start = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < t.size(); i += 2) sum += static_cast<long>(triangle_triangle(t[i], t[i + 1]));
+    for (std::size_t i = 0; i < t.size(); i += 2)
+      sum += static_cast<long>(triangle_triangle(t[i], t[i + 1]));
     best = std::min(best, nanoseconds_since(start));
   }
-  std::printf("{\"row\":\"triangle_triangle_%s\",\"ours\":%.2f,\"peer\":null,\"unit\":\"ns\",\"sum\":%ld}\n", name, best / kTuples,
-              sum / kRepetitions);
+  std::printf(
+      "{\"row\":\"triangle_triangle_%s\",\"ours\":%.2f,\"peer\":null,\"unit\":\"ns\",\"sum\":%ld}"
+      "\n",
+      name, best / kTuples, sum / kRepetitions);
 }
 
 void share(IndexedTriangle& t, IndexedTriangle& u, int corners) {
@@ -168,24 +186,38 @@ void flatten(IndexedTriangle& t, IndexedTriangle& u) {
 
 int main() {
   for (const char* kind : {"U", "N", "D10", "D26", "D50", "P", "R", "RW"}) {
-    row<3, Vec2d>("orient2d", kind, [](const Vec2d* p, TierCounts* t) { return orient2d(p[0], p[1], p[2], t); },
-                  bench::epick_orient2d);
-    row<4, Vec3d>("orient3d", kind, [](const Vec3d* p, TierCounts* t) { return orient3d(p[0], p[1], p[2], p[3], t); },
-                  bench::epick_orient3d);
-    row<4, Vec2d>("in_circle", kind, [](const Vec2d* p, TierCounts* t) { return in_circle(p[0], p[1], p[2], p[3], t); },
-                  bench::epick_in_circle);
-    row<5, Vec3d>("in_sphere", kind,
-                  [](const Vec3d* p, TierCounts* t) { return in_sphere(p[0], p[1], p[2], p[3], p[4], t); },
-                  bench::epick_in_sphere);
+    row<3, Vec2d>(
+        "orient2d", kind,
+        [](const Vec2d* p, TierCounts* t) { return orient2d(p[0], p[1], p[2], t); },
+        bench::epick_orient2d);
+    row<4, Vec3d>(
+        "orient3d", kind,
+        [](const Vec3d* p, TierCounts* t) { return orient3d(p[0], p[1], p[2], p[3], t); },
+        bench::epick_orient3d);
+    row<4, Vec2d>(
+        "in_circle", kind,
+        [](const Vec2d* p, TierCounts* t) { return in_circle(p[0], p[1], p[2], p[3], t); },
+        bench::epick_in_circle);
+    row<5, Vec3d>(
+        "in_sphere", kind,
+        [](const Vec3d* p, TierCounts* t) { return in_sphere(p[0], p[1], p[2], p[3], p[4], t); },
+        bench::epick_in_sphere);
   }
   triangle_row("strangers_apart", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {
     for (Vec3d& p : t.point) p.z *= 0.1;
     for (Vec3d& p : u.point) p.z = p.z * 0.1 + 0.1;
   });
   triangle_row("strangers_random", [](IndexedTriangle&, IndexedTriangle&, Random&) {});
-  triangle_row("shared_vertex", [](IndexedTriangle& t, IndexedTriangle& u, Random&) { share(t, u, 1); });
-  triangle_row("shared_edge", [](IndexedTriangle& t, IndexedTriangle& u, Random&) { share(t, u, 2); });
-  triangle_row("coplanar_strangers", [](IndexedTriangle& t, IndexedTriangle& u, Random&) { flatten(t, u); });
-  triangle_row("coplanar_shared_vertex", [](IndexedTriangle& t, IndexedTriangle& u, Random&) { flatten(t, u), share(t, u, 1); });
-  triangle_row("coplanar_shared_edge", [](IndexedTriangle& t, IndexedTriangle& u, Random&) { flatten(t, u), share(t, u, 2); });
+  triangle_row("shared_vertex",
+               [](IndexedTriangle& t, IndexedTriangle& u, Random&) { share(t, u, 1); });
+  triangle_row("shared_edge",
+               [](IndexedTriangle& t, IndexedTriangle& u, Random&) { share(t, u, 2); });
+  triangle_row("coplanar_strangers",
+               [](IndexedTriangle& t, IndexedTriangle& u, Random&) { flatten(t, u); });
+  triangle_row("coplanar_shared_vertex", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {
+    flatten(t, u), share(t, u, 1);
+  });
+  triangle_row("coplanar_shared_edge", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {
+    flatten(t, u), share(t, u, 2);
+  });
 }

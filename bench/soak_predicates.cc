@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_predicates.cc: --cases N --seed S [--jobs J]. Signs of orient2d, orient3d, in_circle and in_sphere against an oracle of this
-// file's own: mpz integers on one common exponent, expanded relative to another point than the subject uses; one case in 4096 is
-// checked a third time, by Gaussian elimination of the homogeneous determinant over mpq. One JSON line a figure.
+// bench/soak_predicates.cc: --cases N --seed S [--jobs J]. Signs of orient2d, orient3d, in_circle
+// and in_sphere against an oracle of this file's own: mpz integers on one common exponent, expanded
+// relative to another point than the subject uses; one case in 4096 is checked a third time, by
+// Gaussian elimination of the homogeneous determinant over mpq. One JSON line a figure.
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -35,12 +36,14 @@ using veritope::Vec3d;
 enum Predicate { kOrient2d, kOrient3d, kInCircle, kInSphere, kNumPredicates };
 enum Class { kGeneric, kNear, kDegenerate, kExtreme, kNumClasses };
 constexpr const char* kPredicateNames[] = {"orient2d", "orient3d", "in_circle", "in_sphere"};
-constexpr const char* kClassNames[] = {"generic", "near_degenerate", "degenerate", "extreme_exponents"};
+constexpr const char* kClassNames[] = {"generic", "near_degenerate", "degenerate",
+                                       "extreme_exponents"};
 constexpr int kNumPoints[] = {3, 4, 4, 5};
 
 using Points = std::array<std::array<double, 3>, 5>;
 
-// ---- oracle -----------------------------------------------------------------------------------------------------------
+// ---- oracle
+// -----------------------------------------------------------------------------------------------------------
 
 class Oracle {
  public:
@@ -60,9 +63,11 @@ class Oracle {
   }
 
   int sign(Predicate predicate, const Points& p) {
-    const int dim = predicate == kOrient2d || predicate == kInCircle ? 2 : 3, n = kNumPoints[predicate];
+    const int dim = predicate == kOrient2d || predicate == kInCircle ? 2 : 3,
+              n = kNumPoints[predicate];
     load(p, n, dim);
-    // Differences from another point than the subject's: the last for orientations, the first for circles and spheres.
+    // Differences from another point than the subject's: the last for orientations, the first for
+    // circles and spheres.
     const int base = predicate == kOrient2d || predicate == kOrient3d ? n - 1 : 0;
     int row = 0;
     for (int i = 0; i < n; ++i) {
@@ -71,13 +76,14 @@ class Oracle {
       ++row;
     }
     if (predicate == kOrient2d) return det2(0, 1);
-    if (predicate == kOrient3d) return -det3();  // det(b - a, c - a, d - a) = -det(a - d, b - d, c - d)
+    if (predicate == kOrient3d)
+      return -det3();  // det(b - a, c - a, d - a) = -det(a - d, b - d, c - d)
     for (int i = 0; i < row; ++i) {
       mpz_mul(m_[i][dim], m_[i][0], m_[i][0]);
       for (int k = 1; k < dim; ++k) mpz_addmul(m_[i][dim], m_[i][k], m_[i][k]);
     }
-    // Subtracting the first row of the homogeneous determinant (ones last) leaves (-1)^(n + 1) times the minor without it; in_circle is that
-    // determinant, in_sphere its negative.
+    // Subtracting the first row of the homogeneous determinant (ones last) leaves (-1)^(n + 1)
+    // times the minor without it; in_circle is that determinant, in_sphere its negative.
     return predicate == kInCircle ? -det3() : -det4();
   }
 
@@ -100,7 +106,8 @@ class Oracle {
       for (int k = 0; k < dim; ++k) {
         mpz_set_si(m_[i + kRaw][k], mantissa[i][k]);
         if (mantissa[i][k] != 0) {
-          mpz_mul_2exp(m_[i + kRaw][k], m_[i + kRaw][k], static_cast<mp_bitcnt_t>(exponent[i][k] - least));
+          mpz_mul_2exp(m_[i + kRaw][k], m_[i + kRaw][k],
+                       static_cast<mp_bitcnt_t>(exponent[i][k] - least));
         }
       }
     }
@@ -173,7 +180,8 @@ int slow_sign(Predicate predicate, const Points& p) {
   return sign;
 }
 
-// ---- inputs -----------------------------------------------------------------------------------------------------------
+// ---- inputs
+// -----------------------------------------------------------------------------------------------------------
 
 double finite_bits(Random& random) {
   for (;;) {
@@ -210,7 +218,8 @@ Points flat(Predicate predicate, Random& random) {
   return p;
 }
 
-// On a circle: products of Gaussian integers, each taken as itself or conjugated, and turned by a unit, have one norm.
+// On a circle: products of Gaussian integers, each taken as itself or conjugated, and turned by a
+// unit, have one norm.
 Points on_circle(Random& random) {
   const std::int64_t range = std::int64_t{1} << random.between(1, 5);
   const int factors = static_cast<int>(random.between(1, 4));
@@ -235,18 +244,22 @@ Points on_circle(Random& random) {
   return p;
 }
 
-// On a sphere: one integer vector, its coordinates permuted and negated, rotated by a quaternion (times its norm).
+// On a sphere: one integer vector, its coordinates permuted and negated, rotated by a quaternion
+// (times its norm).
 Points on_sphere(Random& random) {
-  const std::int64_t range = std::int64_t{1} << random.between(1, 10), small = random.between(0, 40);
-  const std::array<std::int64_t, 3> v{random.between(0, range), random.between(0, range), random.between(0, range)};
-  const std::int64_t a = random.between(1, 40), b = random.between(-small, small), c = random.between(-small, small),
-                     d = random.between(-small, small);
+  const std::int64_t range = std::int64_t{1} << random.between(1, 10),
+                     small = random.between(0, 40);
+  const std::array<std::int64_t, 3> v{random.between(0, range), random.between(0, range),
+                                      random.between(0, range)};
+  const std::int64_t a = random.between(1, 40), b = random.between(-small, small),
+                     c = random.between(-small, small), d = random.between(-small, small);
   const std::int64_t rotation[3][3] = {
       {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
       {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
       {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
   const std::int64_t far = std::int64_t{1} << random.between(0, 48);
-  const std::array<std::int64_t, 3> centre{random.between(-far, far), random.between(-far, far), random.between(-far, far)};
+  const std::array<std::int64_t, 3> centre{random.between(-far, far), random.between(-far, far),
+                                           random.between(-far, far)};
   Points p;
   for (auto& point : p) {
     std::array<std::int64_t, 3> w = v;
@@ -254,7 +267,8 @@ Points on_sphere(Random& random) {
     std::swap(w[1], w[1 + random.below(2)]);
     for (std::int64_t& x : w) x = random.below(2) == 0 ? x : -x;
     for (int k = 0; k < 3; ++k) {
-      point[k] = static_cast<double>(centre[k] + rotation[k][0] * w[0] + rotation[k][1] * w[1] + rotation[k][2] * w[2]);
+      point[k] = static_cast<double>(centre[k] + rotation[k][0] * w[0] + rotation[k][1] * w[1] +
+                                     rotation[k][2] * w[2]);
     }
   }
   return p;
@@ -267,14 +281,16 @@ Points along_axes(Predicate predicate, Random& random) {
     const std::uint64_t axis = random.below(predicate == kOrient2d ? 2 : 3);
     for (auto& point : p) point[axis] = p[0][axis];
   } else {
-    // Corners of a box with dyadic half sizes: the two values of a coordinate are centre +- half exactly.
+    // Corners of a box with dyadic half sizes: the two values of a coordinate are centre +- half
+    // exactly.
     std::array<double, 3> centre, half;
     for (int k = 0; k < 3; ++k) {
       centre[k] = std::ldexp(static_cast<double>(random.between(0, std::int64_t{1} << 50)), -50);
       half[k] = std::ldexp(static_cast<double>(random.between(0, std::int64_t{1} << 50)), -50);
     }
     for (auto& point : p) {
-      for (int k = 0; k < 3; ++k) point[k] = random.below(2) == 0 ? centre[k] + half[k] : centre[k] - half[k];
+      for (int k = 0; k < 3; ++k)
+        point[k] = random.below(2) == 0 ? centre[k] + half[k] : centre[k] - half[k];
     }
   }
   return p;
@@ -293,7 +309,9 @@ Points degenerate(Predicate predicate, Random& random) {
   if (kind <= 3) {
     p = along_axes(predicate, random);
   } else {
-    p = predicate == kInCircle ? on_circle(random) : (predicate == kInSphere ? on_sphere(random) : flat(predicate, random));
+    p = predicate == kInCircle
+            ? on_circle(random)
+            : (predicate == kInSphere ? on_sphere(random) : flat(predicate, random));
   }
   const int scale = static_cast<int>(random.between(-60, 60));
   for (auto& point : p) {
@@ -314,10 +332,13 @@ Points extreme(Predicate predicate, Random& random) {
     case 1: return filled([&] { return static_cast<double>(random.between(-5, 5)) * 0x1p-1074; });
     case 2: {  // exponents spread a little, full mantissas
       const int spread = static_cast<int>(random.between(1, 120));
-      return filled([&] { return std::ldexp(random.unit() - 0.5, static_cast<int>(random.between(-spread, 0))); });
+      return filled([&] {
+        return std::ldexp(random.unit() - 0.5, static_cast<int>(random.between(-spread, 0)));
+      });
     }
     case 3: {
-      constexpr double kBase[] = {0.0, -0.0, 1.0, 0x1p-1074, 0x1.fffffffffffffp1023, 0x1p-1022, 3.0, 0x1p511, 0x1p-537};
+      constexpr double kBase[] = {0.0,       -0.0, 1.0,     0x1p-1074, 0x1.fffffffffffffp1023,
+                                  0x1p-1022, 3.0,  0x1p511, 0x1p-537};
       return filled([&] {
         double v = kBase[random.below(9)];
         nudge(v, random);
@@ -353,7 +374,8 @@ Points drawn(Predicate predicate, Class kind, Random& random) {
   return p;
 }
 
-// ---- run --------------------------------------------------------------------------------------------------------------
+// ---- run
+// --------------------------------------------------------------------------------------------------------------
 
 Sign subject(Predicate predicate, const Points& p, TierCounts* tally) {
   const auto flat_point = [&](int i) { return Vec2d{p[i][0], p[i][1]}; };
@@ -361,7 +383,8 @@ Sign subject(Predicate predicate, const Points& p, TierCounts* tally) {
   switch (predicate) {
     case kOrient2d: return veritope::orient2d(flat_point(0), flat_point(1), flat_point(2), tally);
     case kOrient3d: return veritope::orient3d(point(0), point(1), point(2), point(3), tally);
-    case kInCircle: return veritope::in_circle(flat_point(0), flat_point(1), flat_point(2), flat_point(3), tally);
+    case kInCircle:
+      return veritope::in_circle(flat_point(0), flat_point(1), flat_point(2), flat_point(3), tally);
     default: return veritope::in_sphere(point(0), point(1), point(2), point(3), point(4), tally);
   }
 }
@@ -399,20 +422,24 @@ Counts run_chunk(std::uint64_t seed, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
     const Predicate predicate = static_cast<Predicate>(i % kNumPredicates);
     const std::uint64_t lot = random.below(100);  // 20 generic, 20 near, 45 degenerate, 15 extreme
-    const Class kind = lot < 20 ? kGeneric : (lot < 40 ? kNear : (lot < 85 ? kDegenerate : kExtreme));
+    const Class kind =
+        lot < 20 ? kGeneric : (lot < 40 ? kNear : (lot < 85 ? kDegenerate : kExtreme));
     const Points p = drawn(predicate, kind, random);
-    const int got = to_int(subject(predicate, p, &counts.tiers[predicate])), expected = oracle.sign(predicate, p);
+    const int got = to_int(subject(predicate, p, &counts.tiers[predicate])),
+              expected = oracle.sign(predicate, p);
     ++counts.cases[predicate][kind];
     if (expected == 0) ++counts.zeros[predicate][kind];
-    if (got != expected && counts.wrong[predicate][kind]++ == 0) report_wrong(predicate, kind, p, got, expected);
+    if (got != expected && counts.wrong[predicate][kind]++ == 0)
+      report_wrong(predicate, kind, p, got, expected);
     if (random.below(4096) == 0 && slow_sign(predicate, p) != expected) ++counts.oracle_faults;
   }
   return counts;
 }
 
-void figure(const std::string& command, const std::string& name, double value, const std::string& goal) {
-  std::printf("{\"name\":\"%s\",\"value\":%.17g,\"goal\":\"%s\",\"command\":\"%s\"}\n", name.c_str(), value, goal.c_str(),
-              command.c_str());
+void figure(const std::string& command, const std::string& name, double value,
+            const std::string& goal) {
+  std::printf("{\"name\":\"%s\",\"value\":%.17g,\"goal\":\"%s\",\"command\":\"%s\"}\n",
+              name.c_str(), value, goal.c_str(), command.c_str());
 }
 
 }  // namespace
@@ -440,12 +467,14 @@ int main(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   constexpr std::size_t kChunk = 100000;
   std::vector<Counts> parts(veritope::num_chunks(cases, kChunk));
-  veritope::parallel_for(cases, kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    parts[chunk] = run_chunk(seed * 0x9e3779b97f4a7c15u + chunk, begin, end);
-  });
+  veritope::parallel_for(cases, kChunk, jobs,
+                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                           parts[chunk] = run_chunk(seed * 0x9e3779b97f4a7c15u + chunk, begin, end);
+                         });
   Counts total;
   for (const Counts& part : parts) total += part;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   std::uint64_t wrong = 0, zeros = 0;
   const auto sum_class = [&](const auto& table, int k) {
@@ -453,21 +482,25 @@ int main(int argc, char** argv) {
     for (int p = 0; p < kNumPredicates; ++p) sum += table[p][k];
     return sum;
   };
-  for (int k = 0; k < kNumClasses; ++k) wrong += sum_class(total.wrong, k), zeros += sum_class(total.zeros, k);
+  for (int k = 0; k < kNumClasses; ++k)
+    wrong += sum_class(total.wrong, k), zeros += sum_class(total.zeros, k);
   figure(command, "predicates_cases", static_cast<double>(cases), ">= 1e8");
   figure(command, "predicates_wrong_signs", static_cast<double>(wrong), "0");
   figure(command, "predicates_oracle_faults", static_cast<double>(total.oracle_faults), "0");
-  figure(command, "predicates_exact_zeros_fraction", static_cast<double>(zeros) / static_cast<double>(cases), ">= 0.3");
+  figure(command, "predicates_exact_zeros_fraction",
+         static_cast<double>(zeros) / static_cast<double>(cases), ">= 0.3");
   for (int k = 0; k < kNumClasses; ++k) {
     const double n = static_cast<double>(sum_class(total.cases, k));
     figure(command, std::string("predicates_") + kClassNames[k] + "_cases", n, "reported");
     figure(command, std::string("predicates_") + kClassNames[k] + "_zeros_fraction",
-           n > 0 ? static_cast<double>(sum_class(total.zeros, k)) / n : 0, k == kDegenerate ? ">= 0.3" : "reported");
+           n > 0 ? static_cast<double>(sum_class(total.zeros, k)) / n : 0,
+           k == kDegenerate ? ">= 0.3" : "reported");
   }
   constexpr const char* kTierNames[] = {"filter", "lattice", "interval", "exact"};
   for (int p = 0; p < kNumPredicates; ++p) {
     for (std::size_t t = 0; t < veritope::kNumTiers; ++t) {
-      figure(command, std::string("predicates_") + kPredicateNames[p] + "_decided_by_" + kTierNames[t],
+      figure(command,
+             std::string("predicates_") + kPredicateNames[p] + "_decided_by_" + kTierNames[t],
              static_cast<double>(total.tiers[p].decided[t]), "reported");
     }
   }

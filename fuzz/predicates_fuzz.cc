@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/predicates_fuzz.cc: the bytes are up to six points and a byte of options; every predicate and every tier on them against GMP's
-// rationals. The mutator knows points: it makes them equal, collinear, coplanar and cospherical, and moves exponents.
+// fuzz/predicates_fuzz.cc: the bytes are up to six points and a byte of options; every predicate
+// and every tier on them against GMP's rationals. The mutator knows points: it makes them equal,
+// collinear, coplanar and cospherical, and moves exponents.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -28,7 +29,8 @@ namespace {
 
 constexpr std::size_t kNumPoints = 6, kNumCoordinates = 3 * kNumPoints;
 
-// A whole input: coordinates little-endian, then the options. What is missing is zero; infinities and NaNs lose their top exponent bit.
+// A whole input: coordinates little-endian, then the options. What is missing is zero; infinities
+// and NaNs lose their top exponent bit.
 struct Input {
   std::array<double, kNumCoordinates> c{};
   std::uint8_t options = 0;
@@ -38,7 +40,8 @@ struct Input {
     std::memcpy(in.c.data(), data, size < sizeof in.c ? size : sizeof in.c);
     if (size > sizeof in.c) in.options = data[sizeof in.c];
     for (double& v : in.c) {
-      if (!std::isfinite(v)) v = std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) & ~(std::uint64_t{1} << 62));
+      if (!std::isfinite(v))
+        v = std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) & ~(std::uint64_t{1} << 62));
     }
     return in;
   }
@@ -49,7 +52,9 @@ struct Input {
     return sizeof c + 1;
   }
   Vec3d point(std::size_t i) const { return {c[3 * i], c[3 * i + 1], c[3 * i + 2]}; }
-  void set(std::size_t i, const Vec3d& p) { c[3 * i] = p.x, c[3 * i + 1] = p.y, c[3 * i + 2] = p.z; }
+  void set(std::size_t i, const Vec3d& p) {
+    c[3 * i] = p.x, c[3 * i + 1] = p.y, c[3 * i + 2] = p.z;
+  }
 };
 
 void require(bool holds, const char* what, const Input& in) {
@@ -70,50 +75,67 @@ void check_signs(const Input& in) {
   {
     const Sign s = oracle::orient2d(a2, b2, c2);
     require(orient2d(a2, b2, c2) == s, "orient2d", in);
-    require(agrees(orient2d_filter(a2, b2, c2), s) && agrees(internal::orient2d_lattice(a2, b2, c2), s) &&
-                agrees(internal::orient2d_interval(a2, b2, c2), s) && internal::orient2d_exact(a2, b2, c2) == s &&
-                internal::orient2d_integer(a2, b2, c2) == s, "a tier of orient2d", in);
+    require(agrees(orient2d_filter(a2, b2, c2), s) &&
+                agrees(internal::orient2d_lattice(a2, b2, c2), s) &&
+                agrees(internal::orient2d_interval(a2, b2, c2), s) &&
+                internal::orient2d_exact(a2, b2, c2) == s &&
+                internal::orient2d_integer(a2, b2, c2) == s,
+            "a tier of orient2d", in);
   }
   {
     const Sign s = oracle::orient3d(a, b, c, d);
     require(orient3d(a, b, c, d) == s, "orient3d", in);
-    require(agrees(orient3d_filter(a, b, c, d), s) && agrees(internal::orient3d_lattice(a, b, c, d), s) &&
-                agrees(internal::orient3d_interval(a, b, c, d), s) && internal::orient3d_exact(a, b, c, d) == s &&
-                internal::orient3d_integer(a, b, c, d) == s, "a tier of orient3d", in);
+    require(agrees(orient3d_filter(a, b, c, d), s) &&
+                agrees(internal::orient3d_lattice(a, b, c, d), s) &&
+                agrees(internal::orient3d_interval(a, b, c, d), s) &&
+                internal::orient3d_exact(a, b, c, d) == s &&
+                internal::orient3d_integer(a, b, c, d) == s,
+            "a tier of orient3d", in);
   }
   {
     const Sign s = oracle::in_circle(a2, b2, c2, d2);
     require(in_circle(a2, b2, c2, d2) == s, "in_circle", in);
-    require(agrees(in_circle_filter(a2, b2, c2, d2), s) && agrees(internal::in_circle_lattice(a2, b2, c2, d2), s) &&
-                agrees(internal::in_circle_interval(a2, b2, c2, d2), s) && internal::in_circle_exact(a2, b2, c2, d2) == s &&
-                internal::in_circle_integer(a2, b2, c2, d2) == s, "a tier of in_circle", in);
+    require(agrees(in_circle_filter(a2, b2, c2, d2), s) &&
+                agrees(internal::in_circle_lattice(a2, b2, c2, d2), s) &&
+                agrees(internal::in_circle_interval(a2, b2, c2, d2), s) &&
+                internal::in_circle_exact(a2, b2, c2, d2) == s &&
+                internal::in_circle_integer(a2, b2, c2, d2) == s,
+            "a tier of in_circle", in);
   }
   {
     const Sign s = oracle::in_sphere(a, b, c, d, e);
     require(in_sphere(a, b, c, d, e) == s, "in_sphere", in);
-    require(agrees(in_sphere_filter(a, b, c, d, e), s) && agrees(internal::in_sphere_lattice(a, b, c, d, e), s) &&
-                agrees(internal::in_sphere_interval(a, b, c, d, e), s) && internal::in_sphere_exact(a, b, c, d, e) == s &&
-                internal::in_sphere_integer(a, b, c, d, e) == s, "a tier of in_sphere", in);
+    require(agrees(in_sphere_filter(a, b, c, d, e), s) &&
+                agrees(internal::in_sphere_lattice(a, b, c, d, e), s) &&
+                agrees(internal::in_sphere_interval(a, b, c, d, e), s) &&
+                internal::in_sphere_exact(a, b, c, d, e) == s &&
+                internal::in_sphere_integer(a, b, c, d, e) == s,
+            "a tier of in_sphere", in);
   }
   {
     const PlaneCoefficients f{a, c.x};
     const Sign s = oracle::side_of_plane(f, b);
     require(side_of_plane(f, b) == s, "side_of_plane", in);
-    require(agrees(side_of_plane_filter(f, b), s) && agrees(internal::side_of_plane_lattice(f, b), s) &&
-                agrees(internal::side_of_plane_interval(f, b), s) && internal::side_of_plane_exact(f, b) == s,
+    require(agrees(side_of_plane_filter(f, b), s) &&
+                agrees(internal::side_of_plane_lattice(f, b), s) &&
+                agrees(internal::side_of_plane_interval(f, b), s) &&
+                internal::side_of_plane_exact(f, b) == s,
             "a tier of side_of_plane", in);
   }
   {
     const Sign s = oracle::compare_along(a, b, c);
     require(compare_along(a, b, c) == s, "compare_along", in);
-    require(agrees(compare_along_filter(a, b, c), s) && agrees(internal::compare_along_lattice(a, b, c), s) &&
-                agrees(internal::compare_along_interval(a, b, c), s) && internal::compare_along_exact(a, b, c) == s,
+    require(agrees(compare_along_filter(a, b, c), s) &&
+                agrees(internal::compare_along_lattice(a, b, c), s) &&
+                agrees(internal::compare_along_interval(a, b, c), s) &&
+                internal::compare_along_exact(a, b, c) == s,
             "a tier of compare_along", in);
   }
   const SegmentContact s = segment_segment2d(a2, b2, c2, d2);
   require(segment_segment2d(d2, c2, b2, a2) == s, "symmetry of segment_segment2d", in);
-  const bool meet = oracle::orient2d(a2, b2, c2) * oracle::orient2d(a2, b2, d2) == Sign::kNegative &&
-                    oracle::orient2d(c2, d2, a2) * oracle::orient2d(c2, d2, b2) == Sign::kNegative;
+  const bool meet =
+      oracle::orient2d(a2, b2, c2) * oracle::orient2d(a2, b2, d2) == Sign::kNegative &&
+      oracle::orient2d(c2, d2, a2) * oracle::orient2d(c2, d2, b2) == Sign::kNegative;
   require((s == SegmentContact::kCrossing) == meet, "a crossing of segment_segment2d", in);
 }
 
@@ -126,7 +148,8 @@ void check_triangles(const Input& in) {
   if ((in.options & 4u) != 0) std::swap(u.point[0], u.point[2]), std::swap(u.id[0], u.id[2]);
   if (oracle::degenerate(t.point)) return;
   const Vec3d p = in.point(3), q = in.point(4);
-  require(segment_triangle(p, q, t.point) == oracle::contact(p, q, t.point), "segment_triangle", in);
+  require(segment_triangle(p, q, t.point) == oracle::contact(p, q, t.point), "segment_triangle",
+          in);
   if (oracle::degenerate(u.point)) return;
   const TriangleContact contact = triangle_triangle(t, u);
   require(contact == oracle::contact(t, u), "triangle_triangle", in);
@@ -141,7 +164,8 @@ void check_triangles(const Input& in) {
     }
     for (int axis = 0; axis < 3; ++axis) {
       Rational v;
-      for (int i = 0; i < 3; ++i) v += Rational(weight[i]) * Rational::from_double(tri.point[i][axis]);
+      for (int i = 0; i < 3; ++i)
+        v += Rational(weight[i]) * Rational::from_double(tri.point[i][axis]);
       require(v == w.point[axis] * Rational(sum), "the point of triangle_witness", in);
     }
   };
@@ -157,22 +181,30 @@ void mutate(Input& in, Random& random) {
     return Vec3d{o.x + s * (u.x - o.x) + t * (v.x - o.x), o.y + s * (u.y - o.y) + t * (v.y - o.y),
                  o.z + s * (u.z - o.z) + t * (v.z - o.z)};
   };
-  const auto factor = [&] { return std::ldexp(static_cast<double>(random.between(-5, 5)), static_cast<int>(random.between(-3, 1))); };
+  const auto factor = [&] {
+    return std::ldexp(static_cast<double>(random.between(-5, 5)),
+                      static_cast<int>(random.between(-3, 1)));
+  };
   switch (random.below(14)) {
-    case 0: in.set(any_point(), in.point(any_point())); break;                                         // equal
-    case 1: in.set(any_point(), combine(in.point(any_point()), in.point(any_point()), factor(), {}, 0)); break;  // collinear
+    case 0: in.set(any_point(), in.point(any_point())); break;  // equal
+    case 1:
+      in.set(any_point(), combine(in.point(any_point()), in.point(any_point()), factor(), {}, 0));
+      break;  // collinear
     case 2:
     case 3:  // coplanar
-      in.set(any_point(), combine(in.point(any_point()), in.point(any_point()), factor(), in.point(any_point()), factor()));
+      in.set(any_point(), combine(in.point(any_point()), in.point(any_point()), factor(),
+                                  in.point(any_point()), factor()));
       break;
     case 4: {  // cospherical: a corner of the box of two points
       const Vec3d p = in.point(any_point()), q = in.point(any_point());
-      in.set(any_point(), {random.below(2) ? p.x : q.x, random.below(2) ? p.y : q.y, random.below(2) ? p.z : q.z});
+      in.set(any_point(), {random.below(2) ? p.x : q.x, random.below(2) ? p.y : q.y,
+                           random.below(2) ? p.z : q.z});
       break;
     }
     case 5: {  // one coordinate by some units in the last place
       double& v = any_coordinate();
-      for (std::int64_t steps = random.between(1, 3); steps > 0; --steps) v = std::nextafter(v, random.below(2) ? 1e308 : -1e308);
+      for (std::int64_t steps = random.between(1, 3); steps > 0; --steps)
+        v = std::nextafter(v, random.below(2) ? 1e308 : -1e308);
       break;
     }
     case 6: any_coordinate() = any_coordinate(); break;
@@ -195,7 +227,8 @@ void mutate(Input& in, Random& random) {
       break;
     }
     case 10: {
-      constexpr double kSpecial[] = {0, -0.0, 1, 5e-324, 0x1.fffffffffffffp1023, 0x1p-1022, 0x1p-537, 0x1p511, 0.1};
+      constexpr double kSpecial[] = {0,         -0.0,     1,       5e-324, 0x1.fffffffffffffp1023,
+                                     0x1p-1022, 0x1p-537, 0x1p511, 0.1};
       any_coordinate() = kSpecial[random.below(9)];
       break;
     }
@@ -205,7 +238,8 @@ void mutate(Input& in, Random& random) {
     }
     case 12: {
       double& v = any_coordinate();
-      v = std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) ^ (std::uint64_t{1} << random.below(64)));
+      v = std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) ^
+                                (std::uint64_t{1} << random.below(64)));
       break;
     }
     default: in.options = static_cast<std::uint8_t>(random.below(8)); break;
@@ -225,10 +259,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
   veritope::Input in = veritope::Input::decode(data, size);
   veritope::Random random(seed);
-  for (std::uint64_t changes = 1 + random.below(3); changes > 0; --changes) veritope::mutate(in, random);
+  for (std::uint64_t changes = 1 + random.below(3); changes > 0; --changes)
+    veritope::mutate(in, random);
   const std::size_t written = in.encode(data, max_size);
   return written == 0 ? size : written;
 }

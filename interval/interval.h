@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/interval.h: sets of reals between two binary64 bounds. Held as (-lo, hi), so that rounding upward widens both ends.
+// interval/interval.h: sets of reals between two binary64 bounds. Held as (-lo, hi), so that
+// rounding upward widens both ends.
 #pragma once
 #include <string>
 
@@ -9,9 +10,9 @@
 
 namespace veritope {
 
-/// [lo, hi] = { x real : lo <= x <= hi }; never empty, never NaN; lo may be -infinity and hi +infinity.
-/// Operations enclose: x in a, y in b implies x op y in a op b, overflow and underflow included; each bound of +, -, * and sqr is the
-/// nearest binary64 number outside.
+/// [lo, hi] = { x real : lo <= x <= hi }; never empty, never NaN; lo may be -infinity and hi
+/// +infinity. Operations enclose: x in a, y in b implies x op y in a op b, overflow and underflow
+/// included; each bound of +, -, * and sqr is the nearest binary64 number outside.
 /// REQUIRES for every arithmetic operation a live ScopedUpward in this thread.
 class Interval {
  public:
@@ -32,7 +33,8 @@ class Interval {
     return Interval(fenced(fenced(a.neg_lo_) + b.hi_), fenced(fenced(a.hi_) + b.neg_lo_));
   }
   friend Interval operator*(const Interval& a, const Interval& b) {
-    // All fenced, the negations too: compilers rewrite (-p) * q into -(p * q), which rounds the other way.
+    // All fenced, the negations too: compilers rewrite (-p) * q into -(p * q), which rounds the
+    // other way.
     const double an = fenced(a.neg_lo_), ah = fenced(a.hi_), al = fenced(-an), am = fenced(-ah);
     const double bn = fenced(b.neg_lo_), bh = fenced(b.hi_);
     return Interval(fenced(largest(an * bh, ah * bn, al * bn, am * bh)),
@@ -41,7 +43,7 @@ class Interval {
   /// { x^2 : x in a }, tighter than a * a when a contains numbers of both signs.
   friend Interval sqr(const Interval& a) {
     const double an = fenced(a.neg_lo_), ah = fenced(a.hi_);
-    const double far = an > ah ? an : ah;              // max |x|
+    const double far = an > ah ? an : ah;                           // max |x|
     const double near = fenced(an < 0 ? -an : (ah < 0 ? -ah : 0));  // min |x|
     return Interval(fenced(fenced(-near) * near), fenced(far * far));
   }
@@ -55,8 +57,8 @@ class Interval {
 
  private:
   constexpr Interval(double neg_lo, double hi) : neg_lo_(neg_lo), hi_(hi) {}
-  // 0 * infinity is NaN; the set it stands for is {0}, and one of the other products, or 0, covers it: each comparison with NaN is
-  // false and drops it.
+  // 0 * infinity is NaN; the set it stands for is {0}, and one of the other products, or 0, covers
+  // it: each comparison with NaN is false and drops it.
   static double largest(double p, double q, double r, double s) {
     double m = p == p ? p : 0;
     m = q > m ? q : m;

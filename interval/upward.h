@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/upward.h: a scope in which this thread rounds upward, and the fences that keep operations inside it.
+// interval/upward.h: a scope in which this thread rounds upward, and the fences that keep
+// operations inside it.
 #pragma once
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -11,9 +12,10 @@
 
 namespace veritope {
 
-/// From construction to destruction this thread rounds binary64 operations upward, with gradual underflow and all exceptions
-/// masked, whatever it did before: the control word is loaded as a whole, so that a caller's FTZ or DAZ is off, too. The destructor
-/// restores the caller's word. Only operands and results that pass through fenced() are known to be computed inside.
+/// From construction to destruction this thread rounds binary64 operations upward, with gradual
+/// underflow and all exceptions masked, whatever it did before: the control word is loaded as a
+/// whole, so that a caller's FTZ or DAZ is off, too. The destructor restores the caller's word.
+/// Only operands and results that pass through fenced() are known to be computed inside.
 class ScopedUpward {
  public:
   ScopedUpward(const ScopedUpward&) = delete;
@@ -39,8 +41,9 @@ class ScopedUpward {
 #endif
 };
 
-/// The same value, but the compiler may neither know it nor move its uses before, nor its computation after, this
-/// point relative to a ScopedUpward's ends: no constant folding and no hoisting into another rounding mode.
+/// The same value, but the compiler may neither know it nor move its uses before, nor its
+/// computation after, this point relative to a ScopedUpward's ends: no constant folding and no
+/// hoisting into another rounding mode.
 [[gnu::always_inline]] inline double fenced(double v) {
 #if defined(__SSE2__)
   asm volatile("" : "+x"(v));

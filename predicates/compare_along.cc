@@ -22,9 +22,9 @@ Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d&
 
 Sign3 compare_along_interval(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
   const ScopedUpward upward;
-  return formulas::CompareAlong<Interval>(Interval(direction.x), Interval(direction.y),
-                                          Interval(direction.z), Interval(p.x), Interval(p.y),
-                                          Interval(p.z), Interval(q.x), Interval(q.y), Interval(q.z))
+  return formulas::CompareAlong<Interval>(
+             Interval(direction.x), Interval(direction.y), Interval(direction.z), Interval(p.x),
+             Interval(p.y), Interval(p.z), Interval(q.x), Interval(q.y), Interval(q.z))
       .det()
       .sign();
 }

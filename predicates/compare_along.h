@@ -12,15 +12,18 @@
 
 namespace veritope {
 
-/// The exact sign of direction . (p - q): positive iff p comes after q. Swapping p and q, or turning the direction round, negates it; the
-/// zero direction gives zero.
+/// The exact sign of direction . (p - q): positive iff p comes after q. Swapping p and q, or
+/// turning the direction round, negates it; the zero direction gives zero.
 /// REQUIRES finite numbers; all are allowed.
-Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q, TierCounts* tally = nullptr) noexcept;
+Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q,
+                   TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (3u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
-/// Derived  docs/bounds/compare_along.md, and again in tests/predicates/compare_along_bound_test.cc.
+/// Bound    |det - exact| <= (3u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
+///          2^-53.
+/// Derived  docs/bounds/compare_along.md, and again in
+///          tests/predicates/compare_along_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 compare_along_filter(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept;
 
@@ -41,14 +44,16 @@ inline Sign3 compare_along_filter(const Vec3d& direction, const Vec3d& p, const 
   const formulas::CompareAlong<double> f(direction.x, direction.y, direction.z, p.x, p.y, p.z, q.x,
                                          q.y, q.z);
   const double det = f.det();
-  const double bound = internal::kCompareAlongRel * f.magnitude([](double v) { return std::abs(v); }) +
-                       internal::kCompareAlongAbs;
+  const double bound = internal::kCompareAlongRel * f.magnitude([](double v) {
+    return std::abs(v);
+  }) + internal::kCompareAlongAbs;
   // Overflow makes the bound infinite or NaN, and both comparisons false.
   if (det > bound) return Sign3::kPositive;
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q, TierCounts* tally) noexcept {
+inline Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q,
+                          TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return compare_along_filter(direction, p, q); },
       [&](TierCounts* t) { return internal::compare_along_after_filter(direction, p, q, t); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/fixed_formulas.h: the determinants of formulas.h on a lattice of L limbs (lattice.h). Every product is as wide as it
-// needs to be; the static_asserts are the proof that nothing wraps around.
+// predicates/fixed_formulas.h: the determinants of formulas.h on a lattice of L limbs (lattice.h).
+// Every product is as wide as it needs to be; the static_asserts are the proof that nothing wraps
+// around.
 #pragma once
 #include <array>
 
@@ -13,7 +14,7 @@ template <int L>
 struct LatticeBudget {
   static constexpr int kDiff = bits_of_sum(2, lattice_bits(L));
   static constexpr int kProduct = bits_of_product(kDiff, kDiff);
-  static constexpr int kMinor = bits_of_sum(2, kProduct);   // a b - c d, or a^2 + b^2
+  static constexpr int kMinor = bits_of_sum(2, kProduct);  // a b - c d, or a^2 + b^2
   static constexpr int kMinor3 = bits_of_sum(3, bits_of_product(kDiff, kMinor));
   static constexpr int kLift3 = bits_of_sum(3, kProduct);
 };
@@ -47,8 +48,8 @@ Sign orient3d_fixed(const std::array<FixedInt<L>, 4>& x, const std::array<FixedI
 template <int L>
 Sign in_circle_fixed(const std::array<FixedInt<L>, 8>& c) {
   static_assert(LatticeBudget<L>::kMinor < FixedInt<2 * L>::kBits);
-  static_assert(bits_of_sum(3, bits_of_product(LatticeBudget<L>::kMinor, LatticeBudget<L>::kMinor)) <
-                FixedInt<4 * L>::kBits);
+  static_assert(bits_of_sum(3, bits_of_product(LatticeBudget<L>::kMinor,
+                                               LatticeBudget<L>::kMinor)) < FixedInt<4 * L>::kBits);
   const FixedInt<L> ax = c[0] - c[6], ay = c[1] - c[7], bx = c[2] - c[6], by = c[3] - c[7],
                     cx = c[4] - c[6], cy = c[5] - c[7];
   const auto lift = [](const FixedInt<L>& x, const FixedInt<L>& y) {
@@ -65,7 +66,8 @@ Sign in_sphere_fixed(const std::array<FixedInt<L>, 15>& c) {
   using Budget = LatticeBudget<L>;
   static_assert(Budget::kMinor < FixedInt<2 * L>::kBits && Budget::kLift3 < FixedInt<2 * L>::kBits);
   static_assert(Budget::kMinor3 < FixedInt<3 * L>::kBits);
-  static_assert(bits_of_sum(4, bits_of_product(Budget::kLift3, Budget::kMinor3)) < FixedInt<5 * L>::kBits);
+  static_assert(bits_of_sum(4, bits_of_product(Budget::kLift3, Budget::kMinor3)) <
+                FixedInt<5 * L>::kBits);
   std::array<FixedInt<L>, 4> x, y, z;
   for (int i = 0; i < 4; ++i) {
     x[i] = c[3 * i] - c[12], y[i] = c[3 * i + 1] - c[13], z[i] = c[3 * i + 2] - c[14];
@@ -74,11 +76,16 @@ Sign in_sphere_fixed(const std::array<FixedInt<L>, 15>& c) {
     return wide_product(x[i], x[i]) + wide_product(y[i], y[i]) + wide_product(z[i], z[i]);
   };
   const auto m = [&](int i, int j) { return minor(x[i], y[j], x[j], y[i]); };
-  const FixedInt<2 * L> ab = m(0, 1), bc = m(1, 2), cd = m(2, 3), da = m(3, 0), ac = m(0, 2), bd = m(1, 3);
-  const FixedInt<3 * L> abc = wide_product(z[0], bc) - wide_product(z[1], ac) + wide_product(z[2], ab);
-  const FixedInt<3 * L> bcd = wide_product(z[1], cd) - wide_product(z[2], bd) + wide_product(z[3], bc);
-  const FixedInt<3 * L> cda = wide_product(z[2], da) + wide_product(z[3], ac) + wide_product(z[0], cd);
-  const FixedInt<3 * L> dab = wide_product(z[3], ab) + wide_product(z[0], bd) + wide_product(z[1], da);
+  const FixedInt<2 *L> ab = m(0, 1), bc = m(1, 2), cd = m(2, 3), da = m(3, 0), ac = m(0, 2),
+                       bd = m(1, 3);
+  const FixedInt<3 * L> abc =
+      wide_product(z[0], bc) - wide_product(z[1], ac) + wide_product(z[2], ab);
+  const FixedInt<3 * L> bcd =
+      wide_product(z[1], cd) - wide_product(z[2], bd) + wide_product(z[3], bc);
+  const FixedInt<3 * L> cda =
+      wide_product(z[2], da) + wide_product(z[3], ac) + wide_product(z[0], cd);
+  const FixedInt<3 * L> dab =
+      wide_product(z[3], ab) + wide_product(z[0], bd) + wide_product(z[1], da);
   return (wide_product(lift(0), bcd) - wide_product(lift(1), cda) + wide_product(lift(2), dab) -
           wide_product(lift(3), abc))
       .sign();

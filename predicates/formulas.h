@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/formulas.h: each determinant once, over any ring. The filter (double), the interval tier, the slowest exact tier (Integer)
-// and the tests that derive the filters' constants from the roundings in these very lines all instantiate them.
+// predicates/formulas.h: each determinant once, over any ring. The filter (double), the interval
+// tier, the slowest exact tier (Integer) and the tests that derive the filters' constants from the
+// roundings in these very lines all instantiate them.
 //
-// det() is the determinant; magnitude(abs) is the same expression with every term replaced by its absolute value and every difference
-// of terms by a sum, so that |det| <= magnitude holds after rounding, too: rounding is monotone.
+// det() is the determinant; magnitude(abs) is the same expression with every term replaced by its
+// absolute value and every difference of terms by a sum, so that |det| <= magnitude holds after
+// rounding, too: rounding is monotone.
 #pragma once
 
 namespace veritope::formulas {
@@ -28,8 +30,8 @@ struct Orient2d {
   }
 };
 
-/// The normal (b - a) x (c - a) of a plane, kept as products, and its value at a further point: with w = d - a,
-/// det(w) = det(b - a, c - a, d - a).
+/// The normal (b - a) x (c - a) of a plane, kept as products, and its value at a further point:
+/// with w = d - a, det(w) = det(b - a, c - a, d - a).
 template <typename T>
 struct Plane3 {
   T ax, ay, az;
@@ -59,23 +61,23 @@ struct Plane3 {
   }
 };
 
-/// The lifted determinant of a - d, b - d, c - d: > 0 iff d lies inside the circle through the counter-clockwise a, b, c.
+/// The lifted determinant of a - d, b - d, c - d: > 0 iff d lies inside the circle through the
+/// counter-clockwise a, b, c.
 template <typename T>
 struct InCircle {
   T bc, cb, ca, ac, ab, ba;  // products: bc = (b - d).x * (c - d).y
   T a_lift, b_lift, c_lift;  // squared distances from d
 
-  constexpr InCircle(const T& ax_, const T& ay_, const T& bx_, const T& by_, const T& cx_, const T& cy_,
-                     const T& dx, const T& dy) {
-    const T ax = ax_ - dx, ay = ay_ - dy, bx = bx_ - dx, by = by_ - dy, cx = cx_ - dx, cy = cy_ - dy;
+  constexpr InCircle(const T& ax_, const T& ay_, const T& bx_, const T& by_, const T& cx_,
+                     const T& cy_, const T& dx, const T& dy) {
+    const T ax = ax_ - dx, ay = ay_ - dy, bx = bx_ - dx, by = by_ - dy, cx = cx_ - dx,
+            cy = cy_ - dy;
     bc = bx * cy, cb = cx * by;
     ca = cx * ay, ac = ax * cy;
     ab = ax * by, ba = bx * ay;
     a_lift = sqr(ax) + sqr(ay), b_lift = sqr(bx) + sqr(by), c_lift = sqr(cx) + sqr(cy);
   }
-  constexpr T det() const {
-    return (a_lift * (bc - cb) + b_lift * (ca - ac)) + c_lift * (ab - ba);
-  }
+  constexpr T det() const { return (a_lift * (bc - cb) + b_lift * (ca - ac)) + c_lift * (ab - ba); }
   template <typename Abs>
   constexpr T magnitude(Abs abs) const {
     return (a_lift * (abs(bc) + abs(cb)) + b_lift * (abs(ca) + abs(ac))) +
@@ -84,17 +86,17 @@ struct InCircle {
   constexpr T size() const { return (a_lift + b_lift) + c_lift; }
 };
 
-/// The lifted determinant of a - e, b - e, c - e, d - e, signed so that it is > 0 iff e lies inside the sphere through
-/// a, b, c, d with orient3d(a, b, c, d) > 0.
+/// The lifted determinant of a - e, b - e, c - e, d - e, signed so that it is > 0 iff e lies inside
+/// the sphere through a, b, c, d with orient3d(a, b, c, d) > 0.
 template <typename T>
 struct InSphere {
   T az, bz, cz, dz;
   T ab, ba, bc, cb, cd, dc, da, ad, ac, ca, bd, db;  // ab = (a - e).x * (b - e).y
   T a_lift, b_lift, c_lift, d_lift;
 
-  constexpr InSphere(const T& ax_, const T& ay_, const T& az_, const T& bx_, const T& by_, const T& bz_,
-                     const T& cx_, const T& cy_, const T& cz_, const T& dx_, const T& dy_, const T& dz_,
-                     const T& ex, const T& ey, const T& ez) {
+  constexpr InSphere(const T& ax_, const T& ay_, const T& az_, const T& bx_, const T& by_,
+                     const T& bz_, const T& cx_, const T& cy_, const T& cz_, const T& dx_,
+                     const T& dy_, const T& dz_, const T& ex, const T& ey, const T& ez) {
     const T ax = ax_ - ex, ay = ay_ - ey, bx = bx_ - ex, by = by_ - ey;
     const T cx = cx_ - ex, cy = cy_ - ey, dx = dx_ - ex, dy = dy_ - ey;
     az = az_ - ez, bz = bz_ - ez, cz = cz_ - ez, dz = dz_ - ez;
@@ -108,7 +110,8 @@ struct InSphere {
     c_lift = (sqr(cx) + sqr(cy)) + sqr(cz), d_lift = (sqr(dx) + sqr(dy)) + sqr(dz);
   }
   constexpr T det() const {
-    const T m_ab = ab - ba, m_bc = bc - cb, m_cd = cd - dc, m_da = da - ad, m_ac = ac - ca, m_bd = bd - db;
+    const T m_ab = ab - ba, m_bc = bc - cb, m_cd = cd - dc, m_da = da - ad, m_ac = ac - ca,
+            m_bd = bd - db;
     const T abc = (az * m_bc - bz * m_ac) + cz * m_ab, bcd = (bz * m_cd - cz * m_bd) + dz * m_bc;
     const T cda = (cz * m_da + dz * m_ac) + az * m_cd, dab = (dz * m_ab + az * m_bd) + bz * m_da;
     return (a_lift * bcd - b_lift * cda) + (c_lift * dab - d_lift * abc);
@@ -130,8 +133,8 @@ template <typename T>
 struct SideOfPlane {
   T x, y, z, k;
 
-  constexpr SideOfPlane(const T& nx, const T& ny, const T& nz, const T& k_, const T& px, const T& py,
-                        const T& pz)
+  constexpr SideOfPlane(const T& nx, const T& ny, const T& nz, const T& k_, const T& px,
+                        const T& py, const T& pz)
       : x(nx * px), y(ny * py), z(nz * pz), k(k_) {}
   constexpr T det() const { return ((x + y) + z) + k; }
   template <typename Abs>
@@ -145,8 +148,8 @@ template <typename T>
 struct CompareAlong {
   T x, y, z;
 
-  constexpr CompareAlong(const T& dx, const T& dy, const T& dz, const T& px, const T& py, const T& pz,
-                         const T& qx, const T& qy, const T& qz)
+  constexpr CompareAlong(const T& dx, const T& dy, const T& dz, const T& px, const T& py,
+                         const T& pz, const T& qx, const T& qy, const T& qz)
       : x(dx * (px - qx)), y(dy * (py - qy)), z(dz * (pz - qz)) {}
   constexpr T det() const { return (x + y) + z; }
   template <typename Abs>

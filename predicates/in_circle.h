@@ -12,17 +12,19 @@
 
 namespace veritope {
 
-/// The exact sign of the lifted determinant. If orient2d(a, b, c) > 0: positive iff d lies inside the circle through a, b, c, zero iff on
-/// it, negative iff outside. Laws:
+/// The exact sign of the lifted determinant. If orient2d(a, b, c) > 0: positive iff d lies inside
+/// the circle through a, b, c, zero iff on it, negative iff outside. Laws:
 ///   (1) swapping two of the four points negates it;
-///   (2) it does not change when all points move by the same vector exactly, or are scaled by one power of two;
+///   (2) it does not change when all points move by the same vector exactly, or are scaled by one
+///       power of two;
 ///   (3) it is zero iff two of the points coincide or all four lie on one circle or one line.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
 Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (10u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
+/// Bound    |det - exact| <= (10u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
+///          2^-53.
 /// Derived  docs/bounds/in_circle.md, and again in tests/predicates/in_circle_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
@@ -34,7 +36,8 @@ inline constexpr double kInCircleAbs = 0x1p-900;
 
 Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
 Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
-Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;    // two limbs, else in_circle_integer
+Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c,
+                     Vec2d d) noexcept;  // two limbs, else in_circle_integer
 Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;  // any exponents
 Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept;
 }  // namespace internal

@@ -9,7 +9,8 @@ namespace {
 
 using Coordinates = std::array<double, 15>;
 
-Coordinates coordinates(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+Coordinates coordinates(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                        const Vec3d& e) {
   return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z};
 }
 
@@ -28,11 +29,13 @@ formulas::InSphere<T> formula(const std::array<T, 15>& v) {
 
 }  // namespace
 
-Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
+Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                        const Vec3d& e) noexcept {
   return on_lattice<1>(coordinates(a, b, c, d, e));
 }
 
-Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
+Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                         const Vec3d& e) noexcept {
   const Coordinates v = coordinates(a, b, c, d, e);
   std::array<Interval, 15> w;
   for (int i = 0; i < 15; ++i) w[i] = Interval(v[i]);
@@ -40,12 +43,14 @@ Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
   return formula<Interval>(w).det().sign();
 }
 
-Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
+Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                     const Vec3d& e) noexcept {
   const Sign3 s = on_lattice<2>(coordinates(a, b, c, d, e));
   return is_certain(s) ? to_sign(s) : in_sphere_integer(a, b, c, d, e);
 }
 
-Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept {
+Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                       const Vec3d& e) noexcept {
   return formula<Integer>(to_integers<15>(coordinates(a, b, c, d, e))).det().sign();
 }
 

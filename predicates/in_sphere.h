@@ -12,31 +12,38 @@
 
 namespace veritope {
 
-/// The exact sign of the lifted determinant. If orient3d(a, b, c, d) > 0: positive iff e lies inside the sphere through a, b, c, d, zero
-/// iff on it, negative iff outside. Laws:
+/// The exact sign of the lifted determinant. If orient3d(a, b, c, d) > 0: positive iff e lies
+/// inside the sphere through a, b, c, d, zero iff on it, negative iff outside. Laws:
 ///   (1) swapping two of the five points negates it;
-///   (2) it does not change when all points move by the same vector exactly, or are scaled by one power of two.
+///   (2) it does not change when all points move by the same vector exactly, or are scaled by one
+///       power of two.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
 Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e,
                TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (15u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
+/// Bound    |det - exact| <= (15u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
+///          2^-53.
 /// Derived  docs/bounds/in_sphere.md, and again in tests/predicates/in_sphere_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept;
+Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                       const Vec3d& e) noexcept;
 
 namespace internal {
 inline constexpr double kInSphereRel = 0x1.e000000000019p-50;
 inline constexpr double kInSphereEta = 0x1p-900;
 inline constexpr double kInSphereAbs = 0x1p-900;
 
-Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept;
-Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept;
+Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                        const Vec3d& e) noexcept;
+Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                         const Vec3d& e) noexcept;
 // Two limbs, else in_sphere_integer, which takes any exponents.
-Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept;
-Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) noexcept;
+Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                     const Vec3d& e) noexcept;
+Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                       const Vec3d& e) noexcept;
 Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                             const Vec3d& e, TierCounts* tally) noexcept;
 }  // namespace internal
@@ -45,8 +52,8 @@ Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, cons
 
 inline Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                               const Vec3d& e) noexcept {
-  const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x,
-                                     e.y, e.z);
+  const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z,
+                                     e.x, e.y, e.z);
   const double det = f.det();
   const double bound = internal::kInSphereRel * f.magnitude([](double v) { return std::abs(v); }) +
                        (internal::kInSphereEta * f.size() + internal::kInSphereAbs);
@@ -55,8 +62,8 @@ inline Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, co
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e,
-                      TierCounts* tally) noexcept {
+inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                      const Vec3d& e, TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return in_sphere_filter(a, b, c, d, e); },
       [&](TierCounts* t) { return internal::in_sphere_after_filter(a, b, c, d, e, t); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/lattice.h: doubles as integers. One power of two is taken out of a group of coordinates that a predicate may scale
-// together (an axis of orient2d and orient3d, all of in_circle and in_sphere): the sign stays, the arithmetic becomes integer.
+// predicates/lattice.h: doubles as integers. One power of two is taken out of a group of
+// coordinates that a predicate may scale together (an axis of orient2d and orient3d, all of
+// in_circle and in_sphere): the sign stays, the arithmetic becomes integer.
 #pragma once
 #include <array>
 #include <bit>
@@ -13,7 +14,8 @@
 
 namespace veritope::internal {
 
-/// Coordinates on a lattice of L limbs are at most 2^lattice_bits(L); three more bits hold a difference and the sign.
+/// Coordinates on a lattice of L limbs are at most 2^lattice_bits(L); three more bits hold a
+/// difference and the sign.
 constexpr int lattice_bits(int limbs) { return 64 * limbs - 4; }
 
 /// Are all the same number? (0 and -0 may count as different; DAZ does not matter.)
@@ -23,9 +25,10 @@ inline bool same_bits(double first, Rest... rest) {
   return ((std::bit_cast<std::uint64_t>(rest) == bits) && ...);
 }
 
-/// out[i] = c[i] * 2^k, |out[i]| <= 2^60, for one k. False if no such k is found: some bit lies 60 or more binary places under
-/// the largest coordinate's first, or the coordinates are below about 2^-960.
-/// Right under every rounding mode and with FTZ or DAZ, too: each step is exact or is caught by the comparison of bits.
+/// out[i] = c[i] * 2^k, |out[i]| <= 2^60, for one k. False if no such k is found: some bit lies 60
+/// or more binary places under the largest coordinate's first, or the coordinates are below about
+/// 2^-960. Right under every rounding mode and with FTZ or DAZ, too: each step is exact or is
+/// caught by the comparison of bits.
 /// REQUIRES finite coordinates.
 template <std::size_t N>
 [[gnu::always_inline]] inline bool to_lattice(const std::array<double, N>& c,
@@ -35,8 +38,8 @@ template <std::size_t N>
     const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(c[i]) << 1 >> 1;
     largest = magnitude > largest ? magnitude : largest;
   }
-  std::uint64_t biased = largest >> 52;  // |c| < 2^(biased - 1022)
-  if (biased < 60) biased = 60;          // keeps both factors normal
+  std::uint64_t biased = largest >> 52;                               // |c| < 2^(biased - 1022)
+  if (biased < 60) biased = 60;                                       // keeps both factors normal
   const double scale = std::bit_cast<double>((2105 - biased) << 52);  // 2^(60 - (biased - 1022))
   const double unit = std::bit_cast<double>((biased - 59) << 52);     // 1 / scale
   std::uint64_t differs = 0;
@@ -71,20 +74,22 @@ struct Parts {
   }
 };
 
-/// out[i] = c[i] * 2^k, |out[i]| < 2^lattice_bits(L), for one k; false iff there is no such k. REQUIRES finite coordinates.
+/// out[i] = c[i] * 2^k, |out[i]| < 2^lattice_bits(L), for one k; false iff there is no such k.
+/// REQUIRES finite coordinates.
 template <std::size_t N, int L>
-  requires(L > 1)
-bool to_lattice(const std::array<double, N>& c, std::array<FixedInt<L>, N>& out) {
+requires(L > 1) bool to_lattice(const std::array<double, N>& c, std::array<FixedInt<L>, N>& out) {
   const Parts<N> parts(c);
   if (parts.end - parts.least > lattice_bits(L)) return false;
   for (std::size_t i = 0; i < N; ++i) {
     const Binary64& p = parts.part[i];
-    out[i] = p.mantissa == 0 ? FixedInt<L>() : FixedInt<L>(p.mantissa) << (p.exponent - parts.least);
+    out[i] =
+        p.mantissa == 0 ? FixedInt<L>() : FixedInt<L>(p.mantissa) << (p.exponent - parts.least);
   }
   return true;
 }
 
-/// out[i] = c[i] * 2^k exactly, for the largest k with all of them integers (0 if all are zero). REQUIRES finite coordinates.
+/// out[i] = c[i] * 2^k exactly, for the largest k with all of them integers (0 if all are zero).
+/// REQUIRES finite coordinates.
 template <std::size_t N>
 std::array<Integer, N> to_integers(const std::array<double, N>& c) {
   const Parts<N> parts(c);

@@ -11,7 +11,8 @@ namespace {
 template <int L>
 Sign3 on_lattice(Vec2d a, Vec2d b, Vec2d c) {
   std::array<FixedInt<L>, 3> x, y;
-  if (!to_lattice<3>({a.x, b.x, c.x}, x) || !to_lattice<3>({a.y, b.y, c.y}, y)) return Sign3::kUncertain;
+  if (!to_lattice<3>({a.x, b.x, c.x}, x) || !to_lattice<3>({a.y, b.y, c.y}, y))
+    return Sign3::kUncertain;
   return to_sign3(orient2d_fixed<L>(x, y));
 }
 
@@ -43,8 +44,8 @@ Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) noexcept {
 
 Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept {
   return cascade<1>(
-      tally, [&] { return orient2d_lattice(a, b, c); },
-      [&] { return orient2d_interval(a, b, c); }, [&] { return orient2d_exact(a, b, c); });
+      tally, [&] { return orient2d_lattice(a, b, c); }, [&] { return orient2d_interval(a, b, c); },
+      [&] { return orient2d_exact(a, b, c); });
 }
 
 }  // namespace veritope::internal

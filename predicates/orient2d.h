@@ -12,10 +12,11 @@
 
 namespace veritope {
 
-/// The exact sign of (b - a) x (c - a), twice the signed area of a, b, c: positive iff they turn counter-clockwise,
-/// orient2d((0,0), (1,0), (0,1)) = +1; zero iff they lie on one line. Laws:
+/// The exact sign of (b - a) x (c - a), twice the signed area of a, b, c: positive iff they turn
+/// counter-clockwise, orient2d((0,0), (1,0), (0,1)) = +1; zero iff they lie on one line. Laws:
 ///   (1) swapping two points negates it; a cyclic shift keeps it;
-///   (2) it does not change when all points move by the same vector exactly, nor when one axis is scaled by a power of two.
+///   (2) it does not change when all points move by the same vector exactly, nor when one axis is
+///       scaled by a power of two.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
 Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr) noexcept;
 

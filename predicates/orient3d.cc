@@ -22,7 +22,8 @@ Sign3 on_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
 
 Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
   // Faces along the axes are the commonest degenerate ones.
-  if (same_bits(a.x, b.x, c.x, d.x) || same_bits(a.y, b.y, c.y, d.y) || same_bits(a.z, b.z, c.z, d.z)) {
+  if (same_bits(a.x, b.x, c.x, d.x) || same_bits(a.y, b.y, c.y, d.y) ||
+      same_bits(a.z, b.z, c.z, d.z)) {
     return Sign3::kZero;
   }
   return on_lattice<1>(a, b, c, d);
@@ -33,7 +34,8 @@ Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
   const formulas::Plane3<Interval> plane(Interval(a.x), Interval(a.y), Interval(a.z), Interval(b.x),
                                          Interval(b.y), Interval(b.z), Interval(c.x), Interval(c.y),
                                          Interval(c.z));
-  return plane.det(Interval(d.x) - plane.ax, Interval(d.y) - plane.ay, Interval(d.z) - plane.az).sign();
+  return plane.det(Interval(d.x) - plane.ax, Interval(d.y) - plane.ay, Interval(d.z) - plane.az)
+      .sign();
 }
 
 Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {

@@ -12,17 +12,20 @@
 
 namespace veritope {
 
-/// The exact sign of det(b - a, c - a, d - a), six times the signed volume of a, b, c, d: positive iff a, b, c turn
-/// counter-clockwise as seen from d, orient3d(0, e1, e2, e3) = +1; zero iff they lie on one plane. Laws:
+/// The exact sign of det(b - a, c - a, d - a), six times the signed volume of a, b, c, d: positive
+/// iff a, b, c turn counter-clockwise as seen from d, orient3d(0, e1, e2, e3) = +1; zero iff they
+/// lie on one plane. Laws:
 ///   (1) swapping two points negates it;
-///   (2) it does not change when all points move by the same vector exactly, nor when one axis is scaled by a power of two.
+///   (2) it does not change when all points move by the same vector exactly, nor when one axis is
+///       scaled by a power of two.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
               TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (7u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
+/// Bound    |det - exact| <= (7u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
+///          2^-53.
 /// Derived  docs/bounds/orient3d.md, and again in tests/predicates/orient3d_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
@@ -53,21 +56,24 @@ Sign orient3d_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const
 
 // Bodies.
 
-inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept
+inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b,
+                                                const Vec3d& c) noexcept
     : plane_(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z) {}
 
 inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const noexcept {
   const auto abs = [](double v) { return std::abs(v); };
   const double wx = d.x - plane_.ax, wy = d.y - plane_.ay, wz = d.z - plane_.az;
   const double det = plane_.det(wx, wy, wz);
-  const double bound = internal::kOrient3dRel * plane_.magnitude(wx, wy, wz, abs) +
-                       (internal::kOrient3dEta * plane_.size(wx, wy, wz, abs) + internal::kOrient3dAbs);
+  const double bound =
+      internal::kOrient3dRel * plane_.magnitude(wx, wy, wz, abs) +
+      (internal::kOrient3dEta * plane_.size(wx, wy, wz, abs) + internal::kOrient3dAbs);
   // Overflow makes the bound infinite or NaN, and both comparisons false.
   if (det > bound) return Sign3::kPositive;
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
+inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c,
+                             const Vec3d& d) noexcept {
   return Orient3dPlaneFilter(a, b, c)(d);
 }
 

@@ -23,14 +23,17 @@ SegmentContact on_one_line(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1) {
 
 }  // namespace
 
-SegmentContact segment_segment2d(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1, TierCounts* tally) noexcept {
+SegmentContact segment_segment2d(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1,
+                                 TierCounts* tally) noexcept {
   const Sign a = orient2d(p0, p1, q0, tally), b = orient2d(p0, p1, q1, tally);
   if (a * b == Sign::kPositive) return SegmentContact::kDisjoint;
   const Sign c = orient2d(q0, q1, p0, tally), d = orient2d(q0, q1, p1, tally);
   if (c * d == Sign::kPositive) return SegmentContact::kDisjoint;
-  // A segment that is a point makes two of the signs zero; if it is off the other's line, the other two agreed above.
+  // A segment that is a point makes two of the signs zero; if it is off the other's line, the other
+  // two agreed above.
   if (a == Sign::kZero && b == Sign::kZero) return on_one_line(p0, p1, q0, q1);
-  const bool end_of_q = a == Sign::kZero || b == Sign::kZero, end_of_p = c == Sign::kZero || d == Sign::kZero;
+  const bool end_of_q = a == Sign::kZero || b == Sign::kZero,
+             end_of_p = c == Sign::kZero || d == Sign::kZero;
   if (end_of_p && end_of_q) return SegmentContact::kEnds;
   return end_of_p || end_of_q ? SegmentContact::kEndInside : SegmentContact::kCrossing;
 }

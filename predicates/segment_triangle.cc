@@ -16,7 +16,8 @@ using Contact = SegmentTriangleContact;
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 
-// The part of the triangle on which a point lies that has the signs s[i] (+ inside, no - among them) over the edges i, next(i).
+// The part of the triangle on which a point lies that has the signs s[i] (+ inside, no - among
+// them) over the edges i, next(i).
 Contact part_of(const std::array<Sign, 3>& s, bool at_end) {
   for (int i = 0; i < 3; ++i) {
     if (s[i] != Sign::kZero) continue;
@@ -40,7 +41,8 @@ class InPlane {
   }
 
   Contact contact() const {
-    std::array<Sign, 3> over_p, over_q, over_line;  // edges over p and q; corners over the segment's line
+    std::array<Sign, 3> over_p, over_q,
+        over_line;  // edges over p and q; corners over the segment's line
     for (int i = 0; i < 3; ++i) {
       over_p[i] = turn(t_[i], t_[next(i)], p_);
       over_q[i] = turn(t_[i], t_[next(i)], q_);
@@ -50,9 +52,10 @@ class InPlane {
       over_line[i] = turn(p_, q_, t_[i]);
       if (over_p[i] == Sign::kNegative && over_q[i] == Sign::kNegative) return {};
     }
-    if (over_line[0] == over_line[1] && over_line[1] == over_line[2]) return {};  // the corners are not on one line
-    // No edge line and not the segment's own line separates the two strictly: they meet (separating axes in the
-    // plane). They meet in one point iff one of these lines separates them weakly.
+    if (over_line[0] == over_line[1] && over_line[1] == over_line[2])
+      return {};  // the corners are not on one line
+    // No edge line and not the segment's own line separates the two strictly: they meet (separating
+    // axes in the plane). They meet in one point iff one of these lines separates them weakly.
     for (int i = 0; i < 3; ++i) {
       if (over_p[i] == Sign::kZero && over_q[i] == Sign::kZero) return along_edge(i);
     }
@@ -69,7 +72,8 @@ class InPlane {
   }
 
  private:
-  // The segment lies on the line of the edge from corner i, and meets it: no other edge separated them.
+  // The segment lies on the line of the edge from corner i, and meets it: no other edge separated
+  // them.
   Contact along_edge(int i) const {
     const auto before = [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
     Vec2d p = p_, q = q_, a = t_[i], b = t_[next(i)];
@@ -91,13 +95,13 @@ class InPlane {
 
 }  // namespace
 
-SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q, const std::array<Vec3d, 3>& t,
-                                        TierCounts* tally) noexcept {
+SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q,
+                                        const std::array<Vec3d, 3>& t, TierCounts* tally) noexcept {
   const Sign sp = orient3d(t[0], t[1], t[2], p, tally), sq = orient3d(t[0], t[1], t[2], q, tally);
   if (sp * sq == Sign::kPositive) return {};
   if (sp == Sign::kZero && sq == Sign::kZero) return InPlane(p, q, t, tally).contact();
-  // One end at most is on the plane. The line goes down through the plane (from p, if p is above) and passes the edge i on
-  // its inner side iff the edge and the segment make a positive volume.
+  // One end at most is on the plane. The line goes down through the plane (from p, if p is above)
+  // and passes the edge i on its inner side iff the edge and the segment make a positive volume.
   const bool down = sp == Sign::kPositive || sq == Sign::kNegative;
   const Vec3d &above = down ? p : q, &below = down ? q : p;
   std::array<Sign, 3> s;

@@ -25,9 +25,11 @@ struct SegmentTriangleContact {
   friend bool operator==(const SegmentTriangleContact&, const SegmentTriangleContact&) = default;
 };
 
-/// The exact classification of the segment p q and the triangle t. The segment may be a point, which counts as its end.
+/// The exact classification of the segment p q and the triangle t. The segment may be a point,
+/// which counts as its end.
 /// REQUIRES finite coordinates and a non-degenerate triangle.
-SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q, const std::array<Vec3d, 3>& t,
+SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q,
+                                        const std::array<Vec3d, 3>& t,
                                         TierCounts* tally = nullptr) noexcept;
 
 }  // namespace veritope

@@ -18,7 +18,8 @@ std::array<double, 4> right(const Vec3d& p) { return {p.x, p.y, p.z, 1}; }
 Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
   std::array<FixedInt<1>, 4> a, b;
   if (!to_lattice<4>(left(plane), a) || !to_lattice<4>(right(p), b)) return Sign3::kUncertain;
-  static_assert(bits_of_sum(4, bits_of_product(lattice_bits(1), lattice_bits(1))) < FixedInt<2>::kBits);
+  static_assert(bits_of_sum(4, bits_of_product(lattice_bits(1), lattice_bits(1))) <
+                FixedInt<2>::kBits);
   return to_sign3((wide_product(a[0], b[0]) + wide_product(a[1], b[1]) + wide_product(a[2], b[2]) +
                    wide_product(a[3], b[3]))
                       .sign());
@@ -41,7 +42,8 @@ Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) noexcep
   return sum.sign();
 }
 
-Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) noexcept {
+Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p,
+                                TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return side_of_plane_lattice(plane, p); },
       [&] { return side_of_plane_interval(plane, p); },

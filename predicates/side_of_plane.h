@@ -12,20 +12,25 @@
 
 namespace veritope {
 
-/// { p : normal . p + offset = 0 }. The zero normal is allowed: then the sign is that of offset everywhere.
+/// { p : normal . p + offset = 0 }. The zero normal is allowed: then the sign is that of offset
+/// everywhere.
 struct PlaneCoefficients {
   Vec3d normal;
   double offset = 0;
 };
 
-/// The exact sign of normal . p + offset; positive on the side that the normal points to. Negating all coefficients negates it.
+/// The exact sign of normal . p + offset; positive on the side that the normal points to. Negating
+/// all coefficients negates it.
 /// REQUIRES finite numbers; all are allowed.
-Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally = nullptr) noexcept;
+Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p,
+                   TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (3u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
-/// Derived  docs/bounds/side_of_plane.md, and again in tests/predicates/side_of_plane_bound_test.cc.
+/// Bound    |det - exact| <= (3u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
+///          2^-53.
+/// Derived  docs/bounds/side_of_plane.md, and again in
+///          tests/predicates/side_of_plane_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
 
@@ -36,23 +41,26 @@ inline constexpr double kSideOfPlaneAbs = 0x1p-960;
 Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
 Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
 Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
-Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) noexcept;
+Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p,
+                                TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
 
 inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
-  const formulas::SideOfPlane<double> f(plane.normal.x, plane.normal.y, plane.normal.z, plane.offset,
-                                        p.x, p.y, p.z);
+  const formulas::SideOfPlane<double> f(plane.normal.x, plane.normal.y, plane.normal.z,
+                                        plane.offset, p.x, p.y, p.z);
   const double det = f.det();
-  const double bound = internal::kSideOfPlaneRel * f.magnitude([](double v) { return std::abs(v); }) +
-                       internal::kSideOfPlaneAbs;
+  const double bound = internal::kSideOfPlaneRel * f.magnitude([](double v) {
+    return std::abs(v);
+  }) + internal::kSideOfPlaneAbs;
   // Overflow makes the bound infinite or NaN, and both comparisons false.
   if (det > bound) return Sign3::kPositive;
   return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
 }
 
-inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p, TierCounts* tally) noexcept {
+inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p,
+                          TierCounts* tally) noexcept {
   return cascade(
       tally, [&] { return side_of_plane_filter(plane, p); },
       [&](TierCounts* t) { return internal::side_of_plane_after_filter(plane, p, t); });

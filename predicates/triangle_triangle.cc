@@ -21,8 +21,8 @@ Corners rotated(const IndexedTriangle& t, int first) {
   return {&t.point[first], &t.point[second], &t.point[third]};
 }
 
-// Signs of some points over the plane of three corners. The filter is asked for all of them before a dearer tier is asked for any,
-// because the filter's answers alone often settle the pair.
+// Signs of some points over the plane of three corners. The filter is asked for all of them before
+// a dearer tier is asked for any, because the filter's answers alone often settle the pair.
 template <int N>
 class SignsOverPlane {
  public:
@@ -65,7 +65,8 @@ class PlaneView {
   PlaneView(const Corners& t, TierCounts* tally)
       : projection_(projection_of(*t[0], *t[1], *t[2])), tally_(tally) {}
   Sign turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
-    return projection_.sign * orient2d(drop_axis(a, projection_.axis), drop_axis(b, projection_.axis),
+    return projection_.sign * orient2d(drop_axis(a, projection_.axis),
+                                       drop_axis(b, projection_.axis),
                                        drop_axis(c, projection_.axis), tally_);
   }
 
@@ -74,8 +75,9 @@ class PlaneView {
   TierCounts* const tally_;
 };
 
-// Is some edge line of the counter-clockwise t strictly between t and u? For closed convex polygons with interior, one of the two
-// polygons' edge lines does that iff they are disjoint: the Minkowski difference has no other edge directions.
+// Is some edge line of the counter-clockwise t strictly between t and u? For closed convex polygons
+// with interior, one of the two polygons' edge lines does that iff they are disjoint: the Minkowski
+// difference has no other edge directions.
 bool edge_separates(const Corners& t, const Corners& u, const PlaneView& view) {
   for (int i = 0; i < 3; ++i) {
     const Vec3d &a = *t[i], &b = *t[i == 2 ? 0 : i + 1];
@@ -99,13 +101,16 @@ Contact coplanar_strangers(const Corners& t, const Corners& u, TierCounts* tally
                                                                   : Contact::kCoplanarOverlap;
 }
 
-// Does the closed angle at c[0] from c[1] counter-clockwise to c[2], less than a half turn, contain p? REQUIRES p != c[0].
+// Does the closed angle at c[0] from c[1] counter-clockwise to c[2], less than a half turn, contain
+// p? REQUIRES p != c[0].
 bool angle_contains(const Corners& c, const Vec3d& p, const PlaneView& view) {
-  return view.turn(*c[0], *c[1], p) != Sign::kNegative && view.turn(*c[0], p, *c[2]) != Sign::kNegative;
+  return view.turn(*c[0], *c[1], p) != Sign::kNegative &&
+         view.turn(*c[0], p, *c[2]) != Sign::kNegative;
 }
 
-// t[0] = u[0] is the common vertex. Near it both triangles are angles, and convex: they meet elsewhere iff the angles share a ray; two
-// closed arcs shorter than a half turn share a direction iff an end of v lies in t, or t lies in v with both its ends.
+// t[0] = u[0] is the common vertex. Near it both triangles are angles, and convex: they meet
+// elsewhere iff the angles share a ray; two closed arcs shorter than a half turn share a direction
+// iff an end of v lies in t, or t lies in v with both its ends.
 Contact coplanar_shared_vertex(const Corners& t, const Corners& u, TierCounts* tally) {
   const PlaneView view(t, tally);
   const Corners v = counter_clockwise(u, view);
@@ -129,21 +134,25 @@ Contact strangers(const IndexedTriangle& a, const IndexedTriangle& b, TierCounts
   const std::array<Sign, 3> st = t_over_u.resolve();
   if (t_over_u.on_one_side()) return Contact::kDisjoint;
 
-  // Both meet the line of the two planes, in segments whose ends plane_section names. Its l is n_t x n_u for t, the
-  // opposite for u. For an edge of t from below to above u's plane, which meets the line in p, and one of u from below to above t's
-  // plane, which meets it in q: orient3d(t edge, u edge) is the sign of (q - p) . (n_t x n_u).
-  const internal::PlaneSection on_t = internal::plane_section(st), on_u = internal::plane_section(su);
+  // Both meet the line of the two planes, in segments whose ends plane_section names. Its l is n_t
+  // x n_u for t, the opposite for u. For an edge of t from below to above u's plane, which meets
+  // the line in p, and one of u from below to above t's plane, which meets it in q: orient3d(t
+  // edge, u edge) is the sign of (q - p) . (n_t x n_u).
+  const internal::PlaneSection on_t = internal::plane_section(st),
+                               on_u = internal::plane_section(su);
   const auto order = [&](internal::PlaneCrossing p, internal::PlaneCrossing q) {
     return orient3d(*t[p.below], *t[p.above], *u[q.below], *u[q.above], tally);
   };
-  const bool apart = order(on_t.falling, on_u.falling) == Sign::kPositive ||  // t ends before u begins
-                     order(on_t.rising, on_u.rising) == Sign::kNegative;      // u ends before t begins
+  const bool apart =
+      order(on_t.falling, on_u.falling) == Sign::kPositive ||  // t ends before u begins
+      order(on_t.rising, on_u.rising) == Sign::kNegative;      // u ends before t begins
   return apart ? Contact::kDisjoint : Contact::kImproper;
 }
 
-// t[0] = u[0] = v. If the planes differ, a point other than v is common iff both triangles reach along the line of the planes, on the
-// same side of v. A triangle reaches iff its other corners are not strictly on one side of the other plane; and with the frame of
-// plane_section, t reaches along +(n_t x n_u) iff its boundary falls from t[1] to t[2], u iff it rises from u[1] to u[2].
+// t[0] = u[0] = v. If the planes differ, a point other than v is common iff both triangles reach
+// along the line of the planes, on the same side of v. A triangle reaches iff its other corners are
+// not strictly on one side of the other plane; and with the frame of plane_section, t reaches along
+// +(n_t x n_u) iff its boundary falls from t[1] to t[2], u iff it rises from u[1] to u[2].
 Contact shared_vertex(const IndexedTriangle& a, int i, const IndexedTriangle& b, int j,
                       TierCounts* tally) {
   const Corners t = rotated(a, i), u = rotated(b, j);
@@ -162,7 +171,8 @@ Contact shared_vertex(const IndexedTriangle& a, int i, const IndexedTriangle& b,
 }
 
 // The corners named i of t and j of u are those off the common edge.
-Contact shared_edge(const IndexedTriangle& a, int i, const IndexedTriangle& b, int j, TierCounts* tally) {
+Contact shared_edge(const IndexedTriangle& a, int i, const IndexedTriangle& b, int j,
+                    TierCounts* tally) {
   const Corners t = rotated(a, i);
   const Vec3d& apex = b.point[j];
   if (orient3d(*t[0], *t[1], *t[2], apex, tally) != Sign::kZero) return Contact::kSharedEdge;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/triangle_triangle_internal.h: where a triangle crosses a plane; for triangle_triangle and triangle_witness.
+// predicates/triangle_triangle_internal.h: where a triangle crosses a plane; for triangle_triangle
+// and triangle_witness.
 #pragma once
 #include <array>
 
@@ -7,7 +8,8 @@
 
 namespace veritope::internal {
 
-/// An edge of a triangle that meets a plane in one point: from a corner below or on it to a corner above or on it, not both on it.
+/// An edge of a triangle that meets a plane in one point: from a corner below or on it to a corner
+/// above or on it, not both on it.
 struct PlaneCrossing {
   int below, above;  // corner numbers
 };
@@ -16,10 +18,11 @@ struct PlaneCrossing {
 /// REQUIRES s is neither constant nonzero nor all zero.
 ///   rising   the boundary, run through in corner order, comes up here;
 ///   falling  it goes down here. They may be the same point.
-/// Let n be the normal of the triangle (its corners turn counter-clockwise around it) and m the normal of the plane on its upper
-/// side. Along l = n x m the rising point comes first: in the frame (l, n x l) of the triangle's plane, "above" is the half-plane of
-/// negative second coordinate, because m . (n x l) = -|l|^2, and a counter-clockwise boundary runs from there
-/// to the other half, that is: falls, where the first coordinate is largest.
+/// Let n be the normal of the triangle (its corners turn counter-clockwise around it) and m the
+/// normal of the plane on its upper side. Along l = n x m the rising point comes first: in the
+/// frame (l, n x l) of the triangle's plane, "above" is the half-plane of negative second
+/// coordinate, because m . (n x l) = -|l|^2, and a counter-clockwise boundary runs from there to
+/// the other half, that is: falls, where the first coordinate is largest.
 struct PlaneSection {
   PlaneCrossing rising, falling;
 };

@@ -71,9 +71,12 @@ std::vector<Point> transversal(const Corners& t, const Corners& u) {
   std::array<Rational, 3> ht, hu;
   for (int i = 0; i < 3; ++i) ht[i] = dot(nu, t[i] - u[0]), hu[i] = dot(nt, u[i] - t[0]);
   const std::array<Point, 2> on_t = section_ends(t, ht);
-  auto [u_last, u_first] = section_ends(u, hu);  // plane_section orders u along the opposite direction
+  auto [u_last, u_first] =
+      section_ends(u, hu);  // plane_section orders u along the opposite direction
   const Point direction = cross(nt, nu);
-  const auto precedes = [&](const Point& p, const Point& q) { return dot(direction, p) < dot(direction, q); };
+  const auto precedes = [&](const Point& p, const Point& q) {
+    return dot(direction, p) < dot(direction, q);
+  };
   const Point& first = precedes(on_t[0], u_first) ? u_first : on_t[0];
   const Point& last = precedes(on_t[1], u_last) ? on_t[1] : u_last;
   VT_CHECK(!precedes(last, first), "the triangles do not meet");
@@ -103,7 +106,8 @@ std::vector<Point> coplanar(const Corners& t, const Corners& u, const Projection
     }
     polygon.clear();
     for (Point& p : kept) {
-      if (polygon.empty() || (polygon.back() != p && polygon.front() != p)) polygon.push_back(std::move(p));
+      if (polygon.empty() || (polygon.back() != p && polygon.front() != p))
+        polygon.push_back(std::move(p));
     }
   }
   VT_CHECK(!polygon.empty(), "the triangles do not meet");

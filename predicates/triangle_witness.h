@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/triangle_witness.h: a point that shows why two facets may not both be in a mesh. Slow and exact; for reports and
-// certificates.
+// predicates/triangle_witness.h: a point that shows why two facets may not both be in a mesh. Slow
+// and exact; for reports and certificates.
 #pragma once
 #include <array>
 
@@ -10,16 +10,20 @@
 
 namespace veritope {
 
-/// A common point of two triangles outside their common simplex, twice, and how far the triangles run together.
+/// A common point of two triangles outside their common simplex, twice, and how far the triangles
+/// run together.
 struct TriangleWitness {
-  /// point = sum t_weight[i] * t.point[i] / sum t_weight[i], and the same for u. Weights are >= 0 and of one triangle coprime.
+  /// point = sum t_weight[i] * t.point[i] / sum t_weight[i], and the same for u. Weights are >= 0
+  /// and of one triangle coprime.
   std::array<Integer, 3> t_weight, u_weight;
   std::array<Rational, 3> point;
-  /// The square of the greatest distance of two points of the intersection; 0 iff the triangles only touch in one point.
+  /// The square of the greatest distance of two points of the intersection; 0 iff the triangles
+  /// only touch in one point.
   Rational squared_extent;
 };
 
-/// The midpoint of the intersection if that is a segment, else the mean of the corners of the intersection (a convex polygon).
+/// The midpoint of the intersection if that is a segment, else the mean of the corners of the
+/// intersection (a convex polygon).
 /// REQUIRES what triangle_triangle requires, and that it answers kImproper or kCoplanarOverlap.
 TriangleWitness triangle_witness(const IndexedTriangle& t, const IndexedTriangle& u);
 

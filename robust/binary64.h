@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/binary64.h: the parts of an IEEE 754 binary64 number, by its bits: right in every floating-point environment.
+// robust/binary64.h: the parts of an IEEE 754 binary64 number, by its bits: right in every
+// floating-point environment.
 #pragma once
 #include <bit>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/cascade.h: ask the cheapest tier first, the exact one last. Knows no geometry and no number type.
+// robust/cascade.h: ask the cheapest tier first, the exact one last. Knows no geometry and no
+// number type.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,8 +14,8 @@ namespace veritope {
 
 /// The tiers of the predicates, in the order in which they are asked.
 enum class Tier : std::size_t {
-  kFilter,    ///< binary64 with an error bound derived beforehand (docs/bounds)
-  kLattice,   ///< exact, in machine integers, if one power of two turns the operands into short ones
+  kFilter,   ///< binary64 with an error bound derived beforehand (docs/bounds)
+  kLattice,  ///< exact, in machine integers, if one power of two turns the operands into short ones
   kInterval,  ///< binary64 with outward rounding
   kExact,     ///< exact for all finite operands
 };
@@ -35,8 +36,10 @@ struct TierCounts {
 /// The answer of the first tier that is certain. Each argument is asked at most once, in order:
 ///   `Sign3 tier()`            may be uncertain; not allowed in the last place;
 ///   `Sign tier()`             always answers; the last place;
-///   `Sign rest(TierCounts*)`  the last place: a cascade that goes on from here and keeps the tally itself.
-/// If `tally` is not null, the tier that answers is counted at position First, First + 1, ...; a constant null costs nothing.
+///   `Sign rest(TierCounts*)`  the last place: a cascade that goes on from here and keeps the tally
+///   itself.
+/// If `tally` is not null, the tier that answers is counted at position First, First + 1, ...; a
+/// constant null costs nothing.
 template <std::size_t First = 0, typename T, typename... Rest>
 [[gnu::always_inline]] constexpr Sign cascade(TierCounts* tally, T&& tier, Rest&&... rest) {
   if constexpr (sizeof...(Rest) == 0) {
@@ -49,7 +52,8 @@ template <std::size_t First = 0, typename T, typename... Rest>
       return tier();
     }
   } else {
-    static_assert(std::is_same_v<std::invoke_result_t<T>, Sign3>, "only the last tier returns Sign");
+    static_assert(std::is_same_v<std::invoke_result_t<T>, Sign3>,
+                  "only the last tier returns Sign");
     static_assert(First < kNumTiers);
     const Sign3 s = tier();
     if (is_certain(s)) [[likely]] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/dyadic.h: m * 2^e, the ring that every finite binary64 number lives in. No division, so no common denominators.
+// robust/dyadic.h: m * 2^e, the ring that every finite binary64 number lives in. No division, so no
+// common denominators.
 #pragma once
 #include <compare>
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/fixed_int.h: two's complement integers of L 64-bit limbs, on the stack, constexpr. They wrap around; whoever uses them
-// proves that the values fit, with the bit budgets at the end of this file in a static_assert.
+// robust/fixed_int.h: two's complement integers of L 64-bit limbs, on the stack, constexpr. They
+// wrap around; whoever uses them proves that the values fit, with the bit budgets at the end of
+// this file in a static_assert.
 #pragma once
 #include <array>
 #include <compare>
@@ -31,22 +32,20 @@ struct FixedInt {
   constexpr FixedInt() = default;
   /// From the signed built-in integers, exactly; from nothing else: a double does not convert.
   template <std::signed_integral T>
-    requires(sizeof(T) <= 8)  // gnu++20 counts __int128 among them
-  constexpr FixedInt(T v) {
+  requires(sizeof(T) <= 8)  // gnu++20 counts __int128 among them
+      constexpr FixedInt(T v) {
     limb[0] = static_cast<std::uint64_t>(static_cast<std::int64_t>(v));
     fill(1, v < 0);
   }
   template <typename T>
-    requires(std::same_as<T, int128> && L >= 2)
-  constexpr explicit FixedInt(T v) {
+  requires(std::same_as<T, int128>&& L >= 2) constexpr explicit FixedInt(T v) {
     limb[0] = static_cast<std::uint64_t>(v);
     limb[1] = static_cast<std::uint64_t>(v >> 64);
     fill(2, v < 0);
   }
   /// Sign extension.
   template <int K>
-    requires(K < L)
-  constexpr explicit FixedInt(const FixedInt<K>& v) {
+  requires(K < L) constexpr explicit FixedInt(const FixedInt<K>& v) {
     for (int i = 0; i < K; ++i) limb[i] = v.limb[i];
     fill(K, v.is_negative());
   }
@@ -130,7 +129,8 @@ struct FixedInt {
   }
 
   Integer to_integer() const {
-    const FixedInt magnitude = is_negative() ? -*this : *this;  // as unsigned limbs also right for -2^kBits
+    const FixedInt magnitude =
+        is_negative() ? -*this : *this;  // as unsigned limbs also right for -2^kBits
     return Integer::from_limbs(magnitude.limb.data(), L, is_negative());
   }
 
@@ -147,7 +147,8 @@ constexpr Sign sign_of(const FixedInt<L>& v) {
 
 /// The whole product; it never wraps.
 template <int A, int B>
-[[gnu::always_inline]] constexpr FixedInt<A + B> wide_product(const FixedInt<A>& a, const FixedInt<B>& b) {
+[[gnu::always_inline]] constexpr FixedInt<A + B> wide_product(const FixedInt<A>& a,
+                                                              const FixedInt<B>& b) {
   FixedInt<A + B> r;
   VT_UNROLL for (int i = 0; i < A; ++i) {
     std::uint64_t carry = 0;
@@ -158,7 +159,8 @@ template <int A, int B>
     }
     r.limb[i + B] = carry;
   }
-  // That was the product of the limbs as unsigned numbers: a negative operand was read as itself + 2^(64 length).
+  // That was the product of the limbs as unsigned numbers: a negative operand was read as itself +
+  // 2^(64 length).
   const std::uint64_t take_b = a.is_negative() ? ~std::uint64_t{0} : 0;
   const std::uint64_t take_a = b.is_negative() ? ~std::uint64_t{0} : 0;
   uint128 carry = 1;
@@ -176,8 +178,9 @@ template <int A, int B>
   return r;
 }
 
-/// Bit budgets: if |a| <= 2^p and |b| <= 2^q, then |a b| <= 2^bits_of_product(p, q), and the sum of n terms of at most 2^p is at
-/// most 2^bits_of_sum(n, p). A value with |v| <= 2^p fits FixedInt<L> if p < FixedInt<L>::kBits.
+/// Bit budgets: if |a| <= 2^p and |b| <= 2^q, then |a b| <= 2^bits_of_product(p, q), and the sum of
+/// n terms of at most 2^p is at most 2^bits_of_sum(n, p). A value with |v| <= 2^p fits FixedInt<L>
+/// if p < FixedInt<L>::kBits.
 constexpr int bits_of_product(int p, int q) { return p + q; }
 constexpr int bits_of_sum(int n, int p) {
   int extra = 0;

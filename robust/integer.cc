@@ -88,7 +88,9 @@ Integer& Integer::shift_right(std::uint64_t n) noexcept {
 
 int Integer::compare(const Integer& a, const Integer& b) noexcept { return mpz_cmp(z(a), z(b)); }
 Sign Integer::sign() const noexcept { return static_cast<Sign>(mpz_sgn(z(*this))); }
-std::uint64_t Integer::bit_length() const noexcept { return is_zero() ? 0 : mpz_sizeinbase(z(*this), 2); }
+std::uint64_t Integer::bit_length() const noexcept {
+  return is_zero() ? 0 : mpz_sizeinbase(z(*this), 2);
+}
 std::uint64_t Integer::trailing_zeros() const {
   VT_CHECK(!is_zero(), "trailing_zeros of zero");
   return mpz_scan1(z(*this), 0);  // the same in two's complement and in |this|

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/integer.h: integers of any size; a thin owner of a GMP mpz. The heap is used as GMP uses it.
+// robust/integer.h: integers of any size; a thin owner of a GMP mpz. The heap is used as GMP uses
+// it.
 #pragma once
 #include <compare>
 #include <concepts>
@@ -16,7 +17,8 @@ namespace veritope {
 template <typename T>
 concept BuiltinInteger = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= 8;
 
-/// A mathematical integer. Ring operations never fail and never throw: when memory runs out, GMP ends the program.
+/// A mathematical integer. Ring operations never fail and never throw: when memory runs out, GMP
+/// ends the program.
 class Integer {
  public:
   Integer() noexcept;
@@ -78,7 +80,8 @@ class Integer {
   /// "-12".
   std::string to_string() const;
 
-  /// The GMP mpz (an mpz_ptr, an mpz_srcptr) for code that calls GMP itself; its header stays out of ours.
+  /// The GMP mpz (an mpz_ptr, an mpz_srcptr) for code that calls GMP itself; its header stays out
+  /// of ours.
   void* gmp() { return storage_; }
   const void* gmp() const { return storage_; }
 

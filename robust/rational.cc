@@ -13,15 +13,16 @@ namespace {
 
 enum class Direction { kTowardZero, kNearest, kAwayFromZero };
 
-// |a| rounded, as the bits of a non-negative double. The quotient keeps 53 bits, or fewer where the result is subnormal;
-// the bits of consecutive doubles are consecutive integers, so that rounding up is adding one.
+// |a| rounded, as the bits of a non-negative double. The quotient keeps 53 bits, or fewer where the
+// result is subnormal; the bits of consecutive doubles are consecutive integers, so that rounding
+// up is adding one.
 std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
   const Integer num = abs(a.numerator());
   const Integer& den = a.denominator();
   if (num.is_zero()) return 0;
   // 2^(e-1) < |a| < 2^(e+1)
-  const std::int64_t e = static_cast<std::int64_t>(num.bit_length()) -
-                         static_cast<std::int64_t>(den.bit_length());
+  const std::int64_t e =
+      static_cast<std::int64_t>(num.bit_length()) - static_cast<std::int64_t>(den.bit_length());
   const auto scaled_floor = [&](std::int64_t exponent, Integer& remainder) {
     // floor(|a| / 2^exponent)
     Integer n = num;
@@ -46,10 +47,10 @@ std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
   if (q.bit_length() > 53) q = scaled_floor(++lsb, twice_excess);
   const std::uint64_t m = q.low_bits();
   // m * 2^lsb with m < 2^53; if lsb > kMinExponent then m >= 2^52.
-  std::uint64_t bits = lsb == kMinExponent
-                           ? m
-                           : (static_cast<std::uint64_t>(lsb - kMinExponent) << 52) + m;
-  if (bits > kMaxFiniteBits) return direction == Direction::kTowardZero ? kMaxFiniteBits : kInfinityBits;
+  std::uint64_t bits =
+      lsb == kMinExponent ? m : (static_cast<std::uint64_t>(lsb - kMinExponent) << 52) + m;
+  if (bits > kMaxFiniteBits)
+    return direction == Direction::kTowardZero ? kMaxFiniteBits : kInfinityBits;
   const Sign half = twice_excess.sign();
   bool up = false;
   if (direction == Direction::kNearest) {
@@ -138,11 +139,13 @@ double nearest_double(const Rational& a) {
 }
 double round_down(const Rational& a) {
   const bool negative = a.sign() == Sign::kNegative;
-  return with_sign(rounded_magnitude(a, negative ? Direction::kAwayFromZero : Direction::kTowardZero), negative);
+  return with_sign(
+      rounded_magnitude(a, negative ? Direction::kAwayFromZero : Direction::kTowardZero), negative);
 }
 double round_up(const Rational& a) {
   const bool negative = a.sign() == Sign::kNegative;
-  return with_sign(rounded_magnitude(a, negative ? Direction::kTowardZero : Direction::kAwayFromZero), negative);
+  return with_sign(
+      rounded_magnitude(a, negative ? Direction::kTowardZero : Direction::kAwayFromZero), negative);
 }
 
 }  // namespace veritope

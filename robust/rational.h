@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/rational.h: exact fractions in lowest terms. Slow and sure: oracles, witnesses and reports, not hot loops.
+// robust/rational.h: exact fractions in lowest terms. Slow and sure: oracles, witnesses and
+// reports, not hot loops.
 #pragma once
 #include <compare>
 #include <string>
@@ -60,8 +61,8 @@ class Rational {
 Rational abs(Rational a) noexcept;
 inline Sign sign_of(const Rational& a) noexcept { return a.sign(); }
 
-/// The binary64 number next to `a`, ties to even; infinity from the overflow threshold on, as IEEE 754 rounds. Independent of the
-/// rounding mode.
+/// The binary64 number next to `a`, ties to even; infinity from the overflow threshold on, as IEEE
+/// 754 rounds. Independent of the rounding mode.
 double nearest_double(const Rational& a);
 /// The largest binary64 number <= a, and the least >= a; infinities where none is finite.
 double round_down(const Rational& a);

@@ -23,12 +23,18 @@ const char* fp_problem_name(FpProblem problem) {
 
 const char* fp_problem_advice(FpProblem problem) {
   switch (problem) {
-    case FpProblem::kRoundingMode: return "the thread does not round to nearest: restore it with fesetround(FE_TONEAREST)";
-    case FpProblem::kFlushToZero: return "small results are flushed to zero: a library built with -ffast-math may have set FTZ";
-    case FpProblem::kDenormalsAreZero: return "small operands count as zero: a library built with -ffast-math may have set DAZ";
-    case FpProblem::kContraction: return "products and sums are fused: compile with -ffp-contract=off";
-    case FpProblem::kExcessPrecision: return "binary64 has excess precision: compile for SSE2, not x87";
-    case FpProblem::kReassociation: return "sums are reordered: compile without -ffast-math and -fassociative-math";
+    case FpProblem::kRoundingMode:
+      return "the thread does not round to nearest: restore it with fesetround(FE_TONEAREST)";
+    case FpProblem::kFlushToZero:
+      return "small results are flushed to zero: a library built with -ffast-math may have set FTZ";
+    case FpProblem::kDenormalsAreZero:
+      return "small operands count as zero: a library built with -ffast-math may have set DAZ";
+    case FpProblem::kContraction:
+      return "products and sums are fused: compile with -ffp-contract=off";
+    case FpProblem::kExcessPrecision:
+      return "binary64 has excess precision: compile for SSE2, not x87";
+    case FpProblem::kReassociation:
+      return "sums are reordered: compile without -ffast-math and -fassociative-math";
   }
   return "unknown";
 }

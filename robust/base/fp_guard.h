@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/fp_guard.h: does this thread, in this build, compute as the filters' bounds assume? Called once at the start of a
-// program; fp_strict.h refuses at compile time what the compiler admits to.
+// robust/base/fp_guard.h: does this thread, in this build, compute as the filters' bounds assume?
+// Called once at the start of a program; fp_strict.h refuses at compile time what the compiler
+// admits to.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,29 +14,30 @@
 
 namespace veritope {
 
-/// One way in which binary64 arithmetic can differ from IEEE 754 round-to-nearest, one operation at a time.
+/// One way in which binary64 arithmetic can differ from IEEE 754 round-to-nearest, one operation at
+/// a time.
 enum class FpProblem {
-  kRoundingMode,       ///< not to nearest: another library left its own mode
-  kFlushToZero,        ///< FTZ: subnormal results become 0 (a library built with -ffast-math can switch it on)
-  kDenormalsAreZero,   ///< DAZ: subnormal operands count as 0
-  kContraction,        ///< a * b + c is computed with one rounding: compile with -ffp-contract=off
-  kExcessPrecision,    ///< results have more bits or a larger range than binary64: x87
-  kReassociation,      ///< sums are computed in another order: -ffast-math, -fassociative-math
+  kRoundingMode,  ///< not to nearest: another library left its own mode
+  kFlushToZero,  ///< FTZ: subnormal results become 0 (a library built with -ffast-math can switch it on)
+  kDenormalsAreZero,  ///< DAZ: subnormal operands count as 0
+  kContraction,       ///< a * b + c is computed with one rounding: compile with -ffp-contract=off
+  kExcessPrecision,   ///< results have more bits or a larger range than binary64: x87
+  kReassociation,     ///< sums are computed in another order: -ffast-math, -fassociative-math
 };
 
 /// "rounding-mode", with what to do about it in fp_problem_advice.
 const char* fp_problem_name(FpProblem problem);
 const char* fp_problem_advice(FpProblem problem);
 
-/// What is wrong in the calling thread, found by computing. `probe_fp` judges the library's own build;
-/// `internal::probe_fp_here`, from fp_probe.h, the translation unit that calls it.
+/// What is wrong in the calling thread, found by computing. `probe_fp` judges the library's own
+/// build; `internal::probe_fp_here`, from fp_probe.h, the translation unit that calls it.
 std::vector<FpProblem> probe_fp();
 
 /// Success, or kBadEnvironment with one sentence that names every problem and its remedy.
 Status check_fp();
 
-/// From construction to destruction this thread has the default environment: to nearest, no FTZ, no DAZ, exceptions masked. The whole
-/// control word is set, and the caller's is restored.
+/// From construction to destruction this thread has the default environment: to nearest, no FTZ, no
+/// DAZ, exceptions masked. The whole control word is set, and the caller's is restored.
 class ScopedDefaultFp {
  public:
   ScopedDefaultFp();

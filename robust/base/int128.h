@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/int128.h: names for the compiler's 128-bit integers, without a warning under -Wpedantic.
+// robust/base/int128.h: names for the compiler's 128-bit integers, without a warning under
+// -Wpedantic.
 #pragma once
 
 namespace veritope {

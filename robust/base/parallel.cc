@@ -15,7 +15,8 @@ unsigned hardware_jobs() { return std::max(1u, std::thread::hardware_concurrency
 
 namespace internal {
 
-void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCall call, void* body) {
+void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCall call,
+                void* body) {
   const std::size_t chunks = num_chunks(size, chunk_size);
   const std::size_t workers = std::min<std::size_t>(jobs == 0 ? hardware_jobs() : jobs, chunks);
   std::atomic<std::size_t> next{0};
@@ -24,8 +25,8 @@ void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCa
   std::size_t first_failed = chunks;  // guarded by mutex, like failure
   std::exception_ptr failure;
 
-  // Chunks are claimed in order, so every chunk below a failing one has been claimed and runs to its end: the lowest
-  // failure is the same for every schedule.
+  // Chunks are claimed in order, so every chunk below a failing one has been claimed and runs to
+  // its end: the lowest failure is the same for every schedule.
   auto work = [&] {
     while (!stop.load(std::memory_order_relaxed)) {
       const std::size_t chunk = next.fetch_add(1, std::memory_order_relaxed);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/parallel.h: a loop over fixed chunks whose result does not depend on the number of threads.
+// robust/base/parallel.h: a loop over fixed chunks whose result does not depend on the number of
+// threads.
 #pragma once
 #include <cstddef>
 #include <type_traits>
@@ -12,7 +13,8 @@ unsigned hardware_jobs();
 
 namespace internal {
 using ChunkCall = void (*)(void* body, std::size_t chunk, std::size_t begin, std::size_t end);
-void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCall call, void* body);
+void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCall call,
+                void* body);
 }  // namespace internal
 
 /// Number of chunks that parallel_for makes. REQUIRES chunk_size > 0.
@@ -21,12 +23,14 @@ constexpr std::size_t num_chunks(std::size_t size, std::size_t chunk_size) {
 }
 
 /// Calls body(chunk, begin, end) once for each chunk of [0, size), where chunk k is
-/// [k * chunk_size, min(size, (k + 1) * chunk_size)). At most `jobs` calls run at once (0 = hardware_jobs()), the
-/// caller's thread among them; with one job or one chunk all run there, in order, and nothing is started. Laws:
-///   (1) the chunks depend on size and chunk_size alone, so a body that writes only to slots indexed by `chunk` (or by
-///       the indices in it) gives the same result for every `jobs`;
-///   (2) if bodies throw, the exception of the lowest chunk that threw is rethrown after all started calls have ended,
-///       and which chunk that is does not depend on `jobs`; later chunks may not have been started.
+/// [k * chunk_size, min(size, (k + 1) * chunk_size)). At most `jobs` calls run at once (0 =
+/// hardware_jobs()), the caller's thread among them; with one job or one chunk all run there, in
+/// order, and nothing is started. Laws:
+///   (1) the chunks depend on size and chunk_size alone, so a body that writes only to slots
+///       indexed by `chunk` (or by the indices in it) gives the same result for every `jobs`;
+///   (2) if bodies throw, the exception of the lowest chunk that threw is rethrown after all
+///       started calls have ended, and which chunk that is does not depend on `jobs`; later chunks
+///       may not have been started.
 /// REQUIRES chunk_size > 0.
 template <typename Body>
 void parallel_for(std::size_t size, std::size_t chunk_size, unsigned jobs, Body&& body) {

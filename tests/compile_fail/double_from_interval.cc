@@ -6,6 +6,7 @@
 void use() {
   veritope::Interval a(1.5);
 #if defined(VT_BAD)
-  const double b = a; (void)b;
+  const double b = a;
+  (void)b;
 #endif
 }

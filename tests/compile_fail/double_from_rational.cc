@@ -4,8 +4,10 @@
 #include "robust/rational.h"
 
 void use() {
-  const double a = veritope::nearest_double(veritope::Rational(1)); (void)a;
+  const double a = veritope::nearest_double(veritope::Rational(1));
+  (void)a;
 #if defined(VT_BAD)
-  const double b = veritope::Rational(1); (void)b;
+  const double b = veritope::Rational(1);
+  (void)b;
 #endif
 }

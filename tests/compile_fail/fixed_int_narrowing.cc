@@ -4,7 +4,8 @@
 #include "robust/fixed_int.h"
 
 void use() {
-  veritope::FixedInt<2> a = 7; veritope::FixedInt<3> b(a);
+  veritope::FixedInt<2> a = 7;
+  veritope::FixedInt<3> b(a);
 #if defined(VT_BAD)
   a = veritope::FixedInt<2>(b);
 #endif

@@ -4,8 +4,10 @@
 #include "robust/rational.h"
 
 void use() {
-  const bool a = veritope::Rational(1) < veritope::Rational(2); (void)a;
+  const bool a = veritope::Rational(1) < veritope::Rational(2);
+  (void)a;
 #if defined(VT_BAD)
-  const bool b = veritope::Rational(1) < 0.5; (void)b;
+  const bool b = veritope::Rational(1) < 0.5;
+  (void)b;
 #endif
 }

@@ -4,7 +4,10 @@
 #include "predicates/orient3d.h"
 
 void use() {
-  veritope::Vec3d a; veritope::Vec2d b; (void)a; (void)b;
+  veritope::Vec3d a;
+  veritope::Vec2d b;
+  (void)a;
+  (void)b;
 #if defined(VT_BAD)
   veritope::orient3d(a, a, a, b);
 #endif

@@ -41,7 +41,8 @@ TEST(ScopedUpward, OverridesACallersModeAndFlushing) {
   _mm_setcsr(saved);
   EXPECT_EQ(after & 0xe040u, 0xe040u);
   EXPECT_EQ(product.lo(), 0);
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(product.hi()), 1u) << "a product that underflows is not certainly zero";
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(product.hi()), 1u)
+      << "a product that underflows is not certainly zero";
   EXPECT_EQ(product.sign(), Sign3::kUncertain);
 }
 
@@ -49,7 +50,9 @@ TEST(ScopedUpward, OverridesACallersModeAndFlushing) {
 struct Exact {
   Rational lo, hi;
 };
-Interval tightest(const Exact& e) { return Interval::from_bounds(round_down(e.lo), round_up(e.hi)); }
+Interval tightest(const Exact& e) {
+  return Interval::from_bounds(round_down(e.lo), round_up(e.hi));
+}
 Exact product(const Exact& a, const Exact& b) {
   Exact out{a.lo * b.lo, a.lo * b.lo};
   for (const Rational& v : {a.lo * b.hi, a.hi * b.lo, a.hi * b.hi}) {
@@ -65,7 +68,8 @@ TEST(Interval, OperationsGiveTheTightestBoundsForFiniteIntervals) {
     for (;;) {
       double v = std::bit_cast<double>(random.next());
       if (kind == 0) v = static_cast<double>(random.between(-3, 3));
-      if (kind == 1) v = std::ldexp(2 * random.unit() - 1, static_cast<int>(random.between(-20, 20)));
+      if (kind == 1)
+        v = std::ldexp(2 * random.unit() - 1, static_cast<int>(random.between(-20, 20)));
       if (kind == 2) v = static_cast<double>(random.between(-9, 9)) * 0x1p-1074;
       if (is_finite(v)) return v;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/bound_derivation.h: the derivation of docs/bounds/README.md, run. The formulas of predicates/formulas.h are instantiated
-// with two number types that do not compute values but what rounding can do to them; the results are exact rationals that the tests
-// compare with the constants in the code.
+// tests/predicates/bound_derivation.h: the derivation of docs/bounds/README.md, run. The formulas
+// of predicates/formulas.h are instantiated with two number types that do not compute values but
+// what rounding can do to them; the results are exact rationals that the tests compare with the
+// constants in the code.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -36,8 +37,9 @@ struct RoundingCount {
   }
 };
 
-/// README, 3: the least kRel that the counts allow. det_roundings leaves out the last addition, which cannot change the sign of its exact
-/// argument; magnitude_roundings is for S; two more are for kRel * S and the addition of the underflow terms.
+/// README, 3: the least kRel that the counts allow. det_roundings leaves out the last addition,
+/// which cannot change the sign of its exact argument; magnitude_roundings is for S; two more are
+/// for kRel * S and the addition of the underflow terms.
 inline Rational derived_rel(int det_roundings, int magnitude_roundings) {
   const Rational u = unit_roundoff(), up = Rational(1) + u, down = Rational(1) - u;
   return (power(up, det_roundings) - Rational(1)) * up / power(down, magnitude_roundings + 2);
@@ -89,8 +91,8 @@ struct Polynomial {
   }
 };
 
-/// README, 4: `size` bounds |value| without underflow, `error` what underflow adds, with `unit` the error of one product. A difference of
-/// inputs is exact when it is small: sums never underflow.
+/// README, 4: `size` bounds |value| without underflow, `error` what underflow adds, with `unit` the
+/// error of one product. A difference of inputs is exact when it is small: sums never underflow.
 class UnderflowCount {
  public:
   UnderflowCount() = default;
@@ -104,10 +106,14 @@ class UnderflowCount {
   friend UnderflowCount operator+(const UnderflowCount& a, const UnderflowCount& b) {
     return {grow(a.size + b.size), grow(a.error + b.error), a.unit};
   }
-  friend UnderflowCount operator-(const UnderflowCount& a, const UnderflowCount& b) { return a + b; }
+  friend UnderflowCount operator-(const UnderflowCount& a, const UnderflowCount& b) {
+    return a + b;
+  }
   friend UnderflowCount operator*(const UnderflowCount& a, const UnderflowCount& b) {
     return {grow(a.size * b.size),
-            grow(a.size * b.error + b.size * a.error + a.error * b.error) + Polynomial::constant(a.unit), a.unit};
+            grow(a.size * b.error + b.size * a.error + a.error * b.error) +
+                Polynomial::constant(a.unit),
+            a.unit};
   }
 
   Polynomial size, error;

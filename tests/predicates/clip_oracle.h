@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/clip_oracle.h: the intersection of two triangles with small integer corners, by cutting one of them with the
-// five half-spaces whose intersection is the other. Shares no line and no idea with predicates/triangle_triangle.cc.
+// tests/predicates/clip_oracle.h: the intersection of two triangles with small integer corners, by
+// cutting one of them with the five half-spaces whose intersection is the other. Shares no line and
+// no idea with predicates/triangle_triangle.cc.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,15 +20,19 @@ struct HPoint {
 using IPoint = std::array<std::int64_t, 3>;
 using ITriangle = std::array<IPoint, 3>;
 
-inline IPoint minus(const IPoint& a, const IPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline IPoint minus(const IPoint& a, const IPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 inline IPoint cross(const IPoint& a, const IPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// The part of the convex hull of `polygon` (in cyclic order) where n . (p - through) >= 0.
-inline std::vector<HPoint> cut(const std::vector<HPoint>& polygon, const IPoint& n, const IPoint& through) {
+inline std::vector<HPoint> cut(const std::vector<HPoint>& polygon, const IPoint& n,
+                               const IPoint& through) {
   const auto height = [&](const HPoint& p) -> int128 {
-    return static_cast<int128>(n[0]) * (p.x - through[0] * p.w) + static_cast<int128>(n[1]) * (p.y - through[1] * p.w) +
+    return static_cast<int128>(n[0]) * (p.x - through[0] * p.w) +
+           static_cast<int128>(n[1]) * (p.y - through[1] * p.w) +
            static_cast<int128>(n[2]) * (p.z - through[2] * p.w);  // times p.w
   };
   std::vector<HPoint> out;
@@ -39,10 +44,11 @@ inline std::vector<HPoint> cut(const std::vector<HPoint>& polygon, const IPoint&
     const int128 hp = height(p), hq = height(q);
     if (hp >= 0) add(p);
     if ((hp < 0 && hq > 0) || (hp > 0 && hq < 0)) {
-      // Heights carry the factors p.w and q.w, so hq * p - hp * q is the homogeneous crossing point.
+      // Heights carry the factors p.w and q.w, so hq * p - hp * q is the homogeneous crossing
+      // point.
       const int128 s = hp < 0 ? 1 : -1;
-      int128 x = s * (hq * p.x - hp * q.x), y = s * (hq * p.y - hp * q.y), z = s * (hq * p.z - hp * q.z),
-             w = s * (hq * p.w - hp * q.w);
+      int128 x = s * (hq * p.x - hp * q.x), y = s * (hq * p.y - hp * q.y),
+             z = s * (hq * p.z - hp * q.z), w = s * (hq * p.w - hp * q.w);
       const auto gcd = [](int128 a, int128 b) {
         a = a < 0 ? -a : a, b = b < 0 ? -b : b;
         while (b != 0) {
@@ -52,16 +58,16 @@ inline std::vector<HPoint> cut(const std::vector<HPoint>& polygon, const IPoint&
         return a;
       };
       const int128 g = gcd(gcd(x, y), gcd(z, w));
-      add({static_cast<std::int64_t>(x / g), static_cast<std::int64_t>(y / g), static_cast<std::int64_t>(z / g),
-           static_cast<std::int64_t>(w / g)});
+      add({static_cast<std::int64_t>(x / g), static_cast<std::int64_t>(y / g),
+           static_cast<std::int64_t>(z / g), static_cast<std::int64_t>(w / g)});
     }
   }
   if (out.size() > 1 && out.front() == out.back()) out.pop_back();
   return out;
 }
 
-/// Points whose convex hull is what the closed triangle u and the hull of `points` (a point, a segment or a triangle) have in common;
-/// empty iff they are disjoint. REQUIRES u non-degenerate.
+/// Points whose convex hull is what the closed triangle u and the hull of `points` (a point, a
+/// segment or a triangle) have in common; empty iff they are disjoint. REQUIRES u non-degenerate.
 inline std::vector<HPoint> intersection(const std::vector<IPoint>& points, const ITriangle& u) {
   std::vector<HPoint> polygon;
   for (const IPoint& p : points) polygon.push_back({p[0], p[1], p[2], 1});

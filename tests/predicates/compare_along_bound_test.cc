@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The constants of predicates/compare_along.h against docs/bounds/compare_along.md: derivation rerun in exact rationals.
+// The constants of predicates/compare_along.h against docs/bounds/compare_along.md: derivation
+// rerun in exact rationals.
 #include "predicates/compare_along.h"
 #include "tests/predicates/bound_derivation.h"
 
@@ -14,12 +15,14 @@ TEST(CompareAlongBound, RelativeConstantFollowsFromTheRoundings) {
   const RoundingCount x;
   const formulas::CompareAlong<RoundingCount> f(x, x, x, x, x, x, x, x, x);
   EXPECT_EQ(f.det().roundings - 1, 3);
-  bounds::expect_tight(internal::kCompareAlongRel, f.det().roundings - 1, f.magnitude(bounds::kSame).roundings);
+  bounds::expect_tight(internal::kCompareAlongRel, f.det().roundings - 1,
+                       f.magnitude(bounds::kSame).roundings);
 }
 
 TEST(CompareAlongBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
   for (const Rational& unit : {bounds::underflow_unit(), bounds::flush_unit()}) {
-    // The three products are the only operations that can underflow; every factor may be as large as it likes.
+    // The three products are the only operations that can underflow; every factor may be as large
+    // as it likes.
     formulas::CompareAlong<UnderflowCount> f({}, {}, {}, {}, {}, {}, {}, {}, {});
     const UnderflowCount d = UnderflowCount::bounded_by(0, unit);
     f.x = f.y = f.z = d * d;
@@ -28,7 +31,8 @@ TEST(CompareAlongBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
     const Rational rel = Rational::from_double(internal::kCompareAlongRel);
     // 4 more units: kRel * S itself may underflow. The factor is for the addition of kAbs.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
-              Rational::from_double(internal::kCompareAlongAbs) * (Rational(1) - Rational::power_of_two(-50)));
+              Rational::from_double(internal::kCompareAlongAbs) *
+                  (Rational(1) - Rational::power_of_two(-50)));
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/grid_pairs.h: triangle_triangle against clipping, on all pairs of triangles with corners on a small grid and all
-// ways to share names.
+// tests/predicates/grid_pairs.h: triangle_triangle against clipping, on all pairs of triangles with
+// corners on a small grid and all ways to share names.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -17,7 +17,8 @@ namespace veritope::oracle {
 inline std::string text(const ITriangle& t) {
   std::string out;
   for (const IPoint& p : t) {
-    out += "(" + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + ") ";
+    out +=
+        "(" + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + ") ";
   }
   return out;
 }
@@ -53,8 +54,10 @@ inline void compare_on_grid(int nx, int ny, int nz, std::size_t stride) {
         const TriangleContact c = classify(t, t_ids, u, u_ids);
         ++seen[static_cast<std::size_t>(c)];
         const IndexedTriangle a = indexed(t, t_ids), b = indexed(u, u_ids);
-        EXPECT_EQ(triangle_triangle(a, b), c) << text(t) << "| " << text(u) << u_ids[0] << u_ids[1] << u_ids[2];
-        EXPECT_EQ(triangle_triangle(b, a), c) << text(u) << "| " << text(t) << u_ids[0] << u_ids[1] << u_ids[2];
+        EXPECT_EQ(triangle_triangle(a, b), c)
+            << text(t) << "| " << text(u) << u_ids[0] << u_ids[1] << u_ids[2];
+        EXPECT_EQ(triangle_triangle(b, a), c)
+            << text(u) << "| " << text(t) << u_ids[0] << u_ids[1] << u_ids[2];
       });
       if (testing::Test::HasFailure()) return;
     }

@@ -30,7 +30,8 @@ TEST(InCircle, IsZeroForPointsOnALineAndForEqualPointsOnly) {
 }
 
 TEST(InCircle, SeesOneUnitInTheLastPlace) {
-  EXPECT_EQ(in_circle(kEast, kNorth, kWest, {0x1.3333333333333p-1, -0x1.999999999999ap-1}), Sign::kNegative);  // 0.6, -0.8
+  EXPECT_EQ(in_circle(kEast, kNorth, kWest, {0x1.3333333333333p-1, -0x1.999999999999ap-1}),
+            Sign::kNegative);  // 0.6, -0.8
   EXPECT_EQ(in_circle({5, 0}, {0, 5}, {-5, 0}, {3, -4}), Sign::kZero);
   EXPECT_EQ(in_circle({5, 0}, {0, 5}, {-5, 0}, {3, -0x1.0000000000001p2}), Sign::kNegative);
   EXPECT_EQ(in_circle({5, 0}, {0, 5}, {-5, 0}, {3, -0x1.fffffffffffffp1}), Sign::kPositive);
@@ -49,7 +50,8 @@ TEST(InCircle, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
   const Vec2d a{0.6, 0x1.43d136248490fp500}, b{0.4, 0x1p500}, c{0, 5e-324}, d{0, 0};
   EXPECT_EQ(in_circle_filter(a, b, c, d), Sign3::kUncertain);
   EXPECT_EQ(in_circle(a, b, c, d), Sign::kPositive);
-  EXPECT_EQ(in_circle_filter({0x1p-240, 0}, {0, 0x1p-240}, {-0x1p-240, 0}, {0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(in_circle_filter({0x1p-240, 0}, {0, 0x1p-240}, {-0x1p-240, 0}, {0, 0}),
+            Sign3::kUncertain);
 }
 
 TEST(InCircle, AsksEachTierOnlyAfterTheOneBefore) {
@@ -68,7 +70,8 @@ TEST(InCircle, TiersSayUncertainRatherThanGuess) {
   EXPECT_EQ(in_circle_filter(kEast, kNorth, kWest, {0, -1}), Sign3::kUncertain);
   EXPECT_EQ(in_circle_filter({huge, 0}, {0, huge}, {-huge, 0}, {0, 0}), Sign3::kUncertain);
   EXPECT_EQ(in_circle_lattice(kEast, kNorth, kWest, {0x1p-70, 0}), Sign3::kUncertain);
-  EXPECT_EQ(in_circle_interval({0.3, 0.4}, {-0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}), Sign3::kUncertain);
+  EXPECT_EQ(in_circle_interval({0.3, 0.4}, {-0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}),
+            Sign3::kUncertain);
 }
 
 TEST(InCircle, WideLatticeAndIntegersAgree) {

@@ -47,8 +47,10 @@ TEST(InSphere, IsExactWhereProductsUnderflowAndOverflow) {
 }
 
 TEST(InSphere, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
-  // The points of in_circle's test in the plane z = 0, and one above it: the minors are multiplied by its z = 1.
-  const Vec3d a{0.6, 0x1.43d136248490fp500, 0}, b{0.4, 0x1p500, 0}, c{0, 5e-324, 0}, d{0, 0, 1}, e{0, 0, 0};
+  // The points of in_circle's test in the plane z = 0, and one above it: the minors are multiplied
+  // by its z = 1.
+  const Vec3d a{0.6, 0x1.43d136248490fp500, 0}, b{0.4, 0x1p500, 0}, c{0, 5e-324, 0}, d{0, 0, 1},
+      e{0, 0, 0};
   EXPECT_EQ(in_sphere_filter(a, b, c, d, e), Sign3::kUncertain);
   EXPECT_EQ(in_sphere(a, b, c, d, e), Sign::kPositive);
   const double r = 0x1p-195;
@@ -57,7 +59,9 @@ TEST(InSphere, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
 
 TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {
   const auto decide = [](double r, Vec3d e) {
-    return [=](TierCounts* tally) { return in_sphere({-r, 0, 0}, {r, 0, 0}, {0, r, 0}, {0, 0, r}, e, tally); };
+    return [=](TierCounts* tally) {
+      return in_sphere({-r, 0, 0}, {r, 0, 0}, {0, r, 0}, {0, 0, r}, e, tally);
+    };
   };
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide(1, {0, 0, 0}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide(1, {0, 0, -1}));
@@ -68,9 +72,11 @@ TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {
 TEST(InSphere, TiersSayUncertainRatherThanGuess) {
   EXPECT_EQ(in_sphere_filter(kA, kB, kC, kD, {0, 0, -1}), Sign3::kUncertain);
   const double huge = 0x1p260;
-  EXPECT_EQ(in_sphere_filter({-huge, 0, 0}, {huge, 0, 0}, {0, huge, 0}, {0, 0, huge}, {0, 0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(in_sphere_filter({-huge, 0, 0}, {huge, 0, 0}, {0, huge, 0}, {0, 0, huge}, {0, 0, 0}),
+            Sign3::kUncertain);
   EXPECT_EQ(in_sphere_lattice(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign3::kUncertain);
-  EXPECT_EQ(in_sphere_interval({0.1, 0.2, 0.3}, {-0.1, 0.2, 0.3}, {0.1, -0.2, 0.3}, {0.1, 0.2, -0.3}, {-0.1, -0.2, -0.3}),
+  EXPECT_EQ(in_sphere_interval({0.1, 0.2, 0.3}, {-0.1, 0.2, 0.3}, {0.1, -0.2, 0.3},
+                               {0.1, 0.2, -0.3}, {-0.1, -0.2, -0.3}),
             Sign3::kUncertain);
 }
 

@@ -41,8 +41,10 @@ TEST(SideOfPlane, AsksEachTierOnlyAfterTheOneBefore) {
   };
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide({{1, 2, 3}, 4}, {1, 1, 1}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide({{1, 2, 3}, -6}, {1, 1, 1}));
-  expect_decided_by(Tier::kInterval, Sign::kPositive, decide({{0x1p-500, 0, 0}, 0}, {0x1p-500, 0x1p-600, 0}));
-  expect_decided_by(Tier::kExact, Sign::kZero, decide({{0.1, -0.1, 0}, 0}, {0x1.8p-70, 0x1.8p-70, 1}));
+  expect_decided_by(Tier::kInterval, Sign::kPositive,
+                    decide({{0x1p-500, 0, 0}, 0}, {0x1p-500, 0x1p-600, 0}));
+  expect_decided_by(Tier::kExact, Sign::kZero,
+                    decide({{0.1, -0.1, 0}, 0}, {0x1.8p-70, 0x1.8p-70, 1}));
 }
 
 TEST(CompareAlong, IsPositiveForTheLaterPoint) {
@@ -54,7 +56,8 @@ TEST(CompareAlong, IsPositiveForTheLaterPoint) {
 
 TEST(CompareAlong, IsExactWhereProductsUnderflowAndOverflow) {
   EXPECT_EQ(compare_along({kTiny, 0, 0}, {kTiny, 0, 0}, {0, 0, 0}), Sign::kPositive);
-  EXPECT_EQ(compare_along({kHuge, kHuge, kTiny}, {kHuge, -kHuge, kTiny}, {-kHuge, kHuge, 0}), Sign::kPositive);
+  EXPECT_EQ(compare_along({kHuge, kHuge, kTiny}, {kHuge, -kHuge, kTiny}, {-kHuge, kHuge, 0}),
+            Sign::kPositive);
 }
 
 TEST(CompareAlong, LeavesTinyValuesToTheExactTiers) {
@@ -68,10 +71,13 @@ TEST(CompareAlong, AsksEachTierOnlyAfterTheOneBefore) {
   };
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide({1, 2, 3}, {1, 1, 1}, {0, 0, 0}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide({1, 2, 3}, {1, 1, 1}, {6, 0, 0}));
-  expect_decided_by(Tier::kInterval, Sign::kPositive, decide({0x1p-500, 0, 0}, {0x1p-500, 0, 0}, {0x1p-600, 0, 0}));
-  expect_decided_by(Tier::kExact, Sign::kZero, decide({0.1, -0.1, 0}, {0x1.8p-70, 0x1.8p-70, 0}, {1, 1, 0}));
+  expect_decided_by(Tier::kInterval, Sign::kPositive,
+                    decide({0x1p-500, 0, 0}, {0x1p-500, 0, 0}, {0x1p-600, 0, 0}));
+  expect_decided_by(Tier::kExact, Sign::kZero,
+                    decide({0.1, -0.1, 0}, {0x1.8p-70, 0x1.8p-70, 0}, {1, 1, 0}));
   // The direction alone can leave the lattice, too.
-  expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1.8p-70, -0x1.8p-70, 1}, {0.1, 0.1, 1}, {3, 3, 1}));
+  expect_decided_by(Tier::kExact, Sign::kZero,
+                    decide({0x1.8p-70, -0x1.8p-70, 1}, {0.1, 0.1, 1}, {3, 3, 1}));
 }
 
 }  // namespace

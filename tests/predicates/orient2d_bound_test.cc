@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The constants of predicates/orient2d.h against docs/bounds/orient2d.md: derivation rerun in exact rationals.
+// The constants of predicates/orient2d.h against docs/bounds/orient2d.md: derivation rerun in exact
+// rationals.
 #include "predicates/orient2d.h"
 #include "tests/predicates/bound_derivation.h"
 
@@ -14,12 +15,14 @@ TEST(Orient2dBound, RelativeConstantFollowsFromTheRoundings) {
   const RoundingCount x;
   const formulas::Orient2d<RoundingCount> f(x, x, x, x, x, x);
   EXPECT_EQ(f.det().roundings - 1, 3);
-  bounds::expect_tight(internal::kOrient2dRel, f.det().roundings - 1, f.magnitude(bounds::kSame).roundings);
+  bounds::expect_tight(internal::kOrient2dRel, f.det().roundings - 1,
+                       f.magnitude(bounds::kSame).roundings);
 }
 
 TEST(Orient2dBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
   for (const Rational& unit : {bounds::underflow_unit(), bounds::flush_unit()}) {
-    // The two products are the only operations that can underflow; every factor may be as large as it likes.
+    // The two products are the only operations that can underflow; every factor may be as large as
+    // it likes.
     formulas::Orient2d<UnderflowCount> f({}, {}, {}, {}, {}, {});
     const UnderflowCount d = UnderflowCount::bounded_by(0, unit);
     f.left = d * d, f.right = d * d;
@@ -28,7 +31,8 @@ TEST(Orient2dBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
     const Rational rel = Rational::from_double(internal::kOrient2dRel);
     // 4 more units: kRel * S itself may underflow. The factor is for the addition of kAbs.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
-              Rational::from_double(internal::kOrient2dAbs) * (Rational(1) - Rational::power_of_two(-50)));
+              Rational::from_double(internal::kOrient2dAbs) *
+                  (Rational(1) - Rational::power_of_two(-50)));
   }
 }
 

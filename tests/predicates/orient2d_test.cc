@@ -42,7 +42,8 @@ TEST(Orient2d, IsExactWhereProductsUnderflowAndOverflow) {
 }
 
 TEST(Orient2d, IsNotMisledByProductsThatUnderflowToDifferentSides) {
-  // left rounds up to 2^-1074 and right down to 0, while the differences' roundings hide that right is the larger: kAbs pays.
+  // left rounds up to 2^-1074 and right down to 0, while the differences' roundings hide that right
+  // is the larger: kAbs pays.
   const Vec2d a{0x1p-554, 0x1p-627}, b{0x1p-500, -0x1p-574}, c{-0x1p-501, 0x1.0000000000002p-575};
   EXPECT_EQ(orient2d_filter(a, b, c), Sign3::kUncertain);
   EXPECT_EQ(orient2d(a, b, c), Sign::kNegative);
@@ -55,8 +56,10 @@ TEST(Orient2d, AsksEachTierOnlyAfterTheOneBefore) {
   };
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide({0, 0}, {1, 0}, {0, 1}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide({0.5, 0.5}, {12, 12}, {24, 24}));
-  // Exponents that span more than 60 bits; the products are far below the filter's absolute term, not below each other.
-  expect_decided_by(Tier::kInterval, Sign::kPositive, decide({0x1p-600, 0}, {0x1p-500, 0}, {0, 0x1p-500}));
+  // Exponents that span more than 60 bits; the products are far below the filter's absolute term,
+  // not below each other.
+  expect_decided_by(Tier::kInterval, Sign::kPositive,
+                    decide({0x1p-600, 0}, {0x1p-500, 0}, {0, 0x1p-500}));
   expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-70, 0x1p-70}, {1, 1}, {3, 3}));
   expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-900, 0x1p-900}, {1, 1}, {3, 3}));
 }

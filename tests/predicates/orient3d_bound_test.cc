@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The constants of predicates/orient3d.h against docs/bounds/orient3d.md: derivation rerun in exact rationals.
+// The constants of predicates/orient3d.h against docs/bounds/orient3d.md: derivation rerun in exact
+// rationals.
 #include "predicates/orient3d.h"
 #include "tests/predicates/bound_derivation.h"
 
@@ -23,18 +24,21 @@ TEST(Orient3dBound, RelativeConstantFollowsFromTheRoundings) {
 TEST(Orient3dBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
   for (const Rational& unit : {bounds::underflow_unit(), bounds::flush_unit()}) {
     // Symbol 0 bounds the differences w of the fourth point, symbol 1 those of the plane.
-    const UnderflowCount w = UnderflowCount::bounded_by(0, unit), v = UnderflowCount::bounded_by(1, unit);
+    const UnderflowCount w = UnderflowCount::bounded_by(0, unit),
+                         v = UnderflowCount::bounded_by(1, unit);
     formulas::Plane3<UnderflowCount> f({}, {}, {}, {}, {}, {}, {}, {}, {});
     f.yz = f.zy = f.zx = f.xz = f.xy = f.yx = v * v;
-    const Polynomial error = f.det(w, w, w).error, missing = f.magnitude(w, w, w, bounds::kSame).error;
-    // What underflow does is at most c1 |w| + c0, whatever the size of the plane's differences: kEta * size() pays for
-    // the first, because size() >= |w| (1 - u)^2, kAbs for the second.
+    const Polynomial error = f.det(w, w, w).error,
+                     missing = f.magnitude(w, w, w, bounds::kSame).error;
+    // What underflow does is at most c1 |w| + c0, whatever the size of the plane's differences:
+    // kEta * size() pays for the first, because size() >= |w| (1 - u)^2, kAbs for the second.
     for (const auto& [exponent, c] : error.coefficient) {
       EXPECT_TRUE(exponent[1] == 0 && exponent[0] <= 1) << exponent[0] << ' ' << exponent[1];
     }
     const Rational rel = Rational::from_double(internal::kOrient3dRel);
     const Rational less = Rational(1) - Rational::power_of_two(-48);
-    EXPECT_LE(error.at(1) + rel * missing.at(1), Rational::from_double(internal::kOrient3dEta) * less);
+    EXPECT_LE(error.at(1) + rel * missing.at(1),
+              Rational::from_double(internal::kOrient3dEta) * less);
     // 4 more units: kRel * S and kEta * size() themselves may underflow.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
               Rational::from_double(internal::kOrient3dAbs) * less);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The numbered laws of orient2d, orient3d, in_circle and in_sphere, as properties (RapidCheck) of points from all generators.
+// The numbered laws of orient2d, orient3d, in_circle and in_sphere, as properties (RapidCheck) of
+// points from all generators.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -41,7 +42,8 @@ bool holds(const std::string& law, std::function<void(const Points&, std::uint32
   });
 }
 
-// Moves all coordinates of an axis by one integer and scales them by a power of two; coordinates are small integers, so both are exact.
+// Moves all coordinates of an axis by one integer and scales them by a power of two; coordinates
+// are small integers, so both are exact.
 Points moved(const Points& grid, std::uint32_t seed, bool one_scale) {
   Random random(seed);
   std::array<double, 3> shift, scale;
@@ -56,7 +58,9 @@ Points moved(const Points& grid, std::uint32_t seed, bool one_scale) {
   }
   return out;
 }
-Points small_grid(std::uint32_t seed) { return drawn(static_cast<int>(generate::Kind::kSmallGrid), seed); }
+Points small_grid(std::uint32_t seed) {
+  return drawn(static_cast<int>(generate::Kind::kSmallGrid), seed);
+}
 
 TEST(OrientationLaws, SwappingTwoPointsNegates) {
   EXPECT_TRUE(holds("orient2d", [](const Points& p, std::uint32_t) {
@@ -109,7 +113,8 @@ TEST(OrientationLaws, MovingAllPointsExactlyAndScalingByPowersOfTwoKeepsTheSign)
   EXPECT_TRUE(rc::check("circles and spheres, one scale", [] {
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     const Points p = small_grid(seed), q = moved(p, seed + 1, true);
-    RC_ASSERT(in_circle(xy(p[0]), xy(p[1]), xy(p[2]), xy(p[3])) == in_circle(xy(q[0]), xy(q[1]), xy(q[2]), xy(q[3])));
+    RC_ASSERT(in_circle(xy(p[0]), xy(p[1]), xy(p[2]), xy(p[3])) ==
+              in_circle(xy(q[0]), xy(q[1]), xy(q[2]), xy(q[3])));
     RC_ASSERT(in_sphere(p[0], p[1], p[2], p[3], p[4]) == in_sphere(q[0], q[1], q[2], q[3], q[4]));
   }));
 }
@@ -118,25 +123,31 @@ TEST(OrientationLaws, TurningAndMirroringTheAxesActsAsADeterminant) {
   EXPECT_TRUE(holds("axes", [](const Points& p, std::uint32_t) {
     Points turned = p, mirrored = p;
     for (int i = 0; i < 5; ++i) turned[i] = {p[i].y, p[i].z, p[i].x}, mirrored[i].x = -p[i].x;
-    RC_ASSERT(orient3d(turned[0], turned[1], turned[2], turned[3]) == orient3d(p[0], p[1], p[2], p[3]));
-    RC_ASSERT(orient3d(mirrored[0], mirrored[1], mirrored[2], mirrored[3]) == -orient3d(p[0], p[1], p[2], p[3]));
+    RC_ASSERT(orient3d(turned[0], turned[1], turned[2], turned[3]) ==
+              orient3d(p[0], p[1], p[2], p[3]));
+    RC_ASSERT(orient3d(mirrored[0], mirrored[1], mirrored[2], mirrored[3]) ==
+              -orient3d(p[0], p[1], p[2], p[3]));
     RC_ASSERT(in_sphere(mirrored[0], mirrored[1], mirrored[2], mirrored[3], mirrored[4]) ==
               -in_sphere(p[0], p[1], p[2], p[3], p[4]));
-    RC_ASSERT(orient2d(xy(mirrored[0]), xy(mirrored[1]), xy(mirrored[2])) == -orient2d(xy(p[0]), xy(p[1]), xy(p[2])));
+    RC_ASSERT(orient2d(xy(mirrored[0]), xy(mirrored[1]), xy(mirrored[2])) ==
+              -orient2d(xy(p[0]), xy(p[1]), xy(p[2])));
   }));
 }
 
 TEST(OrientationLaws, ASphereSeenInAPlaneThroughTheOriginIsACircle) {
-  // With d straight above the circle of a, b, c and on a sphere symmetric in z, in_sphere at z = 0 is in_circle.
+  // With d straight above the circle of a, b, c and on a sphere symmetric in z, in_sphere at z = 0
+  // is in_circle.
   EXPECT_TRUE(rc::check("in_sphere extends in_circle", [] {
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     const Points p = small_grid(seed);
     const Vec2d a = xy(p[0]), b = xy(p[1]), c = xy(p[2]), e = xy(p[3]);
     const Sign turn = orient2d(a, b, c);
     RC_PRE(turn != Sign::kZero);
-    // (a, z = 1), (b, 1), (c, 1), (c, -1) lie on a sphere centred in z = 0; its circle in the plane z = 1 is that of a, b, c.
+    // (a, z = 1), (b, 1), (c, 1), (c, -1) lie on a sphere centred in z = 0; its circle in the plane
+    // z = 1 is that of a, b, c.
     const Vec3d a1{a.x, a.y, 1}, b1{b.x, b.y, 1}, c1{c.x, c.y, 1}, d{c.x, c.y, -1}, e1{e.x, e.y, 1};
-    RC_ASSERT(in_sphere(a1, b1, c1, d, e1) * orient3d(a1, b1, c1, d) == in_circle(a, b, c, e) * turn);
+    RC_ASSERT(in_sphere(a1, b1, c1, d, e1) * orient3d(a1, b1, c1, d) ==
+              in_circle(a, b, c, e) * turn);
   }));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/point_generators.h: seeded points for differential tests. Each class is one way in which predicates have been wrong.
+// tests/predicates/point_generators.h: seeded points for differential tests. Each class is one way
+// in which predicates have been wrong.
 #pragma once
 #include <array>
 #include <bit>
@@ -14,18 +15,18 @@
 namespace veritope::generate {
 
 enum class Kind {
-  kGeneric,         ///< uniform in (-1, 1)^3
-  kSmallGrid,       ///< integers in [-3, 3]: many zeros
-  kFlat,            ///< exactly coplanar (and, in x and y, collinear) integers of up to 40 bits
-  kRound,           ///< exactly cospherical (in x and y: cocircular): corners of a box
-  kNearFlat,        ///< kFlat / 2^40, each coordinate then moved by up to 2 ulp
-  kNearRound,       ///< kRound / 2^20, each coordinate then moved by up to 2 ulp
-  kScaledFlat,      ///< kFlat times a power of two between 2^-1000 and 2^900
-  kScaledRound,     ///< kRound times such a power
-  kWideExponents,   ///< full mantissas, exponents spread over 2^-40..1
-  kRandomBits,      ///< any finite binary64, uniformly by its bits
-  kSubnormal,       ///< small multiples of 2^-1074
-  kMixedExtremes,   ///< 0, -0, 1, the least subnormal, the largest number, and their neighbours
+  kGeneric,        ///< uniform in (-1, 1)^3
+  kSmallGrid,      ///< integers in [-3, 3]: many zeros
+  kFlat,           ///< exactly coplanar (and, in x and y, collinear) integers of up to 40 bits
+  kRound,          ///< exactly cospherical (in x and y: cocircular): corners of a box
+  kNearFlat,       ///< kFlat / 2^40, each coordinate then moved by up to 2 ulp
+  kNearRound,      ///< kRound / 2^20, each coordinate then moved by up to 2 ulp
+  kScaledFlat,     ///< kFlat times a power of two between 2^-1000 and 2^900
+  kScaledRound,    ///< kRound times such a power
+  kWideExponents,  ///< full mantissas, exponents spread over 2^-40..1
+  kRandomBits,     ///< any finite binary64, uniformly by its bits
+  kSubnormal,      ///< small multiples of 2^-1074
+  kMixedExtremes,  ///< 0, -0, 1, the least subnormal, the largest number, and their neighbours
 };
 inline constexpr int kNumKinds = 12;
 inline constexpr const char* kKindNames[kNumKinds] = {
@@ -60,7 +61,8 @@ inline Points flat(Random& random) {
   Points points;
   for (Vec3d& p : points) {
     const std::int64_t s = random.between(-range, range), t = random.between(-range, range);
-    p = {static_cast<double>(origin[0] + s * u[0] + t * v[0]), static_cast<double>(origin[1] + s * u[1] + t * v[1]),
+    p = {static_cast<double>(origin[0] + s * u[0] + t * v[0]),
+         static_cast<double>(origin[1] + s * u[1] + t * v[1]),
          static_cast<double>(origin[2] + s * u[2] + t * v[2])};
   }
   return points;
@@ -109,13 +111,16 @@ inline Points points(Kind kind, Random& random) {
                      [&](double v) { return std::ldexp(v, exponent); });
     }
     case Kind::kWideExponents:
-      return fill([&] { return std::ldexp(2 * random.unit() - 1, static_cast<int>(random.between(-40, 0))); });
+      return fill([&] {
+        return std::ldexp(2 * random.unit() - 1, static_cast<int>(random.between(-40, 0)));
+      });
     case Kind::kRandomBits: return fill([&] { return random_finite(random); });
     case Kind::kSubnormal:
       return fill([&] { return static_cast<double>(random.between(-4, 4)) * 0x1p-1074; });
     case Kind::kMixedExtremes:
       return fill([&] {
-        constexpr double kBase[] = {0.0, -0.0, 1.0, 0x1p-1074, 0x1.fffffffffffffp1023, 0x1p-1022, 3.0, 0x1p511, 0x1p-537};
+        constexpr double kBase[] = {0.0,       -0.0, 1.0,     0x1p-1074, 0x1.fffffffffffffp1023,
+                                    0x1p-1022, 3.0,  0x1p511, 0x1p-537};
         const double v = nudged(kBase[random.below(9)], random);
         const double finite = std::isfinite(v) ? v : 0x1.fffffffffffffp1023;
         return random.below(2) == 0 ? finite : -finite;

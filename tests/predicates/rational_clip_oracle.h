@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/rational_clip_oracle.h: the contact of two triangles with any finite coordinates, by cutting one with the half-spaces of
-// the other over GMP's rationals. Slow; shares no line with predicates/.
+// tests/predicates/rational_clip_oracle.h: the contact of two triangles with any finite
+// coordinates, by cutting one with the half-spaces of the other over GMP's rationals. Slow; shares
+// no line with predicates/.
 #pragma once
 #include <gmpxx.h>
 
@@ -15,15 +16,20 @@ namespace veritope::oracle {
 using QPoint = std::array<mpq_class, 3>;
 
 inline QPoint exact(const Vec3d& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
-inline QPoint minus(const QPoint& a, const QPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline QPoint minus(const QPoint& a, const QPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 inline QPoint cross(const QPoint& a, const QPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline mpq_class dot(const QPoint& a, const QPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline mpq_class dot(const QPoint& a, const QPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline bool is_zero(const QPoint& a) { return sgn(a[0]) == 0 && sgn(a[1]) == 0 && sgn(a[2]) == 0; }
 
 /// The part of the convex polygon where n . (p - through) >= 0.
-inline std::vector<QPoint> cut(const std::vector<QPoint>& polygon, const QPoint& n, const QPoint& through) {
+inline std::vector<QPoint> cut(const std::vector<QPoint>& polygon, const QPoint& n,
+                               const QPoint& through) {
   std::vector<QPoint> out;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const QPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
@@ -39,8 +45,10 @@ inline std::vector<QPoint> cut(const std::vector<QPoint>& polygon, const QPoint&
   return out;
 }
 
-/// Points whose hull is what the hull of `points` and the triangle u have in common. REQUIRES u non-degenerate.
-inline std::vector<QPoint> intersection(std::vector<QPoint> points, const std::array<QPoint, 3>& u) {
+/// Points whose hull is what the hull of `points` and the triangle u have in common. REQUIRES u
+/// non-degenerate.
+inline std::vector<QPoint> intersection(std::vector<QPoint> points,
+                                        const std::array<QPoint, 3>& u) {
   QPoint n = cross(minus(u[1], u[0]), minus(u[2], u[0]));
   for (int i = 0; i < 3; ++i) points = cut(points, cross(n, minus(u[(i + 1) % 3], u[i])), u[i]);
   points = cut(points, n, u[0]);
@@ -54,7 +62,9 @@ inline bool on_segment(const QPoint& p, const QPoint& a, const QPoint& b) {
   return is_zero(cross(e, d)) && sgn(dot(e, d)) >= 0 && dot(e, d) <= dot(e, e);
 }
 
-inline std::array<QPoint, 3> exact(const std::array<Vec3d, 3>& t) { return {exact(t[0]), exact(t[1]), exact(t[2])}; }
+inline std::array<QPoint, 3> exact(const std::array<Vec3d, 3>& t) {
+  return {exact(t[0]), exact(t[1]), exact(t[2])};
+}
 
 inline bool degenerate(const std::array<Vec3d, 3>& t) {
   const std::array<QPoint, 3> q = exact(t);
@@ -80,11 +90,13 @@ inline TriangleContact contact(const IndexedTriangle& t, const IndexedTriangle& 
     for (const QPoint& p : a) coplanar = coplanar && sgn(dot(n, minus(p, b[0]))) == 0;
     return coplanar ? TriangleContact::kCoplanarOverlap : TriangleContact::kImproper;
   }
-  return common.empty() ? TriangleContact::kDisjoint
-                        : (common.size() == 1 ? TriangleContact::kSharedVertex : TriangleContact::kSharedEdge);
+  return common.empty()
+             ? TriangleContact::kDisjoint
+             : (common.size() == 1 ? TriangleContact::kSharedVertex : TriangleContact::kSharedEdge);
 }
 
-inline SegmentTriangleContact contact(const Vec3d& p, const Vec3d& q, const std::array<Vec3d, 3>& t) {
+inline SegmentTriangleContact contact(const Vec3d& p, const Vec3d& q,
+                                      const std::array<Vec3d, 3>& t) {
   const std::array<QPoint, 3> u = exact(t);
   const QPoint a = exact(p), b = exact(q);
   const std::vector<QPoint> meet = intersection({a, b}, u);

@@ -18,7 +18,8 @@ namespace {
 using generate::Points;
 using generate::xy;
 
-// Runs `check(points)` on every kind of points; check returns the oracle's sign, so that zeros can be counted.
+// Runs `check(points)` on every kind of points; check returns the oracle's sign, so that zeros can
+// be counted.
 template <typename Check>
 void on_all_kinds(long loops, Check check) {
   long zeros = 0, total = 0;
@@ -29,7 +30,8 @@ void on_all_kinds(long loops, Check check) {
       zeros += check(p) == Sign::kZero ? 1 : 0;
       ++total;
       ASSERT_FALSE(testing::Test::HasFailure())
-          << generate::kKindNames[kind] << ", seed " << 1000 + kind << ", case " << i << ": " << generate::text(p);
+          << generate::kKindNames[kind] << ", seed " << 1000 + kind << ", case " << i << ": "
+          << generate::text(p);
     }
   }
   EXPECT_GT(zeros, total / 10);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/rational_oracle.h: the predicates as signs of homogeneous determinants over GMP's own rationals, by Gaussian
-// elimination. Shares no line with robust/ or predicates/.
+// tests/predicates/rational_oracle.h: the predicates as signs of homogeneous determinants over
+// GMP's own rationals, by Gaussian elimination. Shares no line with robust/ or predicates/.
 #pragma once
 #include <gmpxx.h>
 
@@ -51,7 +51,8 @@ inline Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   }
   return static_cast<Sign>(determinant_sign(std::move(m)));
 }
-inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e) {
+inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
+                      const Vec3d& e) {
   Matrix m;
   for (const Vec3d& p : {a, b, c, d, e}) {
     const mpq_class x = p.x, y = p.y, z = p.z;
@@ -60,7 +61,8 @@ inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3
   return -static_cast<Sign>(determinant_sign(std::move(m)));
 }
 inline Sign side_of_plane(const PlaneCoefficients& f, const Vec3d& p) {
-  const mpq_class v = mpq_class(f.normal.x) * mpq_class(p.x) + mpq_class(f.normal.y) * mpq_class(p.y) +
+  const mpq_class v = mpq_class(f.normal.x) * mpq_class(p.x) +
+                      mpq_class(f.normal.y) * mpq_class(p.y) +
                       mpq_class(f.normal.z) * mpq_class(p.z) + mpq_class(f.offset);
   return static_cast<Sign>(sgn(v));
 }

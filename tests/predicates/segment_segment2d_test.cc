@@ -20,13 +20,15 @@ struct IVec {
 };
 Contact oracle(IVec p0, IVec p1, IVec q0, IVec q1) {
   const auto point = [](bool p_end, bool q_end) {
-    return p_end && q_end ? Contact::kEnds : (p_end || q_end ? Contact::kEndInside : Contact::kCrossing);
+    return p_end && q_end ? Contact::kEnds
+                          : (p_end || q_end ? Contact::kEndInside : Contact::kCrossing);
   };
   const long ux = p1.x - p0.x, uy = p1.y - p0.y, vx = q1.x - q0.x, vy = q1.y - q0.y;
   const long wx = q0.x - p0.x, wy = q0.y - p0.y;
   const long d = ux * vy - uy * vx;
   if (d != 0) {
-    const Rational s(Integer(wx * vy - wy * vx), Integer(d)), t(Integer(wx * uy - wy * ux), Integer(d));
+    const Rational s(Integer(wx * vy - wy * vx), Integer(d)),
+        t(Integer(wx * uy - wy * ux), Integer(d));
     const Rational zero(0), one(1);
     if (s < zero || s > one || t < zero || t > one) return Contact::kDisjoint;
     return point(s == zero || s == one, t == zero || t == one);
@@ -60,8 +62,8 @@ TEST(SegmentSegment2d, AgreesWithRationalsOnEveryPairOfTheGridAndIsSymmetric) {
           const Contact c = oracle(p0, p1, q0, q1);
           ++seen[static_cast<int>(c)];
           ASSERT_EQ(segment_segment2d(real(p0), real(p1), real(q0), real(q1)), c)
-              << p0.x << ',' << p0.y << ' ' << p1.x << ',' << p1.y << ' ' << q0.x << ',' << q0.y << ' ' << q1.x
-              << ',' << q1.y;
+              << p0.x << ',' << p0.y << ' ' << p1.x << ',' << p1.y << ' ' << q0.x << ',' << q0.y
+              << ' ' << q1.x << ',' << q1.y;
           ASSERT_EQ(segment_segment2d(real(q1), real(q0), real(p0), real(p1)), c);
         }
       }
@@ -73,9 +75,12 @@ TEST(SegmentSegment2d, AgreesWithRationalsOnEveryPairOfTheGridAndIsSymmetric) {
 TEST(SegmentSegment2d, IsNotFooledByExtremeExponents) {
   const double tiny = 5e-324, huge = 1.7e308;
   // (0, tiny) is off the diagonal, by the least amount there is.
-  EXPECT_EQ(segment_segment2d({-huge, -huge}, {huge, huge}, {0, tiny}, {-huge, huge}), Contact::kDisjoint);
-  EXPECT_EQ(segment_segment2d({-huge, -huge}, {huge, huge}, {0, 0}, {-huge, huge}), Contact::kEndInside);
-  EXPECT_EQ(segment_segment2d({-huge, -huge}, {huge, huge}, {tiny, -tiny}, {-huge, huge}), Contact::kCrossing);
+  EXPECT_EQ(segment_segment2d({-huge, -huge}, {huge, huge}, {0, tiny}, {-huge, huge}),
+            Contact::kDisjoint);
+  EXPECT_EQ(segment_segment2d({-huge, -huge}, {huge, huge}, {0, 0}, {-huge, huge}),
+            Contact::kEndInside);
+  EXPECT_EQ(segment_segment2d({-huge, -huge}, {huge, huge}, {tiny, -tiny}, {-huge, huge}),
+            Contact::kCrossing);
   EXPECT_EQ(segment_segment2d({0, 0}, {tiny, 0}, {0, 0}, {huge, 0}), Contact::kOverlap);
 }
 

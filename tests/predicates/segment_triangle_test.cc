@@ -55,11 +55,14 @@ void compare_on_grid(int nx, int ny, int nz, std::size_t stride, bool expect_all
           for (const IPoint& q : grid) {
             const SegmentTriangleContact e = classify(p, q, t);
             ++seen[static_cast<int>(e.kind)];
-            const SegmentTriangleContact s = segment_triangle(real(p), real(q), {real(a), real(b), real(c)});
-            ASSERT_EQ(s, e) << "triangle (" << a[0] << a[1] << a[2] << ") (" << b[0] << b[1] << b[2] << ") (" << c[0]
-                            << c[1] << c[2] << "), segment (" << p[0] << p[1] << p[2] << ") (" << q[0] << q[1] << q[2]
-                            << "): kind " << static_cast<int>(s.kind) << " part " << s.part << " end " << s.at_end
-                            << ", expected " << static_cast<int>(e.kind) << ' ' << e.part << ' ' << e.at_end;
+            const SegmentTriangleContact s =
+                segment_triangle(real(p), real(q), {real(a), real(b), real(c)});
+            ASSERT_EQ(s, e) << "triangle (" << a[0] << a[1] << a[2] << ") (" << b[0] << b[1] << b[2]
+                            << ") (" << c[0] << c[1] << c[2] << "), segment (" << p[0] << p[1]
+                            << p[2] << ") (" << q[0] << q[1] << q[2] << "): kind "
+                            << static_cast<int>(s.kind) << " part " << s.part << " end " << s.at_end
+                            << ", expected " << static_cast<int>(e.kind) << ' ' << e.part << ' '
+                            << e.at_end;
           }
         }
       }
@@ -71,16 +74,23 @@ void compare_on_grid(int nx, int ny, int nz, std::size_t stride, bool expect_all
 }
 
 TEST(SegmentTriangle, AgreesWithClippingOnAGridInSpace) { compare_on_grid(3, 3, 3, 13, true); }
-TEST(SegmentTriangle, AgreesWithClippingOnEveryPlanarPairOfTheGrid) { compare_on_grid(4, 3, 1, 1, true); }
-TEST(SegmentTriangle, AgreesWithClippingOnEveryPairOfTheUnitCube) { compare_on_grid(2, 2, 2, 1, false); }
+TEST(SegmentTriangle, AgreesWithClippingOnEveryPlanarPairOfTheGrid) {
+  compare_on_grid(4, 3, 1, 1, true);
+}
+TEST(SegmentTriangle, AgreesWithClippingOnEveryPairOfTheUnitCube) {
+  compare_on_grid(2, 2, 2, 1, false);
+}
 
 TEST(SegmentTriangle, IsNotFooledByExtremeExponents) {
   const double tiny = 5e-324, huge = 1.7e308;
   const std::array<Vec3d, 3> t{{{-huge, -huge, 0}, {huge, -huge, 0}, {0, huge, 0}}};
   EXPECT_EQ(segment_triangle({0, 0, tiny}, {0, 0, huge}, t), (SegmentTriangleContact{}));
-  EXPECT_EQ(segment_triangle({0, 0, tiny}, {0, 0, -tiny}, t), (SegmentTriangleContact{Kind::kInterior, 0, false}));
-  EXPECT_EQ(segment_triangle({0, 0, 0}, {0, 0, huge}, t), (SegmentTriangleContact{Kind::kInterior, 0, true}));
-  EXPECT_EQ(segment_triangle({0, -huge, tiny}, {tiny, -huge, -tiny}, t), (SegmentTriangleContact{Kind::kEdge, 0, false}));
+  EXPECT_EQ(segment_triangle({0, 0, tiny}, {0, 0, -tiny}, t),
+            (SegmentTriangleContact{Kind::kInterior, 0, false}));
+  EXPECT_EQ(segment_triangle({0, 0, 0}, {0, 0, huge}, t),
+            (SegmentTriangleContact{Kind::kInterior, 0, true}));
+  EXPECT_EQ(segment_triangle({0, -huge, tiny}, {tiny, -huge, -tiny}, t),
+            (SegmentTriangleContact{Kind::kEdge, 0, false}));
 }
 
 TEST(SegmentTriangle, TellsContactsApartByKindPartAndEnd) {

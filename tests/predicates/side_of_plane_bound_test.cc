@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The constants of predicates/side_of_plane.h against docs/bounds/side_of_plane.md: derivation rerun in exact rationals.
+// The constants of predicates/side_of_plane.h against docs/bounds/side_of_plane.md: derivation
+// rerun in exact rationals.
 #include "predicates/side_of_plane.h"
 #include "tests/predicates/bound_derivation.h"
 
@@ -14,12 +15,14 @@ TEST(SideOfPlaneBound, RelativeConstantFollowsFromTheRoundings) {
   const RoundingCount x;
   const formulas::SideOfPlane<RoundingCount> f(x, x, x, x, x, x, x);
   EXPECT_EQ(f.det().roundings - 1, 3);
-  bounds::expect_tight(internal::kSideOfPlaneRel, f.det().roundings - 1, f.magnitude(bounds::kSame).roundings);
+  bounds::expect_tight(internal::kSideOfPlaneRel, f.det().roundings - 1,
+                       f.magnitude(bounds::kSame).roundings);
 }
 
 TEST(SideOfPlaneBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
   for (const Rational& unit : {bounds::underflow_unit(), bounds::flush_unit()}) {
-    // The three products are the only operations that can underflow; every factor may be as large as it likes.
+    // The three products are the only operations that can underflow; every factor may be as large
+    // as it likes.
     formulas::SideOfPlane<UnderflowCount> f({}, {}, {}, {}, {}, {}, {});
     const UnderflowCount d = UnderflowCount::bounded_by(0, unit);
     f.x = f.y = f.z = d * d, f.k = d;
@@ -28,7 +31,8 @@ TEST(SideOfPlaneBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
     const Rational rel = Rational::from_double(internal::kSideOfPlaneRel);
     // 4 more units: kRel * S itself may underflow. The factor is for the addition of kAbs.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
-              Rational::from_double(internal::kSideOfPlaneAbs) * (Rational(1) - Rational::power_of_two(-50)));
+              Rational::from_double(internal::kSideOfPlaneAbs) *
+                  (Rational(1) - Rational::power_of_two(-50)));
   }
 }
 

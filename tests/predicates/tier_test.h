@@ -14,8 +14,8 @@ void expect_decided_by(Tier tier, Sign sign, Ask ask) {
   EXPECT_EQ(ask(&tally), sign);
   TierCounts expected;
   expected.decided[static_cast<std::size_t>(tier)] = 1;
-  EXPECT_EQ(tally, expected) << "tiers: " << tally[Tier::kFilter] << ' ' << tally[Tier::kLattice] << ' '
-                             << tally[Tier::kInterval] << ' ' << tally[Tier::kExact];
+  EXPECT_EQ(tally, expected) << "tiers: " << tally[Tier::kFilter] << ' ' << tally[Tier::kLattice]
+                             << ' ' << tally[Tier::kInterval] << ' ' << tally[Tier::kExact];
   EXPECT_EQ(ask(nullptr), sign);
 }
 

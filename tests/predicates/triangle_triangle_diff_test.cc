@@ -5,8 +5,12 @@
 namespace veritope {
 namespace {
 
-TEST(TriangleTriangleExhaustive, AgreesWithClippingOnEveryPairOfTheCubeOf27Points) { oracle::compare_on_grid(3, 3, 3, 1); }
-TEST(TriangleTriangleExhaustive, AgreesWithClippingOnEveryPairOfTheFlatGridOf16Points) { oracle::compare_on_grid(4, 4, 1, 1); }
+TEST(TriangleTriangleExhaustive, AgreesWithClippingOnEveryPairOfTheCubeOf27Points) {
+  oracle::compare_on_grid(3, 3, 3, 1);
+}
+TEST(TriangleTriangleExhaustive, AgreesWithClippingOnEveryPairOfTheFlatGridOf16Points) {
+  oracle::compare_on_grid(4, 4, 1, 1);
+}
 
 }  // namespace
 }  // namespace veritope

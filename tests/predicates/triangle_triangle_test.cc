@@ -15,43 +15,65 @@ namespace {
 
 using Contact = TriangleContact;
 
-TEST(TriangleTriangle, AgreesWithClippingOnEveryPairOfTheUnitCube) { oracle::compare_on_grid(2, 2, 2, 1); }
-TEST(TriangleTriangle, AgreesWithClippingOnEveryPlanarPairOfTheGrid) { oracle::compare_on_grid(4, 3, 1, 1); }
-TEST(TriangleTriangle, AgreesWithClippingOnASampleOfTheCubeOf27Points) { oracle::compare_on_grid(3, 3, 3, 41); }
+TEST(TriangleTriangle, AgreesWithClippingOnEveryPairOfTheUnitCube) {
+  oracle::compare_on_grid(2, 2, 2, 1);
+}
+TEST(TriangleTriangle, AgreesWithClippingOnEveryPlanarPairOfTheGrid) {
+  oracle::compare_on_grid(4, 3, 1, 1);
+}
+TEST(TriangleTriangle, AgreesWithClippingOnASampleOfTheCubeOf27Points) {
+  oracle::compare_on_grid(3, 3, 3, 41);
+}
 
-IndexedTriangle triangle(Vec3d a, Vec3d b, Vec3d c, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+IndexedTriangle triangle(Vec3d a, Vec3d b, Vec3d c, std::uint32_t i, std::uint32_t j,
+                         std::uint32_t k) {
   return {{a, b, c}, {i, j, k}};
 }
 const IndexedTriangle kFloor = triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 0, 1, 2);
 
 TEST(TriangleTriangle, TellsStrangersThatTouchFromStrangersThatDoNot) {
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({1, 1, 0}, {1, 1, 3}, {2, 1, 3}, 3, 4, 5)), Contact::kImproper);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({1, 1, 5e-324}, {1, 1, 3}, {2, 1, 3}, 3, 4, 5)), Contact::kDisjoint);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({4, 4, 0}, {5, 5, 0}, {4, 5, 0}, 3, 4, 5)), Contact::kDisjoint);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({2, 2, 0}, {5, 5, 0}, {4, 5, 0}, 3, 4, 5)), Contact::kCoplanarOverlap);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({1, 1, 0}, {1, 1, 3}, {2, 1, 3}, 3, 4, 5)),
+            Contact::kImproper);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({1, 1, 5e-324}, {1, 1, 3}, {2, 1, 3}, 3, 4, 5)),
+            Contact::kDisjoint);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({4, 4, 0}, {5, 5, 0}, {4, 5, 0}, 3, 4, 5)),
+            Contact::kDisjoint);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({2, 2, 0}, {5, 5, 0}, {4, 5, 0}, 3, 4, 5)),
+            Contact::kCoplanarOverlap);
 }
 
 TEST(TriangleTriangle, JudgesAnEqualPlaceWithAnotherIdAsAStranger) {
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {-1, 0, 1}, {0, -1, 1}, 0, 4, 5)), Contact::kSharedVertex);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {-1, 0, 1}, {0, -1, 1}, 3, 4, 5)), Contact::kImproper);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {4, 0, 0}, {0, -1, 1}, 0, 1, 5)), Contact::kSharedEdge);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {4, 0, 0}, {0, -1, 1}, 0, 4, 5)), Contact::kImproper);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 0, 1, 5)), Contact::kCoplanarOverlap);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {-1, 0, 1}, {0, -1, 1}, 0, 4, 5)),
+            Contact::kSharedVertex);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {-1, 0, 1}, {0, -1, 1}, 3, 4, 5)),
+            Contact::kImproper);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {4, 0, 0}, {0, -1, 1}, 0, 1, 5)),
+            Contact::kSharedEdge);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {4, 0, 0}, {0, -1, 1}, 0, 4, 5)),
+            Contact::kImproper);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 0, 1, 5)),
+            Contact::kCoplanarOverlap);
 }
 
 TEST(TriangleTriangle, FindsAFoldOntoTheNeighbour) {
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({4, 0, 0}, {0, 0, 0}, {1, 1, 0}, 1, 0, 5)), Contact::kCoplanarOverlap);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({4, 0, 0}, {0, 0, 0}, {1, -1, 0}, 1, 0, 5)), Contact::kSharedEdge);
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({2, 0, 4}, {4, 0, 0}, {0, 0, 0}, 5, 1, 0)), Contact::kSharedEdge);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({4, 0, 0}, {0, 0, 0}, {1, 1, 0}, 1, 0, 5)),
+            Contact::kCoplanarOverlap);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({4, 0, 0}, {0, 0, 0}, {1, -1, 0}, 1, 0, 5)),
+            Contact::kSharedEdge);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({2, 0, 4}, {4, 0, 0}, {0, 0, 0}, 5, 1, 0)),
+            Contact::kSharedEdge);
 }
 
 TEST(TriangleTriangle, CallsTheSameThreeVerticesIdenticalInAnyOrder) {
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 4, 0}, {4, 0, 0}, {0, 0, 0}, 2, 1, 0)), Contact::kIdentical);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 4, 0}, {4, 0, 0}, {0, 0, 0}, 2, 1, 0)),
+            Contact::kIdentical);
 }
 
 TEST(TriangleTriangle, KnowsWhichContactsAMeshMayHave) {
-  EXPECT_TRUE(is_proper(Contact::kDisjoint) && is_proper(Contact::kSharedVertex) && is_proper(Contact::kSharedEdge));
-  EXPECT_FALSE(is_proper(Contact::kImproper) || is_proper(Contact::kCoplanarOverlap) || is_proper(Contact::kIdentical));
+  EXPECT_TRUE(is_proper(Contact::kDisjoint) && is_proper(Contact::kSharedVertex) &&
+              is_proper(Contact::kSharedEdge));
+  EXPECT_FALSE(is_proper(Contact::kImproper) || is_proper(Contact::kCoplanarOverlap) ||
+               is_proper(Contact::kIdentical));
 }
 
 TEST(TriangleTriangle, DoesNotDependOnTheOrderOfCornersOrTrianglesNorOnAPowerOfTwoOrAnExactShift) {
@@ -71,7 +93,8 @@ TEST(TriangleTriangle, DoesNotDependOnTheOrderOfCornersOrTrianglesNorOnAPowerOfT
       for (int k = 0; k < 3; ++k) t.id[k] = ids[k], t.point[k] = pool[ids[k]];
       oracle::ITriangle integer;
       for (int k = 0; k < 3; ++k) {
-        integer[k] = {static_cast<std::int64_t>(t.point[k].x), static_cast<std::int64_t>(t.point[k].y),
+        integer[k] = {static_cast<std::int64_t>(t.point[k].x),
+                      static_cast<std::int64_t>(t.point[k].y),
                       static_cast<std::int64_t>(t.point[k].z)};
       }
       usable = usable && !oracle::degenerate(integer);
@@ -96,7 +119,8 @@ TEST(TriangleTriangle, DoesNotDependOnTheOrderOfCornersOrTrianglesNorOnAPowerOfT
 
 TEST(TriangleTriangle, DecidesGenericPairsWithTheFilterAlone) {
   TierCounts tally;
-  EXPECT_EQ(triangle_triangle(kFloor, triangle({1, 1, 1}, {1, 1, 3}, {2, 1, 3}, 3, 4, 5), &tally), Contact::kDisjoint);
+  EXPECT_EQ(triangle_triangle(kFloor, triangle({1, 1, 1}, {1, 1, 3}, {2, 1, 3}, 3, 4, 5), &tally),
+            Contact::kDisjoint);
   EXPECT_EQ(tally[Tier::kFilter], 3u);
   EXPECT_EQ(tally[Tier::kLattice] + tally[Tier::kInterval] + tally[Tier::kExact], 0u);
   EXPECT_EQ(triangle_triangle(kFloor, triangle({0, 0, 0}, {-1, 0, 1}, {0, -1, 1}, 0, 4, 5), &tally),
@@ -110,7 +134,8 @@ TEST(TriangleTriangle, DecidesGenericPairsWithTheFilterAlone) {
 TEST(TriangleTriangle, CountsTheDearerTiersOfCoplanarPairs) {
   TierCounts tally;
   const IndexedTriangle t = triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1, 2);
-  EXPECT_EQ(triangle_triangle(t, triangle({3, -1, -1}, {4, -2, -1}, {3, -2, 0}, 3, 4, 5), &tally), Contact::kDisjoint);
+  EXPECT_EQ(triangle_triangle(t, triangle({3, -1, -1}, {4, -2, -1}, {3, -2, 0}, 3, 4, 5), &tally),
+            Contact::kDisjoint);
   EXPECT_GE(tally[Tier::kLattice], 3u);  // the three signs over the plane, and some in it
   EXPECT_EQ(tally[Tier::kInterval] + tally[Tier::kExact], 0u);
 }

@@ -33,7 +33,8 @@ void expect_valid(const TriangleWitness& w, const IndexedTriangle& t, const Inde
     EXPECT_EQ(gcd(gcd(weight[0], weight[1]), weight[2]), Integer(1));
     for (int axis = 0; axis < 3; ++axis) {
       Rational c;
-      for (int i = 0; i < 3; ++i) c += Rational(weight[i]) * Rational::from_double(tri.point[i][axis]);
+      for (int i = 0; i < 3; ++i)
+        c += Rational(weight[i]) * Rational::from_double(tri.point[i][axis]);
       EXPECT_EQ(c / Rational(sum), w.point[axis]);
     }
   };
@@ -112,11 +113,15 @@ TEST(TriangleWitness, TakesTheMiddleOfACrossing) {
 TEST(TriangleWitness, TakesTheMiddleOfTwoEdgesThatTouch) {
   // In one plane, on either side of the x-axis: they share [1, 3], in every order of their corners.
   std::array<Vec3d, 3> p{{{0, 0, 7}, {4, 0, 7}, {0, -4, 7}}}, q{{{1, 0, 7}, {3, 0, 7}, {2, 2, 7}}};
-  for (int i = 0; i < 6; ++i, i % 3 == 0 ? std::swap(p[0], p[1]) : void(std::rotate(p.begin(), p.begin() + 1, p.end()))) {
-    for (int j = 0; j < 6; ++j, j % 3 == 0 ? std::swap(q[0], q[1]) : void(std::rotate(q.begin(), q.begin() + 1, q.end()))) {
+  for (int i = 0; i < 6; ++i, i % 3 == 0 ? std::swap(p[0], p[1])
+                                         : void(std::rotate(p.begin(), p.begin() + 1, p.end()))) {
+    for (int j = 0; j < 6; ++j, j % 3 == 0 ? std::swap(q[0], q[1])
+                                           : void(std::rotate(q.begin(), q.begin() + 1, q.end()))) {
       const IndexedTriangle t{p, {0, 1, 2}}, u{q, {3, 4, 5}};
       for (const TriangleWitness& w : {triangle_witness(t, u), triangle_witness(u, t)}) {
-        EXPECT_EQ(w.point[0].to_string() + " " + w.point[1].to_string() + " " + w.point[2].to_string(), "2 0 7");
+        EXPECT_EQ(
+            w.point[0].to_string() + " " + w.point[1].to_string() + " " + w.point[2].to_string(),
+            "2 0 7");
         EXPECT_EQ(w.squared_extent.to_string(), "4");
       }
     }

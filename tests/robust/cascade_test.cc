@@ -15,28 +15,39 @@ TEST(Cascade, TakesTheFirstCertainAnswerAndAsksNoFurther) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(cascade(&tally, tier(Sign3::kUncertain), tier(Sign3::kZero), last), Sign::kZero);
   EXPECT_EQ(asked, 3);
-  EXPECT_EQ(cascade(&tally, tier(Sign3::kUncertain), tier(Sign3::kUncertain), last), Sign::kNegative);
+  EXPECT_EQ(cascade(&tally, tier(Sign3::kUncertain), tier(Sign3::kUncertain), last),
+            Sign::kNegative);
   EXPECT_EQ(asked, 6);
   EXPECT_EQ(tally, (TierCounts{{1, 1, 1, 0}}));
 }
 
 TEST(Cascade, NeedsNoTally) {
-  EXPECT_EQ(cascade(nullptr, [] { return Sign3::kUncertain; }, [] { return Sign::kZero; }), Sign::kZero);
-  EXPECT_EQ(cascade(nullptr, [] { return Sign3::kPositive; }, [] { return Sign::kZero; }), Sign::kPositive);
+  EXPECT_EQ(cascade(
+                nullptr, [] { return Sign3::kUncertain; }, [] { return Sign::kZero; }),
+            Sign::kZero);
+  EXPECT_EQ(cascade(
+                nullptr, [] { return Sign3::kPositive; }, [] { return Sign::kZero; }),
+            Sign::kPositive);
 }
 
 TEST(Cascade, GoesOnInAnotherCascadeThatKeepsTheTally) {
   TierCounts tally;
   const auto rest = [](TierCounts* t) {
-    return cascade<1>(t, [] { return Sign3::kUncertain; }, [] { return Sign3::kUncertain; }, [] { return Sign::kPositive; });
+    return cascade<1>(
+        t, [] { return Sign3::kUncertain; }, [] { return Sign3::kUncertain; },
+        [] { return Sign::kPositive; });
   };
-  EXPECT_EQ(cascade(&tally, [] { return Sign3::kUncertain; }, rest), Sign::kPositive);
+  EXPECT_EQ(cascade(
+                &tally, [] { return Sign3::kUncertain; }, rest),
+            Sign::kPositive);
   EXPECT_EQ(tally[Tier::kExact], 1u);
   EXPECT_EQ(tally, (TierCounts{{0, 0, 0, 1}}));
 }
 
 TEST(Cascade, IsUsableAtCompileTime) {
-  static_assert(cascade(nullptr, [] { return Sign3::kUncertain; }, [] { return Sign::kNegative; }) == Sign::kNegative);
+  static_assert(cascade(
+                    nullptr, [] { return Sign3::kUncertain; }, [] { return Sign::kNegative; }) ==
+                Sign::kNegative);
 }
 
 TEST(TierCounts, AddUp) {

@@ -49,7 +49,8 @@ TEST(FpGuard, NamesEachProblemWithItsRemedy) {
   std::fesetround(FE_TONEAREST);
   ASSERT_FALSE(status.has_value());
   EXPECT_EQ(status.error().code, Code::kBadEnvironment);
-  EXPECT_NE(status.error().message.find("rounding-mode (the thread does not round to nearest"), std::string::npos);
+  EXPECT_NE(status.error().message.find("rounding-mode (the thread does not round to nearest"),
+            std::string::npos);
   for (int i = 0; i < 6; ++i) {
     EXPECT_STRNE(fp_problem_name(static_cast<FpProblem>(i)), "unknown");
     EXPECT_STRNE(fp_problem_advice(static_cast<FpProblem>(i)), "unknown");

@@ -31,7 +31,9 @@ TEST(Parallel, VisitsEveryIndexOnceInFixedChunksForEveryNumberOfJobs) {
 
 TEST(Parallel, RunsInTheCallersThreadWhenThereIsOneJobOrOneChunk) {
   const auto here = std::this_thread::get_id();
-  const auto check = [&](std::size_t, std::size_t, std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); };
+  const auto check = [&](std::size_t, std::size_t, std::size_t) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+  };
   parallel_for(100, 10, 1, check);
   parallel_for(100, 100, 8, check);
 }

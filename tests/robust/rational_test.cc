@@ -85,7 +85,8 @@ TEST(Rational, RoundsBetweenDoublesDownUpAndToTheNearest) {
 }
 
 TEST(Rational, RoundsAtTheEndsOfTheRange) {
-  const Rational tiny = Rational::power_of_two(-1075), huge = Rational::from_double(0x1.fffffffffffffp1023);
+  const Rational tiny = Rational::power_of_two(-1075),
+                 huge = Rational::from_double(0x1.fffffffffffffp1023);
   EXPECT_EQ(nearest_double(tiny), 0);  // a tie; 0 is even
   EXPECT_EQ(nearest_double(tiny * Rational(Integer(3), Integer(2))), 5e-324);
   EXPECT_EQ(round_up(Rational::power_of_two(-5000)), 5e-324);
@@ -106,12 +107,15 @@ TEST(Rational, RoundsAtTheEndsOfTheRange) {
 TEST(Rational, AgreesWithGmpsOwnRationals) {
   Random random(9);
   for (int i = 0; i < 2000; ++i) {
-    const std::int64_t p = random.between(-1000, 1000), q = random.between(1, 1000), r = random.between(-1000, 1000),
-                       s = random.between(1, 1000);
+    const std::int64_t p = random.between(-1000, 1000), q = random.between(1, 1000),
+                       r = random.between(-1000, 1000), s = random.between(1, 1000);
     const Rational a{Integer(p), Integer(q)}, b{Integer(r), Integer(s)};
-    mpq_class x(static_cast<long>(p), static_cast<long>(q)), y(static_cast<long>(r), static_cast<long>(s));
+    mpq_class x(static_cast<long>(p), static_cast<long>(q)),
+        y(static_cast<long>(r), static_cast<long>(s));
     x.canonicalize(), y.canonicalize();
-    const auto same = [](const Rational& u, const mpq_class& v) { return u.to_string() == v.get_str(); };
+    const auto same = [](const Rational& u, const mpq_class& v) {
+      return u.to_string() == v.get_str();
+    };
     ASSERT_TRUE(same(a + b, x + y) && same(a - b, x - y) && same(a * b, x * y));
     ASSERT_TRUE(r == 0 || same(a / b, x / y));
     ASSERT_EQ(a < b, x < y);

@@ -62,9 +62,11 @@ TEST(Check, ThrowsWithConditionReasonAndPlace) {
 TEST(Sign, MultipliesAndNegates) {
   static_assert(-Sign::kPositive == Sign::kNegative && -Sign::kZero == Sign::kZero);
   static_assert(Sign::kNegative * Sign::kNegative == Sign::kPositive);
-  static_assert(sign_of(-3) == Sign::kNegative && sign_of(0) == Sign::kZero && sign_of(2.5) == Sign::kPositive);
+  static_assert(sign_of(-3) == Sign::kNegative && sign_of(0) == Sign::kZero &&
+                sign_of(2.5) == Sign::kPositive);
   static_assert(!is_certain(Sign3::kUncertain) && is_certain(Sign3::kZero));
-  static_assert(to_sign(to_sign3(Sign::kNegative)) == Sign::kNegative && to_int(Sign::kNegative) == -1);
+  static_assert(to_sign(to_sign3(Sign::kNegative)) == Sign::kNegative &&
+                to_int(Sign::kNegative) == -1);
 }
 
 }  // namespace

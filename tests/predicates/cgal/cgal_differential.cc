@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The predicates against CGAL's exact kernel [CGAL55]: other people's code, other arithmetic. A binary of its own, because it compiles slowly.
+// The predicates against CGAL's exact kernel [CGAL55]: other people's code, other arithmetic. A
+// binary of its own, because it compiles slowly.
 #include <gtest/gtest.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -24,7 +25,9 @@ using generate::xy;
 
 Kernel::Point_2 cgal(Vec2d p) { return {p.x, p.y}; }
 Kernel::Point_3 cgal(const Vec3d& p) { return {p.x, p.y, p.z}; }
-Kernel::Triangle_3 cgal(const std::array<Vec3d, 3>& t) { return {cgal(t[0]), cgal(t[1]), cgal(t[2])}; }
+Kernel::Triangle_3 cgal(const std::array<Vec3d, 3>& t) {
+  return {cgal(t[0]), cgal(t[1]), cgal(t[2])};
+}
 
 template <typename Check>
 void on_all_kinds(long loops, Check check) {
@@ -33,7 +36,8 @@ void on_all_kinds(long loops, Check check) {
     for (long i = 0; i < scaled(loops); ++i) {
       const Points p = generate::points(static_cast<generate::Kind>(kind), random);
       check(p);
-      ASSERT_FALSE(testing::Test::HasFailure()) << generate::kKindNames[kind] << ", case " << i << ": " << generate::text(p);
+      ASSERT_FALSE(testing::Test::HasFailure())
+          << generate::kKindNames[kind] << ", case " << i << ": " << generate::text(p);
     }
   }
 }
@@ -50,10 +54,13 @@ TEST(CgalDifferential, OrientationsAgree) {
 TEST(CgalDifferential, CirclesAndSpheresAgree) {
   on_all_kinds(20000, [](const Points& p) {
     EXPECT_EQ(to_int(in_circle(xy(p[0]), xy(p[1]), xy(p[2]), xy(p[3]))),
-              static_cast<int>(CGAL::side_of_oriented_circle(cgal(xy(p[0])), cgal(xy(p[1])), cgal(xy(p[2])), cgal(xy(p[3])))));
-    // CGAL requires a non-degenerate tetrahedron in debug mode only; its determinant is defined for all.
+              static_cast<int>(CGAL::side_of_oriented_circle(cgal(xy(p[0])), cgal(xy(p[1])),
+                                                             cgal(xy(p[2])), cgal(xy(p[3])))));
+    // CGAL requires a non-degenerate tetrahedron in debug mode only; its determinant is defined for
+    // all.
     EXPECT_EQ(to_int(in_sphere(p[0], p[1], p[2], p[3], p[4])),
-              static_cast<int>(CGAL::side_of_oriented_sphere(cgal(p[0]), cgal(p[1]), cgal(p[2]), cgal(p[3]), cgal(p[4]))));
+              static_cast<int>(CGAL::side_of_oriented_sphere(cgal(p[0]), cgal(p[1]), cgal(p[2]),
+                                                             cgal(p[3]), cgal(p[4]))));
   });
 }
 
@@ -61,7 +68,8 @@ TEST(CgalDifferential, SidesOfPlanesAgree) {
   on_all_kinds(20000, [](const Points& p) {
     if (p[0] == Vec3d{}) return;
     const Kernel::Plane_3 plane(p[0].x, p[0].y, p[0].z, p[2].x);
-    EXPECT_EQ(to_int(side_of_plane({p[0], p[2].x}, p[1])), static_cast<int>(plane.oriented_side(cgal(p[1]))));
+    EXPECT_EQ(to_int(side_of_plane({p[0], p[2].x}, p[1])),
+              static_cast<int>(plane.oriented_side(cgal(p[1]))));
   });
 }
 
@@ -70,7 +78,8 @@ TEST(CgalDifferential, MeetingAgrees) {
     const Vec2d a = xy(p[0]), b = xy(p[1]), c = xy(p[2]), d = xy(p[3]);
     if (!(a == b) && !(c == d)) {
       EXPECT_EQ(segment_segment2d(a, b, c, d) != SegmentContact::kDisjoint,
-                CGAL::do_intersect(Kernel::Segment_2(cgal(a), cgal(b)), Kernel::Segment_2(cgal(c), cgal(d))));
+                CGAL::do_intersect(Kernel::Segment_2(cgal(a), cgal(b)),
+                                   Kernel::Segment_2(cgal(c), cgal(d))));
     }
     const IndexedTriangle t{{p[0], p[1], p[2]}, {0, 1, 2}};
     const Kernel::Triangle_3 cgal_t = cgal(t.point);
@@ -82,9 +91,11 @@ TEST(CgalDifferential, MeetingAgrees) {
     const IndexedTriangle u{{p[2], p[3], p[4]}, {3, 4, 5}};
     const Vec3d middle{(p[0].x + p[3].x) / 2, (p[0].y + p[3].y) / 2, (p[0].z + p[3].z) / 2};
     for (const IndexedTriangle& v : {u, IndexedTriangle{{middle, p[3], p[4]}, {3, 4, 5}}}) {
-      if (!std::isfinite(middle.x) || !std::isfinite(middle.y) || !std::isfinite(middle.z)) continue;
+      if (!std::isfinite(middle.x) || !std::isfinite(middle.y) || !std::isfinite(middle.z))
+        continue;
       if (cgal(v.point).is_degenerate()) continue;
-      EXPECT_EQ(triangle_triangle(t, v) != TriangleContact::kDisjoint, CGAL::do_intersect(cgal_t, cgal(v.point)));
+      EXPECT_EQ(triangle_triangle(t, v) != TriangleContact::kDisjoint,
+                CGAL::do_intersect(cgal_t, cgal(v.point)));
     }
   });
 }

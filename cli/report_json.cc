@@ -2,9 +2,10 @@
 #include "cli/report_json.h"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/bounding_box.h"
 #include "cli/certify.h"
@@ -147,9 +148,32 @@ Json fault_json(const std::optional<Fault>& fault) {
           {"face", optional_json(p.face)}, {"vertex", optional_json(p.vertex)}};
 }
 
-// File names need not be UTF-8: what is not becomes U+FFFD.
+// As Json::dump, but floating-point numbers are the shortest that read back as the same: the library's need not be.
+void append(std::string& out, const Json& json) {
+  const bool is_object = json.is_object();
+  if (is_object || json.is_array()) {
+    out += is_object ? '{' : '[';
+    bool is_first = true;
+    for (const auto& [key, value] : json.items()) {
+      if (!std::exchange(is_first, false)) out += ',';
+      if (is_object) out += Json(key).dump() + ':';
+      append(out, value);
+    }
+    out += is_object ? '}' : ']';
+  } else if (json.is_number_float()) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, json.get<double>());
+    out.append(digits, end.ptr);
+  } else {
+    // File names need not be UTF-8: what is not becomes U+FFFD.
+    out += json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
+  }
+}
+
 std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
+  std::string out;
+  append(out, json);
+  return out;
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Prints, for a fixed list of generated models, one line: name, SHA-256 of the report's exact text, SHA-256 of the certificate. The report and
+// the certificate must be the same for 1, 2 and 5 threads. Exit 1 if they are not. tests/golden/golden_test.py builds and runs it.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tests/support/report_text.h"
+#include "tests/support/shapes.h"
+#include "verify/certify/mesh_certifier.h"
+#include "verify/format/sha256.h"
+
+namespace {
+
+using namespace veritope;
+
+struct Model {
+  std::string name;
+  TriangleMesh mesh;
+};
+
+std::vector<Model> models() {
+  using shapes::Cap;
+  std::vector<Model> out{{"box", shapes::box({0, 0, 0}, {1, 2, 3}, 3)},
+                         {"prism", shapes::prism(17, 3, 2)},
+                         {"torus", shapes::torus(24, 16, 3, 1)},
+                         {"bipyramid", shapes::bipyramid(60)},
+                         {"cone", shapes::cone(60)},
+                         {"cylinder_centre", shapes::tilted_cylinder(100, Cap::kCentreFan)},
+                         {"cylinder_rim", shapes::tilted_cylinder(100, Cap::kRimFan)},
+                         {"cylinder_zigzag", shapes::tilted_cylinder(100, Cap::kZigzag)},
+                         {"hyperboloid", shapes::hyperboloid(90, 30)},
+                         {"saddle", shapes::saddle()},
+                         {"wave", shapes::wave(14, 30)},
+                         {"nest", shapes::nested_boxes(6)},
+                         {"grid", shapes::box_grid(4, 0.25)},
+                         {"inside_out", shapes::flipped(shapes::torus(9, 7, 3, 1))},
+                         {"huge", shapes::scaled(shapes::torus(9, 7, 3, 1), 1000)},
+                         {"tiny", shapes::scaled(shapes::torus(9, 7, 3, 1), -1060)}};
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    const std::string n = std::to_string(seed);
+    out.push_back({"star_" + n, shapes::star_polyhedron(random, 2)});
+    out.push_back({"scene_" + n, shapes::nested_scene(random, 12)});
+    out.push_back({"needles_" + n, shapes::needles(random, 12)});
+    out.push_back({"polycube_" + n, shapes::random_polycube(random, 3, 12)});
+    out.push_back({"mapped_wave_" + n, shapes::mapped(shapes::wave(10, 12), shapes::random_matrix(random, 5), {1, 2, 3})});
+    out.push_back({"needle_soup_" + n, shapes::needle_soup(random, 70)});
+    out.push_back({"grid_soup_" + n, shapes::grid_soup(random, 40, 4)});
+    out.push_back({"indexed_soup_" + n, shapes::random_indexed(random, 40, 12, 3)});
+  }
+  return out;
+}
+
+struct Hashes {
+  std::string report, certificate;
+  friend bool operator==(const Hashes&, const Hashes&) = default;
+};
+
+Hashes hashes(const TriangleMesh& mesh, unsigned jobs) {
+  ValidityOptions options;
+  options.jobs = jobs;
+  const ValidityReport report = decide_validity(mesh, options);
+  const certificate::Subject subject{std::string(64, '0'), 0, "ply", true, "rule", "golden"};
+  const std::string text = full_text(report);
+  const auto bytes = make_mesh_certificate(mesh, report, subject, jobs);
+  return {to_hex(sha256({reinterpret_cast<const unsigned char*>(text.data()), text.size()})),
+          to_hex(sha256(bytes))};
+}
+
+}  // namespace
+
+int main() {
+  int exit_code = 0;
+  for (const Model& m : models()) {
+    const Hashes one = hashes(m.mesh, 1);
+    std::printf("%s %s %s\n", m.name.c_str(), one.report.c_str(), one.certificate.c_str());
+    for (unsigned jobs : {2u, 5u}) {
+      if (hashes(m.mesh, jobs) == one) continue;
+      std::fprintf(stderr, "%s: %u threads give other bytes\n", m.name.c_str(), jobs);
+      exit_code = 1;
+    }
+  }
+  return exit_code;
+}

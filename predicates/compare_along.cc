@@ -9,8 +9,8 @@ namespace veritope::internal {
 Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
   std::array<FixedInt<1>, 3> d;
   std::array<FixedInt<1>, 6> v;
-  if (!to_lattice<3>({direction.x, direction.y, direction.z}, d) ||
-      !to_lattice<6>({p.x, p.y, p.z, q.x, q.y, q.z}, v)) {
+  if (!to_lattice<1, 3>({direction.x, direction.y, direction.z}, d) ||
+      !to_lattice<1, 6>({p.x, p.y, p.z, q.x, q.y, q.z}, v)) {
     return Sign3::kUncertain;
   }
   static_assert(bits_of_sum(3, bits_of_product(lattice_bits(1), LatticeBudget<1>::kDiff)) <

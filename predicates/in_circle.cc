@@ -15,7 +15,7 @@ std::array<double, 8> coordinates(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 template <int L>
 Sign3 on_lattice(const std::array<double, 8>& c) {
   std::array<FixedInt<L>, 8> v;
-  return to_lattice<8>(c, v) ? to_sign3(in_circle_fixed<L>(v)) : Sign3::kUncertain;
+  return to_lattice<L, 8>(c, v) ? to_sign3(in_circle_fixed<L>(v)) : Sign3::kUncertain;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Coordinates coordinates(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
 template <int L>
 Sign3 on_lattice(const Coordinates& c) {
   std::array<FixedInt<L>, 15> v;
-  return to_lattice<15>(c, v) ? to_sign3(in_sphere_fixed<L>(v)) : Sign3::kUncertain;
+  return to_lattice<L, 15>(c, v) ? to_sign3(in_sphere_fixed<L>(v)) : Sign3::kUncertain;
 }
 
 template <typename T>

@@ -25,80 +25,72 @@ inline bool same_bits(double first, Rest... rest) {
   return ((std::bit_cast<std::uint64_t>(rest) == bits) && ...);
 }
 
-/// out[i] = c[i] * 2^k, |out[i]| <= 2^60, for one k. False if no such k is found: some bit lies 60
-/// or more binary places under the largest coordinate's first, or the coordinates are below about
-/// 2^-960. Right under every rounding mode and with FTZ or DAZ, too: each step is exact or is
-/// caught by the comparison of bits.
+/// The integer part of t, and that number again as a double. |t| <= 2^lattice_bits(L); where t has bits
+/// below 1 it is less than 2^53, so that the sums here are exact in every rounding mode.
+template <int L>
+[[gnu::always_inline]] inline FixedInt<L> truncated(double t, double& back) {
+  if constexpr (L == 1) {
+    const std::int64_t low = static_cast<std::int64_t>(t);
+    back = static_cast<double>(low);
+    return FixedInt<1>(low);
+  } else {
+    static_assert(L == 2);
+    const std::int64_t high = static_cast<std::int64_t>(t * 0x1p-62);
+    const double upper = static_cast<double>(high) * 0x1p62;
+    const std::int64_t low = static_cast<std::int64_t>(t - upper);
+    back = upper + static_cast<double>(low);
+    return FixedInt<2>((static_cast<int128>(high) << 62) + low);
+  }
+}
+
+/// out[i] = c[i] * 2^k, |out[i]| <= 2^lattice_bits(L), for one k. False if no such k is found: some
+/// bit lies that many binary places under the largest coordinate's first, or the coordinates are
+/// below about 2^-960 (L = 1) or 2^-900 (L = 2).
+/// Right under every rounding mode and with FTZ or DAZ, too: each step is exact or is caught by the
+/// comparison of bits.
 /// REQUIRES finite coordinates.
-template <std::size_t N>
+template <int L, std::size_t N>
 [[gnu::always_inline]] inline bool to_lattice(const std::array<double, N>& c,
-                                              std::array<FixedInt<1>, N>& out) {
+                                              std::array<FixedInt<L>, N>& out) {
+  constexpr std::uint64_t kBits = lattice_bits(L);
   std::uint64_t largest = 0;
   VT_UNROLL for (std::size_t i = 0; i < N; ++i) {
     const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(c[i]) << 1 >> 1;
     largest = magnitude > largest ? magnitude : largest;
   }
-  std::uint64_t biased = largest >> 52;                               // |c| < 2^(biased - 1022)
-  if (biased < 60) biased = 60;                                       // keeps both factors normal
-  const double scale = std::bit_cast<double>((2105 - biased) << 52);  // 2^(60 - (biased - 1022))
-  const double unit = std::bit_cast<double>((biased - 59) << 52);     // 1 / scale
+  // |c| < 2^(biased - 1022), scale = 2^(kBits + 1022 - biased), unit = 1 / scale; both are normal.
+  const std::uint64_t biased = largest >> 52 < kBits ? kBits : largest >> 52;
+  const double scale = std::bit_cast<double>((2045 + kBits - biased) << 52);
+  const double unit = std::bit_cast<double>((biased - kBits + 1) << 52);
   std::uint64_t differs = 0;
   VT_UNROLL for (std::size_t i = 0; i < N; ++i) {
-    const std::int64_t value = static_cast<std::int64_t>(c[i] * scale);
-    out[i].limb[0] = static_cast<std::uint64_t>(value);
-    const double back = static_cast<double>(value) * unit;
-    differs |= (std::bit_cast<std::uint64_t>(back) ^ std::bit_cast<std::uint64_t>(c[i])) << 1;
+    double back;
+    out[i] = truncated<L>(c[i] * scale, back);
+    differs |= (std::bit_cast<std::uint64_t>(back * unit) ^ std::bit_cast<std::uint64_t>(c[i]))
+               << 1;
   }
   return differs == 0;  // the shift forgives -0
-}
-
-/// The finite numbers c as odd mantissa * 2^exponent (0 stays 0), and the least of their exponents.
-template <std::size_t N>
-struct Parts {
-  std::array<Binary64, N> part;
-  int least = 1 << 20;
-  int end = -(1 << 20);  ///< |c[i]| < 2^end
-
-  explicit Parts(const std::array<double, N>& c) {
-    for (std::size_t i = 0; i < N; ++i) {
-      Binary64& p = part[i] = split(c[i]);
-      if (p.mantissa == 0) continue;
-      const int zeros = std::countr_zero(static_cast<std::uint64_t>(p.mantissa));
-      p.mantissa >>= zeros;
-      p.exponent += zeros;
-      const std::int64_t m = p.mantissa < 0 ? -p.mantissa : p.mantissa;
-      const int top = p.exponent + static_cast<int>(std::bit_width(static_cast<std::uint64_t>(m)));
-      least = p.exponent < least ? p.exponent : least;
-      end = top > end ? top : end;
-    }
-  }
-};
-
-/// out[i] = c[i] * 2^k, |out[i]| < 2^lattice_bits(L), for one k; false iff there is no such k.
-/// REQUIRES finite coordinates.
-template <std::size_t N, int L>
-requires(L > 1) bool to_lattice(const std::array<double, N>& c, std::array<FixedInt<L>, N>& out) {
-  const Parts<N> parts(c);
-  if (parts.end - parts.least > lattice_bits(L)) return false;
-  for (std::size_t i = 0; i < N; ++i) {
-    const Binary64& p = parts.part[i];
-    out[i] =
-        p.mantissa == 0 ? FixedInt<L>() : FixedInt<L>(p.mantissa) << (p.exponent - parts.least);
-  }
-  return true;
 }
 
 /// out[i] = c[i] * 2^k exactly, for the largest k with all of them integers (0 if all are zero).
 /// REQUIRES finite coordinates.
 template <std::size_t N>
 std::array<Integer, N> to_integers(const std::array<double, N>& c) {
-  const Parts<N> parts(c);
+  std::array<Binary64, N> part;
+  int least = 1 << 20;
+  for (std::size_t i = 0; i < N; ++i) {
+    part[i] = split(c[i]);
+    if (part[i].mantissa == 0) continue;
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(part[i].mantissa));
+    part[i].mantissa >>= zeros;  // exact
+    part[i].exponent += zeros;
+    least = part[i].exponent < least ? part[i].exponent : least;
+  }
   std::array<Integer, N> out;
   for (std::size_t i = 0; i < N; ++i) {
-    const Binary64& p = parts.part[i];
-    if (p.mantissa == 0) continue;
-    out[i] = Integer(p.mantissa);
-    out[i].shift_left(static_cast<std::uint64_t>(p.exponent - parts.least));
+    if (part[i].mantissa == 0) continue;
+    out[i] = Integer(part[i].mantissa);
+    out[i].shift_left(static_cast<std::uint64_t>(part[i].exponent - least));
   }
   return out;
 }

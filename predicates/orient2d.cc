@@ -11,7 +11,7 @@ namespace {
 template <int L>
 Sign3 on_lattice(Vec2d a, Vec2d b, Vec2d c) {
   std::array<FixedInt<L>, 3> x, y;
-  if (!to_lattice<3>({a.x, b.x, c.x}, x) || !to_lattice<3>({a.y, b.y, c.y}, y))
+  if (!to_lattice<L, 3>({a.x, b.x, c.x}, x) || !to_lattice<L, 3>({a.y, b.y, c.y}, y))
     return Sign3::kUncertain;
   return to_sign3(orient2d_fixed<L>(x, y));
 }

@@ -11,8 +11,8 @@ namespace {
 template <int L>
 Sign3 on_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   std::array<FixedInt<L>, 4> x, y, z;
-  if (!to_lattice<4>({a.x, b.x, c.x, d.x}, x) || !to_lattice<4>({a.y, b.y, c.y, d.y}, y) ||
-      !to_lattice<4>({a.z, b.z, c.z, d.z}, z)) {
+  if (!to_lattice<L, 4>({a.x, b.x, c.x, d.x}, x) || !to_lattice<L, 4>({a.y, b.y, c.y, d.y}, y) ||
+      !to_lattice<L, 4>({a.z, b.z, c.z, d.z}, z)) {
     return Sign3::kUncertain;
   }
   return to_sign3(orient3d_fixed<L>(x, y, z));

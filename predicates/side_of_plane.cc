@@ -17,7 +17,7 @@ std::array<double, 4> right(const Vec3d& p) { return {p.x, p.y, p.z, 1}; }
 
 Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
   std::array<FixedInt<1>, 4> a, b;
-  if (!to_lattice<4>(left(plane), a) || !to_lattice<4>(right(p), b)) return Sign3::kUncertain;
+  if (!to_lattice<1, 4>(left(plane), a) || !to_lattice<1, 4>(right(p), b)) return Sign3::kUncertain;
   static_assert(bits_of_sum(4, bits_of_product(lattice_bits(1), lattice_bits(1))) <
                 FixedInt<2>::kBits);
   return to_sign3((wide_product(a[0], b[0]) + wide_product(a[1], b[1]) + wide_product(a[2], b[2]) +

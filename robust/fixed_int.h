@@ -7,6 +7,11 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 #include "robust/base/int128.h"
 #include "robust/base/sign.h"
@@ -19,6 +24,23 @@
 #endif
 
 namespace veritope {
+
+namespace internal {
+/// a + b + carry modulo 2^64; carry, 0 or 1, becomes what is carried out.
+[[gnu::always_inline]] constexpr std::uint64_t add_with_carry(unsigned char& carry, std::uint64_t a,
+                                                              std::uint64_t b) {
+#if defined(__x86_64__)
+  if (!std::is_constant_evaluated()) {
+    unsigned long long sum;
+    carry = _addcarry_u64(carry, a, b, &sum);
+    return sum;
+  }
+#endif
+  const uint128 sum = static_cast<uint128>(a) + b + carry;
+  carry = static_cast<unsigned char>(sum >> 64);
+  return static_cast<std::uint64_t>(sum);
+}
+}  // namespace internal
 
 template <int L>
 struct FixedInt {
@@ -50,6 +72,8 @@ struct FixedInt {
     fill(K, v.is_negative());
   }
 
+  /// The lowest limb as a signed number: for L = 1, the value.
+  constexpr std::int64_t low() const { return static_cast<std::int64_t>(limb[0]); }
   constexpr bool is_negative() const { return limb[L - 1] >> 63 != 0; }
   constexpr bool is_zero() const {
     std::uint64_t any = 0;
@@ -61,20 +85,26 @@ struct FixedInt {
   }
 
   constexpr FixedInt& operator+=(const FixedInt& b) {
-    uint128 carry = 0;
-    VT_UNROLL for (int i = 0; i < L; ++i) {
-      carry += static_cast<uint128>(limb[i]) + b.limb[i];
-      limb[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
+    if constexpr (L == 1) {
+      limb[0] += b.limb[0];
+    } else if constexpr (L == 2) {
+      set(pair() + b.pair());
+    } else {
+      unsigned char carry = 0;
+      VT_UNROLL for (int i = 0; i < L; ++i) limb[i] =
+          internal::add_with_carry(carry, limb[i], b.limb[i]);
     }
     return *this;
   }
   constexpr FixedInt& operator-=(const FixedInt& b) {
-    uint128 carry = 1;
-    VT_UNROLL for (int i = 0; i < L; ++i) {
-      carry += static_cast<uint128>(limb[i]) + ~b.limb[i];
-      limb[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
+    if constexpr (L == 1) {
+      limb[0] -= b.limb[0];
+    } else if constexpr (L == 2) {
+      set(pair() - b.pair());
+    } else {
+      unsigned char carry = 1;
+      VT_UNROLL for (int i = 0; i < L; ++i) limb[i] =
+          internal::add_with_carry(carry, limb[i], ~b.limb[i]);
     }
     return *this;
   }
@@ -128,6 +158,11 @@ struct FixedInt {
     return a.limb[0] <=> b.limb[0];
   }
 
+  /// The lowest two limbs as one unsigned number.
+  constexpr uint128 pair() const requires(L >= 2) {
+    return static_cast<uint128>(limb[1]) << 64 | limb[0];
+  }
+
   Integer to_integer() const {
     const FixedInt magnitude =
         is_negative() ? -*this : *this;  // as unsigned limbs also right for -2^kBits
@@ -135,6 +170,10 @@ struct FixedInt {
   }
 
  private:
+  constexpr void set(uint128 v) {
+    limb[0] = static_cast<std::uint64_t>(v);
+    limb[1] = static_cast<std::uint64_t>(v >> 64);
+  }
   constexpr void fill(int from, bool negative) {
     for (int i = from; i < L; ++i) limb[i] = negative ? ~std::uint64_t{0} : 0;
   }
@@ -149,6 +188,10 @@ constexpr Sign sign_of(const FixedInt<L>& v) {
 template <int A, int B>
 [[gnu::always_inline]] constexpr FixedInt<A + B> wide_product(const FixedInt<A>& a,
                                                               const FixedInt<B>& b) {
+  if constexpr (A == 1 && B == 1) {
+    return FixedInt<2>(static_cast<int128>(a.low()) * b.low());
+  }
+  if constexpr (A < B) return wide_product(b, a);
   FixedInt<A + B> r;
   VT_UNROLL for (int i = 0; i < A; ++i) {
     std::uint64_t carry = 0;
@@ -163,17 +206,13 @@ template <int A, int B>
   // 2^(64 length).
   const std::uint64_t take_b = a.is_negative() ? ~std::uint64_t{0} : 0;
   const std::uint64_t take_a = b.is_negative() ? ~std::uint64_t{0} : 0;
-  uint128 carry = 1;
+  unsigned char carry = 1;
   VT_UNROLL for (int j = 0; j < B; ++j) {
-    carry += static_cast<uint128>(r.limb[A + j]) + ~(b.limb[j] & take_b);
-    r.limb[A + j] = static_cast<std::uint64_t>(carry);
-    carry >>= 64;
+    r.limb[A + j] = internal::add_with_carry(carry, r.limb[A + j], ~(b.limb[j] & take_b));
   }
   carry = 1;
   VT_UNROLL for (int i = 0; i < A; ++i) {
-    carry += static_cast<uint128>(r.limb[B + i]) + ~(a.limb[i] & take_a);
-    r.limb[B + i] = static_cast<std::uint64_t>(carry);
-    carry >>= 64;
+    r.limb[B + i] = internal::add_with_carry(carry, r.limb[B + i], ~(a.limb[i] & take_a));
   }
   return r;
 }

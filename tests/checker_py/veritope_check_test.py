@@ -159,6 +159,9 @@ class OffTest(ReadingTest):
                               ("", "off 3 1 0", "4OFF 3 1 0", "nOFF 3 3 1 0", "OFF BINARY 3 1 0", "NCOFF 3 1 0", "CSTOFF 3 1", "OFF 3",
                                "OFF 3.0 1", "OFF -3 1", "OFF 3 -1", "OFF 4 1", "OFF 3 2", "OFF 3 0", "OFF 99999999999999999999 1", "3 1 0")])
 
+    def test_a_header_alone_is_refused(self):
+        self.refused("off", "OFF", "OFF 3", "OFF 3 1", "OFF 0 0", "OFF 3 1\n0 0 0\n1 0 0")
+
     def test_rows(self):
         self.yields("OFF 3 1 0\n0 0 0 9 x # z\n\n # only a comment\n1 0 0\n 0 1 0\n3 0 1 2 255 x\nanything", "off", T3, [(0, 1, 2)])
         for old, new in (("3 0 1 2", "3 0 1"), ("3 0 1 2", "3 0 1 3"), ("3 0 1 2", "3 0 1 -1"), ("3 0 1 2", "2 0 1"), ("3 0 1 2", "x 0 1 2"),
@@ -182,8 +185,7 @@ class PlyTest(ReadingTest):
     def test_the_first_line_fixes_the_line_end_of_the_header(self):
         for end in ("\r", "\r\n"):
             self.yields(self.HEAD.replace("\n", end) + self.BODY, "ply", T3, [(0, 1, 2)])
-        for start in ("\n", "\r\n \t\n", " ", "\xef\xbb\xbf\n"):
-            self.yields(start + self.HEAD + self.BODY, "ply", T3, [(0, 1, 2)])
+        self.refused("ply", *[start + self.HEAD + self.BODY for start in ("\n", "\r\n \t\n", " ", "\xef\xbb\xbf\n")])
         self.refused("ply", "ply \n" + self.HEAD[4:] + self.BODY, self.HEAD.replace("comment a", "comment a\r") + self.BODY,
                      self.HEAD.replace("\n", "\r\n", 1) + self.BODY, self.HEAD.replace("\n", "\r", 1) + self.BODY)
 
@@ -216,6 +218,19 @@ class PlyTest(ReadingTest):
         self.yields(head + "2 a b c  0 d\n 1 7 3 0 1 2 nan\n0 3 2 1 0 x\n r 0 0 0 0\nr 0 0 1 q 1\n0 0 1 0 0\n", "ply", T3, [(0, 1, 2), (2, 1, 0)])
         self.refused("ply", head + "-1 x 0 d 1 7 3 0 1 2 q 0 3 2 1 0 x r 0 0 0 0 r 0 0 1 q 1 0 0 1 0 0",
                      head + "1.0 a b 0 d 1 7 3 0 1 2 q 0 3 2 1 0 x r 0 0 0 0 r 0 0 1 q 1 0 0 1 0 0")
+
+    def test_counts_and_names_that_are_refused_wherever_they_stand(self):
+        one = "end_header"
+        self.yields(self.HEAD.replace(one, "element o 0\nproperty int a\nend_header") + self.BODY, "ply", T3, [(0, 1, 2)])
+        for more in ("element o -1\nproperty int a", "element o 0\nproperty list uchar foo a", "element o 0\nproperty foo a",
+                     "element vertex 0\nproperty float x\nproperty float y\nproperty float z", "element o 0\nproperty list double int a",
+                     "element face 0\nproperty list uchar int vertex_indices", "element o 1\nproperty int a",
+                     "element tristrips 0\nproperty list uchar int vertex_indices\nelement tristrips 0\nproperty list uchar int vertex_indices",
+                     "element tristrips 0\nproperty list uchar double vertex_indices"):
+            self.refused("ply", self.HEAD.replace(one, more + "\nend_header") + self.BODY)
+        head = self.HEAD.replace("element vertex", "element o 1\nproperty list char int a\nproperty int b\nelement vertex")
+        self.yields(head + "0 7 " + self.BODY, "ply", T3, [(0, 1, 2)])
+        self.refused("ply", head + "-1 " + self.BODY, head + "-1 7 " + self.BODY, head + "-1 -1 7" + self.BODY)
 
     def test_polygons_of_mixed_sizes(self):
         head = self.HEAD.replace("ascii", "binary_big_endian").replace("vertex 3", "vertex 4").replace("face 1", "face 2").replace(
@@ -306,7 +321,7 @@ class StatementTest(CertificateTest):
                          (b'"forge"', b"7"), (b'"forge"', b"null"), (b'"forge"', b'{"a":1}'), (b'"forge"', b'["a"]'), (b'"tool"', b'"Tool"'),
                          (b'"tool":"forge",', b""), (b'"tool":"forge",', b'"tool":"forge","tool":"forge",'), (b'"tool"', b'"x":1,"tool"'),
                          (b'"tool":', b'"tool" :'), (b"{", b"{ "), (b"{", b""), (b"}", b""), (b"}", b"} "), (b"}", b",}"), (b"}", b"}}"),
-                         (b"{", b"[{"), (b"veritope-certificate-1", b"veritope-certificate-2"), (b"mesh-valid-1", b"mesh-valid-2"),
+                         (b"{", b"[{"), (b'{"cert', b'["cert'), (b'{"cert', b'"cert'), (b'"faces":4', b'"faces":00'), (b"veritope-certificate-1", b"veritope-certificate-2"), (b"mesh-valid-1", b"mesh-valid-2"),
                          (b'"off"', b'"OFF"'), (b'"off"', b'"3mf"'), (b'"as_indexed":false', b'"as_indexed":"false"'), (b'"as_indexed":false', b'"as_indexed":0'),
                          (b'"as_indexed":false', b'"as_indexed":False'), (b'"faces":4', b'"faces":"4"'), (b'"faces":4', b'"faces":04'),
                          (b'"faces":4', b'"faces":-4'), (b'"faces":4', b'"faces":4.0'), (b'"faces":4', b'"faces":4e0'), (b'"faces":4', b'"faces":true'),
@@ -321,6 +336,8 @@ class StatementTest(CertificateTest):
         self.says("S1", self.cert().replace(b"\n", b"\r\n", 1))
         self.says("S1", b"\n" + self.cert())
         self.says("S1", b" " * 65537 + b"\n")
+        self.says("V11", self.with_line(b'"faces":4', b'"faces":18446744073709551615'))
+        self.says("V11", self.with_line(b'"faces":4', b'"faces":0'))
         for volume in (b"1" * 60001 + b"/7", b"2/12", b"0/6", b"0/1"):
             self.says("V11", self.with_line(b'"1/6"', b'"' + volume + b'"'))
 
@@ -372,21 +389,36 @@ class BodyTest(CertificateTest):
         self.says("B1", self.with_body(lambda b: b[:-1]))
         self.says("B1", self.with_body(lambda b: b[:-2]))
 
-    def test_b1_too_much_work(self):
-        m = 60
+    def walk_units(self, m, separator, size):
+        """A walk over m triangles whose boxes all meet, with room for 1000 (m + size) units: B1 or None."""
         tris = [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(m)]
-        points = [(x + i / 128, y + i / 64, z) for i in range(m) for x, y, z in ((0, 0, 0), (99, 1, 0), (1, 99, 1))]
-        self.use(forge.Model(points, tris))
-        self.says("V4", self.cert())                      # the walk comes later, if at all
-        mesh = vc.Mesh(*self.model.reading())
+        points = [(x + i / 128, y + i / 64, z) for i in range(m) for x, y, z in ((0., 0., 0.), (99., 1., 0.), (1., 99., 1.))]
 
         class Body:
-            size, order, stars, separators, codes = 0, list(range(m)), [0] * len(points), [], b""
-        vc.Walk(Body, mesh, {"V8", "V9"}).run()
-        Body.size = -m + 1                                # 1000 units
-        with self.assertRaises(vc.Reject) as caught:
-            vc.Walk(Body, mesh, {"V8", "V9"}).run()
-        self.assertEqual(caught.exception.condition, "B1")
+            order, stars, codes = list(range(m)), [0] * len(points), b""
+            separators = [separator] if separator else []
+        Body.size = size
+        try:
+            vc.Walk(Body, vc.Mesh(points, tris), {"V8", "V9"}).run()
+        except vc.Reject as e:
+            return e.condition
+
+    def test_b1_too_much_work(self):
+        self.assertIsNone(self.walk_units(60, None, 0))
+        self.assertEqual(self.walk_units(60, None, -59), "B1")
+
+        def calls(a, b):                                  # of cross on boxes that all meet
+            return 1 if a == b == 1 else 1 + (calls(a // 2, b) + calls(a - a // 2, b) if a >= b else calls(a, b // 2) + calls(a, b - b // 2))
+
+        def units(n):
+            return units(n // 2) + units(n - n // 2) + calls(n // 2, n - n // 2) if n > 1 else 0
+        exact = next(m for m in range(20, 500) if units(m) % 1000 == 0)
+        self.assertIsNone(self.walk_units(exact, None, units(exact) // 1000 - exact))
+        self.assertEqual(self.walk_units(exact, None, units(exact) // 1000 - 1 - exact), "B1")
+        last = next(m for m in range(20, 500) if units(m) % 1000 in (999, 0))
+        reached = units(last) - 1                         # the last call of all is a leaf pair: 2 units more
+        self.assertEqual(self.walk_units(last, (reached, (1, 0, 0)), -(-units(last) // 1000) - last), "B1")
+        self.assertIsNone(self.walk_units(last, (reached, (1, 0, 0)), -(-units(last) // 1000) + 1 - last))
 
     def test_b1_invalid(self):
         self.use(forge.Model(TET_POINTS, [(0, 1, 2)] + TET[1:]))
@@ -434,6 +466,8 @@ class ValidTest(CertificateTest):
     def test_v6(self):
         p, t = solids.copy_at_vertex(TET_POINTS, TET, self.rng)
         self.says("V6", self.use(forge.Model(p, t)).cert())
+
+        self.says("V6", self.use(forge.Model([(9, 9, 9)] + p, [tuple(v + 1 for v in f) for f in t])).cert())
 
     def test_v7(self):
         for v in range(4):
@@ -587,7 +621,13 @@ class InvalidTest(CertificateTest):
         self.claim("I6", p, t, (6, 0), as_indexed=False)
         self.claim("I6", p, t, (6, 1))
         self.claim("I6", TET_POINTS + [(7, 7, 7)], TET, (6, 4))
-        self.claim("ACCEPT", p, t[:1] + t[5:6], (6, 1), as_indexed=False) if set(t[0]) & set(t[5]) else None
+        p = TET_POINTS + [(0, 0, 2), (0, 0, 3), (0, 1, 3), (0, 5, 5)]
+        fans = [(0, 1, 2), (0, 3, 4), (0, 5, 6)]
+        self.claim("ACCEPT", p, fans + [(0, 2, 3)], (6, 0))
+        self.claim("ACCEPT", p, fans + [(0, 4, 5)], (6, 0))
+        self.claim("I6", p, fans + [(0, 2, 3), (0, 5, 1)], (6, 0))
+        self.claim("I6", p, fans + [(0, 2, 6), (0, 4, 5)], (6, 0))
+        self.claim("ACCEPT", p, fans + [(0, 2, 6), (0, 4, 7)], (6, 0))
 
     def test_i7(self):
         p = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (1, 1, -1), (1, 1, 1), (9, 9, 1), (0, 0, 0)]
@@ -605,6 +645,11 @@ class InvalidTest(CertificateTest):
         self.claim("I7", p, t, (7, 0, 5, (1, 0, 0), (0, 1, 0)))
         self.claim("I7", p, t, (7, 5, 3, (1, 0, 0), (1, 0, 0)))
         self.claim("I7", p, t, (7, 5, 1, (1, 0, 0), (1, 0, 0)))
+        p = [(0, 0, 0), (2, 0, 0), (4, 0, 0), (2, -1, -1), (2, 1, -1), (2, 0, 2)]
+        t = [(0, 1, 2), (3, 4, 5)]                        # (0, 1, 2) has no area
+        self.claim("I7", p, t, (7, 0, 1, (1, 0, 1), (1, 1, 1)))
+        self.claim("I7", p, t, (7, 1, 0, (1, 1, 1), (1, 0, 1)))
+        self.claim("ACCEPT", p[:2] + [(4, 0, 1)] + p[3:], t, (7, 0, 1, (0, 1, 0), (1, 1, 1)))
 
     def test_i8_i9(self):
         for rule in (8, 9):
@@ -629,6 +674,26 @@ class InvalidTest(CertificateTest):
         self.use(forge.Model(p, [(0, 1, 2), (3, 4, 5)]))
         self.assertIsNone(forge.stab_sum(self.mesh, 0, 2))
         self.claim("I8", p, [(0, 1, 2), (3, 4, 5)], (8, 0, 2))
+        p += [(0, 0, 5), (4, 0, 5), (0, 4, 5)]
+        self.claim("I8", p, [(0, 1, 2), (3, 4, 5), (6, 7, 8)], (8, 0, 2))
+        self.claim("ACCEPT", p, [(0, 1, 2), (6, 7, 8)], (8, 0, 2))
+        self.claim("ACCEPT", p, [(0, 1, 2), (6, 8, 7)], (8, 0, 2))
+        self.claim("I8", p, [(0, 1, 2), (6, 8, 7), (6, 7, 8)], (8, 0, 2))
+
+    def test_i8_the_ray_is_moved_off_edges_and_vertices(self):
+        base = [(0, 0, 0), (4, 0, 0), (0, 4, 0)]           # P = (1, 1, 0), moved by (e, e^2) in (x, y)
+        for triangle, hit in ((((1, 0, 5), (9, 0, 5), (1, 9, 5)), True), (((1, 0, 5), (-9, 0, 5), (1, 9, 5)), False),
+                              (((0, 1, 5), (9, 1, 5), (1, 9, 5)), True), (((0, 1, 5), (9, 1, 5), (1, -9, 5)), False),
+                              (((1, 1, 5), (9, 0, 5), (9, 9, 5)), True), (((1, 1, 5), (9, 1, 5), (9, 9, 5)), True),
+                              (((1, 1, 5), (9, 1, 5), (9, -9, 5)), False), (((1, 1, 5), (1, 9, 5), (9, 9, 5)), False),
+                              (((1, 1, 5), (1, 9, 5), (9, 2, 5)), False), (((1, 1, 5), (0, 9, 5), (9, 1, 5)), True),
+                              (((0, 0, 5), (2, 2, 5), (2, 0, 5)), True), (((0, 0, 5), (2, 2, 5), (0, 2, 5)), False),
+                              (((0, 0, -5), (9, 0, -5), (0, 9, -5)), False), (((1, 0, 5), (1, 9, 5), (1, 0, 9)), False)):
+            for turn in range(3):
+                p = base + list(triangle[turn:] + triangle[:turn])
+                p = [tuple(c[(k - turn) % 3] for k in range(3)) for c in p]        # axis z becomes axis (2 + turn)
+                self.claim("ACCEPT" if hit else "I8", p, [(0, 1, 2), (3, 4, 5)], (8, 0, (2 + turn) % 3))
+                self.claim("ACCEPT" if hit else "I8", p, [(0, 1, 2), (4, 3, 5)], (8, 0, (2 + turn) % 3))
 
     def test_i10(self):
         tris = [(0, 1, 2)] + TET[1:]

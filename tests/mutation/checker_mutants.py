@@ -10,7 +10,6 @@ files, the cases of tests/checker_py) gets another verdict than from the unchang
     python3 tests/mutation/checker_mutants.py cpp    [--sample N] [--jobs J] [--show]
 """
 import argparse
-import importlib.util
 import json
 import os
 import pathlib
@@ -23,7 +22,6 @@ import sys
 import tempfile
 import time
 import types
-import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -117,29 +115,11 @@ def corpus():
         cases.append(differential.damaged_model(py, random.Random(seed))[1:])
     for seed in range(40):
         cases += [c[1:] for c in differential.damaged_certificate(py, random.Random(seed))]
-    cases += unit_cases()
+    cases += differential.unit_cases()
     cases = list(dict.fromkeys(cases))
     random.Random(1).shuffle(cases)
     cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
     return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
-
-
-def unit_cases():
-    """The models and certificates that tests/checker_py judges."""
-    path = HERE.parent / "checker_py" / "veritope_check_test.py"
-    spec = importlib.util.spec_from_file_location("veritope_check_test", str(path))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    seen, check = [], module.vc.check
-
-    def spy(model, cert):
-        if cert is not None:
-            seen.append((model, cert))
-        return check(model, cert)
-    module.vc.check = spy
-    suite = unittest.defaultTestLoader.loadTestsFromModule(module)
-    unittest.TextTestRunner(stream=open(os.devnull, "w")).run(suite)
-    return seen
 
 
 # ---------------------------------------------------------------- running

@@ -180,8 +180,8 @@ def read_off(data):
         points.append((decimal(words[0]), decimal(words[1]), decimal(words[2])))
     for words in rows[at + num_vertices:at + num_vertices + num_faces]:
         n = integer(words[0])
-        if n < 3 or len(words) <= n:
-            raise Refused("off: a face with fewer corners than it announces, or than three")
+        if len(words) <= n:
+            raise Refused("off: a face with fewer corners than it announces")
         triangles += fan([index(integer(w), num_vertices) for w in words[1:n + 1]])
     return points, triangles
 
@@ -212,7 +212,7 @@ class PlyBody:
 
 def ply_header(data):
     """(format, elements, offset of the body); element = (name, count, [(name, count type, type)])"""
-    first = re.match(rb"[ \t\x0b\x0c\r\n]*ply(\r\n|\r|\n)", data)
+    first = re.match(rb"ply(\r\n|\r|\n)", data)
     if not first:
         raise Refused("ply: the first line is not `ply`")
     pos, line_end, fmt, elements = first.end(), first.group(1), None, []
@@ -571,9 +571,8 @@ def v2_distinct(cert, mesh):
             return "vertices %d and %d have equal coordinates" % (seen[mesh.floats[v]], v)
 
 def v3_not_degenerate(cert, mesh):
-    for f, (a, b, c) in enumerate(mesh.triangles):
-        if a == b or b == c or c == a or mesh.normals[f] == (0, 0, 0):
-            return "triangle %d is degenerate" % f
+    if (0, 0, 0) in mesh.normals:                           # so it is if two of the ids are equal
+        return "triangle %d is degenerate" % mesh.normals.index((0, 0, 0))
 
 def v4_edges(cert, mesh):
     count = directed_edges(mesh.triangles)
@@ -610,14 +609,11 @@ def v7_stars(cert, mesh):
     for v, d in enumerate(cert.star_directions):
         if d is None:
             continue
-        fan_at_v = mesh.fans[v]
-        if not fan_at_v:
-            return "vertex %d has a star code and no triangle" % v
         dx, dy, dz = d
         gy, gz = (dz, -dy) if dy or dz else (0, 1)
         _, vy, vz = points[v]
         s = turns = 0
-        for f, p, q in fan_at_v:
+        for f, p, q in mesh.fans[v]:
             nx, ny, nz = normals[f]
             nd = nx * dx + ny * dy + nz * dz
             if not nd or s and (nd > 0) != (s > 0):
@@ -630,8 +626,8 @@ def v7_stars(cert, mesh):
                 _, qy, qz = points[q]
                 if gy * (qy - vy) + gz * (qz - vz) < 0:
                     turns += 1
-        if turns != 1:
-            return "vertex %d: its triangles turn %d times around it" % (v, turns)  # (b)
+        if turns != 1:                                      # (b); unreferenced: 0
+            return "vertex %d: its triangles turn %d times around it" % (v, turns)
 
 def compare(d, ps, qs, points):
     """Test of a direction: 0 it fails, 1 it holds, or the open pair (P', Q')."""
@@ -860,11 +856,8 @@ def read_field(body, mesh, kind):
         raise Reject("B1", "an index is out of range")
     return value
 
-def is_degenerate(mesh, f):
-    return len(set(mesh.triangles[f])) < 3 or mesh.normals[f] == (0, 0, 0)
-
 def i1_degenerate(mesh, _, f):
-    return is_degenerate(mesh, f)
+    return mesh.normals[f] == (0, 0, 0)                     # so it is if two of the ids are equal
 
 def i2_duplicate(mesh, _, f, g):
     return f != g and set(mesh.triangles[f]) == set(mesh.triangles[g])
@@ -889,7 +882,7 @@ def i6_fans(mesh, _, v):
     return len(classes) >= 2
 
 def i7_intersection(mesh, _, f, g, *weights):
-    if f == g or is_degenerate(mesh, f) or is_degenerate(mesh, g):
+    if f == g or (0, 0, 0) in (mesh.normals[f], mesh.normals[g]):
         return False
     w, x = weights[:3], weights[3:]
     if sum(w) == 0 or sum(x) == 0:

@@ -664,6 +664,23 @@ class Valid(Case):
         cert.stars[6] = 3
         self.rejects("V7", model, cert.encode())
 
+    def test_V7_agrees_with_the_page_on_many_directions(self):
+        """Directions that are wrong in one way only: a triangle seen from behind, or edge-on."""
+        for mesh in (CUBE, RING, TWIST):
+            model, cert = self.prove(mesh, separators=False)
+            at = [[f for f, t in enumerate(model.faces) if v in t] for v in range(len(model.points))]
+            kinds = {}
+            for v, faces in enumerate(at):
+                for d in ((x, y, z) for x in range(-2, 3) for y in range(-2, 3) for z in range(-2, 3)):
+                    signs = sorted(rp.sign(rp.dot(model.normal(f), d)) for f in faces)
+                    if len(set(signs)) > 1 and len(kinds.setdefault(tuple(signs), [])) < 4:
+                        kinds[tuple(signs)].append((v, d))
+            for v, d in (c for cases in kinds.values() for c in cases):
+                self.assertFalse(rp.star_holds(model, v, at[v], d))
+                cert.stars, cert.vectors = [0] * len(at), [d]
+                cert.stars[v] = 14
+                self.rejects("V7", model, cert.encode())
+
     def test_V8_separators(self):
         def reverse(cert):
             self.assertTrue(cert.separators)
@@ -762,6 +779,35 @@ class Valid(Case):
                if rp.meeting_point(model, f, g) and not rp.find_codes(model, f, g)]
         self.assertTrue(bad)
 
+    def test_V9_shells_that_touch(self):
+        """Certificates by a prover with a weaker rule: what touches is never accepted."""
+        octahedron = ([(2, 0, 0), (-2, 0, 0), (0, 2, 0), (0, -2, 0), (0, 0, 2), (0, 0, -2)],
+                      [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)])
+        touching = (  # a vertex on an edge, a vertex in a face, edges that cross, faces on faces
+            joined(octahedron, moved(octahedron, (3, 1, 0))),
+            joined(moved(CUBE, (0, 0, 0), 4), moved(octahedron, (2, 2, 6))),
+            joined(moved(CUBE, (0, 0, 0), 4), moved(CUBE, (4, 1, 1), 2)),
+            joined(moved(CUBE, (-1, -1, -5), 2), moved(RING, (0.5, 0.5, -3))),
+            joined(([(-2, 0, 0), (2, 0, 0), (0, -3, -3), (0, 3, -3)], TET[1]),
+                   ([(0, -2, 0), (0, 2, 0), (-3, 0, 3), (3, 0, 3)], TET[1])))
+        exact = rp.test
+
+        def collinear(model, d, p, q):
+            answer, p2, q2 = exact(model, d, p, q)
+            return answer is None and len(set(p2) | set(q2)) == 3 or answer, p2, q2
+
+        def closed(model, d, p, q):
+            answer, p2, q2 = exact(model, d, p, q)
+            return answer is None or answer, p2, q2
+        for mesh in touching:
+            for rule in (exact, collinear, closed):
+                rp.test = rule
+                try:
+                    model, cert = self.prove(triangles(mesh), separators=False)
+                finally:
+                    rp.test = exact
+                self.rejects("V9", model, cert.encode())
+
     def test_V8_is_named_before_V9(self):
         model, cert = self.prove(ELL, morton=False)
         cert.codes = [31] * (len(cert.codes) + 1)
@@ -789,8 +835,18 @@ class Valid(Case):
         inner = voxels({(1, 1, 1)})
         outer = voxels({(x, y, z) for x in range(3) for y in range(3) for z in range(3)} - {(1, 1, 1)})
         column = joined(*(moved(CUBE, (0, 0, 2 * i)) for i in range(4)), moved(TET, (0, 0, -4)))
+        # Rays through the vertices in the middle of the faces.
+        block = voxels({(x, y, z) for x in range(2) for y in range(2) for z in range(2)})
+        octahedron = ([(1.25, 1, 1), (0.75, 1, 1), (1, 1.25, 1), (1, 0.75, 1), (1, 1, 1.25), (1, 1, 0.75)],
+                      [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)])
+        pit = joined(block, turned(octahedron))
+        # A ray at the height of the middle corner of a triangle that it stabs.
+        ring = [(3, 1, 0), (-1, 3, 0), (-3, -1, 0), (1, -3, 0)]
+        tops = ring + [(0, 0, 8), (0, 0, -8)], [(i, (i + 1) % 4, 4) for i in range(4)] + [
+            ((i + 1) % 4, i, 5) for i in range(4)]
+        level = joined(tops, turned(moved(octahedron, (-0.25, 0.5, -0.5), 0.5)))
         spikes = joined(moved(TET, (0, 0, 0)), moved(TET, (1, 0, 3)), moved(TET, (0, 1, 6)))
-        for mesh in (joined(outer, moved(inner, (0.75, 0.75, 0.75), 0.5)), column, spikes):
+        for mesh in (joined(outer, moved(inner, (0.75, 0.75, 0.75), 0.5)), column, spikes, pit, level):
             model, cert = self.prove(mesh)
             for code in range(6):
                 shell, shells = model.shells()
@@ -874,6 +930,7 @@ class Invalid(Case):
             self.assertTrue(witnesses)
             self.accepts(model, rp.Invalid(model, witnesses).encode())
 
+    # PROVES MESH-9.M1
     def test_no_witness_holds_on_a_solid(self):
         """All small witnesses of the rules without weights, and axis parallel ones of M7."""
         model = model_of(TWIST)
@@ -1017,6 +1074,7 @@ class Invalid(Case):
                 self.seven(None, mesh, 0, 1, list(found[0]), list(found[1]))
                 self.seven("I7", mesh, 0, 1, list(found[1]), list(found[0]))
 
+    # PROVES MESH-9.M8: the witness holds on inward shells, and on no face of a solid (above).
     def test_I8_I9(self):
         for rule, condition in ((8, "I8"), (9, "I9")):
             self.check_one(None, turned(CUBE), rule, rp.u32(0) + b"\0")

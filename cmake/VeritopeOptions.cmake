@@ -4,7 +4,7 @@ option(VERITOPE_FUZZ "Build the fuzz targets (clang: libFuzzer; otherwise the re
 option(VERITOPE_BENCH "Build the benchmarks and the soak experiments (needs CGAL as the peer)" OFF)
 option(VERITOPE_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 option(VERITOPE_SLOW_CHECKS "Turn on VT_SLOW_CHECK in builds that define NDEBUG" OFF)
-option(VERITOPE_COVERAGE "Instrument for line and branch coverage (gcov)" OFF)
+option(VERITOPE_COVERAGE "Instrument for source-based branch coverage (clang), see ./dev coverage" OFF)
 set(VERITOPE_SANITIZE "" CACHE STRING "Comma-separated list for -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -36,9 +36,9 @@ if(VERITOPE_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(VERITOPE_COVERAGE)
-  # -O0: a branch in the report is a branch of the source.
-  add_compile_options(--coverage -fprofile-abs-path -O0)
-  add_link_options(--coverage)
+  # Source-based: a branch in the report is a condition of the source. %m: one file for each program, merged run by run.
+  add_compile_options(-fprofile-instr-generate=${PROJECT_BINARY_DIR}/profiles/%m.profraw -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
 endif()
 if(VERITOPE_SLOW_CHECKS)
   add_compile_definitions(VERITOPE_SLOW_CHECKS)

@@ -4,11 +4,13 @@
 
 usage: coverage.py BUILD_FOLDER      a build of the preset coverage; ./dev coverage makes it
 
-Prints one JSON line a figure. Branches that no test took are listed on stderr and in BUILD_FOLDER/uncovered.txt. Not counted: branches
-that the compiler adds for exceptions, the failing side of VT_CHECK and VT_SLOW_CHECK (a bug of ours: no input reaches it), and lines
-that carry GCOVR_EXCL_BR_LINE, whose comment must argue why; they are counted in the figure's key "argued".
-Exit: 0 measured, 1 a test failed or gcovr did.
+Prints one JSON line a figure. A branch is one outcome, true or false, of one condition of the source; it counts as taken if any
+instantiation took it. Outcomes that no test took are listed on stderr and in BUILD_FOLDER/uncovered.txt. Not counted: conditions that
+are constant, those inside VT_CHECK and VT_SLOW_CHECK (a bug of ours: no input reaches the other side), and lines with a comment
+"NOT COVERED: reason"; how many of these there are is the figure's key "argued".
+Exit: 0 measured, 1 a test failed or the measurement did.
 """
+import bisect
 import collections
 import json
 import pathlib
@@ -17,47 +19,82 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PARTS = {"predicates": "predicates/", "checker": "verify/checker/"}
-MARK = "GCOVR_EXCL_BR_LINE"
+MARK = "NOT COVERED: "
 
 
 def run_tests(build):
     """Whether all passed. The counters start at zero."""
-    for counters in build.rglob("*.gcda"):
+    for counters in (build / "profiles").glob("*.profraw"):
         counters.unlink()
     command = ["ctest", "--test-dir", build, "-L", "^(quick|full)$", "-LE", "^infra$", "-j", "2", "--output-on-failure", "--no-tests=error"]
     return subprocess.run(command, stdout=sys.stderr).returncode == 0
 
 
 def measure(build):
-    """gcovr's report, a list of files with their lines."""
-    filters = [option for part in PARTS.values() for option in ("--filter", part)]
-    report = build / "coverage.json"
-    subprocess.run(["gcovr", "--root", ROOT, "--object-directory", build, *filters, "--exclude-throw-branches",
-                    "--exclude-unreachable-branches", "--exclude-branches-by-pattern", r".*\bVT_(SLOW_)?CHECK\(.*",
-                    "--json", report, build], cwd=ROOT, check=True, stdout=sys.stderr)
-    return json.loads(report.read_text())["files"]
+    """llvm-cov's report, a list of files with their branches and segments."""
+    profile = build / "coverage.profdata"
+    counters = sorted((build / "profiles").glob("*.profraw"))
+    subprocess.run(["llvm-profdata-14", "merge", "-sparse", *counters, "-o", profile], check=True, stdout=sys.stderr)
+    programs = sorted(path for folder in ("bin", "tests") for path in (build / folder).iterdir()
+                      if path.is_file() and path.open("rb").read(4) == b"\x7fELF")
+    objects = [option for path in programs[1:] for option in ("-object", path)]
+    sources = [ROOT / part for part in PARTS.values()]
+    done = subprocess.run(["llvm-cov-14", "export", "-format=text", f"-instr-profile={profile}", programs[0], *objects, *sources],
+                          check=True, stdout=subprocess.PIPE)
+    return json.loads(done.stdout)["data"][0]["files"]
 
 
-def count(lines):
-    """Counter of branches, branches_taken, lines, lines_run; list of (line number, untaken branches)."""
-    total, untaken = collections.Counter(), []
-    for line in lines:
-        if line.get("gcovr/noncode"):
-            continue
-        branches = line.get("branches", [])
-        taken = sum(branch["count"] > 0 for branch in branches)
-        total.update(branches=len(branches), branches_taken=taken, lines=1, lines_run=line["count"] > 0)
-        if taken < len(branches):
-            untaken.append((line["line_number"], len(branches) - taken))
-    return total, untaken
+def count_at(segments, place):
+    """How often the code at (line, column) ran."""
+    index = bisect.bisect_right(segments, place, key=lambda segment: (segment[0], segment[1])) - 1
+    return segments[index][2] if index >= 0 and segments[index][3] else 0
 
 
-def argued(part):
-    return sum(path.read_text().count(MARK) for pattern in ("*.h", "*.cc") for path in (ROOT / part).rglob(pattern))
+def conditions(file):
+    """{(line, column): [times true, times false]} without the constant ones."""
+    found = collections.defaultdict(lambda: [0, 0])
+    for line, column, _, _, true, false, *_ in file["branches"]:
+        counts = found[line, column]
+        counts[0] += true
+        counts[1] += false
+    # Neither outcome, and yet the place was reached: the compiler knew the value.
+    return {place: counts for place, counts in found.items() if any(counts) or count_at(file["segments"], place) == 0}
+
+
+class Part:
+    """What was counted in one folder."""
+
+    def __init__(self):
+        self.branches = self.branches_taken = self.lines = self.lines_run = self.argued = 0
+        self.missed = []
+
+    def add(self, path, file):
+        text = (ROOT / path).read_text().splitlines()
+        for (line, column), counts in sorted(conditions(file).items()):
+            if MARK in text[line - 1]:
+                self.argued += 1
+                continue
+            self.branches += 2
+            self.branches_taken += sum(count > 0 for count in counts)
+            never = [outcome for outcome, count in zip(("true", "false"), counts) if count == 0]
+            if never:
+                self.missed.append(f"{path}:{line}:{column}: never {' nor '.join(never)}")
+        self.lines += file["summary"]["lines"]["count"]
+        self.lines_run += file["summary"]["lines"]["covered"]
 
 
 def percent(some, all_of_them):
     return round(100 * some / all_of_them, 3) if all_of_them else 100.0
+
+
+def report(name, part):
+    figures = [
+        {"name": f"coverage_branches_{name}", "value": percent(part.branches_taken, part.branches),
+         "goal": "100 %, or each exception argued", "branches": part.branches, "argued": part.argued},
+        {"name": f"coverage_lines_{name}", "value": percent(part.lines_run, part.lines), "goal": "100 %", "lines": part.lines},
+    ]
+    for figure in figures:
+        print(json.dumps({**figure, "command": "./dev coverage"}))
 
 
 def main(arguments):
@@ -66,23 +103,17 @@ def main(arguments):
         return 2
     build = pathlib.Path(arguments[0]).resolve()
     passed = run_tests(build)
-    files = measure(build)
-    missed = []
-    for name, part in PARTS.items():
-        total = collections.Counter()
-        for file in sorted(files, key=lambda file: file["file"]):
-            if file["file"].startswith(part):
-                of_file, untaken = count(file["lines"])
-                total += of_file
-                missed += [f"{file['file']}:{line}: {branches} branches untaken" for line, branches in untaken]
-        print(json.dumps({"name": f"coverage_branches_{name}", "value": percent(total["branches_taken"], total["branches"]),
-                          "goal": "100 %, or each exception argued", "branches": total["branches"], "argued": argued(part),
-                          "command": "./dev coverage"}))
-        print(json.dumps({"name": f"coverage_lines_{name}", "value": percent(total["lines_run"], total["lines"]),
-                          "goal": "100 %", "lines": total["lines"], "command": "./dev coverage"}))
-    text = "".join(line + "\n" for line in missed)
-    (build / "uncovered.txt").write_text(text)
-    sys.stderr.write(text)
+    files = {str(pathlib.Path(file["filename"]).relative_to(ROOT)): file for file in measure(build)}
+    missed = ""
+    for name, folder in PARTS.items():
+        part = Part()
+        for path in sorted(files):
+            if path.startswith(folder):
+                part.add(path, files[path])
+        report(name, part)
+        missed += "".join(line + "\n" for line in part.missed)
+    (build / "uncovered.txt").write_text(missed)
+    sys.stderr.write(missed)
     return 0 if passed else 1
 
 

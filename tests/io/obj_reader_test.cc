@@ -51,7 +51,9 @@ TEST(ObjReader, CornersMayCarryTextureAndNormals) {
 TEST(ObjReader, NegativeIndicesCountBackFromTheLine) {
   EXPECT_EQ(content(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\n")),
             "0,0,0 1,0,0 0,1,0 5,5,5 | 0,1,2");
-  EXPECT_EQ(outcome(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -2 -1\n")), "index-out-of-range@4");
+  const auto refused = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -2 -1\n");
+  EXPECT_EQ(outcome(refused), "index-out-of-range@4");
+  EXPECT_EQ(refused.error().message, "vertex index '-4' (3 vertices up to here)");
 }
 
 TEST(ObjReader, PositiveIndicesMayNameLaterVertices) {
@@ -166,6 +168,15 @@ TEST(ObjReader, AnErrorInAJoinedLineNamesTheLineWhereItBegins) {
   EXPECT_EQ(outcome(obj("v 0 0 0\nf 1 \\\n2 \\\n9\n")), "index-out-of-range@2");
   const auto file = obj("v 0 0 0\nf 1 1 \\\n1x\n");
   EXPECT_NE(file.error().message.find("'1x'"), std::string::npos) << file.error().message;
+}
+
+TEST(ObjReader, SeveralJointsInAnIgnoredRestAreOneLine) {
+  EXPECT_EQ(content(obj("v 0 0 0 a\\\nv 7 7 7 \\\nv 8 8 8\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
+            kTriangle);
+}
+
+TEST(ObjReader, AnErrorBehindAJoinedLineNamesItsOwnLine) {
+  EXPECT_EQ(outcome(obj("v 0 0 \\\n0\nv 1 0 0\nv x\n")), "syntax@4");
 }
 
 TEST(ObjReader, ManyJoinedLinesTakeLinearTime) {

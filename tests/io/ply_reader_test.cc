@@ -196,6 +196,13 @@ TEST(PlyBinary, ReadsOverOtherElementsAndProperties) {
   }
 }
 
+TEST(PlyBinary, VerticesBehindListsAreComparedWithTheBytesThatAreLeft) {
+  // As announced all would fit; but the list before the vertices takes their place.
+  const std::string hair = "element hair 1\nproperty list uchar double d\n";
+  const std::string body = packed(std::uint8_t{7}) + std::string(56, 0) + packed(0., 0., 0.);
+  EXPECT_EQ(outcome(ply(little(hair + kVertices + kFaces, body))).substr(0, 9), "truncated");
+}
+
 TEST(PlyBinary, RefusesWithTheByteOfTheValue) {
   const std::string header = little(kVertices + kFaces, "");
   const auto at = [&](std::size_t offset) {
@@ -244,6 +251,7 @@ TEST(PlyStrips, YieldTrianglesOfAlternatingSense) {
   EXPECT_EQ(content(joint), points + " 0,1,2");
   EXPECT_EQ(joint->report.strip_joints, 4u);
   EXPECT_EQ(content(with("7 0 1 2 2 3 4 1")), points + " 0,1,2 3,2,4 3,4,1");
+  EXPECT_EQ(content(with("4 0 1 0 2")), points + " 0,1,2") << "0 1 0 is a joint, 1 0 2 turns";
   EXPECT_EQ(outcome(with("2 0 1")), "empty@11");
   EXPECT_EQ(outcome(with("3 0 1 5")), "index-out-of-range@11");
   EXPECT_EQ(outcome(with("3 0 1 -2")), "index-out-of-range@11");
@@ -335,6 +343,7 @@ TEST(PlyHeader, RefusesElementsThatAreNoMesh) {
     return outcome(ply(ascii(elements, "0 0 0 1 0 0 0 1 0 3 0 1 2 0 0 0 0 0 0 0")));
   };
   EXPECT_EQ(with(kVertices + kFaces), "ok");
+  EXPECT_EQ(with("element e -1\nproperty int a\n" + kVertices + kFaces), "syntax@3");
   EXPECT_EQ(with(kVertices), "empty@7");
   EXPECT_EQ(with(kFaces), "syntax@5");
   EXPECT_EQ(with(kVertices + kVertices + kFaces), "syntax@7");

@@ -173,6 +173,13 @@ TEST(ReadLimitsTest, BytesFaceCountsDigitsAndExponentsHoldAtNAndFailAtNPlusOne) 
   }
 }
 
+TEST(ReadLimitsTest, AnnouncedFacesOverTheLimitAreRefusedWhereTheyAreAnnounced) {
+  ReadOptions options;
+  options.limits.max_faces = 0;
+  EXPECT_EQ(outcome(read(MeshFormat::kOff, kOff, options)), "over-limit@2");
+  EXPECT_EQ(outcome(read(MeshFormat::kPly, kPly, options)), "over-limit@7");
+}
+
 TEST(ReadLimitsTest, BinaryFacesHoldAtNAndFailAtNPlusOne) {
   ReadOptions options;
   options.limits.max_faces = 1;

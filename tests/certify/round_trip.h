@@ -27,7 +27,8 @@ struct Certified {
   }
 };
 
-inline Certified certified_file(std::string file, const std::string& name, bool as_indexed, unsigned jobs) {
+inline Certified certified_file(std::string file, const std::string& name, bool as_indexed, unsigned jobs,
+                                std::size_t max_defects = 20) {
   Certified out;
   out.file = std::move(file);
   ReadOptions read;
@@ -37,6 +38,7 @@ inline Certified certified_file(std::string file, const std::string& name, bool 
   out.mesh = std::move(model.value().mesh);
   ValidityOptions options;
   options.jobs = jobs;
+  options.max_defects = max_defects;
   out.report = decide_validity(out.mesh, options);
   certificate::Subject subject;
   subject.sha256 = model.value().sha256;
@@ -50,9 +52,9 @@ inline Certified certified_file(std::string file, const std::string& name, bool 
 }
 
 /// Through a binary PLY file with doubles: every coordinate survives.
-inline Certified certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1) {
+inline Certified certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1, std::size_t max_defects = 20) {
   auto file = mesh_to_bytes(mesh, *write_options_from_name("ply-binary-little-endian"));
-  return certified_file(std::move(file.value()), "model.ply", as_indexed, jobs);
+  return certified_file(std::move(file.value()), "model.ply", as_indexed, jobs, max_defects);
 }
 
 }  // namespace veritope

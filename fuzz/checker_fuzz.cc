@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// fuzz/checker_fuzz.cc: any model and any certificate, straight into the C++ checker: it must not crash, and what it accepts must be so. The
+// input is the size of the model (4 bytes, little-endian), the model, the certificate. The mutator changes either, and then makes the statement's
+// sizes and hashes true again, so that changes get past S3 and S4.
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include "fuzz/decision_laws.h"
+#include "io/read_mesh.h"
+#include "tests/support/checker_call.h"
+#include "verify/format/sha256.h"
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+namespace veritope::fuzz {
+namespace {
+
+constexpr std::size_t kMaxModel = 1 << 14;
+
+struct Input {
+  std::string model, certificate;
+
+  static Input decode(const std::uint8_t* data, std::size_t size) {
+    Input in;
+    if (size < 4) return in;
+    std::size_t n = 0;
+    for (int i = 0; i < 4; ++i) n |= std::size_t{data[i]} << (8 * i);
+    n = std::min({n, size - 4, kMaxModel});
+    in.model.assign(reinterpret_cast<const char*>(data) + 4, n);
+    in.certificate.assign(reinterpret_cast<const char*>(data) + 4 + n, size - 4 - n);
+    return in;
+  }
+  std::string encode() const {
+    std::string out;
+    for (int i = 0; i < 4; ++i) out += static_cast<char>(model.size() >> (8 * i) & 255u);
+    return out + model + certificate;
+  }
+};
+
+std::string hash(std::string_view bytes) {
+  return to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
+}
+
+// The text behind "key": up to the next comma or brace, without quotes.
+std::pair<std::size_t, std::size_t> value_of(const std::string& statement, const std::string& key) {
+  const std::size_t at = statement.find("\"" + key + "\":");
+  if (at == statement.npos) return {0, 0};
+  std::size_t first = at + key.size() + 3;
+  const bool quoted = first < statement.size() && statement[first] == '"';
+  first += quoted ? 1 : 0;
+  const std::size_t last = statement.find_first_of(quoted ? "\"" : ",}", first);
+  return last == statement.npos ? std::pair<std::size_t, std::size_t>{0, 0} : std::pair{first, last};
+}
+std::string get(const std::string& statement, const std::string& key) {
+  const auto [first, last] = value_of(statement, key);
+  return statement.substr(first, last - first);
+}
+void set(std::string& statement, const std::string& key, const std::string& value) {
+  const auto [first, last] = value_of(statement, key);
+  if (last != 0) statement.replace(first, last - first, value);
+}
+
+void make_hashes_true(Input& in) {
+  const std::size_t line = in.certificate.find('\n');
+  if (line == in.certificate.npos) return;
+  std::string statement = in.certificate.substr(0, line);
+  const std::string body = in.certificate.substr(line + 1);
+  set(statement, "subject_sha256", hash(in.model));
+  set(statement, "subject_bytes", std::to_string(in.model.size()));
+  set(statement, "body_sha256", hash(body));
+  in.certificate = statement + "\n" + body;
+}
+
+void check(const Input& in) {
+  const std::string answer = check_in_process(in.model, in.certificate);
+  if (answer.substr(0, 4) == "BUG ") {
+    std::fprintf(stderr, "%s\n", answer.c_str());
+    std::abort();
+  }
+  if (answer.substr(0, 7) != "ACCEPT ") return;
+  const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
+  ReadOptions options;
+  options.as_indexed = get(statement, "as_indexed") == "true";
+  options.limits = {~std::uint64_t{0}, ~std::uint64_t{0} >> 1, ~std::uint32_t{0} >> 1, ~std::uint32_t{0} >> 1};
+  const auto bytes = std::span(reinterpret_cast<const unsigned char*>(in.model.data()), in.model.size());
+  const auto file = read_mesh_bytes(bytes, "model." + get(statement, "subject_format"), options);
+  if (!file) {
+    std::fprintf(stderr, "%s\nbut the kernel refuses the model\n", answer.c_str());
+    std::abort();
+  }
+  const TriangleMesh& mesh = file.value().mesh;
+  if (mesh.faces.size() > 400) return;
+  const ValidityReport report = decide_validity(mesh, {1, 1});
+  check_decision(mesh, report);
+  const bool claims_valid = get(statement, "claim") == "mesh-valid-1";
+  if (claims_valid != report.is_valid) fail(answer + "\nbut " + summary(report), mesh);
+  if (!claims_valid) {
+    for (std::size_t k = 0; k < kNumMeshRules; ++k)
+      if (get(statement, "rules").find("M" + std::to_string(k + 1)) != std::string::npos && report.nesting_decided && report.rule_counts[k] == 0)
+        fail(answer + "\nbut " + summary(report), mesh);
+    return;
+  }
+  const auto number = [&](const char* key, std::uint64_t want) {
+    if (get(statement, key) != std::to_string(want)) fail(std::string(key) + " is " + std::to_string(want) + "\n" + statement, mesh);
+  };
+  number("vertices", report.counts.referenced_vertices);
+  number("edges", report.counts.edges);
+  number("faces", report.counts.faces);
+  number("shells", report.counts.shells);
+  number("bodies", report.counts.bodies.value());
+  number("genus", static_cast<std::uint64_t>(report.counts.genus.value()));
+  const Rational& v = report.volume.value();
+  if (get(statement, "volume") != v.numerator().to_string() + "/" + v.denominator().to_string()) fail("volume\n" + statement, mesh);
+}
+
+class Mutator {
+ public:
+  Mutator(Input in, unsigned seed) : in_(std::move(in)), random_(seed) {}
+  Input take() { return std::move(in_); }
+
+  void change() {
+    const std::size_t line = std::min(in_.certificate.find('\n'), in_.certificate.size());
+    switch (pick(10)) {
+      case 0: change_statement(line); break;
+      case 1: swap_words(line); break;
+      case 2:
+      case 3:
+      case 4: change_byte(in_.certificate, line); break;
+      case 5: change_byte(in_.model, in_.model.size() / 4); break;
+      case 6: change_double(); break;
+      case 7: change_digit(); break;
+      case 8: in_.certificate.insert(body_place(line), 1, static_cast<char>(pick(16))); break;
+      default:
+        if (in_.certificate.size() > line + 1) in_.certificate.erase(body_place(line), 1);
+    }
+  }
+
+ private:
+  std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
+  std::size_t body_place(std::size_t line) {
+    const std::size_t first = std::min(line + 1, in_.certificate.size());
+    return first + pick(in_.certificate.size() - first);
+  }
+  void change_byte(std::string& text, std::size_t from) {
+    if (from >= text.size()) return;
+    char& c = text[from + pick(text.size() - from)];
+    switch (pick(3)) {
+      case 0: c = static_cast<char>(pick(40)); break;
+      case 1: c = static_cast<char>(c + (pick(2) == 0 ? 1 : -1)); break;
+      default: c = static_cast<char>(c ^ (1 << pick(8)));
+    }
+  }
+  // Two 4-byte words of the body, as in the order of the leaves.
+  void swap_words(std::size_t line) {
+    if (in_.certificate.size() < line + 21) return;
+    const std::size_t words = (in_.certificate.size() - line - 13) / 4;
+    const std::size_t a = line + 13 + 4 * pick(words), b = line + 13 + 4 * pick(words);
+    if (std::max(a, b) + 4 > in_.certificate.size() || a == b) return;
+    std::swap_ranges(in_.certificate.begin() + static_cast<std::ptrdiff_t>(a), in_.certificate.begin() + static_cast<std::ptrdiff_t>(a + 4),
+                     in_.certificate.begin() + static_cast<std::ptrdiff_t>(b));
+  }
+  // A multiple of 4 bytes before the end: a binary model's coordinates.
+  void change_double() {
+    const std::size_t header = in_.model.find("end_header\n");
+    if (header == in_.model.npos || in_.model.size() < header + 11 + 8) return;
+    const std::size_t n = (in_.model.size() - header - 11) / 8, at = header + 11 + 8 * pick(n);
+    double v = 0;
+    std::memcpy(&v, in_.model.data() + at, 8);
+    switch (pick(5)) {
+      case 0: v = static_cast<double>(pick(7)) - 3; break;
+      case 1: v = -v; break;
+      case 2: v += 1; break;
+      case 3: v *= 1 + 0x1p-52; break;
+      default: std::memcpy(&v, in_.model.data() + header + 11 + 8 * pick(n), 8);
+    }
+    std::memcpy(in_.model.data() + at, &v, 8);
+  }
+  void change_digit() {
+    for (int tries = 0; tries < 20 && !in_.model.empty(); ++tries) {
+      char& c = in_.model[pick(in_.model.size())];
+      if (c < '0' || c > '9') continue;
+      c = static_cast<char>('0' + pick(10));
+      return;
+    }
+  }
+  void change_statement(std::size_t line) {
+    static const char* const kNumbers[] = {"vertices", "edges", "faces", "shells", "bodies", "genus"};
+    std::string statement = in_.certificate.substr(0, line);
+    const std::string rest = in_.certificate.substr(line);
+    switch (pick(6)) {
+      case 0: set(statement, kNumbers[pick(6)], std::to_string(pick(20))); break;
+      case 1: set(statement, "volume", std::to_string(pick(20)) + "/" + std::to_string(1 + pick(6))); break;
+      case 2: set(statement, "as_indexed", pick(2) == 0 ? "true" : "false"); break;
+      case 3: set(statement, "rules", "M" + std::to_string(1 + pick(9))); break;
+      case 4: {
+        static const char* const kFormats[] = {"stl", "obj", "ply", "off"};
+        set(statement, "subject_format", kFormats[pick(4)]);
+        break;
+      }
+      default: change_byte(statement, 0);
+    }
+    in_.certificate = statement + rest;
+  }
+
+  Input in_;
+  std::mt19937 random_;
+};
+
+}  // namespace
+}  // namespace veritope::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  veritope::fuzz::check(veritope::fuzz::Input::decode(data, size));
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+  using namespace veritope::fuzz;
+  if (seed % 16 == 0) return LLVMFuzzerMutate(data, size, max_size);
+  Mutator mutator(Input::decode(data, size), seed);
+  for (unsigned n = 1 + seed / 16 % 3; n > 0; --n) mutator.change();
+  Input in = mutator.take();
+  if (seed % 16 != 1) make_hashes_true(in);
+  const std::string bytes = in.encode();
+  if (bytes.size() > max_size) return size;
+  std::memcpy(data, bytes.data(), bytes.size());
+  return bytes.size();
+}

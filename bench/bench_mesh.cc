@@ -71,24 +71,23 @@ std::string breakdown(const DecisionTimes& t, double facets) {
   return buffer;
 }
 
-// Ours and CGAL's in turn, medians; then one thread against two.
+// Ours with one thread, with two, and CGAL's in turn; medians. The parts are of the last run.
 void decision_rows(const std::string& name, bool with_peer) {
   const TriangleMesh mesh = named_model(name);
   const double facets = static_cast<double>(mesh.faces.size());
+  const auto cgal = with_peer ? std::make_unique<CgalMesh>(mesh) : nullptr;
   std::vector<double> one, two, peer;
-  DecisionTimes parts;
-  {
-    const auto cgal = with_peer ? std::make_unique<CgalMesh>(mesh) : nullptr;
-    for (int i = 0; i < kRuns; ++i) {
-      one.push_back(seconds([&] { parts = decide(mesh, 1).seconds; }));
-      if (with_peer)
-        peer.push_back(seconds([&] { VT_CHECK(cgal->is_valid_solid(), "CGAL agrees"); }));
-    }
+  DecisionTimes parts_of_one, parts_of_two;
+  for (int i = 0; i < kRuns; ++i) {
+    one.push_back(seconds([&] { parts_of_one = decide(mesh, 1).seconds; }) * 1e9 / facets);
+    two.push_back(seconds([&] { parts_of_two = decide(mesh, 2).seconds; }) * 1e9 / facets);
+    if (with_peer)
+      peer.push_back(seconds([&] { VT_CHECK(cgal->is_valid_solid(), "CGAL agrees"); }) * 1e9 / facets);
   }
-  for (int i = 0; i < kRuns; ++i) two.push_back(seconds([&] { decide(mesh, 2); }));
-  row("decision_" + name + "_vs_cgal", median(one) * 1e9 / facets, with_peer ? median(peer) * 1e9 / facets : 0,
-      "ns/facet", breakdown(parts, facets));
-  row("decision_" + name + "_two_threads_vs_one", median(two) * 1e9 / facets, median(one) * 1e9 / facets, "ns/facet");
+  row("decision_" + name + "_vs_cgal", median(one), with_peer ? median(peer) : 0, "ns/facet",
+      breakdown(parts_of_one, facets));
+  row("decision_" + name + "_two_threads_vs_one", median(two), median(one), "ns/facet",
+      breakdown(parts_of_two, facets));
 }
 
 // A line of /proc/self/status, in bytes.

@@ -67,12 +67,12 @@ class StlAsciiReader : TextReader {
   // Behind the word `facet`.
   bool read_facet() {
     const char* const facet = p_;
-    do {
+    for (int normal = 0;; ++normal) {  // at most `normal` and three numbers, which are not read
       p_ = skip_space(p_, source_.end);
-      if (p_ >= source_.end) return fail_expected(p_, "'outer'");
-      if (take_word("outer")) break;
+      if (p_ < source_.end && take_word("outer")) break;
+      if (p_ >= source_.end || normal == 4) return fail_expected(p_, "'outer'");
       p_ = skip_token(p_, kTokenEnd);
-    } while (true);
+    }
     if (!expect("loop")) return false;
     for (int i = 0; i < 3; ++i) {
       if (!(expect("vertex") && read_corner())) return false;

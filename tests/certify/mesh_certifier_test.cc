@@ -78,6 +78,7 @@ TEST(MeshCertifier, DirectionsOfVerticesOfTheirOwnAreCertified) {
   EXPECT_TRUE(own);
 }
 
+// PROVES MESH-9
 TEST(MeshCertifier, EveryRuleHasAWitnessThatIsAccepted) {
   std::set<int> rules;
   for (const char* text :
@@ -101,13 +102,16 @@ TEST(MeshCertifier, PillowsHaveNoWitnessOfM7) {
   EXPECT_EQ(c.decoded().invalid->witnesses[0].rule, 2);
 }
 
-// The page counts the edges of a face with a repeated id, the report does not: edge 1-2 has one face for the report, three uses for the
-// page; the faces at 1 form two fans for the report, one for the checkers.
+// A face with a repeated id has no edge and is at no vertex, for the report and for the checkers.
 TEST(MeshCertifierRegression, WitnessesHoldBesideFacesWithARepeatedId) {
   for (const char* text : {"v 0,0,0 4,0,0 0,4,0 ; f 0,1,2 1,1,2", "v 0,0,0 4,0,0 0,4,0 ; f 0,1,2 1,2,1 0,0,0 0,2,2 1,1,0",
                            "v 0,0,0 4,0,0 0,4,0 0,0,4 9,9,9 9,9,8 ; f 1,0,2 1,4,5 1,1,2 4,1,1", "v 0,0,0 4,0,0 0,4,0 0,0,4 ; f 0,1,2 0,1,3 0,1,1"}) {
     const Certified c = expect_accepted(shapes::parse(text), true);
-    EXPECT_EQ(c.decoded().invalid->witnesses[0].rule, 1);
+    std::set<int> rules;
+    const auto decoded = c.decoded();
+    for (const auto& w : decoded.invalid->witnesses) rules.insert(w.rule);
+    EXPECT_TRUE(rules.contains(1));
+    EXPECT_TRUE(rules.contains(3));
   }
 }
 

@@ -591,7 +591,7 @@ def edge_uses(model):
     for t in model.faces:
         for i in range(3):
             a, b = t[i], t[(i + 1) % 3]
-            if a != b:
+            if len(set(t)) == 3:  # else it has no edge
                 uses.setdefault((min(a, b), max(a, b)), []).append((a, b))
     return uses
 
@@ -599,7 +599,7 @@ def edge_uses(model):
 def fans(model, v):
     groups = []
     for t in model.faces:
-        if v in t:
+        if v in t and len(set(t)) == 3:
             rest = list(t)
             rest.remove(v)
             touching = [g for g in groups if not g.isdisjoint(rest)]

@@ -247,6 +247,8 @@ std::vector<Case> stl_cases() {
       {"first block empty", kStl, "solid\nendsolid\nsolid\n" + facet + "endsolid", true},
       {"no normal", kStl, "solid\nfacet " + bare, true},
       {"odd normal", kStl, "solid\nfacet endsolid solid facet nan " + bare, true},
+      {"normal of five words", kStl, "solid\nfacet normal 0 0 1 1 " + bare, false},
+      {"facet inside a normal", kStl, "solid\nfacet normal 0 0 1\n" + facet + "endsolid", false},
       {"comment", kStl, "solid\n# c\n" + facet + "endsolid", false},
       {"longer word", kStl, "solidx\n" + facet + "endsolid\n", false},
       {"NUL in the name", kStl, "solid a\0b\n"s + facet + "endsolid\n", true},
@@ -259,9 +261,9 @@ std::vector<Case> stl_cases() {
       {"minus zero", kStl, binary_stl(2, one + zeros), true},
       {"infinity", kStl, binary_stl(1, replaced(one, packed(1.f), packed(HUGE_VALF))), false},
   };
-  for (const std::string& start : {"\x1F\x8B"s, "PK\3\4"s, "BZh"s,
+  for (const std::string& start : {"\x1F\x8B"s, "PK\3\4"s, "PK\5\6"s, "BZh"s,
                                    "\xFD"
-                                   "7zXZ\0"s,
+                                   "7zXZ"s,
                                    "\x28\xB5\x2F\xFD"s, "\xFF\xFE"s, "\xFE\xFF"s, "\0\0\xFE\xFF"s,
                                    "version https://git-lfs"s}) {
     cases.push_back({"foreign", kStl, binary_stl(1, one, start), false});

@@ -114,7 +114,7 @@ TEST(StlAscii, KeywordsMayHaveAnyCaseAndBlanksAnyKind) {
 TEST(StlAscii, AnythingMayStandWhereTheNormalStands) {
   EXPECT_EQ(
       content(stl(
-          "solid\nfacet normal nan facet solid vertex 1 \xFF outer loop\nvertex 0 0 0 vertex 1 0 0 "
+          "solid\nfacet solid vertex nan \xFF outer loop\nvertex 0 0 0 vertex 1 0 0 "
           "vertex 0 1 0 endloop endfacet endsolid x")),
       kTriangle);
 }

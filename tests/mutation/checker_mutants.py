@@ -114,7 +114,7 @@ def corpus():
     for seed in range(600):
         cases.append(differential.damaged_model(py, random.Random(seed))[1:])
     for seed in range(40):
-        cases += [c[1:] for c in differential.damaged_certificate(py, random.Random(seed))]
+        cases += [c[1:3] for c in differential.damaged_certificate(py, random.Random(seed))]
     cases += differential.unit_cases()
     cases = list(dict.fromkeys(cases))
     random.Random(1).shuffle(cases)

@@ -196,7 +196,16 @@ def damaged_certificate(py, rng):
             plan.cut = lambda a, b, i: forge.separator(case.mesh, *attacks.sides(case, a, b), rng) if rng.random() < .4 else None
         cert = case.certificate(plan)
     for _ in range(12):
-        yield "certificate", case.bytes, damage_certificate(cert, rng)
+        yield "certificate", case.bytes, damage_certificate(cert, rng), case.broken
+
+
+def is_false(cert, broken):
+    """Does the statement of a certificate claim what is not so?  broken: the rules that the mesh breaks."""
+    statement = json.loads(cert.partition(b"\n")[0])
+    if statement["claim"] == "mesh-valid-1":
+        return bool(broken)
+    claimed = set(statement["rules"].split())
+    return not broken or bool((claimed - {"M8", "M9"}) - broken)
 
 
 def damage_certificate(cert, rng):
@@ -283,11 +292,14 @@ def worker(options, first, count, queue):
             seed += options.jobs
             rng = random.Random(seed)
             if rng.random() < .96:
-                cases = [damaged_model(run.py, rng)]
+                cases = [damaged_model(run.py, rng) + (None,)]
             else:
                 cases = damaged_certificate(run.py, rng)
-            for name, data, cert in cases:
-                table[name, compare(run, data, cert, seed, name)] += 1
+            for name, data, cert, broken in cases:
+                found = compare(run, data, cert, seed, name)
+                if found == "ACCEPT" and broken is not None and is_false(cert, broken):
+                    run.fail("FALSE CLAIM ACCEPTED", data, cert, seed, name)
+                table[name, found] += 1
                 done += 1
     except Exception as e:
         import traceback

@@ -56,18 +56,18 @@ inline void expect_tight(double constant, int det_roundings, int magnitude_round
   EXPECT_GT(c, derived_rel(det_roundings - 1, magnitude_roundings) * slack);
 }
 
-/// A polynomial in up to three magnitudes with non-negative rational coefficients.
+/// A polynomial in up to four magnitudes with non-negative rational coefficients.
 struct Polynomial {
-  std::map<std::array<int, 3>, Rational> coefficient;
+  std::map<std::array<int, 4>, Rational> coefficient;
 
   static Polynomial constant(Rational c) {
     Polynomial p;
-    if (c.sign() != Sign::kZero) p.coefficient[{0, 0, 0}] = std::move(c);
+    if (c.sign() != Sign::kZero) p.coefficient[{0, 0, 0, 0}] = std::move(c);
     return p;
   }
   static Polynomial symbol(int which) {
     Polynomial p;
-    std::array<int, 3> exponent{};
+    std::array<int, 4> exponent{};
     exponent[which] = 1;
     p.coefficient[exponent] = Rational(1);
     return p;
@@ -80,13 +80,13 @@ struct Polynomial {
     Polynomial r;
     for (const auto& [e, c] : a.coefficient) {
       for (const auto& [f, d] : b.coefficient) {
-        r.coefficient[{e[0] + f[0], e[1] + f[1], e[2] + f[2]}] += c * d;
+        r.coefficient[{e[0] + f[0], e[1] + f[1], e[2] + f[2], e[3] + f[3]}] += c * d;
       }
     }
     return r;
   }
-  Rational at(int i, int j = 0, int k = 0) const {
-    const auto found = coefficient.find({i, j, k});
+  Rational at(int i, int j = 0, int k = 0, int l = 0) const {
+    const auto found = coefficient.find({i, j, k, l});
     return found == coefficient.end() ? Rational() : found->second;
   }
 };

@@ -41,5 +41,18 @@ TEST(InCircleBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
   }
 }
 
+TEST(InCircleBound, SizeCountsEveryDifference) {
+  const auto symbol = [](int i) { return UnderflowCount::bounded_by(i, bounds::underflow_unit()); };
+  const UnderflowCount a = symbol(0), b = symbol(1), c = symbol(2), zero;
+  for (const bool in_x : {true, false}) {
+    const formulas::InCircle<UnderflowCount> f(in_x ? a : zero, in_x ? zero : a, in_x ? b : zero,
+                                               in_x ? zero : b, in_x ? c : zero, in_x ? zero : c,
+                                               zero, zero);
+    EXPECT_GE(f.size().size.at(2, 0, 0), Rational(1));
+    EXPECT_GE(f.size().size.at(0, 2, 0), Rational(1));
+    EXPECT_GE(f.size().size.at(0, 0, 2), Rational(1));
+  }
+}
+
 }  // namespace
 }  // namespace veritope

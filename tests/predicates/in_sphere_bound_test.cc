@@ -42,5 +42,20 @@ TEST(InSphereBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
   }
 }
 
+TEST(InSphereBound, SizeCountsEveryDifference) {
+  const auto symbol = [](int i) { return UnderflowCount::bounded_by(i, bounds::underflow_unit()); };
+  const UnderflowCount zero;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<UnderflowCount, 12> p;
+    for (int i = 0; i < 4; ++i) p[3 * i + axis] = symbol(i);
+    const formulas::InSphere<UnderflowCount> f(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8],
+                                               p[9], p[10], p[11], zero, zero, zero);
+    EXPECT_GE(f.size().size.at(4, 0, 0, 0), Rational(1));
+    EXPECT_GE(f.size().size.at(0, 4, 0, 0), Rational(1));
+    EXPECT_GE(f.size().size.at(0, 0, 4, 0), Rational(1));
+    EXPECT_GE(f.size().size.at(0, 0, 0, 4), Rational(1));
+  }
+}
+
 }  // namespace
 }  // namespace veritope

@@ -45,5 +45,14 @@ TEST(Orient3dBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
   }
 }
 
+TEST(Orient3dBound, SizeCountsEachFactorOfAMinor) {
+  const formulas::Plane3<UnderflowCount> f({}, {}, {}, {}, {}, {}, {}, {}, {});
+  const auto symbol = [](int i) { return UnderflowCount::bounded_by(i, bounds::underflow_unit()); };
+  const Polynomial size = f.size(symbol(0), symbol(1), symbol(2), bounds::kSame).size;
+  EXPECT_GE(size.at(1, 0, 0), Rational(1));
+  EXPECT_GE(size.at(0, 1, 0), Rational(1));
+  EXPECT_GE(size.at(0, 0, 1), Rational(1));
+}
+
 }  // namespace
 }  // namespace veritope

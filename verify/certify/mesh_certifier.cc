@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 #include "predicates/orient2d.h"
 #include "predicates/triangle_witness.h"
@@ -165,44 +164,16 @@ Witness witness_of(const TriangleMesh& mesh, const Defect& d) {
   return w;
 }
 
-// Faces with a repeated id take no part in the report's M3-M6, but section 7 of the page counts their edges; a witness must hold
-// either way.
-class CollapsedFaces {
- public:
-  explicit CollapsedFaces(const TriangleMesh& mesh, bool any) {
-    if (!any) return;
-    for (const auto& f : mesh.faces) {
-      if (!is_collapsed(f)) continue;
-      vertices_.insert(f.begin(), f.end());
-      const auto [least, greatest] = std::minmax({f[0], f[1], f[2]});
-      edges_.emplace(least, greatest);
-    }
-  }
-  bool spoil(const Defect& d) const {
-    switch (d.rule) {
-      case MeshRule::kM3:
-      case MeshRule::kM5: return edges_.count(std::minmax(d.edges[0].first, d.edges[0].second)) != 0;
-      case MeshRule::kM6: return vertices_.count(d.vertices[0]) != 0;
-      default: return false;
-    }
-  }
-
- private:
-  std::set<std::uint32_t> vertices_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
-};
-
-// The first listed defect of each rule that has a witness; M1 is among the rules if one has none.
+// The first listed defect of each rule that has a witness.
 InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report) {
   InvalidBody body;
   body.num_faces = static_cast<std::uint32_t>(mesh.faces.size());
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
-  const CollapsedFaces collapsed(mesh, report.rule_counts[rule_index(MeshRule::kM1)] != 0);
   for (const Defect& d : report.defects) {
     if (!body.witnesses.empty() && body.witnesses.back().rule == static_cast<std::uint8_t>(d.rule)) continue;
     // Two faces with the same vertices have no point outside their common simplex: M2 has their witness.
     if (d.rule == MeshRule::kM7 && same_vertices(mesh.faces[d.faces[0]], mesh.faces[d.faces[1]])) continue;
-    if (!collapsed.spoil(d)) body.witnesses.push_back(witness_of(mesh, d));
+    body.witnesses.push_back(witness_of(mesh, d));
   }
   VT_CHECK(!body.witnesses.empty(), "an invalid report lists no defect");
   return body;

@@ -8,7 +8,7 @@
 namespace veritope {
 
 /// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken rule
-/// (but M3, M5, M6 where only places at faces with a repeated id break it, and M7 where only M2's pairs do: M1 and M2 are witnessed then).
+/// (but M7 where only M2's pairs break it: M2 is witnessed then).
 /// REQUIRES report = decide_validity(mesh, options) with max_defects >= 1. The bytes do not depend on `jobs`.
 /// @cost about as long as the decision. Throws InternalError if a proper pair has no code: a bug, never a property of the model.
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,

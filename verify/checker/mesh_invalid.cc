@@ -97,25 +97,27 @@ class InvalidCheck {
     return r;
   }
 
-  // The triangles at v, ascending, are of_[start_[v]] to of_[start_[v + 1]]; one that has v twice
-  // stands there twice.
+  // The triangles at v, ascending, are of_[start_[v]] to of_[start_[v + 1]].
   void sort_incidence() {
     start_.assign(model_.vertices() + size_t(2), 0);
-    of_.resize(model_.tri.size());
-    for (uint32_t v : model_.tri) ++start_[v + size_t(2)];
+    for (uint32_t f = 0; f < model_.faces(); ++f)
+      for (int i = 0; i < 3 && !collapsed(f); ++i) ++start_[corners(f)[i] + size_t(2)];
     for (size_t v = 2; v < start_.size(); ++v) start_[v] += start_[v - 1];
-    for (size_t c = 0; c < of_.size(); ++c)
-      of_[start_[model_.tri[c] + size_t(1)]++] = uint32_t(c / 3);
+    of_.resize(start_.back());
+    for (uint32_t f = 0; f < model_.faces(); ++f)
+      for (int i = 0; i < 3 && !collapsed(f); ++i) of_[start_[corners(f)[i] + size_t(1)]++] = f;
   }
+  size_t degree(uint32_t v) const { return start_[v + size_t(1)] - start_[v]; }
 
   bool holds(const Witness& w) {
     const uint32_t f = w.id[0], g = w.id[1];
+    int64_t forth = 0;
     switch (w.rule) {
       case 1: return degenerate(f);
       case 2: return f != g && within(f, g) && within(g, f);
-      case 3: return f != g && uses(f, g) + uses(g, f) == 1;
-      case 4: return f != g && uses(f, g) + uses(g, f) >= 3;
-      case 5: return f != g && uses(f, g) == 2 && uses(g, f) == 0;
+      case 3: return uses(f, g, &forth) == 1;
+      case 4: return uses(f, g, &forth) >= 3;
+      case 5: return uses(f, g, &forth) == 2 && forth == 2;
       case 6: return fans(f) >= 2;
       case 7: return f != g && !degenerate(f) && !degenerate(g) && meet(f, g, w.weight);
       default: return winding(f, w.axis) != 0;
@@ -129,10 +131,11 @@ class InvalidCheck {
     const Vec<C> a = point(f, 0, low_);
     return cross(point(f, 1, low_) - a, point(f, 2, low_) - a);
   }
-  bool degenerate(uint32_t f) const {
+  bool collapsed(uint32_t f) const {
     const uint32_t* const t = corners(f);
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || is_zero(normal(f));
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
   }
+  bool degenerate(uint32_t f) const { return collapsed(f) || is_zero(normal(f)); }
   bool has(uint32_t f, uint32_t v) const {
     return std::find(corners(f), corners(f) + 3, v) != corners(f) + 3;
   }
@@ -140,24 +143,23 @@ class InvalidCheck {
     return has(g, corners(f)[0]) && has(g, corners(f)[1]) && has(g, corners(f)[2]);
   }
 
-  // The triangles at v, each once.
-  std::vector<uint32_t> triangles_at(uint32_t v) {
-    work_.add(start_[v + size_t(1)] - start_[v]);
-    std::vector<uint32_t> r(of_.begin() + start_[v], of_.begin() + start_[v + size_t(1)]);
-    r.erase(std::unique(r.begin(), r.end()), r.end());
-    return r;
-  }
-  // How often a triangle runs from a to b.
-  int64_t uses(uint32_t a, uint32_t b) {
-    const bool fewer = start_[b + size_t(1)] - start_[b] < start_[a + size_t(1)] - start_[a];
+  // How many triangles have the edge {a, b}; `forth` becomes how many of them run from a to b.
+  int64_t uses(uint32_t a, uint32_t b, int64_t* forth) {
+    const uint32_t v = degree(b) < degree(a) ? b : a;
+    work_.add(degree(v));
     int64_t n = 0;
-    for (uint32_t f : triangles_at(fewer ? b : a))
-      for (int i = 0; i < 3; ++i) n += corners(f)[i] == a && corners(f)[(i + 1) % 3] == b;
+    for (size_t i = start_[v]; i < start_[v + size_t(1)]; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const uint32_t p = corners(of_[i])[k], q = corners(of_[i])[(k + 1) % 3];
+        *forth += p == a && q == b;
+        n += (p == a && q == b) || (p == b && q == a);
+      }
     return n;
   }
   // Classes of the triangles at v that edges {v, w} connect.
   size_t fans(uint32_t v) {
-    const std::vector<uint32_t> f = triangles_at(v);
+    work_.add(degree(v));
+    const std::vector<uint32_t> f(of_.begin() + start_[v], of_.begin() + start_[v + size_t(1)]);
     std::vector<std::pair<uint32_t, uint32_t>> ends;  // w, number of a triangle with {v, w}
     std::vector<uint32_t> link(f.size());
     for (uint32_t k = 0; k < f.size(); ++k) {
@@ -213,11 +215,11 @@ class InvalidCheck {
   }
   // The signed stabs of rules M8 and M9; 0, too, where the rule is not applicable.
   int64_t winding(uint32_t f, int u) {
+    work_.add(model_.faces());
     const int up = sign(normal(f).x[u]);
     const Vec<C> a = point(f, 0, low_), b = point(f, 1, low_), c = point(f, 2, low_);
     Vec<C> p;  // P, with 2^(low_ - 2 - 1075) as the unit, in which quarters are integers, too
     for (int i = 0; i < 3; ++i) p.x[i] = a.x[i] + a.x[i] + b.x[i] + c.x[i];
-    work_.add(model_.faces());
     int64_t w = 0;
     for (uint32_t g = 0; g < model_.faces(); ++g) {
       if (g == f || up == 0) continue;

@@ -33,7 +33,7 @@ void merge(Model* model) {
 
 Model read_model(std::string file, const std::string& format, bool as_indexed) {
   if (file.empty()) throw Refused{"byte 0: the file is empty"};
-  for (const char* magic : {"\xff\xfe", "\xfe\xff", "\x1f\x8b", "PK\3\4", "BZh", "\xfd\x37zXZ",
+  for (const char* magic : {"\xff\xfe", "\xfe\xff", "\x1f\x8b", "PK\3\4", "PK\5\6", "BZh", "\xfd\x37zXZ",
                             "\x28\xb5\x2f\xfd", "version https://git-lfs"})
     if (file.compare(0, std::string(magic).size(), magic) == 0)
       throw Refused{"byte 0: compressed, UTF-16 or UTF-32 text, or a git-lfs pointer"};

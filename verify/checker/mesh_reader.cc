@@ -148,7 +148,7 @@ struct Reader {
       expect(s, "solid");
       skip_line();
       for (s = keyword(); s == "facet"; s = keyword()) {
-        while (!s.empty() && s != "outer") s = keyword();
+        for (int i = 0; i < 5 && !s.empty() && s != "outer"; ++i) s = keyword();
         expect(s, "outer");
         expect(keyword(), "loop");
         for (int i = 0; i < 9; ++i) {

@@ -45,8 +45,10 @@ INTEGER = re.compile(rb"[+-]?[0-9]+")
 WORD = re.compile(rb"[^ \t\x0b\x0c]+")                   # between blanks
 TOKEN = re.compile(rb"[^ \t\x0b\x0c\r\n]+")              # between blanks and line ends
 REST_OF_LINE = re.compile(rb"[^\r\n]*")
-FOREIGN = (b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff", b"\x1f\x8b", b"PK\x03\x04", b"BZh",
-           b"\xfd7zXZ\x00", b"\x28\xb5\x2f\xfd", b"version https://git-lfs")
+FOREIGN = (b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff", b"\x1f\x8b", b"PK\x03\x04",
+           b"PK\x05\x06", b"BZh", b"\xfd7zXZ", b"\x28\xb5\x2f\xfd", b"version https://git-lfs")
+
+MAX_TRIANGLES, MAX_VERTICES = 1 << 30, (1 << 32) - 1
 
 def decimal(token):
     """The binary64 nearest to a decimal; float() rounds correctly once the grammar is checked."""
@@ -88,6 +90,8 @@ def read_model(data, fmt, as_indexed):
     points, triangles = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "off": read_off}[fmt](data)
     if not triangles:
         raise Refused("no triangle")
+    if len(triangles) > MAX_TRIANGLES or len(points) >= MAX_VERTICES:
+        raise Refused("over a limit of this checker: 2^30 triangles")
     points = [(x or 0.0, y or 0.0, z or 0.0) for x, y, z in points]      # every zero is +0
     if as_indexed and fmt != "stl":
         return points, triangles
@@ -129,8 +133,9 @@ def read_ascii_stl(text):
         take(b"solid")
         pos = REST_OF_LINE.match(text, pos).end()
         while take(b"facet", b"endsolid") == b"facet":
-            while take() != b"outer":
-                pass
+            normal = 0
+            while take(*(b"outer",) * (normal == 4)) != b"outer":
+                normal += 1
             take(b"loop")
             for _ in range(3):
                 take(b"vertex")
@@ -434,6 +439,10 @@ class Body:
         if self.u32() != len(mesh.triangles) or self.u32() != len(mesh.points):
             raise Reject("B1", "F or V differs from the model's")
 
+    def work(self, mesh):
+        """How many units of work the certificate may ask for."""
+        return 1000 * (len(mesh.triangles) + len(self.data))
+
     def end(self):
         if self.pos != len(self.data):
             raise Reject("B1", "bytes after the end of the body")
@@ -474,6 +483,9 @@ def dot(a, b):
 
 def sign(x):
     return (x > 0) - (x < 0)
+
+def collapsed(t):
+    return t[0] == t[1] or t[1] == t[2] or t[2] == t[0]
 
 def directed_edges(triangles):
     """How often each directed edge occurs."""
@@ -527,8 +539,9 @@ def check_valid(statement, body, mesh, skip):
         why = holds(cert, mesh)
         if why and condition not in skip:
             raise Reject(condition, why)
-    Walk(cert, mesh, skip).run()                                                # V8, V9
-    found = Nesting(cert, mesh, skip).quantities()                              # V10
+    walk = Walk(cert, mesh, skip)
+    walk.run()                                                                  # V8, V9
+    found = Nesting(cert, mesh, walk, skip).quantities()                        # V10
     for key in sorted(found):
         if statement[key] != found[key] and "V11" not in skip:
             raise Reject("V11", "%s: stated %s, computed %s" % (key, statement[key], found[key]))
@@ -538,7 +551,7 @@ class ValidBody:
 
     def __init__(self, body, mesh):
         body.header(b"VTMV", mesh)
-        self.size = len(body.data)
+        self.work = body.work(mesh)
         self.order = body.array(len(mesh.triangles), "I")
         self.stars = list(body.bytes(len(mesh.points)))
         if max(self.stars) > 14:
@@ -691,7 +704,7 @@ class Walk:
         (x0, x1), (y0, y1), (z0, z1) = self.boxes
         separators = iter(self.cert.separators)
         index, d = next(separators, (-1, None))             # the next unused separator
-        reached, work = 0, 1000 * (len(self.cert.order) + self.cert.size)
+        reached, work = 0, self.cert.work
         for node in nodes:
             stack = [2 * node, 2 * node + 1]
             while stack:
@@ -758,16 +771,14 @@ class Walk:
         return False
 
 class Nesting:
-    """Section 6: V10 and the quantities."""
+    """Section 6: V10 and the quantities.  walk: the box tree."""
 
-    def __init__(self, cert, mesh, skip):
-        self.cert, self.mesh, self.skip = cert, mesh, skip
+    def __init__(self, cert, mesh, walk, skip):
+        self.cert, self.mesh, self.walk, self.skip, self.work = cert, mesh, walk, skip, cert.work
         self.faces = [[] for _ in range(cert.num_shells)]
         for f, s in enumerate(cert.shell_of):
             self.faces[s].append(f)
         self.vertices = [{v for f in faces for v in mesh.triangles[f]} for faces in self.faces]
-        self.boxes = [[(min(mesh.floats[v][k] for v in vs), max(mesh.floats[v][k] for v in vs))
-                       for k in range(3)] for vs in self.vertices]
         self.six_volumes = [sum(dot(mesh.points[mesh.triangles[f][0]], mesh.normals[f]) for f in faces)
                             for faces in self.faces]
 
@@ -779,36 +790,48 @@ class Nesting:
         if len(self.faces) == 1:
             return 0
         u, minus = divmod(self.cert.nesting[s], 2)
-        p, q = (u + 1) % 3, (u + 2) % 3
         extreme = (min if minus else max)(self.mesh.points[v][u] for v in self.vertices[s])
         v = min(v for v in self.vertices[s] if self.mesh.points[v][u] == extreme)
-        at, depth = self.mesh.floats[v], 0
-        for other, box in enumerate(self.boxes):
-            (lo, hi), (plo, phi), (qlo, qhi) = box[u], box[p], box[q]
-            if other != s and plo <= at[p] <= phi and qlo <= at[q] <= qhi and (
-                    lo <= at[u] if minus else hi >= at[u]):   # else the ray misses the box
-                depth += self.stabs(other, v, u, minus)
-        return depth
+        odd = set()                                         # the shells stabbed an odd number of times
+        for f in self.leaves(v, u, minus):
+            if self.cert.shell_of[f] != s and self.stabs(f, v, u, minus):
+                odd ^= {self.cert.shell_of[f]}
+        return len(odd)
 
-    def stabs(self, shell, v, u, minus):
-        """1 if the ray from v stabs an odd number of triangles of the shell, else 0"""
-        mesh, at, odd = self.mesh, self.mesh.points[v], 0
-        for f in self.faces[shell]:
-            corners = mesh.corners(f)
-            if line_stabs(corners, at, u):
-                t = dot(mesh.normals[f], sub(corners[0], at))
-                if t == 0:
-                    self.fail("the ray from vertex %d starts in triangle %d" % (v, f))
-                odd ^= sign(t) == (-sign(mesh.normals[f][u]) if minus else sign(mesh.normals[f][u]))
-        return odd
+    def leaves(self, v, u, minus):
+        """The triangles of the leaves that the ray from v reaches: ray(root)."""
+        at, walk = self.mesh.floats[v], self.walk
+        vu, vp, vq = at[u], at[(u + 1) % 3], at[(u + 2) % 3]
+        (lo, hi), (plo, phi), (qlo, qhi) = [walk.boxes[(u + k) % 3] for k in range(3)]
+        stack = [1]
+        while stack:
+            i = stack.pop()
+            self.work -= 1
+            if self.work < 0:
+                raise Reject("B1", TOO_MUCH_WORK)
+            if (plo[i] <= vp < phi[i] and qlo[i] <= vq < qhi[i] and
+                    (lo[i] <= vu if minus else hi[i] >= vu)):
+                if walk.size[i] == 1:
+                    yield self.cert.order[walk.first[i]]
+                else:
+                    stack += (2 * i + 1, 2 * i)
+
+    def stabs(self, f, v, u, minus):
+        mesh, at = self.mesh, self.mesh.points[v]
+        corners = mesh.corners(f)
+        if not line_stabs(corners, at, u):
+            return False
+        t = dot(mesh.normals[f], sub(corners[0], at))
+        if t == 0:
+            self.fail("the ray from vertex %d starts in triangle %d" % (v, f))
+        return sign(t) == (-sign(mesh.normals[f][u]) if minus else sign(mesh.normals[f][u]))
 
     def quantities(self):
-        depths = [self.depth(s) for s in range(len(self.faces))]
-        for s, depth in enumerate(depths):
-            if self.six_volumes[s] == 0:
-                self.fail("shell %d has no volume" % s)
-            if (self.six_volumes[s] < 0) != (depth % 2 == 1):
-                self.fail("shell %d of depth %d is oriented the wrong way" % (s, depth))
+        depths = []
+        for s, volume in enumerate(self.six_volumes):
+            depths.append(self.depth(s))
+            if sign(volume) != (-1 if depths[s] % 2 else 1):
+                self.fail("shell %d of depth %d has no volume or the wrong side out" % (s, depths[s]))
         num_vertices, num_faces = sum(map(len, self.vertices)), len(self.mesh.triangles)
         volume = Fraction(sum(self.six_volumes), 6) * self.mesh.unit ** 3
         return {"vertices": sum(1 for fan_at_v in self.mesh.fans if fan_at_v),
@@ -835,19 +858,34 @@ def check_invalid(statement, body, mesh, skip):
         witnesses.append((rule, [read_field(body, mesh, kind) for kind in INVALID_FIELDS[rule]]))
         last = rule
     body.end()
-    directed = directed_edges(mesh.triangles)
+    allowed = body.work(mesh)
+    directed = directed_edges([t for t in mesh.triangles if not collapsed(t)])
+    for fan_at_v in mesh.fans:                              # such triangles are at no vertex
+        fan_at_v[:] = [entry for entry in fan_at_v if not collapsed(mesh.triangles[entry[0]])]
     holds = {1: i1_degenerate, 2: i2_duplicate, 3: i3_boundary, 4: i4_crowded, 5: i5_misoriented,
              6: i6_fans, 7: i7_intersection, 8: i8_winding, 9: i8_winding}
     for rule, fields in witnesses:
+        allowed -= work_of(rule, mesh, fields)
+        if allowed < 0:
+            raise Reject("B1", TOO_MUCH_WORK)
         if not holds[rule](mesh, directed, *fields) and "I%d" % rule not in skip:
             raise Reject("I%d" % rule, "witness %s of rule M%d proves nothing" % (fields[:2], rule))
     rules = " ".join("M%d" % r for r in sorted({r for r, _ in witnesses}))
     if statement["rules"] != rules and "I10" not in skip:
         raise Reject("I10", "the statement lists %s, the witnesses %s" % (statement["rules"], rules))
 
+def work_of(rule, mesh, fields):
+    """What section 7 counts for a witness."""
+    if rule in (3, 4, 5, 6):
+        return min(len(mesh.fans[v]) for v in fields)
+    return len(mesh.triangles) if rule > 7 else 0
+
 def read_field(body, mesh, kind):
     if kind == "n":
-        data = body.bytes(body.u32())
+        size = body.u32()
+        if size > 4096:
+            raise Reject("B1", "a natural number of %d bytes" % size)
+        data = body.bytes(size)
         if data and data[-1] == 0:
             raise Reject("B1", "a natural number with a leading zero")
         return int.from_bytes(data, "little")
@@ -866,13 +904,13 @@ def uses(directed, a, b):
     return directed.get((a, b), 0) + directed.get((b, a), 0)
 
 def i3_boundary(_, directed, a, b):
-    return a != b and uses(directed, a, b) == 1
+    return uses(directed, a, b) == 1
 
 def i4_crowded(_, directed, a, b):
-    return a != b and uses(directed, a, b) >= 3
+    return uses(directed, a, b) >= 3
 
 def i5_misoriented(_, directed, a, b):
-    return a != b and uses(directed, a, b) == 2 == directed.get((a, b), 0)
+    return uses(directed, a, b) == 2 == directed.get((a, b), 0)
 
 def i6_fans(mesh, _, v):
     classes = []                                            # the other ends of the edges at v

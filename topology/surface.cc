@@ -14,7 +14,7 @@ namespace {
 
 using Faces = std::span<const std::array<std::uint32_t, 3>>;
 
-constexpr std::size_t kChunk = 1 << 14;
+constexpr std::size_t kChunk = 1 << 12;
 
 // What one block of vertices contributes; blocks are joined in order.
 struct VertexBlock {

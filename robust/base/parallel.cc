@@ -13,6 +13,98 @@ namespace veritope {
 
 unsigned hardware_jobs() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+// Threads that wait for the next round of work. A round is offered to the first `wanted` of them; run() returns when
+// they have all done it.
+class WorkerScope::Crew {
+ public:
+  explicit Crew(unsigned size) {
+    threads_.reserve(size);
+    try {
+      for (unsigned i = 0; i < size; ++i) threads_.emplace_back([this, i] { serve(i); });
+    } catch (const std::system_error&) {
+      // The system refuses another thread: those that run are the crew.
+    }
+  }
+  ~Crew() {
+    wanted_ = threads_.size();
+    work_ = nullptr;
+    next_round();
+  }
+  std::size_t size() const { return threads_.size(); }
+  bool is_busy() const { return work_ != nullptr; }
+
+  template <typename Work>
+  void run(std::size_t helpers, Work& work) {
+    argument_ = &work;
+    work_ = [](void* argument) { (*static_cast<Work*>(argument))(); };
+    wanted_ = std::min(helpers, threads_.size());
+    running_.store(threads_.size(), std::memory_order_relaxed);
+    next_round();
+    work();
+    wait_while(running_, [](std::size_t n) { return n != 0; });
+    work_ = nullptr;
+  }
+
+ private:
+  void next_round() {
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
+  }
+
+  template <typename T, typename Condition>
+  static T wait_while(const std::atomic<T>& value, Condition&& holds) {
+    for (int i = 0; i < kSpins; ++i) {
+      const T now = value.load(std::memory_order_acquire);
+      if (!holds(now)) return now;
+      pause();
+    }
+    for (T now = value.load(std::memory_order_acquire);;
+         now = value.load(std::memory_order_acquire)) {
+      if (!holds(now)) return now;
+      value.wait(now, std::memory_order_acquire);
+    }
+  }
+  static void pause() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+
+  void serve(unsigned index) {
+    for (std::uint32_t seen = 0;;) {
+      seen = wait_while(round_, [seen](std::uint32_t round) { return round == seen; });
+      if (work_ == nullptr) return;
+      if (index < wanted_) work_(argument_);
+      if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) running_.notify_all();
+    }
+  }
+
+  static constexpr int kSpins = 2000;  // about 50 us
+
+  // Written by the owner between rounds, read by the threads behind the round's release.
+  void (*work_)(void*) = nullptr;
+  void* argument_ = nullptr;
+  std::size_t wanted_ = 0;
+  std::atomic<std::uint32_t> round_{0};
+  std::atomic<std::size_t> running_{0};
+  std::vector<std::jthread> threads_;  // last: joined before the rest goes
+};
+
+namespace {
+thread_local WorkerScope::Crew* current_crew = nullptr;
+}
+
+WorkerScope::WorkerScope(unsigned jobs) {
+  const unsigned size = std::min(jobs == 0 ? hardware_jobs() : jobs, hardware_jobs()) - 1;
+  if (size == 0 || current_crew != nullptr) return;
+  crew_ = std::make_unique<Crew>(size);
+  current_crew = crew_.get();
+}
+
+WorkerScope::~WorkerScope() {
+  if (crew_) current_crew = nullptr;
+}
+
 namespace internal {
 
 void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCall call,
@@ -44,7 +136,10 @@ void run_chunks(std::size_t size, std::size_t chunk_size, unsigned jobs, ChunkCa
       }
     }
   };
-  {
+  WorkerScope::Crew* const crew = current_crew;
+  if (crew != nullptr && !crew->is_busy()) {
+    crew->run(workers - 1, work);
+  } else {
     std::vector<std::jthread> threads;  // joined at the end of this block
     threads.reserve(workers > 0 ? workers - 1 : 0);
     try {

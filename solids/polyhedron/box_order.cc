@@ -15,7 +15,7 @@ namespace {
 constexpr unsigned kBits = 11;  // of a coordinate, and of a radix pass: three passes sort the 33-bit code
 constexpr std::size_t kRadix = std::size_t{1} << kBits;
 constexpr unsigned kIndexBits = 31;
-constexpr std::size_t kChunk = 1 << 14;
+constexpr std::size_t kChunk = 1 << 12;
 
 // The low 11 bits of v, two zeros between neighbours.
 std::uint64_t spread(std::uint64_t v) {
@@ -67,9 +67,9 @@ struct Centre {
   std::uint32_t facet;
 };
 
-// Arranges [begin, end) as the certificate's tree halves it: floor(n / 2) positions to the left.
-void arrange(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
-  if (end - begin < 2) return;
+// Halves [begin, end) as the certificate's tree does, floor(n / 2) positions to the left: at the median along the longest side of
+// the centres' box. The result does not depend on the order of the items. Returns the middle.
+std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
   std::array<double, 3> lo = items[begin].at, hi = lo;
   for (std::size_t i = begin + 1; i < end; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -84,8 +84,29 @@ void arrange(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
   std::nth_element(it(begin), it(mid), it(end), [axis](const Centre& a, const Centre& b) {
     return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.facet < b.facet;
   });
+  return mid;
+}
+
+void arrange(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
+  if (end - begin < 2) return;
+  const std::size_t mid = halve(items, begin, end);
   arrange(items, begin, mid);
   arrange(items, mid, end);
+}
+
+// The first levels one by one, all ranges of a level at once; then each range on its own.
+void arrange_all(std::vector<Centre>& items, unsigned jobs) {
+  std::vector<std::size_t> cuts{0, items.size()};
+  for (int level = 0; level < 6 && items.size() >= kChunk; ++level) {
+    std::vector<std::size_t> finer(2 * cuts.size() - 1);
+    parallel_for(cuts.size() - 1, 1, jobs, [&](std::size_t i, std::size_t, std::size_t) {
+      finer[2 * i] = cuts[i];
+      finer[2 * i + 1] = halve(items, cuts[i], cuts[i + 1]);
+    });
+    finer.back() = cuts.back();
+    cuts = std::move(finer);
+  }
+  parallel_for(cuts.size() - 1, 1, jobs, [&](std::size_t i, std::size_t, std::size_t) { arrange(items, cuts[i], cuts[i + 1]); });
 }
 
 }  // namespace
@@ -157,20 +178,21 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
   return order;
 }
 
-std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets) {
-  std::vector<Centre> items;
-  items.reserve(facets.size());
-  for (std::uint32_t f : facets) {
-    const auto& t = mesh.faces[f];
-    Centre c{{0, 0, 0}, f};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto at = [&](std::size_t i) { return mesh.positions[t[i]][static_cast<int>(k)]; };
-      c.at[k] = at(0) + at(1) + at(2);
-      if (!is_finite(c.at[k])) c.at[k] = at(0) / 4 + at(1) / 4 + at(2) / 4;
+std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, unsigned jobs) {
+  std::vector<Centre> items(facets.size());
+  parallel_for(facets.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& t = mesh.faces[facets[i]];
+      Centre& c = items[i];
+      c.facet = facets[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = [&](std::size_t j) { return mesh.positions[t[j]][static_cast<int>(k)]; };
+        c.at[k] = at(0) + at(1) + at(2);
+        if (!is_finite(c.at[k])) c.at[k] = at(0) / 4 + at(1) / 4 + at(2) / 4;
+      }
     }
-    items.push_back(c);
-  }
-  arrange(items, 0, items.size());
+  });
+  arrange_all(items, jobs);
   std::vector<std::uint32_t> order;
   order.reserve(items.size());
   for (const Centre& c : items) order.push_back(c.facet);

@@ -49,6 +49,6 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
 
 /// The facets in the leaf order of a balanced tree whose nodes are halved at the median centre along their longest axis: dearer than
 /// morton_order, but long thin facets stay beside their neighbours. @cost O(F log F).
-std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets);
+std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, unsigned jobs);
 
 }  // namespace veritope

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robust/base/check.h"
+#include "robust/base/parallel.h"
 
 namespace veritope {
 namespace {
@@ -22,11 +23,22 @@ void append_parts(const TreeRange& r, std::uint32_t depth, std::vector<WalkPart>
 
 }  // namespace
 
-BoxTree::BoxTree(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars)
+BoxTree::BoxTree(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars, unsigned jobs)
     : order_(std::move(order)) {
   VT_CHECK(!order_.empty() && order_.size() < (std::size_t{1} << 30), "facets of a box tree");
   nodes_ = std::make_unique_for_overwrite<Node[]>(2 * order_.size() - 1);
-  build(mesh, stars, root());
+  std::vector<TreeRange> above, level{root()};  // above: each node before its children
+  for (int depth = 0; depth < 6 && level.front().size() > 64; ++depth) {
+    std::vector<TreeRange> below;
+    for (const TreeRange& r : level) {
+      above.push_back(r);
+      below.push_back(r.left());
+      below.push_back(r.right());
+    }
+    level = std::move(below);
+  }
+  parallel_for(level.size(), 1, jobs, [&](std::size_t i, std::size_t, std::size_t) { build(mesh, stars, level[i]); });
+  for (std::size_t i = above.size(); i-- > 0;) join_children(above[i]);
 }
 
 std::vector<WalkPart> BoxTree::parts() const {
@@ -36,23 +48,31 @@ std::vector<WalkPart> BoxTree::parts() const {
 }
 
 void BoxTree::build(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r) {
+  if (r.is_leaf()) return make_leaf(mesh, stars, r);
+  build(mesh, stars, r.left());
+  build(mesh, stars, r.right());
+  join_children(r);
+}
+
+void BoxTree::make_leaf(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r) {
   Node& n = nodes_[r.node];
   n.common.fill(kNone);
   std::size_t filled = 0;
-  if (r.is_leaf()) {
-    const auto& t = mesh.faces[order_[r.lo]];
-    const Vec3d& p = mesh.positions[t[0]];
-    n.lo = n.hi = {p.x, p.y, p.z};
-    for (std::uint32_t v : t) {
-      const Vec3d& q = mesh.positions[v];
-      n.lo = {std::min(n.lo[0], q.x), std::min(n.lo[1], q.y), std::min(n.lo[2], q.z)};
-      n.hi = {std::max(n.hi[0], q.x), std::max(n.hi[1], q.y), std::max(n.hi[2], q.z)};
-      if (stars[v]) n.common[filled++] = v;
-    }
-    return;
+  const auto& t = mesh.faces[order_[r.lo]];
+  const Vec3d& p = mesh.positions[t[0]];
+  n.lo = n.hi = {p.x, p.y, p.z};
+  for (std::uint32_t v : t) {
+    const Vec3d& q = mesh.positions[v];
+    n.lo = {std::min(n.lo[0], q.x), std::min(n.lo[1], q.y), std::min(n.lo[2], q.z)};
+    n.hi = {std::max(n.hi[0], q.x), std::max(n.hi[1], q.y), std::max(n.hi[2], q.z)};
+    if (stars[v]) n.common[filled++] = v;
   }
-  build(mesh, stars, r.left());
-  build(mesh, stars, r.right());
+}
+
+void BoxTree::join_children(const TreeRange& r) {
+  Node& n = nodes_[r.node];
+  n.common.fill(kNone);
+  std::size_t filled = 0;
   const Node &a = nodes_[r.left().node], &b = nodes_[r.right().node];
   for (std::size_t k = 0; k < 3; ++k) {
     n.lo[k] = std::min(a.lo[k], b.lo[k]);

@@ -32,7 +32,7 @@ struct WalkPart {
 class BoxTree {
  public:
   /// REQUIRES a non-empty order. @cost O(F) time, 128 bytes a facet.
-  BoxTree(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars);
+  BoxTree(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars, unsigned jobs);
 
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::span<const std::uint32_t> facets(const TreeRange& r) const { return {order_.data() + r.lo, r.size()}; }
@@ -65,6 +65,8 @@ class BoxTree {
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   void build(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r);
+  void make_leaf(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r);
+  void join_children(const TreeRange& r);
   bool skips(const Node& a, const Node& b) const {
     for (std::size_t k = 0; k < 3; ++k)
       if (a.hi[k] < b.lo[k] || b.hi[k] < a.lo[k]) return true;

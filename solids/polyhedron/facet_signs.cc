@@ -7,7 +7,7 @@
 namespace veritope {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 14;
+constexpr std::size_t kChunk = 1 << 12;
 
 template <typename Decide>
 NormalSigns signs_by(const Vec3d& a, const Vec3d& b, const Vec3d& c, Decide decide) {

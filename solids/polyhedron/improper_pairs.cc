@@ -63,11 +63,12 @@ struct SeparatorWalk {
 
 std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
                                         const VertexStars& stars, std::size_t max_listed, unsigned jobs) {
-  const BoxTree tree(mesh, median_order(mesh, facets), stars);
+  const BoxTree tree(mesh, median_order(mesh, facets, jobs), stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<Finds> finds(parts.size());
-  parallel_for(parts.size(), 1, jobs, [&](std::size_t i, std::size_t, std::size_t) {
+  parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
+    const std::size_t i = parts.size() - 1 - k;  // the longest parts are the last ones: they start first
     SeparatorWalk walk{mesh, tree, max_listed, SeparatorFinder(mesh, largest), {}};
     tree.walk(parts[i], walk);
     finds[i] = std::move(walk.finds);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "robust/base/check.h"
+#include "robust/base/parallel.h"
 #include "solids/polyhedron/box_order.h"
 #include "solids/polyhedron/defects.h"
 #include "solids/polyhedron/duplicates.h"
@@ -183,6 +184,7 @@ class Decision {
 }  // namespace
 
 ValidityReport decide_validity(const TriangleMesh& mesh, const ValidityOptions& options) {
+  const WorkerScope workers(std::max(1u, options.jobs));
   return Decision(mesh, options).run();
 }
 

@@ -12,7 +12,7 @@
 namespace veritope {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 13;
+constexpr std::size_t kChunk = 1 << 12;
 
 struct Fan {
   const TriangleMesh& mesh;

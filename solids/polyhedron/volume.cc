@@ -16,7 +16,7 @@ namespace {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;
 
-constexpr std::size_t kChunk = 1 << 14;
+constexpr std::size_t kChunk = 1 << 12;
 
 // All coordinates are integers times 2^unit, of absolute value below 2^bits.
 struct Lattice {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -81,6 +82,55 @@ TEST(Parallel, AcceptsAConstantBody) {
   const auto body = [&count](std::size_t, std::size_t, std::size_t) { ++count; };
   parallel_for(10, 1, 2, body);
   EXPECT_EQ(count.load(), 10);
+}
+
+TEST(WorkerScope, ManyLoopsOfAllSizesVisitEveryIndexOnce) {
+  for (const unsigned crew : {0u, 1u, 2u, 5u}) {
+    const WorkerScope scope(crew);
+    for (int round = 0; round < 2000; ++round) {
+      const auto size = static_cast<std::size_t>(round % 50);
+      std::vector<int> visits(size);
+      parallel_for(size, 1, static_cast<unsigned>(round % 7),
+                   [&](std::size_t, std::size_t begin, std::size_t) { ++visits[begin]; });
+      for (const int v : visits) ASSERT_EQ(v, 1) << crew << ' ' << round;
+    }
+  }
+}
+
+TEST(WorkerScope, ThreadsThatSleptWorkAgain) {
+  const WorkerScope scope(2);
+  for (int round = 0; round < 20; ++round) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::atomic<int> count{0};
+    parallel_for(8, 1, 2, [&](std::size_t, std::size_t, std::size_t) { ++count; });
+    EXPECT_EQ(count.load(), 8);
+  }
+}
+
+TEST(WorkerScope, LoopsMayNestAndScopesToo) {
+  const WorkerScope scope(2);
+  std::atomic<int> count{0};
+  parallel_for(6, 1, 2, [&](std::size_t, std::size_t, std::size_t) {
+    const WorkerScope inner(2);
+    parallel_for(5, 1, 2, [&](std::size_t, std::size_t, std::size_t) { ++count; });
+  });
+  EXPECT_EQ(count.load(), 30);
+  parallel_for(5, 1, 2, [&](std::size_t, std::size_t, std::size_t) { ++count; });
+  EXPECT_EQ(count.load(), 35);
+}
+
+TEST(WorkerScope, AnExceptionLeavesTheThreadsUsable) {
+  const WorkerScope scope(2);
+  for (int round = 0; round < 50; ++round) {
+    try {
+      parallel_for(100, 1, 2, [](std::size_t chunk, std::size_t, std::size_t) {
+        if (chunk % 10 == 3) throw std::runtime_error(std::to_string(chunk));
+      });
+      FAIL() << "no exception";
+    } catch (const std::runtime_error& e) {
+      EXPECT_STREQ(e.what(), "3");
+    }
+  }
 }
 
 TEST(Parallel, KnowsAtLeastOneThread) { EXPECT_GE(hardware_jobs(), 1u); }

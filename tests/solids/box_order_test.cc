@@ -117,9 +117,9 @@ TEST(MortonOrder, OrdersSomeOfTheFacetsOnly) {
   const TriangleMesh mesh = shapes::torus(10, 10, 3, 1);
   const std::vector<std::uint32_t> some{3, 5, 8, 13, 21, 34, 55, 89, 144};
   EXPECT_TRUE(is_permutation_of(morton_order(mesh, some, UnitScale(bounding_box(mesh.positions, 1)), 2), some));
-  EXPECT_TRUE(is_permutation_of(median_order(mesh, some), some));
+  EXPECT_TRUE(is_permutation_of(median_order(mesh, some, 1), some));
   EXPECT_TRUE(morton_order(mesh, {}, UnitScale(bounding_box(mesh.positions, 1)), 1).empty());
-  EXPECT_TRUE(median_order(mesh, {}).empty());
+  EXPECT_TRUE(median_order(mesh, {}, 1).empty());
 }
 
 TEST(MortonOrder, FollowsALine) {
@@ -137,7 +137,7 @@ TEST(MortonOrder, FollowsALine) {
     auto backwards = all_facets(mesh);
     std::reverse(backwards.begin(), backwards.end());
     EXPECT_EQ(morton_order(mesh, all_facets(mesh), UnitScale(bounding_box(mesh.positions, 1)), 1), backwards) << axis;
-    EXPECT_EQ(median_order(mesh, all_facets(mesh)), backwards) << axis;
+    EXPECT_EQ(median_order(mesh, all_facets(mesh), 1), backwards) << axis;
   }
 }
 
@@ -151,7 +151,7 @@ TEST(MortonOrder, KeepsEqualFacetsInTheirOrder) {
 TEST(MedianOrder, HalvesEveryNodeAlongItsLongestAxis) {
   Random random(4);
   const TriangleMesh mesh = shapes::needle_soup(random, 300);
-  const auto order = median_order(mesh, all_facets(mesh));
+  const auto order = median_order(mesh, all_facets(mesh), 1);
   ASSERT_TRUE(is_permutation_of(order, all_facets(mesh)));
   const auto centre = [&](std::uint32_t f, int axis) {
     const auto& t = mesh.faces[f];
@@ -188,7 +188,7 @@ TEST(MedianOrder, KeepsTheOrderInsidePartsThatAreFarFromEachOther) {
   const TriangleMesh part = shapes::relabelled(shapes::torus(30, 20, 3, 1), random);
   for (double far : {1e9, 1e12, -1e12}) {
     const TriangleMesh mesh = shapes::joined(part, shapes::box({far, far, far}, {far * 1.5, far * 1.5, far * 1.5}));
-    const BoxTree tree(mesh, median_order(mesh, all_facets(mesh)), {std::vector<std::uint8_t>(mesh.positions.size()), {}});
+    const BoxTree tree(mesh, median_order(mesh, all_facets(mesh), 1), {std::vector<std::uint8_t>(mesh.positions.size()), {}}, 1);
     struct Counter {
       std::uint64_t leaves = 0;
       bool stop() const { return false; }

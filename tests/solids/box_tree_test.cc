@@ -109,13 +109,13 @@ struct Recorder {
 void expect_as_on_the_page(const TriangleMesh& mesh, const VertexStars& stars, Random& random, bool some_separated) {
   std::vector<std::uint32_t> order(mesh.faces.size());
   std::iota(order.begin(), order.end(), 0u);
-  order = random.below(2) == 0 ? median_order(mesh, order) : morton_order(mesh, order, UnitScale(bounding_box(mesh.positions, 1)), 1);
+  order = random.below(2) == 0 ? median_order(mesh, order, 1) : morton_order(mesh, order, UnitScale(bounding_box(mesh.positions, 1)), 1);
   std::set<std::int64_t> separated;
   for (std::int64_t k = 0; some_separated && k < 2000; ++k)
     if (random.below(10) == 0) separated.insert(k);
   const PageWalk page(mesh, order, stars.code, separated);
 
-  const BoxTree tree(mesh, order, stars);
+  const BoxTree tree(mesh, order, stars, 2);
   Recorder whole{separated, 0, {}, {}};
   const std::uint64_t pairs = tree.walk({tree.root(), tree.root()}, whole);
   EXPECT_EQ(whole.events == page.events, true) << shapes::to_text(mesh);
@@ -153,7 +153,7 @@ TEST(BoxTree, AWholeFanUnderItsStarIsOnePair) {
   stars.code[0] = 3;
   std::vector<std::uint32_t> order(64);  // the facets at the apex
   std::iota(order.begin(), order.end(), 0u);
-  const BoxTree tree(mesh, order, stars);
+  const BoxTree tree(mesh, order, stars, 2);
   Recorder recorder;
   EXPECT_EQ(tree.walk({tree.root(), tree.root()}, recorder), 0u);
 }
@@ -165,7 +165,7 @@ TEST(BoxTree, PartsDependOnTheNumberOfFacetsOnly) {
       std::vector<std::uint32_t> order(mesh.faces.size());
       std::iota(order.begin(), order.end(), 0u);
       std::vector<std::array<std::uint32_t, 6>> out;
-      for (const WalkPart& p : BoxTree(mesh, order, {std::vector<std::uint8_t>(mesh.positions.size()), {}}).parts())
+      for (const WalkPart& p : BoxTree(mesh, order, {std::vector<std::uint8_t>(mesh.positions.size()), {}}, 1).parts())
         out.push_back({p.a.node, p.a.lo, p.a.hi, p.b.node, p.b.lo, p.b.hi});
       return out;
     };
@@ -187,7 +187,7 @@ TEST(BoxTree, StopsWhenTheVisitorHasSeenEnough) {
   const TriangleMesh mesh = shapes::needle_soup(random, 200);
   std::vector<std::uint32_t> order(mesh.faces.size());
   std::iota(order.begin(), order.end(), 0u);
-  const BoxTree tree(mesh, order, {std::vector<std::uint8_t>(mesh.positions.size()), {}});
+  const BoxTree tree(mesh, order, {std::vector<std::uint8_t>(mesh.positions.size()), {}}, 1);
   Recorder recorder;
   recorder.stop_after = 10;
   tree.walk({tree.root(), tree.root()}, recorder);

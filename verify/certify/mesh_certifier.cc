@@ -61,13 +61,14 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
 void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs, ValidBody& body) {
   const auto facets = all_facets(mesh);
   const BoxTree tree(mesh,
-                     report.long_thin ? median_order(mesh, facets)
+                     report.long_thin ? median_order(mesh, facets, jobs)
                                       : morton_order(mesh, facets, UnitScale(BoundingBox{report.box_lo, report.box_hi}), jobs),
-                     report.stars);
+                     report.stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<PartWitness> found(parts.size());
-  parallel_for(parts.size(), 1, jobs, [&](std::size_t i, std::size_t, std::size_t) {
+  parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
+    const std::size_t i = parts.size() - 1 - k;  // the longest parts are the last ones: they start first
     CertifyingWalk walk{mesh, tree, report.long_thin, SeparatorFinder(mesh, largest), {}};
     walk.out.pairs = tree.walk(parts[i], walk);
     found[i] = std::move(walk.out);
@@ -183,6 +184,7 @@ InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report)
 
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
                                          const certificate::Subject& subject, unsigned jobs) {
+  const WorkerScope workers(std::max(1u, jobs));
   if (report.is_valid) return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
   return certificate::encode(subject, invalid_body(mesh, report));
 }

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Real models: the manifest's truth, and the same verdict after transformations that change nothing.
 
-usage: soak_models.py BIN_FOLDER manifest|transforms [SEED]
+usage: soak_models.py BIN_FOLDER manifest|jobs|transforms [SEED]
 manifest    verdict, exit code and every count of all files against MANIFEST.tsv; both checkers accept every certificate.
+jobs        report and certificate of every readable file are the same bytes for 1, 2, 3 and 7 jobs.
 transforms  every readable file relabelled, mapped exactly (coordinate permutations, reflections, shears and scalings that round nothing, the
             orientation reversed where the determinant is negative) and cut into four: same verdict, counts and genus, volume * |det|.
 """
@@ -79,6 +80,27 @@ def manifest():
     figure("manifest_certificates", certificates, "165")
     figure("manifest_certificates_rejected", rejected, "0, by either checker")
     return disagree + rejected
+
+
+def jobs():
+    files = differ = 0
+    with open(DATA / "MANIFEST.tsv", newline="") as f, tempfile.TemporaryDirectory() as folder:
+        certificate = pathlib.Path(folder) / "c"
+        for line in csv.DictReader(f, delimiter="\t"):
+            if line["class"] == "malformed":
+                continue
+            outputs = set()
+            for n in (1, 2, 3, 7):
+                _, report = certify(DATA / line["file"], "--certificate", certificate, "--no-check", "--jobs", str(n))
+                del report["seconds"]
+                outputs.add((json.dumps(report), certificate.read_bytes()))
+            files += 1
+            if len(outputs) != 1:
+                differ += 1
+                print(f"{line['file']}: {len(outputs)} outputs", file=sys.stderr)
+    figure("jobs_files", files, "165")
+    figure("jobs_outputs_that_differ", differ, "0")
+    return differ
 
 
 def exact(value):
@@ -212,5 +234,9 @@ def transforms(seed):
     return changed
 
 
+def main(mode, seed="1"):
+    return 1 if {"manifest": manifest, "jobs": jobs, "transforms": lambda: transforms(int(seed))}[mode]() else 0
+
+
 if __name__ == "__main__":
-    sys.exit(1 if (manifest() if sys.argv[2] == "manifest" else transforms(int(sys.argv[3]) if len(sys.argv) > 3 else 1)) else 0)
+    sys.exit(main(*sys.argv[2:]))

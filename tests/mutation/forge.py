@@ -243,9 +243,10 @@ def integers(weights):
 
 
 def edge_uses(mesh):
+    """Triangles by directed edge; a triangle of fewer than three vertices has no edge."""
     uses = {}
     for f, t in enumerate(mesh.tris):
-        for i in range(3):
+        for i in range(3) if len(set(t)) == 3 else ():
             uses.setdefault((t[i], t[(i + 1) % 3]), []).append(f)
     return uses
 
@@ -312,9 +313,9 @@ class Truth:
             self.broken.add("M2")
         for (a, b), faces in self.uses.items():
             both = len(faces) + len(self.uses.get((b, a), []))
-            if a != b and both != 2:
+            if both != 2:
                 self.broken.add("M3" if both == 1 else "M4")
-            elif a != b and len(faces) == 2:
+            elif len(faces) == 2:
                 self.broken.add("M5")
         if any(fans_at(mesh, v) > 1 for v in used):
             self.broken.add("M6")
@@ -354,9 +355,9 @@ class Truth:
 
 
 def fans_at(mesh, v):
-    """Number of classes of the triangles at v connected through common edges at v."""
+    """Number of classes of the triangles at v connected through common edges at v; a collapsed one is at no vertex."""
     groups = []
-    for f in mesh.at[v]:
+    for f in (f for f in mesh.at[v] if len(set(mesh.tris[f])) == 3):
         ends = set(mesh.tris[f]) - {v}
         joined = [g for g in groups if g & ends]
         groups = [g for g in groups if not g & ends] + [ends.union(*joined)]

@@ -48,7 +48,12 @@ std::string shell_word(const std::string& name) {
   return out + "'";
 }
 
-// The bytes of standard input, which can be read once only.
+// Names that mean another file in another process, or one that can be read once only.
+bool needs_copy(const std::string& path) {
+  return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
+}
+
+// The bytes of an input that the checker cannot open by its name.
 struct SpooledInput {
   ByteBuffer bytes;
   std::optional<ScratchFile> copy;  // for the checker
@@ -60,7 +65,6 @@ class Certification {
                 const KeepCertificate& keep, Progress& progress)
       : settings_(settings), keep_(keep), progress_(progress) {
     report_.path = path;
-    report_.as_indexed = settings.reading.as_indexed;
   }
 
   FileReport run() {
@@ -102,7 +106,8 @@ class Certification {
     report_.seconds.read = watch_.lap();
     if (!file) return refuse(fault_of(file.error()));
     report_.reading = file->report;
-    report_.as_indexed = report_.as_indexed && file->report.format != MeshFormat::kStl;
+    report_.as_indexed =
+        settings_.reading.as_indexed && file->report.format != MeshFormat::kStl;
     report_.sha256 = file->sha256;
     mesh_ = std::move(file->mesh);
     polygon_of_face_ = std::move(file->polygon_of_face);
@@ -110,13 +115,15 @@ class Certification {
   }
 
   Result<MeshFile> read_mesh() {
-    if (report_.path != "-") return read_mesh_file(report_.path, settings_.reading);
-    Result<ByteBuffer> bytes =
-        read_descriptor(STDIN_FILENO, "-", 0, settings_.reading.limits.max_bytes);
+    const std::string& path = report_.path;
+    if (!needs_copy(path)) return read_mesh_file(path, settings_.reading);
+    const std::uint64_t max_bytes = settings_.reading.limits.max_bytes;
+    Result<ByteBuffer> bytes = path == "-" ? read_descriptor(STDIN_FILENO, path, 0, max_bytes)
+                                           : read_file_bytes(path, max_bytes);
     if (!bytes) return bytes.error();
     spooled_.bytes = std::move(*bytes);
     const ByteBuffer& b = spooled_.bytes;
-    return read_mesh_bytes({b.data(), b.size()}, "-", settings_.reading);
+    return read_mesh_bytes({b.data(), b.size()}, path, settings_.reading);
   }
 
   bool decide() {
@@ -168,7 +175,7 @@ class Certification {
     if (!certificate) return fail_to_check(kExitUnreadable, fault_of(certificate.error()));
     std::vector<int> inherited = {certificate->descriptor()};
     std::string model = report_.path;
-    if (model == "-") {
+    if (needs_copy(model)) {
       const ByteBuffer& b = spooled_.bytes;
       Result<ScratchFile> copy =
           ScratchFile::with({reinterpret_cast<const char*>(b.data()), b.size()});
@@ -192,10 +199,15 @@ class Certification {
       return fail_to_check(kExitUndecided,
                            {"not-checked", {}, settings_.checker + " " + outcome.words});
     }
+    if (outcome.lacks_resources) {
+      return fail_to_check(kExitUndecided, {"out-of-memory",
+                                            {},
+                                            "not enough memory for veritope-check (" +
+                                                outcome.words + ")"});
+    }
     if (file_has_changed()) {
       FileReport blank;  // what was found is about bytes that are gone
       blank.path = report_.path;
-      blank.as_indexed = settings_.reading.as_indexed;
       blank.seconds = report_.seconds;
       report_ = std::move(blank);
       return refuse({"file-changed", {}, "the file changed while it was being certified"});
@@ -206,14 +218,16 @@ class Certification {
                                         outcome.words + "); " + how_to_report()});
   }
 
-  // A verdict that nobody else confirmed is none. Always false.
+  // A verdict that nobody else confirmed is none, and its counts and defects are none. Always false.
   bool fail_to_check(ExitCode exit, Fault fault) {
     report_.certificate.reset();
+    report_.decision.reset();
+    report_.defects.clear();
     return give_up(exit, std::move(fault));
   }
 
   bool file_has_changed() const {
-    if (report_.path == "-") return false;
+    if (needs_copy(report_.path)) return false;
     const Result<ByteBuffer> now =
         read_file_bytes(report_.path, settings_.reading.limits.max_bytes);
     return !now || to_hex(sha256({now->data(), now->size()})) != report_.sha256;

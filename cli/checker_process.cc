@@ -23,6 +23,7 @@ namespace veritope::cli {
 namespace {
 
 constexpr std::string_view kName = "veritope-check";
+constexpr int kOutOfMemory = 3;  // its exit status
 
 bool is_program(const std::string& path) {
   struct stat status {};
@@ -82,10 +83,12 @@ bool says_accept(const std::string& line, const std::string& claim) {
 void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
+    outcome.lacks_resources = number == SIGKILL;
     outcome.words = "died by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")";
     return;
   }
   outcome.exit = WEXITSTATUS(status);
+  outcome.lacks_resources = outcome.exit == kOutOfMemory;
   outcome.is_accepted = outcome.exit == 0 && says_accept(outcome.words, claim);
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }

@@ -17,6 +17,7 @@ Result<std::string> find_checker();
 struct CheckerOutcome {
   bool is_started = false;
   bool is_accepted = false;  ///< exit 0 and "ACCEPT <claim>" for the claim that was to be checked
+  bool lacks_resources = false;  ///< out of memory (exit 3), or killed (SIGKILL): as the system does when memory is short
   int exit = -1;             ///< exit status; -1: ended by a signal, or never started
   std::string words;         ///< its first line of output; or how it died
   double seconds = 0;

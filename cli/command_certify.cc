@@ -42,8 +42,9 @@ ExitCode fail(const Error& error) {
   return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
 }
 
-ExitCode write_json(const Options& options, const std::vector<std::string>& files,
-                    StandardOutput& out) {
+ExitCode write_json(const Options& options, const OutputPlan& plan,
+                    const std::vector<std::string>& files, StandardOutput& out) {
+  if (plan.json_in_new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
   const Status status = write_output(*options.json, document_json("veritope-report-1", files), out);
   if (status || *options.json == "-") return kExitValid;  // main looks at standard output
   complain(harmless(to_string(status.error())));
@@ -73,7 +74,7 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
     if (options.json != "-") print(report, options.quiet, out);
     complain_beside_verdict(report);
   }
-  return options.json ? first_of(exit, write_json(options, json, out)) : exit;
+  return options.json ? first_of(exit, write_json(options, *plan, json, out)) : exit;
 }
 
 }  // namespace veritope::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope convert.
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -47,11 +48,17 @@ Result<WriteOptions> target_of(const Options& o) {
     options.single_precision = true;
     return options;
   }
+  if (const auto options = write_options_from_name(name); options && !o.single_precision) {
+    return *options;  // as `info` calls them
+  }
   return bad_argument("--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " +
                       name);
 }
 
 std::string displacement_text(const LossReport& loss) {
+  if (std::isinf(loss.max_displacement)) {
+    return "vertex " + std::to_string(loss.vertex) + " is too large for binary32";
+  }
   return counted(loss.moved_vertices, "vertex moves", "vertices move") + " by at most " +
          short_decimal(loss.max_displacement) + " (vertex " + std::to_string(loss.vertex) + ")";
 }
@@ -70,10 +77,18 @@ std::string loss_text(const LossReport& loss, bool as_indexed) {
   return text;
 }
 
-std::string dropped_text(const ReadReport& reading) {
+// What is no part of the model: it is not kept, and that is no loss.
+std::string dropped_text(const ReadReport& reading, const WriteOptions& target) {
   std::string text;
+  const auto add = [&text](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   for (const auto& [what, count] : reading.ignored) {
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + harmless(what);
+    add(std::to_string(count) + " " + harmless(what));
+  }
+  if (target.format == MeshFormat::kStl && reading.format != MeshFormat::kStl) {
+    if (reading.unreferenced_vertices != 0) {
+      add(counted(reading.unreferenced_vertices, "unreferenced vertex", "unreferenced vertices"));
+    }
+    add("the numbers of the vertices");
   }
   return text;
 }
@@ -83,15 +98,17 @@ ExitCode fail(const Error& error) {
   return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
 }
 
-ExitCode refuse(const Options& o, const std::string& loss, const WriteOptions& target) {
-  std::string advice = "--lossy writes it all the same";
+ExitCode refuse(const Options& o, const LossReport& loss, const std::string& words,
+                const WriteOptions& target) {
+  const bool has_too_large = std::isinf(loss.max_displacement);
+  std::string advice = has_too_large ? "" : "--lossy writes it all the same; ";
   if (target.format == MeshFormat::kStl && target.encoding != MeshEncoding::kAscii &&
       !o.reading.as_indexed) {
-    advice += "; --to stl-ascii keeps all digits";
+    advice += "--to stl-ascii keeps all digits";
   } else {
-    advice += "; --to ply keeps everything";
+    advice += "--to ply keeps everything";
   }
-  complain(harmless(o.output) + ": not written, it would lose something: " + loss + ". " + advice);
+  complain(harmless(o.output) + ": not written, it would lose something: " + words + ". " + advice);
   return kExitInvalid;
 }
 
@@ -105,11 +122,12 @@ Status write_model(const std::string& path, const TriangleMesh& mesh, const Writ
 }
 
 // Standard output may be the model itself.
-void report(const Options& o, const MeshFile& file, const std::string& loss, StandardOutput& out) {
+void report(const Options& o, const MeshFile& file, const std::string& loss,
+            const WriteOptions& target, StandardOutput& out) {
   std::string text = "wrote  " + harmless(o.output) + "  " +
                      counted(file.mesh.faces.size(), "face", "faces") +
                      (loss.empty() ? ", nothing lost" : ", lossy: " + loss) + "\n";
-  const std::string dropped = dropped_text(file.report);
+  const std::string dropped = dropped_text(file.report, target);
   if (!dropped.empty()) text += "  not part of the model, dropped: " + dropped + "\n";
   if (file.report.polygons_split != 0) {
     text +=
@@ -117,6 +135,7 @@ void report(const Options& o, const MeshFile& file, const std::string& loss, Sta
   }
   if (o.output != "-") out.write(text);
   if (o.output == "-" && !loss.empty()) complain("lossy: " + loss);
+  if (o.output == "-" && !dropped.empty()) complain("not part of the model, dropped: " + dropped);
 }
 
 }  // namespace
@@ -131,11 +150,12 @@ ExitCode run_convert(const Options& options, StandardOutput& out) {
   const Result<MeshFile> file = read_mesh_file(options.files[0], options.reading);
   if (!file) return fail(file.error());
   const bool as_indexed = options.reading.as_indexed && file->report.format != MeshFormat::kStl;
-  const std::string loss = loss_text(loss_of(file->mesh, *target), as_indexed);
-  if (!loss.empty() && !options.lossy) return refuse(options, loss, *target);
+  const LossReport loss = loss_of(file->mesh, *target);
+  const std::string words = loss_text(loss, as_indexed);
+  if (!words.empty() && !options.lossy) return refuse(options, loss, words, *target);
   const Status written = write_model(options.output, file->mesh, *target, out);
   if (!written && options.output != "-") return fail(written.error());
-  report(options, *file, loss, out);
+  report(options, *file, words, *target, out);
   return kExitValid;
 }
 

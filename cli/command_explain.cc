@@ -89,7 +89,7 @@ ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
   std::string why;
   const auto certificate = certificate::decode({bytes->data(), bytes->size()}, why);
   if (!certificate) {
-    complain(harmless(path + ": not a certificate: " + why));
+    complain(harmless(path + ": not a certificate (those that certify --certificate writes are): " + why));
     return kExitUnreadable;
   }
   std::string text = certificate::explain(*certificate, options.max_items);

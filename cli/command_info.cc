@@ -24,11 +24,10 @@ std::vector<std::string> lossless_variants(const MeshFile& file, bool as_indexed
 InfoReport info_of(const std::string& path, const ReadOptions& reading) {
   InfoReport report;
   report.path = path;
-  report.as_indexed = reading.as_indexed;
   try {
     Result<MeshFile> file = read_mesh_file(path, reading);
     if (file) {
-      report.as_indexed = report.as_indexed && file->report.format != MeshFormat::kStl;
+      report.as_indexed = reading.as_indexed && file->report.format != MeshFormat::kStl;
       report.lossless = lossless_variants(*file, report.as_indexed);
       report.holds_everywhere = report.lossless.size() == write_variant_names().size();
       report.file = std::move(*file);
@@ -37,6 +36,8 @@ InfoReport info_of(const std::string& path, const ReadOptions& reading) {
     report.fault = fault_of(file.error());
   } catch (const std::bad_alloc&) {
     report.fault = Fault{"out-of-memory", {}, "not enough memory for this file"};
+    report.exit = kExitUndecided;
+    return report;
   }
   report.exit = kExitUnreadable;
   return report;

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/signals.h"
@@ -15,11 +16,12 @@
 namespace veritope::cli {
 namespace {
 
-// So that no file that is opened later gets the number of a standard stream.
+// So that no file that is opened later gets the number of a standard stream. What is written to a stream that was closed
+// fails: it is not lost in silence.
 void occupy_standard_streams() {
   int descriptor = 0;
   do {
-    descriptor = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
   if (descriptor >= 0) ::close(descriptor);
 }
@@ -40,6 +42,9 @@ ExitCode guarded(const Options& options, StandardOutput& out) {
     return run(options, out);
   } catch (const std::bad_alloc&) {
     complain("not enough memory");
+    return kExitUndecided;
+  } catch (const std::system_error& error) {
+    complain(std::string("the system refuses: ") + error.what());
     return kExitUndecided;
   } catch (const std::exception& error) {
     complain(std::string("a bug of veritope, please report it: ") + error.what());

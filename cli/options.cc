@@ -181,6 +181,12 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_convert(app, o);
   add_explain(app, o);
   ParsedArguments out;
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const auto is_named = [argv](const CLI::App* c) { return c->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
+    out.error = std::string("unknown command: ") + argv[1];
+    return out;
+  }
   try {
     app.parse(argc, argv);
     o.reading.jobs = static_cast<int>(o.jobs);

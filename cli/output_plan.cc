@@ -76,7 +76,13 @@ Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& p
     return bad_argument("--json and --certificate would both make " + *json);
   }
   if (Status status = refuse_same(inputs, *json); !status) return status;
-  return try_output(*json);
+  return plan.json_in_new_folder ? ok_status() : try_output(*json);
+}
+
+// The text before the last slash.
+std::string folder_text(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == path.npos ? "" : without_slashes(path.substr(0, slash + 1));
 }
 
 }  // namespace
@@ -102,6 +108,7 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
     }
     if (!exists(folder)) {
       plan.new_folder = folder;
+      plan.json_in_new_folder = json && folder_text(*json) == folder;
       if (Status status = check_new_folder(folder); !status) return status.error();
     }
     for (const std::string& input : inputs)

@@ -14,6 +14,7 @@ struct OutputPlan {
   /// One for each input: where its certificate goes. Empty: no certificates are kept.
   std::vector<std::string> certificates;
   std::optional<std::string> new_folder;  ///< of the certificates; to be made
+  bool json_in_new_folder = false;        ///< the report goes there, too
 };
 
 /// `certificate`: a file for one input, a folder (that may be new) for several; for one input, too,

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <system_error>
 
 #include "cli/signals.h"
 
@@ -27,7 +28,11 @@ void put(const std::string& text) {
 Progress::Progress(bool is_wanted) {
   if (!is_wanted || ::isatty(STDERR_FILENO) == 0) return;
   const SignalsBlocked blocked;  // the thread inherits it: the handler never interrupts a drawing
-  thread_ = std::thread([this] { run(); });
+  try {
+    thread_ = std::thread([this] { run(); });
+  } catch (const std::system_error&) {
+    // The system refuses another thread: no progress is shown.
+  }
 }
 
 Progress::~Progress() {

@@ -194,7 +194,7 @@ std::string invalid_text(const FileReport& report, const Style& style) {
   }
   return out +
          style.dim("  What it means and what helps: veritope explain " + first +
-                   ".  All defects: --max-defects N, --json F.") +
+                   ".  More defects: --max-defects N; for programs, with --json F.") +
          "\n";
 }
 

@@ -36,8 +36,8 @@ int open_nameless(const std::string& folder) {
 
 Error cannot_write(const std::string& folder, int number) {
   Error error{Code::kCannotWrite, Place{},
-              "a temporary file cannot be written (TMPDIR chooses the folder): " +
-                  std::generic_category().message(number)};
+              "a temporary file cannot be written in " + folder +
+                  " (TMPDIR chooses the folder): " + std::generic_category().message(number)};
   error.place.file = folder;
   return error;
 }

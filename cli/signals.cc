@@ -52,7 +52,7 @@ void install_signal_handlers() {
   for (const int number : kEnding) {
     struct sigaction old {};
     const bool is_ignored = ::sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;
-    if (number == SIGHUP && is_ignored) continue;  // nohup
+    if (is_ignored) continue;  // nohup; `trap '' INT`; a job in the background of a script
     ::sigaction(number, &action, nullptr);
   }
   ::signal(SIGPIPE, SIG_IGN);

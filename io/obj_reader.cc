@@ -59,6 +59,11 @@ class ObjReader : TextReader {
     return outcome != Line::kFailed;
   }
 
+  // A joint at p_: what the reader took for the end of the line or of a token is none.
+  bool is_at_joint() const {
+    return p_ < text_end_ && is_eol(*p_) && p_[-1] == '\\';
+  }
+
   // A backslash directly before the line end at `eol`.
   bool has_joint_before(const char* eol) const {
     return eol < source_.end && eol > source_.begin && eol[-1] == '\\';
@@ -115,6 +120,9 @@ class ObjReader : TextReader {
     if (!read_position(p_, position)) return false;
     if (!is_eol(*p_)) {
       p_ = skip_blanks(p_);
+      if (*p_ == '\\' && is_eol(p_[1]) && p_ + 1 < text_end_) {
+        return fail(p_, Code::kSyntax, "a joint");
+      }
       long_vertices_ += has_class(*p_, kEolClass | kHashClass) ? 0 : 1;
     }
     if (positions_.size() >= kMaxVertices) return fail_vertices(line);
@@ -143,7 +151,10 @@ class ObjReader : TextReader {
     if (!index.is_valid || !ends || index.num_digits > limits_.max_digits) {
       return fail_integer(token, index);
     }
-    if (*p_ == '/') p_ = skip_token(p_, ends_);
+    if (*p_ == '/') {
+      p_ = skip_token(p_, ends_);
+      if (is_at_joint()) return fail(token, Code::kSyntax, "a joint");
+    }
     const std::uint64_t num = positions_.size();
     if (index.magnitude - 1 >= (index.is_negative ? num : kMaxVertices)) {
       return fail_index(token, num);

@@ -80,14 +80,16 @@ class OffReader : TextReader {
     skip_to_token();
     const char* const counts = p_;
     if (!read_count(num_vertices_, "the number of vertices")) return false;
+    skip_to_token();
+    const char* const second = p_;
     if (!read_count(num_faces_, "the number of faces")) return false;
     p_ = find_eol(p_);
     // The shortest lines are "0 0 0" and "3 0 0 0"; only the last one may lack its line end.
     const std::uint64_t left = source_.size() - source_.offset(p_);
     if (num_vertices_ > left / 6 || num_faces_ > (left - num_vertices_ * 6) / 8) {
       return fail(counts, Code::kTruncated,
-                  std::to_string(num_vertices_) + " vertices and " + std::to_string(num_faces_) +
-                      " faces announced, but only " + std::to_string(left) + " bytes follow");
+                  quoted_token(counts, text_end_) + " vertices and " +
+                      quoted_token(second, text_end_) + " faces announced, but only " + std::to_string(left) + " bytes follow");
     }
     if (num_faces_ == 0) return fail(counts, Code::kEmpty, "there is no face");
     if (num_faces_ > limits_.max_faces) return fail_faces(counts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/ply_header.h"
 
+#include <algorithm>
 #include <array>
 
 #include "io/scan.h"
@@ -78,6 +79,9 @@ class HeaderParser {
     p_ += length + line_end_.size();
     words_.clear();
     const char* const end = line_ + length;
+    if (std::find_if(line_, end, is_eol) != end) {
+      return fail(line_, "a line of the header ends otherwise than the first");
+    }
     for (const char* q = line_; words_.size() < 8;) {
       while (q < end && is_blank(*q)) ++q;
       if (q == end) break;

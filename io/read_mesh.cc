@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 
 #include "io/file_bytes.h"
 #include "io/parsed_mesh.h"
 #include "io/sniff.h"
 #include "io/source.h"
+#include "io/stl_reader.h"
 #include "io/vertex_table.h"
 #include "verify/format/sha256.h"
 
@@ -68,12 +70,35 @@ Result<MeshFormat> choose_format(const Source& source, const ReadOptions& option
                        "or OFF (--format)");
 }
 
+// What the content looks like, for a refusal by the reader of `format`; empty if that says nothing new.
+std::string other_looks(const Source& source, MeshFormat format) {
+  if (looks_like_utf16(source)) return "; it looks like UTF-16 text";
+  const auto other = mesh_format_from_content(source);
+  if (other && *other != format) {
+    return std::string("; it looks like ") + mesh_format_name(*other) + " (--format " +
+           mesh_format_name(*other) + ")";
+  }
+  if (format == MeshFormat::kStl && looks_like_binary_stl(source)) {
+    return "; if it is a binary STL: its header announces " +
+           std::to_string((stl_binary_size(source) - kStlHeader) / kStlFacet) + " facets, " +
+           std::to_string(stl_binary_size(source)) + " bytes, but it has " +
+           std::to_string(source.size());
+  }
+  return "";
+}
+
 Result<ParsedMesh> parse_and_merge(const Source& source, const ReadOptions& options) {
   if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
   const Result<MeshFormat> format = choose_format(source, options);
   if (!format) return format.error();
   Result<ParsedMesh> parsed = parse(*format, source, options);
-  if (!parsed) return parsed;
+  if (!parsed) {
+    Error error = parsed.error();
+    const bool is_syntax = error.code == Code::kSyntax || error.code == Code::kTruncated ||
+                           error.code == Code::kEmpty;
+    if (is_syntax) error.message += other_looks(source, *format);
+    return error;
+  }
   parsed->report.format = *format;
   parsed->report.bytes = source.size();
   merge_and_count(*parsed, options.as_indexed);
@@ -98,7 +123,11 @@ Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
   };
   const Stopwatch watch;
   std::jthread hashing;
-  if (options.jobs > 1 && buffer.size() > (1 << 16)) hashing = std::jthread(hash);
+  try {
+    if (options.jobs > 1 && buffer.size() > (1 << 16)) hashing = std::jthread(hash);
+  } catch (const std::system_error&) {
+    // The system refuses another thread: this one hashes afterwards.
+  }
   Result<ParsedMesh> parsed = parse_and_merge(source_of(buffer, name), options);
   if (!parsed) return parsed.error();
   file.seconds_parse = watch.seconds();

@@ -76,6 +76,19 @@ std::optional<Error> refuse_foreign(const Source& source) {
   return std::nullopt;
 }
 
+bool looks_like_utf16(const Source& source) {
+  const char* const p = source.begin;
+  return source.size() >= 4 && ((p[0] == 0) != (p[1] == 0)) && ((p[2] == 0) != (p[3] == 0)) &&
+         (p[0] == 0) == (p[2] == 0);
+}
+
+bool looks_like_binary_stl(const Source& source) {
+  if (source.size() < kStlHeader) return false;
+  const auto is_no_text = [](unsigned char c) { return c < 9 || (c > 13 && c < 32); };
+  const auto size = std::min<std::uint64_t>(source.size(), kStlHeader + kStlFacet);
+  return std::any_of(source.begin, source.begin + size, is_no_text);
+}
+
 std::optional<MeshFormat> mesh_format_from_content(const Source& source) {
   const bool has_header = source.size() >= kStlHeader;
   if (has_header && source.size() == stl_binary_size(source)) return MeshFormat::kStl;

@@ -15,4 +15,9 @@ std::optional<Error> refuse_foreign(const Source& source);
 /// size. Nothing if none fits.
 std::optional<MeshFormat> mesh_format_from_content(const Source& source);
 
+/// Guesses for messages, never for decisions: text of two bytes a character without a mark; bytes that no text has in a file
+/// that has the size of a binary STL's header.
+bool looks_like_utf16(const Source& source);
+bool looks_like_binary_stl(const Source& source);
+
 }  // namespace veritope

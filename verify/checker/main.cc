@@ -2,6 +2,7 @@
 // main.cc: veritope-check MODEL CERT. Output and exit codes: docs/certificates/mesh.md.
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "checker.h"
 
@@ -11,8 +12,8 @@ const char kUsage[] =
     "usage: veritope-check MODEL CERT\n"
     "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY or OFF). Prints ACCEPT with\n"
     "the claim and exits with 0, or REJECT with the condition that fails and exits with 1.\n"
-    "Other exit codes: 2 usage; 4 a file cannot be opened, or the reading rule refuses the model;\n"
-    "5 a bug, or out of memory.";
+    "Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the reading rule refuses\n"
+    "the model, or the answer cannot be printed; 5 a bug.";
 
 std::string read_file(const std::string& name) {
   std::FILE* const file = std::fopen(name.c_str(), "rb");
@@ -26,16 +27,18 @@ std::string read_file(const std::string& name) {
   return bytes;
 }
 
+// An answer that is not printed is none.
 int say(std::FILE* to, const std::string& text, int exit_code) {
-  for (char c : text + '\n') std::fputc((c < 32 || c > 126) && c != '\n' ? '?' : c, to);
-  return exit_code;
+  for (char c : text) std::fputc((c < 32 || c > 126) && c != '\n' ? '?' : c, to);
+  std::fputc('\n', to);
+  return std::fflush(to) == 0 && std::ferror(to) == 0 ? exit_code : 4;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  if (argc == 2 && first == "--help") return say(stdout, kUsage, 0);
+  if (argc == 2 && (first == "--help" || first == "-h")) return say(stdout, kUsage, 0);
   if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
   if (argc != 3 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
   std::string name = argv[2];  // of the file that may be refused
@@ -53,6 +56,9 @@ int main(int argc, char** argv) {
     return say(stdout, "REJECT " + r.id + ": " + r.why, 1);
   } catch (const Refused& r) {
     return say(stderr, name + ": " + r.why, 4);
+  } catch (const std::bad_alloc&) {
+    std::fputs("veritope-check stops: out of memory\n", stderr);
+    return 3;
   } catch (const std::exception& e) {
     return say(stderr, std::string("veritope-check stops: ") + e.what(), 5);
   }

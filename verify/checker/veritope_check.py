@@ -5,13 +5,15 @@
 Written from docs/certificates/reading-rule-1.md and docs/certificates/mesh.md (version 1) alone.
 Python 3.9 or later, standard library only, one file: copy it where you need it.
 
-Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 4: a file
-cannot be opened or the reading rule refuses the model; 5: a bug of this program.
+Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
+memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
+printed; 5: a bug of this program.
 All decisions are taken on Python integers.  A float only ever holds a coordinate: it is read,
 compared and turned into its exact ratio, never added or multiplied.
 """
 import hashlib
 import math
+import os
 import re
 import struct
 import sys
@@ -382,6 +384,8 @@ def _check(model_bytes, cert_bytes, skip):
         return 4, "ERROR: the model is refused: %s" % e
     except Reject as e:
         return 1, "REJECT %s: %s" % (e.condition, e.why)
+    except MemoryError:
+        return 3, "ERROR: out of memory"
     except Exception as e:                                  # our bug: never an ACCEPT
         return 5, "BUG: %s: %s" % (type(e).__name__, e)
     return 0, "ACCEPT " + statement["claim"]
@@ -950,9 +954,8 @@ def i8_winding(mesh, _, f, u):
 # ---------------------------------------------------------------- command line
 
 def main(argv):
-    if argv[1:] in (["--help"], ["--version"]):
-        print(__doc__.strip() if argv[1] == "--help" else VERSION)
-        return 0
+    if argv[1:] in (["--help"], ["-h"], ["--version"]):
+        return say(VERSION if argv[1] == "--version" else __doc__.strip(), 0)
     if len(argv) != 3 or any(a.startswith("--") for a in argv[1:]):
         print("usage: veritope_check.py MODEL CERT", file=sys.stderr)
         return 2
@@ -962,11 +965,19 @@ def main(argv):
             with open(name, "rb") as file:
                 data.append(file.read())
     except OSError as e:
-        print("ERROR: %s" % e, file=sys.stderr)
-        return 4
+        return say("ERROR: %s" % e, 4)
+    except MemoryError:
+        return say("ERROR: out of memory", 3)
     code, message = check(data[0], data[1])
-    print(message, file=sys.stdout if code < 2 else sys.stderr)
-    return code
+    return say(message, code)
+
+def say(message, code):
+    """The exit code; an answer that is not printed is none."""
+    try:
+        print(message, file=sys.stdout if code < 2 else sys.stderr, flush=True)
+        return code
+    except OSError:
+        os._exit(4)                                         # not even the interpreter's own flush
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv))

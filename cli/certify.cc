@@ -205,6 +205,13 @@ class Certification {
                                             "not enough memory for veritope-check (" +
                                                 outcome.words + ")"});
     }
+    if (outcome.exceeds_work) {
+      return fail_to_check(kExitUndecided, {"over-budget",
+                                            {},
+                                            "the proof takes more work than checkers of this "
+                                            "certificate may spend (" +
+                                                outcome.words + ")"});
+    }
     if (file_has_changed()) {
       FileReport blank;  // what was found is about bytes that are gone
       blank.path = report_.path;

@@ -89,6 +89,7 @@ void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   }
   outcome.exit = WEXITSTATUS(status);
   outcome.lacks_resources = outcome.exit == kOutOfMemory;
+  outcome.exceeds_work = outcome.exit == 1 && outcome.words.starts_with("REJECT B1: more work");
   outcome.is_accepted = outcome.exit == 0 && says_accept(outcome.words, claim);
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }

@@ -32,7 +32,7 @@ struct PhaseSeconds {
 };
 
 /// What went wrong with a file. Code names are those of code_name, and "internal", "not-checked",
-/// "out-of-memory", "file-changed".
+/// "out-of-memory", "over-budget", "file-changed".
 struct Fault {
   std::string code;
   Place place;

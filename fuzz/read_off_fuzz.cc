@@ -2,9 +2,11 @@
 // fuzz/read_off_fuzz.cc: any bytes as OFF.
 #include "fuzz/read_laws.h"
 #include "fuzz/read_mutator.h"
+#include "fuzz/reader_agreement.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   veritope::fuzz::check_reader(veritope::MeshFormat::kOff, {data, size});
+  veritope::fuzz::check_agreement(veritope::MeshFormat::kOff, {data, size});
   return 0;
 }
 

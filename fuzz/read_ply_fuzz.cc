@@ -2,6 +2,7 @@
 // fuzz/read_ply_fuzz.cc: any bytes as PLY, in all three encodings.
 #include "fuzz/read_laws.h"
 #include "fuzz/read_mutator.h"
+#include "fuzz/reader_agreement.h"
 
 namespace {
 
@@ -66,6 +67,7 @@ void change(veritope::fuzz::Mutator& m) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   veritope::fuzz::check_reader(veritope::MeshFormat::kPly, {data, size});
+  veritope::fuzz::check_agreement(veritope::MeshFormat::kPly, {data, size});
   return 0;
 }
 

@@ -2,6 +2,7 @@
 // fuzz/read_stl_fuzz.cc: any bytes as STL, ASCII or binary.
 #include "fuzz/read_laws.h"
 #include "fuzz/read_mutator.h"
+#include "fuzz/reader_agreement.h"
 
 namespace {
 
@@ -46,6 +47,7 @@ void change_binary(veritope::fuzz::Mutator& m) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   veritope::fuzz::check_reader(veritope::MeshFormat::kStl, {data, size});
+  veritope::fuzz::check_agreement(veritope::MeshFormat::kStl, {data, size});
   return 0;
 }
 

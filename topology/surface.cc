@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
@@ -237,25 +239,20 @@ void count_shell_cells(Faces faces, const Incidence& incidence, SurfaceTopology&
     out.shells[0].edges = out.edges;
     return;
   }
-  std::vector<std::uint32_t> seen, neighbours;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // a shell at v, the other end of one of its edges there
   for (std::uint32_t v = 0; v < incidence.num_vertices(); ++v) {
-    seen.clear();
-    for (std::uint32_t c : incidence.corners(v)) seen.push_back(out.shell_of_face[corner_face(c)]);
-    std::sort(seen.begin(), seen.end());
-    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-    for (std::uint32_t s : seen) ++out.shells[s].vertices;
-    for (std::uint32_t s : seen) {
-      neighbours.clear();
-      for (std::uint32_t c : incidence.corners(v)) {
-        const std::uint32_t f = corner_face(c), k = corner_index(c);
-        if (out.shell_of_face[f] != s) continue;
-        neighbours.push_back(faces[f][(k + 1) % 3]);
-        neighbours.push_back(faces[f][(k + 2) % 3]);
-      }
-      std::sort(neighbours.begin(), neighbours.end());
-      const auto last = std::unique(neighbours.begin(), neighbours.end());
-      out.shells[s].edges += static_cast<std::uint64_t>(
-          last - std::upper_bound(neighbours.begin(), last, v));
+    ends.clear();
+    for (std::uint32_t c : incidence.corners(v)) {
+      const std::uint32_t f = corner_face(c), k = corner_index(c);
+      ends.emplace_back(out.shell_of_face[f], faces[f][(k + 1) % 3]);
+      ends.emplace_back(out.shell_of_face[f], faces[f][(k + 2) % 3]);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto& [shell, end] = ends[i];
+      if (i == 0 || ends[i - 1].first != shell) ++out.shells[shell].vertices;
+      if (end > v) ++out.shells[shell].edges;
     }
   }
 }

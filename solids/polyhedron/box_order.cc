@@ -65,11 +65,29 @@ void radix_pass(const std::uint64_t* from, std::uint64_t* to, std::size_t n, uns
 struct Centre {
   std::array<double, 3> at;
   std::uint32_t facet;
+  std::uint32_t group = 0;
 };
 
-// Halves [begin, end) as the certificate's tree does, floor(n / 2) positions to the left: at the median along the longest side of
-// the centres' box. The result does not depend on the order of the items. Returns the middle.
+// Items of several groups: moves those of lower groups before `mid`, those of higher ones behind it, and narrows [begin, end) to
+// those of the group that `mid` cuts.
+void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mid, std::size_t& end) {
+  const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(it(begin), it(mid), it(end), [](const Centre& a, const Centre& b) { return a.group < b.group; });
+  const std::uint32_t group = items[mid].group;
+  const auto first = std::partition(it(begin), it(mid), [group](const Centre& c) { return c.group < group; });
+  const auto last = std::partition(it(mid), it(end), [group](const Centre& c) { return c.group <= group; });
+  begin = static_cast<std::size_t>(first - items.begin());
+  end = static_cast<std::size_t>(last - items.begin());
+}
+
+// Halves [begin, end) as the certificate's tree does, floor(n / 2) positions to the left: between groups; inside a group at the median along
+// the longest side of the centres' box. The result does not depend on the order of the items. Returns the middle.
 std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
+  const std::size_t mid = begin + (end - begin) / 2;
+  if (std::any_of(items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end),
+                  [g = items[begin].group](const Centre& c) { return c.group != g; })) {
+    split_groups(items, begin, mid, end);
+  }
   std::array<double, 3> lo = items[begin].at, hi = lo;
   for (std::size_t i = begin + 1; i < end; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -79,7 +97,6 @@ std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end
   std::size_t axis = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
-  const std::size_t mid = begin + (end - begin) / 2;
   const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(it(begin), it(mid), it(end), [axis](const Centre& a, const Centre& b) {
     return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.facet < b.facet;
@@ -107,6 +124,43 @@ void arrange_all(std::vector<Centre>& items, unsigned jobs) {
     cuts = std::move(finer);
   }
   parallel_for(cuts.size() - 1, 1, jobs, [&](std::size_t i, std::size_t, std::size_t) { arrange(items, cuts[i], cuts[i + 1]); });
+}
+
+Centre centre_of(const TriangleMesh& mesh, std::uint32_t facet) {
+  const auto& t = mesh.faces[facet];
+  Centre c;
+  c.facet = facet;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = [&](std::size_t j) { return mesh.positions[t[j]][static_cast<int>(k)]; };
+    c.at[k] = at(0) + at(1) + at(2);
+    if (!is_finite(c.at[k])) c.at[k] = at(0) / 4 + at(1) / 4 + at(2) / 4;
+  }
+  return c;
+}
+
+// Large fans become groups of their own, numbered from 1 as their apexes lie in space: facets of a fan need no test, and the fan of one side of a
+// thin plate is apart from that of the other side, which no halves of both would be.
+void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items) {
+  constexpr std::uint32_t kLarge = 64;  // facets
+  std::vector<std::uint32_t> degree(mesh.positions.size());
+  for (const Centre& c : items)
+    for (const std::uint32_t v : mesh.faces[c.facet]) ++degree[v];
+  const auto apex_of = [&](std::uint32_t facet) {
+    const auto& t = mesh.faces[facet];
+    return *std::max_element(t.begin(), t.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return degree[a] != degree[b] ? degree[a] < degree[b] : a > b;
+    });
+  };
+  std::vector<Centre> apexes;
+  for (std::uint32_t v = 0; v < degree.size(); ++v) {
+    const Vec3d& p = mesh.positions[v];
+    if (degree[v] >= kLarge) apexes.push_back({{p.x, p.y, p.z}, v});
+  }
+  if (apexes.empty()) return;
+  arrange(apexes, 0, apexes.size());
+  std::vector<std::uint32_t> group(degree.size());
+  for (std::size_t i = 0; i < apexes.size(); ++i) group[apexes[i].facet] = static_cast<std::uint32_t>(i + 1);
+  for (Centre& c : items) c.group = group[apex_of(c.facet)];
 }
 
 }  // namespace
@@ -181,17 +235,9 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
 std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, unsigned jobs) {
   std::vector<Centre> items(facets.size());
   parallel_for(facets.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto& t = mesh.faces[facets[i]];
-      Centre& c = items[i];
-      c.facet = facets[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = [&](std::size_t j) { return mesh.positions[t[j]][static_cast<int>(k)]; };
-        c.at[k] = at(0) + at(1) + at(2);
-        if (!is_finite(c.at[k])) c.at[k] = at(0) / 4 + at(1) / 4 + at(2) / 4;
-      }
-    }
+    for (std::size_t i = begin; i < end; ++i) items[i] = centre_of(mesh, facets[i]);
   });
+  group_fans(mesh, items);
   arrange_all(items, jobs);
   std::vector<std::uint32_t> order;
   order.reserve(items.size());

@@ -47,8 +47,8 @@ class UnitScale {
 std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
                                         const UnitScale& scale, unsigned jobs);
 
-/// The facets in the leaf order of a balanced tree whose nodes are halved at the median centre along their longest axis: dearer than
-/// morton_order, but long thin facets stay beside their neighbours. @cost O(F log F).
+/// The facets in the leaf order of a balanced tree whose nodes are halved at the median centre along their longest axis, large fans (64 facets
+/// at one vertex) apart from the rest: dearer than morton_order, but long thin facets stay beside their neighbours. @cost O(F log F).
 std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, unsigned jobs);
 
 }  // namespace veritope

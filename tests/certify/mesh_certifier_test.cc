@@ -61,6 +61,17 @@ TEST(MeshCertifier, ConesAndBipyramidsAreCertified) {
   for (const TriangleMesh& mesh : {shapes::cone(200), shapes::bipyramid(200), shapes::flipped(shapes::cone(50))}) expect_accepted(mesh);
 }
 
+// The two sides of a thin plate whose polygons are fans: the fans must not be mixed, or both the work and the certificate grow with the square.
+TEST(MeshCertifierRegression, ThinPlatesOfTwoFansHaveShortCertificates) {
+  for (const double height : {1e-6, 1e-3, 0.1})
+    for (const Cap cap : {Cap::kRimFan, Cap::kCentreFan}) {
+      const TriangleMesh mesh = shapes::tilted_cylinder(800, cap, height);
+      const Certified c = expect_accepted(mesh);
+      EXPECT_TRUE(c.report.is_valid);
+      EXPECT_LT(c.certificate().size(), 30 * mesh.faces.size()) << height;
+    }
+}
+
 TEST(MeshCertifier, AVertexWithoutADirectionIsSettledByLeafCodes) {
   const Certified c = expect_accepted(shapes::saddle());
   EXPECT_TRUE(c.report.is_valid);

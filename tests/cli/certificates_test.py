@@ -154,6 +154,23 @@ class Checker(Folder):
         self.assert_no_verdict("kill -SEGV $$", "died by signal 11")
         self.assert_no_verdict("echo oops >&2; exit 5", "oops")
 
+    def test_a_checker_without_memory_or_work_left_is_undecided(self):
+        for checker, code in [("echo out of memory >&2; exit 3", "out-of-memory"), ("kill -KILL $$", "out-of-memory"),
+                              ("echo 'REJECT B1: more work than allowed, units 7'; exit 1", "over-budget")]:
+            for model in (VALID, INVALID):
+                with self.subTest(checker, model=model.name):
+                    status, file = self.verdict_with(checker, model)
+                    self.assertEqual((status, file["exit"], file["verdict"], file["error"]["code"]), (3, 3, "UNDECIDED", code))
+                    self.assertEqual((file["counts"]["edges"], file["rules"]["M3"], file["defects"], file["certificate"]), (None, None, [], None))
+                    self.assertEqual(self.listing(), [])
+
+    def test_names_of_descriptors_mean_the_same_file_to_the_checker(self):
+        for name in ("/dev/stdin", "/proc/self/fd/0"):
+            with open(VALID) as file:
+                done = run("certify", "-q", "--format", "off", name, stdin=file)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("(checked)", done.stdout)
+
     def test_a_checker_that_accepts_without_saying_what_is_not_believed(self):
         self.assert_no_verdict("exit 0", "said nothing")
         self.assert_no_verdict("echo ACCEPT", "ACCEPT")

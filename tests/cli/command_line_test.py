@@ -50,6 +50,9 @@ class Usage(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertTrue(done.stderr.startswith("veritope: "), done.stderr)
 
+    def test_an_unknown_command_is_named(self):
+        self.assertIn("unknown command: certif\n", run("certif", VALID).stderr)
+
     def test_help_fits_on_one_screen_and_names_every_option(self):
         for command in [None, *COMMANDS]:
             with self.subTest(command):

@@ -49,13 +49,38 @@ class Convert(Folder):
 
     def test_a_loss_is_refused_and_nothing_is_written(self):
         path = self.folder / "x.stl"
-        for model in ("m3_crack.stl", "valid_tiny.off", "m6_nearest_valid.off", "valid_whole_range.off"):
+        for model in ("m3_crack.stl", "valid_tiny.off", "m6_nearest_valid.off"):
             done = self.convert(MODELS / model, path)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertRegex(done.stderr, r"not written, it would lose something: \d+ vert")
             self.assertIn("--lossy", done.stderr)
             self.assertEqual(self.listing(), [])
         self.assertEqual(self.convert("--float", MODELS / "m3_crack.stl", self.folder / "x.ply").returncode, 1)
+
+    def test_the_names_of_info_are_targets(self):
+        names = support.json.loads(run("info", "--json", "-", VALID).stdout)["files"][0]["lossless"]
+        self.assertIn("ply-binary-little-endian-float", names)
+        for name in names:
+            path = self.folder / f"x.{name[:3]}"
+            self.assertEqual(self.convert("--to", name, VALID, path).returncode, 0)
+            self.assertEqual(support.json.loads(run("info", "--json", "-", path).stdout)["files"][0]["variant"], name.replace("-float", ""))
+
+    def test_what_is_dropped_is_told_wherever_the_model_goes(self):
+        model = self.folder / "m.obj"
+        model.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvn 0 0 1\nf 1 2 3\n")
+        self.assertIn("dropped: 1 vn lines, 1 unreferenced vertex, the numbers of the vertices", self.convert(model, self.folder / "x.stl").stdout)
+        self.assertIn("dropped: 1 vn lines\n", self.convert(model, self.folder / "x.off").stdout)
+        done = self.convert(model, "-", "--to", "off")
+        self.assertTrue(done.stdout.startswith("OFF"))
+        self.assertEqual(done.stderr, "veritope: not part of the model, dropped: 1 vn lines\n")
+
+    def test_no_advice_that_cannot_be_followed(self):
+        model = self.folder / "m.off"
+        model.write_text("OFF\n3 1 0\n0 0 0\n1e200 0 0\n0 1 0\n3 0 1 2\n")
+        done = self.convert(model, self.folder / "x.stl")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("vertex 1 is too large for binary32", done.stderr)
+        self.assertNotIn("--lossy", done.stderr)
 
     def test_lossy_tells_the_largest_displacement_and_its_vertex(self):
         model = self.folder / "m.off"

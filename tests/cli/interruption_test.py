@@ -6,6 +6,7 @@ import random
 import resource
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
@@ -21,10 +22,16 @@ def is_running(pid):
         return False
 
 
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
 class Signals(Folder):
-    def start(self, *arguments, program=BIN / "veritope", **how):
+    def start(self, *arguments, program=BIN / "veritope", action=signal.SIG_DFL, **how):
+        def set_actions():
+            for number in ENDING:
+                signal.signal(number, action)
         return subprocess.Popen([program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                env=self.environment, **how)
+                                env=self.environment, preexec_fn=set_actions, **how)
 
     def assert_ended(self, child, number):
         out, err = child.communicate(timeout=60)
@@ -37,7 +44,7 @@ class Signals(Folder):
         old = self.folder / "old.cert"
         old.write_text("old")
         before = self.listing()
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in ENDING:
             with self.subTest(number.name):
                 child = self.start("certify", VALID, "--certificate", old, "--json", self.folder / "r", program=veritope)
                 while not (pids.exists() and pids.read_text().strip()):
@@ -51,6 +58,15 @@ class Signals(Folder):
                     self.assertLess(time.monotonic(), deadline, "the checker still runs")
                     time.sleep(0.01)
                 self.assertEqual((old.read_text(), self.listing()), ("old", before))
+
+    def test_signals_that_were_ignored_from_the_start_are_ignored(self):
+        child = self.start("certify", "-q", "--format", "off", "-", action=signal.SIG_IGN, stdin=subprocess.PIPE)
+        for number in ENDING:
+            time.sleep(0.1)
+            child.send_signal(number)
+        out, err = child.communicate(VALID.read_text(), timeout=60)
+        self.assertEqual((child.returncode, err), (0, ""))
+        self.assertTrue(out.startswith("VALID"), out)
 
     def test_a_signal_while_standard_input_is_read(self):
         child = self.start("certify", "--format", "off", "-", "--certificate", self.folder / "c", stdin=subprocess.PIPE)
@@ -171,8 +187,21 @@ class ClosedStreams(Folder):
     def test_closed_standard_streams_harm_no_file(self):
         out = self.folder / "c"
         done = subprocess.run(["bash", "-c", f'"{BIN}/veritope" certify "{VALID}" --certificate "{out}" <&- >&- 2>&-'])
-        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.returncode, 4, "the verdict could not be printed")
         self.assertEqual(run(VALID, out, program=BIN / "veritope-check").returncode, 0)
+
+    def test_output_to_a_closed_stream_is_not_lost_in_silence(self):
+        done = subprocess.run(["bash", "-c", f'"{BIN}/veritope" certify --json - "{VALID}" >&-'], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("standard output", done.stderr)
+
+    def test_a_checker_whose_answer_cannot_be_printed_gives_none(self):
+        certificate = self.folder / "c"
+        run("certify", "-q", VALID, "--certificate", certificate)
+        for program in ([BIN / "veritope-check"], [sys.executable, support.CHECKER_PY]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([*program, VALID, certificate], stdout=full, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 4)
 
 
 if __name__ == "__main__":

@@ -48,7 +48,8 @@ LINES = {"stl": [b"solid", b"endsolid", b"solid a b", b"endsolid facet", b"facet
 BYTES = [b"\0", b"\t", b"\x0b", b"\x0c", b"\r", b"\n", b"\r\n", b"\n\r", b" ", b"\\", b"\\\n", b"\\\r", b"\\\r\n", b"#", b"\x1c", b"\x1d", b"\x1e", b"\x1f", b"\x85", b"\xa0", b"\xef\xbb\xbf",
          b"\xff", b"/", b"-", b"+", b".", b"e", b"0", b"1", b"\"", b"{", b"\x7f", b"\x1a"]
 STARTS = [b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff", b"\0\0\xfe\xff", b"\x1f\x8b", b"PK\x03\x04", b"PK\x05\x06", b"PK", b"BZh", b"BZ", b"\xfd7zXZ\0", b"\xfd7z", b"\x28\xb5\x2f\xfd",
-          b"version https://git-lfs", b"\xef\xbb\xbfversion https://git-lfs", b"\n", b" ", b"\0", b"\xef\xbb", b"\xef\xbb\xbf\xef\xbb\xbf", b"#", b"solid ", b"x", b"\x1f\x8c", b"\xef\xbb\xbf\x1f\x8b"]
+          b"version https://git-lfs", b"\xef\xbb\xbfversion https://git-lfs", b"\n", b" ", b"\0", b"\xef\xbb", b"\xef\xbb\xbf\xef\xbb\xbf", b"#", b"solid ", b"x", b"\x1f\x8c", b"\xef\xbb\xbf\x1f\x8b",
+          b"\\\n\xef\xbb\xbf", b"\\\r\n\xef\xbb\xbf#", b"\xef\\\n\xbb\xbf", b"\\\r", b"#\\\n", b"#\n\xef\xbb\xbf"]
 TOKEN = re.compile(rb"[^ \t\r\n\x0b\x0c]+")
 
 
@@ -117,7 +118,16 @@ def damage_start(data, fmt, rng):
     return rng.choice(STARTS) + data
 
 
-DAMAGES = (damage_token, damage_token, damage_token, damage_line, damage_line, damage_bytes, damage_bytes, damage_ends, damage_start)
+def damage_joints(data, fmt, rng):
+    """Joints (of OBJ) between some tokens, or in them."""
+    spots = sorted(rng.choice((m.start(), m.end(), m.end() - 1)) for m in TOKEN.finditer(data) if rng.random() < .1)
+    for i in reversed(spots):
+        data = data[:i] + rng.choice((b"\\\n", b"\\\r\n", b"\\\r", b"/1\\\n", b" \\\n ", b"/\\\n")) + data[i:]
+    return data
+
+
+DAMAGES = (damage_token, damage_token, damage_token, damage_line, damage_line, damage_bytes, damage_bytes, damage_ends, damage_start,
+           damage_joints)
 
 
 def small_model(rng):

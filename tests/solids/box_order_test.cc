@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "solids/polyhedron/box_tree.h"
@@ -180,6 +181,24 @@ TEST(MedianOrder, HalvesEveryNodeAlongItsLongestAxis) {
     self(self, mid, hi);
   };
   check(check, 0, order.size());
+}
+
+// Positions of the facets of a large fan are consecutive in the order, up to the halves of the tree.
+TEST(MedianOrder, KeepsLargeFansTogether) {
+  const int sides = 300;
+  const TriangleMesh mesh = shapes::prism(sides, 1000, 1);  // two fans of sides - 2 facets
+  const auto order = median_order(mesh, all_facets(mesh), 1);
+  ASSERT_TRUE(is_permutation_of(order, all_facets(mesh)));
+  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> range;  // of the positions, by the height of a cap
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto& t = mesh.faces[order[i]];
+    const double z[3] = {mesh.positions[t[0]].z, mesh.positions[t[1]].z, mesh.positions[t[2]].z};
+    if (z[0] != z[1] || z[1] != z[2]) continue;
+    auto [it, is_new] = range.try_emplace(z[0] > 0, i, i);
+    it->second.second = i;
+  }
+  ASSERT_EQ(range.size(), 2u);
+  for (const auto& [side, positions] : range) EXPECT_LE(positions.second - positions.first, static_cast<std::size_t>(sides) + 4) << side;
 }
 
 // Parts so far from each other that single precision sees points.

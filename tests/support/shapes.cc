@@ -299,7 +299,7 @@ TriangleMesh cone(int sides) {
   return mesh;
 }
 
-TriangleMesh tilted_cylinder(int sides, Cap cap) {
+TriangleMesh tilted_cylinder(int sides, Cap cap, double length) {
   TriangleMesh mesh;
   std::vector<std::uint32_t> low, high;
   const double s = std::sqrt(14.0), ax = 3 / s, ay = 2 / s, az = 1 / s;  // u, v, axis: right-handed, orthonormal
@@ -309,11 +309,11 @@ TriangleMesh tilted_cylinder(int sides, Cap cap) {
     const double c = std::cos(turn(i, sides)), d = std::sin(turn(i, sides));
     const Vec3d p{c * ux + d * vx, c * uy + d * vy, d * vz};
     low.push_back(add(mesh, p));
-    high.push_back(add(mesh, {p.x + 10 * ax, p.y + 10 * ay, p.z + 10 * az}));
+    high.push_back(add(mesh, {p.x + length * ax, p.y + length * ay, p.z + length * az}));
   }
   add_band(mesh, low, high, 0);
   add_cap(mesh, reversed(low), cap, {0, 0, 0});
-  add_cap(mesh, high, cap, {10 * ax, 10 * ay, 10 * az});
+  add_cap(mesh, high, cap, {length * ax, length * ay, length * az});
   return mesh;
 }
 

@@ -97,9 +97,14 @@ def read_model(data, fmt, as_indexed):
     points = [(x or 0.0, y or 0.0, z or 0.0) for x, y, z in points]      # every zero is +0
     if as_indexed and fmt != "stl":
         return points, triangles
-    ids = {}
-    merged = [ids.setdefault(p, len(ids)) for p in points]
-    return list(ids), [(merged[a], merged[b], merged[c]) for a, b, c in triangles]
+    ids, distinct, pack = {}, [], struct.Struct("<3d").pack
+    merged = []
+    for p in points:
+        key = pack(*p)                                      # bytes have a keyed hash, floats have not: a file could
+        merged.append(ids.setdefault(key, len(distinct)))   # be made of points of one hash
+        if merged[-1] == len(distinct):
+            distinct.append(p)
+    return distinct, [(merged[a], merged[b], merged[c]) for a, b, c in triangles]
 
 
 # ---------------------------------------------------------------- reading rule, sections 2 to 5
@@ -917,11 +922,18 @@ def i5_misoriented(_, directed, a, b):
     return uses(directed, a, b) == 2 == directed.get((a, b), 0)
 
 def i6_fans(mesh, _, v):
-    classes = []                                            # the other ends of the edges at v
-    for ends in ({p, q} for _, p, q in mesh.fans[v]):
-        touching = [c for c in classes if c & ends]
-        classes = [c for c in classes if not c & ends] + [ends.union(*touching)]
-    return len(classes) >= 2
+    neighbours = {}                                         # in the link of v: paths and circles of its edges p q
+    for _, p, q in mesh.fans[v]:
+        neighbours.setdefault(p, []).append(q)
+        neighbours.setdefault(q, []).append(p)
+    reached = {next(iter(neighbours))} if neighbours else set()
+    todo = list(reached)
+    while todo:
+        for q in neighbours[todo.pop()]:
+            if q not in reached:
+                reached.add(q)
+                todo.append(q)
+    return len(reached) < len(neighbours)
 
 def i7_intersection(mesh, _, f, g, *weights):
     if f == g or (0, 0, 0) in (mesh.normals[f], mesh.normals[g]):

@@ -284,9 +284,8 @@ Model read_triangles(std::string file, const std::string& format) {
   r.text.swap(file);
   const bool is_marked = r.text.compare(0, 3, "\xef\xbb\xbf") == 0;  // before lines are joined
   if (format == "obj" || format == "off") r.clean(format == "obj");
-  r.begin = r.p = r.text.data();
+  r.p = (r.begin = r.text.data()) + (is_marked ? 3 : 0);
   r.end = r.begin + r.text.size();
-  if (is_marked) r.p += 3;
   if (format == "stl") r.stl();
   if (format == "obj") r.obj();
   if (format == "ply") r.ply();

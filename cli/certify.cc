@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/checker_process.h"
+#include "cli/defect_picture.h"
 #include "cli/scratch_file.h"
 #include "cli/text_style.h"
 #include "io/file_bytes.h"
@@ -150,6 +151,7 @@ class Certification {
     report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
     list_defects(decision);
     report_.seconds.certify = watch_.lap();
+    if (settings_.with_picture) report_.picture = defect_picture(mesh_, report_.defects);
     mesh_ = {};  // memory for the checker
     decision.stars = {};
     return true;
@@ -230,6 +232,7 @@ class Certification {
     report_.certificate.reset();
     report_.decision.reset();
     report_.defects.clear();
+    report_.picture.clear();
     return give_up(exit, std::move(fault));
   }
 

@@ -16,6 +16,7 @@ struct CertifySettings {
   unsigned jobs = 1;
   std::size_t max_defects = 20;
   std::string checker;  ///< its program; empty: --no-check
+  bool with_picture = false;
 };
 
 /// Keeps the bytes of a certificate that was accepted and returns the name of the file. @error kCannotWrite

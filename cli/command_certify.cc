@@ -42,6 +42,14 @@ ExitCode fail(const Error& error) {
   return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
 }
 
+// kExitValid, or kExitUnreadable and why on standard error.
+ExitCode write_picture(const std::string& path, const std::string& bytes, StandardOutput& out) {
+  const Status status = write_output(path, bytes, out);
+  if (status) return kExitValid;
+  complain(harmless(to_string(status.error())));
+  return kExitUnreadable;
+}
+
 ExitCode write_json(const Options& options, const OutputPlan& plan,
                     const std::vector<std::string>& files, StandardOutput& out) {
   if (plan.json_in_new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
@@ -56,7 +64,12 @@ ExitCode write_json(const Options& options, const OutputPlan& plan,
 ExitCode run_certify(const Options& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.files, options.certificate, options.json);
   if (!plan) return fail(plan.error());
-  CertifySettings settings{options.reading, options.jobs, options.max_defects, ""};
+  if (options.picture) {
+    if (Status status = check_picture(*options.picture, options.files, *plan, options.json); !status) {
+      return fail(status.error());
+    }
+  }
+  CertifySettings settings{options.reading, options.jobs, options.max_defects, "", options.picture.has_value()};
   if (!options.no_check) {
     const Result<std::string> checker = find_checker();
     if (!checker) return complain(checker.error().message), kExitUsage;
@@ -73,6 +86,7 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
     if (options.json) json.push_back(report_json(report));
     if (options.json != "-") print(report, options.quiet, out);
     complain_beside_verdict(report);
+    if (!report.picture.empty()) exit = first_of(exit, write_picture(*options.picture, report.picture, out));
   }
   return options.json ? first_of(exit, write_json(options, *plan, json, out)) : exit;
 }

@@ -55,6 +55,7 @@ struct FileReport {
   std::optional<ValidityReport> decision;  ///< without its defects, see `defects`
   std::vector<ListedDefect> defects;       ///< at most --max-defects
   std::optional<CertificateReport> certificate;
+  std::string picture;  ///< PLY; empty: none was asked for, or there is no verdict
   PhaseSeconds seconds;
   std::optional<Fault>
       fault;  ///< why it is undecided, unreadable, or why the exit is not the verdict's

@@ -103,6 +103,7 @@ void add_certify(CLI::App& app, Options& o) {
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
   add_text(c, "--certificate", o.certificate, "F",
            "keep the certificate; of several files in folder F");
+  add_text(c, "--picture", o.picture, "F", "write a coloured PLY that shows the defects");
   add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
   add_jobs(c, o);
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
@@ -158,6 +159,8 @@ std::string contradiction(const Options& o) {
   if (o.command == Command::kConvert && o.output == "-" && !o.to) {
     return "- is standard output and needs --to";
   }
+  if (o.picture == "-") return "--picture needs a file name, not -";
+  if (o.picture && o.files.size() > 1) return "--picture shows one file, not several";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   return "";
 }

@@ -18,6 +18,7 @@ struct Options {
   ReadOptions reading;              ///< certify, info, convert
   std::optional<std::string> json;  ///< certify, info
   std::optional<std::string> certificate;  ///< certify
+  std::optional<std::string> picture;      ///< certify
   std::uint64_t max_defects = 20;          ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/coloured_ply.h"
+#include "robust/base/check.h"
 #include "tests/io/io_test_util.h"
 
 namespace veritope {
@@ -184,6 +186,17 @@ TEST(LossOf, OfEqualDisplacementsTheLowestVertexIsNamed) {
   const LossReport loss = loss_of(mesh, options("stl-binary"));
   EXPECT_EQ(loss.vertex, 1u);
   EXPECT_EQ(loss.moved_vertices, 3u);
+}
+
+TEST(ColouredPly, IsTheMeshWithAColourAFace) {
+  TriangleMesh mesh = triangle();
+  mesh.faces.push_back({0, 2, 1});
+  const std::string bytes = coloured_ply(mesh, std::vector<Colour>{{1, 2, 3}, {255, 254, 253}});
+  const auto file = io_test::read(MeshFormat::kPly, bytes);
+  EXPECT_EQ(content(file), content(io_test::read(MeshFormat::kPly, mesh_to_bytes(mesh, options("ply-ascii")).value() )));
+  EXPECT_EQ(io_test::ignored(*file, "property face.green"), 2u);
+  EXPECT_EQ(bytes.substr(bytes.size() - 3), "\xff\xfe\xfd");
+  EXPECT_THROW(coloured_ply(mesh, std::vector<Colour>(1)), InternalError);
 }
 
 TEST(LossOf, SubnormalDisplacementsAreExact) {

@@ -186,7 +186,8 @@ int main(int argc, char** argv) {
   const std::vector<std::string> with_peer{"bunny70k", "blade199k", "loop1115k", "flat1115k",
                                            "sliver20k"};
   const std::vector<std::string> alone{"loop279k",      "sliver80k",        "sliver20k_rim",
-                                       "sliver80k_rim", "sliver20k_zigzag", "sliver80k_zigzag"};
+                                       "sliver80k_rim", "sliver20k_zigzag", "sliver80k_zigzag",
+                                       "plate20k_rim",  "plate80k_rim",     "plate80k_zigzag"};
   const auto wanted = [&](const std::string& name) { return argc < 2 || name == argv[1]; };
   for (const auto& name : {"blade199k", "loop1115k"})
     if (wanted(name)) memory_row(name);

@@ -99,7 +99,7 @@ TriangleMesh flat_step(const TriangleMesh& mesh) {
   return out;
 }
 
-TriangleMesh sliver_cylinder(unsigned sides, Caps caps) {
+TriangleMesh sliver_cylinder(unsigned sides, Caps caps, double length) {
   TriangleMesh m;
   const auto place = [&](double x, double y, double z) {
     const double cx = std::cos(0.3), sx = std::sin(0.3), cy = std::cos(0.5), sy = std::sin(0.5);
@@ -107,7 +107,7 @@ TriangleMesh sliver_cylinder(unsigned sides, Caps caps) {
     m.positions.push_back({u, y * cy - w * sy, y * sy + w * cy});
   };
   const std::uint32_t n = sides;
-  for (double z : {0.0, 10.0})
+  for (double z : {0.0, length})
     for (std::uint32_t i = 0; i < n; ++i) {
       const double angle = 2 * std::numbers::pi * i / n;
       place(std::cos(angle), std::sin(angle), z);
@@ -123,7 +123,7 @@ TriangleMesh sliver_cylinder(unsigned sides, Caps caps) {
   };
   if (caps == Caps::kCentreFan) {
     place(0, 0, 0);
-    place(0, 0, 10);
+    place(0, 0, length);
     for (std::uint32_t i = 0; i < n; ++i) {
       m.faces.push_back({2 * n, (i + 1) % n, i});
       m.faces.push_back({2 * n + 1, n + i, n + (i + 1) % n});
@@ -150,11 +150,14 @@ TriangleMesh named_model(const std::string& name) {
   if (name == "loop1115k") return loop_step(loop_step(bunny()));
   if (name == "loop279k") return loop_step(bunny());
   if (name == "flat1115k") return flat_step(flat_step(bunny()));
-  const unsigned sides = name.rfind("sliver80k", 0) == 0 ? 20000 : 5000;
-  if (name.rfind("sliver", 0) == 0)
-    return sliver_cylinder(sides, name.find("_rim") != std::string::npos      ? Caps::kRimFan
-                                  : name.find("_zigzag") != std::string::npos ? Caps::kZigzag
-                                                                              : Caps::kCentreFan);
+  const auto begins = [&](const char* start) { return name.rfind(start, 0) == 0; };
+  const bool is_plate = begins("plate");
+  if (is_plate || begins("sliver"))
+    return sliver_cylinder(name.find("80k") != std::string::npos ? 20000 : 5000,
+                           name.find("_rim") != std::string::npos      ? Caps::kRimFan
+                           : name.find("_zigzag") != std::string::npos ? Caps::kZigzag
+                                                                       : Caps::kCentreFan,
+                           is_plate ? 0.001 : 10);
   std::fprintf(stderr, "no model %s\n", name.c_str());
   std::exit(2);
 }

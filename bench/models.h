@@ -18,10 +18,11 @@ TriangleMesh flat_step(const TriangleMesh& mesh);
 
 enum class Caps { kCentreFan, kRimFan, kZigzag };
 
-/// A tilted cylinder of radius 1 and length 10 with `sides` sides, all its 4 * sides facets (4 * sides - 4 without centres) long and thin.
-TriangleMesh sliver_cylinder(unsigned sides, Caps caps);
+/// A tilted cylinder of radius 1 with `sides` sides, 4 * sides facets (4 * sides - 4 without centres), all long and thin if the cylinder is long,
+/// those of the caps if it is a plate.
+TriangleMesh sliver_cylinder(unsigned sides, Caps caps, double length = 10);
 
-/// bunny70k, blade199k, loop1115k, flat1115k, sliver20k, sliver80k; sliver20k_rim, ... with other caps.
+/// bunny70k, blade199k, loop1115k, flat1115k, sliver20k, sliver80k; sliver20k_rim, ... with other caps; plate20k_rim, ... of length 0.001.
 TriangleMesh named_model(const std::string& name);
 
 }  // namespace veritope::bench

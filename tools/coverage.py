@@ -31,17 +31,21 @@ def run_tests(build):
 
 
 def measure(build):
-    """llvm-cov's report, a list of files with their branches and segments."""
+    """{path: llvm-cov's reports of the file, one for each program that has it}. Program by program: one call for all of them would count
+    a function once, as the first program has it, and compilers make different code for it in different programs."""
     profile = build / "coverage.profdata"
     counters = sorted((build / "profiles").glob("*.profraw"))
     subprocess.run(["llvm-profdata-14", "merge", "-sparse", *counters, "-o", profile], check=True, stdout=sys.stderr)
     programs = sorted(path for folder in ("bin", "tests") for path in (build / folder).iterdir()
                       if path.is_file() and path.open("rb").read(4) == b"\x7fELF")
-    objects = [option for path in programs[1:] for option in ("-object", path)]
     sources = [ROOT / part for part in PARTS.values()]
-    done = subprocess.run(["llvm-cov-14", "export", "-format=text", f"-instr-profile={profile}", programs[0], *objects, *sources],
-                          check=True, stdout=subprocess.PIPE)
-    return json.loads(done.stdout)["data"][0]["files"]
+    reports = collections.defaultdict(list)
+    for program in programs:
+        done = subprocess.run(["llvm-cov-14", "export", "-format=text", f"-instr-profile={profile}", program, *sources],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        for file in json.loads(done.stdout)["data"][0]["files"] if done.returncode == 0 else ():
+            reports[str(pathlib.Path(file["filename"]).relative_to(ROOT))].append(file)
+    return reports
 
 
 def count_at(segments, place):
@@ -50,15 +54,34 @@ def count_at(segments, place):
     return segments[index][2] if index >= 0 and segments[index][3] else 0
 
 
-def conditions(file):
+def conditions(files):
     """{(line, column): [times true, times false]} without the constant ones."""
     found = collections.defaultdict(lambda: [0, 0])
-    for line, column, _, _, true, false, *_ in file["branches"]:
-        counts = found[line, column]
-        counts[0] += true
-        counts[1] += false
+    for file in files:
+        for line, column, _, _, true, false, *_ in file["branches"]:
+            counts = found[line, column]
+            counts[0] += true
+            counts[1] += false
     # Neither outcome, and yet the place was reached: the compiler knew the value.
-    return {place: counts for place, counts in found.items() if any(counts) or count_at(file["segments"], place) == 0}
+    return {place: counts for place, counts in found.items()
+            if any(counts) or all(count_at(file["segments"], place) == 0 for file in files)}
+
+
+def lines_run(file):
+    """{line: whether it ran} of the lines that have code: as llvm-cov counts them, from the regions that begin on a line or reach into it."""
+    lines, count, has_code = {}, 0, False
+    segments = sorted((s for s in file["segments"]), key=lambda s: (s[0], s[1]))
+    at = 0
+    for line in range(segments[0][0], segments[-1][0] + 1) if segments else ():
+        most = count if has_code else None
+        while at < len(segments) and segments[at][0] == line:
+            _, _, count, has_code, is_entry, *_ = segments[at]
+            if has_code and is_entry:
+                most = max(most or 0, count)
+            at += 1
+        if most is not None:
+            lines[line] = most > 0
+    return lines
 
 
 class Part:
@@ -68,9 +91,9 @@ class Part:
         self.branches = self.branches_taken = self.lines = self.lines_run = self.argued = 0
         self.missed = []
 
-    def add(self, path, file):
+    def add(self, path, files):
         text = (ROOT / path).read_text().splitlines()
-        for (line, column), counts in sorted(conditions(file).items()):
+        for (line, column), counts in sorted(conditions(files).items()):
             if MARK in text[line - 1]:
                 self.argued += 1
                 continue
@@ -79,8 +102,14 @@ class Part:
             never = [outcome for outcome, count in zip(("true", "false"), counts) if count == 0]
             if never:
                 self.missed.append(f"{path}:{line}:{column}: never {' nor '.join(never)}")
-        self.lines += file["summary"]["lines"]["count"]
-        self.lines_run += file["summary"]["lines"]["covered"]
+        lines = collections.defaultdict(bool)
+        for file in files:
+            for line, has_run in lines_run(file).items():
+                lines[line] |= has_run
+        lines = {line: has_run for line, has_run in lines.items() if MARK not in text[line - 1]}
+        self.lines += len(lines)
+        self.lines_run += sum(lines.values())
+        self.missed += [f"{path}:{line}: never run" for line, has_run in sorted(lines.items()) if not has_run]
 
 
 def percent(some, all_of_them):
@@ -103,7 +132,7 @@ def main(arguments):
         return 2
     build = pathlib.Path(arguments[0]).resolve()
     passed = run_tests(build)
-    files = {str(pathlib.Path(file["filename"]).relative_to(ROOT)): file for file in measure(build)}
+    files = measure(build)
     missed = ""
     for name, folder in PARTS.items():
         part = Part()

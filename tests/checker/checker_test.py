@@ -1027,7 +1027,9 @@ class Invalid(Case):
                [(0, 1, 2), (0, 3, 4), (0, 5, 6), (0, 2, 3)])
         self.check_one(None, fan, 6, rp.u32(0))
         self.check_one("I6", (fan[0], fan[1] + [(0, 4, 5)]), 6, rp.u32(0))
-        self.check_one("I6", (fan[0], fan[1] + [(0, 0, 5), (4, 0, 0), (0, 0, 1)]), 6, rp.u32(0))
+        self.check_one("I6", (fan[0], fan[1] + [(0, 5, 1), (0, 4, 6)]), 6, rp.u32(0))
+        # A triangle of fewer than three vertices is at no vertex: it joins no fans.
+        self.check_one(None, (fan[0], fan[1] + [(0, 0, 5), (4, 0, 0), (0, 0, 1)]), 6, rp.u32(0))
 
     def seven(self, condition, mesh, f, g, w, x):
         self.check_one(condition, mesh, 7, rp.u32(f, g) + b"".join(map(rp.natural, w + x)))

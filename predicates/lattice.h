@@ -16,7 +16,7 @@ namespace veritope::internal {
 
 /// Coordinates on a lattice of L limbs are at most 2^lattice_bits(L); three more bits hold a
 /// difference and the sign.
-constexpr int lattice_bits(int limbs) { return 64 * limbs - 4; }
+constexpr int lattice_bits(int limbs) { return 64 * limbs - 4; }  // NOT COVERED: at compile time only
 
 /// Are all the same number? (0 and -0 may count as different; DAZ does not matter.)
 template <typename... Rest>

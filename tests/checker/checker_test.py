@@ -295,7 +295,7 @@ class Accepts(Case):
                 "8.5e-324", "3e-324", "2.4703282292062328e-324", "179769313486231570e291",
                 "1." + "0" * 900 + "1", "0.5000000000000000277555756156289135105907917022705078125",
                 "0.500000000000000083266726846886740531772375106811523437499", "+.5e+1", "5.E0",
-                "0" * 400 + "3", "1" + "0" * 400 + "e-400", "0." + "0" * 400 + "1e401"]
+                "9007199254740995", "1234567890123456789012345", "1." + "3" * 900, "0" * 400 + "3", "1" + "0" * 400 + "e-400", "0." + "0" * 400 + "1e401"]
         for d in hard:
             x = float(d)
             data = ("v 0 0 0\nv %s 0 0\nv 0 1 0\nv 0 0 1\n" % d +
@@ -314,6 +314,42 @@ class Accepts(Case):
                     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").encode()
             model = rp.Model(data, "obj")
             self.accepts(model, rp.prove_valid(model).encode())
+
+    def test_decimals_that_round_to_zero(self):
+        for d in ("1e-326", "-2e-324", "1e-99999", "2.4703282292062327e-324", "0e99999"):
+            data = ("v %s 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" % d).encode()
+            model = rp.Model(data, "obj")
+            self.accepts(model, rp.prove_valid(model).encode(), "volume 1/6")
+
+    def test_integer_coordinates(self):
+        for kind in ("binary_little_endian", "binary_big_endian"):
+            for real in ("int", "short", "char", "uint", "ushort", "uchar"):
+                model = rp.Model(ply(TET, kind, real=real), "ply")
+                self.accepts(model, rp.prove_valid(model).encode(), "volume 1/6")
+
+    def test_help_and_version(self):
+        for words in (["--help"], ["-h"], ["--version"]):
+            code, out, err = check_files(*words)
+            self.assertEqual((code, err), (0, ""))
+            self.assertIn("veritope-check", out)
+        for words in ([], ["a"], ["a", "b", "c"], ["--what"], ["--help", "x"]):
+            self.assertEqual(check_files(*words)[:2], (2, ""))
+
+    def test_names_are_printed_without_control_characters(self):
+        code, out, err = check_files(CHECK, "no\x7f\x1b[31m")
+        self.assertEqual((code, out, err), (4, "", "no??[31m: cannot be opened\n"))
+
+    @unittest.skipIf(os.environ.get("VERITOPE_SANITIZE"), "sanitizers need more address space")
+    def test_out_of_memory_is_exit_3(self):
+        model = os.path.join(FOLDER.name, "large.stl")
+        with open(model, "wb") as file:
+            file.truncate(1 << 28)
+        cert = os.path.join(FOLDER.name, "any.cert")
+        with open(cert, "wb") as file:
+            file.write(rp.prove_valid(model_of(TET)).encode())
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 27, 1 << 27))
+        r = subprocess.run([CHECK, model, cert], capture_output=True, preexec_fn=limit, check=False)
+        self.assertEqual((r.returncode, r.stdout, r.stderr), (3, b"", b"veritope-check stops: out of memory\n"))
 
     def test_other_ways_to_write_a_tetrahedron(self):
         v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
@@ -443,6 +479,11 @@ class Statements(Case):
         for key in ("subject_sha256", "body_sha256"):
             for h in (d[key].upper(), d[key][:-1], d[key] + "0", "g" + d[key][1:]):
                 self.rejects("S1", self.model, rp.file_of(dict(d, **{key: h}), self.body))
+
+    def test_S1_values_and_flags(self):
+        self.rejects("S1", self.model, self.with_line(b'"faces":4', b'"faces":4\n'))
+        self.rejects("S1", self.model, self.with_line(b'"as_indexed"', b'"as_index"'))
+        self.rejects("S1", self.model, self.with_line(b'"as_indexed":false,', b""))
 
     def test_S1_rules(self):
         model = model_of((TET[0], TET[1][:3]))
@@ -597,8 +638,9 @@ class Valid(Case):
         self.rejects("V3", model, cert.encode())
         model, cert = self.prove((TET[0], TET[1] + [(1, 1, 2)]))
         self.rejects("V3", model, cert.encode())
-        model, cert = self.prove((TET[0], [(0, 2, 1), (0, 1, 3), (3, 3, 3), (0, 3, 2), (1, 2, 3)]))
-        self.rejects("V3", model, cert.encode())
+        for collapsed in ((3, 3, 3), (0, 0, 1), (0, 1, 1), (0, 1, 0)):
+            model, cert = self.prove((TET[0], [(0, 2, 1), (0, 1, 3), collapsed, (0, 3, 2), (1, 2, 3)]))
+            self.rejects("V3", model, cert.encode())
 
     def test_V4_edges(self):
         turned_face = (TET[0], TET[1][:3] + [TET[1][3][::-1]])
@@ -991,6 +1033,9 @@ class Invalid(Case):
         self.check_one(None, mesh, 2, rp.u32(5, 6))
         self.check_one("I2", mesh, 2, rp.u32(0, 0))
         self.check_one("I2", mesh, 2, rp.u32(0, 1))
+        for f in range(4):  # two common vertices, every one of the three missing
+            for g in range(4):
+                self.check_one("I2", mesh, 2, rp.u32(f, g))
         self.check_one("I2", mesh, 2, rp.u32(5, 0))
         self.check_one("I2", mesh, 2, rp.u32(0, 5))
 
@@ -1253,6 +1298,23 @@ class Refuses(Case):
         model = rp.Model(data, "ply")
         model.data = lots
         self.accepts(model, rp.prove_valid(model).encode())  # it has no properties, so no bytes
+
+    def test_ply_headers_of_other_words(self):
+        good = ply(TET)
+        for old, new in ((b"format ascii 1.0", b"version ascii 1.0"), (b"comment x", b"element list of four words"),
+                         (b"comment x", b"property set of four words"), (b"float x", b"list uchar char q"),
+                         (b"end_header", b"element tristrips 0\nend_header"),
+                         (b"end_header", b"element tristrips 0\nproperty int q\nend_header"),
+                         (b"end_header", b"element tristrips 0\nproperty list int int vertex_indices\n"
+                                         b"property list int int vertex_index\nend_header"),
+                         (b"comment x", b"comment x\r"), (b"comment x", b"comment\rx")):
+            self.assertIn(old, good)
+            self.refuses("ply", good.replace(old, new, 1))
+
+    def test_exponents_are_digits(self):
+        v = b"v 0 0 0\nv 1 0 0\nv 0 1 %s\nf 1 2 3\n"
+        for number in (b"1e5x", b"1e5/", b"1e-5.", b"1e5.5", b"1e:", b"1e-/"):
+            self.refuses("obj", v % number)
 
     def test_strips(self):
         head = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"

@@ -3,7 +3,7 @@ function(veritope_checker_test part)
   add_test(NAME checker_cpp_${part}
            COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker/checker_test.py" ${ARGN})
   set_tests_properties(checker_cpp_${part} PROPERTIES LABELS ${part} TIMEOUT 600 ENVIRONMENT
-                       "PYTHONDONTWRITEBYTECODE=1;VERITOPE_CHECK=$<TARGET_FILE:veritope-check>")
+                       "PYTHONDONTWRITEBYTECODE=1;VERITOPE_SANITIZE=${VERITOPE_SANITIZE};VERITOPE_CHECK=$<TARGET_FILE:veritope-check>")
 endfunction()
 
 veritope_checker_test(quick Accepts Statements Valid Invalid Refuses)

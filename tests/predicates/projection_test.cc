@@ -12,6 +12,16 @@ TEST(Projection, KeepsTheOrientationAlongEachAxis) {
   EXPECT_EQ(drop_axis({1, 2, 3}, 2), (Vec2d{1, 2}));
 }
 
+TEST(Vectors, AreEqualIfAllCoordinatesAre) {
+  EXPECT_TRUE((Vec2d{1, 2}) == (Vec2d{1, 2}));
+  EXPECT_FALSE((Vec2d{1, 2}) == (Vec2d{0, 2}));
+  EXPECT_FALSE((Vec2d{1, 2}) == (Vec2d{1, 0}));
+  EXPECT_TRUE((Vec3d{1, 2, 3}) == (Vec3d{1, 2, 3}));
+  EXPECT_FALSE((Vec3d{1, 2, 3}) == (Vec3d{0, 2, 3}));
+  EXPECT_FALSE((Vec3d{1, 2, 3}) == (Vec3d{1, 0, 3}));
+  EXPECT_FALSE((Vec3d{1, 2, 3}) == (Vec3d{1, 2, 0}));
+}
+
 TEST(Projection, FindsAnAxisAlongWhichATriangleIsSeen) {
   const Vec3d o{}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   EXPECT_EQ(projection_of(o, x, y).axis, 2);

@@ -107,5 +107,13 @@ TEST(SegmentTriangle, CountsTheTiersOfItsOrientations) {
   EXPECT_EQ(tally[Tier::kFilter], 5u);
 }
 
+TEST(SegmentTriangle, ContactsAreEqualIfAllPartsAre) {
+  const SegmentTriangleContact a{Kind::kDisjoint, 1, true};
+  EXPECT_TRUE(a == (SegmentTriangleContact{Kind::kDisjoint, 1, true}));
+  EXPECT_FALSE(a == (SegmentTriangleContact{Kind::kDisjoint, 2, true}));
+  EXPECT_FALSE(a == (SegmentTriangleContact{Kind::kDisjoint, 1, false}));
+  EXPECT_FALSE(a == (SegmentTriangleContact{static_cast<Kind>(1), 1, true}));
+}
+
 }  // namespace
 }  // namespace veritope

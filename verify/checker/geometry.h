@@ -21,7 +21,7 @@ struct Fixed {
 template <int L>
 inline Fixed<L> fixed(int64_t v) {
   Fixed<L> r;
-  for (int i = 0; i < L; ++i) r.d[i] = uint64_t(i == 0 ? v : v < 0 ? -1 : 0);
+  for (int i = 0; i < L; ++i) r.d[i] = uint64_t(i == 0 ? v : -int64_t(v < 0));
   return r;
 }
 template <int L>

@@ -31,7 +31,8 @@ std::string read_file(const std::string& name) {
 int say(std::FILE* to, const std::string& text, int exit_code) {
   for (char c : text) std::fputc((c < 32 || c > 126) && c != '\n' ? '?' : c, to);
   std::fputc('\n', to);
-  return std::fflush(to) == 0 && std::ferror(to) == 0 ? exit_code : 4;
+  std::fflush(to);
+  return std::ferror(to) == 0 ? exit_code : 4;
 }
 
 }  // namespace
@@ -59,7 +60,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("veritope-check stops: out of memory\n", stderr);
     return 3;
-  } catch (const std::exception& e) {
-    return say(stderr, std::string("veritope-check stops: ") + e.what(), 5);
-  }
+  } catch (const std::exception& e) {  // NOT COVERED: a bug of the checker
+    return say(stderr, std::string("veritope-check stops: ") + e.what(), 5);  // NOT COVERED: the same
+  }  // NOT COVERED: the same
 }

@@ -282,7 +282,7 @@ class Accepts(Case):
 
     def test_coordinates_of_every_width(self):
         """One model for each number of limbs, from integers to all of binary64."""
-        for tiny in ("1", "0x1p-30", "0x1p-90", "0x1p-200", "0x1p-500", "0x1p-1074"):
+        for tiny in ("1", "-0x1p-1074", "0x1p-30", "0x1p-90", "0x1p-200", "0x1p-500", "0x1p-1074"):
             for huge in ("1", "0x1.fffffffffffffp+1023"):
                 e, h = float.fromhex(tiny), float.fromhex(huge)
                 model = model_of(([(0, 0, e), (h, 0, 0), (0, h, 0), (e, e, h)], TET[1]))
@@ -1302,7 +1302,7 @@ class Refuses(Case):
     def test_ply_headers_of_other_words(self):
         good = ply(TET)
         for old, new in ((b"format ascii 1.0", b"version ascii 1.0"), (b"comment x", b"element list of four words"),
-                         (b"comment x", b"property set of four words"), (b"float x", b"list uchar char q"),
+                         (b"comment x", b"property set of four words"), (b"comment x", b"scalar float q"), (b"float x", b"list uchar char q"),
                          (b"end_header", b"element tristrips 0\nend_header"),
                          (b"end_header", b"element tristrips 0\nproperty int q\nend_header"),
                          (b"end_header", b"element tristrips 0\nproperty list int int vertex_indices\n"

@@ -37,6 +37,7 @@ class MustNotCompile(unittest.TestCase):
         for path in files:
             text = path.read_text()
             tags = dict(re.findall(r"^// (EXPECT|BAD-FLAGS|ONLY) (.*)$", text, re.M))
+            self.assertEqual("ONLY" in text, "ONLY" in tags, f"{path.name}: a tag stands at the start of its line")
             if tags.get("ONLY", NAME) != NAME:
                 continue
             with self.subTest(path.name):

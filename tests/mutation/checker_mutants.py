@@ -4,7 +4,7 @@
 
 Each mutant is one small textual change in a checking condition (a comparison, a sign, a constant, a
 dropped condition).  It is killed if some case of a fixed corpus (attacks, honest certificates, damaged
-files, the cases of tests/checker_py) gets another verdict than from the unchanged Python checker.
+files), or some test of tests/checker and tests/checker_py, gets another verdict than from the unchanged Python checker.
 
     python3 tests/mutation/checker_mutants.py python [--sample N] [--jobs J]
     python3 tests/mutation/checker_mutants.py cpp    [--sample N] [--jobs J] [--show]
@@ -150,6 +150,13 @@ def unit_tests_fail(text):
         return subprocess.run([sys.executable, str(test)], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
 
 
+def unit_tests_of_cpp_fail(program):
+    env = dict(os.environ, VERITOPE_CHECK=str(program))
+    test = HERE.parent / "checker" / "checker_test.py"
+    classes = ("Refuses", "Statements", "Invalid", "Valid", "Accepts")
+    return subprocess.run([sys.executable, str(test), "--failfast", *classes], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
+
+
 def judge_cpp(mutant, objects, cases, options):
     """As judge_python, for a C++ file: compiles, links, runs; 'build' if it does not compile."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="mutant", dir="/dev/shm" if os.path.isdir("/dev/shm") else None))
@@ -178,7 +185,7 @@ def judge_cpp(mutant, objects, cases, options):
             found = attacks.condition_of(r.returncode, r.stdout.decode("latin-1")) if r.returncode in (0, 1) and r.stdout else "exit %d" % r.returncode
             if found != expected:
                 return i
-        return None
+        return 0 if unit_tests_of_cpp_fail(folder / "check") else None
     except (subprocess.TimeoutExpired, ValueError, IndexError):
         return "time"
     finally:

@@ -140,7 +140,7 @@ Centre centre_of(const TriangleMesh& mesh, std::uint32_t facet) {
 
 // Large fans become groups of their own, numbered from 1 as their apexes lie in space: facets of a fan need no test, and the fan of one side of a
 // thin plate is apart from that of the other side, which no halves of both would be.
-void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items) {
+void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned jobs) {
   constexpr std::uint32_t kLarge = 64;  // facets
   std::vector<std::uint32_t> degree(mesh.positions.size());
   for (const Centre& c : items)
@@ -160,7 +160,9 @@ void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items) {
   arrange(apexes, 0, apexes.size());
   std::vector<std::uint32_t> group(degree.size());
   for (std::size_t i = 0; i < apexes.size(); ++i) group[apexes[i].facet] = static_cast<std::uint32_t>(i + 1);
-  for (Centre& c : items) c.group = group[apex_of(c.facet)];
+  parallel_for(items.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) items[i].group = group[apex_of(items[i].facet)];
+  });
 }
 
 }  // namespace
@@ -237,7 +239,7 @@ std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vec
   parallel_for(facets.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) items[i] = centre_of(mesh, facets[i]);
   });
-  group_fans(mesh, items);
+  group_fans(mesh, items, jobs);
   arrange_all(items, jobs);
   std::vector<std::uint32_t> order;
   order.reserve(items.size());

@@ -1030,7 +1030,7 @@ class Invalid(Case):
     def test_I2(self):
         mesh = (TET[0], TET[1] + [(2, 1, 0), (0, 0, 1), (0, 1, 1)])
         self.check_one(None, mesh, 2, rp.u32(0, 4))
-        self.check_one(None, mesh, 2, rp.u32(5, 6))
+        self.check_one("I2", mesh, 2, rp.u32(5, 6))  # fewer than three vertices
         self.check_one("I2", mesh, 2, rp.u32(0, 0))
         self.check_one("I2", mesh, 2, rp.u32(0, 1))
         for f in range(4):  # two common vertices, every one of the three missing

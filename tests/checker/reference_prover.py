@@ -662,7 +662,7 @@ def find_witnesses(model):
     seen = {}
     for f, t in enumerate(model.faces):
         g = seen.setdefault(frozenset(t), f)
-        if g != f:
+        if g != f and len(set(t)) == 3:
             out.append((2, u32(g, f)))
     for (a, b), uses in sorted(edge_uses(model).items()):
         if len(uses) == 1:

@@ -114,7 +114,7 @@ class InvalidCheck {
     int64_t forth = 0;
     switch (w.rule) {
       case 1: return degenerate(f);
-      case 2: return f != g && within(f, g) && within(g, f);
+      case 2: return f != g && !collapsed(f) && within(f, g);
       case 3: return uses(f, g, &forth) == 1;
       case 4: return uses(f, g, &forth) >= 3;
       case 5: return uses(f, g, &forth) == 2 && forth == 2;

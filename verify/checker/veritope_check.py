@@ -907,7 +907,8 @@ def i1_degenerate(mesh, _, f):
     return mesh.normals[f] == (0, 0, 0)                     # so it is if two of the ids are equal
 
 def i2_duplicate(mesh, _, f, g):
-    return f != g and set(mesh.triangles[f]) == set(mesh.triangles[g])
+    f_set = set(mesh.triangles[f])
+    return f != g and len(f_set) == 3 and f_set == set(mesh.triangles[g])
 
 def uses(directed, a, b):
     return directed.get((a, b), 0) + directed.get((b, a), 0)

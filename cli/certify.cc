@@ -87,7 +87,12 @@ class Certification {
     report_.fault = std::move(fault);
     return false;
   }
+  // Always false. A verdict that nobody else confirmed is none, and its counts, defects and certificate are none.
   bool give_up(ExitCode exit, Fault fault) {
+    report_.certificate.reset();
+    report_.decision.reset();
+    report_.defects.clear();
+    report_.picture.clear();
     report_.exit = exit;
     report_.verdict = FileVerdict::kUndecided;
     report_.fault = std::move(fault);
@@ -174,14 +179,14 @@ class Certification {
     if (settings_.checker.empty()) return true;
     phase("checking");
     Result<ScratchFile> certificate = ScratchFile::with(as_text(bytes_));
-    if (!certificate) return fail_to_check(kExitUnreadable, fault_of(certificate.error()));
+    if (!certificate) return give_up(kExitUnreadable, fault_of(certificate.error()));
     std::vector<int> inherited = {certificate->descriptor()};
     std::string model = report_.path;
     if (needs_copy(model)) {
       const ByteBuffer& b = spooled_.bytes;
       Result<ScratchFile> copy =
           ScratchFile::with({reinterpret_cast<const char*>(b.data()), b.size()});
-      if (!copy) return fail_to_check(kExitUnreadable, fault_of(copy.error()));
+      if (!copy) return give_up(kExitUnreadable, fault_of(copy.error()));
       spooled_.copy.emplace(std::move(*copy));
       inherited.push_back(spooled_.copy->descriptor());
       model = spooled_.copy->path();
@@ -198,21 +203,19 @@ class Certification {
   // Always false.
   bool judge_refusal(const CheckerOutcome& outcome) {
     if (!outcome.is_started) {
-      return fail_to_check(kExitUndecided,
-                           {"not-checked", {}, settings_.checker + " " + outcome.words});
+      return give_up(kExitUndecided, {"not-checked", {}, settings_.checker + " " + outcome.words});
     }
     if (outcome.lacks_resources) {
-      return fail_to_check(kExitUndecided, {"out-of-memory",
-                                            {},
-                                            "not enough memory for veritope-check (" +
-                                                outcome.words + ")"});
+      return give_up(
+          kExitUndecided,
+          {"out-of-memory", {}, "not enough memory for veritope-check (" + outcome.words + ")"});
     }
     if (outcome.exceeds_work) {
-      return fail_to_check(kExitUndecided, {"over-budget",
-                                            {},
-                                            "the proof takes more work than checkers of this "
-                                            "certificate may spend (" +
-                                                outcome.words + ")"});
+      return give_up(kExitUndecided, {"over-budget",
+                                      {},
+                                      "the proof takes more work than checkers of this "
+                                      "certificate may spend (" +
+                                          outcome.words + ")"});
     }
     if (file_has_changed()) {
       FileReport blank;  // what was found is about bytes that are gone
@@ -221,19 +224,10 @@ class Certification {
       report_ = std::move(blank);
       return refuse({"file-changed", {}, "the file changed while it was being certified"});
     }
-    return fail_to_check(kExitBug, {"internal",
-                                    {},
-                                    "veritope-check did not accept our certificate (" +
-                                        outcome.words + "); " + how_to_report()});
-  }
-
-  // A verdict that nobody else confirmed is none, and its counts and defects are none. Always false.
-  bool fail_to_check(ExitCode exit, Fault fault) {
-    report_.certificate.reset();
-    report_.decision.reset();
-    report_.defects.clear();
-    report_.picture.clear();
-    return give_up(exit, std::move(fault));
+    return give_up(kExitBug, {"internal",
+                              {},
+                              "veritope-check did not accept our certificate (" + outcome.words +
+                                  "); " + how_to_report()});
   }
 
   bool file_has_changed() const {

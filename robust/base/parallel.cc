@@ -30,7 +30,6 @@ class WorkerScope::Crew {
     work_ = nullptr;
     next_round();
   }
-  std::size_t size() const { return threads_.size(); }
   bool is_busy() const { return work_ != nullptr; }
 
   template <typename Work>

@@ -157,6 +157,13 @@ def unit_tests_of_cpp_fail(program):
     return subprocess.run([sys.executable, str(test), "--failfast", *classes], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
 
 
+def fails_unchanged(objects, options):
+    with tempfile.TemporaryDirectory() as d:
+        program = pathlib.Path(d) / "check"
+        subprocess.run([options.compiler, *objects, "-o", str(program)], check=True)
+        return unit_tests_of_cpp_fail(program)
+
+
 def judge_cpp(mutant, objects, cases, options):
     """As judge_python, for a C++ file: compiles, links, runs; 'build' if it does not compile."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="mutant", dir="/dev/shm" if os.path.isdir("/dev/shm") else None))
@@ -209,6 +216,9 @@ def in_child(job):
 def run(kind, options):
     cases = corpus()
     print("%d cases" % len(cases))
+    # Else every mutant would count as killed.
+    if kind == "python" and unit_tests_fail(attacks.CHECKER_PY.read_text()):
+        sys.exit("checker_mutants: the unit tests fail on the checker itself")
     if kind == "python":
         found = list(mutants(attacks.CHECKER_PY, "class Refused"))
         def job(m):
@@ -218,6 +228,8 @@ def run(kind, options):
         files = sorted(CHECKER.glob("mesh_*.cc")) + [h for h in sorted(CHECKER.glob("*.h")) if h.name not in NOT_CONDITIONS]
         found = [m for f in files for m in mutants(f)]
         objects = build_objects(options, files)
+        if fails_unchanged(objects, options):
+            sys.exit("checker_mutants: the unit tests fail on the checker itself")
         def job(m):
             return judge_cpp(m, objects, cases, options)
     if options.sample and options.sample < len(found):

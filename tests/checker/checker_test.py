@@ -226,6 +226,10 @@ class Case(unittest.TestCase):
 
 # ---- Acceptance ------------------------------------------------------------------------------
 
+REGULAR = ([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)],
+           [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)])
+
+
 class Accepts(Case):
     def test_solids_in_every_format(self):
         for name, (mesh, shells, bodies, genus, volume) in SOLIDS.items():
@@ -415,18 +419,28 @@ class Accepts(Case):
 
     def test_a_work_bound_that_only_a_bad_order_meets(self):
         """Tetrahedra along a diagonal. Pairs from opposite ends make all boxes overlap."""
-        regular = ([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)],
-                   [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)])
         n = 4096
-        model = model_of(joined(*(moved(regular, (4 * i, 4 * i, 4 * i)) for i in range(n))))
+        model = model_of(joined(*(moved(REGULAR, (4 * i, 4 * i, 4 * i)) for i in range(n))))
         cert = rp.Valid(model)
-        cert.stars = rp.prove_valid(model_of(regular)).stars * n
+        cert.stars = rp.prove_valid(model_of(REGULAR)).stars * n
         self.assertNotIn(0, cert.stars)
         cert.nesting = [0] * n
         cert.quantities = rp.quantities(model, n, n)
         self.accepts(model, cert.encode(), "%d bodies" % n)
         cert.order = [f for i in range(2 * n) for f in (i, 4 * n - 1 - i)]
         self.rejects("B1", model, cert.encode())
+
+    def test_the_work_bound_of_the_walk_is_exact(self):
+        """Tetrahedra whose boxes all meet, so F triangles take all (F - 1)^2 calls of cross; no code is right."""
+        for last, answer in ((969, "V9"), (1, "B1")):     # the greatest and the least last digits of a square
+            n = next(n for n in range(2500, 9999) if (4 * n - 1) ** 2 % 1000 == last)
+            work = (4 * n - 1) ** 2
+            model = model_of(joined(*(moved(REGULAR, (i / 4096, i / 4096, i / 4096)) for i in range(n))))
+            cert = rp.Valid(model)
+            cert.nesting = [0] * n
+            cert.quantities = rp.quantities(model, n, n)
+            cert.codes = [17] * ((work + 31) // 1000 - 4 * n - len(cert.body()))
+            self.rejects(answer, model, cert.encode())
 
 
 # ---- Statement -------------------------------------------------------------------------------

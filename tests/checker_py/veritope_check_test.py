@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Unit tests of verify/checker/veritope_check.py: every quirk of the reading rule, every condition id."""
 import hashlib
+import math
 import os
 import pathlib
 import random
@@ -10,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "mutation"))
@@ -75,6 +77,14 @@ class CommonTest(ReadingTest):
             self.refused(fmt, b"", b"\xef\xbb\xbf", b"\xff\xfeO\0F\0", b"\xfe\xff\0O", b"\0\0\xfe\xff", b"\x1f\x8b\x08",
                          b"PK\x03\x04", b"BZh9", b"\xfd7zXZ\0", b"\x28\xb5\x2f\xfd", b"version https://git-lfs.github.com")
 
+    def test_limits_of_the_page(self):
+        self.assertEqual((vc.MAX_TRIANGLES, vc.MAX_VERTICES), (2 ** 30, 2 ** 32 - 1))
+        for name, least in (("MAX_TRIANGLES", 1), ("MAX_VERTICES", 4)):
+            with unittest.mock.patch.object(vc, name, least):
+                read("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2", "off")
+            with unittest.mock.patch.object(vc, name, least - 1):
+                self.refused("off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2")
+
     def test_every_line_end_and_blank_and_a_byte_order_mark(self):
         for end in ("\n", "\r", "\r\n"):
             for blank in (" ", "\t", "\x0b", "\x0c", " \t "):
@@ -96,7 +106,10 @@ class StlTest(ReadingTest):
 
     def test_binary_coordinates_must_be_finite(self):
         for bad in (INF, -INF, float("nan")):
-            self.refused("stl", b"h" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[0] * 11, bad, 0))
+            for k in range(3, 12):                        # 0 to 2 are the normal
+                numbers = [0] * 12
+                numbers[k] = bad
+                self.refused("stl", b"h" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *numbers, 0))
 
     def test_stl_is_always_merged(self):
         self.yields(self.HEAD + struct.pack("<I", 2) + 2 * self.FACET, "stl", T3, [(0, 1, 2), (0, 1, 2)], True)
@@ -318,7 +331,7 @@ class StatementTest(CertificateTest):
         self.says("ACCEPT", self.with_line(b'"forge"', b'""'))
 
     def test_s1(self):
-        for old, new in ((b'"forge"', b'"' + b"x" * 201 + b'"'), (b'"forge"', b'"a\\nb"'), (b'"forge"', b'"\xc3\xa9"'), (b'"forge"', b'"a\tb"'),
+        for old, new in ((b'"forge"', b'"' + b"x" * 201 + b'"'), (b'"forge"', b'"a\\nb"'), (b'"forge"', b'"\xc3\xa9"'), (b'"forge"', b'"a\tb"'), (b'"forge"', b'"\x1f"'), (b'"forge"', b'"\x7f"'),
                          (b'"forge"', b"7"), (b'"forge"', b"null"), (b'"forge"', b'{"a":1}'), (b'"forge"', b'["a"]'), (b'"tool"', b'"Tool"'),
                          (b'"tool":"forge",', b""), (b'"tool":"forge",', b'"tool":"forge","tool":"forge",'), (b'"tool"', b'"x":1,"tool"'),
                          (b'"tool":', b'"tool" :'), (b"{", b"{ "), (b"{", b""), (b"}", b""), (b"}", b"} "), (b"}", b",}"), (b"}", b"}}"),
@@ -337,6 +350,9 @@ class StatementTest(CertificateTest):
         self.says("S1", self.cert().replace(b"\n", b"\r\n", 1))
         self.says("S1", b"\n" + self.cert())
         self.says("S1", b" " * 65537 + b"\n")
+        room = 65536 - len(self.cert().partition(b"\n")[0])
+        self.says("V11", self.with_line(b'"1/6"', b'"1/6' + b"6" * room + b'"'))
+        self.says("S1", self.with_line(b'"1/6"', b'"1/6' + b"6" * (room + 1) + b'"'))
         self.says("V11", self.with_line(b'"faces":4', b'"faces":18446744073709551615'))
         self.says("V11", self.with_line(b'"faces":4', b'"faces":0'))
         for volume in (b"1" * 60001 + b"/7", b"2/12", b"0/6", b"0/1"):
@@ -378,7 +394,7 @@ class BodyTest(CertificateTest):
 
     def test_b1_varints(self):
         for sep, expected in ((b"\0\0\0\0", "V8"), (b"\x80\0\0\0\0", "B1"), (b"\0\x80\0\0\0", "B1"), (b"\0" + b"\xff" * 9 + b"\1\0\0", "B1"),
-                              (b"\xff" * 9 + b"\1\0\0\0", "V8"), (b"\xff" * 9 + b"\2\0\0\0", "B1"), (b"\xff" * 9 + b"\x81\0\0\0\0", "B1"),
+                              (b"\xff" * 9 + b"\1\0\0\0", "V8"), (b"\xff" * 9 + b"\2\0\0\0", "B1"), (b"\x80" * 9 + b"\2\0\0\0", "B1"), (b"\xff" * 9 + b"\x81\0\0\0\0", "B1"),
                               (b"\1\xfe\xff\xff\xff\x0f\0\0", "V8"), (b"\1\x80\x80\x80\x80\x10\0\0", "B1"), (b"\1\xfd\xff\xff\xff\x0f\0\0", "V8"),
                               (b"\1\xff\xff\xff\xff\x0f\0\0", "B1"), (b"\0\0\0", "B1")):
             self.says(expected, self.with_body(lambda b: b[:36] + b"\1\0\0\0" + sep + b[40:]))
@@ -390,36 +406,29 @@ class BodyTest(CertificateTest):
         self.says("B1", self.with_body(lambda b: b[:-1]))
         self.says("B1", self.with_body(lambda b: b[:-2]))
 
-    def walk_units(self, m, separator, size):
-        """A walk over m triangles whose boxes all meet, with room for 1000 (m + size) units: B1 or None."""
+    def walks(self, m, allowed, separator=None):
+        """Triangles whose boxes all meet: m of them take all (m - 1)^2 calls of cross."""
         tris = [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(m)]
         points = [(x + i / 128, y + i / 64, z) for i in range(m) for x, y, z in ((0., 0., 0.), (99., 1., 0.), (1., 99., 1.))]
 
         class Body:
-            order, stars, codes = list(range(m)), [0] * len(points), b""
+            order, stars, codes, work = list(range(m)), [0] * len(points), b"", allowed
             separators = [separator] if separator else []
-        Body.work = 1000 * (m + size)
         try:
             vc.Walk(Body, vc.Mesh(points, tris), {"V8", "V9"}).run()
         except vc.Reject as e:
-            return e.condition
+            self.assertEqual(e.condition, "B1")
+            return False
+        return True
 
     def test_b1_too_much_work(self):
-        self.assertIsNone(self.walk_units(60, None, 0))
-        self.assertEqual(self.walk_units(60, None, -59), "B1")
-
-        def calls(a, b):                                  # of cross on boxes that all meet
-            return 1 if a == b == 1 else 1 + (calls(a // 2, b) + calls(a - a // 2, b) if a >= b else calls(a, b // 2) + calls(a, b - b // 2))
-
-        def units(n):
-            return units(n // 2) + units(n - n // 2) + calls(n // 2, n - n // 2) if n > 1 else 0
-        exact = next(m for m in range(20, 500) if units(m) % 1000 == 0)
-        self.assertIsNone(self.walk_units(exact, None, units(exact) // 1000 - exact))
-        self.assertEqual(self.walk_units(exact, None, units(exact) // 1000 - 1 - exact), "B1")
-        last = next(m for m in range(20, 500) if units(m) % 1000 in (999, 0))
-        reached = units(last) - 1                         # the last call of all is a leaf pair: 2 units more
-        self.assertEqual(self.walk_units(last, (reached, (1, 0, 0)), -(-units(last) // 1000) - last), "B1")
-        self.assertIsNone(self.walk_units(last, (reached, (1, 0, 0)), -(-units(last) // 1000) + 1 - last))
+        for m in (2, 3, 8, 21):
+            units = (m - 1) ** 2
+            self.assertTrue(self.walks(m, units))
+            self.assertFalse(self.walks(m, units - 1))
+            last = units - 1, (1, 0, 0)                   # in the place of the last call of all, a leaf pair: 2 units more
+            self.assertTrue(self.walks(m, units + 2, last))
+            self.assertFalse(self.walks(m, units + 1, last))
 
     def test_b1_invalid(self):
         self.use(forge.Model(TET_POINTS, [(0, 1, 2)] + TET[1:]))
@@ -438,6 +447,71 @@ class BodyTest(CertificateTest):
         finally:
             forge.natural = natural
         self.says("B1", bad)
+
+    def test_b1_work_of_witnesses(self):
+        p, fans = solids.copy_at_vertex(TET_POINTS, TET, self.rng)          # two cycles at vertex 1
+        flipped = [(0, 1, 2)] + TET[1:]
+        crossing = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (1, 1, -1), (1, 1, 1), (9, 9, 1)]
+        for points, tris, witness, units in (
+                (p, fans, (6, 1), 6), (TET_POINTS, TET[1:], (3, 0, 1), 2), (TET_POINTS, TET + [(0, 1, 2)], (4, 0, 1), 4),
+                (TET_POINTS, flipped, (5, 0, 1), 3), (TET_POINTS, solids.reverse(TET), (8, 0, 2), 4),
+                (TET_POINTS, solids.reverse(TET), (9, 0, 2), 4), (TET_POINTS, TET + [(1, 2, 0)], (2, 4, 0), 0),
+                (TET_POINTS, TET + [(0, 1, 1)], (1, 4), 0), (crossing, [(0, 1, 2), (3, 4, 5)], (7, 0, 1, (2, 1, 1), (1, 1, 0)), 0)):
+            self.use(forge.Model(points, tris))
+            cert = forge.invalid_certificate(self.bytes, self.model, self.mesh, [witness] * 3)
+            with unittest.mock.patch.object(vc.Body, "work", lambda *_: 3 * units):
+                self.says("ACCEPT", cert)
+            with unittest.mock.patch.object(vc.Body, "work", lambda *_: 3 * units - 1):
+                self.says("B1", cert)
+
+    def test_b1_work_of_a_certificate_at_its_bound(self):
+        """Two fans of 10,000 triangles whose tips are joined by an open edge: 10,000 units for its witness, 2 for one at the rim."""
+        d = 10000
+        rim = [(math.ldexp(i, -4), math.ldexp(i * i, -8), 1.) for i in range(d)]
+        tris = [(0, 1, 2)] + [(0, 1 + i, 2 + i) for i in range(1, d)] + [(1, 1 + d + i, 2 + d + i) for i in range(1, d)]
+        model = forge.Model([(0., 0., 0.), (1., 0., 0.)] + rim + [(x, y, 2.) for x, y, _ in rim], tris, "off", True)
+        self.use(model)
+        self.assertEqual(sum(0 in t for t in tris), d)
+        self.assertEqual(sum(1 in t for t in tris), d)
+        heavy, light, lightest = (3, 0, 1), (3, 4, 5), (3, 1 + d, 0)
+        self.assertEqual([min(sum(v in t for t in tris) for v in w[1:]) for w in (heavy, light, lightest)], [d, 2, 1])
+        for n in range(20000, 40000):                     # all of at least one unit
+            heavies, lights = divmod(1000 * (len(tris) + 16 + 9 * n) - n, d - 1)
+            if heavies + lights < n:
+                break
+        for lights, expected in ((lights, "ACCEPT"), (lights + 1, "B1")):
+            witnesses = [heavy] * heavies + [light] * lights + [lightest] * (n - heavies - lights)
+            self.says(expected, forge.invalid_certificate(self.bytes, self.model, self.mesh, witnesses))
+
+    def test_b1_work_of_the_nesting(self):
+        """One unit for each box that the rays look into, over all shells."""
+        inner = solids.box_of(1)
+        self.use(forge.Model(*solids.join(solids.box_of(3), (inner[0], solids.reverse(inner[1])))))
+        cert, run = self.cert(), vc.Walk.run
+
+        def boxes(order, f_boxes, ray):                   # of the subtree of an order, by its definition
+            lo, hi = [[pick(f_boxes[f][side][k] for f in order) for k in range(3)] for side, pick in ((0, min), (1, max))]
+            v, u, minus = ray
+            p, q = (u + 1) % 3, (u + 2) % 3
+            if not (lo[p] <= v[p] < hi[p] and lo[q] <= v[q] < hi[q] and (lo[u] <= v[u] if minus else hi[u] >= v[u])) or len(order) == 1:
+                return 1
+            half = len(order) // 2
+            return 1 + boxes(order[:half], f_boxes, ray) + boxes(order[half:], f_boxes, ray)
+        f_boxes = [tuple(zip(*box)) for box in self.mesh.box]
+        plan = self.plan()
+        units = 0
+        for faces, code in zip(plan.shells, plan.nesting):
+            u, minus = divmod(code, 2)
+            vertices = [self.mesh.p[v] for f in faces for v in self.mesh.tris[f]]
+            extreme = (min if minus else max)(p[u] for p in vertices)
+            first = min(v for f in faces for v in self.mesh.tris[f] if self.mesh.p[v][u] == extreme)
+            units += boxes(plan.order, f_boxes, (self.mesh.p[first], u, minus))
+        for allowed, expected in ((units, "ACCEPT"), (units - 1, "B1")):
+            def run_and_set(walk, allowed=allowed):
+                run(walk)
+                walk.cert.work = allowed
+            with unittest.mock.patch.object(vc.Walk, "run", run_and_set):
+                self.says(expected, cert)
 
 
 class ValidTest(CertificateTest):
@@ -480,6 +554,15 @@ class ValidTest(CertificateTest):
         self.says("ACCEPT", self.cert(self.plan(stars={0: (-5, -6, -7)})))
         self.use(forge.Model(TET_POINTS + [(5, 5, 5)], TET))
         self.says("V7", self.cert(self.plan(stars={4: 1})))
+
+    def test_v7_a_vector_at_every_vertex(self):
+        """Their bytes are the greater part of the body."""
+        corners, tris = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)], [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
+        self.use(forge.Model(*solids.join(*(solids.move((corners, tris), (9 * i, 0, 0)) for i in range(8)))))
+        corners *= 8
+        cert = self.cert(self.plan(stars=dict(enumerate(corners))))
+        self.assertLess(len(cert.partition(b"\n")[2]), 13 * len(corners) + 4 + 8 + 4 * len(self.mesh.tris) + len(corners) + 4)
+        self.says("ACCEPT", cert)
 
     def test_v8(self):
         self.use(forge.Model(*solids.join((TET_POINTS, TET), solids.move((TET_POINTS, TET), (1, 1, -1)))))
@@ -602,6 +685,8 @@ class InvalidTest(CertificateTest):
         self.claim("ACCEPT", p, TET + [(0, 1, 1)], (1, 4))
         self.claim("I1", p, TET + [(0, 1, 4)], (1, 0))
 
+        self.claim("ACCEPT", [(0, 0, 0)], [(0, 0, 0)], (1, 0))
+
     def test_i2(self):
         self.claim("ACCEPT", TET_POINTS, TET + [(1, 2, 0)], (2, 4, 0))
         self.claim("I2", TET_POINTS, TET + [(1, 2, 0)], (2, 4, 4))
@@ -646,6 +731,9 @@ class InvalidTest(CertificateTest):
         self.claim("I7", p, t, (7, 0, 5, (1, 0, 0), (0, 1, 0)))
         self.claim("I7", p, t, (7, 5, 3, (1, 0, 0), (1, 0, 0)))
         self.claim("I7", p, t, (7, 5, 1, (1, 0, 0), (1, 0, 0)))
+        great = 256 ** 4095                               # of 4096 bytes
+        self.claim("ACCEPT", p, t, (7, 1, 0, (great, great, 0), (2 * great, great, great)))
+        self.claim("B1", p, t, (7, 1, 0, (256 * great, 256 * great, 0), (2 * great, great, great)))
         p = [(0, 0, 0), (2, 0, 0), (4, 0, 0), (2, -1, -1), (2, 1, -1), (2, 0, 2)]
         t = [(0, 1, 2), (3, 4, 5)]                        # (0, 1, 2) has no area
         self.claim("I7", p, t, (7, 0, 1, (1, 0, 1), (1, 1, 1)))
@@ -681,6 +769,17 @@ class InvalidTest(CertificateTest):
         self.claim("ACCEPT", p, [(0, 1, 2), (6, 8, 7)], (8, 0, 2))
         self.claim("I8", p, [(0, 1, 2), (6, 8, 7), (6, 7, 8)], (8, 0, 2))
 
+    def test_a_line_stabs_a_triangle_of_the_least_area(self):
+        for axis in range(3):
+            def at(p, q):
+                return tuple((0, p, q)[(k - axis) % 3] for k in range(3))
+            square = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)]
+            for turn in range(3):
+                for triangle, hit in (((0, 1, 2), True), ((0, 2, 3), False)):  # moved by (e, e^2) the corner (0, 0) is in the first
+                    t = [square[triangle[(i + turn) % 3]] for i in range(3)]
+                    self.assertEqual(vc.line_stabs(t, at(0, 0), axis), hit)
+                    self.assertEqual(vc.line_stabs(t[::-1], at(0, 0), axis), hit)
+
     def test_i8_the_ray_is_moved_off_edges_and_vertices(self):
         base = [(0, 0, 0), (4, 0, 0), (0, 4, 0)]           # P = (1, 1, 0), moved by (e, e^2) in (x, y)
         for triangle, hit in ((((1, 0, 5), (9, 0, 5), (1, 9, 5)), True), (((1, 0, 5), (-9, 0, 5), (1, 9, 5)), False),
@@ -715,8 +814,11 @@ class CommandLineTest(unittest.TestCase):
         self.assertEqual(self.run_it("--skip", "V9")[0], 2)
         self.assertEqual(self.run_it("a", "b", "c")[0], 2)
         self.assertEqual(self.run_it("--help")[0], 0)
-        self.assertEqual(self.run_it("--version")[0], 0)
+        self.assertEqual(self.run_it("--version"), (0, vc.VERSION))
         self.assertEqual(self.run_it("no-such-file", "no-such-file")[0], 4)
+        with tempfile.NamedTemporaryFile() as hole:       # more than any memory
+            hole.truncate(1 << 42)
+            self.assertEqual(self.run_it(hole.name, hole.name)[0], 3)
         model = forge.Model(TET_POINTS, TET)
         data = model.encode()
         cert = forge.Plan(forge.mesh_of(model), random.Random(1)).certificate(data, model)

@@ -5,11 +5,14 @@
 Each mutant is one small textual change in a checking condition (a comparison, a sign, a constant, a
 dropped condition).  It is killed if some case of a fixed corpus (attacks, honest certificates, damaged
 files), or some test of tests/checker and tests/checker_py, gets another verdict than from the unchanged Python checker.
+equivalent.diff lists mutants that no input can tell from the checker, each with the reason; they are run, too: one
+that is killed, or that no line of the checker gives any more, ends the run with exit 1.
 
     python3 tests/mutation/checker_mutants.py python [--sample N] [--jobs J]
     python3 tests/mutation/checker_mutants.py cpp    [--sample N] [--jobs J] [--show]
 """
 import argparse
+import collections
 import json
 import os
 import pathlib
@@ -100,6 +103,29 @@ def mutants(path, first=None):
                     seen.add(new)
                     yield path, i + 1, name, new, "\n".join(lines[:i] + [new] + lines[i + 1:])
         doc = doc != (quotes % 2 == 1)
+
+
+def equivalents():
+    """{(file, line before, line, mutated line): reason} of equivalent.diff."""
+    entries, text = {}, (HERE / "equivalent.diff").read_text()
+    for block in text.split("\n@ ")[1:]:
+        head, *rest = block.split("\n")
+        name, _, reason = head.partition(": ")
+        before, old = "", ""
+        for row in rest:
+            if row.startswith("+"):
+                entries[name, before, old, row[1:].strip()] = reason
+            elif row.startswith("-"):
+                old = row[1:].strip()
+            elif row.startswith(" "):
+                before = row.strip()
+    return entries
+
+
+def key_of(mutant):
+    path, number, _, new, _ = mutant
+    lines = path.read_text().split("\n")
+    return path.name, lines[number - 2].strip(), lines[number - 1].strip(), new.strip()
 
 
 # ---------------------------------------------------------------- the corpus
@@ -232,6 +258,10 @@ def run(kind, options):
             sys.exit("checker_mutants: the unit tests fail on the checker itself")
         def job(m):
             return judge_cpp(m, objects, cases, options)
+    known, keys = equivalents(), {key_of(m) for m in found}
+    stale = [k for k in known if k[0] in {m[0].name for m in found} and k not in keys]
+    if stale:
+        sys.exit("checker_mutants: equivalent.diff lists what is no mutant: %s" % (stale[0],))
     if options.sample and options.sample < len(found):
         found = random.Random(options.seed).sample(found, options.sample)
     return execute(found, job, options.jobs)
@@ -286,16 +316,22 @@ def main(argv):
     a.add_argument("--show", action="store_true", help="print the text of surviving lines")
     options, start = a.parse_args(argv), time.monotonic()
     results = run(options.kind, options)
-    for (path, line, name, new, _), verdict in sorted(results, key=lambda r: (str(r[0][0]), r[0][1])):
-        if verdict == "survived":
-            print("SURVIVED %s:%d %s%s" % (path.name, line, name, "  " + new.strip() if options.show else ""))
-    count = {v: sum(r[1] == v for r in results) for v in ("killed", "survived", "build")}
+    known, wrong, count = equivalents(), 0, collections.Counter()
+    for mutant, verdict in sorted(results, key=lambda r: (str(r[0][0]), r[0][1])):
+        is_known = key_of(mutant) in known
+        wrong += is_known and verdict == "killed"
+        count["equivalent" if is_known and verdict == "survived" else verdict] += 1
+        if is_known and verdict == "killed" or not is_known and verdict == "survived":
+            print("%s %s:%d %s" % ("NOT EQUIVALENT" if is_known else "SURVIVED", mutant[0].name, mutant[1], mutant[2]))
+            if options.show:
+                print("@ %s: \n  %s\n- %s\n+ %s" % key_of(mutant))
     real = count["killed"] + count["survived"]
-    for name, value, goal in (("mutants_" + options.kind, real, None), ("mutants_killed_" + options.kind, count["killed"], real),
+    for name, value, goal in (("mutants_" + options.kind, real, None), ("mutants_equivalent_" + options.kind, count["equivalent"], None),
+                              ("mutants_killed_" + options.kind, count["killed"], real),
                               ("mutation_score_percent_" + options.kind, round(100 * count["killed"] / max(real, 1), 2), 95),
                               ("seconds", round(time.monotonic() - start, 1), None)):
         print(json.dumps({"name": name, "value": value, "goal": goal}))
-    return 0
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

@@ -79,7 +79,7 @@ class NestingCheck {
   // where the stab rule cannot count: q or p leaves out every edge; p counts every edge that q does
   // not leave out (an even number); or u is behind v for every point of the box.
   void shoot(const Range& r, uint32_t s, uint32_t v) {
-    work_.add(1);  // the page has no bound here, but a certificate could demand shells x triangles
+    work_.add(1);
     const int u = codes_[s] / 2, p = (u + 1) % 3, q = (u + 2) % 3;
     const bool upwards = codes_[s] % 2 == 0;
     const int64_t* const k = key(v);

@@ -524,6 +524,10 @@ class ValidTest(CertificateTest):
         self.says("V2", self.use(forge.Model(p, t, as_indexed=True)).cert())
         self.says("V6", self.use(forge.Model(p, t)).cert())
         self.says("ACCEPT", self.use(forge.Model(TET_POINTS + [(0, 0, 0)], TET, as_indexed=True)).cert())
+        # Both vertices in one triangle only: V4 fails, too, but V2 comes first.
+        once = [(0, 1, 2), (3, 4, 5)], TET_POINTS[:3] + [(0, 0, 5), (5, 0, 5)]
+        for place in once[1]:
+            self.says("V2", self.use(forge.Model(once[1] + [place], once[0], as_indexed=True)).cert())
 
     def test_v3(self):
         self.says("V3", self.use(forge.Model(TET_POINTS, TET + [(0, 0, 1)])).cert())

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_predicates.cc: ns a call, one thread, least of the repetitions, ours and CGAL's EPICK
-// turn by turn; a row names the predicate and the class of its points. Tier hit rates go with each
-// row.
+// bench/bench_predicates.cc: ns a call, one thread, least of the repetitions, ours, naive double and
+// CGAL's EPICK turn by turn; a row names the predicate, the class of its points and the peer. Tier
+// hit rates go with each row.
+// Classes: U uniform; N degenerate on a grid, moved by up to 2 ulp; D, D26, D50 exactly degenerate
+// integers of up to 10, 26, 50 bits; P real coordinates on a plane along the axes, or corners of
+// such a box; R the last point constructed, then rounded; RW the same with exponents spread over
+// 2^-24..1; DW two coincident points, wide exponents.
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/epick_peer.h"
@@ -15,6 +20,7 @@
 #include "predicates/in_sphere.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
+#include "predicates/session.h"
 #include "predicates/triangle_triangle.h"
 #include "robust/base/random.h"
 
@@ -22,8 +28,10 @@ namespace {
 
 using namespace veritope;
 
-constexpr std::size_t kTuples = 4096;
-constexpr int kRepetitions = 40;
+// So many that no branch predictor learns the signs by heart: with 4,096 tuples it does, and a
+// filter that branches on the sign looks three times as fast as it is.
+constexpr std::size_t kTuples = 32768;
+constexpr int kRepetitions = 20;
 
 double nanoseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
@@ -35,35 +43,49 @@ using Tuple = std::array<Vec3d, 5>;
 
 void set(Vec3d& p, int k, double v) { (k == 0 ? p.x : (k == 1 ? p.y : p.z)) = v; }
 
-Tuple degenerate(Random& random, int dim, bool round, int bits) {
+// Points of a sphere or, in the plane, of a circle: (+-p, +-q, +-r) in any order around a centre.
+Tuple round_tuple(Random& random, int dim, int bits) {
+  const std::int64_t range = std::int64_t{1} << (bits - 2);
+  std::array<double, 3> radius{}, centre{};
+  for (int k = 0; k < dim; ++k) {
+    radius[k] = static_cast<double>(random.between(1, range));
+    centre[k] = static_cast<double>(random.between(-range, range));
+  }
   Tuple t;
-  if (round) {  // corners of a box
-    const std::int64_t range = std::int64_t{1} << (bits - 2);
+  for (Vec3d& p : t) {
+    for (int k = dim - 1; k > 0; --k) std::swap(radius[k], radius[random.below(k + 1)]);
     for (int k = 0; k < dim; ++k) {
-      const double c = static_cast<double>(random.between(-range, range)),
-                   h = static_cast<double>(random.between(1, range));
-      for (Vec3d& p : t) set(p, k, random.below(2) == 0 ? c + h : c - h);
-    }
-  } else {  // a line or a plane
-    const std::int64_t range = std::int64_t{1} << ((bits - 3) / 2);
-    std::array<std::int64_t, 3> o, u, v;
-    for (int k = 0; k < 3; ++k)
-      o[k] = random.between(-range, range), u[k] = random.between(-range, range),
-      v[k] = random.between(-range, range);
-    for (Vec3d& p : t) {
-      const std::int64_t a = random.between(-range, range),
-                         b = dim == 2 ? 0 : random.between(-range, range);
-      for (int k = 0; k < 3; ++k)
-        set(p, k, static_cast<double>(o[k] * range + a * u[k] + b * v[k]));
+      set(p, k, centre[k] + (random.below(2) == 0 ? radius[k] : -radius[k]));
     }
   }
   return t;
 }
 
+// Points of a line or, in space, of a plane.
+Tuple flat_tuple(Random& random, int dim, int bits) {
+  const std::int64_t range = std::int64_t{1} << ((bits - 3) / 2);
+  std::array<std::int64_t, 3> o, u, v;
+  for (int k = 0; k < 3; ++k) {
+    o[k] = random.between(-range, range), u[k] = random.between(-range, range),
+    v[k] = random.between(-range, range);
+  }
+  Tuple t;
+  for (Vec3d& p : t) {
+    const std::int64_t a = random.between(-range, range),
+                       b = dim == 2 ? 0 : random.between(-range, range);
+    for (int k = 0; k < 3; ++k) set(p, k, static_cast<double>(o[k] * range + a * u[k] + b * v[k]));
+  }
+  return t;
+}
+
+Tuple degenerate(Random& random, int dim, bool round, int bits) {
+  return round ? round_tuple(random, dim, bits) : flat_tuple(random, dim, bits);
+}
+
 Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n) {
   Tuple t;
   const auto uniform = [&](Vec3d& p) { p = {random.unit(), random.unit(), random.unit()}; };
-  if (kind == "D10") return degenerate(random, dim, round, 10);
+  if (kind == "D") return degenerate(random, dim, round, 10);
   if (kind == "D26") return degenerate(random, dim, round, 26);
   if (kind == "D50") return degenerate(random, dim, round, 50);
   if (kind == "N") {
@@ -79,6 +101,14 @@ Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n)
     return t;
   }
   for (Vec3d& p : t) uniform(p);
+  if (kind == "DW") {
+    for (Vec3d& p : t) {
+      for (int k = 0; k < 3; ++k) set(p, k, std::ldexp(p[k], -static_cast<int>(random.below(25))));
+    }
+    const int first = static_cast<int>(random.below(n));
+    t[first] = t[(first + 1 + static_cast<int>(random.below(n - 1))) % n];
+    return t;
+  }
   if (kind == "P") {  // real coordinates on a plane or in a box along the axes
     if (!round) {
       for (Vec3d& p : t) set(p, dim - 1, t[0][dim - 1]);
@@ -108,8 +138,8 @@ Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n)
   return t;
 }
 
-template <int N, typename Point, typename Ours, typename Peer>
-void row(const char* predicate, const std::string& kind, Ours ours, Peer peer) {
+template <int N, typename Point>
+std::vector<Point> tuples(const char* predicate, const std::string& kind) {
   Random random(42);
   const bool flat = sizeof(Point) == sizeof(Vec2d), round = predicate[0] == 'i';
   std::vector<Point> points;
@@ -123,27 +153,67 @@ void row(const char* predicate, const std::string& kind, Ours ours, Peer peer) {
       }
     }
   }
-  double best = 1e300, best_peer = 1e300;
-  long sum = 0, peer_sum = 0;
-  for (int r = 0; r < kRepetitions; ++r) {
-    auto start = std::chrono::steady_clock::now();
-    sum = 0;
-    for (std::size_t i = 0; i < kTuples; ++i) sum += to_int(ours(&points[N * i], nullptr));
-    best = std::min(best, nanoseconds_since(start));
-    start = std::chrono::steady_clock::now();
-    peer_sum = peer(points.data(), kTuples);
-    best_peer = std::min(best_peer, nanoseconds_since(start));
+  return points;
+}
+
+struct Timed {
+  double ns = 1e300;  // a call
+  long sum = 0;       // of the signs
+  template <typename Run>
+  void run(Run run_all) {
+    const auto start = std::chrono::steady_clock::now();
+    sum = run_all();
+    ns = std::min(ns, nanoseconds_since(start) / kTuples);
   }
-  TierCounts tally;
-  for (std::size_t i = 0; i < kTuples; ++i) ours(&points[N * i], &tally);
+};
+
+void print_row(const char* predicate, const std::string& kind, const char* how, const char* name,
+               const Timed& ours, const Timed& peer, const TierCounts& tally) {
   std::printf(
-      "{\"row\":\"%s_%s_vs_epick\",\"ours\":%.2f,\"peer\":%.2f,\"unit\":\"ns\",\"same_signs\":%s,"
+      "{\"row\":\"%s_%s%s_vs_%s\",\"ours\":%.2f,\"peer\":%.2f,\"unit\":\"ns\",\"same_signs\":%s,"
       "\"tiers\":[%llu,%llu,%llu,%llu]}\n",
-      predicate, kind.c_str(), best / kTuples, best_peer / kTuples,
-      sum == peer_sum ? "true" : "false", static_cast<unsigned long long>(tally.decided[0]),
-      static_cast<unsigned long long>(tally.decided[1]),
-      static_cast<unsigned long long>(tally.decided[2]),
-      static_cast<unsigned long long>(tally.decided[3]));
+      predicate, kind.c_str(), how, name, ours.ns, peer.ns, ours.sum == peer.sum ? "true" : "false",
+      static_cast<unsigned long long>(tally[Tier::kFilter]),
+      static_cast<unsigned long long>(tally[Tier::kLattice]),
+      static_cast<unsigned long long>(tally[Tier::kInterval]),
+      static_cast<unsigned long long>(tally[Tier::kExact]));
+}
+
+// ours(p, tally) and session(p, tally) decide one tuple, naive(p) its determinant; peer sums over all.
+template <int N, typename Point, typename Session, typename Ours, typename InSession,
+          typename Naive, typename Peer>
+void rows(const char* predicate, const std::string& kind, Ours ours, InSession in_session,
+          Naive naive, Peer peer) {
+  const std::vector<Point> points = tuples<N, Point>(predicate, kind);
+  const Session session = Session::around(points.data(), points.size());
+  const auto sum = [&](auto sign) {
+    long total = 0;
+    for (std::size_t i = 0; i < kTuples; ++i) total += sign(&points[N * i]);
+    return total;
+  };
+  Timed plain, inside, rough, epick;
+  for (int r = 0; r < kRepetitions; ++r) {
+    plain.run([&] { return sum([&](const Point* p) { return to_int(ours(p, nullptr)); }); });
+    inside.run([&] {
+      return sum([&](const Point* p) { return to_int(in_session(session, p, nullptr)); });
+    });
+    rough.run([&] {
+      return sum([&](const Point* p) {
+        const double d = naive(p);
+        return (d > 0) - (d < 0);
+      });
+    });
+    epick.run([&] { return peer(points.data(), kTuples); });
+  }
+  TierCounts tally, session_tally;
+  sum([&](const Point* p) {
+    return to_int(ours(p, &tally)) + to_int(in_session(session, p, &session_tally));
+  });
+  print_row(predicate, kind, "", "epick", plain, epick, tally);
+  print_row(predicate, kind, "_session", "epick", inside, epick, session_tally);
+  if (kind != "U") return;
+  print_row(predicate, kind, "", "naive", plain, rough, tally);
+  print_row(predicate, kind, "_session", "naive", inside, rough, session_tally);
 }
 
 template <typename Make>
@@ -185,22 +255,53 @@ void flatten(IndexedTriangle& t, IndexedTriangle& u) {
 }  // namespace
 
 int main() {
-  for (const char* kind : {"U", "N", "D10", "D26", "D50", "P", "R", "RW"}) {
-    row<3, Vec2d>(
+  for (const char* kind : {"U", "N", "D", "D26", "D50", "P", "R", "RW", "DW"}) {
+    rows<3, Vec2d, Session2d>(
         "orient2d", kind,
         [](const Vec2d* p, TierCounts* t) { return orient2d(p[0], p[1], p[2], t); },
+        [](const Session2d& s, const Vec2d* p, TierCounts* t) {
+          return s.orient2d(p[0], p[1], p[2], t);
+        },
+        [](const Vec2d* p) {
+          return formulas::Orient2d<double>(p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y).det();
+        },
         bench::epick_orient2d);
-    row<4, Vec3d>(
+    rows<4, Vec3d, Session3d>(
         "orient3d", kind,
         [](const Vec3d* p, TierCounts* t) { return orient3d(p[0], p[1], p[2], p[3], t); },
+        [](const Session3d& s, const Vec3d* p, TierCounts* t) {
+          return s.orient3d(p[0], p[1], p[2], p[3], t);
+        },
+        [](const Vec3d* p) {
+          return formulas::Plane3<double>(p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x,
+                                          p[2].y, p[2].z)
+              .det(p[3].x - p[0].x, p[3].y - p[0].y, p[3].z - p[0].z);
+        },
         bench::epick_orient3d);
-    row<4, Vec2d>(
+    rows<4, Vec2d, Session2d>(
         "in_circle", kind,
         [](const Vec2d* p, TierCounts* t) { return in_circle(p[0], p[1], p[2], p[3], t); },
+        [](const Session2d& s, const Vec2d* p, TierCounts* t) {
+          return s.in_circle(p[0], p[1], p[2], p[3], t);
+        },
+        [](const Vec2d* p) {
+          return formulas::InCircle<double>(p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x,
+                                            p[3].y)
+              .det();
+        },
         bench::epick_in_circle);
-    row<5, Vec3d>(
+    rows<5, Vec3d, Session3d>(
         "in_sphere", kind,
         [](const Vec3d* p, TierCounts* t) { return in_sphere(p[0], p[1], p[2], p[3], p[4], t); },
+        [](const Session3d& s, const Vec3d* p, TierCounts* t) {
+          return s.in_sphere(p[0], p[1], p[2], p[3], p[4], t);
+        },
+        [](const Vec3d* p) {
+          return formulas::InSphere<double>(p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x,
+                                            p[2].y, p[2].z, p[3].x, p[3].y, p[3].z, p[4].x, p[4].y,
+                                            p[4].z)
+              .det();
+        },
         bench::epick_in_sphere);
   }
   triangle_row("strangers_apart", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {

@@ -9,6 +9,7 @@
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 #include "robust/cascade.h"
+#include "robust/filter.h"
 
 namespace veritope {
 
@@ -47,9 +48,7 @@ inline Sign3 compare_along_filter(const Vec3d& direction, const Vec3d& p, const 
   const double bound = internal::kCompareAlongRel * f.magnitude([](double v) {
     return std::abs(v);
   }) + internal::kCompareAlongAbs;
-  // Overflow makes the bound infinite or NaN, and both comparisons false.
-  if (det > bound) return Sign3::kPositive;
-  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+  return sign_beyond(det, bound);
 }
 
 inline Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q,

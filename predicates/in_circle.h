@@ -9,6 +9,7 @@
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 #include "robust/cascade.h"
+#include "robust/filter.h"
 
 namespace veritope {
 
@@ -44,14 +45,16 @@ Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tall
 
 // Bodies.
 
+namespace internal {
+inline double in_circle_error(const formulas::InCircle<double>& f) {
+  return kInCircleRel * f.magnitude([](double v) { return std::abs(v); }) +
+         (kInCircleEta * f.size() + kInCircleAbs);
+}
+}  // namespace internal
+
 inline Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
   const formulas::InCircle<double> f(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
-  const double det = f.det();
-  const double bound = internal::kInCircleRel * f.magnitude([](double v) { return std::abs(v); }) +
-                       (internal::kInCircleEta * f.size() + internal::kInCircleAbs);
-  // Overflow makes the bound infinite or NaN, and both comparisons false.
-  if (det > bound) return Sign3::kPositive;
-  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+  return sign_beyond(f.det(), internal::in_circle_error(f));
 }
 
 inline Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept {

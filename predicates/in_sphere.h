@@ -9,6 +9,7 @@
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 #include "robust/cascade.h"
+#include "robust/filter.h"
 
 namespace veritope {
 
@@ -50,16 +51,18 @@ Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, cons
 
 // Bodies.
 
+namespace internal {
+inline double in_sphere_error(const formulas::InSphere<double>& f) {
+  return kInSphereRel * f.magnitude([](double v) { return std::abs(v); }) +
+         (kInSphereEta * f.size() + kInSphereAbs);
+}
+}  // namespace internal
+
 inline Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                               const Vec3d& e) noexcept {
   const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z,
                                      e.x, e.y, e.z);
-  const double det = f.det();
-  const double bound = internal::kInSphereRel * f.magnitude([](double v) { return std::abs(v); }) +
-                       (internal::kInSphereEta * f.size() + internal::kInSphereAbs);
-  // Overflow makes the bound infinite or NaN, and both comparisons false.
-  if (det > bound) return Sign3::kPositive;
-  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+  return sign_beyond(f.det(), internal::in_sphere_error(f));
 }
 
 inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,

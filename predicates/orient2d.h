@@ -9,6 +9,7 @@
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 #include "robust/cascade.h"
+#include "robust/filter.h"
 
 namespace veritope {
 
@@ -40,14 +41,15 @@ Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcep
 
 // Bodies.
 
+namespace internal {
+inline double orient2d_error(const formulas::Orient2d<double>& f) {
+  return kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) + kOrient2dAbs;
+}
+}  // namespace internal
+
 inline Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) noexcept {
   const formulas::Orient2d<double> f(a.x, a.y, b.x, b.y, c.x, c.y);
-  const double det = f.det();
-  const double bound = internal::kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) +
-                       internal::kOrient2dAbs;
-  // Overflow makes the bound infinite or NaN, and both comparisons false.
-  if (det > bound) return Sign3::kPositive;
-  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+  return sign_beyond(f.det(), internal::orient2d_error(f));
 }
 
 inline Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept {

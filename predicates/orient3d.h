@@ -9,6 +9,7 @@
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 #include "robust/cascade.h"
+#include "robust/filter.h"
 
 namespace veritope {
 
@@ -60,16 +61,18 @@ inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b,
                                                 const Vec3d& c) noexcept
     : plane_(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z) {}
 
-inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const noexcept {
+namespace internal {
+inline double orient3d_error(const formulas::Plane3<double>& plane, double wx, double wy,
+                             double wz) {
   const auto abs = [](double v) { return std::abs(v); };
+  return kOrient3dRel * plane.magnitude(wx, wy, wz, abs) +
+         (kOrient3dEta * plane.size(wx, wy, wz, abs) + kOrient3dAbs);
+}
+}  // namespace internal
+
+inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const noexcept {
   const double wx = d.x - plane_.ax, wy = d.y - plane_.ay, wz = d.z - plane_.az;
-  const double det = plane_.det(wx, wy, wz);
-  const double bound =
-      internal::kOrient3dRel * plane_.magnitude(wx, wy, wz, abs) +
-      (internal::kOrient3dEta * plane_.size(wx, wy, wz, abs) + internal::kOrient3dAbs);
-  // Overflow makes the bound infinite or NaN, and both comparisons false.
-  if (det > bound) return Sign3::kPositive;
-  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+  return sign_beyond(plane_.det(wx, wy, wz), internal::orient3d_error(plane_, wx, wy, wz));
 }
 
 inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c,

@@ -9,6 +9,7 @@
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 #include "robust/cascade.h"
+#include "robust/filter.h"
 
 namespace veritope {
 
@@ -54,9 +55,7 @@ inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p
   const double bound = internal::kSideOfPlaneRel * f.magnitude([](double v) {
     return std::abs(v);
   }) + internal::kSideOfPlaneAbs;
-  // Overflow makes the bound infinite or NaN, and both comparisons false.
-  if (det > bound) return Sign3::kPositive;
-  return -det > bound ? Sign3::kNegative : Sign3::kUncertain;
+  return sign_beyond(det, bound);
 }
 
 inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p,

@@ -9,6 +9,7 @@
 #include "predicates/vec.h"
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
+#include "robust/filter.h"
 
 namespace veritope {
 namespace formulas {
@@ -20,19 +21,22 @@ struct NormalAlong {
   T sx, sy, sz;
 
   template <typename Abs>
-  constexpr NormalAlong(const T& ax, const T& ay, const T& az, const T& bx, const T& by, const T& bz, const T& cx,
-                        const T& cy, const T& cz, Abs abs)
+  constexpr NormalAlong(const T& ax, const T& ay, const T& az, const T& bx, const T& by,
+                        const T& bz, const T& cx, const T& cy, const T& cz, Abs abs)
       : NormalAlong(bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az, abs) {}
   /// Of the edges u = b - a and v = c - a.
   template <typename Abs>
-  constexpr NormalAlong(const T& ux, const T& uy, const T& uz, const T& vx, const T& vy, const T& vz, Abs abs) {
+  constexpr NormalAlong(const T& ux, const T& uy, const T& uz, const T& vx, const T& vy,
+                        const T& vz, Abs abs) {
     const T yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
     x = yz - zy, y = zx - xz, z = xy - yx;
     sx = abs(yz) + abs(zy);
     sy = abs(zx) + abs(xz);
     sz = abs(xy) + abs(yx);
   }
-  constexpr T det(const T& dx, const T& dy, const T& dz) const { return (dx * x + dy * y) + dz * z; }
+  constexpr T det(const T& dx, const T& dy, const T& dz) const {
+    return (dx * x + dy * y) + dz * z;
+  }
   template <typename Abs>
   constexpr T magnitude(const T& dx, const T& dy, const T& dz, Abs abs) const {
     return (abs(dx) * sx + abs(dy) * sy) + abs(dz) * sz;
@@ -53,16 +57,15 @@ inline constexpr double kNormalAlongAbs = 0x1p-960;
 /// Needs    finite points, |d_k| < 2^31, round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 struct FacetNormal : formulas::NormalAlong<double> {
   FacetNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
-      : NormalAlong(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, [](double v) { return std::abs(v); }) {}
+      : NormalAlong(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z,
+                    [](double v) { return std::abs(v); }) {}
 
   Sign3 sign_along(const std::array<std::int32_t, 3>& d) const {
     const double dx = d[0], dy = d[1], dz = d[2];
     const double value = det(dx, dy, dz);
     const double s = magnitude(dx, dy, dz, [](double v) { return std::abs(v); });
     const double bound = internal::kNormalAlongRel * s + internal::kNormalAlongAbs;
-    // Overflow makes the bound infinite or NaN, and both comparisons false.
-    if (value > bound) return Sign3::kPositive;
-    return -value > bound ? Sign3::kNegative : Sign3::kUncertain;
+    return sign_beyond(value, bound);
   }
 };
 

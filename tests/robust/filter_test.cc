@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "robust/filter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace veritope {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(SignBeyond, IsTheSignOfWhatIsFartherFromZeroThanTheBound) {
+  EXPECT_EQ(sign_beyond(3, 2), Sign3::kPositive);
+  EXPECT_EQ(sign_beyond(-3, 2), Sign3::kNegative);
+  EXPECT_EQ(sign_beyond(kInf, 2), Sign3::kPositive);
+  EXPECT_EQ(sign_beyond(-kInf, 2), Sign3::kNegative);
+  EXPECT_EQ(sign_beyond(5e-324, 0), Sign3::kPositive);
+}
+
+TEST(SignBeyond, IsUncertainAtTheBoundAndWithin) {
+  for (const double v : {2.0, -2.0, 1.0, 0.0, -0.0})
+    EXPECT_EQ(sign_beyond(v, 2), Sign3::kUncertain);
+  EXPECT_EQ(sign_beyond(0, 0), Sign3::kUncertain);
+}
+
+TEST(SignBeyond, OverflowIsNoAnswer) {
+  for (const double v : {kInf, -kInf, kNan, 1e308}) {
+    EXPECT_EQ(sign_beyond(v, kInf), Sign3::kUncertain);
+    EXPECT_EQ(sign_beyond(v, kNan), Sign3::kUncertain);
+  }
+  EXPECT_EQ(sign_beyond(kNan, 0), Sign3::kUncertain);
+}
+
+}  // namespace
+}  // namespace veritope

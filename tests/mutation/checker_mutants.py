@@ -36,7 +36,7 @@ NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h")   # C++ headers without 
 # Together these attacks hit every pair of strategy and condition that 500 seeds hit.
 SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
          192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
-LIMIT = 120                                               # seconds for one mutant
+CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
 
 # (name, what to look for, replacements); applied to one occurrence at a time, outside of strings
 OPERATORS = [
@@ -231,6 +231,7 @@ def in_child(job):
     if pid == 0:
         code = 3
         try:
+            signal.setitimer(signal.ITIMER_PROF, CPU_LIMIT)
             signal.alarm(LIMIT)
             found = job()
             code = 1 if found is None else 2 if found == "build" else 0

@@ -97,6 +97,20 @@ TEST(Session, ErrorsGrowWithTheDifferences) {
   }
 }
 
+TEST(Session, ItsBoxIsClosed) {
+  const Session3d space({-1, -2, -3}, {1, 2, 3});
+  const Session2d plane({-1, -2}, {1, 2});
+  for (const double s : {-1.0, 1.0}) {
+    EXPECT_TRUE(space.contains({s, 2 * s, 3 * s}));
+    EXPECT_TRUE(plane.contains({s, 2 * s}));
+    EXPECT_FALSE(space.contains({1.5 * s, 0, 0}));
+    EXPECT_FALSE(space.contains({0, 2.5 * s, 0}));
+    EXPECT_FALSE(space.contains({0, 0, 3.5 * s}));
+    EXPECT_FALSE(plane.contains({1.5 * s, 0}));
+    EXPECT_FALSE(plane.contains({0, 2.5 * s}));
+  }
+}
+
 TEST(Session, ABoxUpsideDownIsRefused) {
   EXPECT_THROW(Session2d({0, 1}, {1, 0}), InternalError);
   EXPECT_THROW(Session3d({0, 0, 1}, {1, 1, 0}), InternalError);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "predicates/lattice.h"
+#include "robust/digits.h"
 #include "robust/fixed_int.h"
 
 namespace veritope::internal {
@@ -27,8 +28,6 @@ template <int L>
 constexpr int bits_held(FixedInt<L>*) {
   return FixedInt<L>::kBits;
 }
-template <int N>
-struct Columns;
 // Of the last column's place: whether the columns hold their sums is asked apart.
 template <int N>
 constexpr int bits_held(Columns<N>*) {
@@ -37,35 +36,6 @@ constexpr int bits_held(Columns<N>*) {
 template <typename T>
 inline constexpr int kBitsHeld = bits_held(static_cast<T*>(nullptr));
 
-/// c[0] + c[1] 2^62 + c[2] 2^124 + ...: sums of products of digits, whose carries wait until the sign
-/// is asked for. The digits of an int128 are 62 bits, not negative, and the signed rest.
-template <int N>
-struct Columns {
-  std::array<int128, N> c;
-
-  friend Columns operator+(Columns a, const Columns& b) {
-    VT_UNROLL for (int i = 0; i < N; ++i) a.c[i] += b.c[i];
-    return a;
-  }
-  friend Columns operator-(Columns a, const Columns& b) {
-    VT_UNROLL for (int i = 0; i < N; ++i) a.c[i] -= b.c[i];
-    return a;
-  }
-  friend Sign sign_of(const Columns& v) {
-    int128 rest = v.c[0];
-    std::int64_t digits = 0;  // not 0 iff some digit below `rest` is not
-    VT_UNROLL for (int i = 1; i < N; ++i) {
-      digits |= low_digit(rest);
-      rest = v.c[i] + (rest >> 62);
-    }
-    return rest != 0 ? veritope::sign_of(rest) : (digits != 0 ? Sign::kPositive : Sign::kZero);
-  }
-
-  static std::int64_t low_digit(int128 v) {
-    return static_cast<std::int64_t>(v) & ((std::int64_t{1} << 62) - 1);
-  }
-  static std::int64_t high_digit(int128 v) { return static_cast<std::int64_t>(v >> 62); }
-};
 [[gnu::always_inline]] inline int128 whole(std::int64_t a, std::int64_t b) {
   return static_cast<int128>(a) * b;
 }

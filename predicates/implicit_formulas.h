@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // predicates/implicit_formulas.h: points that are given by planes and lines, and their orientation,
-// over any ring. On FixedInt each product is as wide as its factors together, so that nothing wraps
-// around: implicit_point.cc has the budgets.
+// over any ring. On FixedInt each product is as wide as its factors together, on Digits sums of
+// products are carried before they are factors: implicit_point.cc has the budgets.
 // Source: [Att20] (LPI, TPI).
 #pragma once
+#include <type_traits>
+
+#include "robust/digits.h"
 #include "robust/fixed_int.h"
 
 namespace veritope::formulas {
@@ -17,6 +20,31 @@ constexpr auto product(const FixedInt<A>& a, const FixedInt<B>& b) {
   return wide_product(a, b);
 }
 
+template <int A, int B>
+constexpr auto product(const Digits<A>& a, const Digits<B>& b) {
+  return column_product(a, b);
+}
+/// A sum of products as a factor of further ones.
+template <typename T>
+constexpr const T& settle(const T& v) {
+  return v;
+}
+template <int N>
+constexpr Digits<N + 1> settle(const Columns<N>& v) {
+  return settled(v);
+}
+/// The last sum of a formula: only its sign is asked for.
+template <typename A, typename B>
+constexpr auto last_sum(const A& a, const B& b) {
+  return a + b;
+}
+template <int N>
+constexpr Columns<N + 1> last_sum(const Columns<N>& a, const Columns<N>& b) {
+  Columns<N + 1> r = carried(a);
+  for (int i = 0; i < N; ++i) r.c[i] += b.c[i];
+  return r;
+}
+
 template <typename T>
 struct Triple {
   T x, y, z;
@@ -27,13 +55,14 @@ constexpr Triple<T> difference(const Triple<T>& a, const Triple<T>& b) {
 }
 template <typename A, typename B>
 constexpr auto cross(const Triple<A>& a, const Triple<B>& b) {
-  using R = decltype(product(a.x, b.x));
-  return Triple<R>{product(a.y, b.z) - product(a.z, b.y), product(a.z, b.x) - product(a.x, b.z),
-                   product(a.x, b.y) - product(a.y, b.x)};
+  using R = std::decay_t<decltype(settle(product(a.x, b.x)))>;
+  return Triple<R>{settle(product(a.y, b.z) - product(a.z, b.y)),
+                   settle(product(a.z, b.x) - product(a.x, b.z)),
+                   settle(product(a.x, b.y) - product(a.y, b.x))};
 }
 template <typename A, typename B>
 constexpr auto dot(const Triple<A>& a, const Triple<B>& b) {
-  return (product(a.x, b.x) + product(a.y, b.y)) + product(a.z, b.z);
+  return settle((product(a.x, b.x) + product(a.y, b.y)) + product(a.z, b.z));
 }
 template <typename A, typename B>
 constexpr auto times(const A& a, const Triple<B>& b) {
@@ -87,6 +116,26 @@ constexpr auto orientation(const Homogeneous<N, D>& h, const Triple<T>& e, const
                            const Triple<T>& w) {
   const auto n = cross(v, w);
   return dot(h.numerator, n) + product(h.denominator, dot(e, n));
+}
+
+/// The same number as orientation(line_plane(u, v, w, g), e, v1, w1), with fewer and shorter products.
+template <typename T>
+constexpr auto line_plane_orientation(const Triple<T>& u, const Triple<T>& v, const Triple<T>& w,
+                                      const Triple<T>& g, const Triple<T>& e, const Triple<T>& v1,
+                                      const Triple<T>& w1) {
+  const auto n = cross(v, w), m = cross(v1, w1);
+  return product(dot(n, g), dot(u, m)) + product(dot(n, u), dot(e, m));
+}
+/// The same number as orientation(three_planes(first, second, third), e, v, w).
+template <typename T>
+constexpr auto three_planes_orientation(const PlaneVectors<T>& first, const PlaneVectors<T>& second,
+                                        const PlaneVectors<T>& third, const Triple<T>& e,
+                                        const Triple<T>& v, const Triple<T>& w) {
+  const auto n1 = cross(first.v, first.w), n2 = cross(second.v, second.w),
+             n3 = cross(third.v, third.w), m = cross(v, w);
+  const auto p = cross(n1, m), q = cross(n3, n1);
+  return last_sum(product(dot(n2, second.g), dot(n3, p)) - product(dot(n3, third.g), dot(n2, p)),
+                  product(dot(e, m), dot(n2, q)));
 }
 
 }  // namespace veritope::formulas

@@ -20,20 +20,21 @@ template <typename P>
 constexpr std::size_t kPoints =
     std::tuple_size_v<std::decay_t<decltype(std::declval<P>().points())>>;
 
-// ---- The formulas over a ring: t holds the defining points ---------------------------------------
+// ---- The formulas over a ring: t holds the defining points, whose first is the base ---------------
+
+template <typename T, std::size_t N>
+constexpr formulas::PlaneVectors<T> plane_vectors(const std::array<Triple<T>, N>& t, int i) {
+  using formulas::difference;
+  return {difference(t[i + 1], t[i]), difference(t[i + 2], t[i]), difference(t[i], t[0])};
+}
 
 template <typename T, std::size_t N>
 constexpr auto homogeneous(const std::array<Triple<T>, N>& t) {
-  using formulas::difference;
   if constexpr (N == 5) {
-    return formulas::line_plane(difference(t[1], t[0]), difference(t[3], t[2]),
-                                difference(t[4], t[2]), difference(t[2], t[0]));
+    const auto plane = plane_vectors(t, 2);
+    return formulas::line_plane(formulas::difference(t[1], t[0]), plane.v, plane.w, plane.g);
   } else {
-    using Plane = formulas::PlaneVectors<T>;
-    const auto plane = [&](int i) {
-      return Plane{difference(t[i + 1], t[i]), difference(t[i + 2], t[i]), difference(t[i], t[0])};
-    };
-    return formulas::three_planes(plane(0), plane(3), plane(6));
+    return formulas::three_planes(plane_vectors(t, 0), plane_vectors(t, 3), plane_vectors(t, 6));
   }
 }
 
@@ -41,11 +42,16 @@ constexpr auto homogeneous(const std::array<Triple<T>, N>& t) {
 template <typename T, std::size_t N>
 constexpr auto whole_orientation(const std::array<Triple<T>, N>& t) {
   using formulas::difference;
-  std::array<Triple<T>, N - 3> defining;
-  for (std::size_t i = 0; i < N - 3; ++i) defining[i] = t[i];
-  const Triple<T>& a = t[N - 3];
-  return formulas::orientation(homogeneous(defining), difference(t[0], a), difference(t[N - 2], a),
-                               difference(t[N - 1], a));
+  const auto query = plane_vectors(t, N - 3);
+  const auto e = difference(t[0], t[N - 3]);
+  if constexpr (N == 8) {
+    const auto plane = plane_vectors(t, 2);
+    return sign_of(formulas::line_plane_orientation(difference(t[1], t[0]), plane.v, plane.w,
+                                                    plane.g, e, query.v, query.w));
+  } else {
+    return sign_of(formulas::three_planes_orientation(plane_vectors(t, 0), plane_vectors(t, 3),
+                                                      plane_vectors(t, 6), e, query.v, query.w));
+  }
 }
 
 // ---- Coordinates in a ring -----------------------------------------------------------------------
@@ -64,67 +70,91 @@ std::array<Triple<T>, N / 3> triples(const std::array<T, N>& c) {
   return t;
 }
 template <typename P>
-std::array<Vec3d, kPoints<P> + 3> with_plane(const P& p, const Vec3d& a, const Vec3d& b,
-                                             const Vec3d& c) {
-  std::array<Vec3d, kPoints<P> + 3> all;
-  for (std::size_t i = 0; i < kPoints<P>; ++i) all[i] = p.points()[i];
-  all[kPoints<P>] = a, all[kPoints<P> + 1] = b, all[kPoints<P> + 2] = c;
+std::array<double, 3 * kPoints<P> + 9> coordinates(const P& p, const Vec3d& a, const Vec3d& b,
+                                                   const Vec3d& c) {
+  const auto defining = coordinates(p.points());
+  std::array<double, 3 * kPoints<P> + 9> all;
+  VT_UNROLL for (std::size_t i = 0; i < defining.size(); ++i) all[i] = defining[i];
+  const double plane[] = {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
+  VT_UNROLL for (std::size_t i = 0; i < 9; ++i) all[defining.size() + i] = plane[i];
   return all;
 }
 
-// Bit budgets of homogeneous() and orientation() on a lattice of L limbs: every product is as wide as
-// its factors together, so that sums are what has to fit.
+// Bit budgets on a lattice of L limbs. On FixedInt every product is as wide as its factors together,
+// so that sums are what has to fit.
+struct ImplicitBudget {
+  int d;                                                                     // a difference
+  constexpr int n() const { return bits_of_sum(2, bits_of_product(d, d)); }  // a normal: 2 L limbs
+  constexpr int n_d() const { return bits_of_sum(3, bits_of_product(n(), d)); }    // n . d: 3 L
+  constexpr int c() const { return bits_of_sum(2, bits_of_product(n(), n())); }    // n x n: 4 L
+  constexpr int n_c() const { return bits_of_sum(3, bits_of_product(n(), c())); }  // 6 L
+  constexpr int line() const { return bits_of_sum(2, bits_of_product(n_d(), n_d())); }    // 6 L
+  constexpr int planes() const { return bits_of_sum(3, bits_of_product(n_d(), n_c())); }  // 9 L
+};
 template <int L>
-constexpr bool budgets_hold() {
-  const int d = bits_of_sum(2, internal::lattice_bits(L));
-  const int n = bits_of_sum(2, bits_of_product(d, d));    // a normal's component: 2 L limbs
-  const int n_u = bits_of_sum(3, bits_of_product(n, d));  // dot with a difference: 3 L
-  const int c = bits_of_sum(2, bits_of_product(n, n));    // cross product of normals: 4 L
-  const int line = bits_of_sum(3, bits_of_product(bits_of_product(n_u, d), n));  // 6 L
-  const int line_all = bits_of_sum(2, line);
-  const int planes =
-      bits_of_sum(3, bits_of_product(bits_of_sum(2, bits_of_product(n_u, c)), n));  // 9 L
-  const int denominator = bits_of_sum(3, bits_of_product(n, c));                    // 6 L
-  const int planes_other = bits_of_product(denominator, n_u);
-  const int planes_all = bits_of_sum(2, planes > planes_other ? planes : planes_other);
-  return n < 128 * L - 1 && n_u < 192 * L - 1 && c < 256 * L - 1 && line_all < 384 * L - 1 &&
-         denominator < 384 * L - 1 && planes_all < 576 * L - 1;
+constexpr bool limbs_hold(ImplicitBudget b) {
+  return b.n() < 128 * L - 1 && b.n_d() < 192 * L - 1 && b.c() < 256 * L - 1 &&
+         b.n_c() < 384 * L - 1 && b.line() < 384 * L - 1 && b.planes() < 576 * L - 1;
 }
-static_assert(budgets_hold<1>() && budgets_hold<2>());
+// As digits, of one limb: differences have 1, n 2, n . d 3, n x n 4 and n . (n x n) 6. A top digit holds
+// what is above the digits below it, and is at most 2^62, so that a product of digits is at most 2^124;
+// no column has more than six of them, and the last sum three and a carry.
+constexpr bool digits_hold(ImplicitBudget b) {
+  constexpr int k = kDigitBits;
+  return b.d <= k && b.n() - k <= k && b.n_d() - 2 * k <= k && b.c() - 3 * k <= k &&
+         b.n_c() - 5 * k <= k;
+}
+static_assert(digits_hold({internal::lattice_bits(1) + 1}));
+static_assert(limbs_hold<2>({internal::lattice_bits(2) + 1}));
+
+// The coordinates as the ring of L limbs; empty if they do not fit.
+template <int L>
+using LatticeNumber = std::conditional_t<L == 1, Digits<1>, FixedInt<L>>;
+template <int L, std::size_t N>
+bool to_ring(const std::array<double, N>& c, std::array<LatticeNumber<L>, N>& out) {
+  std::array<FixedInt<L>, N> v;
+  if (!internal::to_lattice<L, N>(c, v)) return false;
+  for (std::size_t i = 0; i < N; ++i) {
+    if constexpr (L == 1) {
+      out[i] = {{v[i].low()}};
+    } else {
+      out[i] = v[i];
+    }
+  }
+  return true;
+}
 
 template <int L, std::size_t N>
 Sign3 orientation_on_lattice(const std::array<double, N>& c) {
-  std::array<FixedInt<L>, N> v;
-  if (!internal::to_lattice<L, N>(c, v)) return Sign3::kUncertain;
-  return to_sign3(whole_orientation(triples(v)).sign());
+  std::array<LatticeNumber<L>, N> v;
+  return to_ring<L>(c, v) ? to_sign3(whole_orientation(triples(v))) : Sign3::kUncertain;
 }
-template <int L, std::size_t N>
+template <std::size_t N>
 Sign3 denominator_on_lattice(const std::array<double, N>& c) {
-  std::array<FixedInt<L>, N> v;
-  if (!internal::to_lattice<L, N>(c, v)) return Sign3::kUncertain;
-  return to_sign3(homogeneous(triples(v)).denominator.sign());
+  std::array<FixedInt<2>, N> v;
+  return to_ring<2>(c, v) ? to_sign3(homogeneous(triples(v)).denominator.sign())
+                          : Sign3::kUncertain;
 }
 
 template <typename P>
 Sign3 lattice(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return orientation_on_lattice<1>(coordinates(with_plane(p, a, b, c)));
+  return orientation_on_lattice<1>(coordinates(p, a, b, c));
 }
 template <typename P>
 Sign3 interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const auto all = coordinates(with_plane(p, a, b, c));
+  const auto all = coordinates(p, a, b, c);
   std::array<Interval, std::tuple_size_v<decltype(all)>> v;
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = Interval(all[i]);
   const ScopedUpward upward;
-  return whole_orientation(triples(v)).sign();
+  return whole_orientation(triples(v));
 }
 template <typename P>
 Sign integer(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return whole_orientation(triples(internal::to_integers(coordinates(with_plane(p, a, b, c)))))
-      .sign();
+  return whole_orientation(triples(internal::to_integers(coordinates(p, a, b, c))));
 }
 template <typename P>
 Sign exact(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Sign3 s = orientation_on_lattice<2>(coordinates(with_plane(p, a, b, c)));
+  const Sign3 s = orientation_on_lattice<2>(coordinates(p, a, b, c));
   return is_certain(s) ? to_sign(s) : integer(p, a, b, c);
 }
 
@@ -152,8 +182,7 @@ Sign settle_denominator(ImplicitLayer& layer, const std::array<Vec3d, N>& points
   if (!is_certain(s)) {
     layer.d = 0;
     const auto c = coordinates(points);
-    Sign3 exact_sign = denominator_on_lattice<1>(c);
-    if (!is_certain(exact_sign)) exact_sign = denominator_on_lattice<2>(c);
+    const Sign3 exact_sign = denominator_on_lattice(c);
     return is_certain(exact_sign)
                ? to_sign(exact_sign)
                : homogeneous(triples(internal::to_integers(c))).denominator.sign();

@@ -73,6 +73,22 @@ TEST(ImplicitPointBound, TheProductsOfTheLargestDifferencesBoundTheSumOfTheAbsol
   }
 }
 
+// What the integers compute is what the filter computes.
+TEST(ImplicitPointFormulas, TheShortFormsAreTheSameNumbers) {
+  Random random(13);
+  const auto draw = [&] { return Rational::from_double(random.unit() - 0.5); };
+  const auto triple = [&]() -> Triple<Rational> { return {draw(), draw(), draw()}; };
+  for (int i = 0; i < 50; ++i) {
+    const auto u = triple(), e = triple(), v = triple(), w = triple();
+    const formulas::PlaneVectors<Rational> one{triple(), triple(), {}},
+        two{triple(), triple(), triple()}, three{triple(), triple(), triple()};
+    EXPECT_EQ(formulas::line_plane_orientation(u, two.v, two.w, two.g, e, v, w),
+              formulas::orientation(formulas::line_plane(u, two.v, two.w, two.g), e, v, w));
+    EXPECT_EQ(formulas::three_planes_orientation(one, two, three, e, v, w),
+              formulas::orientation(formulas::three_planes(one, two, three), e, v, w));
+  }
+}
+
 // With no difference above 2^100, what underflow does is less than 2^-200.
 TEST(ImplicitPointBound, TheAbsoluteConstantPaysForUnderflowAndForFlushing) {
   for (const Rational& unit : {bounds::underflow_unit(), bounds::flush_unit()}) {

@@ -67,25 +67,5 @@ TEST(Widths, AgreeWithIntegersAtTheirLimits) {
   }
 }
 
-// Digits below the sign: only the lowest column is not zero, or its digits cancel.
-TEST(Columns, TheSignIsThatOfAllDigits) {
-  using internal::Columns;
-  const int128 one = 1;
-  const int128 digit = one << 62;
-  const auto sign = [](const Columns<3>& c) { return sign_of(c); };
-  EXPECT_EQ(sign({{0, 0, 0}}), Sign::kZero);
-  EXPECT_EQ(sign({{1, 0, 0}}), Sign::kPositive);
-  EXPECT_EQ(sign({{-1, 0, 0}}), Sign::kNegative);
-  EXPECT_EQ(sign({{-digit, 1, 0}}), Sign::kZero);
-  EXPECT_EQ(sign({{-digit + 1, 1, 0}}), Sign::kPositive);
-  EXPECT_EQ(sign({{-digit - 1, 1, 0}}), Sign::kNegative);
-  EXPECT_EQ(sign({{0, -digit, 1}}), Sign::kZero);
-  EXPECT_EQ(sign({{0, 1 - digit, 1}}), Sign::kPositive);
-  EXPECT_EQ(sign({{-1, -digit, 1}}), Sign::kNegative);
-  EXPECT_EQ(sign({{-1, 0, 1}}), Sign::kPositive);
-  EXPECT_EQ(sign({{(one << 126) - 1, 0, -1}}), Sign::kPositive);
-  EXPECT_EQ(sign({{(one << 124) - 1, 0, -1}}), Sign::kNegative);
-}
-
 }  // namespace
 }  // namespace veritope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_predicates.cc: --cases N --seed S [--jobs J]. Signs of orient2d, orient3d, in_circle
-// and in_sphere against an oracle of this file's own: mpz integers on one common exponent, expanded
+// and in_sphere, with and without a session, against an oracle of this file's own: mpz integers on one common exponent, expanded
 // relative to another point than the subject uses; one case in 4096 is checked a third time, by
 // Gaussian elimination of the homogeneous determinant over mpq. One JSON line a figure.
 #include <gmpxx.h>
@@ -21,6 +21,7 @@
 #include "predicates/in_sphere.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
+#include "predicates/session.h"
 #include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
 #include "robust/base/random.h"
@@ -415,6 +416,22 @@ void report_wrong(Predicate predicate, Class kind, const Points& p, int got, int
   std::fprintf(stderr, "%s: %d, expected %d\n", text.c_str(), got, expected);
 }
 
+// The same decision in a session of the tuple's own box.
+Sign subject_in_session(Predicate predicate, const Points& p) {
+  std::array<Vec3d, 5> v;
+  std::array<Vec2d, 5> w;
+  const int n = kNumPoints[predicate];
+  for (int i = 0; i < n; ++i) v[i] = {p[i][0], p[i][1], p[i][2]}, w[i] = {p[i][0], p[i][1]};
+  if (predicate == kOrient2d || predicate == kInCircle) {
+    const auto session = veritope::Session2d::around(w.data(), static_cast<std::size_t>(n));
+    return predicate == kOrient2d ? session.orient2d(w[0], w[1], w[2])
+                                  : session.in_circle(w[0], w[1], w[2], w[3]);
+  }
+  const auto session = veritope::Session3d::around(v.data(), static_cast<std::size_t>(n));
+  return predicate == kOrient3d ? session.orient3d(v[0], v[1], v[2], v[3])
+                                : session.in_sphere(v[0], v[1], v[2], v[3], v[4]);
+}
+
 Counts run_chunk(std::uint64_t seed, std::size_t begin, std::size_t end) {
   thread_local Oracle oracle;
   Random random(seed);
@@ -429,8 +446,9 @@ Counts run_chunk(std::uint64_t seed, std::size_t begin, std::size_t end) {
               expected = oracle.sign(predicate, p);
     ++counts.cases[predicate][kind];
     if (expected == 0) ++counts.zeros[predicate][kind];
-    if (got != expected && counts.wrong[predicate][kind]++ == 0)
-      report_wrong(predicate, kind, p, got, expected);
+    const int in_session = to_int(subject_in_session(predicate, p));
+    if ((got != expected || in_session != expected) && counts.wrong[predicate][kind]++ == 0)
+      report_wrong(predicate, kind, p, got != expected ? got : in_session, expected);
     if (random.below(4096) == 0 && slow_sign(predicate, p) != expected) ++counts.oracle_faults;
   }
   return counts;

@@ -94,7 +94,7 @@ Status LineReader::refill() {
   } while (got < 0 && errno == EINTR);
   const int number = errno;
   buffer_.set_size(kept + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  is_at_end_ = got <= 0;
+  is_at_end_ = got == 0;
   return got < 0 ? error(Code::kCannotOpen, cannot_read(number)) : ok_status();
 }
 

@@ -140,13 +140,14 @@ class Numbers(unittest.TestCase):
     def test_what_is_not_finite_is_refused(self):
         self.assert_refused(["nan", "NaN", "-nan", "inf", "+Inf", "-INFINITY", "infinity"], "@ is not finite")
         threshold = 2**1024 - 2**970  # the largest number and half a unit
-        self.assert_refused(["1e309", "-1e309", "1.797693134862315808e308", "0x1p1024", "-0x1.0p1024", "0x0.8p1025", "1e4294967295",
+        self.assert_refused(["1e309", "-1e309", "1.797693134862315808e308", "0x1p1024", "-0x1.0p1024", "0x0.8p1025", f"0x1p{2**64}", "1e4294967295",
                              str(threshold), "0x1p99999999999999999999"], "@ is beyond the largest binary64 number")
         self.assertEqual(decide("orient2d", f"0 0 1 0 0 {threshold - 1}\n").stdout, "1\n")
 
     def test_hexadecimals_that_binary64_does_not_hold_are_refused_and_not_rounded(self):
         self.assert_refused(["0x1.00000000000008p0", "-0x1.00000000000008p0", "0x1p-1075", "0x1.8p-1074", "0x3p-1075", "0x20000000000001",
-                             "0x1.0000000000000000000000000001", "0x1.fffffffffffff8p1023", "0x1p-99999999999999999999"],
+                             "0x1.0000000000000000000000000001", "0x1.fffffffffffff8p1023", "0x1p-99999999999999999999",
+                             f"0x1p-{2**64}"],
                             "@ has more bits than a binary64 number holds")
 
     def test_a_decimal_exponent_without_end_is_refused(self):
@@ -243,6 +244,16 @@ class Streaming(Folder):
                 self.assertEqual(child.stdout.readline(), sign)
             child.stdin.close()
         self.assertEqual(child.returncode, 0)
+
+    def test_the_longest_line_may_arrive_in_two_pieces_between_cr_and_lf(self):
+        with subprocess.Popen([BIN / "veritope", "predicate", "orient2d", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as child:
+            for piece in (b"#" * MAX_LINE + b"\r", b"\nx\n"):
+                child.stdin.write(piece)
+                child.stdin.flush()
+                support.time.sleep(0.3)  # so that it is read alone; if not, the test proves less
+            child.stdin.close()
+            self.assertEqual(child.stderr.read(), b"veritope: standard input:2: 6 numbers expected, but there is 1 column\n")
 
     def test_a_file_a_pipe_by_name_and_an_empty_input(self):
         path = self.folder / "cases"

@@ -97,7 +97,7 @@ Result<double> rounded_to_itself(const HexNumber& number, std::string_view token
   const int zeros = std::countr_zero(number.mantissa);
   const std::uint64_t odd = number.mantissa >> zeros;
   const std::int64_t exponent = number.exponent + zeros;
-  const int width = std::bit_width(odd);
+  const auto width = static_cast<int>(std::bit_width(odd));
   if (exponent + width > 1024) return too_large(token);
   if (number.has_rest || width > 53 || exponent < kMinExponent) {
     return Error{Code::kLossy, {}, quoted(token) + " has more bits than a binary64 number holds"};

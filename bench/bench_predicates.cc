@@ -43,22 +43,51 @@ using Tuple = std::array<Vec3d, 5>;
 
 void set(Vec3d& p, int k, double v) { (k == 0 ? p.x : (k == 1 ? p.y : p.z)) = v; }
 
-// Points of a sphere or, in the plane, of a circle: (+-p, +-q, +-r) in any order around a centre.
-Tuple round_tuple(Random& random, int dim, int bits) {
-  const std::int64_t range = std::int64_t{1} << (bits - 2);
-  std::array<double, 3> radius{}, centre{};
-  for (int k = 0; k < dim; ++k) {
-    radius[k] = static_cast<double>(random.between(1, range));
-    centre[k] = static_cast<double>(random.between(-range, range));
-  }
+// Points of a circle: products of Gaussian integers, each factor or its conjugate, times a unit.
+Tuple circle_tuple(Random& random, int bits) {
+  constexpr int kFactors = 3;
+  const std::int64_t range = std::int64_t{1} << ((bits - 2) / kFactors - 1);
+  std::array<std::int64_t, kFactors> re, im;
+  for (int f = 0; f < kFactors; ++f)
+    re[f] = random.between(1, range), im[f] = random.between(1, range);
+  const std::int64_t x0 = random.between(-(1 << 8), 1 << 8), y0 = random.between(-(1 << 8), 1 << 8);
   Tuple t;
   for (Vec3d& p : t) {
-    for (int k = dim - 1; k > 0; --k) std::swap(radius[k], radius[random.below(k + 1)]);
-    for (int k = 0; k < dim; ++k) {
-      set(p, k, centre[k] + (random.below(2) == 0 ? radius[k] : -radius[k]));
+    std::int64_t x = random.below(2) == 0 ? 1 : -1, y = 0;
+    if (random.below(2) == 0) std::swap(x, y);
+    for (int f = 0; f < kFactors; ++f) {
+      const std::int64_t i = random.below(2) == 0 ? im[f] : -im[f], old = x;
+      x = x * re[f] - y * i, y = old * i + y * re[f];
     }
+    p = {static_cast<double>(x + x0), static_cast<double>(y + y0), 0};
   }
   return t;
+}
+
+// Points of a sphere: q v conj(q) for quaternions q of one norm.
+Tuple sphere_tuple(Random& random, int bits) {
+  const std::int64_t range = std::int64_t{1} << ((bits - 4) / 3);
+  std::array<std::int64_t, 4> q;
+  std::array<std::int64_t, 3> v;
+  for (auto& c : q) c = random.between(1, range);
+  for (auto& c : v) c = random.between(-range, range);
+  Tuple t;
+  for (Vec3d& p : t) {
+    for (int k = 3; k > 0; --k) std::swap(q[k], q[random.below(k + 1)]);
+    const auto sign = [&](std::int64_t c) { return random.below(2) == 0 ? c : -c; };
+    const std::int64_t w = q[0], x = sign(q[1]), y = sign(q[2]), z = sign(q[3]);
+    p = {static_cast<double>((w * w + x * x - y * y - z * z) * v[0] + 2 * (x * y - w * z) * v[1] +
+                             2 * (x * z + w * y) * v[2]),
+         static_cast<double>(2 * (x * y + w * z) * v[0] + (w * w - x * x + y * y - z * z) * v[1] +
+                             2 * (y * z - w * x) * v[2]),
+         static_cast<double>(2 * (x * z - w * y) * v[0] + 2 * (y * z + w * x) * v[1] +
+                             (w * w - x * x - y * y + z * z) * v[2])};
+  }
+  return t;
+}
+
+Tuple round_tuple(Random& random, int dim, int bits) {
+  return dim == 2 ? circle_tuple(random, bits) : sphere_tuple(random, bits);
 }
 
 // Points of a line or, in space, of a plane.
@@ -113,9 +142,14 @@ Tuple drawn(const std::string& kind, Random& random, int dim, bool round, int n)
     if (!round) {
       for (Vec3d& p : t) set(p, dim - 1, t[0][dim - 1]);
     } else {
-      const Tuple two = t;
-      for (Vec3d& p : t)
-        p = {two[random.below(2)].x, two[random.below(2)].y, two[random.below(2)].z};
+      const Tuple two = t;  // different corners of a box
+      std::array<int, 8> corner{0, 1, 2, 3, 4, 5, 6, 7};
+      const int corners = 1 << dim;
+      for (int k = corners - 1; k > 0; --k) std::swap(corner[k], corner[random.below(k + 1)]);
+      for (int i = 0; i < n; ++i) {
+        const int c = corner[i];
+        t[i] = {two[c & 1].x, two[c >> 1 & 1].y, two[c >> 2].z};
+      }
     }
   }
   if (kind == "RW") {

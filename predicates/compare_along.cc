@@ -13,8 +13,9 @@ Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d&
       !to_lattice<1, 6>({p.x, p.y, p.z, q.x, q.y, q.z}, v)) {
     return Sign3::kUncertain;
   }
-  static_assert(bits_of_sum(3, bits_of_product(lattice_bits(1), LatticeBudget<1>::kDiff)) <
-                FixedInt<2>::kBits);
+  static_assert(
+      bits_of_sum(3, bits_of_product(lattice_bits(1), LatticeBudget{lattice_bits(1) + 1}.diff)) <
+      FixedInt<2>::kBits);
   return to_sign3((wide_product(d[0], v[0] - v[3]) + wide_product(d[1], v[1] - v[4]) +
                    wide_product(d[2], v[2] - v[5]))
                       .sign());

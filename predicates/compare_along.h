@@ -54,8 +54,9 @@ inline Sign3 compare_along_filter(const Vec3d& direction, const Vec3d& p, const 
 inline Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q,
                           TierCounts* tally) noexcept {
   return cascade(
-      tally, [&] { return compare_along_filter(direction, p, q); },
-      [&](TierCounts* t) { return internal::compare_along_after_filter(direction, p, q, t); });
+      tally, [&]() VT_TIER { return compare_along_filter(direction, p, q); },
+      [&](TierCounts* t)
+          VT_TIER { return internal::compare_along_after_filter(direction, p, q, t); });
 }
 
 }  // namespace veritope

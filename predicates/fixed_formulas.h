@@ -1,94 +1,174 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/fixed_formulas.h: the determinants of formulas.h on a lattice of L limbs (lattice.h).
-// Every product is as wide as it needs to be; the static_asserts are the proof that nothing wraps
-// around.
+// predicates/fixed_formulas.h: the determinants of formulas.h in integers that are as wide as the
+// operands need (lattice.h). The static_asserts are the proof that nothing wraps around.
 #pragma once
 #include <array>
+#include <cstdint>
 
 #include "predicates/lattice.h"
+#include "robust/digits.h"
 #include "robust/fixed_int.h"
 
 namespace veritope::internal {
 
-template <int L>
+/// Bit lengths of what a determinant of differences is made of, if no difference exceeds 2^d.
 struct LatticeBudget {
-  static constexpr int kDiff = bits_of_sum(2, lattice_bits(L));
-  static constexpr int kProduct = bits_of_product(kDiff, kDiff);
-  static constexpr int kMinor = bits_of_sum(2, kProduct);  // a b - c d, or a^2 + b^2
-  static constexpr int kMinor3 = bits_of_sum(3, bits_of_product(kDiff, kMinor));
-  static constexpr int kLift3 = bits_of_sum(3, kProduct);
+  int diff;
+  constexpr int product() const { return bits_of_product(diff, diff); }
+  constexpr int minor() const { return bits_of_sum(2, product()); }  // a b - c d, or a^2 + b^2
+  constexpr int minor3() const { return bits_of_sum(3, bits_of_product(diff, minor())); }
+  constexpr int lift3() const { return bits_of_sum(3, product()); }
+  constexpr int circle() const { return bits_of_sum(3, bits_of_product(minor(), minor())); }
+  constexpr int sphere() const { return bits_of_sum(4, bits_of_product(lift3(), minor3())); }
 };
 
-/// x y - z w
+constexpr int bits_held(std::int64_t*) { return 63; }
+constexpr int bits_held(int128*) { return 127; }
 template <int L>
-[[gnu::always_inline]] inline FixedInt<2 * L> minor(const FixedInt<L>& x, const FixedInt<L>& y,
-                                                    const FixedInt<L>& z, const FixedInt<L>& w) {
-  return wide_product(x, y) - wide_product(z, w);
+constexpr int bits_held(FixedInt<L>*) {
+  return FixedInt<L>::kBits;
+}
+// Of the last column's place: whether the columns hold their sums is asked apart.
+template <int N>
+constexpr int bits_held(Columns<N>*) {
+  return 62 * (N - 1) + 127;
+}
+template <typename T>
+inline constexpr int kBitsHeld = bits_held(static_cast<T*>(nullptr));
+
+[[gnu::always_inline]] inline int128 whole(std::int64_t a, std::int64_t b) {
+  return static_cast<int128>(a) * b;
 }
 
-template <int L>
-Sign orient2d_fixed(const std::array<FixedInt<L>, 3>& x, const std::array<FixedInt<L>, 3>& y) {
-  static_assert(LatticeBudget<L>::kMinor < FixedInt<2 * L>::kBits);
-  return minor<L>(x[1] - x[0], y[2] - y[0], y[1] - y[0], x[2] - x[0]).sign();
-}
-
-template <int L>
-Sign orient3d_fixed(const std::array<FixedInt<L>, 4>& x, const std::array<FixedInt<L>, 4>& y,
-                    const std::array<FixedInt<L>, 4>& z) {
-  static_assert(LatticeBudget<L>::kMinor < FixedInt<2 * L>::kBits);
-  static_assert(LatticeBudget<L>::kMinor3 < FixedInt<3 * L>::kBits);
-  const FixedInt<L> ux = x[1] - x[0], uy = y[1] - y[0], uz = z[1] - z[0];
-  const FixedInt<L> vx = x[2] - x[0], vy = y[2] - y[0], vz = z[2] - z[0];
-  return (wide_product(x[3] - x[0], minor(uy, vz, uz, vy)) +
-          wide_product(y[3] - y[0], minor(uz, vx, ux, vz)) +
-          wide_product(z[3] - z[0], minor(ux, vy, uy, vx)))
-      .sign();
-}
-
-template <int L>
-Sign in_circle_fixed(const std::array<FixedInt<L>, 8>& c) {
-  static_assert(LatticeBudget<L>::kMinor < FixedInt<2 * L>::kBits);
-  static_assert(bits_of_sum(3, bits_of_product(LatticeBudget<L>::kMinor,
-                                               LatticeBudget<L>::kMinor)) < FixedInt<4 * L>::kBits);
-  const FixedInt<L> ax = c[0] - c[6], ay = c[1] - c[7], bx = c[2] - c[6], by = c[3] - c[7],
-                    cx = c[4] - c[6], cy = c[5] - c[7];
-  const auto lift = [](const FixedInt<L>& x, const FixedInt<L>& y) {
-    return wide_product(x, x) + wide_product(y, y);
-  };
-  return (wide_product(lift(ax, ay), minor(bx, cy, cx, by)) +
-          wide_product(lift(bx, by), minor(cx, ay, ax, cy)) +
-          wide_product(lift(cx, cy), minor(ax, by, bx, ay)))
-      .sign();
-}
-
-template <int L>
-Sign in_sphere_fixed(const std::array<FixedInt<L>, 15>& c) {
-  using Budget = LatticeBudget<L>;
-  static_assert(Budget::kMinor < FixedInt<2 * L>::kBits && Budget::kLift3 < FixedInt<2 * L>::kBits);
-  static_assert(Budget::kMinor3 < FixedInt<3 * L>::kBits);
-  static_assert(bits_of_sum(4, bits_of_product(Budget::kLift3, Budget::kMinor3)) <
-                FixedInt<5 * L>::kBits);
-  std::array<FixedInt<L>, 4> x, y, z;
-  for (int i = 0; i < 4; ++i) {
-    x[i] = c[3 * i] - c[12], y[i] = c[3 * i + 1] - c[13], z[i] = c[3 * i + 2] - c[14];
+/// a * b as an R, which must hold it.
+template <typename R, typename A, typename B>
+[[gnu::always_inline]] inline R times(const A& a, const B& b) {
+  if constexpr (std::is_integral_v<R> || std::is_same_v<R, int128>) {
+    return static_cast<R>(a) * b;
+  } else if constexpr (std::is_same_v<R, Columns<2>>) {  // int64_t * int128
+    return {{whole(a, R::low_digit(b)), whole(a, R::high_digit(b))}};
+  } else if constexpr (std::is_same_v<R, Columns<3>>) {  // int128 * int128
+    const std::int64_t a0 = R::low_digit(a), a1 = R::high_digit(a), b0 = R::low_digit(b),
+                       b1 = R::high_digit(b);
+    return {{whole(a0, b0), whole(a0, b1) + whole(a1, b0), whole(a1, b1)}};
+  } else if constexpr (std::is_same_v<R, Columns<4>>) {  // int128 * Columns<2>
+    const std::int64_t a0 = R::low_digit(a), a1 = R::high_digit(a), b0 = R::low_digit(b.c[0]);
+    const int128 rest = b.c[1] + (b.c[0] >> 62);
+    const std::int64_t b1 = R::low_digit(rest), b2 = R::high_digit(rest);
+    return {{whole(a0, b0), whole(a0, b1) + whole(a1, b0), whole(a0, b2) + whole(a1, b1),
+             whole(a1, b2)}};
+  } else if constexpr (std::is_integral_v<A>) {
+    return times<R>(FixedInt<1>(a), b);
+  } else if constexpr (std::is_same_v<A, int128>) {
+    return times<R>(FixedInt<2>(a), b);
+  } else if constexpr (std::is_same_v<B, int128>) {
+    return times<R>(a, FixedInt<2>(b));
+  } else {
+    return wide_product(a, b);
   }
-  const auto lift = [&](int i) {
-    return wide_product(x[i], x[i]) + wide_product(y[i], y[i]) + wide_product(z[i], z[i]);
+}
+
+/// The types that hold a difference, a product of two, of three, and of four or five differences of
+/// at most 2^Diff.
+template <int Diff, typename One, typename Two, typename Three, typename Most>
+struct Width {
+  using D1 = One;
+  using D2 = Two;
+  using D3 = Three;
+  using Last = Most;
+  static constexpr LatticeBudget kBudget{Diff};
+  static_assert(Diff < kBitsHeld<D1>);
+
+  static D2 minor(const D1& x, const D1& y, const D1& z, const D1& w) {  // x y - z w
+    return times<D2>(x, y) - times<D2>(z, w);
+  }
+};
+
+/// Differences on a lattice of one limb, of two, and short ones: see lattice.h.
+using OneLimb = Width<lattice_bits(1) + 1, std::int64_t, int128, Columns<2>, Columns<4>>;
+using OneLimbCircle = Width<lattice_bits(1) + 1, std::int64_t, int128, Columns<2>, Columns<3>>;
+using TwoLimbs = Width<lattice_bits(2) + 1, FixedInt<2>, FixedInt<4>, FixedInt<6>, FixedInt<10>>;
+using TwoLimbsCircle =
+    Width<lattice_bits(2) + 1, FixedInt<2>, FixedInt<4>, FixedInt<6>, FixedInt<8>>;
+template <int L>
+using LatticeWidth = std::conditional_t<L == 1, OneLimb, TwoLimbs>;
+template <int L>
+using LatticeWidthCircle = std::conditional_t<L == 1, OneLimbCircle, TwoLimbsCircle>;
+using Short = Width<30, std::int64_t, std::int64_t, int128, FixedInt<3>>;
+using ShortCircle = Width<30, std::int64_t, std::int64_t, int128, int128>;
+using Tiny = Width<11, std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
+
+// The columns hold their sums. Digits in units of 2^60: a low one is below 4; of differences up to 2
+// the high digit of a minor or of x^2 + y^2 (2^123) is up to 2, of x^2 + y^2 + z^2 (3 2^122) up to 3,
+// of a sum of three products of a minor and a difference (3 2^184) up to 3. A column holds less than
+// 128 units squared; the carries, below 2^65, are far less than one.
+static_assert(lattice_bits(1) + 1 == 61);
+static_assert(3 * (2 * 4) < 127 && 3 * (2 * 2) < 127, "Columns<2> of orient3d and in_sphere");
+static_assert(3 * (4 * 4) < 127 && 3 * (4 * 2 + 2 * 4) < 127, "Columns<3> of in_circle");
+static_assert(4 * (4 * 4) < 127 && 4 * (4 * 4 + 3 * 4) < 127 && 4 * (4 * 3 + 3 * 4) < 127,
+              "Columns<4> of in_sphere");
+
+/// Of u = b - a and v = c - a.
+template <typename W, typename D = typename W::D1>
+[[gnu::always_inline]] inline Sign orient2d_fixed(const std::array<D, 2>& x,
+                                                  const std::array<D, 2>& y) {
+  static_assert(W::kBudget.minor() < kBitsHeld<typename W::D2>);
+  return sign_of(W::minor(x[0], y[1], y[0], x[1]));
+}
+
+/// Of u = b - a, v = c - a, w = d - a, an axis at a time.
+template <typename W, typename D = typename W::D1>
+[[gnu::always_inline]] inline Sign orient3d_fixed(const std::array<D, 3>& x,
+                                                  const std::array<D, 3>& y,
+                                                  const std::array<D, 3>& z) {
+  static_assert(W::kBudget.minor() < kBitsHeld<typename W::D2>);
+  static_assert(W::kBudget.minor3() < kBitsHeld<typename W::D3>);
+  using D3 = typename W::D3;
+  return sign_of(times<D3>(x[2], W::minor(y[0], z[1], z[0], y[1])) +
+                 times<D3>(y[2], W::minor(z[0], x[1], x[0], z[1])) +
+                 times<D3>(z[2], W::minor(x[0], y[1], y[0], x[1])));
+}
+
+/// Of a - d, b - d, c - d: x, y, x, y, x, y.
+template <typename W, typename D = typename W::D1>
+[[gnu::always_inline]] inline Sign in_circle_fixed(const std::array<D, 6>& p) {
+  static_assert(W::kBudget.minor() < kBitsHeld<typename W::D2>);
+  static_assert(W::kBudget.circle() < kBitsHeld<typename W::Last>);
+  using D2 = typename W::D2;
+  using Last = typename W::Last;
+  const auto lift = [&](int i) -> D2 {
+    return times<D2>(p[2 * i], p[2 * i]) + times<D2>(p[2 * i + 1], p[2 * i + 1]);
   };
-  const auto m = [&](int i, int j) { return minor(x[i], y[j], x[j], y[i]); };
-  const FixedInt<2 *L> ab = m(0, 1), bc = m(1, 2), cd = m(2, 3), da = m(3, 0), ac = m(0, 2),
-                       bd = m(1, 3);
-  const FixedInt<3 * L> abc =
-      wide_product(z[0], bc) - wide_product(z[1], ac) + wide_product(z[2], ab);
-  const FixedInt<3 * L> bcd =
-      wide_product(z[1], cd) - wide_product(z[2], bd) + wide_product(z[3], bc);
-  const FixedInt<3 * L> cda =
-      wide_product(z[2], da) + wide_product(z[3], ac) + wide_product(z[0], cd);
-  const FixedInt<3 * L> dab =
-      wide_product(z[3], ab) + wide_product(z[0], bd) + wide_product(z[1], da);
-  return (wide_product(lift(0), bcd) - wide_product(lift(1), cda) + wide_product(lift(2), dab) -
-          wide_product(lift(3), abc))
-      .sign();
+  const auto minor = [&](int i, int j) {
+    return W::minor(p[2 * i], p[2 * j + 1], p[2 * j], p[2 * i + 1]);
+  };
+  return sign_of(times<Last>(lift(0), minor(1, 2)) + times<Last>(lift(1), minor(2, 0)) +
+                 times<Last>(lift(2), minor(0, 1)));
+}
+
+/// Of a - e, b - e, c - e, d - e: x, y, z, x, y, z, ...
+template <typename W, typename D = typename W::D1>
+[[gnu::always_inline]] inline Sign in_sphere_fixed(const std::array<D, 12>& p) {
+  static_assert(W::kBudget.minor() < kBitsHeld<typename W::D2> &&
+                W::kBudget.lift3() < kBitsHeld<typename W::D2>);
+  static_assert(W::kBudget.minor3() < kBitsHeld<typename W::D3>);
+  static_assert(W::kBudget.sphere() < kBitsHeld<typename W::Last>);
+  using D2 = typename W::D2;
+  using D3 = typename W::D3;
+  using Last = typename W::Last;
+  const auto lift = [&](int i) -> D2 {
+    return times<D2>(p[3 * i], p[3 * i]) + times<D2>(p[3 * i + 1], p[3 * i + 1]) +
+           times<D2>(p[3 * i + 2], p[3 * i + 2]);
+  };
+  const auto m = [&](int i, int j) {
+    return W::minor(p[3 * i], p[3 * j + 1], p[3 * j], p[3 * i + 1]);
+  };
+  const auto z = [&](int i, const D2& minor) { return times<D3>(p[3 * i + 2], minor); };
+  const D2 ab = m(0, 1), bc = m(1, 2), cd = m(2, 3), da = m(3, 0), ac = m(0, 2), bd = m(1, 3);
+  const D3 abc = z(0, bc) - z(1, ac) + z(2, ab), bcd = z(1, cd) - z(2, bd) + z(3, bc);
+  const D3 cda = z(2, da) + z(3, ac) + z(0, cd), dab = z(3, ab) + z(0, bd) + z(1, da);
+  return sign_of(times<Last>(lift(0), bcd) - times<Last>(lift(1), cda) + times<Last>(lift(2), dab) -
+                 times<Last>(lift(3), abc));
 }
 
 }  // namespace veritope::internal

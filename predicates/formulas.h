@@ -125,7 +125,18 @@ struct InSphere {
     const T cda = (c * m_da + d * m_ac) + a * m_cd, dab = (d * m_ab + a * m_bd) + b * m_da;
     return (a_lift * bcd + b_lift * cda) + (c_lift * dab + d_lift * abc);
   }
-  constexpr T size() const { return sqr((a_lift + b_lift) + (c_lift + d_lift)); }
+};
+
+/// From x, y, z that no difference on its axis exceeds: InSphere's magnitude is at most 24 times this
+/// one, with a fifth of the operations.
+template <typename T>
+struct InSphereBox {
+  T volume, lift;
+
+  constexpr InSphereBox(const T& x, const T& y, const T& z)
+      : volume((x * y) * z), lift((sqr(x) + sqr(y)) + sqr(z)) {}
+  constexpr T magnitude() const { return volume * lift; }
+  constexpr T size() const { return sqr(lift); }
 };
 
 /// n . p + k

@@ -7,7 +7,7 @@
 namespace veritope::internal {
 namespace {
 
-std::array<double, 8> coordinates(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
+std::array<double, 8> coordinates(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
   return {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
 }
 
@@ -15,16 +15,21 @@ std::array<double, 8> coordinates(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 template <int L>
 Sign3 on_lattice(const std::array<double, 8>& c) {
   std::array<FixedInt<L>, 8> v;
-  return to_lattice<L, 8>(c, v) ? to_sign3(in_circle_fixed<L>(v)) : Sign3::kUncertain;
+  if (!to_lattice<L, 8>(c, v)) return Sign3::kUncertain;
+  auto d = from_last<2>(v);
+  if constexpr (L == 1) {
+    if (shorten(d) <= ShortCircle::kBudget.diff) return to_sign3(in_circle_fixed<ShortCircle>(d));
+  }
+  return to_sign3(in_circle_fixed<LatticeWidthCircle<L>>(d));
 }
 
 }  // namespace
 
-Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
+Sign3 in_circle_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
   return on_lattice<1>(coordinates(a, b, c, d));
 }
 
-Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
+Sign3 in_circle_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
   const ScopedUpward upward;
   return formulas::InCircle<Interval>(Interval(a.x), Interval(a.y), Interval(b.x), Interval(b.y),
                                       Interval(c.x), Interval(c.y), Interval(d.x), Interval(d.y))
@@ -32,17 +37,18 @@ Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
       .sign();
 }
 
-Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
+Sign in_circle_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
   const Sign3 s = on_lattice<2>(coordinates(a, b, c, d));
   return is_certain(s) ? to_sign(s) : in_circle_integer(a, b, c, d);
 }
 
-Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
+Sign in_circle_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
   const auto v = to_integers<8>(coordinates(a, b, c, d));
   return formulas::InCircle<Integer>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]).det().sign();
 }
 
-Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept {
+Sign in_circle_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
+                            TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return in_circle_lattice(a, b, c, d); },
       [&] { return in_circle_interval(a, b, c, d); }, [&] { return in_circle_exact(a, b, c, d); });

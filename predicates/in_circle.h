@@ -20,7 +20,8 @@ namespace veritope {
 ///       power of two;
 ///   (3) it is zero iff two of the points coincide or all four lie on one circle or one line.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
-Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr) noexcept;
+Sign in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
+               TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
@@ -28,19 +29,21 @@ Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr) 
 ///          2^-53.
 /// Derived  docs/bounds/in_circle.md, and again in tests/predicates/in_circle_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
+Sign3 in_circle_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
 
 namespace internal {
 inline constexpr double kInCircleRel = 0x1.400000000000cp-50;
 inline constexpr double kInCircleEta = 0x1p-900;
 inline constexpr double kInCircleAbs = 0x1p-900;
 
-Sign3 in_circle_lattice(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
-Sign3 in_circle_interval(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;
-Sign in_circle_exact(Vec2d a, Vec2d b, Vec2d c,
-                     Vec2d d) noexcept;  // two limbs, else in_circle_integer
-Sign in_circle_integer(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept;  // any exponents
-Sign in_circle_after_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept;
+Sign3 in_circle_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
+Sign3 in_circle_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
+Sign in_circle_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                     const Vec2d& d) noexcept;  // two limbs, else in_circle_integer
+Sign in_circle_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                       const Vec2d& d) noexcept;  // any exponents
+Sign in_circle_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
+                            TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
@@ -52,15 +55,17 @@ inline double in_circle_error(const formulas::InCircle<double>& f) {
 }
 }  // namespace internal
 
-inline Sign3 in_circle_filter(Vec2d a, Vec2d b, Vec2d c, Vec2d d) noexcept {
+inline Sign3 in_circle_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                              const Vec2d& d) noexcept {
   const formulas::InCircle<double> f(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
   return sign_beyond(f.det(), internal::in_circle_error(f));
 }
 
-inline Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) noexcept {
+inline Sign in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
+                      TierCounts* tally) noexcept {
   return cascade(
-      tally, [&] { return in_circle_filter(a, b, c, d); },
-      [&](TierCounts* t) { return internal::in_circle_after_filter(a, b, c, d, t); });
+      tally, [&]() VT_TIER { return in_circle_filter(a, b, c, d); },
+      [&](TierCounts* t) VT_TIER { return internal::in_circle_after_filter(a, b, c, d, t); });
 }
 
 }  // namespace veritope

@@ -18,7 +18,14 @@ Coordinates coordinates(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
 template <int L>
 Sign3 on_lattice(const Coordinates& c) {
   std::array<FixedInt<L>, 15> v;
-  return to_lattice<L, 15>(c, v) ? to_sign3(in_sphere_fixed<L>(v)) : Sign3::kUncertain;
+  if (!to_lattice<L, 15>(c, v)) return Sign3::kUncertain;
+  auto d = from_last<3>(v);
+  if constexpr (L == 1) {
+    const int bits = shorten(d);
+    if (bits <= Tiny::kBudget.diff) return to_sign3(in_sphere_fixed<Tiny>(d));
+    if (bits <= Short::kBudget.diff) return to_sign3(in_sphere_fixed<Short>(d));
+  }
+  return to_sign3(in_sphere_fixed<LatticeWidth<L>>(d));
 }
 
 template <typename T>

@@ -24,15 +24,15 @@ Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, c
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (15u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
-///          2^-53.
+/// Bound    |det - exact| <= (15u + O(u^2)) S + underflow, S <= 24 x y z (x^2 + y^2 + z^2) with the
+///          largest difference on each axis, u = 2^-53.
 /// Derived  docs/bounds/in_sphere.md, and again in tests/predicates/in_sphere_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                        const Vec3d& e) noexcept;
 
 namespace internal {
-inline constexpr double kInSphereRel = 0x1.e000000000019p-50;
+inline constexpr double kInSphereRel = 0x1.680000000000fp-45;
 inline constexpr double kInSphereEta = 0x1p-900;
 inline constexpr double kInSphereAbs = 0x1p-900;
 
@@ -52,9 +52,13 @@ Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, cons
 // Bodies.
 
 namespace internal {
-inline double in_sphere_error(const formulas::InSphere<double>& f) {
-  return kInSphereRel * f.magnitude([](double v) { return std::abs(v); }) +
-         (kInSphereEta * f.size() + kInSphereAbs);
+/// x, y, z: no difference on an axis exceeds them.
+inline double in_sphere_error(double x, double y, double z) {
+  const formulas::InSphereBox<double> box(x, y, z);
+  return kInSphereRel * box.magnitude() + (kInSphereEta * box.size() + kInSphereAbs);
+}
+inline double largest_magnitude(double p, double q, double r, double s) {
+  return larger(larger(std::abs(p), std::abs(q)), larger(std::abs(r), std::abs(s)));
 }
 }  // namespace internal
 
@@ -62,14 +66,18 @@ inline Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, co
                               const Vec3d& e) noexcept {
   const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z,
                                      e.x, e.y, e.z);
-  return sign_beyond(f.det(), internal::in_sphere_error(f));
+  return sign_beyond(f.det(),
+                     internal::in_sphere_error(
+                         internal::largest_magnitude(a.x - e.x, b.x - e.x, c.x - e.x, d.x - e.x),
+                         internal::largest_magnitude(a.y - e.y, b.y - e.y, c.y - e.y, d.y - e.y),
+                         internal::largest_magnitude(a.z - e.z, b.z - e.z, c.z - e.z, d.z - e.z)));
 }
 
 inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                       const Vec3d& e, TierCounts* tally) noexcept {
   return cascade(
-      tally, [&] { return in_sphere_filter(a, b, c, d, e); },
-      [&](TierCounts* t) { return internal::in_sphere_after_filter(a, b, c, d, e, t); });
+      tally, [&]() VT_TIER { return in_sphere_filter(a, b, c, d, e); },
+      [&](TierCounts* t) VT_TIER { return internal::in_sphere_after_filter(a, b, c, d, e, t); });
 }
 
 }  // namespace veritope

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "robust/binary64.h"
 #include "robust/fixed_int.h"
@@ -70,6 +71,52 @@ template <int L, std::size_t N>
                << 1;
   }
   return differs == 0;  // the shift forgives -0
+}
+
+/// Of a difference of lattice coordinates.
+template <int L>
+using LatticeDifference = std::conditional_t<L == 1, std::int64_t, FixedInt<L>>;
+
+template <int L>
+[[gnu::always_inline]] inline LatticeDifference<L> difference(const FixedInt<L>& a,
+                                                              const FixedInt<L>& b) {
+  if constexpr (L == 1) {
+    return a.low() - b.low();
+  } else {
+    return a - b;
+  }
+}
+
+/// c[i + 1] - c[0]
+template <int L, std::size_t N>
+[[gnu::always_inline]] inline std::array<LatticeDifference<L>, N - 1> from_first(
+    const std::array<FixedInt<L>, N>& c) {
+  std::array<LatticeDifference<L>, N - 1> d;
+  VT_UNROLL for (std::size_t i = 0; i < N - 1; ++i) d[i] = difference(c[i + 1], c[0]);
+  return d;
+}
+
+/// Points of Dim coordinates each, minus the last one.
+template <std::size_t Dim, int L, std::size_t N>
+[[gnu::always_inline]] inline std::array<LatticeDifference<L>, N - Dim> from_last(
+    const std::array<FixedInt<L>, N>& c) {
+  std::array<LatticeDifference<L>, N - Dim> d;
+  VT_UNROLL for (std::size_t i = 0; i < N - Dim; ++i) d[i] = difference(c[i], c[N - Dim + i % Dim]);
+  return d;
+}
+
+/// Divides the numbers by the power of two that they share; |d[i]| <= 2^n then for the n returned.
+/// REQUIRES |d[i]| < 2^62.
+template <std::size_t N>
+[[gnu::always_inline]] inline int shorten(std::array<std::int64_t, N>& d) {
+  std::uint64_t any = 0, size = 0;
+  VT_UNROLL for (std::size_t i = 0; i < N; ++i) {
+    any |= static_cast<std::uint64_t>(d[i]);
+    size |= static_cast<std::uint64_t>(d[i] ^ (d[i] >> 63));  // |d| or |d| - 1
+  }
+  const int zeros = std::countr_zero(any | std::uint64_t{1} << 62);
+  VT_UNROLL for (std::size_t i = 0; i < N; ++i) d[i] >>= zeros;
+  return std::bit_width(size >> zeros);
 }
 
 /// out[i] = c[i] * 2^k exactly, for the largest k with all of them integers (0 if all are zero).

@@ -9,21 +9,21 @@ namespace {
 
 // The sign, if each axis fits a lattice of L limbs.
 template <int L>
-Sign3 on_lattice(Vec2d a, Vec2d b, Vec2d c) {
+Sign3 on_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   std::array<FixedInt<L>, 3> x, y;
   if (!to_lattice<L, 3>({a.x, b.x, c.x}, x) || !to_lattice<L, 3>({a.y, b.y, c.y}, y))
     return Sign3::kUncertain;
-  return to_sign3(orient2d_fixed<L>(x, y));
+  return to_sign3(orient2d_fixed<LatticeWidth<L>>(from_first(x), from_first(y)));
 }
 
 }  // namespace
 
-Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) noexcept {
+Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   if (same_bits(a.x, b.x, c.x) || same_bits(a.y, b.y, c.y)) return Sign3::kZero;
   return on_lattice<1>(a, b, c);
 }
 
-Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) noexcept {
+Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   const ScopedUpward upward;
   return formulas::Orient2d<Interval>(Interval(a.x), Interval(a.y), Interval(b.x), Interval(b.y),
                                       Interval(c.x), Interval(c.y))
@@ -31,18 +31,19 @@ Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) noexcept {
       .sign();
 }
 
-Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c) noexcept {
+Sign orient2d_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   const Sign3 s = on_lattice<2>(a, b, c);
   return is_certain(s) ? to_sign(s) : orient2d_integer(a, b, c);
 }
 
-Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) noexcept {
+Sign orient2d_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   const auto x = to_integers<3>({a.x, b.x, c.x});
   const auto y = to_integers<3>({a.y, b.y, c.y});
   return formulas::Orient2d<Integer>(x[0], y[0], x[1], y[1], x[2], y[2]).det().sign();
 }
 
-Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept {
+Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                           TierCounts* tally) noexcept {
   return cascade<1>(
       tally, [&] { return orient2d_lattice(a, b, c); }, [&] { return orient2d_interval(a, b, c); },
       [&] { return orient2d_exact(a, b, c); });

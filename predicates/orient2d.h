@@ -19,24 +19,26 @@ namespace veritope {
 ///   (2) it does not change when all points move by the same vector exactly, nor when one axis is
 ///       scaled by a power of two.
 /// REQUIRES finite coordinates; all are allowed, the subnormal and the largest included.
-Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr) noexcept;
+Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally = nullptr) noexcept;
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
 /// Bound    |left - right - exact| <= (3u + O(u^2)) S + underflow, S = |left| + |right|, u = 2^-53.
 /// Derived  docs/bounds/orient2d.md, and again in tests/predicates/orient2d_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) noexcept;
+Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 
 namespace internal {
 inline constexpr double kOrient2dRel = 0x1.8000000000007p-52;
 inline constexpr double kOrient2dAbs = 0x1p-960;
 
-Sign3 orient2d_lattice(Vec2d a, Vec2d b, Vec2d c) noexcept;
-Sign3 orient2d_interval(Vec2d a, Vec2d b, Vec2d c) noexcept;
-Sign orient2d_exact(Vec2d a, Vec2d b, Vec2d c) noexcept;    // two limbs, else orient2d_integer
-Sign orient2d_integer(Vec2d a, Vec2d b, Vec2d c) noexcept;  // any exponents
-Sign orient2d_after_filter(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept;
+Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
+Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
+Sign orient2d_exact(const Vec2d& a, const Vec2d& b,
+                    const Vec2d& c) noexcept;  // two limbs, else orient2d_integer
+Sign orient2d_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;  // any exponents
+Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                           TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
@@ -47,15 +49,15 @@ inline double orient2d_error(const formulas::Orient2d<double>& f) {
 }
 }  // namespace internal
 
-inline Sign3 orient2d_filter(Vec2d a, Vec2d b, Vec2d c) noexcept {
+inline Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   const formulas::Orient2d<double> f(a.x, a.y, b.x, b.y, c.x, c.y);
   return sign_beyond(f.det(), internal::orient2d_error(f));
 }
 
-inline Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) noexcept {
+inline Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally) noexcept {
   return cascade(
-      tally, [&] { return orient2d_filter(a, b, c); },
-      [&](TierCounts* t) { return internal::orient2d_after_filter(a, b, c, t); });
+      tally, [&]() VT_TIER { return orient2d_filter(a, b, c); },
+      [&](TierCounts* t) VT_TIER { return internal::orient2d_after_filter(a, b, c, t); });
 }
 
 }  // namespace veritope

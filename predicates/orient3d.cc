@@ -15,7 +15,7 @@ Sign3 on_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
       !to_lattice<L, 4>({a.z, b.z, c.z, d.z}, z)) {
     return Sign3::kUncertain;
   }
-  return to_sign3(orient3d_fixed<L>(x, y, z));
+  return to_sign3(orient3d_fixed<LatticeWidth<L>>(from_first(x), from_first(y), from_first(z)));
 }
 
 }  // namespace

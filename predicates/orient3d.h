@@ -83,8 +83,8 @@ inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c,
 inline Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                      TierCounts* tally) noexcept {
   return cascade(
-      tally, [&] { return orient3d_filter(a, b, c, d); },
-      [&](TierCounts* t) { return internal::orient3d_after_filter(a, b, c, d, t); });
+      tally, [&]() VT_TIER { return orient3d_filter(a, b, c, d); },
+      [&](TierCounts* t) VT_TIER { return internal::orient3d_after_filter(a, b, c, d, t); });
 }
 
 }  // namespace veritope

@@ -20,8 +20,7 @@ Session3d::Session3d(const Vec3d& lo, const Vec3d& hi) : lo_(lo), hi_(hi) {
   const double x = hi.x - lo.x, y = hi.y - lo.y, z = hi.z - lo.z;
   orient_error_ =
       internal::orient3d_error(formulas::Plane3<double>(0, 0, 0, x, y, z, x, y, z), x, y, z);
-  sphere_error_ = internal::in_sphere_error(
-      formulas::InSphere<double>(x, y, z, x, y, z, x, y, z, x, y, z, 0, 0, 0));
+  sphere_error_ = internal::in_sphere_error(x, y, z);
 }
 
 Session2d Session2d::around(const Vec2d* points, std::size_t n) {

@@ -26,8 +26,9 @@ class Session2d {
     return lo_.x <= p.x && p.x <= hi_.x && lo_.y <= p.y && p.y <= hi_.y;
   }
   /// As the functions of these names. REQUIRES that contains() holds for each point.
-  Sign orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally = nullptr) const;
-  Sign in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally = nullptr) const;
+  Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally = nullptr) const;
+  Sign in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
+                 TierCounts* tally = nullptr) const;
 
  private:
   Vec2d lo_, hi_;
@@ -59,27 +60,29 @@ class Session3d {
 
 // Bodies.
 
-inline Sign Session2d::orient2d(Vec2d a, Vec2d b, Vec2d c, TierCounts* tally) const {
+inline Sign Session2d::orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                                TierCounts* tally) const {
   VT_SLOW_CHECK(contains(a) && contains(b) && contains(c), "a point outside of the session's box");
   return cascade(
       tally,
-      [&] {
+      [&]() VT_TIER {
         return sign_beyond(formulas::Orient2d<double>(a.x, a.y, b.x, b.y, c.x, c.y).det(),
                            orient_error_);
       },
-      [&](TierCounts* t) { return internal::orient2d_after_filter(a, b, c, t); });
+      [&](TierCounts* t) VT_TIER { return internal::orient2d_after_filter(a, b, c, t); });
 }
 
-inline Sign Session2d::in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d, TierCounts* tally) const {
+inline Sign Session2d::in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
+                                 TierCounts* tally) const {
   VT_SLOW_CHECK(contains(a) && contains(b) && contains(c) && contains(d),
                 "a point outside of the session's box");
   return cascade(
       tally,
-      [&] {
+      [&]() VT_TIER {
         return sign_beyond(formulas::InCircle<double>(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y).det(),
                            circle_error_);
       },
-      [&](TierCounts* t) { return internal::in_circle_after_filter(a, b, c, d, t); });
+      [&](TierCounts* t) VT_TIER { return internal::in_circle_after_filter(a, b, c, d, t); });
 }
 
 inline Sign Session3d::orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
@@ -88,11 +91,11 @@ inline Sign Session3d::orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, 
                 "a point outside of the session's box");
   return cascade(
       tally,
-      [&] {
+      [&]() VT_TIER {
         const formulas::Plane3<double> plane(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
         return sign_beyond(plane.det(d.x - a.x, d.y - a.y, d.z - a.z), orient_error_);
       },
-      [&](TierCounts* t) { return internal::orient3d_after_filter(a, b, c, d, t); });
+      [&](TierCounts* t) VT_TIER { return internal::orient3d_after_filter(a, b, c, d, t); });
 }
 
 inline Sign Session3d::in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
@@ -101,12 +104,12 @@ inline Sign Session3d::in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c,
                 "a point outside of the session's box");
   return cascade(
       tally,
-      [&] {
+      [&]() VT_TIER {
         const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y,
                                            d.z, e.x, e.y, e.z);
         return sign_beyond(f.det(), sphere_error_);
       },
-      [&](TierCounts* t) { return internal::in_sphere_after_filter(a, b, c, d, e, t); });
+      [&](TierCounts* t) VT_TIER { return internal::in_sphere_after_filter(a, b, c, d, e, t); });
 }
 
 }  // namespace veritope

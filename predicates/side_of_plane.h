@@ -61,8 +61,8 @@ inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p
 inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p,
                           TierCounts* tally) noexcept {
   return cascade(
-      tally, [&] { return side_of_plane_filter(plane, p); },
-      [&](TierCounts* t) { return internal::side_of_plane_after_filter(plane, p, t); });
+      tally, [&]() VT_TIER { return side_of_plane_filter(plane, p); },
+      [&](TierCounts* t) VT_TIER { return internal::side_of_plane_after_filter(plane, p, t); });
 }
 
 }  // namespace veritope

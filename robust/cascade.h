@@ -10,6 +10,10 @@
 
 #include "robust/base/sign.h"
 
+/// For the lambdas that are a cascade's tiers: one that is not inlined, because it is rarely asked,
+/// forces the operands of the frequent ones into memory.
+#define VT_TIER __attribute__((always_inline))
+
 namespace veritope {
 
 /// The tiers of the predicates, in the order in which they are asked.

@@ -5,10 +5,10 @@
 namespace veritope {
 
 /// The exact sign of a real number.
-enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };
+enum class Sign : int { kNegative = -1, kZero = 0, kPositive = 1 };
 
 /// What one tier of a cascade says: the exact sign, or that it cannot tell.
-enum class Sign3 : signed char { kNegative = -1, kZero = 0, kPositive = 1, kUncertain = 2 };
+enum class Sign3 : int { kNegative = -1, kZero = 0, kPositive = 1, kUncertain = 2 };
 
 constexpr bool is_certain(Sign3 s) { return s != Sign3::kUncertain; }
 /// REQUIRES is_certain(s).

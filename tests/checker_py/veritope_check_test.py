@@ -379,6 +379,10 @@ class StatementTest(CertificateTest):
         cert = self.plan().certificate(data, cert)
         self.assertEqual(vc.check(data, cert)[0], 4)
 
+    def test_missing_memory_is_exit_3(self):
+        with unittest.mock.patch.object(vc, "read_model", side_effect=MemoryError):
+            self.assertEqual(vc.check(self.bytes, self.cert()), (3, "ERROR: out of memory"))
+
     def test_a_bug_is_exit_5(self):
         self.assertEqual(vc.check(self.bytes, None)[0], 5)
 
@@ -608,6 +612,11 @@ class ValidTest(CertificateTest):
             self.says("ACCEPT" if holds else "V9", self.cert(self.plan(forced={frozenset((a, b)): codes})))
         self.says("V9", self.cert(self.plan(extra_codes=b"\0")))
         self.says("V9", self.cert(self.plan(forced={frozenset((a, b)): b""})))
+        self.use(forge.Model(*solids.voxel_surface({(0, 0, 0), (1, 0, 0), (0, 1, 0)})))
+        self.says("ACCEPT", self.cert())
+        pair = next(p for p, c in sorted(self.mesh.codes.items()) if c and 0 in self.one_byte_codes(*p))
+        self.says("ACCEPT", self.cert(self.plan(forced={frozenset(pair): b"\0"})))
+        self.says("V9", self.cert(self.plan(forced={frozenset(pair): b"\x80"})))
 
     def one_byte_codes(self, a, b):
         for c, d in enumerate(forge.axis_vectors(self.mesh, a, b)):
@@ -628,7 +637,7 @@ class ValidTest(CertificateTest):
             stay = [c | 64 for c in chain_codes_that_stay(self.mesh, a, b)][:1]
             for codes, expected in ((longer, "ACCEPT"), (longer[:-1] + [longer[-1] | 64], "V9"), ([first & 63] + longer[1:], "V9"), ([first], "V9"),
                                     ([first | 128] + longer[1:], "V9"), (stay * 3 + chain, "ACCEPT"), (stay * 4 + chain, "V9" if stay else "ACCEPT"),
-                                    (stay * 3 + [chain[0] | 64], "V9")):
+                                    (stay * 3 + [chain[0] | 64], "V9"), (stay * 4, "V9"), (stay * 3, "V9")):
                 seen.add((len(codes), expected))
                 self.says(expected, self.cert(self.plan(forced={key: bytes(codes)})))
         self.assertLessEqual({(2, "ACCEPT"), (4, "ACCEPT"), (5, "V9")}, seen)
@@ -832,6 +841,9 @@ class CommandLineTest(unittest.TestCase):
             c.write_bytes(cert)
             self.assertEqual(self.run_it(str(m), str(c)), (0, "ACCEPT mesh-valid-1"))
             self.assertEqual(self.run_it(str(m), str(m))[0], 1)
+            with open("/dev/full", "w", encoding="ascii") as full:            # an answer that is not printed is none
+                r = subprocess.run([sys.executable, "-E", PROGRAM, str(m), str(c)], stdout=full, stderr=full)  # buffered: -E
+                self.assertEqual(r.returncode, 4)
             c.write_bytes(cert + b"x")
             code, out = self.run_it(str(m), str(c))
             self.assertEqual((code, out[:10]), (1, "REJECT S4:"))

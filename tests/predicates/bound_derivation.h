@@ -45,15 +45,20 @@ inline Rational derived_rel(int det_roundings, int magnitude_roundings) {
   return (power(up, det_roundings) - Rational(1)) * up / power(down, magnitude_roundings + 2);
 }
 
-inline void expect_tight(double constant, int det_roundings, int magnitude_roundings) {
+/// `terms`: S is at most that many times what the code computes in its place.
+inline void expect_tight(double constant, int det_roundings, int magnitude_roundings,
+                         const Rational& terms = Rational(1)) {
   const Rational c = Rational::from_double(constant);
   const Rational slack = Rational(1) + Rational::power_of_two(-20);
-  EXPECT_LE(derived_rel(det_roundings, magnitude_roundings), c);
-  EXPECT_LE(c, derived_rel(det_roundings, magnitude_roundings) * slack);
-  EXPECT_EQ(constant, round_up(derived_rel(det_roundings, magnitude_roundings)));
+  const auto derived = [&](int roundings) {
+    return terms * derived_rel(roundings, magnitude_roundings);
+  };
+  EXPECT_LE(derived(det_roundings), c);
+  EXPECT_LE(c, derived(det_roundings) * slack);
+  EXPECT_EQ(constant, round_up(derived(det_roundings)));
   // The test would notice a rounding that is forgotten on either side.
-  EXPECT_GT(derived_rel(det_roundings + 1, magnitude_roundings), c);
-  EXPECT_GT(c, derived_rel(det_roundings - 1, magnitude_roundings) * slack);
+  EXPECT_GT(derived(det_roundings + 1), c);
+  EXPECT_GT(c, derived(det_roundings - 1) * slack);
 }
 
 /// A polynomial in up to four magnitudes with non-negative rational coefficients.

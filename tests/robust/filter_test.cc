@@ -33,5 +33,12 @@ TEST(SignBeyond, OverflowIsNoAnswer) {
   EXPECT_EQ(sign_beyond(kNan, 0), Sign3::kUncertain);
 }
 
+TEST(Larger, IsTheGreaterOne) {
+  EXPECT_EQ(larger(1, 2), 2);
+  EXPECT_EQ(larger(2, 1), 2);
+  EXPECT_EQ(larger(-1, kInf), kInf);
+  EXPECT_EQ(larger(kInf, -kInf), kInf);
+}
+
 }  // namespace
 }  // namespace veritope

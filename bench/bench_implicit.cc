@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/bench_implicit.cc: implicit points beside CGAL's EPECK, ns a call, one thread, least of the
+// repetitions. lpi: line and plane; tpi: three planes. G: everything uniform. Z: the query plane goes
+// through the point exactly: it contains the line, or is the third plane.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "bench/epeck_peer.h"
+#include "predicates/implicit_point.h"
+#include "robust/base/random.h"
+
+namespace {
+std::size_t allocations = 0;
+}
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace {
+
+using namespace veritope;
+
+constexpr std::size_t kTuples = 2000;
+constexpr int kRepetitions = 20;
+
+template <typename Run>
+double nanoseconds(Run run) {
+  const auto start = std::chrono::steady_clock::now();
+  run();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start)
+             .count() /
+         kTuples;
+}
+
+struct Cells {
+  double construct = 1e300, orient = 1e300;
+  long sum = 0;
+};
+
+void print_row(const char* kind, const char* cell, const char* step, double ours, double peer,
+               bool same, std::size_t allocated, const TierCounts& tally) {
+  std::printf(
+      "{\"row\":\"%s_%s_%s_vs_epeck\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns\",\"same_signs\":%"
+      "s,"
+      "\"allocations\":%zu,\"tiers\":[%llu,%llu,%llu,%llu]}\n",
+      kind, step, cell, ours, peer, same ? "true" : "false", allocated,
+      static_cast<unsigned long long>(tally[Tier::kFilter]),
+      static_cast<unsigned long long>(tally[Tier::kLattice]),
+      static_cast<unsigned long long>(tally[Tier::kInterval]),
+      static_cast<unsigned long long>(tally[Tier::kExact]));
+}
+
+// make(p): the implicit point of a tuple.
+template <std::size_t Defining, typename Point, typename Make>
+void rows(const char* kind, bool through, Make make) {
+  constexpr std::size_t kStride = Defining + 3;
+  Random random(5);
+  std::vector<Vec3d> p(kTuples * kStride);
+  for (Vec3d& v : p) v = {random.unit(), random.unit(), random.unit()};
+  for (std::size_t i = 0; through && i < kTuples; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      p[kStride * i + Defining + k] = p[kStride * i + Defining - 3 + k];
+  }
+  Cells ours, peer;
+  std::vector<Point> made;
+  made.reserve(kTuples);
+  TierCounts tally;
+  const auto orient = [&](TierCounts* t) {
+    long sum = 0;
+    for (std::size_t i = 0; i < kTuples; ++i) {
+      const Vec3d* q = &p[kStride * i + Defining];
+      sum += to_int(orient3d(q[0], q[1], q[2], made[i], t));
+    }
+    return sum;
+  };
+  const std::size_t before = allocations;
+  for (int r = 0; r < kRepetitions; ++r) {
+    made.clear();
+    ours.construct = std::min(ours.construct, nanoseconds([&] {
+                                for (std::size_t i = 0; i < kTuples; ++i)
+                                  made.push_back(make(&p[kStride * i]));
+                              }));
+    ours.orient = std::min(ours.orient, nanoseconds([&] { ours.sum = orient(nullptr); }));
+  }
+  const std::size_t allocated = allocations - before;
+  for (int r = 0; r < 3; ++r) {  // anew each time: its points remember their exact coordinates
+    bench::EpeckPoints epeck(p.data(), kTuples, Defining == 9);
+    peer.construct = std::min(peer.construct, nanoseconds([&] { epeck.construct(); }));
+    peer.orient = std::min(peer.orient, nanoseconds([&] { peer.sum = epeck.orient(); }));
+  }
+  orient(&tally);
+  const char* cell = through ? "Z" : "G";
+  print_row(kind, cell, "construct", ours.construct, peer.construct, true, allocated, {});
+  print_row(kind, cell, "orient3d", ours.orient, peer.orient, ours.sum == peer.sum, allocated,
+            tally);
+}
+
+}  // namespace
+
+int main() {
+  for (const bool through : {false, true}) {
+    rows<5, LinePlanePoint>("lpi", through, [](const Vec3d* p) {
+      return LinePlanePoint(p[0], p[1], p[2], p[3], p[4]);
+    });
+    rows<9, ThreePlanePoint>("tpi", through, [](const Vec3d* p) {
+      return ThreePlanePoint({p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]});
+    });
+  }
+}

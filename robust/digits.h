@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// robust/digits.h: integers of a fixed number of 62-bit digits, and sums of their products that are
+// carried once. No sign corrections, no carries between products: for signs of short polynomials.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "robust/base/int128.h"
+#include "robust/base/sign.h"
+#include "robust/fixed_int.h"
+
+namespace veritope {
+
+inline constexpr int kDigitBits = 62;
+
+/// d[0] + d[1] 2^62 + d[2] 2^124 + ...: all but the last are in [0, 2^62); the last has the sign.
+template <int N>
+struct Digits {
+  std::array<std::int64_t, N> d;
+
+  friend constexpr Digits operator-(const Digits& a, const Digits& b) requires(N == 1) {
+    return {{a.d[0] - b.d[0]}};
+  }
+};
+
+/// c[0] + c[1] 2^62 + c[2] 2^124 + ... Sums wrap around if a column leaves (-2^127, 2^127): whoever
+/// adds up products of digits of at most 2^62 may have seven in a column, carries included.
+template <int N>
+struct Columns {
+  std::array<int128, N> c;
+
+  friend constexpr Columns operator+(Columns a, const Columns& b) {
+    VT_UNROLL for (int i = 0; i < N; ++i) a.c[i] += b.c[i];
+    return a;
+  }
+  friend constexpr Columns operator-(Columns a, const Columns& b) {
+    VT_UNROLL for (int i = 0; i < N; ++i) a.c[i] -= b.c[i];
+    return a;
+  }
+  friend constexpr Sign sign_of(const Columns& v) {
+    int128 rest = v.c[0];
+    std::int64_t digits = 0;  // not 0 iff some digit below `rest` is not
+    VT_UNROLL for (int i = 1; i < N; ++i) {
+      digits |= low_digit(rest);
+      rest = v.c[i] + (rest >> kDigitBits);
+    }
+    return rest != 0 ? veritope::sign_of(rest) : (digits != 0 ? Sign::kPositive : Sign::kZero);
+  }
+
+  static constexpr std::int64_t low_digit(int128 v) {
+    return static_cast<std::int64_t>(v) & ((std::int64_t{1} << kDigitBits) - 1);
+  }
+  static constexpr std::int64_t high_digit(int128 v) {
+    return static_cast<std::int64_t>(v >> kDigitBits);
+  }
+};
+
+/// The same number as digits. REQUIRES that it is less than 2^(62 N + 63) in magnitude.
+template <int N>
+[[gnu::always_inline]] constexpr Digits<N + 1> settled(const Columns<N>& v) {
+  Digits<N + 1> r{};
+  int128 rest = v.c[0];
+  VT_UNROLL for (int i = 0; i < N; ++i) {
+    r.d[i] = Columns<N>::low_digit(rest);
+    rest = i + 1 < N ? v.c[i + 1 < N ? i + 1 : i] + (rest >> kDigitBits) : rest >> kDigitBits;
+  }
+  r.d[N] = static_cast<std::int64_t>(rest);
+  return r;
+}
+
+/// The same number with its carries in a column more.
+template <int N>
+[[gnu::always_inline]] constexpr Columns<N + 1> carried(const Columns<N>& v) {
+  Columns<N + 1> r{};
+  int128 rest = v.c[0];
+  VT_UNROLL for (int i = 0; i < N; ++i) {
+    r.c[i] = Columns<N>::low_digit(rest);
+    rest = i + 1 < N ? v.c[i + 1 < N ? i + 1 : i] + (rest >> kDigitBits) : rest >> kDigitBits;
+  }
+  r.c[N] = rest;
+  return r;
+}
+
+/// At most min(A, B) products of digits in a column.
+template <int A, int B>
+[[gnu::always_inline]] constexpr Columns<A + B - 1> column_product(const Digits<A>& a,
+                                                                   const Digits<B>& b) {
+  Columns<A + B - 1> r{};
+  VT_UNROLL for (int i = 0; i < A; ++i) {
+    VT_UNROLL for (int j = 0; j < B; ++j) r.c[i + j] += static_cast<int128>(a.d[i]) * b.d[j];
+  }
+  return r;
+}
+
+}  // namespace veritope

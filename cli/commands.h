@@ -12,5 +12,7 @@ ExitCode run_info(const Options& options, StandardOutput& out);
 ExitCode run_convert(const Options& options, StandardOutput& out);
 ExitCode run_explain(const Options& options, StandardOutput& out);
 ExitCode run_explain_certificate(const Options& options, StandardOutput& out);
+ExitCode run_predicate(const Options& options, StandardOutput& out);
+ExitCode run_selftest(const Options& options, StandardOutput& out);
 
 }  // namespace veritope::cli

@@ -146,6 +146,35 @@ void add_explain(CLI::App& app, Options& o) {
   add_number(e, "--max-items", o.max_items, 0, kMost32, "items of each list that are shown (20)");
 }
 
+void add_predicate(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("predicate", "exact signs of geometric predicates");
+  c->callback([&o] { o.command = Command::kPredicate; });
+  c->add_option_function<std::string>(
+       "NAME",
+       [&o](const std::string& name) {
+         o.predicate = predicate_from_name(name);
+         if (o.predicate != nullptr) return;
+         throw CLI::ValidationError("NAME",
+                                    "must be one of " + predicate_names() + ", not " + name);
+       },
+       "orient2d, orient3d, in_circle, in_sphere,\nside_of_plane or compare_along")
+      ->required()
+      ->type_name("");
+  add_file(c, "FILE", o.files,
+           "one case a line: the coordinates as decimals or\nas 0x1.8p-3; # comments; - is "
+           "standard input");
+  c->add_flag("--expect", o.expect,
+              "behind the coordinates stands the sign expected:\nreport disagreements");
+  c->add_flag("--tiers", o.tiers, "say on standard error which tiers decided");
+}
+
+void add_selftest(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("selftest", "hard signs, decided in two ways, compared");
+  c->callback([&o] { o.command = Command::kSelftest; });
+  add_number(c, "--cases", o.num_cases, 1, kMost64, "cases in all (100000)");
+  add_number(c, "--seed", o.seed, 0, kMost64, "of the random numbers (1)");
+}
+
 // What must hold between options.
 std::string contradiction(const Options& o) {
   const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
@@ -183,6 +212,8 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_info(app, o);
   add_convert(app, o);
   add_explain(app, o);
+  add_predicate(app, o);
+  add_selftest(app, o);
   ParsedArguments out;
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const auto is_named = [argv](const CLI::App* c) { return c->get_name() == argv[1]; };

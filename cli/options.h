@@ -6,17 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "cli/named_predicate.h"
 #include "io/read_mesh.h"
 
 namespace veritope::cli {
 
-enum class Command { kCertify, kInfo, kConvert, kExplain, kExplainCertificate };
+enum class Command {
+  kCertify,
+  kInfo,
+  kConvert,
+  kExplain,
+  kExplainCertificate,
+  kPredicate,
+  kSelftest
+};
 
 struct Options {
   Command command = Command::kCertify;
-  std::vector<std::string> files;   ///< certify, info: inputs; convert: IN; explain-certificate: F
-  ReadOptions reading;              ///< certify, info, convert
-  std::optional<std::string> json;  ///< certify, info
+  /// certify, info: inputs; convert: IN; explain-certificate: F; predicate: FILE
+  std::vector<std::string> files;
+  ReadOptions reading;                     ///< certify, info, convert
+  std::optional<std::string> json;         ///< certify, info
   std::optional<std::string> certificate;  ///< certify
   std::optional<std::string> picture;      ///< certify
   std::uint64_t max_defects = 20;          ///< certify
@@ -27,6 +37,10 @@ struct Options {
   bool single_precision = false, lossy = false;  ///< convert
   std::optional<std::string> rule;               ///< explain
   std::uint64_t max_items = 20;                  ///< explain-certificate
+  const NamedPredicate* predicate = nullptr;     ///< predicate
+  bool expect = false, tiers = false;            ///< predicate
+  std::uint64_t num_cases = 100000;              ///< selftest
+  std::uint64_t seed = 1;                        ///< selftest
 };
 
 /// What the arguments ask for: a command, or a text to print (help, version), or neither: wrong usage.

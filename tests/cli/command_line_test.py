@@ -10,7 +10,7 @@ import unittest
 import support
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 
-COMMANDS = ["certify", "info", "convert", "explain", "explain-certificate"]
+COMMANDS = ["certify", "info", "convert", "explain", "explain-certificate", "predicate", "selftest"]
 
 
 def run_on_terminal(*arguments, environment=None):
@@ -43,7 +43,10 @@ class Usage(unittest.TestCase):
                  ["certify", "--certificate", "-", VALID], ["certify", "--max-bytes", "1k", VALID], ["certify", ""],
                  ["info"], ["convert", VALID], ["convert", VALID, "-"], ["convert", VALID, "out.xyz"],
                  ["convert", "--to", "step", VALID, "out.stl"], ["convert", "--float", VALID, "out.obj"], ["explain", "M0"],
-                 ["explain", "M10"], ["explain", "closed"], ["explain-certificate"], ["--json", "-"]]
+                 ["explain", "M10"], ["explain", "closed"], ["explain-certificate"], ["--json", "-"],
+                 ["predicate"], ["predicate", "orient2d"], ["predicate", "orient4d", "-"], ["predicate", "orient2d", ""],
+                 ["predicate", "orient2d", "-", "-"], ["selftest", "--cases", "0"],
+                 ["selftest", "--cases", "1e3"], ["selftest", "--seed", "-1"], ["selftest", "x"]]
         for arguments in wrong:
             with self.subTest(arguments):
                 done = run(*arguments)

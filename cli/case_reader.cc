@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/case_reader.h"
+
+#include <algorithm>
+#include <string>
+
+#include "cli/text_style.h"
+#include "io/source.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr std::string_view kBlanks = " \t";
+
+using Columns = std::array<std::string_view, kMostOperands + 1>;
+
+// The number of columns; those that fit stand in `columns`.
+std::size_t split(std::string_view line, Columns& columns) {
+  std::size_t count = 0;
+  for (;;) {
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    if (line.empty()) return count;
+    const std::size_t size = std::min(line.find_first_of(kBlanks), line.size());
+    if (count < columns.size()) columns[count] = line.substr(0, size);
+    line.remove_prefix(size);
+    ++count;
+  }
+}
+
+std::optional<Sign> sign_from_text(std::string_view text) {
+  if (text == "-1") return Sign::kNegative;
+  if (text == "0") return Sign::kZero;
+  if (text == "1") return Sign::kPositive;
+  return std::nullopt;
+}
+
+Error not_a_sign(std::string_view text) {
+  return Error{Code::kSyntax, {}, "-1, 0 or 1 expected, but there is " + quoted(text)};
+}
+
+Error in_column(std::size_t index, Error error) {
+  error.message = "column " + std::to_string(index + 1) + ": " + error.message;
+  return error;
+}
+
+}  // namespace
+
+Result<std::optional<PredicateCase>> CaseReader::read(std::string_view line) const {
+  Columns columns;
+  const std::size_t count = split(line, columns);
+  if (count == 0 || columns[0].starts_with('#')) return std::optional<PredicateCase>();
+  if (count != num_columns()) {
+    return wrong_number_of_columns(count);
+  }
+  std::optional<PredicateCase> out(std::in_place);
+  for (std::size_t i = 0; i < num_operands_; ++i) {
+    const Result<double> number = numbers_.read(columns[i]);
+    if (!number) return in_column(i, number.error());
+    out->operands[i] = *number;
+  }
+  if (!has_expected_) return out;
+  const std::optional<Sign> expected = sign_from_text(columns[num_operands_]);
+  if (!expected) return in_column(num_operands_, not_a_sign(columns[num_operands_]));
+  out->expected = *expected;
+  return out;
+}
+
+Error CaseReader::wrong_number_of_columns(std::size_t count) const {
+  return Error{Code::kSyntax,
+               {},
+               std::to_string(num_operands_) +
+                   (has_expected_ ? " numbers and a sign" : " numbers") + " expected, but there " +
+                   (count == 1 ? "is " : "are ") + counted(count, "column", "columns")};
+}
+
+}  // namespace veritope::cli

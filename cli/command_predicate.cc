@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope predicate.
+#include <cstdint>
+#include <string>
+
+#include "cli/case_reader.h"
+#include "cli/commands.h"
+#include "cli/line_reader.h"
+#include "cli/text_style.h"
+
+namespace veritope::cli {
+namespace {
+
+class CaseRun {
+ public:
+  CaseRun(const Options& options, StandardOutput& out)
+      : predicate_(*options.predicate),
+        has_expected_(options.expect),
+        name_(options.files[0] == "-" ? "standard input" : harmless(options.files[0])),
+        cases_(predicate_.num_operands, options.expect),
+        out_(out) {}
+
+  /// To the end of the file, or to the first line that cannot be read. What was found before it is printed.
+  Status decide_all(LineReader& lines) {
+    Status status = decide_lines(lines);
+    flush();
+    return status;
+  }
+
+  ExitCode summarise() {
+    if (!has_expected_) return kExitValid;
+    out_.write(std::to_string(num_cases_) + " cases, " + std::to_string(num_disagreements_) +
+               " disagreements\n");
+    return num_disagreements_ == 0 ? kExitValid : kExitInvalid;
+  }
+
+  const TierCounts& tiers() const { return tiers_; }
+
+ private:
+  static constexpr std::size_t kFull = std::size_t{1} << 16;
+
+  Status decide_lines(LineReader& lines) {
+    for (;;) {
+      // Whoever writes the cases one by one may wait for an answer before the next.
+      if (pending_.size() >= kFull || lines.must_read()) flush();
+      const Result<std::optional<std::string_view>> line = lines.next();
+      if (!line) return line.error();
+      if (!line->has_value()) return ok_status();
+      const Result<std::optional<PredicateCase>> found = cases_.read(**line);
+      if (!found) return at_line(lines.line(), found.error());
+      if (found->has_value()) decide(**found, lines.line());
+    }
+  }
+
+  void decide(const PredicateCase& c, std::uint64_t line) {
+    const Sign sign = predicate_.decide(c.operands, &tiers_);
+    ++num_cases_;
+    const std::string answer = std::to_string(to_int(sign));
+    if (!has_expected_) {
+      pending_ += answer + "\n";
+    } else if (sign != c.expected) {
+      ++num_disagreements_;
+      pending_ += name_ + ":" + std::to_string(line) + ": expected " +
+                  std::to_string(to_int(c.expected)) + ", found " + answer + "\n";
+    }
+  }
+
+  Error at_line(std::uint64_t line, Error error) const {
+    error.place.file = name_;
+    error.place.line = line;
+    return error;
+  }
+
+  void flush() {
+    out_.write(pending_);
+    pending_.clear();
+  }
+
+  const NamedPredicate& predicate_;
+  bool has_expected_;
+  std::string name_;
+  CaseReader cases_;
+  StandardOutput& out_;
+  std::string pending_;
+  TierCounts tiers_;
+  std::uint64_t num_cases_ = 0, num_disagreements_ = 0;
+};
+
+// FILE:LINE: as compilers print it, so that programs can go there.
+std::string placed_text(const Error& error) {
+  if (!error.place.line) return to_string(error);
+  return error.place.file + ":" + std::to_string(*error.place.line) + ": " + error.message;
+}
+
+ExitCode fail(const Error& error) {
+  complain(harmless(placed_text(error)));
+  return kExitUnreadable;
+}
+
+}  // namespace
+
+ExitCode run_predicate(const Options& options, StandardOutput& out) {
+  Result<LineReader> lines = LineReader::open(options.files[0]);
+  if (!lines) return fail(lines.error());
+  CaseRun run(options, out);
+  if (const Status status = run.decide_all(*lines); !status) return fail(status.error());
+  if (options.tiers) complain("decided by " + tiers_text(run.tiers()));
+  return run.summarise();
+}
+
+}  // namespace veritope::cli

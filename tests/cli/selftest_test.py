@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope selftest: its counts, how hard its cases are, and that it notices wrong signs: those of a process that flushes small numbers to zero."""
+import os
+import platform
+import re
+import shutil
+import subprocess
+import unittest
+
+import predicate_oracle
+from support import BIN, Folder, main, run
+
+NAMES = ["orient2d", "orient3d", "in_circle", "in_sphere"]
+ROW = re.compile(r"(?m)^(\w+) +(\d+) cases, (\d+) exact zeros, (\d+) disagreements; "
+                 r"decided by filter (\d+), lattice (\d+), interval (\d+), exact (\d+)$")
+WRONG = re.compile(r"(?m)^(\w+): expected (-?[01]), found (-?[01]):((?: -?0x\S+)+)$")
+COMPILER = next((name for name in ("g++", "c++", "clang++") if shutil.which(name)), None)
+
+
+def rows(text):
+    """{name: [cases, zeros, disagreements, the four tiers]}"""
+    return {row[0]: [int(number) for number in row[1:]] for row in ROW.findall(text)}
+
+
+class SelfTest(Folder):
+    def test_a_right_build_agrees_on_hard_cases_of_every_tier(self):
+        done = run("selftest", "--cases", 20000)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = done.stdout.splitlines()
+        self.assertEqual(lines[0], "floating point is as the predicates need it")
+        self.assertEqual(lines[-1], "20000 cases, 0 disagreements; seed 1")
+        counts = rows(done.stdout)
+        self.assertEqual((list(counts), len(lines)), (NAMES, 6))
+        for name, (cases, zeros, disagreements, *tiers) in counts.items():
+            self.assertEqual((cases, disagreements, sum(tiers)), (5000, 0, 5000), name)
+            self.assertGreaterEqual(zeros, 0.3 * cases, name)
+            self.assertGreaterEqual(cases - zeros, 0.3 * cases, name)
+            self.assertGreaterEqual(min(tiers), 10, name)
+
+    def test_the_cases_depend_on_the_seed_and_on_nothing_else(self):
+        first, second, other = (run("selftest", "--cases", 400, "--seed", seed).stdout for seed in (7, 7, 18446744073709551615))
+        self.assertEqual(first, second)
+        self.assertNotEqual(rows(first), rows(other))
+        self.assertTrue(other.endswith("400 cases, 0 disagreements; seed 18446744073709551615\n"), other)
+
+    def test_the_cases_are_dealt_out_to_the_four(self):
+        for cases, shares in [(1, [1, 0, 0, 0]), (7, [2, 2, 2, 1])]:
+            self.assertEqual([row[0] for row in rows(run("selftest", "--cases", cases).stdout).values()], shares)
+
+    def test_output_that_cannot_be_written_is_exit_4(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([BIN / "veritope", "selftest", "--cases", "4"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((done.returncode, done.stderr), (4, "veritope: standard output: cannot be written: No space left on device\n"))
+
+
+# Switches FTZ and DAZ on when the program writes: after it has looked at its floating point, which it reports first.
+LATE = """#include <sys/syscall.h>
+#include <unistd.h>
+#include <xmmintrin.h>
+extern "C" ssize_t write(int file, const void* bytes, size_t size) {
+  _mm_setcsr(_mm_getcsr() | 0x8040);
+  return syscall(SYS_write, file, bytes, size);
+}
+"""
+
+
+@unittest.skipIf(os.environ.get("VERITOPE_SANITIZE"), "sanitizers want to be loaded first")
+class HostileProcess(Folder):
+    def hostile(self, *arguments, source=""):
+        """veritope with a library in it that was built with -ffast-math: it switches FTZ and DAZ on."""
+        library, code = self.folder / "fast.so", self.folder / "fast.cc"
+        code.write_text(source)
+        flags = ["-ffast-math"] if source == "" else []
+        subprocess.run([COMPILER, "-shared", "-fPIC", *flags, code, "-o", library], check=True)
+        return run(*arguments, env={**os.environ, "LD_PRELOAD": str(library)})
+
+    def test_where_small_numbers_are_flushed_wrong_signs_are_found_and_shown(self):
+        self.assertIsNotNone(COMPILER)
+        done = self.hostile("selftest", "--cases", 50000, "--seed", 3)
+        self.assertEqual(done.returncode, 5)
+        self.assertRegex(done.stdout, r"^floating point is not as the predicates need it: flush-to-zero .*denormals-are-zero ")
+        shown = WRONG.findall(done.stdout)
+        self.assertGreater(len(shown), 0)
+        self.assertEqual(len(shown), sum(row[2] for row in rows(done.stdout).values()))
+        self.assertRegex(done.stdout, rf"\n50000 cases, {len(shown)} disagreements; seed 3\n$")
+        for name, expected, found, operands in shown:
+            self.assertNotEqual(expected, found)
+            values = [float.fromhex(operand) for operand in operands.split()]
+            self.assertEqual(predicate_oracle.sign(name, values), int(expected), (name, operands))
+            self.assertEqual(run("predicate", name, "--expect", "-", input=f"{operands} {expected}\n").returncode, 0)
+
+    @unittest.skipUnless(platform.machine() == "x86_64", "sets the control word of SSE")
+    def test_a_wrong_sign_is_exit_5_even_where_floating_point_seemed_right(self):
+        done = self.hostile("selftest", "--cases", 50000, "--seed", 3, source=LATE)
+        self.assertEqual(done.returncode, 5)
+        self.assertTrue(done.stdout.startswith("floating point is as the predicates need it\n"))
+        self.assertGreater(len(WRONG.findall(done.stdout)), 0)
+
+    def test_such_a_process_is_exit_5_even_without_a_wrong_sign(self):
+        done = self.hostile("selftest", "--cases", 4)
+        self.assertEqual(done.returncode, 5)
+        self.assertTrue(done.stdout.endswith("\n4 cases, 0 disagreements; seed 1\n"))
+
+    def test_the_other_commands_refuse_such_a_process(self):
+        done = self.hostile("predicate", "orient2d", "/dev/null")
+        self.assertEqual((done.returncode, done.stdout), (5, ""))
+        self.assertIn("flush-to-zero", done.stderr)
+
+
+if __name__ == "__main__":
+    main()

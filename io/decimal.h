@@ -122,7 +122,7 @@ inline bool DecimalReader::read_fast(const char*& cursor, double& value) const {
   }
   if (*p == 'e' || *p == 'E') {
     const char* e = p + 1;
-    const Integer exponent = scan_integer(e);
+    const ScannedInteger exponent = scan_integer(e);
     if (!exponent.is_valid || exponent.magnitude > 400 || exponent.magnitude > max_exponent_) {
       return false;
     }

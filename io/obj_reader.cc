@@ -146,7 +146,7 @@ class ObjReader : TextReader {
 
   bool read_corner(std::uint32_t& corner) {
     const char* const token = p_;
-    const Integer index = scan_integer(p_);
+    const ScannedInteger index = scan_integer(p_);
     const bool ends = has_class(*p_, ends_) || *p_ == '/';
     if (!index.is_valid || !ends || index.num_digits > limits_.max_digits) {
       return fail_integer(token, index);

@@ -65,7 +65,7 @@ class OffReader : TextReader {
     if (std::string_view(p_, 6) == "BINARY") {
       return fail(token, Code::kForeignFormat, "binary OFF is not supported");
     }
-    Integer value;
+    ScannedInteger value;
     if (!read_integer(p_, value)) return false;
     if (value.is_negative && value.magnitude > 0) {
       return fail(token, Code::kSyntax,
@@ -118,7 +118,7 @@ class OffReader : TextReader {
   bool read_face() {
     skip_to_token();
     const char* const line = p_;
-    Integer size;
+    ScannedInteger size;
     if (!read_integer(p_, size)) return false;
     if (!size.is_below(UINT64_MAX) || size.magnitude < 3) {
       return fail(line, Code::kSyntax, "a face with " + quoted_token(line, text_end_) + " corners");
@@ -146,7 +146,7 @@ class OffReader : TextReader {
   bool read_corner(std::uint32_t& corner) {
     p_ = skip_blanks(p_);
     const char* const token = p_;
-    Integer index;
+    ScannedInteger index;
     if (!read_integer(p_, index)) return false;
     if (!index.is_below(num_vertices_)) {
       return fail(token, Code::kIndexOutOfRange,

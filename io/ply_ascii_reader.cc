@@ -67,7 +67,7 @@ class PlyAsciiReader : TextReader {
   bool read_count(std::uint64_t& count) {
     if (!next_token()) return false;
     const char* const token = p_;
-    Integer value;
+    ScannedInteger value;
     if (!read_integer(p_, value)) return false;
     if (!value.is_below(UINT64_MAX)) {
       return fail(token, Code::kSyntax, "a list of length " + quoted_token(token, text_end_));
@@ -99,7 +99,7 @@ class PlyAsciiReader : TextReader {
 
   bool read_index() {
     if (!next_token()) return false;
-    Integer index;
+    ScannedInteger index;
     if (!read_integer(p_, index)) return false;
     // Whatever does not fit is out of range, too.
     const auto size = static_cast<std::int64_t>(

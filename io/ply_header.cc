@@ -118,7 +118,7 @@ class HeaderParser {
   bool read_element() {
     if (words_.size() != 3) return false;
     const char* p = words_[2].data();  // a line end or a blank follows
-    const Integer count = scan_integer(p);
+    const ScannedInteger count = scan_integer(p);
     if (!count.is_valid || p != words_[2].data() + words_[2].size()) return false;
     if (count.is_negative && count.magnitude > 0) return false;
     header_.elements.push_back({std::string(words_[1]), count.magnitude, {}, line_});

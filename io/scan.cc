@@ -3,8 +3,8 @@
 
 namespace veritope {
 
-Integer scan_integer_slowly(const char*& p) {
-  Integer result;
+ScannedInteger scan_integer_slowly(const char*& p) {
+  ScannedInteger result;
   const char* first = p;
   for (; is_digit(*p); ++p) {
     const auto digit = static_cast<std::uint64_t>(*p - '0');

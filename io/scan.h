@@ -71,7 +71,7 @@ inline std::uint64_t eight_digits(std::uint64_t word) {
 }
 
 /// A whole-token integer `[+-]? digits`.
-struct Integer {
+struct ScannedInteger {
   bool is_valid = false;
   bool is_negative = false;
   std::uint32_t num_digits = 0;
@@ -84,12 +84,12 @@ struct Integer {
 };
 
 /// Any number of digits, at `p` behind the sign; moves p behind them.
-Integer scan_integer_slowly(const char*& p);
+ScannedInteger scan_integer_slowly(const char*& p);
 
 /// Moves p behind the digits; what follows them is for the caller to test.
-inline Integer scan_integer(const char*& p) {
+inline ScannedInteger scan_integer(const char*& p) {
   const char* digits = p;
-  Integer result;
+  ScannedInteger result;
   result.is_negative = *digits == '-';
   digits += (*digits == '-' || *digits == '+') ? 1 : 0;
   const std::uint64_t word = load8(digits);

@@ -36,7 +36,7 @@ bool TextReader::fail_vertices(const char* at) {
   return fail(at, Code::kOverLimit, "more than " + std::to_string(kMaxVertices) + " vertices");
 }
 
-bool TextReader::fail_integer(const char* token, const Integer& value) {
+bool TextReader::fail_integer(const char* token, const ScannedInteger& value) {
   if (value.is_valid && value.num_digits > limits_.max_digits) {
     return fail(token, Code::kOverLimit,
                 over_limit("digits in a number", "--max-digits", limits_.max_digits) + ": " +

@@ -42,7 +42,7 @@ class TextReader {
     return true;
   }
   /// One integer at p; the token must end behind it.
-  bool read_integer(const char*& p, Integer& value) {
+  bool read_integer(const char*& p, ScannedInteger& value) {
     const char* const token = p;
     value = scan_integer(p);
     if (value.is_valid && has_class(*p, ends_) && value.num_digits <= limits_.max_digits) {
@@ -53,7 +53,7 @@ class TextReader {
 
   /// Sets the error and returns false. The place is the line of `at`.
   bool fail(const char* at, Code code, std::string message);
-  bool fail_integer(const char* token, const Integer& value);
+  bool fail_integer(const char* token, const ScannedInteger& value);
   bool fail_faces(const char* at);
   bool fail_vertices(const char* at);
   /// "<expected> instead of <token at `at`>": kSyntax, or kTruncated at the end of the file.

@@ -22,7 +22,7 @@ TEST(Digits, EveryByteThatIsNoDigitStopsTheRunAtItsPlace) {
       EXPECT_EQ(is_digit(static_cast<char>(c)), is_a_digit);
       const std::string integer = padded(text);
       const char* p = integer.data();
-      const Integer value = scan_integer(p);
+      const ScannedInteger value = scan_integer(p);
       const std::size_t sign = at == 0 && (c == '-' || c == '+') ? 9 : at;
       EXPECT_EQ(p - integer.data(), static_cast<long>(is_a_digit ? 9 : sign)) << c << " at " << at;
       EXPECT_EQ(value.is_valid, is_a_digit || sign > 0);
@@ -38,11 +38,11 @@ TEST(Digits, EveryByteThatIsNoDigitStopsTheRunAtItsPlace) {
   }
 }
 
-TEST(Integer, MatchesTheGrammarAndSaturates) {
+TEST(ScannedInteger, MatchesTheGrammarAndSaturates) {
   const auto scan = [](const std::string& text) {
     const std::string all = padded(text);
     const char* p = all.data();
-    const Integer value = scan_integer(p);
+    const ScannedInteger value = scan_integer(p);
     EXPECT_TRUE(!value.is_valid || p == all.data() + text.size()) << text;
     return value;
   };
@@ -64,7 +64,7 @@ TEST(Integer, MatchesTheGrammarAndSaturates) {
   EXPECT_FALSE(scan("5").is_below(5));
 }
 
-TEST(Integer, AgreesWithToStringOnRandomNumbers) {
+TEST(ScannedInteger, AgreesWithToStringOnRandomNumbers) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 20000; ++trial) {
     const std::uint64_t value = random() >> (random() % 64);

@@ -328,7 +328,7 @@ void nudge(double& v, Random& random) {
 }
 
 Points extreme(Predicate predicate, Random& random) {
-  switch (random.below(5)) {
+  switch (random.below(6)) {
     case 0: return filled([&] { return finite_bits(random); });
     case 1: return filled([&] { return static_cast<double>(random.between(-5, 5)) * 0x1p-1074; });
     case 2: {  // exponents spread a little, full mantissas
@@ -346,6 +346,13 @@ Points extreme(Predicate predicate, Random& random) {
         if (!std::isfinite(v)) v = 0x1.fffffffffffffp1023;
         return random.below(2) == 0 ? v : -v;
       });
+    }
+    case 4: {  // where determinants of this degree, or their parts, overflow or underflow
+      constexpr int kDegrees[] = {2, 3, 4, 5};
+      constexpr int kLimits[] = {1024, -900, -960, -1074};
+      const int exponent =
+          kLimits[random.below(4)] / kDegrees[predicate] + static_cast<int>(random.between(-6, 6));
+      return filled([&] { return std::ldexp(random.unit() - 0.5, exponent); });
     }
     default: {
       Points p = degenerate(predicate, random);

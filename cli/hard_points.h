@@ -25,11 +25,13 @@ enum class Kind {
   kRandomBits,     ///< any finite binary64, uniformly by its bits
   kSubnormal,      ///< small multiples of 2^-1074
   kMixedExtremes,  ///< 0, -0, 1, the least subnormal, the largest number, and their neighbours
+  kNearLimits,  ///< full mantissas; products of two to five of them overflow or underflow, or nearly
 };
-inline constexpr int kNumKinds = 12;
+inline constexpr int kNumKinds = 13;
 inline constexpr const char* kKindNames[kNumKinds] = {
-    "generic",     "small grid",   "flat",           "round",       "near flat", "near round",
-    "scaled flat", "scaled round", "wide exponents", "random bits", "subnormal", "mixed extremes"};
+    "generic",    "small grid",     "flat",         "round",          "near flat",
+    "near round", "scaled flat",    "scaled round", "wide exponents", "random bits",
+    "subnormal",  "mixed extremes", "near limits"};
 
 using Points = std::array<Vec3d, 5>;
 
@@ -88,6 +90,21 @@ Points changed(Points points, Change change) {
   return points;
 }
 
+inline Points near_limits(Random& random) {
+  constexpr int kLimits[] = {1024, -900, -960, -1022, -1074};
+  const int degree = static_cast<int>(random.between(2, 5));
+  const int exponent = kLimits[random.below(5)] / degree + static_cast<int>(random.between(-6, 6));
+  // Every second time one axis is longer and another shorter.
+  const int slant = random.below(2) == 0 ? 0 : static_cast<int>(random.between(-8, 8));
+  Points points;
+  for (Vec3d& p : points) {
+    const auto draw = [&](int e) { return std::ldexp(2 * random.unit() - 1, e); };
+    p = {draw(exponent + slant), draw(exponent), draw(exponent - slant)};
+  }
+  if (random.below(2) == 0) points[4] = {};  // a circle or sphere seen from the origin
+  return points;
+}
+
 inline Points points(Kind kind, Random& random) {
   Points out;
   const auto fill = [&](auto draw) {
@@ -123,6 +140,7 @@ inline Points points(Kind kind, Random& random) {
         const double finite = std::isfinite(v) ? v : 0x1.fffffffffffffp1023;
         return random.below(2) == 0 ? finite : -finite;
       });
+    case Kind::kNearLimits: return near_limits(random);
   }
   return out;
 }

@@ -31,7 +31,7 @@ constexpr int bits_held(FixedInt<L>*) {
 // Of the last column's place: whether the columns hold their sums is asked apart.
 template <int N>
 constexpr int bits_held(Columns<N>*) {
-  return 62 * (N - 1) + 127;
+  return kDigitBits * (N - 1) + 127;
 }
 template <typename T>
 inline constexpr int kBitsHeld = bits_held(static_cast<T*>(nullptr));

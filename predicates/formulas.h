@@ -127,8 +127,8 @@ struct InSphere {
   }
 };
 
-/// From x, y, z that no difference on its axis exceeds: InSphere's magnitude is at most 24 times this
-/// one, with a fifth of the operations.
+/// From x, y, z that no difference on its axis exceeds: before rounding, InSphere's magnitude is at most
+/// 24 times this one, which has a fifth of the operations.
 template <typename T>
 struct InSphereBox {
   T volume, lift;

@@ -2,11 +2,13 @@
 #include "predicates/implicit_point.h"
 
 #include <cmath>
-#include <limits>
+#include <tuple>
+#include <utility>
 
 #include "interval/interval.h"
 #include "predicates/implicit_formulas.h"
 #include "predicates/lattice.h"
+#include "robust/base/check.h"
 #include "robust/filter.h"
 
 namespace veritope {
@@ -15,7 +17,7 @@ namespace {
 using formulas::Triple;
 using internal::ImplicitLayer;
 
-// The number of points that define P, and where its base lies among them.
+// The number of points that define P.
 template <typename P>
 constexpr std::size_t kPoints =
     std::tuple_size_v<std::decay_t<decltype(std::declval<P>().points())>>;
@@ -199,6 +201,7 @@ Sign decide(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c, TierCoun
   return cascade(
       tally, [&] { return internal::implicit_filter(p.layer(), p.points()[0], a, b, c); },
       [&](TierCounts* t) {
+        VT_CHECK(denominator != Sign::kZero, "the orientation of a point that is not defined");
         return denominator * cascade<1>(
                                  t, [&] { return lattice(p, a, b, c); },
                                  [&] { return interval(p, a, b, c); },
@@ -235,11 +238,11 @@ ThreePlanePoint::ThreePlanePoint(const std::array<Vec3d, 9>& points) noexcept : 
 }
 
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const LinePlanePoint& d,
-              TierCounts* tally) noexcept {
+              TierCounts* tally) {
   return decide(d, a, b, c, tally);
 }
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const ThreePlanePoint& d,
-              TierCounts* tally) noexcept {
+              TierCounts* tally) {
   return decide(d, a, b, c, tally);
 }
 

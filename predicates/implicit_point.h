@@ -13,8 +13,8 @@
 namespace veritope {
 
 namespace internal {
-/// What the filter needs: base + (x, y, z) / d, rounded, with two scalars that bound the errors. d > 0
-/// is the sign of the exact denominator, too; d = 0: the filter does not know the point.
+/// What the filter needs: base + (x, y, z) / d, rounded, with two scalars that bound the errors. d > 0:
+/// so is the exact denominator, or both were negated; d = 0: the filter does not know the point.
 struct ImplicitLayer {
   double x = 0, y = 0, z = 0, d = 0;
   double scale = 0, reach = 0;
@@ -24,7 +24,7 @@ struct ImplicitLayer {
 /// The point of the line through p and q on the plane through a, b, c. Immutable.
 class LinePlanePoint {
  public:
-  /// REQUIRES finite coordinates. About 10 ns; no allocation.
+  /// REQUIRES finite coordinates. About 10 ns.
   LinePlanePoint(const Vec3d& p, const Vec3d& q, const Vec3d& a, const Vec3d& b,
                  const Vec3d& c) noexcept;
 
@@ -47,7 +47,7 @@ class LinePlanePoint {
 class ThreePlanePoint {
  public:
   /// points: three of the first plane, three of the second, three of the third. REQUIRES finite
-  /// coordinates. About 20 ns; no allocation.
+  /// coordinates. About 35 ns.
   explicit ThreePlanePoint(const std::array<Vec3d, 9>& points) noexcept;
 
   /// Is there exactly one such point? Exact.
@@ -64,13 +64,14 @@ class ThreePlanePoint {
 };
 
 /// As orient3d(a, b, c, d) of explicit points: positive iff a, b, c turn counter-clockwise as seen
-/// from d; zero iff d lies on their plane. Exact for all finite coordinates. No allocation, unless
-/// the coordinates' bits span more than 124 binary places.
-/// REQUIRES d.is_defined(), finite coordinates.
+/// from d; zero iff d lies on their plane. Exact for all finite coordinates. Neither this nor the
+/// constructors allocate, unless the coordinates' bits span more than 124 binary places or the largest
+/// is below about 2^-900.
+/// REQUIRES d.is_defined(), finite coordinates. Throws InternalError for a point that is not defined.
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const LinePlanePoint& d,
-              TierCounts* tally = nullptr) noexcept;
+              TierCounts* tally = nullptr);
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const ThreePlanePoint& d,
-              TierCounts* tally = nullptr) noexcept;
+              TierCounts* tally = nullptr);
 
 namespace internal {
 /// The filter's constants times what their formulas count: docs/bounds/implicit_point.md.

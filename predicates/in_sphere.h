@@ -55,7 +55,9 @@ namespace internal {
 /// x, y, z: no difference on an axis exceeds them.
 inline double in_sphere_error(double x, double y, double z) {
   const formulas::InSphereBox<double> box(x, y, z);
-  return kInSphereRel * box.magnitude() + (kInSphereEta * box.size() + kInSphereAbs);
+  // S <= 24 M: 32 M overflows, and makes this infinite, before a part of det can.
+  return (kInSphereRel * 0x1p-5) * ((0x1p5 * box.volume) * box.lift) +
+         (kInSphereEta * box.size() + kInSphereAbs);
 }
 inline double largest_magnitude(double p, double q, double r, double s) {
   return larger(larger(std::abs(p), std::abs(q)), larger(std::abs(r), std::abs(s)));

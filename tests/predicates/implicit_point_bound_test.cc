@@ -105,7 +105,14 @@ TEST(ImplicitPointBound, TheAbsoluteConstantPaysForUnderflowAndForFlushing) {
     const Rational abs =
         Rational::from_double(internal::kImplicitAbs) * (Rational(1) - Rational::power_of_two(-48));
     const auto missing = [&](const UnderflowCount& scale, double rel) {
-      return Rational::from_double(rel) * at_reach(magnitude(scale, d, d, d + d, d).error);
+      // rel * scale may underflow, too, and is then multiplied by differences.
+      const UnderflowCount one = UnderflowCount::bounded_by(1, unit);
+      Polynomial lost = magnitude(one, d, d, d + d, d).size;
+      Rational amplified;
+      for (const auto& [exponent, c] : lost.coefficient)
+        amplified += c * bounds::power(reach, exponent[0]);
+      return Rational::from_double(rel) * at_reach(magnitude(scale, d, d, d + d, d).error) +
+             unit * amplified;
     };
     EXPECT_LE(at_reach(formulas::orientation(line, same(d), same(d), same(d)).error) +
                   missing(d * (d * d), internal::kLinePlaneRel) + Rational(4) * unit,

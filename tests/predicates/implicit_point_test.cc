@@ -7,6 +7,7 @@
 
 #include "predicates/implicit_formulas.h"
 #include "predicates/orient3d.h"
+#include "robust/base/check.h"
 #include "robust/rational.h"
 #include "tests/predicates/point_generators.h"
 #include "tests/predicates/tier_test.h"
@@ -95,6 +96,11 @@ TEST(LinePlanePoint, IsUndefinedWhereThereIsNoSinglePoint) {
   EXPECT_FALSE(LinePlanePoint({0, 0, 1}, {1, 0, 1}, kO, kX, kY).is_defined());
   EXPECT_FALSE(LinePlanePoint({0, 0, 0x1p-1074}, {1, 0, 0x1p-1074}, kO, kX, kY).is_defined());
   EXPECT_TRUE(LinePlanePoint({0, 0, 0x1p-1074}, {1, 0, 0}, kO, kX, kY).is_defined());
+}
+
+TEST(LinePlanePoint, HasNoOrientationIfItIsNotDefined) {
+  const LinePlanePoint none({0, 0, 1}, {1, 0, 1}, kO, kX, kY);
+  EXPECT_THROW(orient3d({0, 0, -5}, {1, 0, -5}, {0, 1, -5}, none), InternalError);
 }
 
 TEST(ThreePlanePoint, LiesWhereThePlanesMeet) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "predicates/orient3d.h"
+#include "predicates/session.h"
 #include "tests/predicates/tier_test.h"
 
 namespace veritope {
@@ -55,6 +56,21 @@ TEST(InSphere, IsNotMisledByAMinorThatUnderflowsAndIsThenMadeLarge) {
   EXPECT_EQ(in_sphere(a, b, c, d, e), Sign::kPositive);
   const double r = 0x1p-195;
   EXPECT_EQ(in_sphere_filter({-r, 0, 0}, {r, 0, 0}, {0, r, 0}, {0, 0, r}, e), Sign3::kUncertain);
+}
+
+// The parts of the determinant overflow although the product of the largest differences does not.
+TEST(InSphere, IsExactWhereOnlyPartsOfTheDeterminantOverflow) {
+  const Vec3d a{-0x1.6p+204, -0x1.cp+203, 0x1.cp+203}, b{0x1.4p+204, -0x1.4p+204, 0x1.4p+203},
+      c{-0x1p+203, -0x1p+203, -0x1.8p+204}, d{-0x1.cp+203, -0x1.4p+204, -0x1p+204}, e{0, 0, 0};
+  EXPECT_EQ(in_sphere_filter(a, b, c, d, e), Sign3::kUncertain);
+  EXPECT_EQ(in_sphere(a, b, c, d, e), Sign::kNegative);
+  EXPECT_EQ(in_sphere(b, a, c, d, e), Sign::kPositive);
+  const Vec3d p[] = {{0x1.5931634c3b21dp+204, 0x1.5d6cc55285a14p+204, 0x1.39b2fd5897cacp+201},
+                     {0x1.36c7f5a279f2cp+204, 0x1.49a1f3afad5a7p+204, 0x1.3ccee0c837195p+204},
+                     {0x1.893f0948581a5p+200, 0x1.3c980c1245b69p+204, 0x1.32657cb49e28ep+204},
+                     {0x1.6c09ad7408b73p+204, 0x1.2a82b52fd86bfp+200, 0x1.3b012e8842838p+204},
+                     {0, 0, 0}};
+  EXPECT_EQ(Session3d::around(p, 5).in_sphere(p[0], p[1], p[2], p[3], p[4]), Sign::kPositive);
 }
 
 TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {

@@ -351,7 +351,7 @@ Points extreme(Predicate predicate, Random& random) {
       constexpr int kDegrees[] = {2, 3, 4, 5};
       constexpr int kLimits[] = {1024, -900, -960, -1074};
       const int exponent =
-          kLimits[random.below(4)] / kDegrees[predicate] + static_cast<int>(random.between(-6, 6));
+          kLimits[random.below(4)] / kDegrees[predicate] + static_cast<int>(random.between(-1, 2));
       return filled([&] { return std::ldexp(random.unit() - 0.5, exponent); });
     }
     default: {

@@ -93,7 +93,7 @@ Points changed(Points points, Change change) {
 inline Points near_limits(Random& random) {
   constexpr int kLimits[] = {1024, -900, -960, -1022, -1074};
   const int degree = static_cast<int>(random.between(2, 5));
-  const int exponent = kLimits[random.below(5)] / degree + static_cast<int>(random.between(-6, 6));
+  const int exponent = kLimits[random.below(5)] / degree + static_cast<int>(random.between(-3, 3));
   // Every second time one axis is longer and another shorter.
   const int slant = random.below(2) == 0 ? 0 : static_cast<int>(random.between(-8, 8));
   Points points;

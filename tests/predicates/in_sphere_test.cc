@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "predicates/orient3d.h"
 #include "predicates/session.h"
+#include "robust/base/random.h"
 #include "tests/predicates/tier_test.h"
 
 namespace veritope {
@@ -71,6 +75,23 @@ TEST(InSphere, IsExactWhereOnlyPartsOfTheDeterminantOverflow) {
                      {0x1.6c09ad7408b73p+204, 0x1.2a82b52fd86bfp+200, 0x1.3b012e8842838p+204},
                      {0, 0, 0}};
   EXPECT_EQ(Session3d::around(p, 5).in_sphere(p[0], p[1], p[2], p[3], p[4]), Sign::kPositive);
+}
+
+TEST(InSphere, IsExactForRandomPointsWhereTheDeterminantOverflows) {
+  const std::uint64_t seed = 204;
+  Random random(seed);
+  for (int i = 0; i < 20000; ++i) {
+    std::array<Vec3d, 5> p{};
+    for (int k = 0; k < 4; ++k) {
+      const auto draw = [&] { return std::ldexp(2 * random.unit() - 1, 205); };
+      p[k] = {draw(), draw(), draw()};
+    }
+    const Sign expected = in_sphere_integer(p[0], p[1], p[2], p[3], p[4]);
+    SCOPED_TRACE("seed " + std::to_string(seed) + " number " + std::to_string(i));
+    ASSERT_EQ(in_sphere(p[0], p[1], p[2], p[3], p[4]), expected);
+    const Session3d session = Session3d::around(p.data(), p.size());
+    ASSERT_EQ(session.in_sphere(p[0], p[1], p[2], p[3], p[4]), expected);
+  }
 }
 
 TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {

@@ -138,28 +138,6 @@ Sign3 denominator_on_lattice(const std::array<double, N>& c) {
                           : Sign3::kUncertain;
 }
 
-template <typename P>
-Sign3 lattice(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return orientation_on_lattice<1>(coordinates(p, a, b, c));
-}
-template <typename P>
-Sign3 interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const auto all = coordinates(p, a, b, c);
-  std::array<Interval, std::tuple_size_v<decltype(all)>> v;
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = Interval(all[i]);
-  const ScopedUpward upward;
-  return whole_orientation(triples(v));
-}
-template <typename P>
-Sign integer(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return whole_orientation(triples(internal::to_integers(coordinates(p, a, b, c))));
-}
-template <typename P>
-Sign exact(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Sign3 s = orientation_on_lattice<2>(coordinates(p, a, b, c));
-  return is_certain(s) ? to_sign(s) : integer(p, a, b, c);
-}
-
 // ---- The float layer -----------------------------------------------------------------------------
 
 double largest(const Triple<double>& t) {
@@ -195,6 +173,36 @@ Sign settle_denominator(ImplicitLayer& layer, const std::array<Vec3d, N>& points
   return to_sign(s);
 }
 
+}  // namespace
+
+namespace internal {
+
+template <typename P>
+Sign3 implicit_lattice(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
+  return orientation_on_lattice<1>(coordinates(p, a, b, c));
+}
+template <typename P>
+Sign3 implicit_interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
+  const auto all = coordinates(p, a, b, c);
+  std::array<Interval, std::tuple_size_v<decltype(all)>> v;
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = Interval(all[i]);
+  const ScopedUpward upward;
+  return whole_orientation(triples(v));
+}
+template <typename P>
+Sign implicit_integer(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
+  return whole_orientation(triples(internal::to_integers(coordinates(p, a, b, c))));
+}
+template <typename P>
+Sign implicit_exact(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
+  const Sign3 s = orientation_on_lattice<2>(coordinates(p, a, b, c));
+  return is_certain(s) ? to_sign(s) : implicit_integer(p, a, b, c);
+}
+
+}  // namespace internal
+
+namespace {
+
 template <typename P>
 Sign decide(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c, TierCounts* tally) {
   const Sign denominator = p.denominator_sign();
@@ -203,9 +211,9 @@ Sign decide(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c, TierCoun
       [&](TierCounts* t) {
         VT_CHECK(denominator != Sign::kZero, "the orientation of a point that is not defined");
         return denominator * cascade<1>(
-                                 t, [&] { return lattice(p, a, b, c); },
-                                 [&] { return interval(p, a, b, c); },
-                                 [&] { return exact(p, a, b, c); });
+                                 t, [&] { return internal::implicit_lattice(p, a, b, c); },
+                                 [&] { return internal::implicit_interval(p, a, b, c); },
+                                 [&] { return internal::implicit_exact(p, a, b, c); });
       });
 }
 
@@ -258,38 +266,22 @@ Sign3 implicit_filter(const ImplicitLayer& layer, const Vec3d& base, const Vec3d
   return is_known ? sign_beyond(formulas::orientation(h, e, v, w), error) : Sign3::kUncertain;
 }
 
-Sign3 implicit_lattice(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                       const Vec3d& c) noexcept {
-  return lattice(p, a, b, c);
-}
-Sign3 implicit_lattice(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                       const Vec3d& c) noexcept {
-  return lattice(p, a, b, c);
-}
-Sign3 implicit_interval(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                        const Vec3d& c) noexcept {
-  return interval(p, a, b, c);
-}
-Sign3 implicit_interval(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                        const Vec3d& c) noexcept {
-  return interval(p, a, b, c);
-}
-Sign implicit_exact(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                    const Vec3d& c) noexcept {
-  return exact(p, a, b, c);
-}
-Sign implicit_exact(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                    const Vec3d& c) noexcept {
-  return exact(p, a, b, c);
-}
-Sign implicit_integer(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                      const Vec3d& c) noexcept {
-  return integer(p, a, b, c);
-}
-Sign implicit_integer(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                      const Vec3d& c) noexcept {
-  return integer(p, a, b, c);
-}
+template Sign3 implicit_lattice(const LinePlanePoint&, const Vec3d&, const Vec3d&,
+                                const Vec3d&) noexcept;
+template Sign3 implicit_interval(const LinePlanePoint&, const Vec3d&, const Vec3d&,
+                                 const Vec3d&) noexcept;
+template Sign implicit_exact(const LinePlanePoint&, const Vec3d&, const Vec3d&,
+                             const Vec3d&) noexcept;
+template Sign implicit_integer(const LinePlanePoint&, const Vec3d&, const Vec3d&,
+                               const Vec3d&) noexcept;
+template Sign3 implicit_lattice(const ThreePlanePoint&, const Vec3d&, const Vec3d&,
+                                const Vec3d&) noexcept;
+template Sign3 implicit_interval(const ThreePlanePoint&, const Vec3d&, const Vec3d&,
+                                 const Vec3d&) noexcept;
+template Sign implicit_exact(const ThreePlanePoint&, const Vec3d&, const Vec3d&,
+                             const Vec3d&) noexcept;
+template Sign implicit_integer(const ThreePlanePoint&, const Vec3d&, const Vec3d&,
+                               const Vec3d&) noexcept;
 
 }  // namespace internal
 }  // namespace veritope

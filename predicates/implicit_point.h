@@ -83,23 +83,17 @@ inline constexpr double kImplicitReach = 0x1p100;
 
 Sign3 implicit_filter(const ImplicitLayer& layer, const Vec3d& base, const Vec3d& a, const Vec3d& b,
                       const Vec3d& c) noexcept;
-// Each later tier: exact, or uncertain. The sign of the orientation times that of the denominator.
-Sign3 implicit_lattice(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                       const Vec3d& c) noexcept;
-Sign3 implicit_lattice(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                       const Vec3d& c) noexcept;
-Sign3 implicit_interval(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                        const Vec3d& c) noexcept;
-Sign3 implicit_interval(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                        const Vec3d& c) noexcept;
-Sign implicit_exact(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                    const Vec3d& c) noexcept;
-Sign implicit_exact(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                    const Vec3d& c) noexcept;
-Sign implicit_integer(const LinePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                      const Vec3d& c) noexcept;
-Sign implicit_integer(const ThreePlanePoint& p, const Vec3d& a, const Vec3d& b,
-                      const Vec3d& c) noexcept;
+// Each later tier, for both kinds of points: exact, or uncertain. The sign of the orientation times
+// that of the denominator.
+template <typename Point>
+Sign3 implicit_lattice(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
+template <typename Point>
+Sign3 implicit_interval(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
+// Two limbs, else implicit_integer, which takes any exponents.
+template <typename Point>
+Sign implicit_exact(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
+template <typename Point>
+Sign implicit_integer(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
 }  // namespace internal
 
 }  // namespace veritope

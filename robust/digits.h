@@ -55,16 +55,24 @@ struct Columns {
   }
 };
 
+/// put(i, digit) for the N low digits of the number; returns what is above them.
+template <int N, typename Put>
+[[gnu::always_inline]] constexpr int128 carry_digits(const Columns<N>& v, Put put) {
+  int128 rest = v.c[0];
+  VT_UNROLL for (int i = 1; i < N; ++i) {
+    put(i - 1, Columns<N>::low_digit(rest));
+    rest = v.c[i] + (rest >> kDigitBits);
+  }
+  put(N - 1, Columns<N>::low_digit(rest));
+  return rest >> kDigitBits;
+}
+
 /// The same number as digits. REQUIRES that it is less than 2^(62 N + 63) in magnitude.
 template <int N>
 [[gnu::always_inline]] constexpr Digits<N + 1> settled(const Columns<N>& v) {
   Digits<N + 1> r{};
-  int128 rest = v.c[0];
-  VT_UNROLL for (int i = 0; i < N; ++i) {
-    r.d[i] = Columns<N>::low_digit(rest);
-    rest = i + 1 < N ? v.c[i + 1 < N ? i + 1 : i] + (rest >> kDigitBits) : rest >> kDigitBits;
-  }
-  r.d[N] = static_cast<std::int64_t>(rest);
+  r.d[N] = static_cast<std::int64_t>(
+      carry_digits(v, [&](int i, std::int64_t digit) { r.d[i] = digit; }));
   return r;
 }
 
@@ -72,12 +80,7 @@ template <int N>
 template <int N>
 [[gnu::always_inline]] constexpr Columns<N + 1> carried(const Columns<N>& v) {
   Columns<N + 1> r{};
-  int128 rest = v.c[0];
-  VT_UNROLL for (int i = 0; i < N; ++i) {
-    r.c[i] = Columns<N>::low_digit(rest);
-    rest = i + 1 < N ? v.c[i + 1 < N ? i + 1 : i] + (rest >> kDigitBits) : rest >> kDigitBits;
-  }
-  r.c[N] = rest;
+  r.c[N] = carry_digits(v, [&](int i, std::int64_t digit) { r.c[i] = digit; });
   return r;
 }
 

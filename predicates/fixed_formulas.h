@@ -36,8 +36,8 @@ constexpr int bits_held(Columns<N>*) {
 template <typename T>
 inline constexpr int kBitsHeld = bits_held(static_cast<T*>(nullptr));
 
-[[gnu::always_inline]] inline int128 whole(std::int64_t a, std::int64_t b) {
-  return static_cast<int128>(a) * b;
+[[gnu::always_inline]] inline Digits<2> digits_of(int128 v) {
+  return {{Columns<1>::low_digit(v), Columns<1>::high_digit(v)}};
 }
 
 /// a * b as an R, which must hold it.
@@ -46,17 +46,11 @@ template <typename R, typename A, typename B>
   if constexpr (std::is_integral_v<R> || std::is_same_v<R, int128>) {
     return static_cast<R>(a) * b;
   } else if constexpr (std::is_same_v<R, Columns<2>>) {  // int64_t * int128
-    return {{whole(a, R::low_digit(b)), whole(a, R::high_digit(b))}};
+    return column_product(Digits<1>{{a}}, digits_of(b));
   } else if constexpr (std::is_same_v<R, Columns<3>>) {  // int128 * int128
-    const std::int64_t a0 = R::low_digit(a), a1 = R::high_digit(a), b0 = R::low_digit(b),
-                       b1 = R::high_digit(b);
-    return {{whole(a0, b0), whole(a0, b1) + whole(a1, b0), whole(a1, b1)}};
+    return column_product(digits_of(a), digits_of(b));
   } else if constexpr (std::is_same_v<R, Columns<4>>) {  // int128 * Columns<2>
-    const std::int64_t a0 = R::low_digit(a), a1 = R::high_digit(a), b0 = R::low_digit(b.c[0]);
-    const int128 rest = b.c[1] + (b.c[0] >> 62);
-    const std::int64_t b1 = R::low_digit(rest), b2 = R::high_digit(rest);
-    return {{whole(a0, b0), whole(a0, b1) + whole(a1, b0), whole(a0, b2) + whole(a1, b1),
-             whole(a1, b2)}};
+    return column_product(digits_of(a), settled(b));
   } else if constexpr (std::is_integral_v<A>) {
     return times<R>(FixedInt<1>(a), b);
   } else if constexpr (std::is_same_v<A, int128>) {

@@ -31,9 +31,10 @@ Sign3 compare_along_interval(const Vec3d& direction, const Vec3d& p, const Vec3d
 }
 
 Sign compare_along_exact(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
-  const auto d = to_integers<3>({direction.x, direction.y, direction.z});
-  const auto v = to_integers<6>({p.x, p.y, p.z, q.x, q.y, q.z});
-  return formulas::CompareAlong<Integer>(d[0], d[1], d[2], v[0], v[1], v[2], v[3], v[4], v[5])
+  using T = Wide<degree_limbs(2, 2)>;  // three products
+  const auto d = to_wide<T, 3>({direction.x, direction.y, direction.z});
+  const auto v = to_wide<T, 6>({p.x, p.y, p.z, q.x, q.y, q.z});
+  return formulas::CompareAlong<T>(d[0], d[1], d[2], v[0], v[1], v[2], v[3], v[4], v[5])
       .det()
       .sign();
 }

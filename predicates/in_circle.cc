@@ -26,7 +26,11 @@ Sign3 on_lattice(const std::array<double, 8>& c) {
 }  // namespace
 
 Sign3 in_circle_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
-  return on_lattice<1>(coordinates(a, b, c, d));
+  const auto v = coordinates(a, b, c, d);
+  if (are_corners_of_a_box<2>(v)) return Sign3::kZero;
+  const Sign3 s = on_lattice<1>(v);
+  if (is_certain(s)) return s;
+  return has_equal_points<2>(v) ? Sign3::kZero : on_lattice<2>(v);
 }
 
 Sign3 in_circle_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
@@ -38,13 +42,9 @@ Sign3 in_circle_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c, const V
 }
 
 Sign in_circle_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
-  const Sign3 s = on_lattice<2>(coordinates(a, b, c, d));
-  return is_certain(s) ? to_sign(s) : in_circle_integer(a, b, c, d);
-}
-
-Sign in_circle_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept {
-  const auto v = to_integers<8>(coordinates(a, b, c, d));
-  return formulas::InCircle<Integer>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]).det().sign();
+  using T = Wide<degree_limbs(4, 4)>;  // twelve products
+  const auto v = to_wide<T, 8>(coordinates(a, b, c, d));
+  return formulas::InCircle<T>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]).det().sign();
 }
 
 Sign in_circle_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,

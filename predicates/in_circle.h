@@ -38,10 +38,7 @@ inline constexpr double kInCircleAbs = 0x1p-900;
 
 Sign3 in_circle_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
 Sign3 in_circle_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
-Sign in_circle_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c,
-                     const Vec2d& d) noexcept;  // two limbs, else in_circle_integer
-Sign in_circle_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c,
-                       const Vec2d& d) noexcept;  // any exponents
+Sign in_circle_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
 Sign in_circle_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
                             TierCounts* tally) noexcept;
 }  // namespace internal

@@ -38,7 +38,11 @@ formulas::InSphere<T> formula(const std::array<T, 15>& v) {
 
 Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                         const Vec3d& e) noexcept {
-  return on_lattice<1>(coordinates(a, b, c, d, e));
+  const Coordinates v = coordinates(a, b, c, d, e);
+  if (are_corners_of_a_box<3>(v)) return Sign3::kZero;
+  const Sign3 s = on_lattice<1>(v);
+  if (is_certain(s)) return s;
+  return has_equal_points<3>(v) ? Sign3::kZero : on_lattice<2>(v);
 }
 
 Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
@@ -52,13 +56,8 @@ Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
 
 Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                      const Vec3d& e) noexcept {
-  const Sign3 s = on_lattice<2>(coordinates(a, b, c, d, e));
-  return is_certain(s) ? to_sign(s) : in_sphere_integer(a, b, c, d, e);
-}
-
-Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
-                       const Vec3d& e) noexcept {
-  return formula<Integer>(to_integers<15>(coordinates(a, b, c, d, e))).det().sign();
+  using T = Wide<degree_limbs(5, 7)>;  // 72 products
+  return formula<T>(to_wide<T, 15>(coordinates(a, b, c, d, e))).det().sign();
 }
 
 Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,

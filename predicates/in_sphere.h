@@ -40,11 +40,8 @@ Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
                         const Vec3d& e) noexcept;
 Sign3 in_sphere_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                          const Vec3d& e) noexcept;
-// Two limbs, else in_sphere_integer, which takes any exponents.
 Sign in_sphere_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                      const Vec3d& e) noexcept;
-Sign in_sphere_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
-                       const Vec3d& e) noexcept;
 Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                             const Vec3d& e, TierCounts* tally) noexcept;
 }  // namespace internal

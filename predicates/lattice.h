@@ -12,18 +12,57 @@
 #include "robust/binary64.h"
 #include "robust/fixed_int.h"
 #include "robust/integer.h"
+#include "robust/wide.h"
 
 namespace veritope::internal {
 
 /// Coordinates on a lattice of L limbs are at most 2^lattice_bits(L); three more bits hold a
 /// difference and the sign.
-constexpr int lattice_bits(int limbs) { return 64 * limbs - 4; }  // NOT COVERED: at compile time only
+constexpr int lattice_bits(int limbs) {
+  return 64 * limbs - 4;
+}  // NOT COVERED: at compile time only
 
 /// Are all the same number? (0 and -0 may count as different; DAZ does not matter.)
 template <typename... Rest>
 inline bool same_bits(double first, Rest... rest) {
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(first);
   return ((std::bit_cast<std::uint64_t>(rest) == bits) && ...);
+}
+
+/// Do c[Axis], c[Axis + Dim], ... take at most two values? (0 and -0 may count as two.)
+template <std::size_t Dim, std::size_t Axis, std::size_t N>
+[[gnu::always_inline]] inline bool takes_two_values(const std::array<double, N>& c) {
+  const auto change = [&](std::size_t i) {
+    return std::bit_cast<std::uint64_t>(c[i]) ^ std::bit_cast<std::uint64_t>(c[Axis]);
+  };
+  std::uint64_t any = 0, others = 0;
+  VT_UNROLL for (std::size_t i = Axis + Dim; i < N; i += Dim) any |= change(i);
+  VT_UNROLL for (std::size_t i = Axis + Dim; i < N; i += Dim) {
+    others |= change(i) == 0 ? 0 : change(i) ^ any;
+  }
+  return others == 0;
+}
+
+/// Are the points, of Dim coordinates each, corners of one box along the axes? Then one circle or
+/// sphere goes through all of them.
+template <std::size_t Dim, std::size_t N>
+inline bool are_corners_of_a_box(const std::array<double, N>& c) {
+  if (!takes_two_values<Dim, 0>(c) || !takes_two_values<Dim, 1>(c)) return false;
+  if constexpr (Dim == 3) return takes_two_values<Dim, 2>(c);
+  return true;
+}
+
+/// Are two of the points, of Dim coordinates each, the same by their bits?
+template <std::size_t Dim, std::size_t N>
+inline bool has_equal_points(const std::array<double, N>& c) {
+  for (std::size_t i = Dim; i < N; i += Dim) {
+    for (std::size_t j = 0; j < i; j += Dim) {
+      bool is_equal = true;
+      for (std::size_t k = 0; k < Dim; ++k) is_equal = is_equal && same_bits(c[i + k], c[j + k]);
+      if (is_equal) return true;
+    }
+  }
+  return false;
 }
 
 /// The integer part of t, and that number again as a double. |t| <= 2^lattice_bits(L); where t has bits
@@ -117,6 +156,14 @@ template <std::size_t N>
   const int zeros = std::countr_zero(any | std::uint64_t{1} << 62);
   VT_UNROLL for (std::size_t i = 0; i < N; ++i) d[i] >>= zeros;
   return std::bit_width(size >> zeros);
+}
+
+/// c[i] / 2^kMinExponent. REQUIRES finite coordinates.
+template <typename T, std::size_t N>
+std::array<T, N> to_wide(const std::array<double, N>& c) {
+  std::array<T, N> out;
+  for (std::size_t i = 0; i < N; ++i) out[i] = T::from_double(c[i]);
+  return out;
 }
 
 /// out[i] = c[i] * 2^k exactly, for the largest k with all of them integers (0 if all are zero).

@@ -20,7 +20,11 @@ Sign3 on_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
 
 Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   if (same_bits(a.x, b.x, c.x) || same_bits(a.y, b.y, c.y)) return Sign3::kZero;
-  return on_lattice<1>(a, b, c);
+  const Sign3 s = on_lattice<1>(a, b, c);
+  if (is_certain(s)) return s;
+  return has_equal_points<2>(std::array<double, 6>{a.x, a.y, b.x, b.y, c.x, c.y})
+             ? Sign3::kZero
+             : on_lattice<2>(a, b, c);
 }
 
 Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
@@ -32,14 +36,9 @@ Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept
 }
 
 Sign orient2d_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
-  const Sign3 s = on_lattice<2>(a, b, c);
-  return is_certain(s) ? to_sign(s) : orient2d_integer(a, b, c);
-}
-
-Sign orient2d_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
-  const auto x = to_integers<3>({a.x, b.x, c.x});
-  const auto y = to_integers<3>({a.y, b.y, c.y});
-  return formulas::Orient2d<Integer>(x[0], y[0], x[1], y[1], x[2], y[2]).det().sign();
+  using T = Wide<degree_limbs(2, 1)>;  // two products
+  const auto v = to_wide<T, 6>({a.x, a.y, b.x, b.y, c.x, c.y});
+  return formulas::Orient2d<T>(v[0], v[1], v[2], v[3], v[4], v[5]).det().sign();
 }
 
 Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,

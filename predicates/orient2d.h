@@ -34,9 +34,7 @@ inline constexpr double kOrient2dAbs = 0x1p-960;
 
 Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
-Sign orient2d_exact(const Vec2d& a, const Vec2d& b,
-                    const Vec2d& c) noexcept;  // two limbs, else orient2d_integer
-Sign orient2d_integer(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;  // any exponents
+Sign orient2d_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
                            TierCounts* tally) noexcept;
 }  // namespace internal

@@ -26,7 +26,10 @@ Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec
       same_bits(a.z, b.z, c.z, d.z)) {
     return Sign3::kZero;
   }
-  return on_lattice<1>(a, b, c, d);
+  const Sign3 s = on_lattice<1>(a, b, c, d);
+  if (is_certain(s)) return s;
+  const std::array<double, 12> all{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z};
+  return has_equal_points<3>(all) ? Sign3::kZero : on_lattice<2>(a, b, c, d);
 }
 
 Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
@@ -39,16 +42,10 @@ Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
 }
 
 Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
-  const Sign3 s = on_lattice<2>(a, b, c, d);
-  return is_certain(s) ? to_sign(s) : orient3d_integer(a, b, c, d);
-}
-
-Sign orient3d_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
-  const auto x = to_integers<4>({a.x, b.x, c.x, d.x});
-  const auto y = to_integers<4>({a.y, b.y, c.y, d.y});
-  const auto z = to_integers<4>({a.z, b.z, c.z, d.z});
-  const formulas::Plane3<Integer> plane(x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]);
-  return plane.det(x[3] - x[0], y[3] - y[0], z[3] - z[0]).sign();
+  using T = Wide<degree_limbs(3, 3)>;  // six products
+  const auto v = to_wide<T, 12>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
+  const formulas::Plane3<T> plane(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]);
+  return plane.det(v[9] - v[0], v[10] - v[1], v[11] - v[2]).sign();
 }
 
 Sign orient3d_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,

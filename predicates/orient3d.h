@@ -48,9 +48,7 @@ inline constexpr double kOrient3dAbs = 0x1p-960;
 
 Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
-// Two limbs, else orient3d_integer, which takes any exponents.
 Sign orient3d_exact(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
-Sign orient3d_integer(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 Sign orient3d_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                            TierCounts* tally) noexcept;
 }  // namespace internal

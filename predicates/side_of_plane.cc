@@ -35,11 +35,9 @@ Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) noe
 }
 
 Sign side_of_plane_exact(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
-  const auto a = to_integers<4>(left(plane));
-  const auto b = to_integers<4>(right(p));
-  Integer sum;
-  for (int i = 0; i < 4; ++i) sum.add_product(a[i], b[i]);
-  return sum.sign();
+  using T = Wide<degree_limbs(2, 2)>;  // four products
+  const auto a = to_wide<T, 4>(left(plane)), b = to_wide<T, 4>(right(p));
+  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])).sign();
 }
 
 Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p,

@@ -9,7 +9,6 @@ namespace veritope {
 namespace {
 
 using internal::in_circle_exact;
-using internal::in_circle_integer;
 using internal::in_circle_interval;
 using internal::in_circle_lattice;
 
@@ -61,22 +60,26 @@ TEST(InCircle, AsksEachTierOnlyAfterTheOneBefore) {
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide(kEast, kNorth, kWest, {0, 0}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide(kEast, kNorth, kWest, {0, -1}));
   expect_decided_by(Tier::kInterval, Sign::kPositive,
-                    decide({0x1p-235, 0}, {0, 0x1p-235}, {-0x1p-235, 0}, {0x1p-330, 0x1p-330}));
-  expect_decided_by(Tier::kExact, Sign::kNegative, decide(kEast, kNorth, kWest, {0x1p-70, -1}));
+                    decide({0x1p-235, 0}, {0, 0x1p-235}, {-0x1p-235, 0}, {0x1p-380, 0x1p-380}));
+  expect_decided_by(Tier::kLattice, Sign::kNegative, decide(kEast, kNorth, kWest, {0x1p-70, -1}));
+  expect_decided_by(Tier::kLattice, Sign::kZero,
+                    decide({0.1, 5}, {0.1, 0.7}, {0x1p-800, 5}, {0.1, 5}));
+  expect_decided_by(Tier::kLattice, Sign::kZero,
+                    decide({0.1, 5}, {0x1p-700, 0.3}, {7, 0.9}, {0.1, 5}));
+  expect_decided_by(Tier::kExact, Sign::kNegative, decide(kEast, kNorth, kWest, {0x1p-700, -1}));
 }
 
 TEST(InCircle, TiersSayUncertainRatherThanGuess) {
   const double huge = 0x1.fffffffffffffp1023;
   EXPECT_EQ(in_circle_filter(kEast, kNorth, kWest, {0, -1}), Sign3::kUncertain);
   EXPECT_EQ(in_circle_filter({huge, 0}, {0, huge}, {-huge, 0}, {0, 0}), Sign3::kUncertain);
-  EXPECT_EQ(in_circle_lattice(kEast, kNorth, kWest, {0x1p-70, 0}), Sign3::kUncertain);
+  EXPECT_EQ(in_circle_lattice(kEast, kNorth, kWest, {0x1p-125, 0}), Sign3::kUncertain);
   EXPECT_EQ(in_circle_interval({0.3, 0.4}, {-0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}),
             Sign3::kUncertain);
 }
 
 TEST(InCircle, WideLatticeAndIntegersAgree) {
   EXPECT_EQ(in_circle_exact(kEast, kNorth, kWest, {0x1p-70, 0}), Sign::kPositive);
-  EXPECT_EQ(in_circle_integer(kEast, kNorth, kWest, {0x1p-70, 0}), Sign::kPositive);
   EXPECT_EQ(in_circle_exact(kEast, kNorth, kWest, {0x1p-700, -1}), Sign::kNegative);
 }
 

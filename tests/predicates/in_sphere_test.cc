@@ -15,7 +15,6 @@ namespace veritope {
 namespace {
 
 using internal::in_sphere_exact;
-using internal::in_sphere_integer;
 using internal::in_sphere_interval;
 using internal::in_sphere_lattice;
 
@@ -86,7 +85,7 @@ TEST(InSphere, IsExactForRandomPointsWhereTheDeterminantOverflows) {
       const auto draw = [&] { return std::ldexp(2 * random.unit() - 1, 205); };
       p[k] = {draw(), draw(), draw()};
     }
-    const Sign expected = in_sphere_integer(p[0], p[1], p[2], p[3], p[4]);
+    const Sign expected = in_sphere_exact(p[0], p[1], p[2], p[3], p[4]);
     SCOPED_TRACE("seed " + std::to_string(seed) + " number " + std::to_string(i));
     ASSERT_EQ(in_sphere(p[0], p[1], p[2], p[3], p[4]), expected);
     const Session3d session = Session3d::around(p.data(), p.size());
@@ -102,8 +101,9 @@ TEST(InSphere, AsksEachTierOnlyAfterTheOneBefore) {
   };
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide(1, {0, 0, 0}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide(1, {0, 0, -1}));
-  expect_decided_by(Tier::kInterval, Sign::kPositive, decide(0x1p-182, {0x1p-260, 0, 0}));
-  expect_decided_by(Tier::kExact, Sign::kNegative, decide(1, {0x1p-70, 0, -1}));
+  expect_decided_by(Tier::kInterval, Sign::kPositive, decide(0x1p-182, {0x1p-330, 0, 0}));
+  expect_decided_by(Tier::kLattice, Sign::kNegative, decide(1, {0x1p-70, 0, -1}));
+  expect_decided_by(Tier::kExact, Sign::kNegative, decide(1, {0x1p-700, 0, -1}));
 }
 
 TEST(InSphere, TiersSayUncertainRatherThanGuess) {
@@ -111,15 +111,29 @@ TEST(InSphere, TiersSayUncertainRatherThanGuess) {
   const double huge = 0x1p260;
   EXPECT_EQ(in_sphere_filter({-huge, 0, 0}, {huge, 0, 0}, {0, huge, 0}, {0, 0, huge}, {0, 0, 0}),
             Sign3::kUncertain);
-  EXPECT_EQ(in_sphere_lattice(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign3::kUncertain);
+  EXPECT_EQ(in_sphere_lattice(kA, kB, kC, kD, {0x1p-125, 0, 0}), Sign3::kUncertain);
   EXPECT_EQ(in_sphere_interval({0.1, 0.2, 0.3}, {-0.1, 0.2, 0.3}, {0.1, -0.2, 0.3},
                                {0.1, 0.2, -0.3}, {-0.1, -0.2, -0.3}),
             Sign3::kUncertain);
 }
 
+TEST(InSphere, IsZeroForCornersOfABoxAndForEqualPointsWhateverTheirExponents) {
+  const double x[] = {0x1p-900, 0.1}, y[] = {1e300, 0.7}, z[] = {5e-324, -3};
+  for (int i = 0; i < 8 * 8 * 8; ++i) {
+    const auto corner = [&](int k) { return Vec3d{x[k & 1], y[k >> 1 & 1], z[k >> 2 & 1]}; };
+    const Vec3d a = corner(i), b = corner(i >> 3), c = corner(i >> 6), d = corner(5), e = corner(2);
+    ASSERT_EQ(in_sphere_lattice(a, b, c, d, e), Sign3::kZero);
+    ASSERT_EQ(in_sphere_exact(a, b, c, d, e), Sign::kZero);
+  }
+  const Vec3d far{0.3, 1e-300, 7};
+  EXPECT_EQ(in_sphere_lattice(kA, far, kC, far, kD), Sign3::kZero);
+  // A third value on one axis: no box.
+  EXPECT_EQ(in_sphere({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0.5}), Sign::kPositive);
+  EXPECT_EQ(in_sphere({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}), Sign::kZero);
+}
+
 TEST(InSphere, WideLatticeAndIntegersAgree) {
   EXPECT_EQ(in_sphere_exact(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign::kPositive);
-  EXPECT_EQ(in_sphere_integer(kA, kB, kC, kD, {0x1p-70, 0, 0}), Sign::kPositive);
   EXPECT_EQ(in_sphere_exact(kA, kB, kC, kD, {0x1p-700, 0, -1}), Sign::kNegative);
 }
 

@@ -9,7 +9,6 @@ namespace veritope {
 namespace {
 
 using internal::orient2d_exact;
-using internal::orient2d_integer;
 using internal::orient2d_interval;
 using internal::orient2d_lattice;
 
@@ -56,11 +55,12 @@ TEST(Orient2d, AsksEachTierOnlyAfterTheOneBefore) {
   };
   expect_decided_by(Tier::kFilter, Sign::kPositive, decide({0, 0}, {1, 0}, {0, 1}));
   expect_decided_by(Tier::kLattice, Sign::kZero, decide({0.5, 0.5}, {12, 12}, {24, 24}));
-  // Exponents that span more than 60 bits; the products are far below the filter's absolute term,
-  // not below each other.
+  expect_decided_by(Tier::kLattice, Sign::kZero, decide({0x1p-70, 0x1p-70}, {1, 1}, {3, 3}));
+  expect_decided_by(Tier::kLattice, Sign::kZero, decide({0x1p-300, 1}, {1, 0.3}, {0x1p-300, 1}));
+  // Exponents that span more than 124 bits, or too small ones for the lattice; the products are far
+  // below the filter's absolute term, not below each other.
   expect_decided_by(Tier::kInterval, Sign::kPositive,
-                    decide({0x1p-600, 0}, {0x1p-500, 0}, {0, 0x1p-500}));
-  expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-70, 0x1p-70}, {1, 1}, {3, 3}));
+                    decide({0x1p-650, 0}, {0x1p-500, 0}, {0, 0x1p-500}));
   expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-900, 0x1p-900}, {1, 1}, {3, 3}));
 }
 
@@ -69,14 +69,14 @@ TEST(Orient2d, TiersSayUncertainRatherThanGuess) {
   EXPECT_EQ(orient2d_filter({0, 0}, {1, 1}, {3, 3}), Sign3::kUncertain);
   EXPECT_EQ(orient2d_filter({-huge, -huge}, {huge, -huge}, {-huge, huge}), Sign3::kUncertain);
   EXPECT_EQ(orient2d_filter({0, 0}, {5e-324, 0}, {0, 5e-324}), Sign3::kUncertain);
-  EXPECT_EQ(orient2d_lattice({0x1p-70, 0}, {1, 1}, {3, 3}), Sign3::kUncertain);
+  EXPECT_EQ(orient2d_lattice({0x1p-125, 0}, {1, 1}, {3, 3}), Sign3::kUncertain);
   EXPECT_EQ(orient2d_interval({0.1, 0.1}, {1, 1}, {3, 3}), Sign3::kUncertain);
 }
 
 TEST(Orient2d, LatticeAndIntegersAgreeWhereBothAnswer) {
-  EXPECT_EQ(orient2d_exact({0x1p-64, 0x1p-64}, {1, 1}, {3, 3}), Sign::kZero);  // two limbs
-  EXPECT_EQ(orient2d_integer({0x1p-64, 0x1p-64}, {1, 1}, {3, 3}), Sign::kZero);
-  EXPECT_EQ(orient2d_exact({0x1p-900, 0x1p-901}, {1, 1}, {3, 3}), Sign::kNegative);  // GMP
+  EXPECT_EQ(orient2d_exact({0x1p-64, 0x1p-64}, {1, 1}, {3, 3}), Sign::kZero);
+  EXPECT_EQ(orient2d_lattice({0x1p-64, 0x1p-64}, {1, 1}, {3, 3}), Sign3::kZero);  // two limbs
+  EXPECT_EQ(orient2d_exact({0x1p-900, 0x1p-901}, {1, 1}, {3, 3}), Sign::kNegative);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@ namespace veritope {
 namespace {
 
 using internal::orient3d_exact;
-using internal::orient3d_integer;
 using internal::orient3d_interval;
 using internal::orient3d_lattice;
 
@@ -71,8 +70,8 @@ TEST(Orient3d, AsksEachTierOnlyAfterTheOneBefore) {
   expect_decided_by(Tier::kLattice, Sign::kZero,
                     decide({0.1, 0.2, 1}, {0.7, 0x1p-80, 1}, {1e300, 5, 1}, {8, 8, 1}));
   expect_decided_by(Tier::kInterval, Sign::kPositive,
-                    decide({0x1p-400, 0, 0}, {0x1p-320, 0, 0}, {0, 0x1p-320, 0}, {0, 0, 0x1p-321}));
-  expect_decided_by(Tier::kExact, Sign::kZero,
+                    decide({0x1p-480, 0, 0}, {0x1p-320, 0, 0}, {0, 0x1p-320, 0}, {0, 0, 0x1p-321}));
+  expect_decided_by(Tier::kLattice, Sign::kZero,
                     decide({0x1p-70, 0, 0}, {1, 1, 1}, {0, 3, 3}, {0, 5, 5}));
   expect_decided_by(Tier::kExact, Sign::kZero,
                     decide({0x1p-900, 0, 0}, {1, 1, 1}, {0, 3, 3}, {0, 5, 5}));
@@ -83,17 +82,16 @@ TEST(Orient3d, TiersSayUncertainRatherThanGuess) {
   EXPECT_EQ(orient3d_filter(kX, kY, kZ, {3, -1, -1}), Sign3::kUncertain);
   EXPECT_EQ(orient3d_filter(kO, {huge, 0, 0}, {0, huge, 0}, {0, 0, huge}), Sign3::kUncertain);
   EXPECT_EQ(orient3d_filter(kO, {0x1p-480, 0, 0}, {0, 0x1p-480, 0}, {0, 0, 1}), Sign3::kUncertain);
-  EXPECT_EQ(orient3d_lattice({0x1p-70, 0, 0}, kX, kY, kZ), Sign3::kUncertain);
-  EXPECT_EQ(orient3d_lattice(kX, {0, 0x1p-70, 0}, kY, kZ), Sign3::kUncertain);
-  EXPECT_EQ(orient3d_lattice(kX, kY, {0, 0, 0x1p-70}, kZ), Sign3::kUncertain);
+  EXPECT_EQ(orient3d_lattice({0x1p-125, 0, 0}, kX, kY, kZ), Sign3::kUncertain);
+  EXPECT_EQ(orient3d_lattice(kX, {0, 0x1p-125, 0}, kY, kZ), Sign3::kUncertain);
+  EXPECT_EQ(orient3d_lattice(kX, kY, {0, 0, 0x1p-125}, kZ), Sign3::kUncertain);
   EXPECT_EQ(orient3d_interval({0.1, 0, 0}, {1, 1, 1}, {0.1, 3, 3}, {0.1, 5, 5}), Sign3::kUncertain);
 }
 
 TEST(Orient3d, WideLatticeAndIntegersAgree) {
-  EXPECT_EQ(orient3d_exact({0x1p-64, 0, 0}, kX, kY, kZ),
-            orient3d_integer({0x1p-64, 0, 0}, kX, kY, kZ));
+  EXPECT_EQ(orient3d_lattice({0x1p-64, 0, 0}, kX, kY, kZ), Sign3::kPositive);  // two limbs
+  EXPECT_EQ(orient3d_exact({0x1p-64, 0, 0}, kX, kY, kZ), Sign::kPositive);
   EXPECT_EQ(orient3d_exact({0x1p-64, 0, 0}, {0, 0x1p-900, 0}, kY, kZ), Sign::kNegative);
-  EXPECT_EQ(orient3d_integer({0x1p-64, 0, 0}, {0, 0x1p-900, 0}, kY, kZ), Sign::kNegative);
 }
 
 TEST(Orient3dPlaneFilter, IsTheFilterBitForBit) {

@@ -56,13 +56,13 @@ TEST(Widths, AgreeWithIntegersAtTheirLimits) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " bits " + std::to_string(bits) + " number " +
                    std::to_string(i));
       ASSERT_EQ(internal::in_sphere_lattice(p[0], p[1], p[2], p[3], p[4]),
-                to_sign3(internal::in_sphere_integer(p[0], p[1], p[2], p[3], p[4])));
+                to_sign3(internal::in_sphere_exact(p[0], p[1], p[2], p[3], p[4])));
       ASSERT_EQ(internal::orient3d_lattice(p[0], p[1], p[2], p[3]),
-                to_sign3(internal::orient3d_integer(p[0], p[1], p[2], p[3])));
+                to_sign3(internal::orient3d_exact(p[0], p[1], p[2], p[3])));
       ASSERT_EQ(internal::in_circle_lattice(q[0], q[1], q[2], q[3]),
-                to_sign3(internal::in_circle_integer(q[0], q[1], q[2], q[3])));
+                to_sign3(internal::in_circle_exact(q[0], q[1], q[2], q[3])));
       ASSERT_EQ(internal::orient2d_lattice(q[0], q[1], q[2]),
-                to_sign3(internal::orient2d_integer(q[0], q[1], q[2])));
+                to_sign3(internal::orient2d_exact(q[0], q[1], q[2])));
     }
   }
 }

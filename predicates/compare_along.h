@@ -30,7 +30,6 @@ Sign3 compare_along_filter(const Vec3d& direction, const Vec3d& p, const Vec3d& 
 
 namespace internal {
 inline constexpr double kCompareAlongRel = 0x1.8000000000007p-52;
-inline constexpr double kCompareAlongAbs = 0x1p-960;
 
 Sign3 compare_along_lattice(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept;
 Sign3 compare_along_interval(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept;
@@ -42,13 +41,10 @@ Sign compare_along_after_filter(const Vec3d& direction, const Vec3d& p, const Ve
 // Bodies.
 
 inline Sign3 compare_along_filter(const Vec3d& direction, const Vec3d& p, const Vec3d& q) noexcept {
-  const formulas::CompareAlong<double> f(direction.x, direction.y, direction.z, p.x, p.y, p.z, q.x,
-                                         q.y, q.z);
-  const double det = f.det();
-  const double bound = internal::kCompareAlongRel * f.magnitude([](double v) {
-    return std::abs(v);
-  }) + internal::kCompareAlongAbs;
-  return sign_beyond(det, bound);
+  const formulas::CompareAlong<FilterReal> f(direction.x, direction.y, direction.z, p.x, p.y, p.z,
+                                             q.x, q.y, q.z);
+  const double size = f.magnitude([](double v) { return std::abs(v); });
+  return sign_beyond(f.det(), internal::kCompareAlongRel * size);
 }
 
 inline Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q,

@@ -34,7 +34,6 @@ Sign3 in_circle_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec
 namespace internal {
 inline constexpr double kInCircleRel = 0x1.400000000000cp-50;
 inline constexpr double kInCircleEta = 0x1p-900;
-inline constexpr double kInCircleAbs = 0x1p-900;
 
 Sign3 in_circle_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
 Sign3 in_circle_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) noexcept;
@@ -46,16 +45,16 @@ Sign in_circle_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c, cons
 // Bodies.
 
 namespace internal {
-inline double in_circle_error(const formulas::InCircle<double>& f) {
+inline double in_circle_error(const formulas::InCircle<FilterReal>& f, double floor) {
   return kInCircleRel * f.magnitude([](double v) { return std::abs(v); }) +
-         (kInCircleEta * f.size() + kInCircleAbs);
+         (kInCircleEta * f.size() + floor);
 }
 }  // namespace internal
 
 inline Sign3 in_circle_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
                               const Vec2d& d) noexcept {
-  const formulas::InCircle<double> f(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
-  return sign_beyond(f.det(), internal::in_circle_error(f));
+  const formulas::InCircle<FilterReal> f(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
+  return sign_beyond(f.det(), [&](double floor) { return internal::in_circle_error(f, floor); });
 }
 
 inline Sign in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,

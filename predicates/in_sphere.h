@@ -34,7 +34,6 @@ Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec
 namespace internal {
 inline constexpr double kInSphereRel = 0x1.680000000000fp-45;
 inline constexpr double kInSphereEta = 0x1p-900;
-inline constexpr double kInSphereAbs = 0x1p-900;
 
 Sign3 in_sphere_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                         const Vec3d& e) noexcept;
@@ -50,11 +49,11 @@ Sign in_sphere_after_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, cons
 
 namespace internal {
 /// x, y, z: no difference on an axis exceeds them.
-inline double in_sphere_error(double x, double y, double z) {
-  const formulas::InSphereBox<double> box(x, y, z);
+inline double in_sphere_error(double x, double y, double z, double floor) {
+  const formulas::InSphereBox<FilterReal> box(x, y, z);
   // S <= 24 M: 32 M overflows, and makes this infinite, before a part of det can.
   return (kInSphereRel * 0x1p-5) * ((0x1p5 * box.volume) * box.lift) +
-         (kInSphereEta * box.size() + kInSphereAbs);
+         (kInSphereEta * box.size() + floor);
 }
 inline double largest_magnitude(double p, double q, double r, double s) {
   return larger(larger(std::abs(p), std::abs(q)), larger(std::abs(r), std::abs(s)));
@@ -63,13 +62,14 @@ inline double largest_magnitude(double p, double q, double r, double s) {
 
 inline Sign3 in_sphere_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                               const Vec3d& e) noexcept {
-  const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z,
-                                     e.x, e.y, e.z);
+  const formulas::InSphere<FilterReal> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z,
+                                         e.x, e.y, e.z);
+  const auto largest = internal::largest_magnitude;
+  const double x = largest(a.x - e.x, b.x - e.x, c.x - e.x, d.x - e.x),
+               y = largest(a.y - e.y, b.y - e.y, c.y - e.y, d.y - e.y),
+               z = largest(a.z - e.z, b.z - e.z, c.z - e.z, d.z - e.z);
   return sign_beyond(f.det(),
-                     internal::in_sphere_error(
-                         internal::largest_magnitude(a.x - e.x, b.x - e.x, c.x - e.x, d.x - e.x),
-                         internal::largest_magnitude(a.y - e.y, b.y - e.y, c.y - e.y, d.y - e.y),
-                         internal::largest_magnitude(a.z - e.z, b.z - e.z, c.z - e.z, d.z - e.z)));
+                     [&](double floor) { return internal::in_sphere_error(x, y, z, floor); });
 }
 
 inline Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,

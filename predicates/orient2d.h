@@ -30,7 +30,6 @@ Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 
 namespace internal {
 inline constexpr double kOrient2dRel = 0x1.8000000000007p-52;
-inline constexpr double kOrient2dAbs = 0x1p-960;
 
 Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
@@ -42,14 +41,14 @@ Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
 // Bodies.
 
 namespace internal {
-inline double orient2d_error(const formulas::Orient2d<double>& f) {
-  return kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) + kOrient2dAbs;
+inline double orient2d_error(const formulas::Orient2d<FilterReal>& f, double floor) {
+  return kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) + floor;
 }
 }  // namespace internal
 
 inline Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
-  const formulas::Orient2d<double> f(a.x, a.y, b.x, b.y, c.x, c.y);
-  return sign_beyond(f.det(), internal::orient2d_error(f));
+  const formulas::Orient2d<FilterReal> f(a.x, a.y, b.x, b.y, c.x, c.y);
+  return sign_beyond(f.det(), [&](double floor) { return internal::orient2d_error(f, floor); });
 }
 
 inline Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally) noexcept {

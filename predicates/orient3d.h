@@ -38,13 +38,12 @@ class Orient3dPlaneFilter {
   Sign3 operator()(const Vec3d& d) const noexcept;
 
  private:
-  formulas::Plane3<double> plane_;
+  formulas::Plane3<FilterReal> plane_;
 };
 
 namespace internal {
 inline constexpr double kOrient3dRel = 0x1.c00000000000dp-51;
 inline constexpr double kOrient3dEta = 0x1p-900;
-inline constexpr double kOrient3dAbs = 0x1p-960;
 
 Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 Sign3 orient3d_interval(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
@@ -60,17 +59,19 @@ inline Orient3dPlaneFilter::Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b,
     : plane_(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z) {}
 
 namespace internal {
-inline double orient3d_error(const formulas::Plane3<double>& plane, double wx, double wy,
-                             double wz) {
+inline double orient3d_error(const formulas::Plane3<FilterReal>& plane, double wx, double wy,
+                             double wz, double floor) {
   const auto abs = [](double v) { return std::abs(v); };
   return kOrient3dRel * plane.magnitude(wx, wy, wz, abs) +
-         (kOrient3dEta * plane.size(wx, wy, wz, abs) + kOrient3dAbs);
+         (kOrient3dEta * plane.size(wx, wy, wz, abs) + floor);
 }
 }  // namespace internal
 
 inline Sign3 Orient3dPlaneFilter::operator()(const Vec3d& d) const noexcept {
   const double wx = d.x - plane_.ax, wy = d.y - plane_.ay, wz = d.z - plane_.az;
-  return sign_beyond(plane_.det(wx, wy, wz), internal::orient3d_error(plane_, wx, wy, wz));
+  return sign_beyond(plane_.det(wx, wy, wz), [&](double floor) {
+    return internal::orient3d_error(plane_, wx, wy, wz, floor);
+  });
 }
 
 inline Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c,

@@ -66,7 +66,7 @@ inline Sign Session2d::orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c,
   return cascade(
       tally,
       [&]() VT_TIER {
-        return sign_beyond(formulas::Orient2d<double>(a.x, a.y, b.x, b.y, c.x, c.y).det(),
+        return sign_beyond(formulas::Orient2d<FilterReal>(a.x, a.y, b.x, b.y, c.x, c.y).det(),
                            orient_error_);
       },
       [&](TierCounts* t) VT_TIER { return internal::orient2d_after_filter(a, b, c, t); });
@@ -79,8 +79,9 @@ inline Sign Session2d::in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c,
   return cascade(
       tally,
       [&]() VT_TIER {
-        return sign_beyond(formulas::InCircle<double>(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y).det(),
-                           circle_error_);
+        return sign_beyond(
+            formulas::InCircle<FilterReal>(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y).det(),
+            circle_error_);
       },
       [&](TierCounts* t) VT_TIER { return internal::in_circle_after_filter(a, b, c, d, t); });
 }
@@ -92,7 +93,7 @@ inline Sign Session3d::orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, 
   return cascade(
       tally,
       [&]() VT_TIER {
-        const formulas::Plane3<double> plane(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+        const formulas::Plane3<FilterReal> plane(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
         return sign_beyond(plane.det(d.x - a.x, d.y - a.y, d.z - a.z), orient_error_);
       },
       [&](TierCounts* t) VT_TIER { return internal::orient3d_after_filter(a, b, c, d, t); });
@@ -105,8 +106,8 @@ inline Sign Session3d::in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c,
   return cascade(
       tally,
       [&]() VT_TIER {
-        const formulas::InSphere<double> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y,
-                                           d.z, e.x, e.y, e.z);
+        const formulas::InSphere<FilterReal> f(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x,
+                                               d.y, d.z, e.x, e.y, e.z);
         return sign_beyond(f.det(), sphere_error_);
       },
       [&](TierCounts* t) VT_TIER { return internal::in_sphere_after_filter(a, b, c, d, e, t); });

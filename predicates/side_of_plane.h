@@ -37,7 +37,6 @@ Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) noexc
 
 namespace internal {
 inline constexpr double kSideOfPlaneRel = 0x1.8000000000007p-52;
-inline constexpr double kSideOfPlaneAbs = 0x1p-960;
 
 Sign3 side_of_plane_lattice(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
 Sign3 side_of_plane_interval(const PlaneCoefficients& plane, const Vec3d& p) noexcept;
@@ -49,13 +48,10 @@ Sign side_of_plane_after_filter(const PlaneCoefficients& plane, const Vec3d& p,
 // Bodies.
 
 inline Sign3 side_of_plane_filter(const PlaneCoefficients& plane, const Vec3d& p) noexcept {
-  const formulas::SideOfPlane<double> f(plane.normal.x, plane.normal.y, plane.normal.z,
-                                        plane.offset, p.x, p.y, p.z);
-  const double det = f.det();
-  const double bound = internal::kSideOfPlaneRel * f.magnitude([](double v) {
-    return std::abs(v);
-  }) + internal::kSideOfPlaneAbs;
-  return sign_beyond(det, bound);
+  const formulas::SideOfPlane<FilterReal> f(plane.normal.x, plane.normal.y, plane.normal.z,
+                                            plane.offset, p.x, p.y, p.z);
+  const double size = f.magnitude([](double v) { return std::abs(v); });
+  return sign_beyond(f.det(), internal::kSideOfPlaneRel * size);
 }
 
 inline Sign side_of_plane(const PlaneCoefficients& plane, const Vec3d& p,

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
 
 /// For the lambdas that are a cascade's tiers: one that is not inlined, because it is rarely asked,
@@ -24,6 +25,9 @@ enum class Tier : std::size_t {
   kExact,     ///< exact for all finite operands
 };
 inline constexpr std::size_t kNumTiers = 4;
+
+/// Does the tier compute in floating point, on which it then depends?
+constexpr bool is_floating(Tier tier) { return tier == Tier::kFilter || tier == Tier::kInterval; }
 
 /// How often each tier decided. Not shared between threads: give each its own and add them up.
 struct TierCounts {
@@ -59,6 +63,9 @@ template <std::size_t First = 0, typename T, typename... Rest>
     static_assert(std::is_same_v<std::invoke_result_t<T>, Sign3>,
                   "only the last tier returns Sign");
     static_assert(First < kNumTiers);
+    if constexpr (!kFiltersAreCompiled && is_floating(static_cast<Tier>(First))) {
+      return cascade<First + 1>(tally, std::forward<Rest>(rest)...);
+    }
     const Sign3 s = tier();
     if (is_certain(s)) [[likely]] {
       if (tally != nullptr) ++tally->decided[First];

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "robust/base/fp_guard.h"
 
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -8,6 +13,54 @@
 #include "robust/base/fp_probe.h"
 
 namespace veritope {
+
+namespace internal {
+
+constinit thread_local double fp_floor __attribute__((tls_model("initial-exec"))) =
+    std::numeric_limits<double>::infinity();
+constinit thread_local bool fp_is_probed __attribute__((tls_model("initial-exec"))) = false;
+
+namespace {
+constexpr std::uint64_t kInfinityBits = 0x7ff0000000000000u;
+// A fused product spares a rounding: it cannot hurt where it is not prevented (robust/filter.h).
+constexpr unsigned kHarmless = 1u << static_cast<unsigned>(FpProblem::kContraction);
+}  // namespace
+
+bool probe_filters() noexcept {
+  refresh_fp();
+  return filters_are_sound();
+}
+
+// The floor is copied by its bits: a build that may not know infinities still stores one.
+FpState forget_fp() noexcept {
+  FpState state;
+  std::memcpy(&state.floor, &fp_floor, sizeof fp_floor);
+  state.is_probed = fp_is_probed;
+  std::memcpy(&fp_floor, &kInfinityBits, sizeof fp_floor);
+  fp_is_probed = false;
+  return state;
+}
+void restore_fp(FpState state) noexcept {
+  std::memcpy(&fp_floor, &state.floor, sizeof fp_floor);
+  fp_is_probed = state.is_probed;
+}
+
+}  // namespace internal
+
+void refresh_fp() noexcept {
+  const bool is_sound = (internal::probe_fp_here() & ~internal::kHarmless) == 0;
+  constexpr std::uint64_t kFloorBits = std::bit_cast<std::uint64_t>(kFilterFloor);
+  const std::uint64_t bits = is_sound && kFiltersAreCompiled ? kFloorBits : internal::kInfinityBits;
+  std::memcpy(&internal::fp_floor, &bits, sizeof bits);
+  internal::fp_is_probed = true;
+}
+
+bool filters_are_sound() noexcept {
+  if (!internal::fp_is_probed) refresh_fp();
+  std::uint64_t bits;
+  std::memcpy(&bits, &internal::fp_floor, sizeof bits);
+  return bits != internal::kInfinityBits;
+}
 
 const char* fp_problem_name(FpProblem problem) {
   switch (problem) {
@@ -51,7 +104,7 @@ std::vector<FpProblem> probe_fp() {
 Status check_fp() {
   std::string text;
   for (const FpProblem p : probe_fp()) {
-    text += text.empty() ? "floating point is not as the predicates need it: " : "; ";
+    text += text.empty() ? "floating point is not as the filters need it: " : "; ";
     text += std::string(fp_problem_name(p)) + " (" + fp_problem_advice(p) + ")";
   }
   if (text.empty()) return ok_status();
@@ -59,14 +112,22 @@ Status check_fp() {
 }
 
 #if defined(__SSE2__)
-ScopedDefaultFp::ScopedDefaultFp() : saved_(_mm_getcsr()) { _mm_setcsr(0x1f80u); }
-ScopedDefaultFp::~ScopedDefaultFp() { _mm_setcsr(saved_); }
+ScopedDefaultFp::ScopedDefaultFp() : outside_(internal::forget_fp()), saved_(_mm_getcsr()) {
+  _mm_setcsr(0x1f80u);
+}
+ScopedDefaultFp::~ScopedDefaultFp() {
+  _mm_setcsr(saved_);
+  internal::restore_fp(outside_);
+}
 #else
-ScopedDefaultFp::ScopedDefaultFp() {
+ScopedDefaultFp::ScopedDefaultFp() : outside_(internal::forget_fp()) {
   std::fegetenv(&saved_);
   std::fesetenv(FE_DFL_ENV);
 }
-ScopedDefaultFp::~ScopedDefaultFp() { std::fesetenv(&saved_); }
+ScopedDefaultFp::~ScopedDefaultFp() {
+  std::fesetenv(&saved_);
+  internal::restore_fp(outside_);
+}
 #endif
 
 }  // namespace veritope

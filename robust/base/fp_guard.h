@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // robust/base/fp_guard.h: does this thread, in this build, compute as the filters' bounds assume?
-// Called once at the start of a program; fp_strict.h refuses at compile time what the compiler
-// admits to.
+// Asked by the first filter of a thread; where the answer is no, filters are uncertain and integers
+// decide. fp_strict.h sees to what the compiler admits to.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,6 +9,7 @@
 #include <cfenv>
 #endif
 
+#include "robust/base/fp_state.h"
 #include "robust/base/fp_strict.h"
 #include "robust/base/result.h"
 
@@ -37,7 +38,8 @@ std::vector<FpProblem> probe_fp();
 Status check_fp();
 
 /// From construction to destruction this thread has the default environment: to nearest, no FTZ, no
-/// DAZ, exceptions masked. The whole control word is set, and the caller's is restored.
+/// DAZ, exceptions masked. The whole control word is set, and the caller's is restored; filters may
+/// decide inside, and outside as before.
 class ScopedDefaultFp {
  public:
   ScopedDefaultFp();
@@ -46,6 +48,7 @@ class ScopedDefaultFp {
   ScopedDefaultFp& operator=(const ScopedDefaultFp&) = delete;
 
  private:
+  internal::FpState outside_;
 #if defined(__SSE2__)
   unsigned saved_;
 #else

@@ -1,22 +1,35 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/fp_strict.h: refuses compiler settings under which the filters' error bounds do not
-// hold. Every header with inline floating-point decisions includes it. What only shows at run time
-// is fp_guard.h's.
+// robust/base/fp_strict.h: what the compiler admits to. The filters' error bounds hold for IEEE 754
+// operations, rounded one at a time; where a translation unit may not have them, its filters and
+// intervals are left out, and integers decide: slower, and as right. What only shows at run time is
+// fp_guard.h's.
 #pragma once
 
-#if defined(__FAST_MATH__)
-#error \
-    "veritope: -ffast-math (or -Ofast) lets the compiler change rounding errors that the predicates count on"
+/// 1 if this translation unit's filters and intervals are left out.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                          \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
+#define VT_NO_FILTERS 1
+#else
+#define VT_NO_FILTERS 0
 #endif
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0
-#error "veritope: -ffinite-math-only removes the tests that send overflow and NaN to the exact tier"
+
+/// Around code that relies on IEEE 754: clang has no macros for parts of -ffast-math, but an order.
+#if defined(__clang__)
+#define VT_PRECISE_BEGIN _Pragma("float_control(precise, on, push)")
+#define VT_PRECISE_END _Pragma("float_control(pop)")
+#else
+#define VT_PRECISE_BEGIN
+#define VT_PRECISE_END
 #endif
-#if defined(__ASSOCIATIVE_MATH__)
-#error "veritope: -fassociative-math reorders sums whose rounding errors are counted"
+
+/// 1 if products and sums may be fused: no macro tells whether -ffp-contract=off is given.
+#if defined(__FMA__) || defined(__FMA4__) || !defined(__x86_64__)
+#define VT_MAY_CONTRACT 1
+#else
+#define VT_MAY_CONTRACT 0
 #endif
-#if defined(__RECIPROCAL_MATH__)
-#error "veritope: -freciprocal-math replaces divisions by products with another rounding error"
-#endif
-#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
-#error "veritope: binary64 is evaluated with excess precision (x87?); use -mfpmath=sse -msse2"
-#endif
+
+namespace veritope {
+inline constexpr bool kFiltersAreCompiled = VT_NO_FILTERS == 0;
+}  // namespace veritope

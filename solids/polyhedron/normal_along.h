@@ -47,7 +47,6 @@ struct NormalAlong {
 
 namespace internal {
 inline constexpr double kNormalAlongRel = 0x1.800000000000ap-51;
-inline constexpr double kNormalAlongAbs = 0x1p-960;
 }  // namespace internal
 
 /// The normal n = (b - a) x (c - a), rounded, with the magnitudes of its terms.
@@ -55,7 +54,7 @@ inline constexpr double kNormalAlongAbs = 0x1p-960;
 /// Bound    |det - exact| <= (6u + O(u^2)) S + underflow, S = the sum of the absolute terms, u = 2^-53.
 /// Derived  docs/bounds/normal_along.md, and again in tests/solids/normal_along_bound_test.cc.
 /// Needs    finite points, |d_k| < 2^31, round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
-struct FacetNormal : formulas::NormalAlong<double> {
+struct FacetNormal : formulas::NormalAlong<FilterReal> {
   FacetNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
       : NormalAlong(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z,
                     [](double v) { return std::abs(v); }) {}
@@ -64,7 +63,7 @@ struct FacetNormal : formulas::NormalAlong<double> {
     const double dx = d[0], dy = d[1], dz = d[2];
     const double value = det(dx, dy, dz);
     const double s = magnitude(dx, dy, dz, [](double v) { return std::abs(v); });
-    const double bound = internal::kNormalAlongRel * s + internal::kNormalAlongAbs;
+    const double bound = internal::kNormalAlongRel * s;
     return sign_beyond(value, bound);
   }
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "robust/base/fp_state.h"
+
 namespace veritope {
 namespace {
 
@@ -165,6 +167,7 @@ double largest_coordinate(const TriangleMesh& mesh) {
 // Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 bool SeparatorFinder::proves_apart(const IntVec3& d, std::span<const std::uint32_t> a,
                                    std::span<const std::uint32_t> b) {
+  if (!filters_are_sound()) return false;
   const Vec3d v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
   const double size = (std::abs(v.x) + std::abs(v.y) + std::abs(v.z)) * largest_;
   if (!(size <= internal::kSeparatorMaxSize)) return false;
@@ -251,6 +254,7 @@ std::optional<IntVec3> SeparatorFinder::find_at_common(std::span<const std::uint
 // Needs    as above.
 bool SeparatorFinder::proves_at_common(const IntVec3& d, std::span<const std::uint32_t> a,
                                        std::span<const std::uint32_t> b) {
+  if (!filters_are_sound()) return false;
   const Vec3d v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
   const Vec3d centre = mesh_.positions[common_];
   std::vector<Vec3d>& rays = sample_b_;

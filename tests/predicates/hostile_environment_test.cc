@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The tiers after the filter do not rely on the floating-point environment: they answer the same under every rounding mode and with
-// FTZ and DAZ on. (The filters do rely on it; robust/base/fp_guard.h refuses such a thread.)
+// FTZ and DAZ on. The filters do rely on it: a thread that begins in another environment, or says that its environment has changed,
+// decides without them, so that the predicates answer the same, too.
 #include <gtest/gtest.h>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
+#include <functional>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "predicates/compare_along.h"
@@ -13,7 +17,9 @@
 #include "predicates/in_sphere.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
+#include "predicates/session.h"
 #include "predicates/side_of_plane.h"
+#include "robust/base/fp_guard.h"
 #include "tests/predicates/point_generators.h"
 
 namespace veritope {
@@ -72,6 +78,98 @@ TEST(HostileEnvironment, ExactTiersAnswerTheSameUnderEveryControlWord) {
       }
     }
   }
+}
+
+// What the callers see; a session of the points' own box among it.
+std::vector<int> signs(const Points& p, TierCounts* tally) {
+  const Vec2d flat[] = {xy(p[0]), xy(p[1]), xy(p[2]), xy(p[3])};
+  const PlaneCoefficients f{p[0], p[2].x};
+  const Session2d plane = Session2d::around(flat, 4);
+  const Session3d space = Session3d::around(p.data(), p.size());
+  return {to_int(orient2d(flat[0], flat[1], flat[2], tally)),
+          to_int(orient3d(p[0], p[1], p[2], p[3], tally)),
+          to_int(in_circle(flat[0], flat[1], flat[2], flat[3], tally)),
+          to_int(in_sphere(p[0], p[1], p[2], p[3], p[4], tally)),
+          to_int(side_of_plane(f, p[1], tally)),
+          to_int(compare_along(p[0], p[1], p[2], tally)),
+          to_int(plane.orient2d(flat[0], flat[1], flat[2], tally)),
+          to_int(plane.in_circle(flat[0], flat[1], flat[2], flat[3], tally)),
+          to_int(space.orient3d(p[0], p[1], p[2], p[3], tally)),
+          to_int(space.in_sphere(p[0], p[1], p[2], p[3], p[4], tally))};
+}
+
+constexpr unsigned kHostileWords[] = {0x2000u, 0x4000u, 0x6000u, 0x8000u,
+                                      0x0040u, 0x8040u, 0xe040u};
+
+void on_all_kinds(std::uint64_t seed,
+                  const std::function<void(const Points&, const std::string&)>& check) {
+  for (int kind = 0; kind < generate::kNumKinds; ++kind) {
+    Random random(seed + static_cast<unsigned>(kind));
+    for (int i = 0; i < 300; ++i) {
+      const Points p = generate::points(static_cast<generate::Kind>(kind), random);
+      check(p, std::string(generate::kKindNames[kind]) + ": " + generate::text(p));
+    }
+  }
+}
+
+// `enter` is called once in a thread that has another control word.
+void expect_the_same_signs(const std::function<void()>& enter) {
+  for (const unsigned extra : kHostileWords) {
+    on_all_kinds(71, [&](const Points& p, const std::string& text) {
+      const std::vector<int> usual = signs(p, nullptr);
+      std::vector<int> hostile;
+      TierCounts tally;
+      std::thread([&] {
+        _mm_setcsr(0x1f80u | extra);
+        enter();
+        hostile = signs(p, &tally);
+      }).join();
+      ASSERT_EQ(usual, hostile) << "word " << extra << ", " << text;
+      ASSERT_EQ(tally[Tier::kFilter], 0u) << "word " << extra << ", " << text;
+    });
+  }
+}
+
+TEST(HostileEnvironment, AThreadThatBeginsInOneDecidesWithoutFilters) {
+  expect_the_same_signs([] {});
+}
+
+TEST(HostileEnvironment, AThreadThatSaysThatItsWordHasChangedDoesSo) {
+  expect_the_same_signs([] {
+    const unsigned word = _mm_getcsr();
+    _mm_setcsr(0x1f80u);
+    EXPECT_TRUE(filters_are_sound());
+    _mm_setcsr(word);
+    refresh_fp();
+    EXPECT_FALSE(filters_are_sound());
+  });
+}
+
+TEST(HostileEnvironment, ASessionNoticesAChangeAndServesOtherThreads) {
+  const Vec3d p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::thread([&] {
+    EXPECT_TRUE(filters_are_sound());
+    _mm_setcsr(0x1f80u | 0x4000u);
+    const Session3d session = Session3d::around(p, 4);
+    EXPECT_FALSE(filters_are_sound());
+    TierCounts here, there;
+    EXPECT_EQ(session.orient3d(p[0], p[1], p[2], p[3], &here), Sign::kPositive);
+    EXPECT_EQ(here[Tier::kFilter], 0u);
+    std::thread([&] {
+      _mm_setcsr(0x1f80u);
+      EXPECT_EQ(session.orient3d(p[0], p[1], p[2], p[3], &there), Sign::kPositive);
+    }).join();
+    EXPECT_EQ(there[Tier::kFilter], 1u);
+    _mm_setcsr(0x1f80u);
+    refresh_fp();
+    EXPECT_TRUE(filters_are_sound());
+  }).join();
+}
+
+TEST(HostileEnvironment, TheFirstDecisionOfAThreadIsTheFiltersToo) {
+  TierCounts tally;
+  std::thread([&] { orient2d({0, 0}, {1, 0}, {0, 1}, &tally); }).join();
+  EXPECT_EQ(tally[Tier::kFilter], 1u);
 }
 
 #endif

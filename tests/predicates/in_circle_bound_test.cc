@@ -37,7 +37,7 @@ TEST(InCircleBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
     for (const auto& [exponent, c] : error.coefficient) EXPECT_LE(exponent[0], 2);
     const Rational less = Rational(1) - Rational::power_of_two(-48);
     EXPECT_LE(sum, eta * less);
-    EXPECT_LE(sum + Rational(4) * unit, Rational::from_double(internal::kInCircleAbs) * less);
+    EXPECT_LE(sum + Rational(4) * unit, Rational::from_double(kFilterFloor) * less);
   }
 }
 

@@ -73,7 +73,7 @@ TEST(InSphereBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
     for (const auto& [exponent, c] : missing.coefficient) EXPECT_LE(exponent[0], 3);
     const Rational less = Rational(1) - Rational::power_of_two(-48);
     EXPECT_LE(sum, eta * less);
-    EXPECT_LE(sum + Rational(4) * unit, Rational::from_double(internal::kInSphereAbs) * less);
+    EXPECT_LE(sum + Rational(4) * unit, Rational::from_double(kFilterFloor) * less);
   }
 }
 

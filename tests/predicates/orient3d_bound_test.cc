@@ -41,7 +41,7 @@ TEST(Orient3dBound, AbsoluteConstantsPayForUnderflowAndForFlushing) {
               Rational::from_double(internal::kOrient3dEta) * less);
     // 4 more units: kRel * S and kEta * size() themselves may underflow.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
-              Rational::from_double(internal::kOrient3dAbs) * less);
+              Rational::from_double(kFilterFloor) * less);
   }
 }
 

@@ -80,17 +80,22 @@ TEST(Session, ErrorsGrowWithTheDifferences) {
       d[k] = std::min(limit, limit * random.unit()) * (random.below(2) == 0 ? 1 : -1);
       if (random.below(4) == 0) d[k] = limit;
     }
-    EXPECT_LE(internal::orient2d_error(formulas::Orient2d<double>(0, 0, d[0], d[1], d[3], d[4])),
-              internal::orient2d_error(formulas::Orient2d<double>(0, 0, x, y, x, y)));
-    EXPECT_LE(internal::in_circle_error(
-                  formulas::InCircle<double>(d[0], d[1], d[3], d[4], d[6], d[7], 0, 0)),
-              internal::in_circle_error(formulas::InCircle<double>(x, y, x, y, x, y, 0, 0)));
-    const formulas::Plane3<double> plane(0, 0, 0, d[0], d[1], d[2], d[3], d[4], d[5]),
+    constexpr double kFloor = kFilterFloor;
+    EXPECT_LE(internal::orient2d_error(formulas::Orient2d<FilterReal>(0, 0, d[0], d[1], d[3], d[4]),
+                                       kFloor),
+              internal::orient2d_error(formulas::Orient2d<FilterReal>(0, 0, x, y, x, y), kFloor));
+    EXPECT_LE(
+        internal::in_circle_error(
+            formulas::InCircle<FilterReal>(d[0], d[1], d[3], d[4], d[6], d[7], 0, 0), kFloor),
+        internal::in_circle_error(formulas::InCircle<FilterReal>(x, y, x, y, x, y, 0, 0), kFloor));
+    const formulas::Plane3<FilterReal> plane(0, 0, 0, d[0], d[1], d[2], d[3], d[4], d[5]),
         most(0, 0, 0, x, y, z, x, y, z);
-    EXPECT_LE(internal::orient3d_error(plane, d[6], d[7], d[8]),
-              internal::orient3d_error(most, x, y, z));
-    const double sphere = internal::in_sphere_error(std::abs(d[0]), std::abs(d[1]), std::abs(d[2]));
-    EXPECT_FALSE(sphere > internal::in_sphere_error(x, y, z));  // both may be NaN after overflow
+    EXPECT_LE(internal::orient3d_error(plane, d[6], d[7], d[8], kFloor),
+              internal::orient3d_error(most, x, y, z, kFloor));
+    const double sphere =
+        internal::in_sphere_error(std::abs(d[0]), std::abs(d[1]), std::abs(d[2]), kFloor);
+    EXPECT_FALSE(sphere >
+                 internal::in_sphere_error(x, y, z, kFloor));  // both may be NaN after overflow
   }
 }
 

@@ -31,7 +31,7 @@ TEST(SideOfPlaneBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
     const Rational rel = Rational::from_double(internal::kSideOfPlaneRel);
     // 4 more units: kRel * S itself may underflow. The factor is for the addition of kAbs.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
-              Rational::from_double(internal::kSideOfPlaneAbs) *
+              Rational::from_double(kFilterFloor) *
                   (Rational(1) - Rational::power_of_two(-50)));
   }
 }

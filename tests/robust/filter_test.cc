@@ -16,7 +16,8 @@ TEST(SignBeyond, IsTheSignOfWhatIsFartherFromZeroThanTheBound) {
   EXPECT_EQ(sign_beyond(-3, 2), Sign3::kNegative);
   EXPECT_EQ(sign_beyond(kInf, 2), Sign3::kPositive);
   EXPECT_EQ(sign_beyond(-kInf, 2), Sign3::kNegative);
-  EXPECT_EQ(sign_beyond(5e-324, 0), Sign3::kPositive);
+  EXPECT_EQ(sign_beyond(0x1p-899, 0), Sign3::kPositive);
+  EXPECT_EQ(sign_beyond(0x1p-900, 0), Sign3::kUncertain);  // the floor
 }
 
 TEST(SignBeyond, IsUncertainAtTheBoundAndWithin) {

@@ -59,6 +59,22 @@ TEST(FpGuard, NamesEachProblemWithItsRemedy) {
   EXPECT_STREQ(fp_problem_advice(static_cast<FpProblem>(99)), "unknown");
 }
 
+TEST(ScopedDefaultFp, FiltersMayDecideInsideAndOutsideAsBefore) {
+  std::fesetround(FE_UPWARD);
+  refresh_fp();
+  const bool before = filters_are_sound();
+  bool inside;
+  {
+    const ScopedDefaultFp guard;
+    inside = filters_are_sound();
+  }
+  const bool after = filters_are_sound();
+  std::fesetround(FE_TONEAREST);
+  const bool unnoticed = filters_are_sound();
+  refresh_fp();
+  EXPECT_TRUE(!before && inside && !after && !unnoticed && filters_are_sound());
+}
+
 TEST(ScopedDefaultFp, GivesTheDefaultsAndRestoresTheCallersWord) {
   const unsigned saved = _mm_getcsr();
   _mm_setcsr(saved | 0xe040u);  // toward zero, FTZ, DAZ

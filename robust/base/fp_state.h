@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// robust/base/fp_state.h: what each thread knows about its floating point; found by fp_guard.h's
+// probe.
+#pragma once
+
+namespace veritope {
+
+/// Part of every filter's error bound: it pays for underflow (docs/bounds/README.md, 4).
+inline constexpr double kFilterFloor = 0x1p-900;
+
+namespace internal {
+/// kFilterFloor in a thread that computes as the bounds assume; infinite, so that no filter decides,
+/// in one that does not or was not asked yet. A thread starts with infinity.
+extern constinit thread_local double fp_floor __attribute__((tls_model("initial-exec")));
+extern constinit thread_local bool fp_is_probed __attribute__((tls_model("initial-exec")));
+/// What of it a scope with another control word puts aside and back.
+struct FpState {
+  double floor;
+  bool is_probed;
+};
+FpState forget_fp() noexcept;
+void restore_fp(FpState state) noexcept;
+/// Probes; true if this thread's filters may decide.
+bool probe_filters() noexcept;
+}  // namespace internal
+
+/// May this thread's filters decide? Probes at the first call in a thread.
+bool filters_are_sound() noexcept;
+
+/// Probes again: for a thread whose rounding mode, FTZ or DAZ changed after its first decision, say
+/// because a library that was built with -ffast-math has been loaded. Sessions do it when they are
+/// constructed. About 100 ns.
+void refresh_fp() noexcept;
+
+}  // namespace veritope

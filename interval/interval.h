@@ -104,6 +104,7 @@ class Interval {
   }
 
  private:
+  friend class NearestInterval;
   constexpr explicit Interval(internal::Pair v) : v_(v) {}
   static Interval quotient(const Interval& a, const Interval& b);
   static Interval square_root(const Interval& a);

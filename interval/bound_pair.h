@@ -2,6 +2,8 @@
 // interval/bound_pair.h: two binary64 numbers that are computed side by side, each rounded as the
 // thread's control word says. Every operation is one machine instruction of an asm volatile: no
 // compiler flag (-ffast-math, -Ofast, contraction) can reorder, fold, fuse or assume anything.
+// Numbers that may be NaN or infinite are held as integers: with -ffinite-math-only, clang takes a
+// double that is a parameter or a result for finite, also where it is only copied.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -10,59 +12,56 @@
 
 namespace veritope::internal {
 
-inline constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
-/// What 0 * infinity gives on x86, low 32 bits zero; an empty interval's NaN has other high bits.
-inline constexpr std::uint64_t kMadeNan = 0xfff8000000000000u;
-inline constexpr double kEmptyBound = std::bit_cast<double>(~kSignBit);
+using Bits = std::uint64_t;  ///< of a binary64 number
 
+inline constexpr Bits kSignBit = Bits{1} << 63;
+inline constexpr Bits kInfiniteBits = 0x7ff0000000000000u;
+/// What 0 * infinity gives on x86, low 32 bits zero; an empty interval's NaN has other high bits.
+inline constexpr Bits kMadeNan = 0xfff8000000000000u;
+inline constexpr Bits kEmptyBound = ~kSignBit;
+
+constexpr Bits bits_of(double v) { return std::bit_cast<Bits>(v); }
 /// Numbers in order have keys in order, -0 and 0 the same one; integers, so that neither flags nor
 /// DAZ spoil a comparison. Infinities are ordered, NaN is not meant.
-constexpr std::int64_t order_key(double v) {
-  const std::int64_t bits = std::bit_cast<std::int64_t>(v);
+constexpr std::int64_t key_of(Bits v) {
+  const auto bits = static_cast<std::int64_t>(v);
   return bits < 0 ? INT64_MIN - bits : bits;
 }
-constexpr bool is_nan(double v) {
-  return (std::bit_cast<std::uint64_t>(v) & ~kSignBit) > 0x7ff0000000000000u;
-}
-constexpr bool is_infinite(double v) {
-  return (std::bit_cast<std::uint64_t>(v) & ~kSignBit) == 0x7ff0000000000000u;
-}
-constexpr double negated(double v) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) ^ kSignBit);
-}
-constexpr bool less(double a, double b) { return order_key(a) < order_key(b); }
-constexpr bool less_equal(double a, double b) { return order_key(a) <= order_key(b); }
+constexpr bool is_nan(Bits v) { return (v & ~kSignBit) > kInfiniteBits; }
+constexpr bool is_infinite(Bits v) { return (v & ~kSignBit) == kInfiniteBits; }
+constexpr Bits negated(Bits v) { return v ^ kSignBit; }
+constexpr bool less(Bits a, Bits b) { return key_of(a) < key_of(b); }
+constexpr bool less_equal(Bits a, Bits b) { return key_of(a) <= key_of(b); }
+/// Of two equal ones, that is 0 and -0, the first.
+constexpr Bits larger(Bits a, Bits b) { return less(a, b) ? b : a; }
+constexpr Bits smaller(Bits a, Bits b) { return less(b, a) ? b : a; }
+
+// The same of doubles, where they are known to be numbers or the flags are ours.
+constexpr std::int64_t order_key(double v) { return key_of(bits_of(v)); }
+constexpr bool is_nan(double v) { return is_nan(bits_of(v)); }
+constexpr bool is_infinite(double v) { return is_infinite(bits_of(v)); }
+constexpr double negated(double v) { return std::bit_cast<double>(negated(bits_of(v))); }
+constexpr bool less(double a, double b) { return less(bits_of(a), bits_of(b)); }
 constexpr double larger(double a, double b) { return less(a, b) ? b : a; }
 constexpr double smaller(double a, double b) { return less(b, a) ? b : a; }
 
 #if defined(__SSE2__)
 
-using Pair = __m128d;
+using Pair = __m128i;
 
-inline constexpr Pair make_pair(double first, double second) { return Pair{first, second}; }
-inline double first(Pair p) { return _mm_cvtsd_f64(p); }
-inline double second(Pair p) { return _mm_cvtsd_f64(_mm_unpackhi_pd(p, p)); }
+constexpr Pair make_pair(Bits first, Bits second) {
+  return Pair{static_cast<long long>(first), static_cast<long long>(second)};
+}
+inline Bits first(Pair p) { return static_cast<Bits>(_mm_cvtsi128_si64(p)); }
+inline Bits second(Pair p) {
+  return static_cast<Bits>(_mm_cvtsi128_si64(_mm_unpackhi_epi64(p, p)));
+}
 // pshufd: the one shuffle of SSE2 that leaves its operand as it was, so that no copy is needed.
-// AVX has such forms of the others, which stay in the floating-point domain.
-template <int kHalves, int kDoubles>
-inline Pair shuffled(Pair p) {
-#if defined(__AVX__)
-  return _mm_shuffle_pd(p, p, kDoubles);
-#else
-  return _mm_castsi128_pd(_mm_shuffle_epi32(_mm_castpd_si128(p), kHalves));
-#endif
-}
-inline Pair swapped(Pair p) { return shuffled<0x4e, 1>(p); }
-inline Pair both_first(Pair p) { return shuffled<0x44, 0>(p); }
-inline Pair both_second(Pair p) { return shuffled<0xee, 3>(p); }
-// Through integers: compilers must not learn that this is a negation, which they would move
-// through a product: (-x) * y and -(x * y) round differently.
-inline Pair flip(Pair p, std::uint64_t first_bits, std::uint64_t second_bits) {
-  const __m128i mask =
-      _mm_set_epi64x(static_cast<long long>(second_bits), static_cast<long long>(first_bits));
-  return _mm_castsi128_pd(_mm_xor_si128(_mm_castpd_si128(p), mask));
-}
-inline Pair negated(Pair p) { return flip(p, kSignBit, kSignBit); }
+inline Pair swapped(Pair p) { return _mm_shuffle_epi32(p, 0x4e); }
+inline Pair both_first(Pair p) { return _mm_shuffle_epi32(p, 0x44); }
+inline Pair both_second(Pair p) { return _mm_shuffle_epi32(p, 0xee); }
+inline Pair low_and_high(Pair low, Pair high) { return _mm_unpacklo_epi64(low, high); }
+inline Pair flip(Pair p, Pair mask) { return _mm_xor_si128(p, mask); }
 
 #if defined(__AVX__)
 #define VT_PAIR_OPERATION(name, instruction)                                  \
@@ -85,68 +84,71 @@ VT_PAIR_OPERATION(larger, "maxpd")   ///< b where either is NaN
 VT_PAIR_OPERATION(smaller, "minpd")  ///< b where either is NaN
 #undef VT_PAIR_OPERATION
 
-[[gnu::always_inline]] inline double square_root(double v) {
-  asm volatile("sqrtsd %0, %0" : "+x"(v));
+[[gnu::always_inline]] inline Pair square_root(Pair v) {
+  asm volatile("sqrtpd %0, %0" : "+x"(v));
   return v;
 }
 /// 0 where p is the NaN that 0 * infinity makes; an empty operand's NaN stays. Of equal high
 /// halves the low one is zero, so that comparing halves is enough.
 inline Pair zero_for_made_nan(Pair p) {
-  const __m128i made = _mm_set1_epi64x(static_cast<long long>(kMadeNan));
-  const __m128i bits = _mm_castpd_si128(p);
-  return _mm_castsi128_pd(_mm_andnot_si128(_mm_cmpeq_epi32(bits, made), bits));
+  return _mm_andnot_si128(_mm_cmpeq_epi32(p, make_pair(kMadeNan, kMadeNan)), p);
 }
 
 #else  // any other processor: two scalars behind fences
 
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0
+#error "veritope: -ffinite-math-only is not allowed here on processors without SSE2"
+#endif
+
 struct Pair {
-  double a, b;
+  Bits a, b;
 };
-inline constexpr Pair make_pair(double first, double second) { return {first, second}; }
-inline constexpr double first(Pair p) { return p.a; }
-inline constexpr double second(Pair p) { return p.b; }
+constexpr Pair make_pair(Bits first, Bits second) { return {first, second}; }
+inline constexpr Bits first(Pair p) { return p.a; }
+inline constexpr Bits second(Pair p) { return p.b; }
 inline Pair swapped(Pair p) { return {p.b, p.a}; }
 inline Pair both_first(Pair p) { return {p.a, p.a}; }
 inline Pair both_second(Pair p) { return {p.b, p.b}; }
-inline Pair flip(Pair p, std::uint64_t first_bits, std::uint64_t second_bits) {
-  return {fenced(std::bit_cast<double>(std::bit_cast<std::uint64_t>(p.a) ^ first_bits)),
-          fenced(std::bit_cast<double>(std::bit_cast<std::uint64_t>(p.b) ^ second_bits))};
+inline Pair low_and_high(Pair low, Pair high) { return {low.a, high.a}; }
+inline Pair flip(Pair p, Pair mask) { return {p.a ^ mask.a, p.b ^ mask.b}; }
+inline double number(Bits v) { return fenced(std::bit_cast<double>(v)); }
+// f of two numbers; where one is NaN, the empty bound; a NaN that f makes is kMadeNan.
+template <typename F>
+Bits lane(Bits a, Bits b, F f) {
+  if (is_nan(a) || is_nan(b)) return kEmptyBound;
+  const Bits out = bits_of(fenced(f(number(a), number(b))));
+  return is_nan(out) ? kMadeNan : out;
 }
-inline Pair negated(Pair p) { return flip(p, kSignBit, kSignBit); }
-inline double or_nan(double a, double b, double result) {
-  return is_nan(a) || is_nan(b) ? kEmptyBound : result;
+template <typename F>
+Pair lanes(Pair p, Pair q, F f) {
+  return {lane(p.a, q.a, f), lane(p.b, q.b, f)};
 }
 inline Pair added(Pair p, Pair q) {
-  return {or_nan(p.a, q.a, fenced(fenced(p.a) + fenced(q.a))),
-          or_nan(p.b, q.b, fenced(fenced(p.b) + fenced(q.b)))};
+  return lanes(p, q, [](double x, double y) { return x + y; });
 }
-inline double product(double a, double b) {
-  const double p = fenced(fenced(a) * fenced(b));
-  return or_nan(a, b, is_nan(p) ? std::bit_cast<double>(kMadeNan) : p);
+inline Pair multiplied(Pair p, Pair q) {
+  return lanes(p, q, [](double x, double y) { return x * y; });
 }
-inline Pair multiplied(Pair p, Pair q) { return {product(p.a, q.a), product(p.b, q.b)}; }
 inline Pair divided(Pair p, Pair q) {
-  return {or_nan(p.a, q.a, fenced(fenced(p.a) / fenced(q.a))),
-          or_nan(p.b, q.b, fenced(fenced(p.b) / fenced(q.b)))};
+  return lanes(p, q, [](double x, double y) { return x / y; });
 }
-inline double larger_or_second(double a, double b) {
-  return is_nan(a) || is_nan(b) ? b : larger(a, b);
-}
-inline double smaller_or_second(double a, double b) {
-  return is_nan(a) || is_nan(b) ? b : smaller(a, b);
-}
+inline Bits larger_or_second(Bits a, Bits b) { return is_nan(a) || is_nan(b) ? b : larger(a, b); }
+inline Bits smaller_or_second(Bits a, Bits b) { return is_nan(a) || is_nan(b) ? b : smaller(a, b); }
 inline Pair larger(Pair p, Pair q) {
   return {larger_or_second(p.a, q.a), larger_or_second(p.b, q.b)};
 }
 inline Pair smaller(Pair p, Pair q) {
   return {smaller_or_second(p.a, q.a), smaller_or_second(p.b, q.b)};
 }
-inline double square_root(double v) { return fenced(__builtin_sqrt(fenced(v))); }
+inline Pair square_root(Pair p) {
+  return lanes(p, p, [](double x, double) { return __builtin_sqrt(x); });
+}
 inline Pair zero_for_made_nan(Pair p) {
-  const auto fix = [](double v) { return std::bit_cast<std::uint64_t>(v) == kMadeNan ? 0.0 : v; };
-  return {fix(p.a), fix(p.b)};
+  return {p.a == kMadeNan ? 0 : p.a, p.b == kMadeNan ? 0 : p.b};
 }
 
 #endif
+
+inline Pair negated(Pair p) { return flip(p, make_pair(kSignBit, kSignBit)); }
 
 }  // namespace veritope::internal

@@ -138,11 +138,11 @@ double width(const Box<N>& a) {
 template <std::size_t N>
 std::pair<Box<N>, Box<N>> split(const Box<N>& a, std::size_t side) {
   VT_CHECK(!a.is_empty() && side < N, "split of an empty box or at no side");
-  const double cut = mid(a[side]);
+  const internal::Bits cut = internal::bits_of(mid(a[side]));
   std::pair<Box<N>, Box<N>> out(a, a);
-  if (internal::less(a[side].lo(), cut) && internal::less(cut, a[side].hi())) {
-    out.first[side] = Interval::from_bounds(a[side].lo(), cut);
-    out.second[side] = Interval::from_bounds(cut, a[side].hi());
+  if (internal::less(a[side].lo_bits(), cut) && internal::less(cut, a[side].hi_bits())) {
+    out.first[side] = Interval::from_bits(a[side].lo_bits(), cut);
+    out.second[side] = Interval::from_bits(cut, a[side].hi_bits());
   }
   return out;
 }

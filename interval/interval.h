@@ -2,7 +2,6 @@
 // interval/interval.h: sets of reals between two binary64 bounds. Held as (-lo, hi), so that
 // rounding upward widens both ends. Design: docs/design/0005-intervals.md.
 #pragma once
-#include <limits>
 #include <string>
 
 #include "interval/bound_pair.h"
@@ -23,24 +22,31 @@ class Interval {
   /// [0, 0].
   constexpr Interval() : v_(internal::make_pair(0, 0)) {}
   /// The one point v. REQUIRES finite.
-  constexpr explicit Interval(double v) : v_(internal::make_pair(internal::negated(v), v)) {}
-  /// REQUIRES lo <= hi, lo < +infinity, hi > -infinity; numbers.h checks.
+  constexpr explicit Interval(double v) : Interval(from_bounds(v, v)) {}
+  /// REQUIRES lo <= hi, lo < +infinity, hi > -infinity; nums_to_interval of numeric.h checks.
   static constexpr Interval from_bounds(double lo, double hi) {
+    return from_bits(internal::bits_of(lo), internal::bits_of(hi));
+  }
+  /// The same, of the bits of two numbers; also where the compiler is told that none is infinite.
+  static constexpr Interval from_bits(internal::Bits lo, internal::Bits hi) {
     return Interval(internal::make_pair(internal::negated(lo), hi));
   }
   static constexpr Interval empty() {
     return Interval(internal::make_pair(internal::kEmptyBound, internal::kEmptyBound));
   }
   static constexpr Interval entire() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return Interval(internal::make_pair(infinity, infinity));
+    return Interval(internal::make_pair(internal::kInfiniteBits, internal::kInfiniteBits));
   }
 
   /// NaN if empty; inf and sup of numeric.h say what IEEE 1788 says.
-  double lo() const { return internal::negated(internal::first(v_)); }
-  double hi() const { return internal::second(v_); }
-  bool is_empty() const { return internal::is_nan(hi()); }
-  bool is_entire() const { return internal::is_infinite(hi()) && internal::is_infinite(lo()); }
+  double lo() const { return std::bit_cast<double>(lo_bits()); }
+  double hi() const { return std::bit_cast<double>(hi_bits()); }
+  internal::Bits lo_bits() const { return internal::negated(internal::first(v_)); }
+  internal::Bits hi_bits() const { return internal::second(v_); }
+  bool is_empty() const { return internal::is_nan(hi_bits()); }
+  bool is_entire() const {
+    return internal::is_infinite(hi_bits()) && internal::is_infinite(lo_bits());
+  }
 
   friend Interval operator-(const Interval& a) { return Interval(internal::swapped(a.v_)); }
   friend Interval operator+(const Interval& a, const Interval& b) {
@@ -69,14 +75,14 @@ class Interval {
 
   /// { x^2 : x in a }, tighter than a * a when a contains numbers of both signs.
   friend Interval sqr(const Interval& a) {
-    const internal::Pair other = internal::swapped(a.v_);
-    const internal::Pair far = internal::larger(a.v_, other);  // max |x|
-    // min |x|: minus the smaller of -lo and hi, where that is positive.
-    const internal::Pair near = internal::larger(internal::make_pair(0, 0),
-                                                 internal::negated(internal::smaller(a.v_, other)));
+    using internal::Pair;
+    const Pair zero = internal::make_pair(0, 0), other = internal::swapped(a.v_);
+    const Pair far = internal::larger(a.v_, other);  // max |x|, twice
+    // min |x|, twice: minus the smaller of -lo and hi, where that is positive.
+    const Pair near = internal::larger(zero, internal::negated(internal::smaller(a.v_, other)));
+    const Pair ends = internal::low_and_high(near, far);
     return Interval(internal::multiplied(
-        internal::make_pair(internal::negated(internal::first(near)), internal::first(far)),
-        internal::make_pair(internal::first(near), internal::first(far))));
+        internal::flip(ends, internal::make_pair(internal::kSignBit, 0)), ends));
   }
   /// { root of x : x in a, x >= 0 }.
   friend Interval sqrt(const Interval& a) { return square_root(a); }
@@ -89,15 +95,15 @@ class Interval {
   /// The same set.
   friend bool operator==(const Interval& a, const Interval& b) {
     if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
-    return internal::order_key(a.lo()) == internal::order_key(b.lo()) &&
-           internal::order_key(a.hi()) == internal::order_key(b.hi());
+    return internal::key_of(a.lo_bits()) == internal::key_of(b.lo_bits()) &&
+           internal::key_of(a.hi_bits()) == internal::key_of(b.hi_bits());
   }
 
   /// The sign that all members have, or uncertain; uncertain if there is none.
   Sign3 sign() const {
     if (is_empty()) return Sign3::kUncertain;
-    const std::int64_t n = internal::order_key(internal::first(v_));
-    const std::int64_t h = internal::order_key(internal::second(v_));
+    const std::int64_t n = internal::key_of(internal::first(v_));
+    const std::int64_t h = internal::key_of(internal::second(v_));
     if (n < 0) return Sign3::kPositive;
     if (h < 0) return Sign3::kNegative;
     return n == 0 && h == 0 ? Sign3::kZero : Sign3::kUncertain;
@@ -113,35 +119,32 @@ class Interval {
 };
 
 inline Interval Interval::quotient(const Interval& a, const Interval& b) {
+  using internal::Bits, internal::key_of;
   if (a.is_empty() || b.is_empty()) return empty();
   internal::Pair numerator = a.v_;
-  double near = b.lo(), far = b.hi();
-  if (internal::order_key(far) <= 0) {  // a / b = (-a) / (-b)
+  Bits near = b.lo_bits(), far = b.hi_bits();
+  if (key_of(far) <= 0) {  // a / b = (-a) / (-b)
     numerator = internal::swapped(numerator);
-    near = internal::negated(b.hi()), far = internal::negated(b.lo());
+    near = internal::negated(b.hi_bits()), far = internal::negated(b.lo_bits());
   }
-  const std::int64_t near_key = internal::order_key(near);
-  if (internal::order_key(far) == 0) return empty();
-  if (near_key < 0) return a.sign() == Sign3::kZero ? Interval() : entire();
-  if (near_key == 0) near = 0;  // not -0: a positive number / 0 shall be +infinity
+  if (key_of(far) == 0) return empty();
+  if (key_of(near) < 0) return a.sign() == Sign3::kZero ? Interval() : entire();
+  if (key_of(near) == 0) near = 0;  // not -0: a positive number / 0 shall be +infinity
   // 0 <= near <= far, far > 0: a positive end of the numerator goes farthest over near.
-  const double n = internal::first(numerator), h = internal::second(numerator);
-  return Interval(
-      internal::divided(numerator, internal::make_pair(internal::order_key(n) > 0 ? near : far,
-                                                       internal::order_key(h) > 0 ? near : far)));
+  return Interval(internal::divided(
+      numerator, internal::make_pair(key_of(internal::first(numerator)) > 0 ? near : far,
+                                     key_of(internal::second(numerator)) > 0 ? near : far)));
 }
 
 inline Interval Interval::square_root(const Interval& a) {
-  if (a.is_empty() || internal::order_key(a.hi()) < 0) return empty();
-  double low = 0;
-  if (internal::order_key(a.lo()) > 0) {
-    low = internal::square_root(a.lo());
-    // Rounded upward: the square, rounded upward too, exceeds lo iff the root does.
-    const internal::Pair r = internal::make_pair(low, low);
-    if (internal::less(a.lo(), internal::first(internal::multiplied(r, r))))
-      low = std::bit_cast<double>(std::bit_cast<std::uint64_t>(low) - 1);
-  }
-  return Interval::from_bounds(low, internal::square_root(a.hi()));
+  using internal::Bits, internal::key_of;
+  if (a.is_empty() || key_of(a.hi_bits()) < 0) return empty();
+  const Bits least = key_of(a.lo_bits()) > 0 ? a.lo_bits() : 0;
+  const internal::Pair roots = internal::square_root(internal::make_pair(least, a.hi_bits()));
+  Bits low = internal::first(roots);
+  // Rounded upward: the square, rounded upward too, exceeds lo iff the root does.
+  if (internal::less(least, internal::first(internal::multiplied(roots, roots)))) --low;
+  return from_bits(low, internal::second(roots));
 }
 
 inline Sign3 sign_of(const Interval& a) { return a.sign(); }

@@ -55,18 +55,20 @@ class NearestInterval {
  private:
   static constexpr double kUlp = 0x1.0000000000001p-53;
 
+  static internal::Pair twice(double v) {
+    return internal::make_pair(internal::bits_of(v), internal::bits_of(v));
+  }
   static NearestInterval widened(const Interval& nearest) {
     using internal::Pair;
-    const Pair least = internal::make_pair(-0x1.fffffffffffffp1023, -0x1.fffffffffffffp1023);
+    const Pair least = twice(-0x1.fffffffffffffp1023);
     const Pair bound = internal::larger(least, nearest.v_);
     const Pair size = internal::larger(internal::negated(bound), bound);
-    const Pair margin = internal::added(internal::multiplied(internal::make_pair(kUlp, kUlp), size),
-                                        internal::make_pair(0x1p-1022, 0x1p-1022));
+    const Pair margin = internal::added(internal::multiplied(twice(kUlp), size), twice(0x1p-1022));
     return NearestInterval(Interval(internal::added(bound, margin)));
   }
   static NearestInterval not_negative(const NearestInterval& a) {
-    if (a.is_empty() || !internal::less(a.lo(), 0)) return a;
-    return NearestInterval(Interval::from_bounds(0, a.hi()));
+    if (a.is_empty() || !internal::less(a.x_.lo_bits(), internal::Bits{0})) return a;
+    return NearestInterval(Interval::from_bits(0, a.x_.hi_bits()));
   }
 
   Interval x_;

@@ -7,9 +7,9 @@ Overlap overlap(const Interval& a, const Interval& b) {
   if (a.is_empty() && b.is_empty()) return Overlap::kBothEmpty;
   if (a.is_empty()) return Overlap::kFirstEmpty;
   if (b.is_empty()) return Overlap::kSecondEmpty;
-  using internal::order_key;
-  const std::int64_t al = order_key(a.lo()), ah = order_key(a.hi());
-  const std::int64_t bl = order_key(b.lo()), bh = order_key(b.hi());
+  using internal::key_of;
+  const std::int64_t al = key_of(a.lo_bits()), ah = key_of(a.hi_bits());
+  const std::int64_t bl = key_of(b.lo_bits()), bh = key_of(b.hi_bits());
   if (ah < bl) return Overlap::kBefore;
   if (bh < al) return Overlap::kAfter;
   if (al == bl && ah == bh) return Overlap::kEquals;

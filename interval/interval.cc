@@ -8,6 +8,7 @@
 namespace veritope {
 
 bool contains(const Interval& a, const Rational& x) {
+  if (a.is_empty()) return false;
   return (!is_finite(a.lo()) || Rational::from_double(a.lo()) <= x) &&
          (!is_finite(a.hi()) || x <= Rational::from_double(a.hi()));
 }
@@ -15,6 +16,7 @@ bool contains(const Interval& a, const Rational& x) {
 Interval enclose(const Rational& x) { return Interval::from_bounds(round_down(x), round_up(x)); }
 
 std::string to_string(const Interval& a) {
+  if (a.is_empty()) return "[empty]";
   char text[64];
   std::snprintf(text, sizeof text, "[%.17g, %.17g]", a.lo(), a.hi());
   return text;

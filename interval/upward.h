@@ -8,8 +8,6 @@
 #include <cfenv>
 #endif
 
-#include "robust/base/fp_strict.h"
-
 namespace veritope {
 
 /// From construction to destruction this thread rounds binary64 operations upward, with gradual

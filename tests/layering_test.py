@@ -30,7 +30,9 @@ OUTSIDE = [  # kind, headers
     ("json", r"nlohmann/.*"),
     ("gtest", r"(gtest|gmock)/.*"),
     ("rapidcheck", r"rapidcheck(/.*|\.h)"),
-    ("cgal", r"(CGAL|boost)/.*|mpfr\.h|gmpxx\.h"),
+    ("mpfr", r"mpfr\.h"),
+    ("mpfi", r"mpfi(_io)?\.h"),
+    ("cgal", r"(CGAL|boost)/.*|gmpxx\.h"),
     ("eigen", r"Eigen/.*"),
 ]
 PUBLIC_OUTSIDE = {"intrinsics", "gmp"}
@@ -202,6 +204,12 @@ class PlantedFaults(unittest.TestCase):
     def test_cgal_and_boost_in_a_layer_are_found(self):
         self.assert_only_fault({"predicates/peer.h": "#include <CGAL/Gmpq.h>\n"}, "(cgal)")
         self.assert_only_fault({"robust/peer.h": "#include <boost/multiprecision/cpp_int.hpp>\n"}, "(cgal)")
+
+    def test_mpfr_is_for_bodies_and_internal_headers_of_interval(self):
+        self.assertEqual(self.faults({"interval/real_internal.h": "#include <mpfr.h>\n", "interval/real.cc": "#include <mpfr.h>\n"}), [])
+        self.assert_only_fault({"interval/real.h": "#include <mpfr.h>\n"}, "an installed header may not include")
+        self.assert_only_fault({"interval/real.cc": "#include <mpfi.h>\n"}, "(mpfi)")
+        self.assert_only_fault({"predicates/real.cc": "#include <mpfr.h>\n"}, "(mpfr)")
 
     def test_a_kernel_header_in_the_checker_is_found(self):
         self.assert_only_fault({"verify/checker/extra.h": '#include "robust/base/sign.h"\n'}, "no arrow from robust/base")

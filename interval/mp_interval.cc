@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "interval/mp_interval.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "interval/mpfr_internal.h"
+#include "robust/base/check.h"
+#include "robust/base/fp_guard.h"
+
+namespace veritope {
+
+// Empty: both NaN.
+class MpInterval::Bounds {
+ public:
+  explicit Bounds(int precision) : lo(mpfr_prec_t{precision}), hi(mpfr_prec_t{precision}) {
+    mpfr_set_zero(lo.get(), 1);
+    mpfr_set_zero(hi.get(), 1);
+  }
+  int precision() const { return static_cast<int>(mpfr_get_prec(lo.get())); }
+  bool is_empty() const { return mpfr_nan_p(lo.get()) != 0; }
+  void make_empty() {
+    mpfr_set_nan(lo.get());
+    mpfr_set_nan(hi.get());
+  }
+  void make_entire() {
+    mpfr_set_inf(lo.get(), -1);
+    mpfr_set_inf(hi.get(), 1);
+  }
+  int sign_lo() const { return mpfr_sgn(lo.get()); }
+  int sign_hi() const { return mpfr_sgn(hi.get()); }
+
+  internal::Real lo, hi;
+};
+
+namespace {
+
+using Bounds = MpInterval::Bounds;
+using internal::Real;
+
+int checked(int precision) {
+  VT_CHECK(precision >= MpInterval::kMinPrecision && precision <= MpInterval::kMaxPrecision,
+           "precision of a multi-precision interval");
+  return precision;
+}
+std::unique_ptr<Bounds> result(const Bounds& a, const Bounds& b) {
+  return std::make_unique<Bounds>(std::max(a.precision(), b.precision()));
+}
+
+// out = min or max of itself and v, where `first` says that it has no value yet. 0 * infinity is 0.
+void take(Real& out, const Real& v, bool first, bool least) {
+  const bool nan = mpfr_nan_p(v.get()) != 0;
+  const int order = first ? 0 : (nan ? -mpfr_sgn(out.get()) : mpfr_cmp(v.get(), out.get()));
+  if (!first && (least ? order >= 0 : order <= 0)) return;
+  if (nan) {
+    mpfr_set_zero(out.get(), 1);
+  } else {
+    mpfr_set(out.get(), v.get(), MPFR_RNDN);  // same precision: exact
+  }
+}
+
+Rational rational_of(const Real& v) {
+  VT_CHECK(mpfr_number_p(v.get()) != 0, "the bound is infinite or the interval is empty");
+  if (mpfr_zero_p(v.get())) return Rational();
+  Integer mantissa;
+  const mpfr_exp_t exponent = mpfr_get_z_2exp(static_cast<mpz_ptr>(mantissa.gmp()), v.get());
+  return Rational(mantissa) * Rational::power_of_two(exponent);
+}
+
+// sign of v - x.
+int order(const Real& v, const Rational& x) {
+  if (mpfr_inf_p(v.get())) return mpfr_sgn(v.get());
+  const Rational exact = rational_of(v);
+  return exact < x ? -1 : (x < exact ? 1 : 0);
+}
+
+void divide_rational(Real& out, const Rational& x, mpfr_rnd_t direction) {
+  const auto* n = static_cast<mpz_srcptr>(x.numerator().gmp());
+  const auto* d = static_cast<mpz_srcptr>(x.denominator().gmp());
+  // An exact numerator, so that the division rounds once.
+  Real numerator(std::max<mpfr_prec_t>(2, static_cast<mpfr_prec_t>(x.numerator().bit_length())));
+  mpfr_set_z(numerator.get(), n, MPFR_RNDN);
+  mpfr_div_z(out.get(), numerator.get(), d, direction);
+}
+
+}  // namespace
+
+MpInterval::MpInterval(std::unique_ptr<Bounds> bounds) : bounds_(std::move(bounds)) {}
+MpInterval::MpInterval(int precision) : bounds_(std::make_unique<Bounds>(checked(precision))) {}
+MpInterval::MpInterval(const Interval& x, int precision) : MpInterval(precision) {
+  if (x.is_empty()) {
+    bounds_->make_empty();
+    return;
+  }
+  const ScopedDefaultFp environment;
+  mpfr_set_d(bounds_->lo.get(), x.lo(), MPFR_RNDD);
+  mpfr_set_d(bounds_->hi.get(), x.hi(), MPFR_RNDU);
+}
+MpInterval::MpInterval(const Rational& x, int precision) : MpInterval(precision) {
+  divide_rational(bounds_->lo, x, MPFR_RNDD);
+  divide_rational(bounds_->hi, x, MPFR_RNDU);
+}
+MpInterval::MpInterval(const MpInterval& other) : MpInterval(other.precision()) {
+  mpfr_set(bounds_->lo.get(), other.bounds_->lo.get(), MPFR_RNDN);
+  mpfr_set(bounds_->hi.get(), other.bounds_->hi.get(), MPFR_RNDN);
+}
+MpInterval::MpInterval(MpInterval&& other) noexcept = default;
+MpInterval& MpInterval::operator=(const MpInterval& other) { return *this = MpInterval(other); }
+MpInterval& MpInterval::operator=(MpInterval&& other) noexcept = default;
+MpInterval::~MpInterval() = default;
+MpInterval MpInterval::empty(int precision) {
+  MpInterval out(precision);
+  out.bounds_->make_empty();
+  return out;
+}
+
+int MpInterval::precision() const { return bounds_->precision(); }
+bool MpInterval::is_empty() const { return bounds_->is_empty(); }
+Rational MpInterval::lo() const { return rational_of(bounds_->lo); }
+Rational MpInterval::hi() const { return rational_of(bounds_->hi); }
+bool MpInterval::has_lo() const { return mpfr_number_p(bounds_->lo.get()) != 0; }
+bool MpInterval::has_hi() const { return mpfr_number_p(bounds_->hi.get()) != 0; }
+
+MpInterval operator-(const MpInterval& a) {
+  MpInterval out(a.precision());
+  mpfr_neg(out.bounds_->lo.get(), a.bounds_->hi.get(), MPFR_RNDN);
+  mpfr_neg(out.bounds_->hi.get(), a.bounds_->lo.get(), MPFR_RNDN);
+  return out;
+}
+MpInterval operator+(const MpInterval& a, const MpInterval& b) {
+  auto out = result(*a.bounds_, *b.bounds_);
+  mpfr_add(out->lo.get(), a.bounds_->lo.get(), b.bounds_->lo.get(), MPFR_RNDD);
+  mpfr_add(out->hi.get(), a.bounds_->hi.get(), b.bounds_->hi.get(), MPFR_RNDU);
+  return MpInterval(std::move(out));
+}
+MpInterval operator-(const MpInterval& a, const MpInterval& b) { return a + -b; }
+
+MpInterval operator*(const MpInterval& a, const MpInterval& b) {
+  auto out = result(*a.bounds_, *b.bounds_);
+  if (a.is_empty() || b.is_empty()) return MpInterval::empty(out->precision());
+  Real product(mpfr_prec_t{out->precision()});
+  bool first = true;
+  for (const Real* x : {&a.bounds_->lo, &a.bounds_->hi})
+    for (const Real* y : {&b.bounds_->lo, &b.bounds_->hi}) {
+      mpfr_mul(product.get(), x->get(), y->get(), MPFR_RNDD);
+      take(out->lo, product, first, true);
+      mpfr_mul(product.get(), x->get(), y->get(), MPFR_RNDU);
+      take(out->hi, product, first, false);
+      first = false;
+    }
+  return MpInterval(std::move(out));
+}
+
+MpInterval operator/(const MpInterval& a, const MpInterval& b) {
+  const Bounds &n = *a.bounds_, &d = *b.bounds_;
+  auto out = result(n, d);
+  if (a.is_empty() || b.is_empty() || b.sign() == Sign3::kZero)
+    return MpInterval::empty(out->precision());
+  if (d.sign_hi() <= 0) return -a / -b;
+  if (d.sign_lo() < 0) {
+    if (a.sign() != Sign3::kZero) out->make_entire();
+    return MpInterval(std::move(out));
+  }
+  // 0 <= d.lo, 0 < d.hi. Positive / 0 is an infinite bound; the sign of MPFR's zero must be plus.
+  Real near(mpfr_prec_t{d.precision()});
+  mpfr_abs(near.get(), d.lo.get(), MPFR_RNDN);
+  mpfr_div(out->lo.get(), n.lo.get(), (n.sign_lo() < 0 ? near : d.hi).get(), MPFR_RNDD);
+  mpfr_div(out->hi.get(), n.hi.get(), (n.sign_hi() > 0 ? near : d.hi).get(), MPFR_RNDU);
+  return MpInterval(std::move(out));
+}
+
+MpInterval sqr(const MpInterval& a) { return pown(a, 2); }
+
+MpInterval sqrt(const MpInterval& a) {
+  if (a.is_empty() || a.bounds_->sign_hi() < 0) return MpInterval::empty(a.precision());
+  MpInterval out(a.precision());
+  if (a.bounds_->sign_lo() > 0) mpfr_sqrt(out.bounds_->lo.get(), a.bounds_->lo.get(), MPFR_RNDD);
+  mpfr_sqrt(out.bounds_->hi.get(), a.bounds_->hi.get(), MPFR_RNDU);
+  return out;
+}
+
+MpInterval pown(const MpInterval& a, std::int64_t n) {
+  if (a.is_empty()) return a;
+  if (n < 0) {
+    VT_CHECK(n != INT64_MIN, "exponent of pown");
+    return MpInterval(Rational(1), a.precision()) / pown(a, -n);
+  }
+  if (n == 0) return MpInterval(Rational(1), a.precision());
+  MpInterval out(a.precision());
+  const Real *low = &a.bounds_->lo, *high = &a.bounds_->hi;
+  const bool even = n % 2 == 0;
+  // Of |x| if n is even.
+  if (even && a.bounds_->sign_hi() <= 0) std::swap(low, high);
+  const bool both = even && a.bounds_->sign_lo() < 0 && a.bounds_->sign_hi() > 0;
+  if (both && mpfr_cmpabs(low->get(), high->get()) > 0) high = low;
+  if (!both) mpfr_pow_si(out.bounds_->lo.get(), low->get(), n, MPFR_RNDD);
+  mpfr_pow_si(out.bounds_->hi.get(), high->get(), n, MPFR_RNDU);
+  return out;
+}
+
+bool operator==(const MpInterval& a, const MpInterval& b) {
+  if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
+  return mpfr_equal_p(a.bounds_->lo.get(), b.bounds_->lo.get()) != 0 &&
+         mpfr_equal_p(a.bounds_->hi.get(), b.bounds_->hi.get()) != 0;
+}
+bool is_subset(const MpInterval& a, const MpInterval& b) {
+  if (a.is_empty() || b.is_empty()) return a.is_empty();
+  return mpfr_lessequal_p(b.bounds_->lo.get(), a.bounds_->lo.get()) != 0 &&
+         mpfr_lessequal_p(a.bounds_->hi.get(), b.bounds_->hi.get()) != 0;
+}
+MpInterval intersection(const MpInterval& a, const MpInterval& b) {
+  auto out = result(*a.bounds_, *b.bounds_);
+  if (a.is_empty() || b.is_empty()) return MpInterval::empty(out->precision());
+  mpfr_max(out->lo.get(), a.bounds_->lo.get(), b.bounds_->lo.get(), MPFR_RNDN);
+  mpfr_min(out->hi.get(), a.bounds_->hi.get(), b.bounds_->hi.get(), MPFR_RNDN);
+  if (mpfr_less_p(out->hi.get(), out->lo.get()) != 0) out->make_empty();
+  return MpInterval(std::move(out));
+}
+MpInterval hull(const MpInterval& a, const MpInterval& b) {
+  auto out = result(*a.bounds_, *b.bounds_);  // of two numbers, MPFR's min and max ignore NaN
+  mpfr_min(out->lo.get(), a.bounds_->lo.get(), b.bounds_->lo.get(), MPFR_RNDN);
+  mpfr_max(out->hi.get(), a.bounds_->hi.get(), b.bounds_->hi.get(), MPFR_RNDN);
+  return MpInterval(std::move(out));
+}
+Sign3 compare(const MpInterval& a, const MpInterval& b) {
+  if (a.is_empty() || b.is_empty()) return Sign3::kUncertain;
+  if (mpfr_less_p(a.bounds_->hi.get(), b.bounds_->lo.get()) != 0) return Sign3::kNegative;
+  if (mpfr_less_p(b.bounds_->hi.get(), a.bounds_->lo.get()) != 0) return Sign3::kPositive;
+  const bool point = mpfr_equal_p(a.bounds_->lo.get(), a.bounds_->hi.get()) != 0;
+  return point && a == b ? Sign3::kZero : Sign3::kUncertain;
+}
+bool contains(const MpInterval& a, const Rational& x) {
+  return !a.is_empty() && order(a.bounds_->lo, x) <= 0 && order(a.bounds_->hi, x) >= 0;
+}
+
+Sign3 MpInterval::sign() const {
+  if (is_empty()) return Sign3::kUncertain;
+  if (bounds_->sign_lo() > 0) return Sign3::kPositive;
+  if (bounds_->sign_hi() < 0) return Sign3::kNegative;
+  return bounds_->sign_lo() == 0 && bounds_->sign_hi() == 0 ? Sign3::kZero : Sign3::kUncertain;
+}
+
+Interval MpInterval::to_interval() const {
+  if (is_empty()) return Interval::empty();
+  const ScopedDefaultFp environment;
+  return Interval::from_bounds(bounds_->lo.round(MPFR_RNDD), bounds_->hi.round(MPFR_RNDU));
+}
+
+}  // namespace veritope

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// interval/mp_interval.h: intervals whose bounds have as many bits as the caller asks for. MPFR
+// [FHL07] stays behind this header. Works in any floating-point environment.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "interval/interval.h"
+#include "robust/rational.h"
+
+namespace veritope {
+
+/// [lo, hi] with bounds of `precision` significant bits, or infinite; or empty. Laws as of Interval:
+/// every operation encloses, and each bound is the nearest such number outside. The result of an
+/// operation has the larger precision of its operands. Exponents are those of MPFR: no underflow or
+/// overflow within 2^(+-2^61).
+class MpInterval {
+ public:
+  static constexpr int kMinPrecision = 2, kMaxPrecision = 1 << 24;
+
+  /// [0, 0]. REQUIRES here and below kMinPrecision <= precision <= kMaxPrecision.
+  explicit MpInterval(int precision);
+  /// The narrowest around x: the same set from 53 bits on.
+  MpInterval(const Interval& x, int precision);
+  MpInterval(const Rational& x, int precision);
+  MpInterval(const MpInterval& other);
+  MpInterval(MpInterval&& other) noexcept;
+  MpInterval& operator=(const MpInterval& other);
+  MpInterval& operator=(MpInterval&& other) noexcept;
+  ~MpInterval();
+  static MpInterval empty(int precision);
+
+  int precision() const;
+  bool is_empty() const;
+  /// REQUIRES nonempty and that bound finite: exact.
+  Rational lo() const;
+  Rational hi() const;
+  bool has_lo() const;  ///< nonempty and bounded below
+  bool has_hi() const;
+
+  friend MpInterval operator-(const MpInterval& a);
+  friend MpInterval operator+(const MpInterval& a, const MpInterval& b);
+  friend MpInterval operator-(const MpInterval& a, const MpInterval& b);
+  friend MpInterval operator*(const MpInterval& a, const MpInterval& b);
+  /// The hull; empty for b = [0, 0].
+  friend MpInterval operator/(const MpInterval& a, const MpInterval& b);
+  friend MpInterval sqr(const MpInterval& a);
+  friend MpInterval sqrt(const MpInterval& a);
+  /// For n < 0 with one rounding more. REQUIRES n != INT64_MIN.
+  friend MpInterval pown(const MpInterval& a, std::int64_t n);
+
+  friend bool operator==(const MpInterval& a, const MpInterval& b);
+  friend bool is_subset(const MpInterval& a, const MpInterval& b);
+  friend MpInterval intersection(const MpInterval& a, const MpInterval& b);
+  friend MpInterval hull(const MpInterval& a, const MpInterval& b);
+  /// The sign of x - y for all members, or uncertain, as compare of relations.h.
+  friend Sign3 compare(const MpInterval& a, const MpInterval& b);
+  friend bool contains(const MpInterval& a, const Rational& x);
+  /// The sign that all members have, or uncertain.
+  Sign3 sign() const;
+  /// The narrowest Interval around it.
+  Interval to_interval() const;
+
+  class Bounds;  ///< two MPFR numbers
+
+ private:
+  explicit MpInterval(std::unique_ptr<Bounds> bounds);
+
+  std::unique_ptr<Bounds> bounds_;
+};
+
+inline Sign3 sign_of(const MpInterval& a) { return a.sign(); }
+
+}  // namespace veritope

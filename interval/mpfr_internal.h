@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// interval/mpfr_internal.h: binary64 values of MPFR's functions, correctly rounded downward or
+// upward. [FHL07] rounds each function correctly at its precision; directed roundings compose, so
+// that the second one, to binary64 with its subnormals and overflow, keeps that.
+#pragma once
+#include <mpfr.h>
+
+#include <utility>
+
+#include "interval/bound_pair.h"
+#include "interval/interval.h"
+
+namespace veritope::internal {
+
+/// One MPFR number. REQUIRES the default floating-point environment (ScopedDefaultFp) where doubles
+/// go in or out.
+class Real {
+ public:
+  explicit Real(mpfr_prec_t precision = 53) { mpfr_init2(v_, precision); }
+  explicit Real(double value) : Real() { mpfr_set_d(v_, value, MPFR_RNDN); }
+  ~Real() { mpfr_clear(v_); }
+  Real(const Real&) = delete;
+  Real& operator=(const Real&) = delete;
+
+  mpfr_ptr get() { return v_; }
+  mpfr_srcptr get() const { return v_; }
+  /// The number next to it in that direction.
+  double round(mpfr_rnd_t direction) const { return mpfr_get_d(v_, direction); }
+
+ private:
+  mpfr_t v_;
+};
+
+using RealFunction = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+using RealFunction2 = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+
+inline double rounded(RealFunction f, double x, mpfr_rnd_t direction) {
+  Real v(x);
+  f(v.get(), v.get(), direction);
+  return v.round(direction);
+}
+inline double rounded(RealFunction2 f, double x, double y, mpfr_rnd_t direction) {
+  Real v(x), w(y);
+  f(v.get(), v.get(), w.get(), direction);
+  return v.round(direction);
+}
+/// [f(lo), f(hi)] outward: the range of an increasing f.
+inline Interval rising(RealFunction f, double lo, double hi) {
+  return Interval::from_bounds(rounded(f, lo, MPFR_RNDD), rounded(f, hi, MPFR_RNDU));
+}
+inline Interval falling(RealFunction f, double lo, double hi) {
+  return Interval::from_bounds(rounded(f, hi, MPFR_RNDD), rounded(f, lo, MPFR_RNDU));
+}
+
+}  // namespace veritope::internal

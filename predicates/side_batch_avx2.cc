@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/side_batch_avx2.cc: four lanes. Compiled with the flags of its instruction set.
+// predicates/side_batch_avx2.cc: two vectors of four lanes. Compiled with the flags of its instruction
+// set.
 #include "predicates/side_batch_internal.h"
 #if defined(__AVX2__)
 #include <immintrin.h>
@@ -7,40 +8,43 @@
 namespace veritope::internal {
 namespace {
 
-alignas(32) constexpr long long kFirst[8] = {-1, -1, -1, -1, 0, 0, 0, 0};
+struct Lanes8 {
+  static constexpr std::size_t kLanes = 8;
+  using V = Lanes8;
+  __m256d v, w;
 
-struct Lanes4 {
-  static constexpr std::size_t kLanes = 4;
-  using V = Lanes4;
-  __m256d v;
-
-  static V load(const double* p) { return {_mm256_loadu_pd(p)}; }
+  static V load(const double* p) { return {_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)}; }
   static V load_part(const double* p, std::size_t count) {
-    const auto* mask = reinterpret_cast<const __m256i*>(kFirst + 4 - count);
-    return {_mm256_maskload_pd(p, _mm256_loadu_si256(mask))};
+    double part[kLanes] = {};
+    for (std::size_t k = 0; k < count; ++k) part[k] = p[k];
+    return load(part);
   }
-  static V all(double x) { return {_mm256_set1_pd(x)}; }
-  static V add(V a, V b) { return {_mm256_add_pd(a.v, b.v)}; }
-  static V sub(V a, V b) { return {_mm256_sub_pd(a.v, b.v)}; }
-  static V mul(V a, V b) { return {_mm256_mul_pd(a.v, b.v)}; }
-  static V abs(V a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
-  static __m128i narrow(__m256d mask) {  // to 32 bits a lane
-    const __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(mask));
-    const __m128 high = _mm_castpd_ps(_mm256_extractf128_pd(mask, 1));
-    return _mm_castps_si128(_mm_shuffle_ps(low, high, 0x88));
+  static V all(double x) { return {_mm256_set1_pd(x), _mm256_set1_pd(x)}; }
+  static V add(V a, V b) { return {_mm256_add_pd(a.v, b.v), _mm256_add_pd(a.w, b.w)}; }
+  static V sub(V a, V b) { return {_mm256_sub_pd(a.v, b.v), _mm256_sub_pd(a.w, b.w)}; }
+  static V mul(V a, V b) { return {_mm256_mul_pd(a.v, b.v), _mm256_mul_pd(a.w, b.w)}; }
+  static V abs(V a) {
+    const __m256d sign = _mm256_set1_pd(-0.0);
+    return {_mm256_andnot_pd(sign, a.v), _mm256_andnot_pd(sign, a.w)};
+  }
+  // The high (Part 0xdd) or low (0x88) 32 bits of all lanes, in the order 0 1 4 5 2 3 6 7.
+  template <int Part>
+  static __m256i halves(__m256d v, __m256d w) {
+    return _mm256_castps_si256(_mm256_shuffle_ps(_mm256_castpd_ps(v), _mm256_castpd_ps(w), Part));
   }
   static void store_signs(V det, V error, int* out, std::size_t count) {
-    const __m256d minus = _mm256_xor_pd(det.v, _mm256_set1_pd(-0.0));
-    const __m128i above = narrow(_mm256_cmp_pd(det.v, error.v, _CMP_GT_OQ));
-    const __m128i below = narrow(_mm256_cmp_pd(minus, error.v, _CMP_GT_OQ));
-    // 2 + (-1 if above) + (-3 if below)
-    const __m128i three = _mm_and_si128(below, _mm_set1_epi32(3));
-    const __m128i sign = _mm_sub_epi32(_mm_add_epi32(_mm_set1_epi32(2), above), three);
+    const V size = abs(det);
+    const __m256i is_certain = halves<0x88>(_mm256_cmp_pd(size.v, error.v, _CMP_GT_OQ),
+                                            _mm256_cmp_pd(size.w, error.w, _CMP_GT_OQ));
+    const __m256i minus = _mm256_srai_epi32(halves<0xdd>(det.v, det.w), 31);  // -1 or 0
+    const __m256i sign = _mm256_or_si256(minus, _mm256_set1_epi32(1));
+    const __m256i mixed = _mm256_blendv_epi8(_mm256_set1_epi32(2), sign, is_certain);
+    const __m256i result = _mm256_permute4x64_epi64(mixed, 0xd8);
     if (count == kLanes) {
-      _mm_storeu_si128(reinterpret_cast<__m128i*>(out), sign);
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), result);
     } else {
-      alignas(16) int part[4];
-      _mm_store_si128(reinterpret_cast<__m128i*>(part), sign);
+      alignas(32) int part[kLanes];
+      _mm256_store_si256(reinterpret_cast<__m256i*>(part), result);
       for (std::size_t k = 0; k < count; ++k) out[k] = part[k];
     }
   }
@@ -48,7 +52,7 @@ struct Lanes4 {
 
 }  // namespace
 
-SideKernel side_avx2() { return SideLoop<Lanes4>::run; }
+SideKernel side_avx2() { return SideLoop<Lanes8>::run; }
 
 }  // namespace veritope::internal
 #else

@@ -31,6 +31,7 @@ OUTSIDE = [  # kind, headers
     ("gtest", r"(gtest|gmock)/.*"),
     ("rapidcheck", r"rapidcheck(/.*|\.h)"),
     ("cgal", r"(CGAL|boost)/.*|mpfr\.h|gmpxx\.h"),
+    ("peers", r"(mpfi|arb|tetgen)\.h"),
     ("eigen", r"Eigen/.*"),
 ]
 PUBLIC_OUTSIDE = {"intrinsics", "gmp"}

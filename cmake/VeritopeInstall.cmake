@@ -30,12 +30,16 @@ foreach(layer IN LISTS layers)
           FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
 endforeach()
 
+# Headers that include other libraries: a target of its own, veritope::interop, that veritope::veritope leaves out.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/interop/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/interop"
+        FILES_MATCHING PATTERN "*.h")
+
 add_library(veritope_all INTERFACE)
 add_library(veritope::veritope ALIAS veritope_all)
 set_target_properties(veritope_all PROPERTIES EXPORT_NAME veritope)
 target_link_libraries(veritope_all INTERFACE ${veritope_layers})
 
-install(TARGETS veritope_all ${veritope_layers} EXPORT veritopeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS veritope_all veritope_interop ${veritope_layers} EXPORT veritopeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS ${veritope_executables} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(PROGRAMS "${PROJECT_SOURCE_DIR}/verify/checker/veritope_check.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
 

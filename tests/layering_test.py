@@ -33,6 +33,7 @@ OUTSIDE = [  # kind, headers
     ("mpfr", r"mpfr\.h"),
     ("mpfi", r"mpfi(_io)?\.h"),
     ("cgal", r"(CGAL|boost)/.*|gmpxx\.h"),
+    ("peers", r"(arb|tetgen)\.h"),
     ("eigen", r"Eigen/.*"),
 ]
 PUBLIC_OUTSIDE = {"intrinsics", "gmp"}

@@ -7,6 +7,7 @@ usage: install_test.py BUILD_FOLDER CMAKE CXX_COMPILER
 """
 import concurrent.futures
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONSUMER = ROOT / "tests" / "install" / "consumer"
 EXAMPLES = ROOT / "examples"
+INTEROP_PAGE = ROOT / "docs" / "how-to" / "use-with-cgal-boost-eigen.md"
+INTEROP_FLAGS = ["-isystem", "/usr/include/eigen3", "-frounding-math"]  # where Debian puts Eigen; what CGAL asks for
 
 
 def run(*command, env=None, cwd=None):
@@ -75,11 +78,27 @@ class Installation(unittest.TestCase):
         def compile_alone(header):
             source = self.folder / (header.replace("/", "_") + ".cc")
             source.write_text(f'#include "{header}"\n')
-            return run(self.COMPILER, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *cflags, source)
+            more = INTEROP_FLAGS if header.startswith("interop/") else []
+            return run(self.COMPILER, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *cflags, *more, source)
 
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             for header, (status, _, text) in zip(headers, pool.map(compile_alone, headers)):
                 self.assertEqual(status, 0, f"{header}: {text}")
+
+    def test_the_programs_of_the_interop_page_print_what_it_shows(self):
+        pairs = re.findall(r"(?ms)^```cpp\n(.*?)^```\n```text\n(.*?)^```", INTEROP_PAGE.read_text())
+        self.assertEqual(len(pairs), 3)
+        cflags, libs = self.pkg_config("--cflags"), self.pkg_config("--libs", "--static")
+
+        def output_of(number):
+            source, program = self.folder / f"interop{number}.cc", self.folder / f"interop{number}"
+            source.write_text(pairs[number][0])
+            built = run(self.COMPILER, "-std=c++20", *cflags, *INTEROP_FLAGS, source, "-o", program, *libs, "-lmpfr", "-lgmp")
+            return run(program) if built[0] == 0 else built
+
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for (_, shown), (status, output, text) in zip(pairs, pool.map(output_of, range(3))):
+                self.assertEqual((status, output), (0, shown), text)
 
     def test_no_internal_header_and_nothing_of_the_checker_is_among_the_headers(self):
         self.assertEqual([path.name for path in self.include.rglob("*_internal.h")], [])

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/interval_peers.h: loops over other libraries' intervals, each compiled apart with the flags
+// that its library asks for. A library that is not installed gives no peer.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace veritope::bench {
+
+enum class IntervalOp { kAdd, kMul, kMulAdd, kDot, kOrient3d };
+inline constexpr IntervalOp kIntervalOps[] = {IntervalOp::kAdd, IntervalOp::kMul,
+                                              IntervalOp::kMulAdd, IntervalOp::kDot,
+                                              IntervalOp::kOrient3d};
+
+/// Operands of all candidates: n intervals a, b, c, and n tuples of four points, axis by axis (a.x, a.y,
+/// ..., d.z), which become point intervals.
+struct IntervalData {
+  struct Array {
+    std::vector<double> lo, hi;
+  };
+  std::size_t n = 0;
+  Array a, b, c;
+  std::array<std::vector<double>, 12> points;
+};
+
+class IntervalPeer {
+ public:
+  explicit IntervalPeer(std::string name) : name(std::move(name)) {}
+  virtual ~IntervalPeer() = default;
+  /// Other operands, converted and in the cache. REQUIRES the size of the first ones.
+  virtual void load(const IntervalData& data) = 0;
+  /// The operation on all n elements, once.
+  virtual void run(IntervalOp op) = 0;
+  /// The sums of the lower and of the upper bounds of what run() left, to nearest.
+  virtual std::array<double, 2> sums(IntervalOp op) = 0;
+  std::string name;
+};
+
+using IntervalPeers = std::vector<std::unique_ptr<IntervalPeer>>;
+void add_boost_peers(const IntervalData& data, IntervalPeers& out);
+void add_cgal_peer(const IntervalData& data, IntervalPeers& out);
+void add_mpfi_peer(const IntervalData& data, IntervalPeers& out);
+void add_arb_peer(const IntervalData& data, IntervalPeers& out);
+
+}  // namespace veritope::bench

@@ -71,7 +71,7 @@ SidePlane side_plane(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
           {sum(p.yz, p.zy), sum(p.zx, p.xz), sum(p.xy, p.yx)},
           kOrient3dRel,
           kOrient3dEta,
-          kOrient3dAbs};
+          kFilterFloor};
 }
 
 struct BackEnds {
@@ -106,6 +106,10 @@ std::size_t num_side_back_ends() noexcept { return back_ends().n; }
 void orient3d_filter_on(std::size_t back_end, const Vec3d& a, const Vec3d& b, const Vec3d& c,
                         const PointArrays& points, Sign3* out) noexcept {
   static_assert(sizeof(Sign3) == sizeof(int) && static_cast<int>(Sign3::kUncertain) == 2);
+  if constexpr (!kFiltersAreCompiled) {
+    std::fill(out, out + points.n, Sign3::kUncertain);
+    return;
+  }
   const ScopedDefaultFp nearest;
   back_ends().kernel[back_end](side_plane(a, b, c), points.x, points.y, points.z, points.n,
                                reinterpret_cast<int*>(out));

@@ -8,11 +8,14 @@
 #include <cfenv>
 #endif
 
+#include "robust/base/fp_state.h"
+
 namespace veritope {
 
 /// From construction to destruction this thread rounds binary64 operations upward, with gradual
 /// underflow and all exceptions masked, whatever it did before: the control word is loaded as a
-/// whole, so that a caller's FTZ or DAZ is off, too. The destructor restores the caller's word.
+/// whole, so that a caller's FTZ or DAZ is off, too. The destructor restores the caller's word. Filters of
+/// predicates, which count on rounding to nearest, do not decide inside; the predicates do.
 /// Only operands and results that pass through fenced() are known to be computed inside.
 class ScopedUpward {
  public:
@@ -25,6 +28,7 @@ class ScopedUpward {
  private:
   // An asm volatile, like fenced(): the compiler keeps the order of volatile asm statements.
   static void load(unsigned word) { asm volatile("ldmxcsr %0" : : "m"(word) : "memory"); }
+  internal::ScopedNoFilters no_filters_;
   unsigned saved_;
 #else
   ScopedUpward() {
@@ -35,6 +39,7 @@ class ScopedUpward {
   ~ScopedUpward() { std::fesetenv(&saved_); }
 
  private:
+  internal::ScopedNoFilters no_filters_;
   std::fenv_t saved_;
 #endif
 };

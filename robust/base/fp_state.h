@@ -2,6 +2,8 @@
 // robust/base/fp_state.h: what each thread knows about its floating point; found by fp_guard.h's
 // probe.
 #pragma once
+#include <cstdint>
+#include <cstring>
 
 namespace veritope {
 
@@ -20,6 +22,25 @@ struct FpState {
 };
 FpState forget_fp() noexcept;
 void restore_fp(FpState state) noexcept;
+/// From construction to destruction this thread's filters do not decide: for scopes that round
+/// otherwise on purpose.
+class ScopedNoFilters {
+ public:
+  ScopedNoFilters() noexcept : outside_{fp_floor, fp_is_probed} {
+    const std::uint64_t infinity = 0x7ff0000000000000u;  // fast-math knows none
+    std::memcpy(&fp_floor, &infinity, sizeof infinity);
+    fp_is_probed = true;
+  }
+  ~ScopedNoFilters() {
+    std::memcpy(&fp_floor, &outside_.floor, sizeof fp_floor);
+    fp_is_probed = outside_.is_probed;
+  }
+  ScopedNoFilters(const ScopedNoFilters&) = delete;
+  ScopedNoFilters& operator=(const ScopedNoFilters&) = delete;
+
+ private:
+  FpState outside_;
+};
 /// Probes; true if this thread's filters may decide.
 bool probe_filters() noexcept;
 }  // namespace internal

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "interval/upward.h"
 #include "predicates/compare_along.h"
 #include "predicates/in_circle.h"
 #include "predicates/in_sphere.h"
@@ -164,6 +165,25 @@ TEST(HostileEnvironment, ASessionNoticesAChangeAndServesOtherThreads) {
     refresh_fp();
     EXPECT_TRUE(filters_are_sound());
   }).join();
+}
+
+TEST(HostileEnvironment, PredicatesInsideAScopeThatRoundsUpwardDecideWithoutFilters) {
+  on_all_kinds(72, [](const Points& p, const std::string& text) {
+    const std::vector<int> usual = signs(p, nullptr);
+    std::vector<int> inside;
+    TierCounts tally, after;
+    {
+      const ScopedUpward upward;
+      inside = {to_int(orient2d(xy(p[0]), xy(p[1]), xy(p[2]), &tally)),
+                to_int(orient3d(p[0], p[1], p[2], p[3], &tally)),
+                to_int(in_circle(xy(p[0]), xy(p[1]), xy(p[2]), xy(p[3]), &tally)),
+                to_int(in_sphere(p[0], p[1], p[2], p[3], p[4], &tally))};
+    }
+    ASSERT_TRUE(std::equal(inside.begin(), inside.end(), usual.begin())) << text;
+    ASSERT_EQ(tally[Tier::kFilter], 0u);
+    orient2d({0, 0}, {1, 0}, {0, 1}, &after);
+    ASSERT_EQ(after[Tier::kFilter], 1u);
+  });
 }
 
 TEST(HostileEnvironment, TheFirstDecisionOfAThreadIsTheFiltersToo) {

@@ -8,17 +8,14 @@
 #include "interval/interval.h"
 
 // The functions of one and of two intervals, for those two files.
-#define VT_INTERVAL_UNARY(F)                                                                      \
-  F(exp)                                                                                          \
-  F(exp2)                                                                                         \
-  F(exp10)                                                                                        \
-  F(expm1)                                                                                        \
-  F(log)                                                                                          \
-  F(log2)                                                                                         \
-  F(log10) F(logp1) F(sin) F(cos) F(tan) F(cot) F(sec) F(csc) F(asin) F(acos) F(atan) F(acot)     \
-      F(sinh) F(cosh) F(tanh) F(coth) F(sech) F(csch) F(asinh) F(acosh) F(atanh) F(acoth) F(cbrt) \
-          F(sign_function) F(ceil) F(floor) F(trunc) F(round_ties_to_even) F(round_ties_to_away)
+// clang-format off
+#define VT_INTERVAL_UNARY(F) \
+  F(exp) F(exp2) F(exp10) F(expm1) F(log) F(log2) F(log10) F(logp1) F(cbrt) \
+  F(sin) F(cos) F(tan) F(cot) F(sec) F(csc) F(asin) F(acos) F(atan) F(acot) \
+  F(sinh) F(cosh) F(tanh) F(coth) F(sech) F(csch) F(asinh) F(acosh) F(atanh) F(acoth) \
+  F(sign_function) F(ceil) F(floor) F(trunc) F(round_ties_to_even) F(round_ties_to_away)
 #define VT_INTERVAL_BINARY(F) F(atan2) F(pow) F(hypot)
+// clang-format on
 
 namespace veritope::internal {
 

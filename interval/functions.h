@@ -16,8 +16,8 @@ namespace veritope {
 Interval fma(const Interval& a, const Interval& b, const Interval& c);
 /// x^n for every integer n; 1 for n = 0; undefined at 0 for n < 0.
 Interval pown(const Interval& x, std::int64_t n);
-/// The real n-th root; for even n of x >= 0; nowhere defined for n = 0. For n < 0 it encloses, with
-/// one rounding more.
+/// The real n-th root, x^(1/n); for even n of x >= 0; nowhere defined for n = 0; undefined at 0 for
+/// n < 0.
 Interval rootn(const Interval& x, std::int64_t n);
 /// x^y = exp(y log x) for x > 0, and 0 for x = 0, y > 0.
 Interval pow(const Interval& x, const Interval& y);

@@ -19,7 +19,7 @@ namespace veritope {
 ///         at least that successor ([RZBM09], algorithm 1 and theorem 2.1), and rounding is monotone.
 ///         2^-1022, because a subnormal addend costs 75 times an ordinary one.
 ///         c = -infinity, after overflow, stands for a number above it: the least finite one is taken.
-/// Cost    + 0.7 ns, * 1.5 ns (design note).
+/// Cost    + 0.7 ns, * 1.7 ns (design note).
 class NearestInterval {
  public:
   constexpr NearestInterval() = default;

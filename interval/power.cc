@@ -23,7 +23,7 @@ double power(double x, std::int64_t n, mpfr_rnd_t direction) {
 }
 double root(double x, std::int64_t n, mpfr_rnd_t direction) {
   Real v(x);
-  mpfr_rootn_ui(v.get(), v.get(), static_cast<unsigned long>(n), direction);
+  mpfr_rootn_si(v.get(), v.get(), n, direction);
   return v.round(direction);
 }
 
@@ -67,19 +67,19 @@ Evaluated eval_pown(const Interval& x, std::int64_t n) {
 
 Evaluated eval_rootn(const Interval& x, std::int64_t n) {
   if (n == 0) return no_value();
-  if (n < 0) {  // 1 / root: encloses, one rounding more than the tightest
-    const Evaluated positive = eval_rootn(x, -n);
-    const ScopedUpward upward;
-    const bool pole = is_member(0, positive.value);
-    return {recip(positive.value), pole ? Decoration::kTrv : positive.local};
-  }
-  const Interval domain = n % 2 == 0 ? Interval::from_bounds(0, kInfinity) : Interval::entire();
-  const Interval in = intersection(x, domain);
-  if (in.is_empty()) return no_value();
+  const bool even = n % 2 == 0;
+  const Interval in = even ? intersection(x, Interval::from_bounds(0, kInfinity)) : x;
+  if (in.is_empty() || (n < 0 && in.sign() == Sign3::kZero)) return no_value();
   const ScopedDefaultFp environment;
-  const double lo = n % 2 == 0 ? larger(0.0, in.lo()) : in.lo();
-  return {Interval::from_bounds(root(lo, n, MPFR_RNDD), root(in.hi(), n, MPFR_RNDU)),
-          is_subset(x, domain) ? Decoration::kCom : Decoration::kTrv};
+  const bool pole = n < 0 && is_member(0, in), defined = is_subset(x, in) && !pole;
+  if (pole && order_key(in.lo()) < 0 && order_key(in.hi()) > 0)
+    return {Interval::entire(), Decoration::kTrv};
+  // Signed zeros as in pown_negative.
+  const double lo = order_key(in.lo()) == 0 ? 0.0 : in.lo();
+  const double hi = order_key(in.hi()) == 0 ? (n < 0 ? -0.0 : 0.0) : in.hi();
+  const Decoration local = defined ? Decoration::kCom : Decoration::kTrv;
+  if (n > 0) return {Interval::from_bounds(root(lo, n, MPFR_RNDD), root(hi, n, MPFR_RNDU)), local};
+  return {Interval::from_bounds(root(hi, n, MPFR_RNDD), root(lo, n, MPFR_RNDU)), local};
 }
 
 // exp(b log a) on a > 0, with the limits at a = 0 and infinity; 0^b = 0 for b > 0. The exponent is

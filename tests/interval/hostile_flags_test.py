@@ -4,7 +4,7 @@
 
 usage: hostile_flags_test.py BUILD_FOLDER SOURCE_DIR
 
-The library itself is the one of BUILD_FOLDER. Every compiler of COMPILERS that is here takes part.
+-U__SSE2__ selects the code for processors without it, which runs on this one as well. The library itself is the one of BUILD_FOLDER. Every compiler of COMPILERS that is here takes part.
 """
 import pathlib
 import shutil
@@ -16,7 +16,8 @@ import unittest
 BUILD, SOURCE = (pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])) if len(sys.argv) > 2 else (None, None)
 COMPILERS = ("g++", "clang++-14", "clang++-19")
 FLAGS = ["-O0", "-O2 -ffp-contract=fast", "-O3 -ffast-math", "-Ofast -fno-rounding-math", "-O2 -ffinite-math-only -fno-signed-zeros",
-         "-O3 -ffast-math -march=x86-64-v3", "-O2 -mfpmath=387"]
+         "-O3 -ffast-math -march=x86-64-v3", "-O2 -mfpmath=387",
+         "-O0 -U__SSE2__", "-O2 -U__SSE2__"]
 
 
 class HostileFlags(unittest.TestCase):

@@ -36,8 +36,14 @@ struct Range {
     if (hi < v) hi = v;
   }
 };
+// The library's Interval lies in other registers if this file is built for a processor without SSE2.
+#if defined(__SSE2__)
+Interval narrowest(const Rational& x) { return enclose(x); }
+#else
+Interval narrowest(const Rational& x) { return Interval::from_bounds(round_down(x), round_up(x)); }
+#endif
 bool is_tightest(const Interval& got, const Range& r) {
-  return got == hull(enclose(r.lo), enclose(r.hi));
+  return got == hull(narrowest(r.lo), narrowest(r.hi));
 }
 
 }  // namespace

@@ -260,6 +260,55 @@ inline void add_reductions(std::map<std::string, Operation>& out) {
   };
 }
 
+// Reverse operations have no decoration of their own: kTrv, or NaI.
+template <typename F>
+Operation reverse(F f) {
+  return [f](const Operands& in) {
+    std::vector<Interval> bare;
+    std::int64_t n = 0;
+    bool nai = false;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      if (const double* number = std::get_if<double>(&in[i])) {
+        n = static_cast<std::int64_t>(*number);
+        continue;
+      }
+      const auto d = interval_at<DecoratedInterval>(in, i);
+      nai = nai || d.is_nai();
+      bare.push_back(d.interval());
+    }
+    const Interval out = f(bare, n);
+    if (!is_decorated(in)) return Outcome{{out}};
+    return Outcome{{nai ? DecoratedInterval::nai() : DecoratedInterval(out, Decoration::kTrv)}};
+  };
+}
+inline Interval last_or_entire(const std::vector<Interval>& x, std::size_t count) {
+  return x.size() > count ? x[count] : Interval::entire();
+}
+
+inline void add_reverse(std::map<std::string, Operation>& out) {
+  using Reverse = Interval (*)(const Interval&, const Interval&);
+  const std::pair<const char*, Reverse> unary[] = {{"sqrRev", sqr_rev},   {"absRev", abs_rev},
+                                                   {"coshRev", cosh_rev}, {"sinRev", sin_rev},
+                                                   {"cosRev", cos_rev},   {"tanRev", tan_rev}};
+  for (const auto& [name, f] : unary)
+    for (const char* suffix : {"", "Bin"})
+      out[std::string(name) + suffix] =
+          reverse([f = f](const std::vector<Interval>& x, std::int64_t) {
+            return f(x.at(0), last_or_entire(x, 1));
+          });
+  for (const char* name : {"pownRev", "pownRevBin"})
+    out[name] = reverse([](const std::vector<Interval>& x, std::int64_t n) {
+      return pown_rev(x.at(0), n, last_or_entire(x, 1));
+    });
+  using Reverse2 = Interval (*)(const Interval&, const Interval&, const Interval&);
+  const std::pair<const char*, Reverse2> binary[] = {
+      {"mulRev", mul_rev}, {"mulRevTen", mul_rev}, {"powRev1", pow_rev1}, {"powRev2", pow_rev2}};
+  for (const auto& [name, f] : binary)
+    out[name] = reverse([f = f](const std::vector<Interval>& x, std::int64_t) {
+      return f(x.at(0), x.at(1), last_or_entire(x, 2));
+    });
+}
+
 inline const std::map<std::string, Operation>& operations() {
   static const std::map<std::string, Operation> all = [] {
     std::map<std::string, Operation> out;
@@ -267,6 +316,7 @@ inline const std::map<std::string, Operation>& operations() {
     add_numbers_and_relations(out);
     add_constructors(out);
     add_reductions(out);
+    add_reverse(out);
     return out;
   }();
   return all;
@@ -295,6 +345,15 @@ inline std::string text_of(const Value& v) {
   if (const auto* w = std::get_if<Word>(&v)) return w->text;
   if (const auto* n = std::get_if<double>(&v)) return std::to_string(*n);
   return "?";
+}
+
+/// Our result is a proper subset of the interval that the statement asks for, with the same decoration.
+inline bool is_narrower(const Statement& s) {
+  const Operands got = operations().at(s.operation)(s.operands).results;
+  const auto ours = interval_at<DecoratedInterval>(got, 0),
+             theirs = interval_at<DecoratedInterval>(s.results, 0);
+  return is_subset(ours, theirs) && !(ours == theirs) &&
+         (!is_decorated(got) || ours.decoration() == theirs.decoration());
 }
 
 /// Nothing if the statement passes; else what happened instead.

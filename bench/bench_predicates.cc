@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_predicates.cc: ns a call, one thread, least of the repetitions, ours, naive double and
-// CGAL's EPICK turn by turn; a row names the predicate, the class of its points and the peer. Tier
-// hit rates go with each row.
+// the peers turn by turn; a row names the predicate, the class of its points and the peer. Tier hit
+// rates go with each row. Peers named _filter may be uncertain; "wrong" counts signs that are not
+// ours among those that are certain. The slow ones get fewer tuples.
 // Classes: U uniform; N degenerate on a grid, moved by up to 2 ulp; D, D26, D50 exactly degenerate
 // integers of up to 10, 26, 50 bits; P real coordinates on a plane along the axes, or corners of
 // such a box; R the last point constructed, then rounded; RW the same with exponents spread over
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "bench/epick_peer.h"
+#include "bench/predicate_peers.h"
 #include "predicates/in_circle.h"
 #include "predicates/in_sphere.h"
 #include "predicates/orient2d.h"
@@ -194,10 +196,10 @@ struct Timed {
   double ns = 1e300;  // a call
   long sum = 0;       // of the signs
   template <typename Run>
-  void run(Run run_all) {
+  void run(Run run_all, std::size_t tuples = kTuples) {
     const auto start = std::chrono::steady_clock::now();
     sum = run_all();
-    ns = std::min(ns, nanoseconds_since(start) / kTuples);
+    ns = std::min(ns, nanoseconds_since(start) / static_cast<double>(tuples));
   }
 };
 
@@ -211,6 +213,76 @@ void print_row(const char* predicate, const std::string& kind, const char* how, 
       static_cast<unsigned long long>(tally[Tier::kLattice]),
       static_cast<unsigned long long>(tally[Tier::kInterval]),
       static_cast<unsigned long long>(tally[Tier::kExact]));
+}
+
+const bench::PredicatePeers& peers() {
+  static const bench::PredicatePeers all = [] {
+    bench::PredicatePeers p;
+    bench::add_epeck_predicates(p);
+    bench::add_boost_predicates(p);
+#if defined(VERITOPE_BENCH_TETGEN)
+    bench::add_tetgen_predicates(p);
+#endif
+#if defined(VERITOPE_BENCH_MPFI)
+    bench::add_mpfi_predicates(p);
+#endif
+#if defined(VERITOPE_BENCH_ARB)
+    bench::add_arb_predicates(p);
+#endif
+    return p;
+  }();
+  return all;
+}
+
+bench::Predicate which(const std::string& predicate) {
+  if (predicate == "orient2d") return bench::Predicate::kOrient2d;
+  if (predicate == "orient3d") return bench::Predicate::kOrient3d;
+  return predicate == "in_circle" ? bench::Predicate::kInCircle : bench::Predicate::kInSphere;
+}
+
+// Times ours beside the peers of peers(), and prints their rows.
+template <int N, typename Point, typename Ours>
+void peer_rows(const char* predicate, const std::string& kind, const std::vector<Point>& points,
+               Ours ours, const TierCounts& tally) {
+  constexpr int kRounds = 6;
+  std::vector<signed char> signs(kTuples), theirs(kTuples);
+  Timed plain;
+  const auto decide = [&] {
+    for (std::size_t i = 0; i < kTuples; ++i)
+      signs[i] = static_cast<signed char>(to_int(ours(&points[N * i], nullptr)));
+    return 0L;
+  };
+  std::vector<Timed> timed(peers().size());
+  std::vector<std::array<std::size_t, 2>> faults(peers().size());  // wrong, uncertain
+  plain.run(decide);
+  for (std::size_t k = 0; k < peers().size(); ++k) {
+    bench::PredicatePeer& peer = *peers()[k];
+    const std::size_t n = std::min(kTuples, peer.most_tuples);
+    peer.load(points.data(), N * n);
+    const bool is_slow = n < kTuples;
+    for (int r = 0; r < (is_slow ? kRounds / 2 : kRounds); ++r) {
+      plain.run(decide);
+      timed[k].run([&] { return peer.decide(which(predicate), n, theirs.data()), 0L; }, n);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      if (theirs[i] == 2) {
+        ++faults[k][1];
+      } else {
+        faults[k][0] += theirs[i] != signs[i];
+      }
+    }
+  }
+  for (std::size_t k = 0; k < peers().size(); ++k) {
+    const std::size_t n = std::min(kTuples, peers()[k]->most_tuples);
+    std::printf(
+        "{\"row\":\"%s_%s_vs_%s\",\"ours\":%.2f,\"peer\":%.2f,\"unit\":\"ns\",\"tuples\":%zu,"
+        "\"wrong\":%zu,\"uncertain\":%zu,\"tiers\":[%llu,%llu,%llu,%llu]}\n",
+        predicate, kind.c_str(), peers()[k]->name.c_str(), plain.ns, timed[k].ns, n, faults[k][0],
+        faults[k][1], static_cast<unsigned long long>(tally[Tier::kFilter]),
+        static_cast<unsigned long long>(tally[Tier::kLattice]),
+        static_cast<unsigned long long>(tally[Tier::kInterval]),
+        static_cast<unsigned long long>(tally[Tier::kExact]));
+  }
 }
 
 // ours(p, tally) and session(p, tally) decide one tuple, naive(p) its determinant; peer sums over all.
@@ -245,6 +317,7 @@ void rows(const char* predicate, const std::string& kind, Ours ours, InSession i
   });
   print_row(predicate, kind, "", "epick", plain, epick, tally);
   print_row(predicate, kind, "_session", "epick", inside, epick, session_tally);
+  peer_rows<N>(predicate, kind, points, ours, tally);
   if (kind != "U") return;
   print_row(predicate, kind, "", "naive", plain, rough, tally);
   print_row(predicate, kind, "_session", "naive", inside, rough, session_tally);

@@ -56,5 +56,11 @@ TEST(BoostInterval, HasTheBoundsOfOursForSumsDifferencesAndProducts) {
   }
 }
 
+TEST(BoostInterval, EmptyStaysEmptyWhereThePoliciesHaveIt) {
+  EXPECT_TRUE(from_boost(UpwardBoostInterval::empty()).is_empty());
+  EXPECT_TRUE(boost::numeric::empty(to_boost<UpwardBoostInterval>(Interval::empty())));
+  EXPECT_THROW(to_boost(Interval::empty()), std::exception);
+}
+
 }  // namespace
 }  // namespace veritope

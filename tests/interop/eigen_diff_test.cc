@@ -59,6 +59,8 @@ TEST(EigenInterval, ProductsEncloseTheExactOnes) {
   Random random(61);
   for (int round = 0; round < 50; ++round)
     expect_products_enclose<Eigen::Matrix3d>(random, 3, 3, 3);
+  for (int round = 0; round < 4; ++round)  // Eigen's blocked product
+    expect_products_enclose<Eigen::MatrixXd>(random, 30 + round, 17, 25);
 }
 
 TEST(EigenInterval, DeterminantsAndInversesByCofactorsEncloseTheExactOnes) {
@@ -72,6 +74,10 @@ TEST(EigenInterval, DeterminantsAndInversesByCofactorsEncloseTheExactOnes) {
     const ScopedUpward upward;
     const Interval got = to_intervals(m).determinant();
     EXPECT_TRUE(contains(got, det)) << to_string(got);
+    const Eigen::Matrix<Interval, 3, 3> identity = to_intervals(m).inverse() * to_intervals(m);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) EXPECT_TRUE(contains(identity(i, j), Rational(i == j ? 1 : 0)));
+    }
     const Interval turned = to_intervals(m).transpose().determinant();
     EXPECT_TRUE(contains(turned, det)) << to_string(turned);
   }

@@ -63,10 +63,10 @@ void compare_all(const std::vector<Bounds>& a, const std::vector<Bounds>& b,
 
 TEST(IntervalBatch, GivesTheTightestBoundsForAnyOperandsOnEveryBackEnd) {
   for (const BatchBackEnd b : back_ends()) std::printf("back end %s\n", to_string(b));
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1, 2}) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const std::size_t n = 5003;
+    const std::size_t n = 4003;
     const auto a = many(random, n), b = many(random, n), c = many(random, n);
     compare_all(a, b, c);
   }

@@ -2,11 +2,10 @@
 #include "predicates/implicit_point.h"
 
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 #include "interval/interval.h"
 #include "predicates/implicit_formulas.h"
+#include "predicates/implicit_homogeneous.h"
 #include "predicates/lattice.h"
 #include "robust/base/check.h"
 #include "robust/filter.h"
@@ -14,31 +13,13 @@
 namespace veritope {
 namespace {
 
+using formulas::homogeneous;
+using formulas::plane_vectors;
 using formulas::Triple;
+using internal::coordinates;
 using internal::ImplicitLayer;
-
-// The number of points that define P.
-template <typename P>
-constexpr std::size_t kPoints =
-    std::tuple_size_v<std::decay_t<decltype(std::declval<P>().points())>>;
-
-// ---- The formulas over a ring: t holds the defining points, whose first is the base ---------------
-
-template <typename T, std::size_t N>
-constexpr formulas::PlaneVectors<T> plane_vectors(const std::array<Triple<T>, N>& t, int i) {
-  using formulas::difference;
-  return {difference(t[i + 1], t[i]), difference(t[i + 2], t[i]), difference(t[i], t[0])};
-}
-
-template <typename T, std::size_t N>
-constexpr auto homogeneous(const std::array<Triple<T>, N>& t) {
-  if constexpr (N == 5) {
-    const auto plane = plane_vectors(t, 2);
-    return formulas::line_plane(formulas::difference(t[1], t[0]), plane.v, plane.w, plane.g);
-  } else {
-    return formulas::three_planes(plane_vectors(t, 0), plane_vectors(t, 3), plane_vectors(t, 6));
-  }
-}
+using internal::kPoints;
+using internal::triples;
 
 // t: the defining points, then a, b, c. The sign of the orientation times that of the denominator.
 template <typename T, std::size_t N>
@@ -56,24 +37,9 @@ constexpr auto whole_orientation(const std::array<Triple<T>, N>& t) {
   }
 }
 
-// ---- Coordinates in a ring -----------------------------------------------------------------------
-
-template <std::size_t N>
-std::array<double, 3 * N> coordinates(const std::array<Vec3d, N>& p) {
-  std::array<double, 3 * N> c;
-  for (std::size_t i = 0; i < N; ++i)
-    c[3 * i] = p[i].x, c[3 * i + 1] = p[i].y, c[3 * i + 2] = p[i].z;
-  return c;
-}
-template <typename T, std::size_t N>
-std::array<Triple<T>, N / 3> triples(const std::array<T, N>& c) {
-  std::array<Triple<T>, N / 3> t;
-  for (std::size_t i = 0; i < N / 3; ++i) t[i] = {c[3 * i], c[3 * i + 1], c[3 * i + 2]};
-  return t;
-}
 template <typename P>
-std::array<double, 3 * kPoints<P> + 9> coordinates(const P& p, const Vec3d& a, const Vec3d& b,
-                                                   const Vec3d& c) {
+std::array<double, 3 * kPoints<P> + 9> all_coordinates(const P& p, const Vec3d& a, const Vec3d& b,
+                                                       const Vec3d& c) {
   const auto defining = coordinates(p.points());
   std::array<double, 3 * kPoints<P> + 9> all;
   VT_UNROLL for (std::size_t i = 0; i < defining.size(); ++i) all[i] = defining[i];
@@ -179,11 +145,11 @@ namespace internal {
 
 template <typename P>
 Sign3 implicit_lattice(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  return orientation_on_lattice<1>(coordinates(p, a, b, c));
+  return orientation_on_lattice<1>(all_coordinates(p, a, b, c));
 }
 template <typename P>
 Sign3 implicit_interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  const auto all = coordinates(p, a, b, c);
+  const auto all = all_coordinates(p, a, b, c);
   std::array<Interval, std::tuple_size_v<decltype(all)>> v;
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = Interval(all[i]);
   const ScopedUpward upward;
@@ -191,11 +157,11 @@ Sign3 implicit_interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d&
 }
 template <typename P>
 Sign implicit_integer(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  return whole_orientation(triples(internal::to_integers(coordinates(p, a, b, c))));
+  return whole_orientation(triples(internal::to_integers(all_coordinates(p, a, b, c))));
 }
 template <typename P>
 Sign implicit_exact(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  const Sign3 s = orientation_on_lattice<2>(coordinates(p, a, b, c));
+  const Sign3 s = orientation_on_lattice<2>(all_coordinates(p, a, b, c));
   return is_certain(s) ? to_sign(s) : implicit_integer(p, a, b, c);
 }
 

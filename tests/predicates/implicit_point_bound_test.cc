@@ -46,6 +46,28 @@ TEST(ImplicitPointBound, RelativeConstantsFollowFromTheRoundings) {
   EXPECT_LE(planes.denominator.roundings, k_planes);
 }
 
+// What implicit_predicates.cc makes intervals of: numerators within scale * reach, the denominator within
+// scale, for the same constants. In the place of factor * ((1 + u)^k - 1) of the whole determinant.
+TEST(ImplicitPointBound, TheConstantsAlsoBoundTheErrorsOfTheLayer) {
+  const RoundingCount x, d = x - x;
+  const auto line = formulas::line_plane(same(d), same(d), same(d), same(d));
+  const auto planes =
+      formulas::three_planes(plane_of(d, d, x), plane_of(d, d, d), plane_of(d, d, d));
+  const auto needed = [](int terms, const RoundingCount& value, const RoundingCount& product) {
+    const Rational up = Rational(1) + bounds::unit_roundoff(),
+                   down = Rational(1) - bounds::unit_roundoff();
+    return Rational(terms) * (bounds::power(up, value.roundings) - Rational(1)) /
+           bounds::power(down, product.roundings + 1);
+  };
+  const auto line_scale = d * (d * d), planes_scale = ((d * d) * (d * d)) * (d * d);
+  const Rational line_rel = Rational::from_double(internal::kLinePlaneRel),
+                 planes_rel = Rational::from_double(internal::kThreePlanesRel);
+  EXPECT_LE(needed(6, line.numerator.x, line_scale * d), line_rel);
+  EXPECT_LE(needed(6, line.denominator, line_scale), line_rel);
+  EXPECT_LE(needed(48, planes.numerator.x, planes_scale * (d + d)), planes_rel);
+  EXPECT_LE(needed(48, planes.denominator, planes_scale), planes_rel);
+}
+
 // A ring of absolute values: differences become sums.
 struct Magnitude {
   Rational v;
@@ -64,12 +86,14 @@ TEST(ImplicitPointBound, TheProductsOfTheLargestDifferencesBoundTheSumOfTheAbsol
     EXPECT_EQ(formulas::orientation(line, same(e), same(qv), same(qw)).v,
               Rational(36) * magnitude(mu * (v1 * w1), qv, qw, g2, e).v);
     EXPECT_EQ(line.denominator.v, Rational(6) * (mu * (v1 * w1)).v);
+    EXPECT_EQ(line.numerator.x.v, Rational(6) * (mu * (v1 * w1) * g2).v);
     const auto planes = formulas::three_planes(plane_of(v1, w1, Magnitude{}), plane_of(v2, w2, g2),
                                                plane_of(v3, w3, g3));
     const Magnitude scale = ((v1 * w1) * (v2 * w2)) * (v3 * w3);
     EXPECT_EQ(formulas::orientation(planes, same(e), same(qv), same(qw)).v,
               Rational(288) * magnitude(scale, qv, qw, g2 + g3, e).v);
     EXPECT_EQ(planes.denominator.v, Rational(48) * scale.v);
+    EXPECT_EQ(planes.numerator.x.v, Rational(48) * (scale * (g2 + g3)).v);
   }
 }
 
@@ -122,6 +146,12 @@ TEST(ImplicitPointBound, TheAbsoluteConstantPaysForUnderflowAndForFlushing) {
                   Rational(4) * unit,
               abs);
     EXPECT_LE(at_reach(planes.denominator.error), abs);
+    // Of the layer alone, and of rel * scale * reach.
+    EXPECT_LE(at_reach(planes.numerator.x.error) +
+                  missing(((d * d) * (d * d)) * (d * d), internal::kThreePlanesRel),
+              abs);
+    EXPECT_LE(at_reach(line.numerator.x.error) + missing(d * (d * d), internal::kLinePlaneRel),
+              abs);
   }
 }
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// predicates/implicit_homogeneous.h: points of every kind as base + numerator / denominator over any
+// ring, denominator > 0, and the polynomials of several such points: one place for all combinations.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "interval/interval.h"
+#include "predicates/formulas.h"
+#include "predicates/implicit_formulas.h"
+#include "predicates/implicit_number.h"
+#include "predicates/vec.h"
+#include "robust/binary64.h"
+
+namespace veritope {
+
+namespace formulas {
+
+/// The two vectors of the plane through t[i], t[i + 1], t[i + 2], and the one from t[0] to t[i].
+template <typename T, std::size_t N>
+constexpr PlaneVectors<T> plane_vectors(const std::array<Triple<T>, N>& t, int i) {
+  return {difference(t[i + 1], t[i]), difference(t[i + 2], t[i]), difference(t[i], t[0])};
+}
+/// Of the points that define a LinePlanePoint (5) or a ThreePlanePoint (9).
+template <typename T, std::size_t N>
+constexpr auto homogeneous(const std::array<Triple<T>, N>& t) {
+  if constexpr (N == 5) {
+    const auto plane = plane_vectors(t, 2);
+    return line_plane(difference(t[1], t[0]), plane.v, plane.w, plane.g);
+  } else {
+    return three_planes(plane_vectors(t, 0), plane_vectors(t, 3), plane_vectors(t, 6));
+  }
+}
+
+/// One of several points: (base + numerator / denominator) 2^exponent. Numerator and denominator of an
+/// explicit point are not looked at.
+template <typename T>
+struct Place {
+  std::array<T, 3> base, numerator;
+  T denominator;
+  int exponent = 0;
+  bool is_explicit = true;
+};
+
+/// Times both denominators, on an axis: p - q. REQUIRES equal exponents.
+template <typename T>
+T difference(const Place<T>& p, const Place<T>& q, int axis) {
+  const T e = p.base[axis] - q.base[axis];
+  if (p.is_explicit && q.is_explicit) return e;
+  if (q.is_explicit) return e * p.denominator + p.numerator[axis];
+  if (p.is_explicit) return e * q.denominator - q.numerator[axis];
+  return (e * p.denominator + p.numerator[axis]) * q.denominator -
+         q.numerator[axis] * p.denominator;
+}
+/// p - q as (v[0], v[1], v[2]) / w.
+template <typename T>
+struct Vector {
+  std::array<T, 3> v;
+  T w;
+  bool is_whole;  ///< w = 1, and not looked at
+};
+template <typename T>
+Vector<T> vector(const Place<T>& p, const Place<T>& q, int dimension) {
+  Vector<T> r;
+  for (int axis = 0; axis < dimension; ++axis) r.v[axis] = difference(p, q, axis);
+  r.is_whole = p.is_explicit && q.is_explicit;
+  if (!r.is_whole) {
+    r.w = p.is_explicit ? q.denominator
+                        : (q.is_explicit ? p.denominator : p.denominator * q.denominator);
+  }
+  return r;
+}
+
+template <typename T>
+T minor2(const Vector<T>& a, const Vector<T>& b, int i, int j) {
+  return a.v[i] * b.v[j] - a.v[j] * b.v[i];
+}
+template <typename T>
+T minor3(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
+  return (a.v[2] * minor2(b, c, 0, 1) - b.v[2] * minor2(a, c, 0, 1)) + c.v[2] * minor2(a, b, 0, 1);
+}
+template <typename T>
+T times_w(T value, const Vector<T>& a) {
+  return a.is_whole ? value : value * a.w;
+}
+
+/// Of the determinant of the rows (v w, |v|^2) = (v / w, |v / w|^2) w^2 of two columns of coordinates.
+template <typename T>
+T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
+  const auto lift = [](const Vector<T>& r) -> T { return sqr(r.v[0]) + sqr(r.v[1]); };
+  const T bc = times_w(times_w(minor2(b, c, 0, 1), b), c);
+  const T ca = times_w(times_w(minor2(c, a, 0, 1), c), a);
+  const T ab = times_w(times_w(minor2(a, b, 0, 1), a), b);
+  return (lift(a) * bc + lift(b) * ca) + lift(c) * ab;
+}
+/// And of three, signed as InSphere.
+template <typename T>
+T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c, const Vector<T>& d) {
+  const auto lift = [](const Vector<T>& r) -> T {
+    return (sqr(r.v[0]) + sqr(r.v[1])) + sqr(r.v[2]);
+  };
+  const auto volume = [](const Vector<T>& p, const Vector<T>& q, const Vector<T>& r) -> T {
+    return times_w(times_w(times_w(minor3(p, q, r), p), q), r);
+  };
+  return (lift(a) * volume(b, c, d) - lift(b) * volume(a, c, d)) +
+         (lift(c) * volume(a, b, d) - lift(d) * volume(a, b, c));
+}
+
+}  // namespace formulas
+
+namespace internal {
+
+/// The number of points that define P.
+template <typename P>
+constexpr std::size_t kPoints =
+    std::tuple_size_v<std::decay_t<decltype(std::declval<P>().points())>>;
+
+template <std::size_t N>
+std::array<double, 3 * N> coordinates(const std::array<Vec3d, N>& p) {
+  std::array<double, 3 * N> c;
+  for (std::size_t i = 0; i < N; ++i)
+    c[3 * i] = p[i].x, c[3 * i + 1] = p[i].y, c[3 * i + 2] = p[i].z;
+  return c;
+}
+template <std::size_t N>
+std::array<double, 2 * N> coordinates(const std::array<Vec2d, N>& p) {
+  std::array<double, 2 * N> c;
+  for (std::size_t i = 0; i < N; ++i) c[2 * i] = p[i].x, c[2 * i + 1] = p[i].y;
+  return c;
+}
+template <typename T, std::size_t N>
+std::array<formulas::Triple<T>, N / 3> triples(const std::array<T, N>& c) {
+  std::array<formulas::Triple<T>, N / 3> t;
+  for (std::size_t i = 0; i < N / 3; ++i) t[i] = {c[3 * i], c[3 * i + 1], c[3 * i + 2]};
+  return t;
+}
+
+/// c[i] = out[i] * 2^exponent: integers with the largest exponent that they allow, or intervals (0).
+template <std::size_t N>
+int to_numbers(const std::array<double, N>& c, std::array<Interval, N>& out) {
+  for (std::size_t i = 0; i < N; ++i) out[i] = Interval(c[i]);
+  return 0;
+}
+template <typename T, std::size_t N>
+int to_numbers(const std::array<double, N>& c, std::array<T, N>& out) {
+  std::array<Binary64, N> part;
+  int least = 1 << 20;
+  for (std::size_t i = 0; i < N; ++i) {
+    part[i] = split(c[i]);
+    if (part[i].mantissa == 0) continue;
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(part[i].mantissa));
+    part[i].mantissa >>= zeros;  // exact
+    part[i].exponent += zeros;
+    least = std::min(least, part[i].exponent);
+  }
+  for (std::size_t i = 0; i < N; ++i) {
+    out[i] = T(part[i].mantissa);
+    if (part[i].mantissa != 0) out[i] = shifted(out[i], part[i].exponent - least);
+  }
+  return least == 1 << 20 ? 0 : least;
+}
+
+}  // namespace internal
+}  // namespace veritope

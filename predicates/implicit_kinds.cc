@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "predicates/implicit_kinds.h"
+
+#include <cmath>
+
+#include "predicates/implicit_exact.h"
+#include "predicates/orient2d.h"
+
+namespace veritope {
+namespace {
+
+// The last one is the denominator.
+template <std::size_t N>
+std::array<double, N> normalised(std::array<double, N> weights) {
+  if (std::signbit(weights[N - 1])) {
+    for (double& w : weights) w = -w;
+  }
+  return weights;
+}
+
+// Of (b - a) x (d - c). The error of orient2d's filter, whose formula and rounding counts it shares.
+Sign turn(const std::array<Vec2d, 4>& p) {
+  const double left = (p[1].x - p[0].x) * (p[3].y - p[2].y),
+               right = (p[1].y - p[0].y) * (p[3].x - p[2].x);
+  const Sign3 s =
+      sign_beyond(left - right, internal::kOrient2dRel * (std::abs(left) + std::abs(right)) +
+                                    internal::kOrient2dAbs);
+  if (is_certain(s)) return to_sign(s);
+  return internal::exact_sign<false>([&]<typename T>(std::type_identity<T>) {
+    std::array<T, 8> v;
+    internal::to_numbers(internal::coordinates(p), v);
+    return (v[2] - v[0]) * (v[7] - v[5]) - (v[3] - v[1]) * (v[6] - v[4]);
+  });
+}
+
+}  // namespace
+
+SegmentPoint::SegmentPoint(const Vec3d& a, const Vec3d& b, double numerator,
+                           double denominator) noexcept
+    : points_{a, b}, weights_(normalised<2>({numerator, denominator})) {}
+
+TrianglePoint::TrianglePoint(const Vec3d& a, const Vec3d& b, const Vec3d& c, double v, double w,
+                             double denominator) noexcept
+    : points_{a, b, c}, weights_(normalised<3>({v, w, denominator})) {}
+
+SegmentPoint2d::SegmentPoint2d(const Vec2d& a, const Vec2d& b, double numerator,
+                               double denominator) noexcept
+    : points_{a, b}, weights_(normalised<2>({numerator, denominator})) {}
+
+SegmentSegmentPoint2d::SegmentSegmentPoint2d(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                                             const Vec2d& d) noexcept
+    : points_{a, b, c, d}, denominator_(turn(points_)) {}
+
+}  // namespace veritope

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// predicates/implicit_number.h: integers as long as they need to be, up to a capacity, on the stack:
+// the sign of any polynomial in the coordinates of implicit points, without an allocation.
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "robust/base/int128.h"
+#include "robust/base/sign.h"
+#include "robust/integer.h"
+
+namespace veritope::internal {
+
+/// An integer of at most Capacity limbs, or unknown: a result that does not fit is unknown, and so is
+/// everything that is computed from it. It never wraps around.
+template <int Capacity>
+class StackInteger {
+ public:
+  StackInteger() : size_(0), is_negative_(false) {}
+  explicit StackInteger(std::int64_t v) : size_(v != 0), is_negative_(v < 0) {
+    limb_[0] = magnitude(v);
+  }
+  // Only the limbs in use.
+  StackInteger(const StackInteger& v) { assign(v); }
+  StackInteger& operator=(const StackInteger& v) {
+    if (this != &v) assign(v);
+    return *this;
+  }
+  /// The sum of the count digits d[i] 2^(62 i): all but the last in [0, 2^62).
+  static StackInteger from_digits(const std::int64_t* d, int count) {
+    StackInteger r;
+    for (int i = count - 1; i >= 0; --i) r = (r << 62) + StackInteger(d[i]);
+    return r;
+  }
+
+  /// Uncertain iff unknown.
+  Sign3 sign() const {
+    if (size_ == kUnknown) return Sign3::kUncertain;
+    return size_ == 0 ? Sign3::kZero : (is_negative_ ? Sign3::kNegative : Sign3::kPositive);
+  }
+
+  friend StackInteger operator-(StackInteger a) {
+    a.is_negative_ = !a.is_negative_;
+    return a;
+  }
+  friend StackInteger operator+(const StackInteger& a, const StackInteger& b) {
+    return sum(a, b, b.is_negative_);
+  }
+  friend StackInteger operator-(const StackInteger& a, const StackInteger& b) {
+    return sum(a, b, !b.is_negative_);
+  }
+  friend StackInteger operator*(const StackInteger& a, const StackInteger& b) {
+    StackInteger r;
+    if (a.size_ == 0 || b.size_ == 0) {
+      if (a.size_ == kUnknown || b.size_ == kUnknown) r.size_ = kUnknown;
+      return r;
+    }
+    if (a.size_ == kUnknown || b.size_ == kUnknown || a.size_ + b.size_ > Capacity) {
+      r.size_ = kUnknown;
+      return r;
+    }
+    r.is_negative_ = a.is_negative_ != b.is_negative_;
+    multiply_limbs(a, b, r);
+    r.size_ = a.size_ + b.size_;
+    if (r.limb_[r.size_ - 1] == 0) --r.size_;
+    return r;
+  }
+  /// REQUIRES n >= 0.
+  friend StackInteger operator<<(const StackInteger& a, int n) {
+    const int whole = n / 64, part = n % 64;
+    if (a.size_ <= 0 || n == 0) return a;
+    StackInteger r;
+    if (a.size_ + whole + 1 > Capacity) {
+      r.size_ = kUnknown;
+      return r;
+    }
+    r.is_negative_ = a.is_negative_;
+    std::fill(r.limb_, r.limb_ + whole, 0);
+    std::uint64_t carry = 0;
+    for (int i = 0; i < a.size_; ++i) {
+      r.limb_[i + whole] = a.limb_[i] << part | carry;
+      carry = part == 0 ? 0 : a.limb_[i] >> (64 - part);
+    }
+    r.size_ = a.size_ + whole;
+    if (carry != 0) r.limb_[r.size_++] = carry;
+    return r;
+  }
+
+ private:
+  static constexpr int kUnknown = -1;
+
+  static std::uint64_t magnitude(std::int64_t v) {
+    const auto u = static_cast<std::uint64_t>(v);
+    return v < 0 ? 0 - u : u;
+  }
+  void assign(const StackInteger& v) {
+    size_ = v.size_, is_negative_ = v.is_negative_;
+    for (int i = 0; i < size_; ++i) limb_[i] = v.limb_[i];
+  }
+  static void multiply_limbs(const StackInteger& a, const StackInteger& b, StackInteger& r) {
+    for (int j = 0; j < b.size_; ++j) r.limb_[j] = 0;
+    for (int i = 0; i < a.size_; ++i) {
+      std::uint64_t carry = 0;
+      for (int j = 0; j < b.size_; ++j) {
+        const uint128 t = static_cast<uint128>(a.limb_[i]) * b.limb_[j] + r.limb_[i + j] + carry;
+        r.limb_[i + j] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+      r.limb_[i + b.size_] = carry;
+    }
+  }
+  // -1, 0, 1 as |a| <, =, > |b|
+  static int compare_magnitudes(const StackInteger& a, const StackInteger& b) {
+    if (a.size_ != b.size_) return a.size_ < b.size_ ? -1 : 1;
+    for (int i = a.size_ - 1; i >= 0; --i) {
+      if (a.limb_[i] != b.limb_[i]) return a.limb_[i] < b.limb_[i] ? -1 : 1;
+    }
+    return 0;
+  }
+  // a + |b| or a - |b|
+  static StackInteger sum(const StackInteger& a, const StackInteger& b, bool b_is_negative) {
+    StackInteger r;
+    if (a.size_ == kUnknown || b.size_ == kUnknown) {
+      r.size_ = kUnknown;
+      return r;
+    }
+    if (a.is_negative_ == b_is_negative) {
+      add_magnitudes(a.size_ < b.size_ ? b : a, a.size_ < b.size_ ? a : b, r);
+      r.is_negative_ = b_is_negative;
+      return r;
+    }
+    const int order = compare_magnitudes(a, b);
+    if (order == 0) return r;
+    subtract_magnitudes(order > 0 ? a : b, order > 0 ? b : a, r);
+    r.is_negative_ = order > 0 ? a.is_negative_ : b_is_negative;
+    return r;
+  }
+  // REQUIRES a.size_ >= b.size_
+  static void add_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
+    std::uint64_t carry = 0;
+    for (int i = 0; i < a.size_; ++i) {
+      const uint128 t = static_cast<uint128>(a.limb_[i]) + (i < b.size_ ? b.limb_[i] : 0) + carry;
+      r.limb_[i] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64);
+    }
+    r.size_ = a.size_;
+    if (carry == 0) return;
+    if (r.size_ == Capacity) {
+      r.size_ = kUnknown;
+    } else {
+      r.limb_[r.size_++] = carry;
+    }
+  }
+  // REQUIRES |a| > |b|
+  static void subtract_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
+    std::uint64_t borrow = 0;
+    for (int i = 0; i < a.size_; ++i) {
+      const uint128 t = static_cast<uint128>(a.limb_[i]) - (i < b.size_ ? b.limb_[i] : 0) - borrow;
+      r.limb_[i] = static_cast<std::uint64_t>(t);
+      borrow = static_cast<std::uint64_t>(t >> 64) & 1;
+    }
+    r.size_ = a.size_;
+    while (r.limb_[r.size_ - 1] == 0) --r.size_;
+  }
+
+  std::uint64_t limb_[Capacity];  // of the magnitude, least significant first
+  int size_;                      // the highest limb is not 0
+  bool is_negative_;
+};
+
+template <int Capacity>
+Sign3 sign_of(const StackInteger<Capacity>& v) {
+  return v.sign();
+}
+
+/// v * 2^n. REQUIRES n >= 0.
+template <int Capacity>
+StackInteger<Capacity> shifted(const StackInteger<Capacity>& v, int n) {
+  return v << n;
+}
+inline Integer shifted(Integer v, int n) {
+  v.shift_left(static_cast<std::uint64_t>(n));
+  return v;
+}
+
+}  // namespace veritope::internal

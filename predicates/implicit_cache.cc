@@ -15,37 +15,13 @@ namespace {
 using formulas::Triple;
 
 // Of the defining points; one bit more is left to those of a query.
-constexpr std::uint64_t kBits = lattice_bits(1) - 1;
-
-// out[i] = c[i] * scale; false if some c[i] is not on the lattice. REQUIRES |c[i] * scale| <= 2^62.
-template <std::size_t N>
-bool on_lattice(const LatticeUnit& lattice, const std::array<double, N>& c,
-                std::array<Digits<1>, N>& out) {
-  std::uint64_t differs = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    const std::int64_t v = static_cast<std::int64_t>(c[i] * lattice.scale);
-    differs |= (std::bit_cast<std::uint64_t>(static_cast<double>(v) * lattice.unit) ^
-                std::bit_cast<std::uint64_t>(c[i]))
-               << 1;
-    out[i] = {{v}};
-  }
-  return differs == 0;
-}
-template <std::size_t N>
-std::uint64_t biased_exponent(const std::array<double, N>& c) {
-  std::uint64_t largest = 0;
-  for (const double v : c) largest = std::max(largest, std::bit_cast<std::uint64_t>(v) << 1 >> 53);
-  return largest;
-}
+constexpr int kBits = lattice_bits(1) - 1;
 
 template <typename P>
 bool defining_digits(const P& p, LatticeUnit& lattice, std::array<std::int64_t, 3>& base,
                      std::array<Triple<Digits<1>>, kPoints<P>>& out) {
   const auto c = coordinates(p.points());
-  const std::uint64_t biased = std::max(biased_exponent(c), kBits);
-  lattice = {std::bit_cast<double>((2045 + kBits - biased) << 52),
-             std::bit_cast<double>((biased - kBits + 1) << 52),
-             static_cast<int>(biased - kBits) - 1022};
+  lattice = lattice_of(biased_exponent(c), kBits);
   std::array<Digits<1>, 3 * kPoints<P>> v;
   if (!on_lattice(lattice, c, v)) return false;
   out = triples(v);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "predicates/implicit_lattice.h"
 #include "predicates/implicit_point.h"
 #include "robust/digits.h"
 
@@ -14,11 +15,6 @@ namespace veritope {
 
 namespace internal {
 
-/// Coordinates as integers, c * scale, of at most 2^60; unit = 1 / scale = 2^exponent.
-struct LatticeUnit {
-  double scale, unit;
-  int exponent;
-};
 /// base + u t / denominator on the lattice; the denominator's sign is not normalised.
 struct LinePlaneDigits {
   LatticeUnit lattice;

@@ -6,7 +6,7 @@
 #include "interval/interval.h"
 #include "predicates/implicit_formulas.h"
 #include "predicates/implicit_homogeneous.h"
-#include "predicates/lattice.h"
+#include "predicates/implicit_lattice.h"
 #include "robust/base/check.h"
 #include "robust/filter.h"
 
@@ -75,33 +75,26 @@ constexpr bool digits_hold(ImplicitBudget b) {
 static_assert(digits_hold({internal::lattice_bits(1) + 1}));
 static_assert(limbs_hold<2>({internal::lattice_bits(2) + 1}));
 
-// The coordinates as the ring of L limbs; empty if they do not fit.
-template <int L>
-using LatticeNumber = std::conditional_t<L == 1, Digits<1>, FixedInt<L>>;
-template <int L, std::size_t N>
-bool to_ring(const std::array<double, N>& c, std::array<LatticeNumber<L>, N>& out) {
-  std::array<FixedInt<L>, N> v;
-  if (!internal::to_lattice<L, N>(c, v)) return false;
-  for (std::size_t i = 0; i < N; ++i) {
-    if constexpr (L == 1) {
-      out[i] = {{v[i].low()}};
-    } else {
-      out[i] = v[i];
-    }
-  }
-  return true;
+// The coordinates as one digit each, or as two limbs; false if they do not fit.
+template <std::size_t N>
+bool to_ring(const std::array<double, N>& c, std::array<Digits<1>, N>& out) {
+  return internal::on_lattice(
+      internal::lattice_of(internal::biased_exponent(c), internal::lattice_bits(1)), c, out);
+}
+template <std::size_t N>
+bool to_ring(const std::array<double, N>& c, std::array<FixedInt<2>, N>& out) {
+  return internal::to_lattice<2, N>(c, out);
 }
 
-template <int L, std::size_t N>
+template <typename T, std::size_t N>
 Sign3 orientation_on_lattice(const std::array<double, N>& c) {
-  std::array<LatticeNumber<L>, N> v;
-  return to_ring<L>(c, v) ? to_sign3(whole_orientation(triples(v))) : Sign3::kUncertain;
+  std::array<T, N> v;
+  return to_ring(c, v) ? to_sign3(whole_orientation(triples(v))) : Sign3::kUncertain;
 }
 template <std::size_t N>
 Sign3 denominator_on_lattice(const std::array<double, N>& c) {
   std::array<FixedInt<2>, N> v;
-  return to_ring<2>(c, v) ? to_sign3(homogeneous(triples(v)).denominator.sign())
-                          : Sign3::kUncertain;
+  return to_ring(c, v) ? to_sign3(homogeneous(triples(v)).denominator.sign()) : Sign3::kUncertain;
 }
 
 // ---- The float layer -----------------------------------------------------------------------------
@@ -145,7 +138,7 @@ namespace internal {
 
 template <typename P>
 Sign3 implicit_lattice(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  return orientation_on_lattice<1>(all_coordinates(p, a, b, c));
+  return orientation_on_lattice<Digits<1>>(all_coordinates(p, a, b, c));
 }
 template <typename P>
 Sign3 implicit_interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
@@ -161,7 +154,7 @@ Sign implicit_integer(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c
 }
 template <typename P>
 Sign implicit_exact(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  const Sign3 s = orientation_on_lattice<2>(all_coordinates(p, a, b, c));
+  const Sign3 s = orientation_on_lattice<FixedInt<2>>(all_coordinates(p, a, b, c));
   return is_certain(s) ? to_sign(s) : implicit_integer(p, a, b, c);
 }
 

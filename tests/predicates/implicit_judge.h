@@ -30,17 +30,17 @@ void questions3(const std::array<AnyPoint3, 5>& p, const std::array<oracle::Exac
                   oracle::in_ball({x[0], x[1], x[2], x[3], x[4]})});
   for (int axis = 0; axis < 3; ++axis) {
     const auto drop = [&](const Exact& v) { return Exact{v[(axis + 1) % 3], v[(axis + 2) % 3]}; };
-    report(Question{"orient2d_projected", orient2d_projected(p[1], p[2], p[4], axis, tally),
-                    oracle::orient({drop(x[1]), drop(x[2]), drop(x[4])})});
-    report(Question{"compare_axis", compare_axis(p[3], p[4], axis, tally),
-                    sgn(mpq_class(x[3][axis] - x[4][axis]))});
+    report(Question{"orient2d_projected", orient2d_projected(p[0], p[1], p[4], axis, tally),
+                    oracle::orient({drop(x[0]), drop(x[1]), drop(x[4])})});
+    report(Question{"compare_axis", compare_axis(p[0], p[1], axis, tally),
+                    sgn(mpq_class(x[0][axis] - x[1][axis]))});
   }
-  report(Question{"compare_along", compare_along(direction, p[0], p[4], tally),
-                  oracle::along(oracle::exact(direction), x[0], x[4])});
+  report(Question{"compare_along", compare_along(direction, p[0], p[1], tally),
+                  oracle::along(oracle::exact(direction), x[0], x[1])});
   report(Question{"side_of_plane", side_of_plane({direction, offset}, p[2], tally),
                   sgn(mpq_class(oracle::dot(oracle::exact(direction), x[2]) + mpq_class(offset)))});
-  report(Question{"compare_lexicographic", compare_lexicographic(p[1], p[2], tally),
-                  x[1] < x[2] ? -1 : (x[2] < x[1] ? 1 : 0)});
+  report(Question{"compare_lexicographic", compare_lexicographic(p[0], p[1], tally),
+                  x[0] < x[1] ? -1 : (x[1] < x[0] ? 1 : 0)});
 }
 
 template <typename Report>
@@ -51,13 +51,13 @@ void questions2(const std::array<AnyPoint2, 5>& p, const std::array<oracle::Exac
   report(Question{"in_circle", in_circle(p[0], p[1], p[2], p[3], tally),
                   oracle::in_ball({x[0], x[1], x[2], x[3]})});
   for (int axis = 0; axis < 2; ++axis) {
-    report(Question{"compare_axis", compare_axis(p[3], p[4], axis, tally),
-                    sgn(mpq_class(x[3][axis] - x[4][axis]))});
+    report(Question{"compare_axis", compare_axis(p[0], p[1], axis, tally),
+                    sgn(mpq_class(x[0][axis] - x[1][axis]))});
   }
-  report(Question{"compare_along", compare_along(direction, p[0], p[4], tally),
-                  oracle::along(oracle::exact(direction), x[0], x[4])});
-  report(Question{"compare_lexicographic", compare_lexicographic(p[1], p[2], tally),
-                  x[1] < x[2] ? -1 : (x[2] < x[1] ? 1 : 0)});
+  report(Question{"compare_along", compare_along(direction, p[0], p[1], tally),
+                  oracle::along(oracle::exact(direction), x[0], x[1])});
+  report(Question{"compare_lexicographic", compare_lexicographic(p[0], p[1], tally),
+                  x[0] < x[1] ? -1 : (x[1] < x[0] ? 1 : 0)});
 }
 
 /// Half of the time -direction . x, rounded: mostly exact, so that x lies on the plane.
@@ -73,7 +73,7 @@ bool ask(Random& random, int dimension, std::string& text, bool& agrees, TierCou
          Report report) {
   const auto definitions = generate::implicit_case(random, dimension);
   text.clear();
-  for (const generate::Definition& d : definitions) text += d.text();
+  for (const generate::Disguised& d : definitions) text += generate::text(d);
   std::array<oracle::Exact, 5> x;
   bool exist = true;
   agrees = true;
@@ -94,7 +94,8 @@ bool ask(Random& random, int dimension, std::string& text, bool& agrees, TierCou
   };
   if (dimension == 3) {
     std::vector<generate::Point3> p;
-    for (std::size_t i = 0; i < 5; ++i) p.push_back(generate::make3(definitions[i])), look(p[i], i);
+    for (std::size_t i = 0; i < 5; ++i)
+      p.push_back(generate::make3(definitions[i], random.below(2) == 0)), look(p[i], i);
     if (!exist || !agrees) return false;
     const generate::Points numbers = generate::points(
         random.below(2) == 0 ? generate::Kind::kSmallGrid : generate::Kind::kMixedExtremes, random);

@@ -100,7 +100,7 @@ TEST(ImplicitPredicates, SwappingTwoPointsNegatesWhateverTheirKinds) {
     std::vector<generate::Point3> p;
     bool exist = true;
     for (const auto& d : definitions) {
-      p.push_back(generate::make3(d));
+      p.push_back(generate::make3(d, i % 2 == 0));
       exist =
           exist && std::visit([](const auto& v) { return oracle::point(v).has_value(); }, p.back());
     }
@@ -117,9 +117,10 @@ TEST(ImplicitPredicates, SwappingTwoPointsNegatesWhateverTheirKinds) {
       for (int to = 0; to < from; ++to) {
         std::array<int, 5> k{0, 1, 2, 3, 4};
         std::swap(k[from], k[to]);
-        EXPECT_EQ(sphere(k), -sphere({0, 1, 2, 3, 4})) << definitions[0].text();
+        EXPECT_EQ(sphere(k), -sphere({0, 1, 2, 3, 4})) << generate::text(definitions[0]);
         if (from == 4) continue;
-        EXPECT_EQ(plane({k[0], k[1], k[2], k[3]}), -plane({0, 1, 2, 3})) << definitions[0].text();
+        EXPECT_EQ(plane({k[0], k[1], k[2], k[3]}), -plane({0, 1, 2, 3}))
+            << generate::text(definitions[0]);
       }
     }
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t";
 
-using Columns = std::array<std::string_view, kMostOperands + 1>;
+using Columns = std::array<std::string_view, kMostOperands + 2>;  // a name and a sign
 
 // The number of columns; those that fit stand in `columns`.
 std::size_t split(std::string_view line, Columns& columns) {
@@ -49,26 +49,44 @@ Result<std::optional<PredicateCase>> CaseReader::read(std::string_view line) con
   Columns columns;
   const std::size_t count = split(line, columns);
   if (count == 0 || columns[0].starts_with('#')) return std::optional<PredicateCase>();
-  if (count != num_columns()) {
-    return wrong_number_of_columns(count);
+  const std::size_t first = predicate_ == nullptr ? 1 : 0;
+  const NamedPredicate* const predicate = first == 1 ? predicate_from_name(columns[0]) : predicate_;
+  if (predicate == nullptr) {
+    return in_column(0,
+                     Error{Code::kSyntax,
+                           {},
+                           "the name of a predicate expected, but there is " + quoted(columns[0])});
+  }
+  const std::size_t num_operands = predicate->num_operands;
+  if (count - first != num_operands + (has_expected_ ? 1 : 0)) {
+    return wrong_number_of_columns(*predicate, count - first);
   }
   std::optional<PredicateCase> out(std::in_place);
-  for (std::size_t i = 0; i < num_operands_; ++i) {
-    const Result<double> number = numbers_.read(columns[i]);
-    if (!number) return in_column(i, number.error());
+  out->predicate = predicate;
+  for (std::size_t i = 0; i < num_operands; ++i) {
+    const Result<double> number = numbers_.read(columns[first + i]);
+    if (!number) return in_column(first + i, number.error());
     out->operands[i] = *number;
   }
+  if (predicate->is_defined != nullptr && !predicate->is_defined(out->operands)) {
+    return Error{
+        Code::kSyntax,
+        {},
+        "an implicit point does not exist: there is no such intersection, or a denominator is 0"};
+  }
   if (!has_expected_) return out;
-  const std::optional<Sign> expected = sign_from_text(columns[num_operands_]);
-  if (!expected) return in_column(num_operands_, not_a_sign(columns[num_operands_]));
+  const std::string_view sign = columns[first + num_operands];
+  const std::optional<Sign> expected = sign_from_text(sign);
+  if (!expected) return in_column(first + num_operands, not_a_sign(sign));
   out->expected = *expected;
   return out;
 }
 
-Error CaseReader::wrong_number_of_columns(std::size_t count) const {
+Error CaseReader::wrong_number_of_columns(const NamedPredicate& predicate,
+                                          std::size_t count) const {
   return Error{Code::kSyntax,
                {},
-               std::to_string(num_operands_) +
+               std::to_string(predicate.num_operands) +
                    (has_expected_ ? " numbers and a sign" : " numbers") + " expected, but there " +
                    (count == 1 ? "is " : "are ") + counted(count, "column", "columns")};
 }

@@ -12,26 +12,28 @@
 namespace veritope::cli {
 
 struct PredicateCase {
+  const NamedPredicate* predicate = nullptr;
   Operands operands{};
   Sign expected = Sign::kZero;  ///< if the lines have that column
 };
 
 class CaseReader {
  public:
-  /// `has_expected`: behind the operands stands the expected sign.
-  CaseReader(std::size_t num_operands, bool has_expected)
-      : num_operands_(num_operands), has_expected_(has_expected) {}
+  /// `predicate`: of all lines; null: its name is the first column of each. `has_expected`: behind the operands
+  /// stands the expected sign.
+  CaseReader(const NamedPredicate* predicate, bool has_expected)
+      : predicate_(predicate), has_expected_(has_expected) {}
 
   /// Nothing for an empty line and for a comment. REQUIRES that 8 bytes behind the line may be read.
-  /// @error of NumberReader with the column, counted from 1; kSyntax for another number of columns.
+  /// @error of NumberReader with the column, counted from 1; kSyntax for another number of columns, for an
+  /// unknown name and for points that do not exist.
   Result<std::optional<PredicateCase>> read(std::string_view line) const;
 
  private:
-  std::size_t num_columns() const { return num_operands_ + (has_expected_ ? 1 : 0); }
-  Error wrong_number_of_columns(std::size_t count) const;
+  Error wrong_number_of_columns(const NamedPredicate& predicate, std::size_t count) const;
 
   NumberReader numbers_;
-  std::size_t num_operands_;
+  const NamedPredicate* predicate_;
   bool has_expected_;
 };
 

@@ -14,10 +14,9 @@ namespace {
 class CaseRun {
  public:
   CaseRun(const Options& options, StandardOutput& out)
-      : predicate_(*options.predicate),
-        has_expected_(options.expect),
+      : has_expected_(options.expect),
         name_(options.files[0] == "-" ? "standard input" : harmless(options.files[0])),
-        cases_(predicate_.num_operands, options.expect),
+        cases_(options.predicate, options.expect),
         out_(out) {}
 
   /// To the end of the file, or to the first line that cannot be read. What was found before it is printed.
@@ -53,7 +52,7 @@ class CaseRun {
   }
 
   void decide(const PredicateCase& c, std::uint64_t line) {
-    const Sign sign = predicate_.decide(c.operands, &tiers_);
+    const Sign sign = c.predicate->decide(c.operands, &tiers_);
     ++num_cases_;
     const std::string answer = std::to_string(to_int(sign));
     if (!has_expected_) {
@@ -76,7 +75,6 @@ class CaseRun {
     pending_.clear();
   }
 
-  const NamedPredicate& predicate_;
   bool has_expected_;
   std::string name_;
   CaseReader cases_;

@@ -14,5 +14,6 @@ ExitCode run_explain(const Options& options, StandardOutput& out);
 ExitCode run_explain_certificate(const Options& options, StandardOutput& out);
 ExitCode run_predicate(const Options& options, StandardOutput& out);
 ExitCode run_selftest(const Options& options, StandardOutput& out);
+ExitCode run_corpus(const Options& options, StandardOutput& out);
 
 }  // namespace veritope::cli

@@ -35,6 +35,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
     case Command::kExplainCertificate: return run_explain_certificate(options, out);
     case Command::kPredicate: return run_predicate(options, out);
     case Command::kSelftest: return run_selftest(options, out);
+    case Command::kCorpus: return run_corpus(options, out);
   }
   return kExitBug;
 }

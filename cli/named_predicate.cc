@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "cli/implicit_names.h"
 #include "predicates/compare_along.h"
 #include "predicates/formulas.h"
 #include "predicates/in_circle.h"
@@ -72,16 +73,20 @@ constexpr NamedPredicate kPredicates[] = {
 std::span<const NamedPredicate> named_predicates() { return kPredicates; }
 
 const NamedPredicate* predicate_from_name(std::string_view name) {
-  for (const NamedPredicate& predicate : kPredicates) {
-    if (predicate.name == name) return &predicate;
+  for (const auto& predicates : {named_predicates(), implicit_predicates()}) {
+    for (const NamedPredicate& predicate : predicates) {
+      if (predicate.name == name) return &predicate;
+    }
   }
   return nullptr;
 }
 
 std::string predicate_names() {
   std::string names;
-  for (const NamedPredicate& predicate : kPredicates) {
-    names += (names.empty() ? "" : ", ") + std::string(predicate.name);
+  for (const auto& predicates : {named_predicates(), implicit_predicates()}) {
+    for (const NamedPredicate& predicate : predicates) {
+      names += (names.empty() ? "" : ", ") + std::string(predicate.name);
+    }
   }
   return names;
 }

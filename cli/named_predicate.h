@@ -13,7 +13,7 @@
 namespace veritope::cli {
 
 /// Coordinates of the arguments in their order; what a predicate does not take is ignored.
-inline constexpr std::size_t kMostOperands = 15;
+inline constexpr std::size_t kMostOperands = 62;
 using Operands = std::array<double, kMostOperands>;
 
 struct NamedPredicate {
@@ -25,9 +25,13 @@ struct NamedPredicate {
                  TierCounts*);  ///< the library's cascade. REQUIRES finite operands
   /// The formula of predicates/formulas.h over rationals: no filter, no tier. Slow. REQUIRES finite operands
   Sign (*decide_by_formula)(const Operands&);
+  /// Of the points, in order, as letters of cli/hard_implicit_points.h; empty if all are explicit.
+  std::string_view kinds = {};
+  /// Do the implicit points exist? If not, there is no sign. Null if all are explicit.
+  bool (*is_defined)(const Operands&) = nullptr;
 };
 
-/// In the order in which people read them.
+/// Those on explicit points, in the order in which people read them; cli/implicit_names.h has the others.
 std::span<const NamedPredicate> named_predicates();
 
 /// Null if there is none.

@@ -153,11 +153,12 @@ void add_predicate(CLI::App& app, Options& o) {
        "NAME",
        [&o](const std::string& name) {
          o.predicate = predicate_from_name(name);
-         if (o.predicate != nullptr) return;
+         if (o.predicate != nullptr || name == "any") return;
          throw CLI::ValidationError("NAME",
-                                    "must be one of " + predicate_names() + ", not " + name);
+                                    "must be one of any, " + predicate_names() + ", not " + name);
        },
-       "orient2d, orient3d, in_circle, in_sphere,\nside_of_plane or compare_along")
+       "orient2d, orient3d, in_circle, in_sphere,\nside_of_plane, compare_along, on implicit "
+       "points:\norient3d_lpi, ...; any: each line names its own")
       ->required()
       ->type_name("");
   add_file(c, "FILE", o.files,
@@ -171,6 +172,13 @@ void add_predicate(CLI::App& app, Options& o) {
 void add_selftest(CLI::App& app, Options& o) {
   CLI::App* const c = app.add_subcommand("selftest", "hard signs, decided in two ways, compared");
   c->callback([&o] { o.command = Command::kSelftest; });
+  add_number(c, "--cases", o.num_cases, 1, kMost64, "cases in all (100000)");
+  add_number(c, "--seed", o.seed, 0, kMost64, "of the random numbers (1)");
+}
+
+void add_corpus(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("corpus", "hard cases with their exact signs, as text");
+  c->callback([&o] { o.command = Command::kCorpus; });
   add_number(c, "--cases", o.num_cases, 1, kMost64, "cases in all (100000)");
   add_number(c, "--seed", o.seed, 0, kMost64, "of the random numbers (1)");
 }
@@ -214,6 +222,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_explain(app, o);
   add_predicate(app, o);
   add_selftest(app, o);
+  add_corpus(app, o);
   ParsedArguments out;
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const auto is_named = [argv](const CLI::App* c) { return c->get_name() == argv[1]; };

@@ -18,7 +18,8 @@ enum class Command {
   kExplain,
   kExplainCertificate,
   kPredicate,
-  kSelftest
+  kSelftest,
+  kCorpus
 };
 
 struct Options {
@@ -37,10 +38,10 @@ struct Options {
   bool single_precision = false, lossy = false;  ///< convert
   std::optional<std::string> rule;               ///< explain
   std::uint64_t max_items = 20;                  ///< explain-certificate
-  const NamedPredicate* predicate = nullptr;     ///< predicate
+  const NamedPredicate* predicate = nullptr;     ///< predicate; null: each line names its own
   bool expect = false, tiers = false;            ///< predicate
-  std::uint64_t num_cases = 100000;              ///< selftest
-  std::uint64_t seed = 1;                        ///< selftest
+  std::uint64_t num_cases = 100000;              ///< selftest, corpus
+  std::uint64_t seed = 1;                        ///< selftest, corpus
 };
 
 /// What the arguments ask for: a command, or a text to print (help, version), or neither: wrong usage.

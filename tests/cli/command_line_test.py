@@ -10,7 +10,7 @@ import unittest
 import support
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 
-COMMANDS = ["certify", "info", "convert", "explain", "explain-certificate", "predicate", "selftest"]
+COMMANDS = ["certify", "info", "convert", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
 
 
 def run_on_terminal(*arguments, environment=None):
@@ -46,7 +46,8 @@ class Usage(unittest.TestCase):
                  ["explain", "M10"], ["explain", "closed"], ["explain-certificate"], ["--json", "-"],
                  ["predicate"], ["predicate", "orient2d"], ["predicate", "orient4d", "-"], ["predicate", "orient2d", ""],
                  ["predicate", "orient2d", "-", "-"], ["selftest", "--cases", "0"],
-                 ["selftest", "--cases", "1e3"], ["selftest", "--seed", "-1"], ["selftest", "x"]]
+                 ["selftest", "--cases", "1e3"], ["selftest", "--seed", "-1"], ["selftest", "x"],
+                 ["corpus", "--cases", "0"], ["corpus", "x"]]
         for arguments in wrong:
             with self.subTest(arguments):
                 done = run(*arguments)

@@ -7,6 +7,14 @@ from fractions import Fraction
 
 NUM_OPERANDS = {"orient2d": 6, "orient3d": 12, "in_circle": 8, "in_sphere": 15, "side_of_plane": 7, "compare_along": 9}
 
+# Predicates on implicit points: the kinds of their points (docs/cli.md), e, s, t, l, p in space and E, S, X in the plane.
+IMPLICIT = {"orient2d_ssi": "EEX", "orient2d_segment": "SSS", "in_circle_ssi": "EEEX", "in_circle_segment": "SSSS",
+            "compare_lexicographic_ssi": "XX", "orient3d_lpi": "eeel", "orient3d_tpi": "eeep", "orient3d_lpi4": "llll",
+            "orient3d_mixed": "stlp", "in_sphere_lpi": "eeeel", "in_sphere_mixed": "estls", "compare_lexicographic_lpi": "ll",
+            "compare_lexicographic_tpi": "pp"}
+KIND_OPERANDS = {"e": 3, "s": 8, "t": 12, "l": 15, "p": 27, "E": 2, "S": 6, "X": 8}
+IMPLICIT_OPERANDS = {name: sum(KIND_OPERANDS[kind] for kind in kinds) for name, kinds in IMPLICIT.items()}
+
 
 def sign_of(value):
     return (value > 0) - (value < 0)
@@ -18,8 +26,76 @@ def determinant(rows):
     return sum((-1) ** i * row[0] * determinant([r[1:] for r in rows[:i] + rows[i + 1:]]) for i, row in enumerate(rows) if row[0])
 
 
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def homogeneous(kind, v):
+    """[w, w x, w y(, w z)] with w > 0 from integers; None if there is no such point. Not the formulas of the library: in
+    space planes are rows (normal, offset), points are their generalised cross products; in the plane lines are."""
+    dimension = 2 if kind in "ESX" else 3
+    points = [v[i:i + dimension] for i in range(0, len(v), dimension)]
+
+    def plane(a, b, c):
+        normal = cross(minus(b, a), minus(c, a))
+        return [-dot(normal, a), *normal]
+
+    def meet(rows):
+        columns = range(len(rows) + 1)
+        return [(-1) ** j * determinant([[row[k] for k in columns if k != j] for row in rows]) for j in columns]
+
+    if kind in "eE":
+        point = [1, *v]
+    elif kind in "sStT":
+        count = {"s": 2, "S": 2, "t": 3}[kind]
+        weights = v[count * dimension:]
+        first = weights[-1] - sum(weights[:-1])
+        point = [weights[-1], *(sum(w * p[i] for w, p in zip([first, *weights[:-1]], points)) for i in range(dimension))]
+    elif kind == "X":
+        point = meet([[p[0] * q[1] - p[1] * q[0], p[1] - q[1], q[0] - p[0]] for p, q in (points[:2], points[2:])])
+    elif kind == "l":
+        row, (a, b) = plane(*points[2:]), ([1, *p] for p in points[:2])
+        at_a, at_b = dot(row, a), dot(row, b)
+        point = [at_a * y - at_b * x for x, y in zip(a, b)]
+    else:
+        point = meet([plane(*points[i:i + 3]) for i in (0, 3, 6)])
+    if point[0] == 0:
+        return None
+    return point if point[0] > 0 else [-x for x in point]
+
+
+def implicit_sign(name, operands):
+    """None if a point does not exist."""
+    exponent = 1074  # coordinates in units of 2^-1074; weights, too: only their ratio matters
+    v = [int(Fraction(x) * 2**exponent) for x in operands]
+    common = math.gcd(*v) or 1
+    v = [x // common for x in v]
+    points, start = [], 0
+    for kind in IMPLICIT[name]:
+        points.append(homogeneous(kind, v[start:start + KIND_OPERANDS[kind]]))
+        start += KIND_OPERANDS[kind]
+    if None in points:
+        return None
+    if name.startswith("compare_lexicographic"):
+        p, q = points
+        return next((sign_of(d) for d in (x * q[0] - y * p[0] for x, y in zip(p[1:], q[1:])) if d), 0)
+    if name.startswith("orient"):
+        return sign_of(determinant(points))
+    return -sign_of(determinant([[w * w, *(w * x for x in p), dot(p, p)] for w, *p in points]))
+
+
 def sign(name, operands):
     """The exact sign for binary64 operands."""
+    if name in IMPLICIT:
+        return implicit_sign(name, operands)
     v = [Fraction(x) for x in operands]
     if name == "side_of_plane":
         return sign_of(sum(n * p for n, p in zip(v[:3], v[4:])) + v[3])

@@ -10,7 +10,7 @@ from decimal import Decimal
 
 import predicate_oracle
 import support
-from predicate_oracle import NUM_OPERANDS
+from predicate_oracle import IMPLICIT_OPERANDS, NUM_OPERANDS
 from support import BIN, INVALID, MODELS, Folder, run
 
 SEED = 1
@@ -324,7 +324,7 @@ class Failures(Folder):
         for name in ("orient4d", "", "ORIENT2D", "orient2d_filter"):
             done = decide(name, "")
             self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertIn(f"NAME: must be one of {', '.join(NUM_OPERANDS)}, not {name}\n", done.stderr)
+            self.assertIn(f"NAME: must be one of any, {', '.join([*NUM_OPERANDS, *IMPLICIT_OPERANDS])}, not {name}\n", done.stderr)
 
     def test_output_that_cannot_be_written_is_exit_4(self):
         cases = self.folder / "cases"

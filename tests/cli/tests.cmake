@@ -14,4 +14,9 @@ veritope_cli_test(picture quick)
 veritope_cli_test(interruption quick)
 veritope_cli_test(predicate quick)
 veritope_cli_test(selftest quick)
+veritope_cli_test(corpus quick)
 veritope_cli_test(manifest full)
+# All of the corpus, and its checksum.
+add_test(NAME cli_corpus_full COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/corpus_test.py")
+set_tests_properties(cli_corpus_full PROPERTIES LABELS "full;cli" TIMEOUT 600 ENVIRONMENT
+  "PYTHONDONTWRITEBYTECODE=1;CORPUS_CASES=0;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")

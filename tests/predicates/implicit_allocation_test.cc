@@ -60,7 +60,8 @@ void expect_none(const char* what, Ask ask) {
 
 TEST_F(Allocations, TheCounterCounts) {
   const std::size_t before = allocations;
-  delete new int(3);
+  void* const volatile kept = ::operator new(8);  // a pair of new and delete may be left out
+  ::operator delete(kept);
   EXPECT_EQ(allocations - before, 1u);
   const Integer a(1), b(Integer(3) * a);  // the second one has a limb
   EXPECT_GT(allocations - before, 1u);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/hard_cases.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/hard_implicit_points.h"
+#include "cli/hard_points.h"
+#include "cli/implicit_names.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr std::size_t kNumExplicit = 4;  ///< of named_predicates(): those on points alone
+
+// Half of the cases from the kinds that are made to be exactly zero, the others from all kinds.
+generate::Kind random_kind(const NamedPredicate& predicate, Random& random) {
+  using generate::Kind;
+  if (random.below(2) == 0) return static_cast<Kind>(random.below(generate::kNumKinds));
+  const bool is_scaled = random.below(2) == 0;
+  if (predicate.name.starts_with("orient")) return is_scaled ? Kind::kScaledFlat : Kind::kFlat;
+  return is_scaled ? Kind::kScaledRound : Kind::kRound;
+}
+
+Operands explicit_operands(const NamedPredicate& predicate, Random& random) {
+  Operands operands{};
+  double* next = operands.data();
+  for (const Vec3d& p : generate::points(random_kind(predicate, random), random)) {
+    for (int axis = 0; axis < predicate.dimension; ++axis) *next++ = p[axis];
+  }
+  return operands;
+}
+
+Operands implicit_operands(const NamedPredicate& predicate, Random& random) {
+  using generate::Wanted;
+  const Wanted wanted = predicate.name.starts_with("orient")
+                            ? Wanted::kFlat
+                            : (predicate.name.starts_with("in_") ? Wanted::kRound : Wanted::kEqual);
+  for (;;) {
+    Operands operands{};
+    double* next = operands.data();
+    for (const auto& p : generate::disguised_points(predicate.kinds, wanted, random))
+      next = std::copy(p.numbers.begin(), p.numbers.end(), next);
+    if (predicate.is_defined(operands)) return operands;
+  }
+}
+
+}  // namespace
+
+HardCases::HardCases(std::uint64_t seed) : random_(seed) {
+  for (const NamedPredicate& p : named_predicates().first(kNumExplicit)) predicates_.push_back(&p);
+  for (const NamedPredicate& p : implicit_predicates()) predicates_.push_back(&p);
+}
+
+HardCase HardCases::next() {
+  const NamedPredicate& predicate = *predicates_[next_++ % predicates_.size()];
+  return {&predicate, predicate.kinds.empty() ? explicit_operands(predicate, random_)
+                                              : implicit_operands(predicate, random_)};
+}
+
+std::string operands_text(const HardCase& hard_case) {
+  std::string text;
+  for (std::size_t i = 0; i < hard_case.predicate->num_operands; ++i) {
+    char number[32];
+    std::snprintf(number, sizeof number, " %a", hard_case.operands[i]);
+    text += number;
+  }
+  return text;
+}
+
+}  // namespace veritope::cli

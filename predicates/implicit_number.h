@@ -9,6 +9,7 @@
 
 #include "robust/base/int128.h"
 #include "robust/base/sign.h"
+#include "robust/fixed_int.h"
 #include "robust/integer.h"
 
 namespace veritope::internal {
@@ -28,10 +29,31 @@ class StackInteger {
     if (this != &v) assign(v);
     return *this;
   }
-  /// The sum of the count digits d[i] 2^(62 i): all but the last in [0, 2^62).
+  /// The sum of the count digits d[i] 2^(62 i): all but the last in [0, 2^62), the last signed.
   static StackInteger from_digits(const std::int64_t* d, int count) {
+    static_assert(Capacity > 8);
+    // |v| = sum of t[i] 2^(62 i) with t = d, or with t = -d carried.
+    const bool is_negative = d[count - 1] < 0;
     StackInteger r;
-    for (int i = count - 1; i >= 0; --i) r = (r << 62) + StackInteger(d[i]);
+    r.is_negative_ = is_negative;
+    std::int64_t borrow = 0;
+    uint128 low = 0;  // bits that are not yet a limb
+    int bits = 0;
+    for (int i = 0; i < count; ++i) {
+      std::int64_t t = is_negative ? -d[i] + borrow : d[i];
+      if (i + 1 < count) {
+        borrow = t >> 62;
+        t &= (std::int64_t{1} << 62) - 1;
+      }
+      low |= static_cast<uint128>(static_cast<std::uint64_t>(t)) << bits;
+      bits += 62;
+      if (bits < 64 && i + 1 < count) continue;
+      r.limb_[r.size_++] = static_cast<std::uint64_t>(low);
+      low >>= 64;
+      bits -= 64;
+    }
+    r.limb_[r.size_++] = static_cast<std::uint64_t>(low);
+    while (r.size_ > 0 && r.limb_[r.size_ - 1] == 0) --r.size_;
     return r;
   }
 
@@ -100,15 +122,23 @@ class StackInteger {
     for (int i = 0; i < size_; ++i) limb_[i] = v.limb_[i];
   }
   static void multiply_limbs(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    for (int j = 0; j < b.size_; ++j) r.limb_[j] = 0;
-    for (int i = 0; i < a.size_; ++i) {
-      std::uint64_t carry = 0;
-      for (int j = 0; j < b.size_; ++j) {
-        const uint128 t = static_cast<uint128>(a.limb_[i]) * b.limb_[j] + r.limb_[i + j] + carry;
+    const int n = b.size_;
+    std::uint64_t carry = 0;
+    for (int j = 0; j < n; ++j) {
+      const uint128 t = static_cast<uint128>(a.limb_[0]) * b.limb_[j] + carry;
+      r.limb_[j] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64);
+    }
+    r.limb_[n] = carry;
+    for (int i = 1; i < a.size_; ++i) {
+      const std::uint64_t factor = a.limb_[i];
+      carry = 0;
+      for (int j = 0; j < n; ++j) {
+        const uint128 t = static_cast<uint128>(factor) * b.limb_[j] + r.limb_[i + j] + carry;
         r.limb_[i + j] = static_cast<std::uint64_t>(t);
         carry = static_cast<std::uint64_t>(t >> 64);
       }
-      r.limb_[i + b.size_] = carry;
+      r.limb_[i + n] = carry;
     }
   }
   // -1, 0, 1 as |a| <, =, > |b|
@@ -139,12 +169,10 @@ class StackInteger {
   }
   // REQUIRES a.size_ >= b.size_
   static void add_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    std::uint64_t carry = 0;
-    for (int i = 0; i < a.size_; ++i) {
-      const uint128 t = static_cast<uint128>(a.limb_[i]) + (i < b.size_ ? b.limb_[i] : 0) + carry;
-      r.limb_[i] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
-    }
+    unsigned char carry = 0;
+    int i = 0;
+    for (; i < b.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], b.limb_[i]);
+    for (; i < a.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], 0);
     r.size_ = a.size_;
     if (carry == 0) return;
     if (r.size_ == Capacity) {
@@ -155,12 +183,10 @@ class StackInteger {
   }
   // REQUIRES |a| > |b|
   static void subtract_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    std::uint64_t borrow = 0;
-    for (int i = 0; i < a.size_; ++i) {
-      const uint128 t = static_cast<uint128>(a.limb_[i]) - (i < b.size_ ? b.limb_[i] : 0) - borrow;
-      r.limb_[i] = static_cast<std::uint64_t>(t);
-      borrow = static_cast<std::uint64_t>(t >> 64) & 1;
-    }
+    unsigned char carry = 1;
+    int i = 0;
+    for (; i < b.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], ~b.limb_[i]);
+    for (; i < a.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], ~std::uint64_t{0});
     r.size_ = a.size_;
     while (r.limb_[r.size_ - 1] == 0) --r.size_;
   }

@@ -89,11 +89,7 @@ Place<Interval> layer_place(const P& p) {
 }
 
 template <typename T, typename P>
-Place<T> planes_place(const P& p) {
-  check_defined(p.is_defined());
-  if constexpr (std::is_same_v<T, Interval>) {
-    if (p.layer().d > 0) return layer_place(p);
-  }
+Place<T> general_place(const P& p) {
   std::array<T, 3 * internal::kPoints<P>> v;
   Place<T> r;
   r.is_explicit = false;
@@ -126,17 +122,38 @@ Place<T> place_of_digits(const internal::ThreePlanesDigits& d) {
   r.denominator = from_digits<T>(d.denominator);
   return r;
 }
+template <typename T, typename D>
+Place<T> place_with_sign(const D& digits, Sign denominator) {
+  Place<T> r = place_of_digits<T>(digits);
+  r.is_explicit = false;
+  r.exponent = digits.lattice.exponent;
+  make_denominator_positive(r, denominator);
+  return r;
+}
+template <typename T>
+constexpr bool kTakesDigits = requires {
+  T::from_digits(nullptr, 0);
+};
+
+// Digits of fixed lengths are faster, where the point has some.
+template <typename T, typename P>
+Place<T> planes_place(const P& p) {
+  check_defined(p.is_defined());
+  if constexpr (kTakesDigits<T>) {
+    internal::PointDigits<P> digits;
+    if (internal::find_digits(p, digits)) return place_with_sign<T>(digits, p.denominator_sign());
+  }
+  if constexpr (std::is_same_v<T, Interval>) {
+    if (p.layer().d > 0) return layer_place(p);
+  }
+  return general_place<T>(p);
+}
 template <typename T, typename P>
 Place<T> cached_place(const CachedPoint<P>& p) {
-  if constexpr (requires { T::from_digits(nullptr, 0); }) {
+  if constexpr (kTakesDigits<T>) {
     check_defined(p.is_defined());
-    if (const auto* digits = p.digits()) {
-      Place<T> r = place_of_digits<T>(*digits);
-      r.is_explicit = false;
-      r.exponent = digits->lattice.exponent;
-      make_denominator_positive(r, p.point().denominator_sign());
-      return r;
-    }
+    const auto* const digits = p.digits();
+    if (digits != nullptr) return place_with_sign<T>(*digits, p.point().denominator_sign());
   }
   return planes_place<T>(p.point());
 }

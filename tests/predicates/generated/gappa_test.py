@@ -84,8 +84,8 @@ def export(folder):
     folder.mkdir(parents=True, exist_ok=True)
     scripts, wrong = sorted(SCRIPTS.glob("*.g")), 0
     coqc = shutil.which("coqc")
-    has_library = coqc and subprocess.run([coqc, "-q", "-batch", "-l", "/dev/null"], capture_output=True, check=False).returncode == 0 and any(
-        pathlib.Path(place).is_dir() for place in pathlib.Path("/usr/lib").glob("*/coq/user-contrib/Gappa"))
+    (folder / "library.v").write_text("Require Import Gappa.Gappa_library.\n")
+    has_library = coqc and subprocess.run([coqc, "library.v"], cwd=folder, capture_output=True, check=False).returncode == 0
     for script in scripts:
         proved, term = gappa(script.read_text(), *PRECISION, "-Bcoq")
         path = folder / (script.stem + ".v")

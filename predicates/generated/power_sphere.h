@@ -40,8 +40,8 @@ Sign power_sphere(
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |det - exact| <= (16u + O(u^2)) S + underflow, S = the sum of the absolute terms, u =
-///          2^-53.
+/// Bound    |det - exact| <= (16u + O(u^2)) S + underflow, S = the sum of the absolute terms, of
+///          the largest difference on each axis, u = 2^-53.
 /// Derived  docs/bounds/power_sphere.md, and again in
 ///          tests/predicates/generated/power_sphere_test.cc.
 /// Needs    round to nearest, gradual underflow; elsewhere it is uncertain (robust/base/fp_guard.h).
@@ -128,11 +128,16 @@ inline double power_sphere_error(
     FilterReal px, FilterReal py, FilterReal pz, FilterReal qx, FilterReal qy, FilterReal qz,
     FilterReal rx, FilterReal ry, FilterReal rz, FilterReal sx, FilterReal sy, FilterReal sz,
     FilterReal pw, FilterReal qw, FilterReal rw, FilterReal sw, double floor_) {
+  const FilterReal largest_x_ = largest_of(px, qx, rx, sx);
+  const FilterReal largest_y_ = largest_of(py, qy, ry, sy);
+  const FilterReal largest_z_ = largest_of(pz, qz, rz, sz);
+  const FilterReal largest_number_ = largest_of(pw, qw, rw, sw);
   const FilterReal magnitude_ = formulas::power_sphere_magnitude(
-      [](FilterReal v) -> FilterReal { return std::abs(static_cast<double>(v)); }, px, py, pz, qx,
-      qy, qz, rx, ry, rz, sx, sy, sz, pw, qw, rw, sw);
-  const FilterReal size_ = largest_of(
-      px, py, pz, qx, qy, qz, rx, ry, rz, sx, sy, sz, pw, qw, rw, sw);
+      [](FilterReal v) -> FilterReal { return std::abs(static_cast<double>(v)); }, largest_x_,
+      largest_y_, largest_z_, largest_x_, largest_y_, largest_z_, largest_x_, largest_y_,
+      largest_z_, largest_x_, largest_y_, largest_z_, largest_number_, largest_number_,
+      largest_number_, largest_number_);
+  const FilterReal size_ = largest_of(largest_x_, largest_y_, largest_z_, largest_number_);
   return FilterReal(kPowerSphereRel) * magnitude_ +
          (FilterReal(kPowerSphereEta) * power_of<3>(size_) + FilterReal(floor_));
 }

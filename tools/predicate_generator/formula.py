@@ -77,7 +77,7 @@ class _Reader:
         self.path, self.lines = path, text.split("\n")
         self.formula, self.values = Formula(), {}
         self.line = self.column = 0
-        self.order = None
+        self.order, self.bound_line = None, 0
 
     def fail(self, message, column=None, line=None):
         raise FormulaError(self.path, line or self.line, column or self.column or 1, message)
@@ -102,6 +102,7 @@ class _Reader:
             if word in self.formula.texts:
                 self.fail(f"a second line {word!r}", 1)
             self.formula.texts[word] = rest
+            self.bound_line = self.line if word == "bound" else self.bound_line
         elif word in ("points", "scalars"):
             self.declare(word, rest)
         elif word == "order":
@@ -184,6 +185,8 @@ class _Reader:
             self.fail("evaluate does not define sign")
         self.reorder()
         self.check_dependence()
+        if "constant" not in formula.texts and formula.texts.get("bound", "S") not in ("S", "largest"):
+            self.fail("the bound is S, the sum of the absolute terms, or largest", 1, self.bound_line)
         self.check_names()
         for line, column, numbers, _ in formula.examples:
             if len(numbers) != len(formula.inputs):

@@ -66,11 +66,30 @@ def functions(formula, names):
 ABS = "[](FilterReal v) -> FilterReal { return std::abs(static_cast<double>(v)); }"
 
 
+def by_largest(formula):
+    """Whether S is computed with the largest difference of each axis, and of the numbers, in the place of every one."""
+    return formula.texts.get("bound") == "largest"
+
+
+def largest_name(leaf):
+    name = (leaf.args or (leaf,))[0].name
+    return f"largest_{name[-1]}_" if "." in name else "largest_number_"
+
+
 def error_function(formula, names, bound):
     """What the determinant may be off by, of the differences."""
     name, leaves, const = formula.name, names.leaves(), "k" + camel(formula.name)
-    lines = [wrapped(f"inline double {name}_error(", [f"FilterReal {leaf}" for leaf in leaves] + ["double floor_"], ") {"),
-             wrapped(f"  const FilterReal magnitude_ = formulas::{name}_magnitude(", [ABS, *leaves], ");", 6)]
+    lines = [wrapped(f"inline double {name}_error(", [f"FilterReal {leaf}" for leaf in leaves] + ["double floor_"], ") {")]
+    if by_largest(formula):
+        of, members = {}, {}
+        for node, leaf in zip(formula.leaves, leaves):
+            of[leaf] = largest_name(node)
+            members.setdefault(of[leaf], []).append(leaf)
+        lines += [wrapped(f"  const FilterReal {group} = largest_of(", inside, ");", 6) for group, inside in members.items()]
+        terms, leaves = [of[leaf] for leaf in leaves], list(members)
+    else:
+        terms = leaves
+    lines.append(wrapped(f"  const FilterReal magnitude_ = formulas::{name}_magnitude(", [ABS, *terms], ");", 6))
     if bound.degree:
         power = "size_" if bound.degree == 1 else f"power_of<{bound.degree}>(size_)"
         lines += [wrapped("  const FilterReal size_ = largest_of(", leaves, ");", 6),
@@ -104,7 +123,8 @@ def write_header(formula, names, bound, place):
     constants = [f"inline constexpr double {const}Rel = {hexadecimal(bound.rel)};"]
     if bound.degree:
         constants.append(f"inline constexpr double {const}Eta = 0x1p{FLOOR};")
-    underflow = "underflow, S = the sum of the absolute terms, u = 2^-53."
+    underflow = "underflow, S = the sum of the absolute terms" + \
+        (", of the largest difference on each axis" if by_largest(formula) else "") + ", u = 2^-53."
     return f"""// SPDX-License-Identifier: LGPL-3.0-or-later
 // {place.header}: {formula.texts['question']}
 {GENERATED.format(source=place.formula)}

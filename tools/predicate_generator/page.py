@@ -6,7 +6,7 @@ import textwrap
 from .bounds import FLOOR, U, derived_rel, roundings
 from .cpp import Writer, camel
 from .expression import post_order
-from .header import hexadecimal, leaf_in_inputs
+from .header import by_largest, hexadecimal, leaf_in_inputs
 
 
 def paragraph(text):
@@ -25,7 +25,7 @@ def formula_lines(formula, names, error):
             lines.append((names.of[id(node)], write.value(node, open_it=True)[0]))
     lines.append(("det", write.value(formula.sign, open_it=True)[0]))
     width = max(len(name) for name, _ in lines)
-    lines += [("S", "the same with |.| of the differences and + for -"), ("E", error)]
+    lines += [("S", "the same with " + ("the largest |.| of the differences on each axis, and of the numbers," if by_largest(formula) else "|.| of the differences") + " and + for -"), ("E", error)]
     return "\n".join(f"    {name:{width}} = {text}" for name, text in lines if name != text)
 
 
@@ -62,7 +62,7 @@ Made by `tools/generate_predicates.py` from `{place.formula}`.
 
 {paragraph(f"**Relative constant.** ((1+u)^{bound.k} - 1)(1+u)/(1-u)^{bound.k_magnitude + 2} = {first}u + {second}u^2 + O(u^3). `k{name}Rel` = {hexadecimal(bound.rel)}.")}
 
-{paragraph("**Underflow.** " + underflow)}
+{paragraph("**Largest differences.** S is monotone in each difference, and so is every rounded operation of it: S of the largest ones is not less than that of the tuple, rounding included, and all that follows holds for it.") + chr(10) * 2 if by_largest(formula) else ""}{paragraph("**Underflow.** " + underflow)}
 
 {paragraph("**Overflow.** README, 5: |det| <= S holds after rounding, operation by operation, and S is part of E." + (" If m^" + str(bound.degree) + " overflows, E is infinite." if bound.degree > 1 else ""))}
 

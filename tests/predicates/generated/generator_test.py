@@ -82,6 +82,7 @@ BAD = [  # what is replaced in GOOD, by what, line, column, a part of the senten
     ("points    a b c in 2", "points    a b c in 2\n  more", 5, 3, "an indented line continues a text"),
     ("points    a b c in 2", "points    a b c in 2\nexample   1 2 -> 2", 5, 11, "expected: example NUMBERS"),
     ("points    a b c in 2", "points    a b c in 2\nexample   1 2 -> 1", 5, 11, "6 numbers expected, but there are 2"),
+    ("claim     c", "claim     c\nbound     smallest", 4, 1, "the bound is S"),
     ("swap a b : negates", "swap a b : keeps", 5, 11, "this law does not hold: swapping a b"),
     ("swap a b : negates", "swap a d : negates", 5, 11, "two arguments expected"),
     ("swap a b : negates", "translate a : keeps", 5, 11, "this law does not hold: moving a by one vector"),

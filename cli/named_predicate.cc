@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "cli/generated_cases.h"
 #include "cli/implicit_names.h"
 #include "predicates/compare_along.h"
 #include "predicates/formulas.h"
@@ -66,6 +67,32 @@ constexpr NamedPredicate kPredicates[] = {
      by_formula<formulas::SideOfPlane, 7>},
     {"compare_along", "direction p q", 3, 9, decide_compare_along,
      by_formula<formulas::CompareAlong, 9>},
+    {"power_circle", "a wa b wb c wc d wd", 2, 12, decide_power_circle,
+     by_generated_formula<12, formulas::power_circle_of<Rational>>},
+    {"power_sphere", "a wa b wb c wc d wd e we", 3, 20, decide_power_sphere,
+     by_generated_formula<20, formulas::power_sphere_of<Rational>>},
+    {"power_edge2d", "a wa b wb d wd", 2, 9, decide_edge<2, power_edge2d>,
+     by_generated_formula<9, formulas::power_edge2d_of<Rational>>},
+    {"power_edge3d", "a wa b wb d wd", 3, 12, decide_edge<3, power_edge3d>,
+     by_generated_formula<12, formulas::power_edge3d_of<Rational>>},
+    {"compare_distance2d", "p a b", 2, 6, decide_three<2, compare_distance2d>,
+     by_generated_formula<6, formulas::compare_distance2d_of<Rational>>},
+    {"compare_distance3d", "p a b", 3, 9, decide_three<3, compare_distance3d>,
+     by_generated_formula<9, formulas::compare_distance3d_of<Rational>>},
+    {"side_of_bisector2d", "a b p", 2, 6, decide_three<2, side_of_bisector2d>,
+     by_generated_formula<6, formulas::side_of_bisector2d_of<Rational>>},
+    {"side_of_bisector3d", "a b p", 3, 9, decide_three<3, side_of_bisector3d>,
+     by_generated_formula<9, formulas::side_of_bisector3d_of<Rational>>},
+    {"compare_lengths2d", "a b c d", 2, 8, decide_four<2, compare_lengths2d>,
+     by_generated_formula<8, formulas::compare_lengths2d_of<Rational>>},
+    {"compare_lengths3d", "a b c d", 3, 12, decide_four<3, compare_lengths3d>,
+     by_generated_formula<12, formulas::compare_lengths3d_of<Rational>>},
+    {"order_along_line2d", "a b p q", 2, 8, decide_four<2, order_along_line2d>,
+     by_generated_formula<8, formulas::order_along_line2d_of<Rational>>},
+    {"order_along_line3d", "a b p q", 3, 12, decide_four<3, order_along_line3d>,
+     by_generated_formula<12, formulas::order_along_line3d_of<Rational>>},
+    {"order_on_circle", "c p q r", 2, 8, decide_four<2, order_on_circle>,
+     order_on_circle_by_formula},
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ struct NamedPredicate {
   std::size_t num_operands;
   Sign (*decide)(const Operands&,
                  TierCounts*);  ///< the library's cascade. REQUIRES finite operands
-  /// The formula of predicates/formulas.h over rationals: no filter, no tier. Slow. REQUIRES finite operands
+  /// The predicate's formula over rationals: no filter, no tier. Slow. REQUIRES finite operands
   Sign (*decide_by_formula)(const Operands&);
   /// Of the points, in order, as letters of cli/hard_implicit_points.h; empty if all are explicit.
   std::string_view kinds = {};

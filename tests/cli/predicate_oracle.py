@@ -5,7 +5,10 @@ import random
 import struct
 from fractions import Fraction
 
-NUM_OPERANDS = {"orient2d": 6, "orient3d": 12, "in_circle": 8, "in_sphere": 15, "side_of_plane": 7, "compare_along": 9}
+NUM_OPERANDS = {"orient2d": 6, "orient3d": 12, "in_circle": 8, "in_sphere": 15, "side_of_plane": 7, "compare_along": 9,
+                "power_circle": 12, "power_sphere": 20, "power_edge2d": 9, "power_edge3d": 12, "compare_distance2d": 6, "compare_distance3d": 9,
+                "side_of_bisector2d": 6, "side_of_bisector3d": 9, "compare_lengths2d": 8, "compare_lengths3d": 12,
+                "order_along_line2d": 8, "order_along_line3d": 12, "order_on_circle": 8}
 
 # Predicates on implicit points: the kinds of their points (docs/cli.md), e, s, t, l, p in space and E, S, X in the plane.
 IMPLICIT = {"orient2d_ssi": "EEX", "orient2d_segment": "SSS", "in_circle_ssi": "EEEX", "in_circle_segment": "SSSS",
@@ -24,6 +27,10 @@ def determinant(rows):
     if len(rows) == 1:
         return rows[0][0]
     return sum((-1) ** i * row[0] * determinant([r[1:] for r in rows[:i] + rows[i + 1:]]) for i, row in enumerate(rows) if row[0])
+
+
+WEIGHTED = ("power_circle", "power_sphere", "power_edge2d", "power_edge3d")
+METRIC = ("compare_distance", "side_of_bisector", "compare_lengths", "order_along_line")
 
 
 def minus(a, b):
@@ -90,6 +97,46 @@ def implicit_sign(name, operands):
     if name.startswith("orient"):
         return sign_of(determinant(points))
     return -sign_of(determinant([[w * w, *(w * x for x in p), dot(p, p)] for w, *p in points]))
+def weighted_sign(name, points):
+    """By definition: lifted determinants; for an edge the centre and the power of the smallest orthogonal sphere."""
+    if not name.startswith("power_edge"):
+        return -sign_of(determinant([[1, *p, dot(p, p) - w] for p, w in points]))
+    (a, wa), (b, wb), (d, wd) = points
+    u = minus(b, a)
+    if not any(u):
+        return 0
+    at = (1 + (wa - wb) / dot(u, u)) / 2
+    centre = [x + at * y for x, y in zip(a, u)]
+    squared_radius = dot(minus(a, centre), minus(a, centre)) - wa
+    return -sign_of(dot(minus(d, centre), minus(d, centre)) - wd - squared_radius)
+
+
+def metric_sign(name, points):
+    def squared(i, j):
+        difference = minus(points[i], points[j])
+        return dot(difference, difference)
+
+    if name == "compare_distance":
+        return sign_of(squared(0, 1) - squared(0, 2))
+    if name == "side_of_bisector":
+        return sign_of(squared(1, 2) - squared(0, 2))
+    if name == "compare_lengths":
+        return sign_of(squared(0, 1) - squared(2, 3))
+    if name == "order_along_line":
+        return sign_of(dot(minus(points[1], points[0]), minus(points[2], points[3])))
+    # On a circle: as complex numbers, q / p and r / p, sorted by the half that they lie in and by their slope.
+    p, q, r = (minus(x, points[0]) for x in points[1:])
+    if not (any(p) and any(q) and any(r)):
+        return 0
+
+    def turned(x):
+        return p[0] * x[0] + p[1] * x[1], p[0] * x[1] - p[1] * x[0]
+
+    def half(x):
+        return 0 if x[1] > 0 or x[1] == 0 and x[0] > 0 else 1
+
+    a, b = turned(q), turned(r)
+    return sign_of(half(b) - half(a)) or sign_of(a[0] * b[1] - a[1] * b[0])
 
 
 def sign(name, operands):
@@ -101,7 +148,11 @@ def sign(name, operands):
         return sign_of(sum(n * p for n, p in zip(v[:3], v[4:])) + v[3])
     if name == "compare_along":
         return sign_of(sum(d * (p - q) for d, p, q in zip(v[:3], v[3:6], v[6:])))
-    dimension = 2 if name in ("orient2d", "in_circle") else 3
+    dimension = 2 if name in ("orient2d", "in_circle", "power_circle", "order_on_circle") or name.endswith("2d") else 3
+    if name in WEIGHTED:
+        return weighted_sign(name, [(v[i:i + dimension], v[i + dimension]) for i in range(0, len(v), dimension + 1)])
+    if name.rstrip("23d") in METRIC or name == "order_on_circle":
+        return metric_sign(name.rstrip("23d"), [v[i:i + dimension] for i in range(0, len(v), dimension)])
     points = [v[i:i + dimension] for i in range(0, len(v), dimension)]
     if name.startswith("orient"):
         return sign_of(determinant([[1, *p] for p in points]))

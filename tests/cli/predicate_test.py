@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """veritope predicate: signs of cases in text against fractions, the text format to its edges, --expect, --tiers, streaming, failures."""
 import os
+import pathlib
 import random
+import re
 import select
 import subprocess
 import unittest
@@ -45,6 +47,13 @@ KNOWN = {  # name: [(operands, sign)]
         ("1 0 0 2 0 0 1 0 0", 1), ("1 0 0 1 7 7 1 0 0", 0), ("-1 0 0 2 0 0 1 0 0", -1), ("0 0 0 1 2 3 4 5 6", 0),
         ("0x1p-1074 0 0 0x1p-1074 0 0 0 0 0", 1)],
 }
+
+KNOWN["order_on_circle"] = [
+    ("0 0 1 0 0 1 -1 0", 1), ("0 0 1 0 -1 0 0 1", -1), ("0 0 1 0 0 1 0 7", 0), ("0 0 1 0 1 0 0 1", 1), ("0 0 1 0 0 -1 0 1", -1), ("5 5 5 5 1 2 3 4", 0),
+    ("0 0 1 0 1.7976931348623157e308 5e-324 1 5e-324", 1), ("0 0 1 0 -1 5e-324 -1 -5e-324", 1)]
+for path in (pathlib.Path(__file__).resolve().parents[2] / "predicates" / "generated").glob("*.formula"):
+    KNOWN[path.stem] = [(" ".join(numbers.replace(",", " ").split()), int(sign))
+                        for numbers, sign in re.findall(r"(?m)^example +(.*?) +-> +(\S+)$", path.read_text())]
 
 
 def decide(name, lines, *options, **how):

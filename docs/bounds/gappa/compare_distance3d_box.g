@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# compare_distance3d: the program as it is, on numbers of [0, 1]: at most kRel 6 from the exact value. What that says: README.md.
+# Made by tools/generate_predicates.py from predicates/generated/compare_distance3d.formula: do not edit.
+@rnd = float<ieee_64, ne>;
+p_x = rnd(p_x_);
+p_y = rnd(p_y_);
+p_z = rnd(p_z_);
+a_x = rnd(a_x_);
+a_y = rnd(a_y_);
+a_z = rnd(a_z_);
+b_x = rnd(b_x_);
+b_y = rnd(b_y_);
+b_z = rnd(b_z_);
+ux rnd= a_x - b_x;
+vx rnd= a_x - p_x;
+wx rnd= b_x - p_x;
+sumx rnd= vx + wx;
+t4 rnd= ux * sumx;
+uy rnd= a_y - b_y;
+vy rnd= a_y - p_y;
+wy rnd= b_y - p_y;
+sumy rnd= vy + wy;
+t9 rnd= uy * sumy;
+t10 rnd= t4 + t9;
+uz rnd= a_z - b_z;
+vz rnd= a_z - p_z;
+wz rnd= b_z - p_z;
+sumz rnd= vz + wz;
+t15 rnd= uz * sumz;
+det rnd= t10 + t15;
+ux_exact = a_x - b_x;
+vx_exact = a_x - p_x;
+wx_exact = b_x - p_x;
+sumx_exact = vx_exact + wx_exact;
+t4_exact = ux_exact * sumx_exact;
+uy_exact = a_y - b_y;
+vy_exact = a_y - p_y;
+wy_exact = b_y - p_y;
+sumy_exact = vy_exact + wy_exact;
+t9_exact = uy_exact * sumy_exact;
+t10_exact = t4_exact + t9_exact;
+uz_exact = a_z - b_z;
+vz_exact = a_z - p_z;
+wz_exact = b_z - p_z;
+sumz_exact = vz_exact + wz_exact;
+t15_exact = uz_exact * sumz_exact;
+det_exact = t10_exact + t15_exact;
+{ p_x in [0, 1] /\
+  p_y in [0, 1] /\
+  p_z in [0, 1] /\
+  a_x in [0, 1] /\
+  a_y in [0, 1] /\
+  a_z in [0, 1] /\
+  b_x in [0, 1] /\
+  b_y in [0, 1] /\
+  b_z in [0, 1]
+-> |det - det_exact| <= 0x1.e00000000000ap-49 }

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# in_sphere: the program as it is, on numbers of [0, 1]: at most kRel 3 from the exact value. What that says: README.md.
+# Made by tools/generate_predicates.py from docs/bounds/gappa/in_sphere.formula: do not edit.
+@rnd = float<ieee_64, ne>;
+a_x = rnd(a_x_);
+a_y = rnd(a_y_);
+a_z = rnd(a_z_);
+b_x = rnd(b_x_);
+b_y = rnd(b_y_);
+b_z = rnd(b_z_);
+c_x = rnd(c_x_);
+c_y = rnd(c_y_);
+c_z = rnd(c_z_);
+d_x = rnd(d_x_);
+d_y = rnd(d_y_);
+d_z = rnd(d_z_);
+e_x = rnd(e_x_);
+e_y = rnd(e_y_);
+e_z = rnd(e_z_);
+px rnd= a_x - e_x;
+t1 rnd= px * px;
+py rnd= a_y - e_y;
+t3 rnd= py * py;
+t4 rnd= t1 + t3;
+pz rnd= a_z - e_z;
+t6 rnd= pz * pz;
+p_lift rnd= t4 + t6;
+qz rnd= b_z - e_z;
+rx rnd= c_x - e_x;
+sy rnd= d_y - e_y;
+t11 rnd= rx * sy;
+sx rnd= d_x - e_x;
+ry rnd= c_y - e_y;
+t14 rnd= sx * ry;
+rs rnd= t11 - t14;
+t16 rnd= qz * rs;
+rz rnd= c_z - e_z;
+qx rnd= b_x - e_x;
+t19 rnd= qx * sy;
+qy rnd= b_y - e_y;
+t21 rnd= sx * qy;
+qs rnd= t19 - t21;
+t23 rnd= rz * qs;
+t24 rnd= t16 - t23;
+sz rnd= d_z - e_z;
+t26 rnd= qx * ry;
+t27 rnd= rx * qy;
+qr rnd= t26 - t27;
+t29 rnd= sz * qr;
+qrs rnd= t24 + t29;
+t31 rnd= p_lift * qrs;
+t32 rnd= qx * qx;
+t33 rnd= qy * qy;
+t34 rnd= t32 + t33;
+t35 rnd= qz * qz;
+q_lift rnd= t34 + t35;
+t37 rnd= sx * py;
+t38 rnd= px * sy;
+sp rnd= t37 - t38;
+t40 rnd= rz * sp;
+t41 rnd= px * ry;
+t42 rnd= rx * py;
+pr rnd= t41 - t42;
+t44 rnd= sz * pr;
+t45 rnd= t40 + t44;
+t46 rnd= pz * rs;
+rsp rnd= t45 + t46;
+t48 rnd= q_lift * rsp;
+t49 rnd= t31 - t48;
+t50 rnd= rx * rx;
+t51 rnd= ry * ry;
+t52 rnd= t50 + t51;
+t53 rnd= rz * rz;
+r_lift rnd= t52 + t53;
+t55 rnd= px * qy;
+t56 rnd= qx * py;
+pq rnd= t55 - t56;
+t58 rnd= sz * pq;
+t59 rnd= pz * qs;
+t60 rnd= t58 + t59;
+t61 rnd= qz * sp;
+spq rnd= t60 + t61;
+t63 rnd= r_lift * spq;
+t64 rnd= sx * sx;
+t65 rnd= sy * sy;
+t66 rnd= t64 + t65;
+t67 rnd= sz * sz;
+s_lift rnd= t66 + t67;
+t69 rnd= pz * qr;
+t70 rnd= qz * pr;
+t71 rnd= t69 - t70;
+t72 rnd= rz * pq;
+pqr rnd= t71 + t72;
+t74 rnd= s_lift * pqr;
+t75 rnd= t63 - t74;
+det rnd= t49 + t75;
+px_exact = a_x - e_x;
+t1_exact = px_exact * px_exact;
+py_exact = a_y - e_y;
+t3_exact = py_exact * py_exact;
+t4_exact = t1_exact + t3_exact;
+pz_exact = a_z - e_z;
+t6_exact = pz_exact * pz_exact;
+p_lift_exact = t4_exact + t6_exact;
+qz_exact = b_z - e_z;
+rx_exact = c_x - e_x;
+sy_exact = d_y - e_y;
+t11_exact = rx_exact * sy_exact;
+sx_exact = d_x - e_x;
+ry_exact = c_y - e_y;
+t14_exact = sx_exact * ry_exact;
+rs_exact = t11_exact - t14_exact;
+t16_exact = qz_exact * rs_exact;
+rz_exact = c_z - e_z;
+qx_exact = b_x - e_x;
+t19_exact = qx_exact * sy_exact;
+qy_exact = b_y - e_y;
+t21_exact = sx_exact * qy_exact;
+qs_exact = t19_exact - t21_exact;
+t23_exact = rz_exact * qs_exact;
+t24_exact = t16_exact - t23_exact;
+sz_exact = d_z - e_z;
+t26_exact = qx_exact * ry_exact;
+t27_exact = rx_exact * qy_exact;
+qr_exact = t26_exact - t27_exact;
+t29_exact = sz_exact * qr_exact;
+qrs_exact = t24_exact + t29_exact;
+t31_exact = p_lift_exact * qrs_exact;
+t32_exact = qx_exact * qx_exact;
+t33_exact = qy_exact * qy_exact;
+t34_exact = t32_exact + t33_exact;
+t35_exact = qz_exact * qz_exact;
+q_lift_exact = t34_exact + t35_exact;
+t37_exact = sx_exact * py_exact;
+t38_exact = px_exact * sy_exact;
+sp_exact = t37_exact - t38_exact;
+t40_exact = rz_exact * sp_exact;
+t41_exact = px_exact * ry_exact;
+t42_exact = rx_exact * py_exact;
+pr_exact = t41_exact - t42_exact;
+t44_exact = sz_exact * pr_exact;
+t45_exact = t40_exact + t44_exact;
+t46_exact = pz_exact * rs_exact;
+rsp_exact = t45_exact + t46_exact;
+t48_exact = q_lift_exact * rsp_exact;
+t49_exact = t31_exact - t48_exact;
+t50_exact = rx_exact * rx_exact;
+t51_exact = ry_exact * ry_exact;
+t52_exact = t50_exact + t51_exact;
+t53_exact = rz_exact * rz_exact;
+r_lift_exact = t52_exact + t53_exact;
+t55_exact = px_exact * qy_exact;
+t56_exact = qx_exact * py_exact;
+pq_exact = t55_exact - t56_exact;
+t58_exact = sz_exact * pq_exact;
+t59_exact = pz_exact * qs_exact;
+t60_exact = t58_exact + t59_exact;
+t61_exact = qz_exact * sp_exact;
+spq_exact = t60_exact + t61_exact;
+t63_exact = r_lift_exact * spq_exact;
+t64_exact = sx_exact * sx_exact;
+t65_exact = sy_exact * sy_exact;
+t66_exact = t64_exact + t65_exact;
+t67_exact = sz_exact * sz_exact;
+s_lift_exact = t66_exact + t67_exact;
+t69_exact = pz_exact * qr_exact;
+t70_exact = qz_exact * pr_exact;
+t71_exact = t69_exact - t70_exact;
+t72_exact = rz_exact * pq_exact;
+pqr_exact = t71_exact + t72_exact;
+t74_exact = s_lift_exact * pqr_exact;
+t75_exact = t63_exact - t74_exact;
+det_exact = t49_exact + t75_exact;
+{ a_x in [0, 1] /\
+  a_y in [0, 1] /\
+  a_z in [0, 1] /\
+  b_x in [0, 1] /\
+  b_y in [0, 1] /\
+  b_z in [0, 1] /\
+  c_x in [0, 1] /\
+  c_y in [0, 1] /\
+  c_z in [0, 1] /\
+  d_x in [0, 1] /\
+  d_y in [0, 1] /\
+  d_z in [0, 1] /\
+  e_x in [0, 1] /\
+  e_y in [0, 1] /\
+  e_z in [0, 1]
+-> |det - det_exact| <= 0x1.0e0000000000bp-43 }

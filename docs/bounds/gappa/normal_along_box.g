@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# normal_along: the program as it is, on numbers of [0, 1]: at most kRel 6 from the exact value. What that says: README.md.
+# Made by tools/generate_predicates.py from docs/bounds/gappa/normal_along.formula: do not edit.
+@rnd = float<ieee_64, ne>;
+a_x = rnd(a_x_);
+a_y = rnd(a_y_);
+a_z = rnd(a_z_);
+b_x = rnd(b_x_);
+b_y = rnd(b_y_);
+b_z = rnd(b_z_);
+c_x = rnd(c_x_);
+c_y = rnd(c_y_);
+c_z = rnd(c_z_);
+d_x = rnd(d_x_);
+d_y = rnd(d_y_);
+d_z = rnd(d_z_);
+uy rnd= b_y - a_y;
+vz rnd= c_z - a_z;
+t3 rnd= uy * vz;
+uz rnd= b_z - a_z;
+vy rnd= c_y - a_y;
+t6 rnd= uz * vy;
+nx rnd= t3 - t6;
+t8 rnd= d_x * nx;
+vx rnd= c_x - a_x;
+t11 rnd= uz * vx;
+ux rnd= b_x - a_x;
+t13 rnd= ux * vz;
+ny rnd= t11 - t13;
+t15 rnd= d_y * ny;
+t16 rnd= t8 + t15;
+t18 rnd= ux * vy;
+t19 rnd= uy * vx;
+nz rnd= t18 - t19;
+t21 rnd= d_z * nz;
+det rnd= t16 + t21;
+uy_exact = b_y - a_y;
+vz_exact = c_z - a_z;
+t3_exact = uy_exact * vz_exact;
+uz_exact = b_z - a_z;
+vy_exact = c_y - a_y;
+t6_exact = uz_exact * vy_exact;
+nx_exact = t3_exact - t6_exact;
+t8_exact = d_x * nx_exact;
+vx_exact = c_x - a_x;
+t11_exact = uz_exact * vx_exact;
+ux_exact = b_x - a_x;
+t13_exact = ux_exact * vz_exact;
+ny_exact = t11_exact - t13_exact;
+t15_exact = d_y * ny_exact;
+t16_exact = t8_exact + t15_exact;
+t18_exact = ux_exact * vy_exact;
+t19_exact = uy_exact * vx_exact;
+nz_exact = t18_exact - t19_exact;
+t21_exact = d_z * nz_exact;
+det_exact = t16_exact + t21_exact;
+{ a_x in [0, 1] /\
+  a_y in [0, 1] /\
+  a_z in [0, 1] /\
+  b_x in [0, 1] /\
+  b_y in [0, 1] /\
+  b_z in [0, 1] /\
+  c_x in [0, 1] /\
+  c_y in [0, 1] /\
+  c_z in [0, 1] /\
+  d_x in [0, 1] /\
+  d_y in [0, 1] /\
+  d_z in [0, 1]
+-> |det - det_exact| <= 0x1.2000000000007p-48 }

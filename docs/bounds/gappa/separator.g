@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# separator: kRel pays for the roundings of every monomial. What that proves: README.md.
+# Made by tools/generate_predicates.py from docs/bounds/gappa/separator.formula: do not edit.
+@rnd = float<ieee_64, ne>;
+kRel = 0x1.8000000000004p-51;
+# 2 monomials, the first is d_z q_z
+way1 = (1 + d1) * (1 + d2);
+sum1 = (1 + s1);
+# 4 monomials, the first is d_x q_x
+way2 = (1 + d1) * (1 + d2) * (1 + d3);
+{ |x| in [1b-1021, 1b1023] /\ |y| <= 1b-1021 /\
+  d1 in [-1b-53, 1b-53] /\
+  d2 in [-1b-53, 1b-53] /\
+  d3 in [-1b-53, 1b-53] /\
+  s1 in [-1b-53, 1b-53] /\
+  last in [-1b-53, 1b-53] /\
+  e1 in [-1b-53, 1b-53] /\
+  e2 in [-1b-53, 1b-53]
+-> |rnd(x) -/ x| <= 1b-53 /\ |rnd(y) - y| <= 1b-1075 /\
+   2 * |way1 - 1| * (1 + last) - kRel * (sum1 * (1 + e1) * (1 + e2)) <= 0 /\
+   2 * |way2 - 1| * (1 + last) - kRel * (sum1 * (1 + e1) * (1 + e2)) <= 0 }

@@ -38,7 +38,8 @@ class Interval {
     return Interval(internal::make_pair(internal::kInfiniteBits, internal::kInfiniteBits));
   }
 
-  /// NaN if empty; inf and sup of numeric.h say what IEEE 1788 says.
+  /// NaN if empty; inf and sup of numeric.h say what IEEE 1788 says. Where the including file is
+  /// compiled with -ffinite-math-only, an infinite or NaN double is undefined there: use the bits.
   double lo() const { return std::bit_cast<double>(lo_bits()); }
   double hi() const { return std::bit_cast<double>(hi_bits()); }
   internal::Bits lo_bits() const { return internal::negated(internal::first(v_)); }

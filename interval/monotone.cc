@@ -5,7 +5,6 @@
 #include "interval/evaluate_internal.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
-#include "robust/base/fp_guard.h"
 
 namespace veritope::internal {
 
@@ -30,7 +29,7 @@ Evaluated monotone(const Shape& shape, const Interval& x) {
   const bool out = shape.ends == Ends::kOut;
   if (out && is_singleton(in) && !is_interior(in, domain)) return no_value();
   const bool defined = is_subset(x, domain) && (!out || is_interior(x, domain));
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   return {shape.slope == Slope::kRising ? rising(shape.f, in.lo(), in.hi())
                                         : falling(shape.f, in.lo(), in.hi()),
           defined ? Decoration::kCom : Decoration::kTrv};
@@ -41,7 +40,7 @@ Evaluated falling_around_pole(RealFunction f, const Interval& x) {
   if (x.is_empty() || x.sign() == Sign3::kZero) return no_value();
   const std::int64_t lo = order_key(x.lo()), hi = order_key(x.hi());
   if (lo < 0 && hi > 0) return {Interval::entire(), Decoration::kTrv};
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   // The sign of a zero end says from which side the pole is seen.
   return {falling(f, lo == 0 ? 0.0 : x.lo(), hi == 0 ? -0.0 : x.hi()),
           lo == 0 || hi == 0 ? Decoration::kTrv : Decoration::kCom};

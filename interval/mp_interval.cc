@@ -6,7 +6,6 @@
 
 #include "interval/mpfr_internal.h"
 #include "robust/base/check.h"
-#include "robust/base/fp_guard.h"
 
 namespace veritope {
 
@@ -92,7 +91,7 @@ MpInterval::MpInterval(const Interval& x, int precision) : MpInterval(precision)
     bounds_->make_empty();
     return;
   }
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   mpfr_set_d(bounds_->lo.get(), x.lo(), MPFR_RNDD);
   mpfr_set_d(bounds_->hi.get(), x.hi(), MPFR_RNDU);
 }
@@ -242,7 +241,7 @@ Sign3 MpInterval::sign() const {
 
 Interval MpInterval::to_interval() const {
   if (is_empty()) return Interval::empty();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   return Interval::from_bounds(bounds_->lo.round(MPFR_RNDD), bounds_->hi.round(MPFR_RNDU));
 }
 

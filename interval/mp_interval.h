@@ -13,8 +13,8 @@ namespace veritope {
 
 /// [lo, hi] with bounds of `precision` significant bits, or infinite; or empty. Laws as of Interval:
 /// every operation encloses, and each bound is the nearest such number outside. The result of an
-/// operation has the larger precision of its operands. Exponents are those of MPFR: no underflow or
-/// overflow within 2^(+-2^61).
+/// operation has the larger precision of its operands. REQUIRES that this thread has MPFR's default
+/// range of exponents: no underflow or overflow within 2^(+-2^30).
 class MpInterval {
  public:
   static constexpr int kMinPrecision = 2, kMaxPrecision = 1 << 24;

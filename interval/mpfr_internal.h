@@ -9,11 +9,37 @@
 
 #include "interval/bound_pair.h"
 #include "interval/interval.h"
+#include "robust/base/fp_guard.h"
 
 namespace veritope::internal {
 
-/// One MPFR number. REQUIRES the default floating-point environment (ScopedDefaultFp) where doubles
-/// go in or out.
+/// From construction to destruction this thread has the default floating-point environment and MPFR's
+/// default range of exponents, whatever it had before: another user of MPFR in this thread may have
+/// narrowed it, so that a double would not fit. What MPFR caches for the thread is freed with it.
+class MpfrScope {
+ public:
+  MpfrScope() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()) {
+    static thread_local const CacheOwner owner;
+    mpfr_set_emin(MPFR_EMIN_DEFAULT);
+    mpfr_set_emax(MPFR_EMAX_DEFAULT);
+  }
+  ~MpfrScope() {
+    mpfr_set_emin(emin_);
+    mpfr_set_emax(emax_);
+  }
+  MpfrScope(const MpfrScope&) = delete;
+  MpfrScope& operator=(const MpfrScope&) = delete;
+
+ private:
+  struct CacheOwner {
+    CacheOwner() {}  // not trivial: its construction registers the destructor
+    ~CacheOwner() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+  };
+  ScopedDefaultFp environment_;
+  mpfr_exp_t emin_, emax_;
+};
+
+/// One MPFR number. REQUIRES a live MpfrScope where doubles go in or out.
 class Real {
  public:
   explicit Real(mpfr_prec_t precision = 53) { mpfr_init2(v_, precision); }

@@ -7,7 +7,6 @@
 #include "interval/functions.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
-#include "robust/base/fp_guard.h"
 
 namespace veritope::internal {
 
@@ -58,7 +57,7 @@ Interval hull_of_corners(RealFunction2 f, const Interval& a, const Interval& b) 
 Evaluated eval_pown(const Interval& x, std::int64_t n) {
   if (x.is_empty()) return no_value();
   if (n == 0) return {Interval(1.0), Decoration::kCom};
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   if (n < 0) return pown_negative(x, n);
   const Interval in = n % 2 == 0 ? abs(x) : x;
   return {Interval::from_bounds(power(in.lo(), n, MPFR_RNDD), power(in.hi(), n, MPFR_RNDU)),
@@ -70,7 +69,7 @@ Evaluated eval_rootn(const Interval& x, std::int64_t n) {
   const bool even = n % 2 == 0;
   const Interval in = even ? intersection(x, Interval::from_bounds(0, kInfinity)) : x;
   if (in.is_empty() || (n < 0 && in.sign() == Sign3::kZero)) return no_value();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   const bool pole = n < 0 && is_member(0, in), defined = is_subset(x, in) && !pole;
   if (pole && order_key(in.lo()) < 0 && order_key(in.hi()) > 0)
     return {Interval::entire(), Decoration::kTrv};
@@ -92,7 +91,7 @@ Evaluated eval_pow(const Interval& a, const Interval& b) {
     const bool defined = is_singleton(a) && order_key(b.lo()) > 0;
     return {Interval(), defined ? Decoration::kCom : Decoration::kTrv};
   }
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   const Interval positive = Interval::from_bounds(larger(0.0, base.lo()), base.hi());
   const bool defined = order_key(a.lo()) > 0 || (order_key(a.lo()) == 0 && order_key(b.lo()) > 0);
   return {
@@ -104,7 +103,7 @@ Evaluated eval_pow(const Interval& a, const Interval& b) {
 
 Evaluated eval_hypot(const Interval& a, const Interval& b) {
   if (a.is_empty() || b.is_empty()) return no_value();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   const Interval x = abs(a), y = abs(b);
   return {Interval::from_bounds(rounded(mpfr_hypot, x.lo(), y.lo(), MPFR_RNDD),
                                 rounded(mpfr_hypot, x.hi(), y.hi(), MPFR_RNDU)),
@@ -133,7 +132,7 @@ Interval angles_of_upper_half(const Interval& y, const Interval& x) {
 Evaluated eval_atan2(const Interval& y, const Interval& x) {
   if (y.is_empty() || x.is_empty()) return no_value();
   if (y.sign() == Sign3::kZero && x.sign() == Sign3::kZero) return no_value();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   const Decoration at_origin =
       is_member(0, y) && is_member(0, x) ? Decoration::kTrv : Decoration::kCom;
   const bool left = order_key(x.lo()) < 0;
@@ -160,7 +159,7 @@ namespace veritope {
 
 Interval fma(const Interval& a, const Interval& b, const Interval& c) {
   if (a.is_empty() || b.is_empty() || c.is_empty()) return Interval::empty();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   internal::Real least(mpfr_prec_t{106}), most(mpfr_prec_t{106}), product(mpfr_prec_t{106});
   bool some = false;
   for (double x : {a.lo(), a.hi()})

@@ -6,7 +6,6 @@
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
 #include "interval/reverse.h"
-#include "robust/base/fp_guard.h"
 
 namespace veritope {
 
@@ -78,7 +77,7 @@ double first_point(const Wave& w, const Interval& c, double from) {
 // `mirrored`: the values that f has at -t are in it iff those at t are in c.
 Interval reversed(const Wave& w, const Interval& c, const Interval& mirrored, const Interval& in) {
   if (c.is_empty() || in.is_empty()) return Interval::empty();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   const double lo = internal::is_infinite(in.lo()) ? in.lo() : first_point(w, c, in.lo());
   const double hi = internal::is_infinite(in.hi()) ? in.hi() : -first_point(w, mirrored, -in.hi());
   return lo <= hi && lo <= in.hi() && hi >= in.lo() ? Interval::from_bounds(lo, hi)

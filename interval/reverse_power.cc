@@ -7,7 +7,6 @@
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
 #include "interval/reverse.h"
-#include "robust/base/fp_guard.h"
 
 namespace veritope {
 
@@ -173,7 +172,7 @@ Ends logarithms(const Interval& a) { return {logarithm(a.lo()), logarithm(a.hi()
 
 Interval pow_rev1(const Interval& b, const Interval& c, const Interval& in) {
   if (b.is_empty() || c.is_empty() || in.is_empty()) return Interval::empty();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   Interval out = Interval::empty();
   if (const Interval values = positive(c); !values.is_empty())
     out = hull_of(reverse_product({plain(b.lo()), plain(b.hi())}, logarithms(values), Bases()), in);
@@ -183,7 +182,7 @@ Interval pow_rev1(const Interval& b, const Interval& c, const Interval& in) {
 
 Interval pow_rev2(const Interval& b, const Interval& c, const Interval& in) {
   if (b.is_empty() || c.is_empty() || in.is_empty()) return Interval::empty();
-  const ScopedDefaultFp environment;
+  const internal::MpfrScope environment;
   Interval out = Interval::empty();
   const Interval values = positive(c), bases = positive(b);
   if (!values.is_empty() && !bases.is_empty())

@@ -8,7 +8,6 @@
 #include "interval/evaluate_internal.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
-#include "robust/base/fp_guard.h"
 
 namespace veritope::internal {
 
@@ -61,7 +60,7 @@ bool passes(const Quarters& q, int turn) {
 Evaluated wave(RealFunction f, const Interval& x, int top, int bottom) {
   if (x.is_empty()) return no_value();
   if (!is_common(x)) return {Interval::from_bounds(-1, 1), Decoration::kCom};
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   const Quarters q = quarters(x);
   const double lo = passes(q, bottom)
                         ? -1
@@ -80,7 +79,7 @@ Evaluated eval_cos(const Interval& x) { return wave(mpfr_cos, x, 0, 2); }
 Evaluated eval_tan(const Interval& x) {
   if (x.is_empty()) return no_value();
   if (!is_common(x)) return {Interval::entire(), Decoration::kTrv};
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   const Quarters q = quarters(x);
   if (passes(q, 1) || passes(q, 3)) return {Interval::entire(), Decoration::kTrv};
   return {rising(mpfr_tan, x.lo(), x.hi()), Decoration::kCom};
@@ -89,7 +88,7 @@ Evaluated eval_tan(const Interval& x) {
 Evaluated eval_cot(const Interval& x) {
   if (x.is_empty() || x.sign() == Sign3::kZero) return no_value();
   if (!is_common(x)) return {Interval::entire(), Decoration::kTrv};
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   // 0 is a pole that an end can hit: seen from the left it starts a quarter that x does not enter.
   const bool ends_at_pole = order_key(x.hi()) == 0, starts_at_pole = order_key(x.lo()) == 0;
   Quarters q = quarters(x);
@@ -130,14 +129,14 @@ Evaluated inverse_wave(RealFunction f, const Interval& x, const Quarters& q, int
 Evaluated eval_csc(const Interval& x) {
   if (x.is_empty() || x.sign() == Sign3::kZero) return no_value();
   if (!is_common(x)) return {Interval::entire(), Decoration::kTrv};
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   return inverse_wave(mpfr_csc, x, quarters(x), 0, true);
 }
 
 Evaluated eval_sec(const Interval& x) {
   if (x.is_empty()) return no_value();
   if (!is_common(x)) return {Interval::entire(), Decoration::kTrv};
-  const ScopedDefaultFp environment;
+  const MpfrScope environment;
   return inverse_wave(mpfr_sec, x, quarters(x), 3, false);
 }
 

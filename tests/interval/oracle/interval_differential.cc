@@ -109,6 +109,21 @@ TEST(IntervalOracle, MpfiGivesTheSameBoundsOfElementaryFunctions) {
   EXPECT_GT(compared, 30000);
 }
 
+TEST(IntervalOracle, AnotherUserOfMpfrInTheThreadDoesNotDisturb) {
+  EXPECT_NE(mpfr_buildopt_tls_p(), 0) << "MPFR without thread-local state";
+  const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+  const Interval expected = exp(Interval(200.0)), quarter = cos(Interval(0x1p500));
+  mpfr_set_emin(-20);
+  mpfr_set_emax(20);
+  const Interval got = exp(Interval(200.0)), far = cos(Interval(0x1p500));
+  EXPECT_EQ(mpfr_get_emin(), -20);
+  EXPECT_EQ(mpfr_get_emax(), 20);
+  mpfr_set_emin(least);
+  mpfr_set_emax(most);
+  EXPECT_EQ(got, expected);
+  EXPECT_EQ(far, quarter);
+}
+
 namespace bi = boost::numeric;
 namespace il = boost::numeric::interval_lib;
 // Its default rounding, which sets the mode for each operation; no exceptions.

@@ -18,12 +18,18 @@ std::array<double, N> normalised(std::array<double, N> weights) {
   return weights;
 }
 
-// Of (b - a) x (d - c). The error of orient2d's filter, whose formula and rounding counts it shares.
+// Of (b - a) x (d - c). The filter needs no rounding mode: docs/bounds/implicit_point.md.
 Sign turn(const std::array<Vec2d, 4>& p) {
-  const double left = (p[1].x - p[0].x) * (p[3].y - p[2].y),
-               right = (p[1].y - p[0].y) * (p[3].x - p[2].x);
-  const Sign3 s =
-      sign_beyond(left - right, internal::kOrient2dRel * (std::abs(left) + std::abs(right)));
+  const double ux = p[1].x - p[0].x, uy = p[1].y - p[0].y, wx = p[3].x - p[2].x,
+               wy = p[3].y - p[2].y;
+  const double left = ux * wy, right = uy * wx;
+  const double most =
+      larger(larger(std::abs(ux), std::abs(uy)), larger(std::abs(wx), std::abs(wy)));
+  const Sign3 s = most <= internal::kImplicitReach
+                      ? sign_beyond(left - right, 4 * internal::kOrient2dRel *
+                                                          (std::abs(left) + std::abs(right)) +
+                                                      internal::kImplicitAbs)
+                      : Sign3::kUncertain;
   if (is_certain(s)) return to_sign(s);
   return internal::exact_sign<false>([&]<typename T>(std::type_identity<T>) {
     std::array<T, 8> v;

@@ -74,9 +74,10 @@ Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const ThreePlanePo
               TierCounts* tally = nullptr);
 
 namespace internal {
-/// The filter's constants times what their formulas count: docs/bounds/implicit_point.md.
-inline constexpr double kLinePlaneRel = 0x1.320000000000ep-44;
-inline constexpr double kThreePlanesRel = 0x1.e600000000022p-41;
+/// The filter's constants times what their formulas count: docs/bounds/implicit_point.md. They hold in every
+/// rounding mode, with FTZ and DAZ, too.
+inline constexpr double kLinePlaneRel = 0x1.320000000001cp-43;
+inline constexpr double kThreePlanesRel = 0x1.e600000000043p-40;
 inline constexpr double kImplicitAbs = 0x1p-200;
 /// The filter answers only if no difference exceeds this.
 inline constexpr double kImplicitReach = 0x1p100;

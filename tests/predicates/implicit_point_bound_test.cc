@@ -28,6 +28,23 @@ T magnitude(const T& scale, const T& mv, const T& mw, const T& reach, const T& m
   return (scale * (mv * mw)) * (reach + me);
 }
 
+// In any rounding mode an operation is off by less than one unit in the last place.
+Rational unit_roundoff() { return Rational(2) * bounds::unit_roundoff(); }
+
+// bounds::expect_tight with that unit: `terms` times ((1 + u)^k - 1) (1 + u) / (1 - u)^(m + 2).
+void expect_tight(double constant, int det_roundings, int magnitude_roundings,
+                  const Rational& terms) {
+  const Rational up = Rational(1) + unit_roundoff(), down = Rational(1) - unit_roundoff();
+  const auto derived = [&](int roundings) {
+    return terms * (bounds::power(up, roundings) - Rational(1)) * up /
+           bounds::power(down, magnitude_roundings + 2);
+  };
+  EXPECT_EQ(constant, round_up(derived(det_roundings)));
+  EXPECT_GT(derived(det_roundings + 1), Rational::from_double(constant));
+  EXPECT_GT(Rational::from_double(constant),
+            derived(det_roundings - 1) * (Rational(1) + Rational::power_of_two(-20)));
+}
+
 TEST(ImplicitPointBound, RelativeConstantsFollowFromTheRoundings) {
   const RoundingCount x, d = x - x;
   const auto line = formulas::line_plane(same(d), same(d), same(d), same(d));
@@ -39,8 +56,8 @@ TEST(ImplicitPointBound, RelativeConstantsFollowFromTheRoundings) {
   EXPECT_EQ(k_planes, 27);
   const int m_line = magnitude(d * (d * d), d, d, d, d).roundings;
   const int m_planes = magnitude(((d * d) * (d * d)) * (d * d), d, d, d + d, d).roundings;
-  bounds::expect_tight(internal::kLinePlaneRel, k_line, m_line, Rational(36));
-  bounds::expect_tight(internal::kThreePlanesRel, k_planes, m_planes, Rational(288));
+  expect_tight(internal::kLinePlaneRel, k_line, m_line, Rational(36));
+  expect_tight(internal::kThreePlanesRel, k_planes, m_planes, Rational(288));
   // The same constant bounds the denominator's error, which has fewer terms and roundings.
   EXPECT_LE(line.denominator.roundings, k_line);
   EXPECT_LE(planes.denominator.roundings, k_planes);
@@ -54,8 +71,7 @@ TEST(ImplicitPointBound, TheConstantsAlsoBoundTheErrorsOfTheLayer) {
   const auto planes =
       formulas::three_planes(plane_of(d, d, x), plane_of(d, d, d), plane_of(d, d, d));
   const auto needed = [](int terms, const RoundingCount& value, const RoundingCount& product) {
-    const Rational up = Rational(1) + bounds::unit_roundoff(),
-                   down = Rational(1) - bounds::unit_roundoff();
+    const Rational up = Rational(1) + unit_roundoff(), down = Rational(1) - unit_roundoff();
     return Rational(terms) * (bounds::power(up, value.roundings) - Rational(1)) /
            bounds::power(down, product.roundings + 1);
   };
@@ -113,10 +129,12 @@ TEST(ImplicitPointFormulas, TheShortFormsAreTheSameNumbers) {
   }
 }
 
-// With no difference above 2^100, what underflow does is less than 2^-200.
+// With no difference above 2^100, what underflow does is less than 2^-200, with FTZ and DAZ, too.
 TEST(ImplicitPointBound, TheAbsoluteConstantPaysForUnderflowAndForFlushing) {
   for (const Rational& unit : {bounds::underflow_unit(), bounds::flush_unit()}) {
-    const UnderflowCount d = UnderflowCount::bounded_by(0, unit);
+    UnderflowCount d = UnderflowCount::bounded_by(0, unit);
+    // A difference of numbers that DAZ reads as zero, or that FTZ makes zero.
+    d.error = Polynomial::constant(Rational(3) * bounds::flush_unit());
     const auto line = formulas::line_plane(same(d), same(d), same(d), same(d));
     const auto planes =
         formulas::three_planes(plane_of(d, d, d), plane_of(d, d, d), plane_of(d, d, d));

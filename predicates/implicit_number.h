@@ -94,7 +94,8 @@ class StackInteger {
     const int whole = n / 64, part = n % 64;
     if (a.size_ <= 0 || n == 0) return a;
     StackInteger r;
-    if (a.size_ + whole + 1 > Capacity) {
+    const std::uint64_t top = part == 0 ? 0 : a.limb_[a.size_ - 1] >> (64 - part);
+    if (a.size_ + whole + (top != 0) > Capacity) {
       r.size_ = kUnknown;
       return r;
     }
@@ -106,7 +107,7 @@ class StackInteger {
       carry = part == 0 ? 0 : a.limb_[i] >> (64 - part);
     }
     r.size_ = a.size_ + whole;
-    if (carry != 0) r.limb_[r.size_++] = carry;
+    if (top != 0) r.limb_[r.size_++] = top;
     return r;
   }
 

@@ -94,13 +94,13 @@ class HostileProcess(Folder):
     @unittest.skipUnless(platform.machine() == "x86_64", "sets the control word of SSE")
     def test_wrong_signs_are_found_and_shown(self):
         """They take a control word that changes after the first decision, unknown to the thread."""
-        done = self.hostile("selftest", "--cases", 25000, "--seed", 3, source=LATE)
+        done = self.hostile("selftest", "--cases", 50000, "--seed", 3, source=LATE)
         self.assertEqual(done.returncode, 5)
         self.assertTrue(done.stdout.startswith("floating point is as the filters need it\n"))
         shown = WRONG.findall(done.stdout)
         self.assertGreater(len(shown), 0)
         self.assertEqual(len(shown), sum(row[2] for row in rows(done.stdout).values()))
-        self.assertRegex(done.stdout, rf"\n25000 cases, {len(shown)} disagreements; seed 3\n$")
+        self.assertRegex(done.stdout, rf"\n50000 cases, {len(shown)} disagreements; seed 3\n$")
         for name, expected, found, operands in shown:
             self.assertNotEqual(expected, found)
             values = [float.fromhex(operand) for operand in operands.split()]

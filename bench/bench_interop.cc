@@ -5,10 +5,10 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <vector>
 
+#include "bench/stopwatch.h"
 #include "interop/cgal.h"
 #include "robust/base/random.h"
 
@@ -22,10 +22,9 @@ struct Timed {
   std::size_t cells = 0;
   template <typename Triangulation, typename Points>
   void run(const Points& points) {
-    const auto start = std::chrono::steady_clock::now();
+    const bench::Stopwatch watch;
     const Triangulation t(points.begin(), points.end());
-    seconds = std::min(
-        seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds = std::min(seconds, 1e-9 * watch.ns());
     if constexpr (requires { t.number_of_cells(); }) {
       cells = t.number_of_cells();
     } else {

@@ -6,7 +6,6 @@
 // is that of point intervals. same_bounds: the sums of all bounds equal the peer's.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "bench/interval_loops.h"
 #include "bench/interval_peers.h"
+#include "bench/stopwatch.h"
 #include "interval/batch.h"
 #include "interval/interval.h"
 #include "predicates/side_batch.h"
@@ -106,12 +106,10 @@ class BatchPeer : public IntervalPeer {
 
 // ns of one call, without the clock's own.
 double timed(const std::function<void()>& run) {
-  using Clock = std::chrono::steady_clock;
-  const auto before = Clock::now();
-  const auto start = Clock::now();
+  const double clock = Stopwatch().ns();
+  const Stopwatch watch;
   run();
-  const auto end = Clock::now();
-  return std::chrono::duration<double, std::nano>((end - start) - (start - before)).count();
+  return std::max(watch.ns() - clock, 0.0);
 }
 constexpr double kPerRound = kPasses * static_cast<double>(kSize);
 

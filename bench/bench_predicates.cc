@@ -9,7 +9,6 @@
 // 2^-24..1; DW two coincident points, wide exponents.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -18,6 +17,7 @@
 
 #include "bench/epick_peer.h"
 #include "bench/predicate_peers.h"
+#include "bench/stopwatch.h"
 #include "predicates/in_circle.h"
 #include "predicates/in_sphere.h"
 #include "predicates/orient2d.h"
@@ -34,10 +34,6 @@ using namespace veritope;
 // filter that branches on the sign looks three times as fast as it is.
 constexpr std::size_t kTuples = 32768;
 constexpr int kRepetitions = 20;
-
-double nanoseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
-}
 
 // Points of one class for a predicate of `n` points in `dim` dimensions; `round` asks for
 // cocircular or cospherical ones.
@@ -197,9 +193,9 @@ struct Timed {
   long sum = 0;       // of the signs
   template <typename Run>
   void run(Run run_all, std::size_t tuples = kTuples) {
-    const auto start = std::chrono::steady_clock::now();
+    const bench::Stopwatch watch;
     sum = run_all();
-    ns = std::min(ns, nanoseconds_since(start) / static_cast<double>(tuples));
+    ns = std::min(ns, watch.ns() / static_cast<double>(tuples));
   }
 };
 
@@ -339,10 +335,10 @@ void triangle_row(const char* name, Make make) {
   double best = 1e300;
   long sum = 0;
   for (int r = 0; r < kRepetitions; ++r) {
-    const auto start = std::chrono::steady_clock::now();
+    const bench::Stopwatch watch;
     for (std::size_t i = 0; i < t.size(); i += 2)
       sum += static_cast<long>(triangle_triangle(t[i], t[i + 1]));
-    best = std::min(best, nanoseconds_since(start));
+    best = std::min(best, watch.ns());
   }
   std::printf(
       "{\"row\":\"triangle_triangle_%s\",\"ours\":%.2f,\"peer\":null,\"unit\":\"ns\",\"sum\":%ld}"

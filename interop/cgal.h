@@ -4,6 +4,7 @@
 #pragma once
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Triangulation_structural_filtering_traits.h>
 
 #include <cmath>
 #include <type_traits>
@@ -244,3 +245,11 @@ class CgalTraits : public internal::Epick {
 };
 
 }  // namespace veritope
+
+namespace CGAL {
+/// Point location walks near its goal with rounded orientations first, as on EPICK; only exact ones decide.
+template <>
+struct Triangulation_structural_filtering_traits<veritope::CgalTraits> {
+  typedef Tag_true Use_structural_filtering_tag;
+};
+}  // namespace CGAL

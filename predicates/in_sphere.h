@@ -56,6 +56,7 @@ inline double in_sphere_error(double x, double y, double z, double floor) {
          (kInSphereEta * box.size() + floor);
 }
 inline double largest_magnitude(double p, double q, double r, double s) {
+  using veritope::larger;  // not the one of interval/bound_pair.h, which has integer comparisons
   return larger(larger(std::abs(p), std::abs(q)), larger(std::abs(r), std::abs(s)));
 }
 }  // namespace internal

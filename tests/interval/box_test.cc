@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
@@ -14,7 +15,7 @@ Interval span_of(double lo, double hi) { return Interval::from_bounds(lo, hi); }
 
 TEST(Box, HullContainsBothAndIntersectionIsInBoth) {
   Random random(61);
-  for (int i = 0; i < 5000; ++i) {
+  for (long i = 0; i < scaled(5000); ++i) {
     Box3 a, b;
     for (std::size_t k = 0; k < 3; ++k) a[k] = draw_interval(random), b[k] = draw_interval(random);
     const Box3 both = intersection(a, b), around = hull(a, b);
@@ -23,9 +24,10 @@ TEST(Box, HullContainsBothAndIntersectionIsInBoth) {
     ASSERT_EQ(both.is_empty(), is_disjoint(a, b)) << i;
     ASSERT_TRUE(contains(a, mid(a))) << i;
     ASSERT_EQ(hull(a, Box3::empty()), a);
-    const auto [left, right] = split(a, i % 3);
+    const auto [left, right] = split(a, static_cast<std::size_t>(i) % 3);
     ASSERT_EQ(hull(left, right), a) << i;
-    ASSERT_EQ(left[(i + 1) % 3], a[(i + 1) % 3]);
+    ASSERT_EQ(left[(static_cast<std::size_t>(i) + 1) % 3],
+              a[(static_cast<std::size_t>(i) + 1) % 3]);
   }
 }
 

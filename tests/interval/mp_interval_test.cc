@@ -7,13 +7,14 @@
 #include "interval/relations.h"
 #include "robust/base/check.h"
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
 
 TEST(MpInterval, WithManyBitsComputesExactlyWhatRationalsCompute) {
   Random random(51);
-  for (int i = 0; i < 3000; ++i) {
+  for (long i = 0; i < scaled(3000); ++i) {
     const Rational x(Integer(random.between(-1000, 1000)), Integer(1)),
         y(Integer(random.between(-1000, 1000)), Integer(power_of_two(random.below(40))));
     const MpInterval a(x, 200), b(y, 100);
@@ -40,7 +41,7 @@ TEST(MpInterval, With53BitsAgreesWithIntervalWhereNothingUnderflows) {
     const double a = 2 * random.unit() - 1, b = 2 * random.unit() - 1;
     return a < b ? Interval::from_bounds(a, b) : Interval::from_bounds(b, a);
   };
-  for (int i = 0; i < 4000; ++i) {
+  for (long i = 0; i < scaled(4000); ++i) {
     const Interval a = ordinary(), b = ordinary();
     const MpInterval x(a, 53), y(b, 53);
     Interval want[6];
@@ -58,7 +59,7 @@ TEST(MpInterval, With53BitsAgreesWithIntervalWhereNothingUnderflows) {
 
 TEST(MpInterval, NestsAsThePrecisionGrowsOnIntervalsOfAllKinds) {
   Random random(53);
-  for (int i = 0; i < 3000; ++i) {
+  for (long i = 0; i < scaled(3000); ++i) {
     const Interval a = draw_interval(random), b = draw_interval(random);
     const MpInterval x(a, 60), y(b, 60), u(a, 140), v(b, 140);
     EXPECT_EQ(x.to_interval(), a);

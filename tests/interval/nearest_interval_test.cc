@@ -7,6 +7,7 @@
 
 #include "interval/numeric.h"
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(NearestInterval, ContainsTheTightestResultOfEveryOperation) {
   Random random(41);
-  for (int i = 0; i < 60000; ++i) {
+  for (long i = 0; i < scaled(60000); ++i) {
     const Interval a = draw_interval(random), b = draw_interval(random);
     Interval tight[6];
     {
@@ -35,7 +36,7 @@ TEST(NearestInterval, ContainsTheTightestResultOfEveryOperation) {
 
 TEST(NearestInterval, IsWiderByAtMostTwoUnitsInTheLastPlace) {
   Random random(42);
-  for (int i = 0; i < 20000; ++i) {
+  for (long i = 0; i < scaled(20000); ++i) {
     const double p = 1 + random.unit(), q = 1 + random.unit();
     const NearestInterval sum = NearestInterval(p) + NearestInterval(q),
                           product = NearestInterval(p) * NearestInterval(q);

@@ -14,6 +14,7 @@
 #include "interval/reduction.h"
 #include "robust/base/check.h"
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
@@ -120,7 +121,7 @@ TEST(Relations, HoldForSubnormalsUnderFlushingAndFromAnyMode) {
 
 TEST(Numeric, MiddleAndRadiusCoverTheInterval) {
   Random random(71);
-  for (int i = 0; i < 20000; ++i) {
+  for (long i = 0; i < scaled(20000); ++i) {
     const Interval a = draw_interval(random);
     const MidRad m = mid_rad(a);
     ASSERT_TRUE(is_member(m.mid, a)) << to_string(a);
@@ -142,7 +143,7 @@ TEST(Numeric, MiddleAndRadiusCoverTheInterval) {
 TEST(Numeric, CancellationUndoesAnAddition) {
   Random random(72);
   int undone = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (long i = 0; i < scaled(20000); ++i) {
     const Interval b = draw_interval(random), z = draw_interval(random);
     Interval a;
     {

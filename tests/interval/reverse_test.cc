@@ -12,6 +12,7 @@
 #include "interval/text.h"
 #include "robust/base/check.h"
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
@@ -45,7 +46,7 @@ TEST(Reverse, LosesNoPointThatIsMappedIntoTheSet) {
        [](const Interval& c, const Interval& in) { return pown_rev(c, -3, in); }},
   };
   Random random(101);
-  for (int i = 0; i < 4000; ++i) {
+  for (long i = 0; i < scaled(4000); ++i) {
     const Interval in = i % 4 == 0 ? draw_interval(random) : ordinary(random, i % 3 == 0 ? 300 : 4);
     for (const auto& f : functions) {
       // Whatever of `in` the values of a point t of `in` come from: t comes back.
@@ -72,7 +73,7 @@ TEST(Reverse, LosesNoPointThatIsMappedIntoTheSet) {
 
 TEST(Reverse, PowersComeBack) {
   Random random(102);
-  for (int i = 0; i < 4000; ++i) {
+  for (long i = 0; i < scaled(4000); ++i) {
     const double x = i % 9 == 0 ? 0 : 4 * random.unit(), y = 8 * random.unit() - 4;
     const Interval z = pow(Interval(x), Interval(y));
     if (z.is_empty()) continue;
@@ -96,7 +97,7 @@ TEST(Reverse, PowersComeBack) {
 
 TEST(Reverse, ProductsComeBackInAtMostTwoPieces) {
   Random random(103);
-  for (int i = 0; i < 20000; ++i) {
+  for (long i = 0; i < scaled(20000); ++i) {
     const Interval b = ordinary(random, 2), x = ordinary(random, 2);
     Interval c;
     {

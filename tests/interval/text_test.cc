@@ -8,13 +8,14 @@
 #include "interval/functions.h"
 #include "interval/reverse.h"
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
 
 TEST(IntervalText, ExactTextReadsBackToTheSameValue) {
   Random random(81);
-  for (int i = 0; i < 5000; ++i) {
+  for (long i = 0; i < scaled(5000); ++i) {
     const Interval a =
         i < 2 ? (i == 0 ? Interval::empty() : Interval::entire()) : draw_interval(random);
     const auto back = text_to_interval(exact_text(a));
@@ -48,7 +49,7 @@ TEST(IntervalText, WhatIsNoLiteralIsRefusedWithEmptyOrNai) {
 
 TEST(IntervalText, BoundsAreTheNearestNumbersOutside) {
   Random random(82);
-  for (int i = 0; i < 2000; ++i) {
+  for (long i = 0; i < scaled(2000); ++i) {
     const Integer p(random.between(-1000000, 1000000)), q(random.between(1, 1000000));
     const Rational x(p, q);
     ASSERT_EQ(text_to_interval("[" + p.to_string() + "/" + q.to_string() + "]").value, enclose(x));
@@ -63,7 +64,7 @@ TEST(IntervalText, BoundsAreTheNearestNumbersOutside) {
 
 TEST(DecoratedInterval, KeepsItsInvariantsAndPropagatesTheWeakest) {
   Random random(83);
-  for (int i = 0; i < 5000; ++i) {
+  for (long i = 0; i < scaled(5000); ++i) {
     const auto draw = [&] {
       return DecoratedInterval(random.below(20) == 0 ? Interval::empty() : draw_interval(random),
                                static_cast<Decoration>(4 * random.below(5)));

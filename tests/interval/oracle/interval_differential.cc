@@ -10,6 +10,7 @@
 #include "interval/functions.h"
 #include "interval/relations.h"
 #include "tests/interval/draw.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
 namespace {
@@ -43,7 +44,7 @@ Interval upward(F f) {
 
 TEST(IntervalOracle, MpfiGivesTheSameBoundsOfArithmetic) {
   Random random(91);
-  for (int i = 0; i < 200000; ++i) {
+  for (long i = 0; i < scaled(200000); ++i) {
     const Interval a = draw_interval(random), b = draw_interval(random);
     Mpfi x(a), y(b), r;
     const auto expect = [&](const char* name, const Interval& got) {
@@ -90,7 +91,7 @@ TEST(IntervalOracle, MpfiGivesTheSameBoundsOfElementaryFunctions) {
   };
   Random random(92);
   int compared = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (long i = 0; i < scaled(3000); ++i) {
     const Interval a = draw_interval(random);
     for (const auto& f : functions) {
       Mpfi x(a), r;
@@ -133,7 +134,7 @@ using Boost = bi::interval<
 TEST(IntervalOracle, BoostAgreesOnBoundedOperands) {
   Random random(93);
   int agreed = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (long i = 0; i < scaled(200000); ++i) {
     const Interval a = draw_interval(random), b = draw_interval(random);
     if (!is_common(a) || !is_common(b)) continue;
     const Boost x(a.lo(), a.hi()), y(b.lo(), b.hi());

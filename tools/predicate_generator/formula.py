@@ -71,7 +71,7 @@ def read_formula(text, path):
 
 
 class _Reader:
-    TEXTS = ("predicate", "question", "claim", "zero", "source", "constant", "bound")
+    TEXTS = ("predicate", "question", "claim", "zero", "source", "constant", "bound", "rounding")
 
     def __init__(self, text, path):
         self.path, self.lines = path, text.split("\n")

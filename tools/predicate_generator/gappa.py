@@ -66,7 +66,12 @@ def product_of(variable, shape):
     return " * ".join(factors) or "1"
 
 
-def script(name, source, rel, paths, last, magnitude_of, terms):
+NEAREST = ("@rnd = float<ieee_64, ne>;", "1b-53", "|rnd(x) -/ x| <= 1b-53 /\\ |rnd(y) - y| <= 1b-1075")
+ANY_MODE = ("@up = float<ieee_64, up>;\n@down = float<ieee_64, dn>;\n@toward_zero = float<ieee_64, zr>;", "1b-52",
+            " /\\\n   ".join(f"|{mode}(x) -/ x| <= 1b-52 /\\ |{mode}(y) - y| <= 1b-1074" for mode in ("up", "down", "toward_zero")))
+
+
+def script(name, source, rel, paths, last, magnitude_of, terms, modes=NEAREST):
     """magnitude_of(shape): the roundings of what the code computes in the place of S; terms: S is at most that many times it."""
     classes = {}
     for path in paths:
@@ -82,16 +87,17 @@ def script(name, source, rel, paths, last, magnitude_of, terms):
             lines.append(f"{sums[magnitude]} = {product_of('s', magnitude)};")
         goals.append(f"{terms} * |way{i} - 1| * (1 + last) - kRel * ({sums[magnitude]} * (1 + e1) * (1 + e2)) <= 0")
     variables = [f"d{i}" for i in range(1, most + 1)] + [f"s{i}" for i in range(1, most_magnitude + 1)] + ["last", "e1", "e2"]
-    hypotheses = [f"{v} in [-1b-53, 1b-53]" for v in variables]
+    rounding, unit, model = modes
+    hypotheses = [f"{v} in [-{unit}, {unit}]" for v in variables]
     return f"""# SPDX-License-Identifier: LGPL-3.0-or-later
 # {name}: kRel pays for the roundings of every monomial. What that proves: README.md.
 # Made by tools/generate_predicates.py from {source}: do not edit.
-@rnd = float<ieee_64, ne>;
+{rounding}
 kRel = {rel};
 {chr(10).join(lines)}
 {{ |x| in [1b-1021, 1b1023] /\\ |y| <= 1b-1021 /\\
 {' /' + chr(92) + chr(10)}  {(' /' + chr(92) + chr(10) + '  ').join(hypotheses)}
--> |rnd(x) -/ x| <= 1b-53 /\\ |rnd(y) - y| <= 1b-1075 /\\
+-> {model} /\\
    {(' /' + chr(92) + chr(10) + '   ').join(goals)} }}
 """.replace("/\\\n /\\\n", "/\\\n")
 
@@ -125,7 +131,8 @@ def write_by_hand_scripts(formula, names, shown, root):
     else:
         terms, roundings = int(words[0]), int(words[5])
         magnitude_of = lambda shape: (1,) * roundings  # noqa: E731
-    return script(formula.name, shown, rel, paths, last, magnitude_of, terms), write_box_script(formula, names, shown, rel, terms)
+    modes = ANY_MODE if formula.texts.get("rounding") == "any" else NEAREST
+    return script(formula.name, shown, rel, paths, last, magnitude_of, terms, modes), write_box_script(formula, names, shown, rel, terms)
 
 
 def round_down(value):

@@ -178,4 +178,4 @@ det_exact = t48_exact + t62_exact;
   t_x in [0, 1] /\
   t_y in [0, 1] /\
   t_z in [0, 1]
--> |det - det_exact| <= 0x1.320000000000ep-43 }
+-> |det - det_exact| <= 0x1.320000000001cp-42 }

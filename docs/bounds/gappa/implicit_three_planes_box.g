@@ -320,4 +320,4 @@ det_exact = t107_exact + t121_exact;
   t_x in [0, 1] /\
   t_y in [0, 1] /\
   t_z in [0, 1]
--> |det - det_exact| <= 0x1.6c80000000019p-39 }
+-> |det - det_exact| <= 0x1.6c80000000032p-38 }

@@ -68,8 +68,8 @@ class CachedPoint {
 
   const internal::PointDigits<P>* find() const noexcept {
     State state = State::kUnasked;
-    if (!state_.compare_exchange_strong(state, State::kBusy, std::memory_order_acquire)) {
-      return state == State::kReady ? &digits_ : nullptr;
+    if (!state_.compare_exchange_strong(state, State::kBusy, std::memory_order_acquire)) {  // NOT COVERED: when threads meet
+      return state == State::kReady ? &digits_ : nullptr;  // NOT COVERED: when threads meet
     }
     const bool found = internal::find_digits(point_, digits_);
     state_.store(found ? State::kReady : State::kNone, std::memory_order_release);

@@ -64,15 +64,13 @@ struct Vector {
   T w;
   bool is_whole;  ///< w = 1, and not looked at
 };
+/// REQUIRES that q is explicit if p is.
 template <typename T>
 Vector<T> vector(const Place<T>& p, const Place<T>& q, int dimension) {
   Vector<T> r;
   for (int axis = 0; axis < dimension; ++axis) r.v[axis] = difference(p, q, axis);
-  r.is_whole = p.is_explicit && q.is_explicit;
-  if (!r.is_whole) {
-    r.w = p.is_explicit ? q.denominator
-                        : (q.is_explicit ? p.denominator : p.denominator * q.denominator);
-  }
+  r.is_whole = p.is_explicit;
+  if (!r.is_whole) r.w = q.is_explicit ? p.denominator : p.denominator * q.denominator;
   return r;
 }
 

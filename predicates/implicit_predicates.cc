@@ -179,25 +179,23 @@ template <typename T>
 Place<T> place(const AnyPoint3& p) {
   using Kind = AnyPoint3::Kind;
   switch (p.kind()) {
-    case Kind::kExplicit: break;
     case Kind::kSegment: return weighted_place<T>(p.as<SegmentPoint>());
     case Kind::kTriangle: return weighted_place<T>(p.as<TrianglePoint>());
     case Kind::kLinePlane: return planes_place<T>(p.as<LinePlanePoint>());
     case Kind::kCachedLinePlane: return cached_place<T>(p.as<CachedPoint<LinePlanePoint>>());
     case Kind::kThreePlanes: return planes_place<T>(p.as<ThreePlanePoint>());
     case Kind::kCachedThreePlanes: return cached_place<T>(p.as<CachedPoint<ThreePlanePoint>>());
+    default: return explicit_place<T>(p.as<Vec3d>());
   }
-  return explicit_place<T>(p.as<Vec3d>());
 }
 template <typename T>
 Place<T> place(const AnyPoint2& p) {
   using Kind = AnyPoint2::Kind;
   switch (p.kind()) {
-    case Kind::kExplicit: break;
     case Kind::kSegment: return weighted_place<T>(p.as<SegmentPoint2d>());
     case Kind::kSegmentSegment: return crossing_place<T>(p.as<SegmentSegmentPoint2d>());
+    default: return explicit_place<T>(p.as<Vec2d>());
   }
-  return explicit_place<T>(p.as<Vec2d>());
 }
 
 // All with one exponent.

@@ -82,6 +82,13 @@ TEST(StackInteger, WhatDoesNotFitIsUnknownAndStaysSo) {
   EXPECT_EQ((-top - top).sign(), Sign3::kUncertain);
 }
 
+TEST(StackInteger, MayBeAssignedToItself) {
+  Number v(7);
+  const Number& same = v;
+  v = same;
+  EXPECT_EQ((v - Number(7)).sign(), Sign3::kZero);
+}
+
 TEST(StackInteger, FromDigitsIsTheirSum) {
   Random random(18);
   constexpr std::int64_t kBase = std::int64_t{1} << 62;

@@ -221,7 +221,7 @@ Sign3 implicit_filter(const ImplicitLayer& layer, const Vec3d& base, const Vec3d
   const formulas::Homogeneous<double, double> h{{layer.x, layer.y, layer.z}, layer.d};
   const double me = largest(e), mv = largest(v), mw = largest(w);
   const double error = (layer.scale * (mv * mw)) * (layer.reach + me) + kImplicitAbs;
-  const bool is_known = layer.d > 0 && larger(larger(me, mv), mw) <= kImplicitReach;
+  const bool is_known = layer.d > 0 && veritope::larger(veritope::larger(me, mv), mw) <= kImplicitReach;
   return is_known ? sign_beyond(formulas::orientation(h, e, v, w), error) : Sign3::kUncertain;
 }
 

@@ -39,6 +39,12 @@ struct FilterReal {
   friend FilterReal operator+(FilterReal a, FilterReal b) { return opaque(a.v + b.v); }
   friend FilterReal operator-(FilterReal a, FilterReal b) { return opaque(a.v - b.v); }
   friend FilterReal operator*(FilterReal a, FilterReal b) { return opaque(a.v * b.v); }
+  friend FilterReal operator+(double a, FilterReal b) { return opaque(a + b.v); }
+  friend FilterReal operator-(double a, FilterReal b) { return opaque(a - b.v); }
+  friend FilterReal operator*(double a, FilterReal b) { return opaque(a * b.v); }
+  friend FilterReal operator+(FilterReal a, double b) { return opaque(a.v + b); }
+  friend FilterReal operator-(FilterReal a, double b) { return opaque(a.v - b); }
+  friend FilterReal operator*(FilterReal a, double b) { return opaque(a.v * b); }
 };
 #else
 using FilterReal = double;

@@ -23,7 +23,8 @@ Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally 
 
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
-/// Bound    |left - right - exact| <= (3u + O(u^2)) S + underflow, S = |left| + |right|, u = 2^-53.
+/// Bound    |left - right - exact| <= (3u + O(u^2)) S + underflow, S = |left| + |right|, u = 2^-53; S is
+///          |left + right| where it matters.
 /// Derived  docs/bounds/orient2d.md, and again in tests/predicates/orient2d_bound_test.cc.
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
@@ -42,7 +43,7 @@ Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
 
 namespace internal {
 inline double orient2d_error(const formulas::Orient2d<FilterReal>& f, double floor) {
-  return kOrient2dRel * f.magnitude([](double v) { return std::abs(v); }) + floor;
+  return kOrient2dRel * f.cancelling_magnitude([](double v) { return std::abs(v); }) + floor;
 }
 }  // namespace internal
 

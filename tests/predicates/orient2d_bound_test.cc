@@ -17,6 +17,7 @@ TEST(Orient2dBound, RelativeConstantFollowsFromTheRoundings) {
   EXPECT_EQ(f.det().roundings - 1, 3);
   bounds::expect_tight(internal::kOrient2dRel, f.det().roundings - 1,
                        f.magnitude(bounds::kSame).roundings);
+  EXPECT_EQ(f.cancelling_magnitude(bounds::kSame).roundings, f.magnitude(bounds::kSame).roundings);
 }
 
 TEST(Orient2dBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
@@ -26,13 +27,12 @@ TEST(Orient2dBound, AbsoluteConstantPaysForUnderflowAndForFlushing) {
     formulas::Orient2d<UnderflowCount> f({}, {}, {}, {}, {}, {});
     const UnderflowCount d = UnderflowCount::bounded_by(0, unit);
     f.left = d * d, f.right = d * d;
-    const Polynomial error = f.det().error, missing = f.magnitude(bounds::kSame).error;
+    const Polynomial error = f.det().error, missing = f.cancelling_magnitude(bounds::kSame).error;
     EXPECT_EQ(error.coefficient.size(), 1u);
     const Rational rel = Rational::from_double(internal::kOrient2dRel);
     // 4 more units: kRel * S itself may underflow. The factor is for the addition of kAbs.
     EXPECT_LE(error.at(0) + rel * missing.at(0) + Rational(4) * unit,
-              Rational::from_double(kFilterFloor) *
-                  (Rational(1) - Rational::power_of_two(-50)));
+              Rational::from_double(kFilterFloor) * (Rational(1) - Rational::power_of_two(-50)));
   }
 }
 

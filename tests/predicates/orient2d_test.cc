@@ -64,6 +64,26 @@ TEST(Orient2d, AsksEachTierOnlyAfterTheOneBefore) {
   expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-900, 0x1p-900}, {1, 1}, {3, 3}));
 }
 
+TEST(Orient2d, FilterIsUncertainWhereADifferenceOverflows) {
+  const double most = 0x1.fffffffffffffp1023;
+  // b.y - a.y overflows, times a small c.x - a.x; the other product is larger, or smaller.
+  for (const double small : {0x1p-1000, -0x1p-1000}) {
+    for (const double other : {0x1p-30, -0x1p-30, 0x1p60, -0x1p60, 1e308, -1e308}) {
+      const Vec2d a{0, -most}, b{other, most}, c{small, 0x1p970 - most};
+      EXPECT_TRUE(orient2d_filter(a, b, c) == Sign3::kUncertain) << small << ' ' << other;
+      EXPECT_EQ(orient2d(a, b, c), orient2d_exact(a, b, c));
+    }
+  }
+}
+
+TEST(Orient2d, ProductsOfOppositeSignsDoNotCancel) {
+  EXPECT_EQ(orient2d_filter({0, 0}, {1, -1}, {1, 1}), Sign3::kPositive);
+  EXPECT_EQ(orient2d_filter({0, 0}, {1, 1}, {1, -1}), Sign3::kNegative);
+  EXPECT_EQ(orient2d_filter({0, 0}, {0x1p511, -0x1p512}, {0x1p511, 0x1p511}), Sign3::kPositive);
+  EXPECT_EQ(orient2d_filter({0, 0}, {0x1p-460, -0x1p-460}, {0x1p-460, 0x1p-460}),
+            Sign3::kUncertain);
+}
+
 TEST(Orient2d, TiersSayUncertainRatherThanGuess) {
   const double huge = 0x1.fffffffffffffp1023;
   EXPECT_EQ(orient2d_filter({0, 0}, {1, 1}, {3, 3}), Sign3::kUncertain);

@@ -4,32 +4,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/hard_explicit_operands.h"
 #include "cli/hard_implicit_points.h"
-#include "cli/hard_points.h"
 #include "cli/implicit_names.h"
 
 namespace veritope::cli {
 namespace {
-
-constexpr std::size_t kNumExplicit = 4;  ///< of named_predicates(): those on points alone
-
-// Half of the cases from the kinds that are made to be exactly zero, the others from all kinds.
-generate::Kind random_kind(const NamedPredicate& predicate, Random& random) {
-  using generate::Kind;
-  if (random.below(2) == 0) return static_cast<Kind>(random.below(generate::kNumKinds));
-  const bool is_scaled = random.below(2) == 0;
-  if (predicate.name.starts_with("orient")) return is_scaled ? Kind::kScaledFlat : Kind::kFlat;
-  return is_scaled ? Kind::kScaledRound : Kind::kRound;
-}
-
-Operands explicit_operands(const NamedPredicate& predicate, Random& random) {
-  Operands operands{};
-  double* next = operands.data();
-  for (const Vec3d& p : generate::points(random_kind(predicate, random), random)) {
-    for (int axis = 0; axis < predicate.dimension; ++axis) *next++ = p[axis];
-  }
-  return operands;
-}
 
 Operands implicit_operands(const NamedPredicate& predicate, Random& random) {
   using generate::Wanted;
@@ -48,13 +28,13 @@ Operands implicit_operands(const NamedPredicate& predicate, Random& random) {
 }  // namespace
 
 HardCases::HardCases(std::uint64_t seed) : random_(seed) {
-  for (const NamedPredicate& p : named_predicates().first(kNumExplicit)) predicates_.push_back(&p);
+  for (const NamedPredicate& p : named_predicates()) predicates_.push_back(&p);
   for (const NamedPredicate& p : implicit_predicates()) predicates_.push_back(&p);
 }
 
 HardCase HardCases::next() {
   const NamedPredicate& predicate = *predicates_[next_++ % predicates_.size()];
-  return {&predicate, predicate.kinds.empty() ? explicit_operands(predicate, random_)
+  return {&predicate, predicate.kinds.empty() ? hard_operands(predicate, random_)
                                               : implicit_operands(predicate, random_)};
 }
 

@@ -11,7 +11,7 @@ import unittest
 import predicate_oracle
 from support import BIN, Folder, main, run
 
-EXPLICIT = ["orient2d", "orient3d", "in_circle", "in_sphere"]
+EXPLICIT = list(predicate_oracle.NUM_OPERANDS)
 NAMES = EXPLICIT + list(predicate_oracle.IMPLICIT)
 ROW = re.compile(r"(?m)^(\w+) +(\d+) cases, (\d+) exact zeros, (\d+) disagreements; "
                  r"decided by filter (\d+), lattice (\d+), interval (\d+), exact (\d+)$")
@@ -39,7 +39,7 @@ class SelfTest(Folder):
             self.assertEqual((cases, disagreements), (share, 0), name)
             self.assertGreaterEqual(zeros, 0.3 * cases, name)
             self.assertGreaterEqual(cases - zeros, 0.3 * cases, name)
-            if name in EXPLICIT:
+            if name in EXPLICIT and name != "order_on_circle":  # that one asks others
                 self.assertEqual(sum(tiers), share, name)
                 self.assertGreaterEqual(min(tiers), 3, name)
             else:

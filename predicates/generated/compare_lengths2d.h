@@ -64,7 +64,7 @@ constexpr auto compare_lengths2d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto compare_lengths2d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy) {
   return (sqr(ux) + sqr(uy)) + (sqr(vx) + sqr(vy));
 }
 /// The polynomial of the inputs, in the order of the arguments.

@@ -65,8 +65,8 @@ constexpr auto compare_lengths3d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto compare_lengths3d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx, const auto& vy,
-    const auto& vz) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx,
+    const auto& vy, const auto& vz) {
   return ((sqr(ux) + sqr(uy)) + sqr(uz)) + ((sqr(vx) + sqr(vy)) + sqr(vz));
 }
 /// The polynomial of the inputs, in the order of the arguments.

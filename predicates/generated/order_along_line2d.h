@@ -65,7 +65,7 @@ constexpr auto order_along_line2d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto order_along_line2d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy) {
   return abs(ux * vx) + abs(uy * vy);
 }
 /// The polynomial of the inputs, in the order of the arguments.

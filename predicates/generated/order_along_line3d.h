@@ -66,8 +66,8 @@ constexpr auto order_along_line3d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto order_along_line3d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx, const auto& vy,
-    const auto& vz) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx,
+    const auto& vy, const auto& vz) {
   return (abs(ux * vx) + abs(uy * vy)) + abs(uz * vz);
 }
 /// The polynomial of the inputs, in the order of the arguments.

@@ -80,8 +80,8 @@ constexpr auto power_circle_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto power_circle_magnitude(
-    Abs abs, const auto& px, const auto& py, const auto& qx, const auto& qy, const auto& rx,
-    const auto& ry, const auto& pw, const auto& qw, const auto& rw) {
+    [[maybe_unused]] Abs abs, const auto& px, const auto& py, const auto& qx, const auto& qy,
+    const auto& rx, const auto& ry, const auto& pw, const auto& qw, const auto& rw) {
   const auto p_lift_ = (sqr(px) + sqr(py)) + abs(pw);
   const auto q_lift_ = (sqr(qx) + sqr(qy)) + abs(qw);
   const auto r_lift_ = (sqr(rx) + sqr(ry)) + abs(rw);

@@ -70,8 +70,8 @@ constexpr auto power_edge2d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto power_edge2d_magnitude(
-    Abs abs, const auto& px, const auto& py, const auto& qx, const auto& qy, const auto& ux,
-    const auto& uy, const auto& da, const auto& db) {
+    [[maybe_unused]] Abs abs, const auto& px, const auto& py, const auto& qx, const auto& qy,
+    const auto& ux, const auto& uy, const auto& da, const auto& db) {
   return (abs(da) * (abs(qx * ux) + abs(qy * uy)) + abs(db) * (abs(px * ux) +
       abs(py * uy))) + (abs(px * qx) + abs(py * qy)) * (sqr(ux) + sqr(uy));
 }

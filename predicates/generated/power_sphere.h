@@ -92,9 +92,10 @@ constexpr auto power_sphere_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto power_sphere_magnitude(
-    Abs abs, const auto& px, const auto& py, const auto& pz, const auto& qx, const auto& qy,
-    const auto& qz, const auto& rx, const auto& ry, const auto& rz, const auto& sx, const auto& sy,
-    const auto& sz, const auto& pw, const auto& qw, const auto& rw, const auto& sw) {
+    [[maybe_unused]] Abs abs, const auto& px, const auto& py, const auto& pz, const auto& qx,
+    const auto& qy, const auto& qz, const auto& rx, const auto& ry, const auto& rz, const auto& sx,
+    const auto& sy, const auto& sz, const auto& pw, const auto& qw, const auto& rw,
+    const auto& sw) {
   const auto pq_ = abs(px * qy) + abs(qx * py);
   const auto qr_ = abs(qx * ry) + abs(rx * qy);
   const auto rs_ = abs(rx * sy) + abs(sx * ry);

@@ -61,8 +61,8 @@ constexpr auto side_of_bisector2d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto side_of_bisector2d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy, const auto& wx,
-    const auto& wy) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy,
+    const auto& wx, const auto& wy) {
   const auto sumx_ = abs(vx) + abs(wx);
   const auto sumy_ = abs(vy) + abs(wy);
   return abs(ux) * sumx_ + abs(uy) * sumy_;

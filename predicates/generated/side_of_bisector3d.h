@@ -62,8 +62,8 @@ constexpr auto side_of_bisector3d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto side_of_bisector3d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx, const auto& vy,
-    const auto& vz, const auto& wx, const auto& wy, const auto& wz) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx,
+    const auto& vy, const auto& vz, const auto& wx, const auto& wy, const auto& wz) {
   const auto sumx_ = abs(vx) + abs(wx);
   const auto sumy_ = abs(vy) + abs(wy);
   const auto sumz_ = abs(vz) + abs(wz);

@@ -55,7 +55,7 @@ def functions(formula, names):
              wrapped(f"constexpr auto {name}_det(", parameters, ") {"), *det, returned(sign), "}",
              comment("The sum of its absolute terms; no term of det exceeds its term after rounding."),
              "template <typename Abs>",
-             wrapped(f"constexpr auto {name}_magnitude(", ["Abs abs", *parameters], ") {"), *magnitude, returned(size), "}",
+             wrapped(f"constexpr auto {name}_magnitude(", ["[[maybe_unused]] Abs abs", *parameters], ") {"), *magnitude, returned(size), "}",
              comment("The polynomial of the inputs, in the order of the arguments."),
              "template <typename T>",
              f"constexpr T {name}_of(const std::array<T, {len(formula.inputs)}>& v) {{",

@@ -21,8 +21,8 @@ constexpr auto compare_along_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto compare_along_magnitude(
-    Abs abs, const auto& rx, const auto& ry, const auto& rz, const auto& d_x, const auto& d_y,
-    const auto& d_z) {
+    [[maybe_unused]] Abs abs, const auto& rx, const auto& ry, const auto& rz, const auto& d_x,
+    const auto& d_y, const auto& d_z) {
   return (abs(d_x * rx) + abs(d_y * ry)) + abs(d_z * rz);
 }
 /// The polynomial of the inputs, in the order of the arguments.
@@ -53,9 +53,9 @@ constexpr auto implicit_line_plane_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto implicit_line_plane_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx, const auto& vy,
-    const auto& vz, const auto& wx, const auto& wy, const auto& wz, const auto& gx, const auto& gy,
-    const auto& gz, const auto& ex, const auto& ey, const auto& ez, const auto& v1x,
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx,
+    const auto& vy, const auto& vz, const auto& wx, const auto& wy, const auto& wz, const auto& gx,
+    const auto& gy, const auto& gz, const auto& ex, const auto& ey, const auto& ez, const auto& v1x,
     const auto& v1y, const auto& v1z, const auto& w1x, const auto& w1y, const auto& w1z) {
   const auto nx_ = abs(vy * wz) + abs(vz * wy);
   const auto ny_ = abs(vz * wx) + abs(vx * wz);
@@ -119,13 +119,13 @@ constexpr auto implicit_three_planes_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto implicit_three_planes_magnitude(
-    Abs abs, const auto& v1x, const auto& v1y, const auto& v1z, const auto& w1x, const auto& w1y,
-    const auto& w1z, const auto& v2x, const auto& v2y, const auto& v2z, const auto& w2x,
-    const auto& w2y, const auto& w2z, const auto& g2x, const auto& g2y, const auto& g2z,
-    const auto& v3x, const auto& v3y, const auto& v3z, const auto& w3x, const auto& w3y,
-    const auto& w3z, const auto& g3x, const auto& g3y, const auto& g3z, const auto& ex,
-    const auto& ey, const auto& ez, const auto& vx, const auto& vy, const auto& vz, const auto& wx,
-    const auto& wy, const auto& wz) {
+    [[maybe_unused]] Abs abs, const auto& v1x, const auto& v1y, const auto& v1z, const auto& w1x,
+    const auto& w1y, const auto& w1z, const auto& v2x, const auto& v2y, const auto& v2z,
+    const auto& w2x, const auto& w2y, const auto& w2z, const auto& g2x, const auto& g2y,
+    const auto& g2z, const auto& v3x, const auto& v3y, const auto& v3z, const auto& w3x,
+    const auto& w3y, const auto& w3z, const auto& g3x, const auto& g3y, const auto& g3z,
+    const auto& ex, const auto& ey, const auto& ez, const auto& vx, const auto& vy, const auto& vz,
+    const auto& wx, const auto& wy, const auto& wz) {
   const auto n1x_ = abs(v1y * w1z) + abs(v1z * w1y);
   const auto n1y_ = abs(v1z * w1x) + abs(v1x * w1z);
   const auto n1z_ = abs(v1x * w1y) + abs(v1y * w1x);
@@ -175,8 +175,8 @@ constexpr auto in_circle_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto in_circle_magnitude(
-    Abs abs, const auto& px, const auto& py, const auto& qx, const auto& qy, const auto& rx,
-    const auto& ry) {
+    [[maybe_unused]] Abs abs, const auto& px, const auto& py, const auto& qx, const auto& qy,
+    const auto& rx, const auto& ry) {
   return ((sqr(px) + sqr(py)) * (abs(qx * ry) + abs(rx * qy)) + (sqr(qx) +
       sqr(qy)) * (abs(rx * py) + abs(px * ry))) + (sqr(rx) + sqr(ry)) * (abs(px * qy) +
       abs(qx * py));
@@ -212,9 +212,9 @@ constexpr auto in_sphere_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto in_sphere_magnitude(
-    Abs abs, const auto& px, const auto& py, const auto& pz, const auto& qx, const auto& qy,
-    const auto& qz, const auto& rx, const auto& ry, const auto& rz, const auto& sx, const auto& sy,
-    const auto& sz) {
+    [[maybe_unused]] Abs abs, const auto& px, const auto& py, const auto& pz, const auto& qx,
+    const auto& qy, const auto& qz, const auto& rx, const auto& ry, const auto& rz, const auto& sx,
+    const auto& sy, const auto& sz) {
   const auto pq_ = abs(px * qy) + abs(qx * py);
   const auto qr_ = abs(qx * ry) + abs(rx * qy);
   const auto rs_ = abs(rx * sy) + abs(sx * ry);
@@ -251,8 +251,8 @@ constexpr auto normal_along_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto normal_along_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx, const auto& vy,
-    const auto& vz, const auto& d_x, const auto& d_y, const auto& d_z) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx,
+    const auto& vy, const auto& vz, const auto& d_x, const auto& d_y, const auto& d_z) {
   const auto nx_ = abs(uy * vz) + abs(uz * vy);
   const auto ny_ = abs(uz * vx) + abs(ux * vz);
   const auto nz_ = abs(ux * vy) + abs(uy * vx);
@@ -273,7 +273,7 @@ constexpr auto orient2d_det(const auto& ux, const auto& uy, const auto& vx, cons
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto orient2d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& vx, const auto& vy) {
   return abs(ux * vy) + abs(uy * vx);
 }
 /// The polynomial of the inputs, in the order of the arguments.
@@ -292,8 +292,8 @@ constexpr auto orient3d_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto orient3d_magnitude(
-    Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx, const auto& vy,
-    const auto& vz, const auto& wx, const auto& wy, const auto& wz) {
+    [[maybe_unused]] Abs abs, const auto& ux, const auto& uy, const auto& uz, const auto& vx,
+    const auto& vy, const auto& vz, const auto& wx, const auto& wy, const auto& wz) {
   return (abs(wx) * (abs(uy * vz) + abs(uz * vy)) + abs(wy) * (abs(uz * vx) +
       abs(ux * vz))) + abs(wz) * (abs(ux * vy) + abs(uy * vx));
 }
@@ -314,8 +314,8 @@ constexpr auto separator_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto separator_magnitude(
-    Abs abs, const auto& d_x, const auto& q_x, const auto& d_y, const auto& q_y, const auto& d_z,
-    const auto& q_z, const auto& p_x, const auto& p_y, const auto& p_z) {
+    [[maybe_unused]] Abs abs, const auto& d_x, const auto& q_x, const auto& d_y, const auto& q_y,
+    const auto& d_z, const auto& q_z, const auto& p_x, const auto& p_y, const auto& p_z) {
   return ((abs(d_x * q_x) + abs(d_y * q_y)) + abs(d_z * q_z)) + ((abs(d_x * p_x) +
       abs(d_y * p_y)) + abs(d_z * p_z));
 }
@@ -334,8 +334,8 @@ constexpr auto separator_ray_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto separator_ray_magnitude(
-    Abs abs, const auto& rx, const auto& ry, const auto& rz, const auto& d_x, const auto& d_y,
-    const auto& d_z) {
+    [[maybe_unused]] Abs abs, const auto& rx, const auto& ry, const auto& rz, const auto& d_x,
+    const auto& d_y, const auto& d_z) {
   return (abs(d_x * rx) + abs(d_y * ry)) + abs(d_z * rz);
 }
 /// The polynomial of the inputs, in the order of the arguments.
@@ -353,8 +353,8 @@ constexpr auto side_of_plane_det(
 /// The sum of its absolute terms; no term of det exceeds its term after rounding.
 template <typename Abs>
 constexpr auto side_of_plane_magnitude(
-    Abs abs, const auto& n_x, const auto& p_x, const auto& n_y, const auto& p_y, const auto& n_z,
-    const auto& p_z, const auto& k) {
+    [[maybe_unused]] Abs abs, const auto& n_x, const auto& p_x, const auto& n_y, const auto& p_y,
+    const auto& n_z, const auto& p_z, const auto& k) {
   return ((abs(n_x * p_x) + abs(n_y * p_y)) + abs(n_z * p_z)) + abs(k);
 }
 /// The polynomial of the inputs, in the order of the arguments.

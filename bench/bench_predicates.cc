@@ -20,6 +20,7 @@
 #include "bench/stopwatch.h"
 #include "predicates/in_circle.h"
 #include "predicates/in_sphere.h"
+#include "predicates/lattice_session.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/session.h"
@@ -319,6 +320,28 @@ void rows(const char* predicate, const std::string& kind, Ours ours, InSession i
   print_row(predicate, kind, "_session", "naive", inside, rough, session_tally);
 }
 
+// in_lattice(session, i, tally) decides the tuple from vertex i of the model of all tuples. REQUIRES
+// that it fits.
+template <int N, typename Point, typename Lattice, typename InLattice, typename Peer>
+void lattice_row(const char* predicate, const std::string& kind, InLattice in_lattice, Peer peer) {
+  const std::vector<Point> points = tuples<N, Point>(predicate, kind);
+  const Lattice lattice = Lattice::of(points.data(), points.size()).value();
+  const auto sum = [&](TierCounts* tally) {
+    long total = 0;
+    for (std::size_t i = 0; i < points.size(); i += N)
+      total += to_int(in_lattice(lattice, i, tally));
+    return total;
+  };
+  Timed inside, epick;
+  for (int r = 0; r < kRepetitions; ++r) {
+    inside.run([&] { return sum(nullptr); });
+    epick.run([&] { return peer(points.data(), kTuples); });
+  }
+  TierCounts tally;
+  sum(&tally);
+  print_row(predicate, kind, "_lattice", "epick", inside, epick, tally);
+}
+
 template <typename Make>
 void triangle_row(const char* name, Make make) {
   Random random(7);
@@ -406,6 +429,24 @@ int main() {
               .det();
         },
         bench::epick_in_sphere);
+  }
+  for (const char* kind : {"U", "D", "D26", "D50"}) {
+    using In2d = LatticeSession2d;
+    using In3d = LatticeSession3d;
+    const auto o2 = [](const In2d& s, auto i, auto* t) { return s.orient2d(i, i + 1, i + 2, t); };
+    const auto ic = [](const In2d& s, auto i, auto* t) {
+      return s.in_circle(i, i + 1, i + 2, i + 3, t);
+    };
+    const auto o3 = [](const In3d& s, auto i, auto* t) {
+      return s.orient3d(i, i + 1, i + 2, i + 3, t);
+    };
+    const auto is = [](const In3d& s, auto i, auto* t) {
+      return s.in_sphere(i, i + 1, i + 2, i + 3, i + 4, t);
+    };
+    lattice_row<3, Vec2d, In2d>("orient2d", kind, o2, bench::epick_orient2d);
+    lattice_row<4, Vec3d, In3d>("orient3d", kind, o3, bench::epick_orient3d);
+    lattice_row<4, Vec2d, In2d>("in_circle", kind, ic, bench::epick_in_circle);
+    lattice_row<5, Vec3d, In3d>("in_sphere", kind, is, bench::epick_in_sphere);
   }
   triangle_row("strangers_apart", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {
     for (Vec3d& p : t.point) p.z *= 0.1;

@@ -55,6 +55,10 @@ install(FILES "${PROJECT_BINARY_DIR}/veritopeConfig.cmake" "${PROJECT_BINARY_DIR
 set(veritope_pc_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 file(RELATIVE_PATH veritope_pc_prefix "/p/${veritope_pc_dir}" "/p")
 cmake_path(CONVERT "${veritope_pc_prefix}" TO_CMAKE_PATH_LIST veritope_pc_prefix NORMALIZE)
+set(veritope_pc_definitions "")
+if(VERITOPE_AUDIT)
+  set(veritope_pc_definitions " -DVT_AUDIT")
+endif()
 configure_file(cmake/veritope.pc.in "${PROJECT_BINARY_DIR}/veritope.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/veritope.pc" DESTINATION "${veritope_pc_dir}")
 

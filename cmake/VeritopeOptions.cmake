@@ -4,6 +4,7 @@ option(VERITOPE_FUZZ "Build the fuzz targets (clang: libFuzzer; otherwise the re
 option(VERITOPE_BENCH "Build the benchmarks and the soak experiments (needs CGAL as the peer)" OFF)
 option(VERITOPE_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 option(VERITOPE_SLOW_CHECKS "Turn on VT_SLOW_CHECK in builds that define NDEBUG" OFF)
+option(VERITOPE_AUDIT "Ask all tiers of each cascade and stop at a contradiction (robust/cascade.h)" OFF)
 option(VERITOPE_COVERAGE "Instrument for source-based branch coverage (clang), see ./dev coverage" OFF)
 set(VERITOPE_SANITIZE "" CACHE STRING "Comma-separated list for -fsanitize=")
 

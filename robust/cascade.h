@@ -41,6 +41,17 @@ struct TierCounts {
   friend bool operator==(const TierCounts&, const TierCounts&) = default;
 };
 
+#if defined(VT_AUDIT)
+inline constexpr bool kCascadesAreAudited = true;
+#else
+inline constexpr bool kCascadesAreAudited = false;
+#endif
+
+namespace internal {
+/// Writes what contradicts what to stderr, since a cascade may be noexcept; throws InternalError.
+[[noreturn]] void audit_failed(Tier tier, Sign says, const TierCounts& other, Sign contradicts);
+}  // namespace internal
+
 /// The answer of the first tier that is certain. Each argument is asked at most once, in order:
 ///   `Sign3 tier()`            may be uncertain; not allowed in the last place;
 ///   `Sign tier()`             always answers; the last place;
@@ -48,6 +59,8 @@ struct TierCounts {
 ///   itself.
 /// If `tally` is not null, the tier that answers is counted at position First, First + 1, ...; a
 /// constant null costs nothing.
+/// Audit mode (VT_AUDIT in all translation units: CMake's VERITOPE_AUDIT): the later tiers are asked,
+/// too, uncounted, each at most once; one that contradicts the answer is our bug, an InternalError.
 template <std::size_t First = 0, typename T, typename... Rest>
 [[gnu::always_inline]] constexpr Sign cascade(TierCounts* tally, T&& tier, Rest&&... rest) {
   if constexpr (sizeof...(Rest) == 0) {
@@ -69,6 +82,13 @@ template <std::size_t First = 0, typename T, typename... Rest>
     const Sign3 s = tier();
     if (is_certain(s)) [[likely]] {
       if (tally != nullptr) ++tally->decided[First];
+      if constexpr (kCascadesAreAudited) {
+        TierCounts other;  // the rest is audited in turn: it speaks for all its certain tiers
+        const Sign later = cascade<First + 1>(&other, std::forward<Rest>(rest)...);
+        if (later != to_sign(s)) {
+          internal::audit_failed(static_cast<Tier>(First), to_sign(s), other, later);
+        }
+      }
       return to_sign(s);
     }
     return cascade<First + 1>(tally, std::forward<Rest>(rest)...);

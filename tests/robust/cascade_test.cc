@@ -6,6 +6,8 @@
 namespace veritope {
 namespace {
 
+// With VT_AUDIT further ones are asked: see audit/audited_cascade.cc.
+#if !defined(VT_AUDIT)
 TEST(Cascade, TakesTheFirstCertainAnswerAndAsksNoFurther) {
   int asked = 0;
   const auto tier = [&](Sign3 answer) { return [&asked, answer] { return ++asked, answer; }; };
@@ -29,6 +31,7 @@ TEST(Cascade, NeedsNoTally) {
                 nullptr, [] { return Sign3::kPositive; }, [] { return Sign::kZero; }),
             Sign::kPositive);
 }
+#endif
 
 TEST(Cascade, GoesOnInAnotherCascadeThatKeepsTheTally) {
   TierCounts tally;

@@ -26,10 +26,9 @@ WideHead wide_product(std::uint64_t* r, const WideHead& a, const std::uint64_t* 
 WideHead wide_from(std::uint64_t* r, std::int64_t mantissa, int shift) noexcept;
 }  // namespace internal
 
-/// A multiple of 2^(64 * an integer) between -2^kBits and 2^kBits, |kBits| = 64 Limbs. Only the limbs
-/// between the highest and the lowest one that is not 0 are kept and computed with, so that numbers
-/// of a few bits cost little wherever these bits are.
-/// Whoever uses it proves that nothing exceeds kBits: with degree_limbs.
+/// An integer of magnitude below 2^kBits. Only the limbs between the highest and the lowest one that is
+/// not 0 are kept and computed with, so that numbers of a few bits cost little wherever these bits are.
+/// Whoever uses it proves that nothing exceeds kBits, with degree_limbs. Copies cost what is kept.
 template <int Limbs>
 class Wide {
  public:

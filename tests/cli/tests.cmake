@@ -2,7 +2,7 @@
 function(veritope_cli_test name label)
   add_test(NAME cli_${name} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/${name}_test.py")
   set_tests_properties(cli_${name} PROPERTIES LABELS "${label};cli" TIMEOUT 600 ENVIRONMENT
-    "PYTHONDONTWRITEBYTECODE=1;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};VERITOPE_SANITIZE=${VERITOPE_SANITIZE}")
+    "PYTHONDONTWRITEBYTECODE=1;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};VERITOPE_SANITIZE=${VERITOPE_SANITIZE};VERITOPE_AUDIT=${VERITOPE_AUDIT}")
 endfunction()
 
 veritope_cli_test(models quick)

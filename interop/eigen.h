@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <type_traits>
 
 #include "interval/interval.h"
 
@@ -49,6 +50,10 @@ namespace veritope {
 /// The matrix of the intervals around the entries of m, one point each. REQUIRES finite entries.
 template <typename Derived>
 auto to_intervals(const Eigen::MatrixBase<Derived>& m) {
+  using Scalar = typename Derived::Scalar;
+  static_assert(std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float> ||
+                    (std::is_integral_v<Scalar> && sizeof(Scalar) <= 4),
+                "entries of this type may not be doubles: enclose them one by one");
   using Matrix = Eigen::Matrix<Interval, Derived::RowsAtCompileTime, Derived::ColsAtCompileTime>;
   Matrix out(m.rows(), m.cols());
   for (Eigen::Index j = 0; j < m.cols(); ++j) {

@@ -154,6 +154,11 @@ inline Sign3 sign_of(const Interval& a) { return a.sign(); }
 bool contains(const Interval& a, const Rational& x);
 /// The narrowest interval around x.
 Interval enclose(const Rational& x);
+namespace internal {
+/// As printf does, with a point whatever the locale says.
+std::string number_text(const char* format, double v);
+}  // namespace internal
+
 /// "[lo, hi]" with 17 digits each: enough to read the same bounds back; "[empty]".
 std::string to_string(const Interval& a);
 

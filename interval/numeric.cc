@@ -77,8 +77,9 @@ Interval cancel_minus(const Interval& a, const Interval& b) {
     // Widths are compared exactly only if their roundings do not tell.
     const double wide = wid(a), narrow = -up_difference(a.lo(), a.hi());
     const double other = wid(b), other_narrow = -up_difference(b.lo(), b.hi());
-    if (wide < other_narrow) return Interval::entire();
-    if (!(other <= narrow) && exact(a.hi()) - exact(a.lo()) < exact(b.hi()) - exact(b.lo()))
+    if (internal::less(wide, other_narrow)) return Interval::entire();
+    if (internal::less(narrow, other) &&
+        exact(a.hi()) - exact(a.lo()) < exact(b.hi()) - exact(b.lo()))
       return Interval::entire();
   }
   return Interval::from_bounds(internal::negated(up_difference(b.lo(), a.lo())),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Powers, roots, and the functions of two intervals: from their values at corners.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "interval/evaluate_internal.h"
@@ -23,7 +24,12 @@ double power(double x, std::int64_t n, mpfr_rnd_t direction) {
 double root(double x, std::int64_t n, mpfr_rnd_t direction) {
   Real v(x);
   mpfr_rootn_si(v.get(), v.get(), n, direction);
-  return v.round(direction);
+  const double r = v.round(direction);
+  // MPFR 4.2.0 takes a root of more than 2^61 or so for 1 exactly. It is within 2^-50 of 1 then, unless x is
+  // 0 or infinite.
+  constexpr std::int64_t kTrusted = std::int64_t{1} << 53;
+  if ((n > -kTrusted && n < kTrusted) || (r != 1 && r != -1) || x == r) return r;
+  return direction == MPFR_RNDD ? std::nextafter(r, -kInfinity) : std::nextafter(r, kInfinity);
 }
 
 Evaluated pown_negative(const Interval& x, std::int64_t n) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "interval/text.h"
 
-#include <cstdio>
 #include <limits>
 #include <optional>
 
@@ -251,9 +250,8 @@ std::string exact_text(const Interval& x) {
   if (x.is_empty()) return "[empty]";
   if (x.is_entire()) return "[entire]";
   const auto bound_text = [](double v) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%a", v == 0 ? 0 : v);
-    return std::string(internal::is_infinite(v) ? "" : text);
+    if (internal::is_infinite(v)) return std::string();
+    return internal::number_text("%a", internal::order_key(v) == 0 ? 0.0 : v);
   };
   return "[" + bound_text(x.lo()) + "," + bound_text(x.hi()) + "]";
 }

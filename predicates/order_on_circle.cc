@@ -2,6 +2,7 @@
 #include "predicates/order_on_circle.h"
 
 #include "predicates/generated/order_along_line2d.h"
+#include "predicates/order_on_line.h"
 #include "predicates/orient2d.h"
 
 namespace veritope {
@@ -22,7 +23,8 @@ int quarter(const Vec2d& c, const Vec2d& p, const Vec2d& x, TierCounts* tally) {
 
 Sign order_on_circle(const Vec2d& c, const Vec2d& p, const Vec2d& q, const Vec2d& r,
                      TierCounts* tally) noexcept {
-  if (p == c || q == c || r == c) return Sign::kZero;
+  using internal::is_same;
+  if (is_same(p, c) || is_same(q, c) || is_same(r, c)) return Sign::kZero;
   const int of_q = quarter(c, p, q, tally), of_r = quarter(c, p, r, tally);
   if (of_q != of_r) return of_q < of_r ? Sign::kPositive : Sign::kNegative;
   return of_q % 2 == 0 ? Sign::kZero : orient2d(c, q, r, tally);

@@ -3,21 +3,23 @@
 
 #include <utility>
 
+#include "predicates/order_on_line.h"
 #include "predicates/orient2d.h"
 
 namespace veritope {
 namespace {
 
-// Order along a line: by x, then by y. Comparing doubles is exact.
-bool before(Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+using internal::is_before;
+using internal::is_same;
 
 SegmentContact on_one_line(Vec2d p0, Vec2d p1, Vec2d q0, Vec2d q1) {
-  if (before(p1, p0)) std::swap(p0, p1);
-  if (before(q1, q0)) std::swap(q0, q1);
-  const Vec2d first = before(p0, q0) ? q0 : p0, last = before(p1, q1) ? p1 : q1;
-  if (before(last, first)) return SegmentContact::kDisjoint;
-  if (before(first, last)) return SegmentContact::kOverlap;
-  const bool end_of_p = first == p0 || first == p1, end_of_q = first == q0 || first == q1;
+  if (is_before(p1, p0)) std::swap(p0, p1);
+  if (is_before(q1, q0)) std::swap(q0, q1);
+  const Vec2d first = is_before(p0, q0) ? q0 : p0, last = is_before(p1, q1) ? p1 : q1;
+  if (is_before(last, first)) return SegmentContact::kDisjoint;
+  if (is_before(first, last)) return SegmentContact::kOverlap;
+  const bool end_of_p = is_same(first, p0) || is_same(first, p1),
+             end_of_q = is_same(first, q0) || is_same(first, q1);
   return end_of_p && end_of_q ? SegmentContact::kEnds : SegmentContact::kEndInside;
 }
 

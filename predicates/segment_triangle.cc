@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "predicates/order_on_line.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/projection.h"
@@ -75,13 +76,12 @@ class InPlane {
   // The segment lies on the line of the edge from corner i, and meets it: no other edge separated
   // them.
   Contact along_edge(int i) const {
-    const auto before = [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
     Vec2d p = p_, q = q_, a = t_[i], b = t_[next(i)];
-    if (before(q, p)) std::swap(p, q);
-    const bool turned = before(b, a);
+    if (internal::is_before(q, p)) std::swap(p, q);
+    const bool turned = internal::is_before(b, a);
     if (turned) std::swap(a, b);
-    if (q == a) return {Kind::kVertex, turned ? next(i) : i, true};
-    if (b == p) return {Kind::kVertex, turned ? i : next(i), true};
+    if (internal::is_same(q, a)) return {Kind::kVertex, turned ? next(i) : i, true};
+    if (internal::is_same(b, p)) return {Kind::kVertex, turned ? i : next(i), true};
     return {Kind::kOverlap, 0, false};
   }
   Vec2d see(const Vec3d& v) const { return drop_axis(v, view_.axis); }

@@ -47,8 +47,32 @@ void restore_fp(FpState state) noexcept {
 
 }  // namespace internal
 
+namespace {
+
+// The probe overflows on purpose: with traps it would end the program. So would filters, on operands
+// near the limits; where exceptions are not masked they are left out.
+bool probe_says_sound() noexcept {
+#if defined(__SSE2__)
+  constexpr unsigned kMasks = 0x1f80u;
+  const unsigned word = _mm_getcsr();
+  _mm_setcsr(word | kMasks);
+  const unsigned problems = internal::probe_fp_here();
+  _mm_setcsr(word);
+  const bool has_traps = (word & kMasks) != kMasks;
+#else
+  std::fenv_t environment;
+  std::feholdexcept(&environment);
+  const unsigned problems = internal::probe_fp_here();
+  std::fesetenv(&environment);
+  constexpr bool has_traps = false;
+#endif
+  return !has_traps && (problems & ~internal::kHarmless) == 0;
+}
+
+}  // namespace
+
 void refresh_fp() noexcept {
-  const bool is_sound = (internal::probe_fp_here() & ~internal::kHarmless) == 0;
+  const bool is_sound = probe_says_sound();
   constexpr std::uint64_t kFloorBits = std::bit_cast<std::uint64_t>(kFilterFloor);
   const std::uint64_t bits = is_sound && kFiltersAreCompiled ? kFloorBits : internal::kInfinityBits;
   std::memcpy(&internal::fp_floor, &bits, sizeof bits);

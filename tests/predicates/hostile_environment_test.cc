@@ -3,6 +3,8 @@
 // FTZ and DAZ on. The filters do rely on it: a thread that begins in another environment, or says that its environment has changed,
 // decides without them, so that the predicates answer the same, too.
 #include <gtest/gtest.h>
+
+#include <cfenv>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -16,8 +18,10 @@
 #include "predicates/compare_along.h"
 #include "predicates/in_circle.h"
 #include "predicates/in_sphere.h"
+#include "predicates/order_on_circle.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
+#include "predicates/segment_segment2d.h"
 #include "predicates/session.h"
 #include "predicates/side_of_plane.h"
 #include "robust/base/fp_guard.h"
@@ -185,6 +189,36 @@ TEST(HostileEnvironment, PredicatesInsideAScopeThatRoundsUpwardDecideWithoutFilt
     ASSERT_EQ(after[Tier::kFilter], 1u);
   });
 }
+
+TEST(HostileEnvironment, SubnormalPointsAreNotTakenForEqualOnes) {
+  const unsigned usual_word = _mm_getcsr();
+  const double least = 0x1p-1074;
+  _mm_setcsr(usual_word | 0x8040u);
+  refresh_fp();
+  const Sign order = order_on_circle({0, 0}, {least, 0}, {0, 1}, {-1, 0});
+  const SegmentContact contact = segment_segment2d(
+      {-2 * least, -2 * least}, {2 * least, -2 * least}, {least, -2 * least}, {0, -2 * least});
+  _mm_setcsr(usual_word);
+  refresh_fp();
+  EXPECT_EQ(order, Sign::kPositive);
+  EXPECT_EQ(contact, SegmentContact::kOverlap);
+}
+
+#if defined(__GLIBC__)
+TEST(HostileEnvironment, TrapsDoNotEndTheProgram) {
+  Sign small = Sign::kZero, large = Sign::kZero;
+  bool are_sound = true;
+  std::thread([&] {
+    feenableexcept(FE_OVERFLOW | FE_INVALID | FE_DIVBYZERO);
+    small = orient2d({0, 0}, {1, 0}, {0, 1});
+    large = orient2d({-1.7e308, -1.7e308}, {1.7e308, 0}, {0, 1.7e308});
+    are_sound = filters_are_sound();
+  }).join();
+  EXPECT_EQ(small, Sign::kPositive);
+  EXPECT_EQ(large, Sign::kPositive);
+  EXPECT_FALSE(are_sound);
+}
+#endif
 
 TEST(HostileEnvironment, TheFirstDecisionOfAThreadIsTheFiltersToo) {
   TierCounts tally;

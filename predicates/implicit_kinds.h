@@ -9,12 +9,13 @@
 
 #include "predicates/implicit_point.h"
 #include "predicates/vec.h"
+#include "robust/binary64.h"
 
 namespace veritope {
 
 namespace internal {
 /// Subnormal numbers are not zero, whatever DAZ says.
-inline bool is_zero_by_bits(double v) { return std::bit_cast<std::uint64_t>(v) << 1 == 0; }
+inline bool is_zero_by_bits(double v) { return integer_bits(v) << 1 == 0; }
 }  // namespace internal
 
 /// The point a + (b - a) numerator / denominator. The weight is a ratio of any two finite doubles, so

@@ -214,7 +214,8 @@ struct CgalSideOfBoundedSphere3 : Epick::Side_of_bounded_sphere_3 {
 /// points need no conversion; its comparisons of coordinates are exact as they are. CGAL's signs are
 /// ours: an orientation is that of orient2d and orient3d, a side of a circle or sphere that of in_circle
 /// and in_sphere.
-/// REQUIRES finite coordinates. As EPICK: compile with -frounding-math.
+/// REQUIRES finite coordinates, and in a scope that changes the rounding mode after the thread's first
+/// decision (CGAL::Protect_FPU_rounding<true>) refresh_fp(). As EPICK: compile with -frounding-math.
 class CgalTraits : public internal::Epick {
  public:
   using Orientation_2 = internal::CgalOrientation2;

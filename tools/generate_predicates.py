@@ -14,6 +14,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 
 from predicate_generator.bounds import Bound, BoundError  # noqa: E402
 from predicate_generator.cpp import Names  # noqa: E402
+from predicate_generator.expression import TooLarge  # noqa: E402
 from predicate_generator.formula import FormulaError, read_formula  # noqa: E402
 from predicate_generator.gappa import write_by_hand_scripts, write_scripts  # noqa: E402
 from predicate_generator.header import write_header  # noqa: E402
@@ -84,8 +85,11 @@ def main():
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_text(text, encoding="utf-8")
-    except (FormulaError, BoundError, OSError, UnicodeDecodeError) as error:
+    except (FormulaError, BoundError, TooLarge, OSError, UnicodeDecodeError) as error:
         print(f"generate_predicates: {error}", file=sys.stderr)
+        return 1
+    except RecursionError:
+        print("generate_predicates: the formula is nested too deeply, or a sum has too many terms: name parts of it", file=sys.stderr)
         return 1
     return 0
 

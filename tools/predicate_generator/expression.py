@@ -58,6 +58,13 @@ def leaves_of(root):
     return [node for node in post_order([root]) if node.is_leaf]
 
 
+MOST_PRODUCTS = 1_000_000  # of terms, when a product is written out: half a minute or so
+
+
+class TooLarge(Exception):
+    """The polynomial has more terms than can be proved anything of."""
+
+
 class Polynomial:
     """Integer coefficients by monomial: a sorted tuple of (input, exponent)."""
 
@@ -71,6 +78,8 @@ class Polynomial:
         return Polynomial(terms)
 
     def times(self, other):
+        if len(self.terms) * len(other.terms) > MOST_PRODUCTS:
+            raise TooLarge(f"a product of {len(self.terms)} and {len(other.terms)} terms when written out; at most {MOST_PRODUCTS} products of terms")
         terms = {}
         for m, c in self.terms.items():
             for n, d in other.terms.items():

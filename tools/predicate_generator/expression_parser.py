@@ -92,7 +92,7 @@ class ExpressionParser:
         column = self.column
         if kind == "number":
             self.at += 1
-            if not 1 <= int(text) <= 1 << 20:
+            if len(text) > 7 or not text.isascii() or not 1 <= int(text) <= 1 << 20:
                 self.fail("a number is 1 to 1048576", column)
             return self.graph.make("integer", value=int(text))
         if (kind, text) == ("sign", "("):

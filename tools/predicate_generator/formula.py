@@ -11,7 +11,9 @@ PRIME = 2**61 - 1
 TAKEN = set("""alignas alignof and asm auto bool break case catch char class const constexpr continue default delete do double else enum
 explicit export extern false float for friend goto if inline int long mutable namespace new noexcept not operator or private protected
 public register return short signed sizeof static struct switch template this throw true try typedef typename union unsigned using
-virtual void volatile while xor abs det sign size larger tally magnitude multiple fits narrowed put scaled sqr dot cross norm2 std veritope internal formulas""".split())
+virtual void volatile while xor concept requires consteval constinit co_await co_return co_yield char8_t char16_t char32_t decltype dynamic_cast
+const_cast goto nullptr reinterpret_cast static_assert static_cast thread_local typeid wchar_t and_eq bitand bitor compl not_eq or_eq xor_eq main errno int8_t
+int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t wide odd_parts cascade is_certain sign_beyond abs det sign size larger tally magnitude multiple fits narrowed put scaled sqr dot cross norm2 std veritope internal formulas""".split())
 
 
 class FormulaError(Exception):

@@ -49,8 +49,8 @@ void restore_fp(FpState state) noexcept {
 
 namespace {
 
-// The probe overflows on purpose: with traps it would end the program. So would filters, on operands
-// near the limits; where exceptions are not masked they are left out.
+// The probe overflows on purpose: with traps it would end the program. In a thread with traps no filter's
+// answer counts; it is still computed, and traps where it overflows.
 bool probe_says_sound() noexcept {
 #if defined(__SSE2__)
   constexpr unsigned kMasks = 0x1f80u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/generated_cases.h: the generated predicates, and order_on_circle, on operands in one row.
+// cli/generated_cases.h: the generated predicates, and those made of them, on operands in one row.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,9 +15,8 @@
 #include "predicates/generated/power_edge2d.h"
 #include "predicates/generated/power_edge3d.h"
 #include "predicates/generated/power_sphere.h"
-#include "predicates/generated/side_of_bisector2d.h"
-#include "predicates/generated/side_of_bisector3d.h"
 #include "predicates/order_on_circle.h"
+#include "predicates/side_of_bisector.h"
 #include "robust/rational.h"
 
 namespace veritope::cli {
@@ -63,6 +62,19 @@ Sign by_generated_formula(const Operands& v) {
   std::array<Rational, N> w;
   for (std::size_t i = 0; i < N; ++i) w[i] = Rational::from_double(v[i]);
   return Of(w).sign();
+}
+
+/// side_of_bisector over rationals: by the distances of p from b and a.
+template <std::size_t Dim>
+Sign side_of_bisector_by_formula(const Operands& v) {
+  Rational sum;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const Rational p = Rational::from_double(v[2 * Dim + axis]);
+    const Rational to_a = Rational::from_double(v[axis]) - p,
+                   to_b = Rational::from_double(v[Dim + axis]) - p;
+    sum += to_b * to_b - to_a * to_a;
+  }
+  return sum.sign();
 }
 
 /// order_on_circle over rationals: by the sums of the turns from p to q and from p to r.

@@ -28,12 +28,9 @@ inline double finite(double v) {
   return v != v ? 0 : (v > kMost ? kMost : (v < -kMost ? -kMost : v));
 }
 
-/// to + the vector from a to b with two axes exchanged and one sign turned, rounded: as long, and in the
-/// plane at a right angle.
-inline Vec3d turned(const Vec3d& to, const Vec3d& a, const Vec3d& b) {
-  return {finite(to.x - (b.y - a.y)), finite(to.y + (b.x - a.x)), finite(to.z)};
-}
-inline Vec3d as_long(const Vec3d& to, const Vec3d& a, const Vec3d& b, int dimension) {
+/// to + the vector from a to b, x and y exchanged and one sign turned, rounded: as long. Without z, for the
+/// dimension 2, at a right angle.
+inline Vec3d turned(const Vec3d& to, const Vec3d& a, const Vec3d& b, int dimension = 2) {
   const double dz = dimension == 3 ? b.z - a.z : 0;
   return {finite(to.x - (b.y - a.y)), finite(to.y + (b.x - a.x)), finite(to.z - dz)};
 }
@@ -53,13 +50,13 @@ inline std::vector<double> hard_weights(const generate::Points& p, std::size_t n
   return w;
 }
 
-/// p is of the predicate `name`; changes points so that the answer is zero or nearly.
+/// Changes points of the predicate `name` so that the answer is zero or nearly.
 inline void make_tied(std::string_view name, int dimension, generate::Points& p) {
-  if (name.starts_with("compare_distance")) p[2] = as_long(p[0], p[0], p[1], dimension);
+  if (name.starts_with("compare_distance")) p[2] = turned(p[0], p[0], p[1], dimension);
   if (name.starts_with("side_of_bisector")) {
-    p[1] = as_long(p[2], p[2], p[0], dimension);
+    p[1] = turned(p[2], p[2], p[0], dimension);
   }
-  if (name.starts_with("compare_lengths")) p[3] = as_long(p[2], p[0], p[1], dimension);
+  if (name.starts_with("compare_lengths")) p[3] = turned(p[2], p[0], p[1], dimension);
   if (name.starts_with("order_along_line")) p[3] = turned(p[2], p[0], p[1]);
   if (name == "compare_along") p[2] = turned(p[1], {0, 0, 0}, p[0]);
   if (name == "order_on_circle" && p[0].x < p[1].x) p[3] = p[2];

@@ -13,12 +13,8 @@ from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 COMMANDS = ["certify", "info", "convert", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
 
 
-def run_on_terminal(*arguments, environment=None):
-    """Standard output of a program that believes it writes to a terminal."""
-    ours, theirs = pty.openpty()
-    child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
-                             env={**os.environ, "TERM": "xterm", **(environment or {})})
-    os.close(theirs)
+def read_terminal(ours):
+    """All that was written to the other side, which is closed; a terminal hands it over in pieces, and an error ends it."""
     output = b""
     while True:
         try:
@@ -29,8 +25,18 @@ def run_on_terminal(*arguments, environment=None):
             break
         output += piece
     os.close(ours)
-    child.wait()
     return output.decode()
+
+
+def run_on_terminal(*arguments, environment=None):
+    """Standard output of a program that believes it writes to a terminal."""
+    ours, theirs = pty.openpty()
+    child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
+                             env={**os.environ, "TERM": "xterm", **(environment or {})})
+    os.close(theirs)
+    output = read_terminal(ours)
+    child.wait()
+    return output
 
 
 class Usage(unittest.TestCase):
@@ -195,8 +201,7 @@ class Terminal(Folder):
         ours, theirs = pty.openpty()
         done = subprocess.run([veritope, "certify", VALID], stdout=subprocess.PIPE, stderr=theirs, text=True)
         os.close(theirs)
-        shown = os.read(ours, 65536).decode()
-        os.close(ours)
+        shown = read_terminal(ours)
         self.assertIn("m3_nearest_valid.off: checking, ", shown)
         self.assertTrue(shown.endswith("\r\033[K"), shown)
         self.assertNotIn("checking", done.stdout)

@@ -51,6 +51,11 @@ KNOWN = {  # name: [(operands, sign)]
 KNOWN["order_on_circle"] = [
     ("0 0 1 0 0 1 -1 0", 1), ("0 0 1 0 -1 0 0 1", -1), ("0 0 1 0 0 1 0 7", 0), ("0 0 1 0 1 0 0 1", 1), ("0 0 1 0 0 -1 0 1", -1), ("5 5 5 5 1 2 3 4", 0),
     ("0 0 1 0 1.7976931348623157e308 5e-324 1 5e-324", 1), ("0 0 1 0 -1 5e-324 -1 -5e-324", 1)]
+KNOWN["side_of_bisector2d"] = [
+    ("0 0 2 0 0.5 9", 1), ("0 0 2 0 1 9", 0), ("0 0 2 0 1.0000000000000002 9", -1), ("5 5 5 5 1 2", 0), ("0 0 0x1p-1074 0 0 0", 1)]
+KNOWN["side_of_bisector3d"] = [
+    ("0 0 0 0 0 2 7 -7 0x1.fffffffffffffp-1", 1), ("0 0 0 0 0 2 7 -7 1", 0), ("0 0 2 0 0 0 7 -7 0", -1), ("5 5 5 5 5 5 1 2 3", 0),
+    ("0 0 0 0x1p1023 0 0 0x1p-1074 0 0", 1)]
 for path in (pathlib.Path(__file__).resolve().parents[2] / "predicates" / "generated").glob("*.formula"):
     KNOWN[path.stem] = [(" ".join(numbers.replace(",", " ").split()), int(sign))
                         for numbers, sign in re.findall(r"(?m)^example +(.*?) +-> +(\S+)$", path.read_text())]

@@ -20,3 +20,5 @@ veritope_cli_test(manifest full)
 add_test(NAME cli_corpus_full COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/corpus_test.py")
 set_tests_properties(cli_corpus_full PROPERTIES LABELS "full;cli" TIMEOUT 600 ENVIRONMENT
   "PYTHONDONTWRITEBYTECODE=1;CORPUS_CASES=0;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+# The headers of predicates/ in programs of others.
+veritope_hostile_flags_test(cli_hostile_flags tests/cli/hostile_predicates_main.cc cli/hard_cases.cc cli/implicit_names.cc cli/named_predicate.cc)

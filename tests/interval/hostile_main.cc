@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Built by tests/interval/hostile_flags_test.py under flags that break ordinary floating point. The
+// Built by tests/hostile_flags_test.py under flags that break ordinary floating point. The
 // inline operations must give the same bounds as rationals; those are compiled as usual. Prints the
 // number of checks and of violations.
 #include <cstdio>

@@ -8,9 +8,4 @@ if(VERITOPE_BOOST_INTERVAL AND VERITOPE_MPFI)
 else()
   message(STATUS "tests: no Boost.Interval or no MPFI, interval_oracle is left out")
 endif()
-if(NOT VERITOPE_SANITIZE AND NOT VERITOPE_COVERAGE)
-  # An instrumented library would need the same flags in the program.
-  add_test(NAME interval_hostile_flags COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/interval/hostile_flags_test.py"
-           "${PROJECT_BINARY_DIR}" "${PROJECT_SOURCE_DIR}")
-  set_tests_properties(interval_hostile_flags PROPERTIES LABELS full TIMEOUT 600)
-endif()
+veritope_hostile_flags_test(interval_hostile_flags --without-sse2 tests/interval/hostile_main.cc)

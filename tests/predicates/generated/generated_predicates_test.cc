@@ -50,7 +50,7 @@ Operands random_operands(const Subject& subject, generate::Kind kind, Random& ra
 
 template <typename Check>
 void on_random_operands(long loops, Check check) {
-  ASSERT_GE(subjects().size(), 12u);
+  ASSERT_GE(subjects().size(), 10u);
   for (const Subject& subject : subjects()) {
     SCOPED_TRACE(subject.name);
     for (int kind = 0; kind < generate::kNumKinds; ++kind) {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// splines/knot_axis.h: the degree and the knots of one axis of a B-spline.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "robust/base/result.h"
+#include "robust/rational.h"
+
+namespace veritope {
+
+/// The greatest degree that the constructors accept.
+inline constexpr int kMaxSplineDegree = 63;
+
+/// The knots of one axis. For n control points of degree p: n + p + 1 knots, not decreasing, the domain
+/// [knots[p], knots[n]] not empty, no knot more than p + 1 times. Clamped and unclamped alike. Periodic: also
+/// knots[n + i] - knots[p + i] = knots[n] - knots[p] wherever both exist, and the first p control points along the axis equal
+/// the last p: stored in full, so that nothing but the flag tells a periodic axis from an unclamped one.
+template <typename Knot>
+struct KnotAxis {
+  int degree = 0;
+  std::vector<Knot> knots;
+  bool is_periodic = false;
+
+  std::size_t num_control() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
+  const Knot& domain_begin() const { return knots[static_cast<std::size_t>(degree)]; }
+  const Knot& domain_end() const { return knots[num_control()]; }
+  friend bool operator==(const KnotAxis&, const KnotAxis&) = default;
+};
+
+/// The axis, if it is one: a degree from 1 to kMaxSplineDegree, and knots as KnotAxis says.
+/// @error kBadArgument, with the offending knot and its number, from 0; kOverLimit for the degree.
+Result<KnotAxis<Rational>> make_knot_axis(int degree, std::vector<Rational> knots,
+                                          bool is_periodic = false);
+
+}  // namespace veritope

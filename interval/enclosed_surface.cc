@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "interval/enclosed_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "interval/net_internal.h"
+#include "interval/ring_numbers.h"
+#include "splines/knot_insertion.h"
+
+namespace veritope {
+namespace {
+
+using internal::Cut;
+using internal::NetShape;
+
+Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::move(message)}; }
+
+std::string cell_name(std::size_t i, std::size_t j) {
+  return "piece (" + std::to_string(i) + ", " + std::to_string(j) + ")";
+}
+
+/// What is wrong with a piece's coefficients, or nothing.
+Result<bool> check_piece(const BezierSurface<Rational>& piece, const std::string& name) {
+  const Rational most = Rational::power_of_two(300);
+  for (const Rational& v : piece.coefficients())
+    if (most < abs(v)) return Error{Code::kOverLimit, {}, name + " has a coefficient beyond 2^300"};
+  if (piece.is_rational())
+    for (const Rational& w : piece.component(3))
+      if (w.sign() != Sign::kPositive)
+        return refused(name + " has the weight " + w.to_string() + ", which is not positive");
+  return true;
+}
+
+/// The control points of a piece's border along `axis`, at its begin or end.
+std::vector<Rational> border(const BezierSurface<Rational>& piece, std::size_t axis, bool at_end) {
+  const Grid<2> grid = piece.grid();
+  std::vector<Rational> out;
+  for (int c = 0; c < piece.num_components(); ++c)
+    for (std::size_t k = 0; k < grid.size[1 - axis]; ++k) {
+      std::array<std::size_t, 2> index{};
+      index[axis] = at_end ? grid.size[axis] - 1 : 0;
+      index[1 - axis] = k;
+      out.push_back(piece.component(c)[grid.at(index)]);
+    }
+  return out;
+}
+
+/// Differences of neighbours times the degree: the derivative by the local parameter.
+void append_derivative(const Interval* net, const NetShape& shape, std::size_t axis,
+                       std::vector<Interval>* out) {
+  const std::size_t rows = shape.rows - (axis == 0 ? 1 : 0);
+  const std::size_t columns = shape.columns - (axis == 1 ? 1 : 0);
+  const std::size_t step = axis == 0 ? shape.columns : 1;
+  const Interval degree(static_cast<double>(axis == 0 ? rows : columns));
+  for (std::size_t c = 0; c < shape.components; ++c)
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j) {
+        const Interval* p = net + c * shape.count() + i * shape.columns + j;
+        out->push_back(degree * (p[step] - p[0]));
+      }
+}
+
+constexpr std::size_t kStackNet = 4 * 8 * 8;
+
+/// A copy of a net to work on: on the stack up to degree 7.
+class WorkNet {
+ public:
+  WorkNet(const Interval* from, std::size_t size) {
+    if (size > kStackNet) heap_.resize(size);
+    data_ = size > kStackNet ? heap_.data() : reinterpret_cast<Interval*>(stack_);
+    std::uninitialized_copy(from, from + size, data_);
+  }
+  WorkNet(const WorkNet&) = delete;
+  WorkNet& operator=(const WorkNet&) = delete;
+  Interval* data() { return data_; }
+
+ private:
+  alignas(Interval) std::byte stack_[kStackNet * sizeof(Interval)];
+  std::vector<Interval> heap_;
+  Interval* data_;
+};
+
+}  // namespace
+
+Result<EnclosedSurface> EnclosedSurface::make(const BSpline<Rational, 2>& surface) {
+  if (surface.dimension() != 3)
+    return refused("the surface lies in dimension " + std::to_string(surface.dimension()) +
+                   ", not in space");
+  const auto pieces = bezier_pieces(surface);
+  EnclosedSurface out;
+  out.num_components_ = surface.num_components();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    out.degrees_[axis] = static_cast<std::size_t>(surface.axis(axis).degree);
+    out.knots_[axis] = pieces.breaks[axis];
+    for (const Rational& k : pieces.breaks[axis]) {
+      const double rounded = nearest_double(k);
+      if (!std::isfinite(rounded)) return refused("the knot " + k.to_string() + " is too large");
+      if (!out.breaks_[axis].empty() && !(out.breaks_[axis].back() < rounded))
+        return refused("the knot " + k.to_string() +
+                       " and the one before it are the same binary64 number");
+      out.breaks_[axis].push_back(rounded);
+    }
+  }
+  const NetShape shape{out.degrees_[0] + 1, out.degrees_[1] + 1,
+                       static_cast<std::size_t>(out.num_components_)};
+  for (std::size_t i = 0; i < out.num_spans(0); ++i)
+    for (std::size_t j = 0; j < out.num_spans(1); ++j) {
+      const auto& piece = pieces.at({i, j});
+      if (auto checked = check_piece(piece, cell_name(i, j)); !checked) return checked.error();
+      if ((i > 0 && border(piece, 0, false) != border(pieces.at({i - 1, j}), 0, true)) ||
+          (j > 0 && border(piece, 1, false) != border(pieces.at({i, j - 1}), 1, true)))
+        return refused(cell_name(i, j) + " does not meet the one before it along a knot");
+      const std::size_t first = out.nets_.size();
+      for (const Rational& v : piece.coefficients()) out.nets_.push_back(enclose(v));
+      append_derivative(out.nets_.data() + first, shape, 0, &out.du_);
+      append_derivative(out.nets_.data() + first, shape, 1, &out.dv_);
+    }
+  return out;
+}
+
+std::size_t EnclosedSurface::span_of(std::size_t axis, double parameter) const {
+  const auto& b = breaks_[axis];
+  const auto above = std::upper_bound(b.begin() + 1, b.end() - 1, parameter);
+  return static_cast<std::size_t>(above - b.begin()) - 1;
+}
+
+Interval EnclosedSurface::local(std::size_t axis, std::size_t span, double parameter) const {
+  const double a = breaks_[axis][span], b = breaks_[axis][span + 1];
+  if (parameter == a) return Interval();
+  if (parameter == b) return Interval(1.0);
+  return (Interval(parameter) - Interval(a)) / (Interval(b) - Interval(a));
+}
+
+Box3 EnclosedSurface::point(double u, double v) const {
+  const std::size_t i = span_of(0, u), j = span_of(1, v);
+  const NetShape shape{degrees_[0] + 1, degrees_[1] + 1, static_cast<std::size_t>(num_components_)};
+  WorkNet net(piece(i, j), shape.size());
+  const Interval tu = local(0, i, u), tv = local(1, j, v), one(1.0);
+  const Interval su = one - tu, sv = one - tv;
+  Interval values[4];
+  for (std::size_t c = 0; c < shape.components; ++c) {
+    Interval* const block = net.data() + c * shape.count();
+    for (std::size_t k = 0; k < shape.rows; ++k)
+      internal::keep_right(block + k * shape.columns, 1, static_cast<int>(degrees_[1]), sv, tv);
+    internal::keep_right(block, shape.columns, static_cast<int>(degrees_[0]), su, tu);
+    values[c] = block[0];
+  }
+  if (!is_rational()) return Box3(values[0], values[1], values[2]);
+  return Box3(values[0] / values[3], values[1] / values[3], values[2] / values[3]);
+}
+
+Box3 EnclosedSurface::hull_of_net(const Interval* net) const {
+  const std::size_t n = net_count();
+  Box3 out;
+  if (!is_rational()) {
+    for (std::size_t c = 0; c < 3; ++c) out[c] = internal::hull_of(net + c * n, n);
+    return out;
+  }
+  out = Box3::empty();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Interval& w = net[3 * n + k];
+    if (w.sign() != Sign3::kPositive) return Box3::entire();
+    out = hull(out, Box3(net[k] / w, net[n + k] / w, net[2 * n + k] / w));
+  }
+  return out;
+}
+
+void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interval& u,
+                                     const Interval& v, Range* out) const {
+  const std::size_t components = static_cast<std::size_t>(num_components_);
+  const std::size_t number = i * num_spans(1) + j;
+  const Cut cut_u(local(0, i, u.lo()), local(0, i, u.hi()));
+  const Cut cut_v(local(1, j, v.lo()), local(1, j, v.hi()));
+  const NetShape shape{degrees_[0] + 1, degrees_[1] + 1, components};
+  const NetShape shape_u{degrees_[0], degrees_[1] + 1, components};
+  const NetShape shape_v{degrees_[0] + 1, degrees_[1], components};
+  WorkNet net_u(du_.data() + number * shape_u.size(), shape_u.size());
+  WorkNet net_v(dv_.data() + number * shape_v.size(), shape_v.size());
+  internal::restrict_net(net_u.data(), shape_u, cut_u, cut_v);
+  internal::restrict_net(net_v.data(), shape_v, cut_u, cut_v);
+  WorkNet net(piece(i, j), shape.size());
+  internal::restrict_net(net.data(), shape, cut_u, cut_v);
+  out->point = hull_of_net(net.data());
+  const Interval length_u = Interval(breaks_[0][i + 1]) - Interval(breaks_[0][i]);
+  const Interval length_v = Interval(breaks_[1][j + 1]) - Interval(breaks_[1][j]);
+  Interval by_u[4], by_v[4];
+  for (std::size_t c = 0; c < components; ++c) {
+    by_u[c] = internal::hull_of(net_u.data() + c * shape_u.count(), shape_u.count());
+    by_v[c] = internal::hull_of(net_v.data() + c * shape_v.count(), shape_v.count());
+  }
+  Interval weight(1.0);
+  if (is_rational()) weight = internal::hull_of(net.data() + 3 * shape.count(), shape.count());
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (is_rational()) {
+      if (weight.sign() != Sign3::kPositive) {
+        out->du[c] = out->dv[c] = Interval::entire();
+        continue;
+      }
+      by_u[c] = (by_u[c] - out->point[c] * by_u[3]) / weight;
+      by_v[c] = (by_v[c] - out->point[c] * by_v[3]) / weight;
+    }
+    out->du[c] = by_u[c] / length_u;
+    out->dv[c] = by_v[c] / length_v;
+  }
+}
+
+EnclosedSurface::Range EnclosedSurface::range(const Interval& u, const Interval& v) const {
+  Range all{Box3::empty(), Box3::empty(), Box3::empty()};
+  const std::size_t last_i = num_spans(0) - 1, last_j = num_spans(1) - 1;
+  // A rectangle that ends on a knot needs nothing of the next piece: the derivatives are those of its inside.
+  const auto last_span = [&](std::size_t axis, std::size_t first, double hi) {
+    const std::size_t span = span_of(axis, hi);
+    return std::max(first, span > 0 && hi == breaks_[axis][span] ? span - 1 : span);
+  };
+  const std::size_t i0 = span_of(0, u.lo()), i1 = last_span(0, i0, u.hi());
+  const std::size_t j0 = span_of(1, v.lo()), j1 = last_span(1, j0, v.hi());
+  for (std::size_t i = i0; i <= i1; ++i)
+    for (std::size_t j = j0; j <= j1; ++j) {
+      const auto part = [&](std::size_t axis, std::size_t span, std::size_t last,
+                            const Interval& x) {
+        const double lo = span == 0 ? x.lo() : std::max(x.lo(), breaks_[axis][span]);
+        const double hi = span == last ? x.hi() : std::min(x.hi(), breaks_[axis][span + 1]);
+        return Interval::from_bounds(lo, hi);
+      };
+      Range one;
+      range_of_piece(i, j, part(0, i, last_i, u), part(1, j, last_j, v), &one);
+      all.point = hull(all.point, one.point);
+      all.du = hull(all.du, one.du);
+      all.dv = hull(all.dv, one.dv);
+    }
+  return all;
+}
+
+Interval EnclosedSurface::true_parameter(std::size_t axis, const Interval& working) const {
+  const auto at = [&](double x) {
+    const std::size_t span = span_of(axis, x);
+    const Rational& a = knots_[axis][span];
+    return enclose(a) + local(axis, span, x) * enclose(knots_[axis][span + 1] - a);
+  };
+  return hull(at(working.lo()), at(working.hi()));
+}
+
+}  // namespace veritope

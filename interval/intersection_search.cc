@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "interval/intersection_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "interval/patch_tree.h"
+
+namespace veritope {
+namespace {
+
+using Id = PatchTree::Id;
+struct Pair {
+  Id a, b;
+};
+
+double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+double size_of(const Box3& box) {
+  return std::max(
+      {box[0].hi() - box[0].lo(), box[1].hi() - box[1].lo(), box[2].hi() - box[2].lo()});
+}
+
+/// n . p over the control points of a net; false if a weight may not be positive.
+struct Slab {
+  Interval range;
+  bool is_known = true;
+};
+Slab project(const EnclosedSurface& surface, const Interval* net,
+             const std::array<Interval, 3>& n) {
+  const std::size_t count = surface.net_count();
+  Slab out{Interval::empty()};
+  for (std::size_t k = 0; k < count; ++k) {
+    Interval d = n[0] * net[k] + n[1] * net[count + k] + n[2] * net[2 * count + k];
+    if (surface.is_rational()) {
+      const Interval& w = net[3 * count + k];
+      if (w.sign() != Sign3::kPositive) return {Interval::entire(), false};
+      d = d / w;
+    }
+    out.range = k == 0 ? d : hull(out.range, d);
+  }
+  return out;
+}
+
+std::array<Interval, 3> middle_normal(const PatchTree::Node& n) {
+  double a[3], b[3];
+  for (std::size_t c = 0; c < 3; ++c) a[c] = middle(n.du[c]), b[c] = middle(n.dv[c]);
+  const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2],
+               z = a[0] * b[1] - a[1] * b[0];
+  const double scale = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  if (!(scale > 0) || !std::isfinite(scale)) return {Interval(1.0), Interval(), Interval()};
+  return {Interval(x / scale), Interval(y / scale), Interval(z / scale)};
+}
+
+class Search {
+ public:
+  Search(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionBudget& budget)
+      : budget_(budget), first_(s1), second_(s2) {}
+
+  IntersectionCover run() {
+    std::vector<Pair> round{{PatchTree::kRoot, PatchTree::kRoot}}, next;
+    while (!round.empty()) {
+      next.clear();
+      for (std::size_t i = 0; i < round.size(); ++i) {
+        if (out_.pairs >= budget_.pairs || (i % 256 == 0 && budget_.stop && budget_.stop())) {
+          for (; i < round.size(); ++i) give_up(round[i]);
+          for (const Pair& p : next) give_up(p);
+          next.clear();
+          break;
+        }
+        visit(round[i], &next);
+      }
+      if (next.size() > budget_.pairs_in_cluster) give_up_large_clusters(&next);
+      round.swap(next);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  Box4 box_of(const Pair& p) const {
+    const auto &a = first_.node(p.a), &b = second_.node(p.b);
+    return Box4(Interval::from_bounds(a.u0, a.u1), Interval::from_bounds(a.v0, a.v1),
+                Interval::from_bounds(b.u0, b.u1), Interval::from_bounds(b.v0, b.v1));
+  }
+  void give_up(const Pair& p) { out_.undecided.push_back(box_of(p)); }
+
+  void visit(const Pair& p, std::vector<Pair>* next) {
+    ++out_.pairs;
+    const auto &a = first_.node(p.a), &b = second_.node(p.b);
+    if (is_disjoint(a.hull, b.hull)) return;
+    if (!a.is_single() || !b.is_single()) {
+      const bool cut_first =
+          !a.is_single() && (b.is_single() || size_of(a.hull) >= size_of(b.hull));
+      split(p, cut_first, !cut_first, next);
+      return;
+    }
+    if (are_apart_along_normals(p)) return;
+    const Box4 x = box_of(p);
+    if (is_covered(p, x)) return;
+    if (!decided_by_tube(p, x)) cut(p, next);
+  }
+
+  bool are_apart_along_normals(const Pair& p) {
+    const auto n1 = middle_normal(first_.with_derivatives(p.a));
+    const auto n2 = middle_normal(second_.with_derivatives(p.b));
+    for (const auto& n : {n1, n2}) {
+      const Slab a = project(first_.surface(), first_.net(p.a), n);
+      const Slab b = project(second_.surface(), second_.net(p.b), n);
+      if (a.is_known && b.is_known && is_disjoint(a.range, b.range)) return true;
+    }
+    return false;
+  }
+
+  /// Of the pieces that two nodes lie in.
+  std::uint64_t key_of(const Pair& p) const {
+    const auto &a = first_.node(p.a), &b = second_.node(p.b);
+    const std::uint64_t piece1 = a.i0 * first_.surface().num_spans(1) + a.j0;
+    const std::uint64_t piece2 = b.i0 * second_.surface().num_spans(1) + b.j0;
+    return piece1 << 32 | piece2;
+  }
+  bool is_covered(const Pair& p, const Box4& x) const {
+    const auto found = tubes_of_pieces_.find(key_of(p));
+    if (found == tubes_of_pieces_.end()) return false;
+    return std::any_of(found->second.rbegin(), found->second.rend(),
+                       [&](std::size_t t) { return out_.tubes[t].contains(x); });
+  }
+
+  bool decided_by_tube(const Pair& p, const Box4& x) {
+    ++out_.proofs;
+    const auto &a = first_.node(p.a), &b = second_.node(p.b);
+    TubeSearch search = find_tube(first_.surface(), second_.surface(), x, a.du, a.dv, b.du, b.dv);
+    if (search.outcome == TubeSearch::Outcome::kUnknown) return false;
+    if (search.outcome == TubeSearch::Outcome::kTube) {
+      tubes_of_pieces_[key_of(p)].push_back(out_.tubes.size());
+      out_.tubes.push_back(std::move(search.tube));
+    }
+    return true;
+  }
+
+  bool may_cut(const PatchTree& tree, Id id) const {
+    const auto& n = tree.node(id);
+    const auto& s = tree.surface();
+    const double span_u = s.breaks(0)[n.i1] - s.breaks(0)[n.i0];
+    const double span_v = s.breaks(1)[n.j1] - s.breaks(1)[n.j0];
+    return tree.can_split(id) && n.u1 - n.u0 > budget_.smallest * span_u &&
+           n.v1 - n.v0 > budget_.smallest * span_v;
+  }
+  /// The larger in space of the two, or both if they are alike.
+  void cut(const Pair& p, std::vector<Pair>* next) {
+    const double a = size_of(first_.node(p.a).hull), b = size_of(second_.node(p.b).hull);
+    const bool may_a = may_cut(first_, p.a), may_b = may_cut(second_, p.b);
+    if (!may_a && !may_b) return give_up(p);
+    split(p, may_a && (a > 0.6 * b || !may_b), may_b && (b > 0.6 * a || !may_a), next);
+  }
+  void split(const Pair& p, bool cut_a, bool cut_b, std::vector<Pair>* next) {
+    const Id a = cut_a ? first_.children(p.a) : p.a, b = cut_b ? second_.children(p.b) : p.b;
+    const std::uint32_t na = cut_a ? first_.num_children(p.a) : 1;
+    const std::uint32_t nb = cut_b ? second_.num_children(p.b) : 1;
+    for (std::uint32_t i = 0; i < na; ++i)
+      for (std::uint32_t j = 0; j < nb; ++j)
+        if (!is_disjoint(first_.node(a + i).hull, second_.node(b + j).hull))
+          next->push_back({a + i, b + j});
+  }
+
+  void give_up_large_clusters(std::vector<Pair>* next) {
+    std::vector<Box4> boxes;
+    for (const Pair& p : *next) boxes.push_back(box_of(p));
+    std::vector<Pair> kept;
+    for (const auto& cluster : clusters_of(boxes))
+      for (const std::size_t i : cluster) {
+        if (cluster.size() > budget_.pairs_in_cluster) {
+          give_up((*next)[i]);
+        } else {
+          kept.push_back((*next)[i]);
+        }
+      }
+    next->swap(kept);
+  }
+
+  IntersectionBudget budget_;
+  PatchTree first_, second_;
+  IntersectionCover out_;
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> tubes_of_pieces_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> clusters_of(const std::vector<Box4>& boxes) {
+  std::vector<std::size_t> order(boxes.size()), parent(boxes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return boxes[i][0].lo() < boxes[j][0].lo(); });
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (std::size_t n = 0; n < order.size(); ++n)
+    for (std::size_t m = n + 1; m < order.size(); ++m) {
+      if (boxes[order[m]][0].lo() > boxes[order[n]][0].hi()) break;
+      if (!is_disjoint(boxes[order[n]], boxes[order[m]])) parent[root(order[m])] = root(order[n]);
+    }
+  std::unordered_map<std::size_t, std::size_t> number;
+  std::vector<std::vector<std::size_t>> out;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto [at, is_new] = number.try_emplace(root(i), out.size());
+    if (is_new) out.emplace_back();
+    out[at->second].push_back(i);
+  }
+  return out;
+}
+
+IntersectionCover cover_intersection(const EnclosedSurface& s1, const EnclosedSurface& s2,
+                                     const IntersectionBudget& budget) {
+  return Search(s1, s2, budget).run();
+}
+
+}  // namespace veritope

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "interval/intersection_tube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace veritope {
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+using IntervalMatrix = std::array<std::array<Interval, 3>, 3>;
+using Vector = std::array<Interval, 3>;
+/// The columns S1_u, S1_v, -S2_s, -S2_t.
+using Columns = std::array<Box3, 4>;
+
+double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+double radius(const Interval& a) { return 0.5 * (a.hi() - a.lo()); }
+Interval around(double c, double r) { return Interval::from_bounds(-(-c + r), c + r); }
+
+double determinant(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                   const std::array<double, 3>& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The other three parameters, in order.
+std::array<int, 3> others(int pivot) {
+  std::array<int, 3> out{};
+  int n = 0;
+  for (int i = 0; i < 4; ++i)
+    if (i != pivot) out[static_cast<std::size_t>(n++)] = i;
+  return out;
+}
+
+/// The inverse of the matrix with these columns; false if it is singular in doubles.
+bool invert(const std::array<std::array<double, 3>, 3>& columns, Matrix* out) {
+  const auto& [a, b, c] = columns;
+  const double det = determinant(a, b, c);
+  if (!(std::abs(det) > 0) || !std::isfinite(1 / det)) return false;
+  const auto cross = [&](const auto& p, const auto& q) {
+    return std::array<double, 3>{(p[1] * q[2] - p[2] * q[1]) / det,
+                                 (p[2] * q[0] - p[0] * q[2]) / det,
+                                 (p[0] * q[1] - p[1] * q[0]) / det};
+  };
+  *out = {cross(b, c), cross(c, a), cross(a, b)};
+  for (const auto& row : *out)
+    for (const double v : row)
+      if (!std::isfinite(v)) return false;
+  return true;
+}
+
+Vector times(const Matrix& m, const Box3& v) {
+  Vector out;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = Interval(m[i][0]) * v[0] + Interval(m[i][1]) * v[1] + Interval(m[i][2]) * v[2];
+  return out;
+}
+
+Columns columns_of(const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt) {
+  const auto negated = [](const Box3& b) { return Box3(-b[0], -b[1], -b[2]); };
+  return {du, dv, negated(ds), negated(dt)};
+}
+
+Columns columns_over(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x) {
+  const auto a = s1.range(x[0], x[1]), b = s2.range(x[2], x[3]);
+  return columns_of(a.du, a.dv, b.du, b.dv);
+}
+
+bool is_bounded(const Columns& columns) {
+  for (const Box3& column : columns)
+    for (const Interval& side : column)
+      if (!is_common(side)) return false;
+  return true;
+}
+
+Box3 gap_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const Point4& x) {
+  return s1.point(x[0], x[1]) - s2.point(x[2], x[3]);
+}
+
+/// The system in the coordinates z of the tube's offset, at a center.
+struct Linear {
+  IntervalMatrix excess;  // I - C J_z
+  Vector drift;           // C (J_w + J_z slope)
+};
+Linear linearise(const IntersectionTube& tube, const Columns& columns) {
+  Linear out;
+  const auto rest = others(tube.pivot);
+  Box3 along = columns[static_cast<std::size_t>(tube.pivot)];
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto& column = columns[static_cast<std::size_t>(rest[j])];
+    along = along + Interval(tube.slope[static_cast<std::size_t>(rest[j])]) * column;
+    const Vector product = times(tube.inverse, column);
+    for (std::size_t i = 0; i < 3; ++i)
+      out.excess[i][j] = i == j ? Interval(1.0) - product[i] : -product[i];
+  }
+  out.drift = times(tube.inverse, along);
+  return out;
+}
+
+/// -C F(center) - drift (w - w0) + excess z: where all solutions with offset z over w have their offset.
+Vector image(const Linear& linear, const Vector& newton, const Interval& w, const Vector& z) {
+  Vector out;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = -newton[i] - linear.drift[i] * w + linear.excess[i][0] * z[0] +
+             linear.excess[i][1] * z[1] + linear.excess[i][2] * z[2];
+  return out;
+}
+
+/// Moves the center by the offsets' middles and takes them off.
+void recenter(IntersectionTube* tube, Vector* z) {
+  const auto rest = others(tube->pivot);
+  for (std::size_t i = 0; i < 3; ++i) {
+    double& c = tube->center[static_cast<std::size_t>(rest[i])];
+    const double moved = c + middle((*z)[i]);
+    (*z)[i] = (*z)[i] + (Interval(c) - Interval(moved));
+    c = moved;
+  }
+}
+
+void set_offset(IntersectionTube* tube, const Vector& z) {
+  const auto rest = others(tube->pivot);
+  for (std::size_t i = 0; i < 3; ++i) tube->offset[static_cast<std::size_t>(rest[i])] = z[i];
+}
+
+/// With K(z) inside of z for all w: sets what is known of the arc. dz/dw = -drift + excess dz/dw.
+bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tube) {
+  double contraction = 0, largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < 3; ++j) sum += mag(linear.excess[i][j]) * radius(z[j]);
+    const double r = radius(z[i]);
+    contraction = std::max(contraction, sum / r);
+    largest = std::max(largest, mag(linear.drift[i]) / r);
+  }
+  if (!(contraction < 0.999) || !std::isfinite(largest)) return false;
+  // Rounded upward throughout; the subtraction below the fraction by the sign.
+  const double bound = largest / -(contraction - 1);
+  const auto rest = others(tube->pivot);
+  Vector rate;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double b = bound * radius(z[i]) * 1.0000001;
+    rate[i] = Interval::from_bounds(-b, b);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(rest[i]);
+    Interval dz = -linear.drift[i];
+    for (std::size_t j = 0; j < 3; ++j) dz = dz + linear.excess[i][j] * rate[j];
+    tube->derivative[k] = Interval(tube->slope[k]) + intersection(dz, rate[i]);
+  }
+  tube->derivative[static_cast<std::size_t>(tube->pivot)] = Interval(1.0);
+  tube->excess = linear.excess;
+  return true;
+}
+
+/// Chooses the pivot: the parameter along which the arc is longest in the box's own scale. False if the surfaces
+/// are tangential in doubles.
+bool choose_chart(const Box4& x, const Columns& columns, IntersectionTube* tube) {
+  std::array<std::array<double, 3>, 4> middles{};
+  std::array<double, 4> norm{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double r = radius(x[k]);
+    for (std::size_t c = 0; c < 3; ++c) middles[k][c] = middle(columns[k][c]) * r;
+    norm[k] = std::sqrt(middles[k][0] * middles[k][0] + middles[k][1] * middles[k][1] +
+                        middles[k][2] * middles[k][2]);
+  }
+  double best = 0;
+  double best_minor = 0;
+  for (int k = 0; k < 4; ++k) {
+    const auto rest = others(k);
+    const auto at = [&](std::size_t i) { return static_cast<std::size_t>(rest[i]); };
+    const double minor = determinant(middles[at(0)], middles[at(1)], middles[at(2)]);
+    if (std::abs(minor) > best) best = std::abs(minor), best_minor = minor, tube->pivot = k;
+  }
+  const double scale = std::max({norm[0], norm[1], norm[2], norm[3]});
+  if (!(best > 1e-14 * scale * scale * scale)) return false;
+  const auto rest = others(tube->pivot);
+  std::array<std::array<double, 3>, 3> kept{};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t c = 0; c < 3; ++c)
+      kept[j][c] = middle(columns[static_cast<std::size_t>(rest[j])][c]);
+  if (!invert(kept, &tube->inverse)) return false;
+  for (std::size_t k = 0; k < 4; ++k) tube->center[k] = middle(x[k]);
+  tube->slope[static_cast<std::size_t>(tube->pivot)] = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double s = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      s -= tube->inverse[i][c] * middle(columns[static_cast<std::size_t>(tube->pivot)][c]);
+    tube->slope[static_cast<std::size_t>(rest[i])] = s;
+  }
+  tube->direction = (best_minor > 0) == (tube->pivot % 2 == 0) ? -1 : 1;
+  return true;
+}
+
+Vector newton_step(const EnclosedSurface& s1, const EnclosedSurface& s2,
+                   const IntersectionTube& tube) {
+  return times(tube.inverse, gap_at(s1, s2, tube.center));
+}
+
+/// Whether the arc is proved in the tube with its present center, slope, range and offset; sets what is known of it.
+bool prove(const EnclosedSurface& s1, const EnclosedSurface& s2, IntersectionTube* tube,
+           Vector* z) {
+  const Interval range = Interval::from_bounds(tube->w_lo, tube->w_hi);
+  const Interval w = range - Interval(tube->center[static_cast<std::size_t>(tube->pivot)]);
+  set_offset(tube, *z);
+  const Columns columns = columns_over(s1, s2, tube->over(range));
+  if (!is_bounded(columns)) return false;
+  const Linear linear = linearise(*tube, columns);
+  const Vector k = image(linear, newton_step(s1, s2, *tube), w, *z);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_interior(k[i], (*z)[i])) continue;
+    *z = k;
+    return false;
+  }
+  return set_derivative(linear, *z, tube);
+}
+
+}  // namespace
+
+Box4 IntersectionTube::over(const Interval& w) const {
+  const Interval step = w - Interval(center[static_cast<std::size_t>(pivot)]);
+  Box4 out;
+  for (std::size_t i = 0; i < 4; ++i)
+    out[i] = static_cast<int>(i) == pivot
+                 ? w
+                 : Interval(center[i]) + Interval(slope[i]) * step + offset[i];
+  return out;
+}
+
+bool IntersectionTube::contains(const Box4& x) const {
+  const Interval& w = x[static_cast<std::size_t>(pivot)];
+  if (!is_subset(w, Interval::from_bounds(w_lo, w_hi))) return false;
+  const Interval step = w - Interval(center[static_cast<std::size_t>(pivot)]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (static_cast<int>(i) == pivot) continue;
+    if (!is_subset(x[i] - Interval(center[i]) - Interval(slope[i]) * step, offset[i])) return false;
+  }
+  return true;
+}
+
+TubeSearch find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x,
+                     const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt) {
+  TubeSearch out;
+  IntersectionTube& tube = out.tube;
+  const Columns columns = columns_of(du, dv, ds, dt);
+  if (!is_bounded(columns) || !choose_chart(x, columns, &tube)) return out;
+  const auto rest = others(tube.pivot);
+  const auto pivot = static_cast<std::size_t>(tube.pivot);
+  const Linear linear = linearise(tube, columns);
+  const Interval w = x[pivot] - Interval(tube.center[pivot]);
+  Vector z;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(rest[i]);
+    z[i] = x[k] - Interval(tube.center[k]) - Interval(tube.slope[k]) * w;
+  }
+  const Vector k = image(linear, newton_step(s1, s2, tube), w, z);
+  double shrink = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Interval met = intersection(z[i], k[i]);
+    if (met.is_empty()) {
+      out.outcome = TubeSearch::Outcome::kEmpty;
+      return out;
+    }
+    shrink = std::max(shrink, radius(met) / radius(x[static_cast<std::size_t>(rest[i])]));
+    z[i] = met;
+  }
+  if (shrink > 1.5) return out;
+  recenter(&tube, &z);
+  const double reach = 0.125 * (x[pivot].hi() - x[pivot].lo());
+  tube.w_lo = x[pivot].lo() - reach, tube.w_hi = x[pivot].hi() + reach;
+  const Vector covered = z;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double r = std::max({-z[i].lo(), z[i].hi(), -covered[i].lo(), covered[i].hi()});
+      const double least = 0.01 * radius(x[static_cast<std::size_t>(rest[i])]);
+      z[i] = around(0, 1.25 * r + least);
+    }
+    if (prove(s1, s2, &tube, &z)) {
+      out.outcome = TubeSearch::Outcome::kTube;
+      return out;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!is_common(z[i])) return out;
+  }
+  return out;
+}
+
+Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
+            double w) {
+  const auto rest = others(tube.pivot);
+  Box4 x = tube.over(Interval(w));
+  for (int step = 0; step < 6; ++step) {
+    Point4 center{};
+    for (std::size_t i = 0; i < 4; ++i) center[i] = middle(x[i]);
+    center[static_cast<std::size_t>(tube.pivot)] = w;
+    const Vector newton = times(tube.inverse, gap_at(s1, s2, center));
+    Box4 next = x;
+    bool is_narrower = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(rest[i]);
+      Interval moved = Interval(center[k]) - newton[i];
+      for (std::size_t j = 0; j < 3; ++j) {
+        const auto l = static_cast<std::size_t>(rest[j]);
+        moved = moved + tube.excess[i][j] * (x[l] - Interval(center[l]));
+      }
+      next[k] = intersection(x[k], moved);
+      is_narrower = is_narrower || radius(next[k]) < 0.5 * radius(x[k]);
+    }
+    VT_CHECK(!next.is_empty(), "the arc of a proved tube has vanished");
+    x = next;
+    if (!is_narrower) break;
+  }
+  return x;
+}
+
+std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const EnclosedSurface& s2,
+                                          const IntersectionTube& tube, double w_lo, double w_hi) {
+  const double w = w_lo + 0.5 * (w_hi - w_lo);
+  const Box4 at = locate(s1, s2, tube, w);
+  IntersectionTube out = tube;
+  out.w_lo = w_lo, out.w_hi = w_hi;
+  const auto rest = others(tube.pivot);
+  Vector z;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out.center[i] = static_cast<int>(i) == tube.pivot ? w : middle(at[i]);
+    if (static_cast<int>(i) != tube.pivot) out.slope[i] = middle(tube.derivative[i]);
+  }
+  const double half = 0.5 * (w_hi - w_lo);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(rest[i]);
+    z[i] = around(0, 1.25 * (radius(tube.derivative[k]) * half + radius(at[k])) + 0x1p-60 * half);
+  }
+  if (prove(s1, s2, &out, &z)) return out;
+  return std::nullopt;
+}
+
+}  // namespace veritope

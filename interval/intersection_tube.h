@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// interval/intersection_tube.h: proofs that two surfaces meet in exactly one arc inside of a slanted box of their
+// four parameters. Krawczyk's operator for a system of three equations with a parameter; slanted boxes as in
+// parallelotope continuation [MGG13].
+#pragma once
+#include <array>
+#include <optional>
+
+#include "interval/enclosed_surface.h"
+
+namespace veritope {
+
+using Box4 = Box<4>;
+using Point4 = std::array<double, 4>;
+
+/// Parameters x = (u, v, s, t): u, v of the first surface, s, t of the second, working ones. The tube is
+///   { x : x[pivot] = w in [w_lo, w_hi], x[i] - center[i] - slope[i] (w - center[pivot]) in offset[i] for i != pivot }.
+/// Claim: for every w in [w_lo, w_hi] the surfaces S1(u, v) = S2(s, t) have exactly one common point in the tube, inside of it.
+/// They form one arc. Beyond their domains the surfaces are continued.
+struct IntersectionTube {
+  int pivot = 0;
+  double w_lo = 0, w_hi = 0;
+  Point4 center{}, slope{};
+  Box4 offset;      // [0, 0] at the pivot
+  Box4 derivative;  // of the arc's parameters by w
+  /// +1 if the arc runs along n1 x n2 with increasing w, -1 if against it.
+  int direction = 0;
+  std::array<std::array<double, 3>, 3> inverse{};  // of the other columns' Jacobian, approximately
+  std::array<std::array<Interval, 3>, 3> excess;   // identity - inverse * Jacobian over the tube
+
+  /// A box around the part of the tube over w.
+  Box4 over(const Interval& w) const;
+  /// Whether all of x lies in the tube, or in its inside.
+  bool contains(const Box4& x) const;
+};
+
+struct TubeSearch {
+  enum class Outcome {
+    kEmpty,    ///< no common point in the box
+    kTube,     ///< all common points in the box lie in `tube`
+    kUnknown,  ///< too large, or close to tangential
+  };
+  Outcome outcome = Outcome::kUnknown;
+  IntersectionTube tube;
+};
+
+/// All functions REQUIRE a live ScopedUpward.
+/// @param x   a rectangle of parameters of each surface; `first` and `second` their derivatives over x
+TubeSearch find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x,
+                     const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt);
+
+/// The arc's parameters at w: a narrow box. REQUIRES w in [w_lo, w_hi].
+Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
+            double w);
+
+/// The same tube over a part of its range, with tighter offsets and derivatives. Nothing if they do not get tighter.
+std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const EnclosedSurface& s2,
+                                          const IntersectionTube& tube, double w_lo, double w_hi);
+
+}  // namespace veritope

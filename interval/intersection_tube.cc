@@ -153,6 +153,28 @@ bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tub
   return true;
 }
 
+/// The inverse of the columns' middles but the pivot's; false if there is none in doubles.
+bool choose_inverse(const Columns& columns, IntersectionTube* tube) {
+  const auto rest = others(tube->pivot);
+  std::array<std::array<double, 3>, 3> kept{};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t c = 0; c < 3; ++c)
+      kept[j][c] = middle(columns[static_cast<std::size_t>(rest[j])][c]);
+  return invert(kept, &tube->inverse);
+}
+
+/// The arc's direction where the columns have their middles.
+void choose_slope(const Columns& columns, IntersectionTube* tube) {
+  const auto rest = others(tube->pivot);
+  tube->slope[static_cast<std::size_t>(tube->pivot)] = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double s = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      s -= tube->inverse[i][c] * middle(columns[static_cast<std::size_t>(tube->pivot)][c]);
+    tube->slope[static_cast<std::size_t>(rest[i])] = s;
+  }
+}
+
 /// Chooses the pivot: the parameter along which the arc is longest in the box's own scale. False if the surfaces
 /// are tangential in doubles.
 bool choose_chart(const Box4& x, const Columns& columns, IntersectionTube* tube) {
@@ -174,20 +196,9 @@ bool choose_chart(const Box4& x, const Columns& columns, IntersectionTube* tube)
   }
   const double scale = std::max({norm[0], norm[1], norm[2], norm[3]});
   if (!(best > 1e-14 * scale * scale * scale)) return false;
-  const auto rest = others(tube->pivot);
-  std::array<std::array<double, 3>, 3> kept{};
-  for (std::size_t j = 0; j < 3; ++j)
-    for (std::size_t c = 0; c < 3; ++c)
-      kept[j][c] = middle(columns[static_cast<std::size_t>(rest[j])][c]);
-  if (!invert(kept, &tube->inverse)) return false;
+  if (!choose_inverse(columns, tube)) return false;
   for (std::size_t k = 0; k < 4; ++k) tube->center[k] = middle(x[k]);
-  tube->slope[static_cast<std::size_t>(tube->pivot)] = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double s = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      s -= tube->inverse[i][c] * middle(columns[static_cast<std::size_t>(tube->pivot)][c]);
-    tube->slope[static_cast<std::size_t>(rest[i])] = s;
-  }
+  choose_slope(columns, tube);
   tube->direction = (best_minor > 0) == (tube->pivot % 2 == 0) ? -1 : 1;
   return true;
 }
@@ -285,30 +296,59 @@ TubeSearch find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2, const
   return out;
 }
 
+namespace {
+
+/// Krawczyk's operator at w about the middle of x: all solutions in x lie in the result, too.
+Box4 contracted(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
+                double w, const Box4& x, const Matrix& inverse, const IntervalMatrix& excess) {
+  const auto rest = others(tube.pivot);
+  Point4 center{};
+  for (std::size_t i = 0; i < 4; ++i) center[i] = middle(x[i]);
+  center[static_cast<std::size_t>(tube.pivot)] = w;
+  const Vector newton = times(inverse, gap_at(s1, s2, center));
+  Box4 out = x;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(rest[i]);
+    Interval moved = Interval(center[k]) - newton[i];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto l = static_cast<std::size_t>(rest[j]);
+      moved = moved + excess[i][j] * (x[l] - Interval(center[l]));
+    }
+    out[k] = intersection(x[k], moved);
+  }
+  VT_CHECK(!out.is_empty(), "the arc of a proved tube has vanished");
+  return out;
+}
+
+constexpr int kMostSteps = 12;
+
+/// The least quotient of the sides' widths.
+double shrinkage(const Box4& now, const Box4& before) {
+  double out = 1;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (radius(before[i]) > 0) out = std::min(out, radius(now[i]) / radius(before[i]));
+  return out;
+}
+
+}  // namespace
+
 Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
             double w) {
-  const auto rest = others(tube.pivot);
   Box4 x = tube.over(Interval(w));
-  for (int step = 0; step < 6; ++step) {
-    Point4 center{};
-    for (std::size_t i = 0; i < 4; ++i) center[i] = middle(x[i]);
-    center[static_cast<std::size_t>(tube.pivot)] = w;
-    const Vector newton = times(tube.inverse, gap_at(s1, s2, center));
-    Box4 next = x;
-    bool is_narrower = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(rest[i]);
-      Interval moved = Interval(center[k]) - newton[i];
-      for (std::size_t j = 0; j < 3; ++j) {
-        const auto l = static_cast<std::size_t>(rest[j]);
-        moved = moved + tube.excess[i][j] * (x[l] - Interval(center[l]));
-      }
-      next[k] = intersection(x[k], moved);
-      is_narrower = is_narrower || radius(next[k]) < 0.5 * radius(x[k]);
-    }
-    VT_CHECK(!next.is_empty(), "the arc of a proved tube has vanished");
+  IntersectionTube local = tube;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Box4 next = contracted(s1, s2, tube, w, x, local.inverse, local.excess);
+    const double shrunk = shrinkage(next, x);
     x = next;
-    if (!is_narrower) break;
+    if (shrunk < 0.3) continue;
+    // The tube's Jacobians are too far apart: those of this box.
+    const Columns columns = columns_over(s1, s2, x);
+    if (!choose_inverse(columns, &local)) break;
+    local.excess = linearise(local, columns).excess;
+    const Box4 again = contracted(s1, s2, tube, w, x, local.inverse, local.excess);
+    const double better = shrinkage(again, x);
+    x = again;
+    if (better > 0.5) break;
   }
   return x;
 }
@@ -319,18 +359,25 @@ std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const Enclo
   const Box4 at = locate(s1, s2, tube, w);
   IntersectionTube out = tube;
   out.w_lo = w_lo, out.w_hi = w_hi;
-  const auto rest = others(tube.pivot);
-  Vector z;
-  for (std::size_t i = 0; i < 4; ++i) {
+  const Columns columns = columns_over(s1, s2, at);
+  if (!is_bounded(columns) || !choose_inverse(columns, &out)) return std::nullopt;
+  for (std::size_t i = 0; i < 4; ++i)
     out.center[i] = static_cast<int>(i) == tube.pivot ? w : middle(at[i]);
-    if (static_cast<int>(i) != tube.pivot) out.slope[i] = middle(tube.derivative[i]);
-  }
+  choose_slope(columns, &out);
+  const auto rest = others(tube.pivot);
   const double half = 0.5 * (w_hi - w_lo);
+  Vector z;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(rest[i]);
-    z[i] = around(0, 1.25 * (radius(tube.derivative[k]) * half + radius(at[k])) + 0x1p-60 * half);
+    z[i] = around(0, 0.25 * radius(tube.derivative[k]) * half + 2 * radius(at[k]));
   }
-  if (prove(s1, s2, &out, &z)) return out;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const double least = 0x1p-60 * half;
+    for (Interval& side : z) side = around(0, 1.25 * std::max(-side.lo(), side.hi()) + least);
+    if (prove(s1, s2, &out, &z)) return out;
+    for (const Interval& side : z)
+      if (!is_common(side)) return std::nullopt;
+  }
   return std::nullopt;
 }
 

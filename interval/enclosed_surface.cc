@@ -138,9 +138,29 @@ Interval EnclosedSurface::local(std::size_t axis, std::size_t span, double param
 
 Box3 EnclosedSurface::point(double u, double v) const {
   const std::size_t i = span_of(0, u), j = span_of(1, v);
+  return point_at(i, j, local(0, i, u), local(1, j, v));
+}
+
+Box3 EnclosedSurface::point_of_piece(std::size_t i, std::size_t j, const Interval& u,
+                                     const Interval& v) const {
+  const auto in_span = [&](std::size_t axis, std::size_t span, const Interval& x) {
+    const Interval a(breaks_[axis][span]), b(breaks_[axis][span + 1]);
+    return (x - a) / (b - a);
+  };
+  return point_at(i, j, in_span(0, i, u), in_span(1, j, v));
+}
+
+double EnclosedSurface::weight_spread(std::size_t i, std::size_t j) const {
+  if (!is_rational()) return 1;
+  const Interval w = internal::hull_of(piece(i, j) + 3 * net_count(), net_count());
+  return (Interval(w.hi()) / Interval(w.lo())).hi();
+}
+
+Box3 EnclosedSurface::point_at(std::size_t i, std::size_t j, const Interval& tu,
+                               const Interval& tv) const {
   const NetShape shape{degrees_[0] + 1, degrees_[1] + 1, static_cast<std::size_t>(num_components_)};
   WorkNet net(piece(i, j), shape.size());
-  const Interval tu = local(0, i, u), tv = local(1, j, v), one(1.0);
+  const Interval one(1.0);
   const Interval su = one - tu, sv = one - tv;
   Interval values[4];
   for (std::size_t c = 0; c < shape.components; ++c) {

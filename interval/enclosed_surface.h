@@ -36,6 +36,10 @@ class EnclosedSurface {
 
   /// The point at working parameters. Beyond the domain the last piece is continued.
   Box3 point(double u, double v) const;
+  /// Of one piece, continued beyond its borders, at a narrow box of parameters.
+  Box3 point_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v) const;
+  /// The largest weight of a piece's control points divided by the least, from above; 1 for polynomial pieces.
+  double weight_spread(std::size_t i, std::size_t j) const;
   /// Over a rectangle of working parameters, which may cross knots and the domain's border; there the derivatives
   /// are the hull of those of both sides. Excess width: first order in the rectangle's size. The whole of space where a continued
   /// piece's weight is not positive.
@@ -61,6 +65,7 @@ class EnclosedSurface {
   void range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v,
                       Range* out) const;
   Interval local(std::size_t axis, std::size_t span, double parameter) const;
+  Box3 point_at(std::size_t i, std::size_t j, const Interval& tu, const Interval& tv) const;
 
   std::array<std::size_t, 2> degrees_{};
   int num_components_ = 3;

@@ -33,7 +33,11 @@ class Clipper {
     if (arc.begin.hi() < arc.end.lo()) {
       arcs_->push_back(arc);
     } else {
-      fprintf(stderr,"DBG pivot %d w %.6g %.6g begin %.17g %.17g end %.17g %.17g\n",tube.pivot,tube.w_lo,tube.w_hi,arc.begin.lo(),arc.begin.hi(),arc.end.lo(),arc.end.hi()); for(int k=0;k<4;++k) fprintf(stderr,"  x %.6g %.6g d %.6g %.6g\n",x[k].lo(),x[k].hi(),tube.derivative[k].lo(),tube.derivative[k].hi());
+      fprintf(stderr, "DBG pivot %d w %.6g %.6g begin %.17g %.17g end %.17g %.17g\n", tube.pivot,
+              tube.w_lo, tube.w_hi, arc.begin.lo(), arc.begin.hi(), arc.end.lo(), arc.end.hi());
+      for (int k = 0; k < 4; ++k)
+        fprintf(stderr, "  x %.6g %.6g d %.6g %.6g\n", x[k].lo(), x[k].hi(),
+                tube.derivative[k].lo(), tube.derivative[k].hi());
       unresolved_->push_back(x);
     }
   }
@@ -55,7 +59,12 @@ class Clipper {
     const double middle = tube.w_lo + 0.5 * (tube.w_hi - tube.w_lo);
     const auto low = shortened(s1_, s2_, tube, tube.w_lo, middle);
     const auto high = shortened(s1_, s2_, tube, middle, tube.w_hi);
-    if (halvings >= kMostHalvings || !low || !high) { fprintf(stderr,"DBG halve %d %d %d  w %.6g %.6g\n",halvings,!!low,!!high,tube.w_lo,tube.w_hi);for(int k=0;k<4;++k) fprintf(stderr,"  x %.6g %.6g d %.6g %.6g\n",x[k].lo(),x[k].hi(),tube.derivative[k].lo(),tube.derivative[k].hi());
+    if (halvings >= kMostHalvings || !low || !high) {
+      fprintf(stderr, "DBG halve %d %d %d  w %.6g %.6g\n", halvings, !!low, !!high, tube.w_lo,
+              tube.w_hi);
+      for (int k = 0; k < 4; ++k)
+        fprintf(stderr, "  x %.6g %.6g d %.6g %.6g\n", x[k].lo(), x[k].hi(),
+                tube.derivative[k].lo(), tube.derivative[k].hi());
       unresolved_->push_back(x);
       return;
     }

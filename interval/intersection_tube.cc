@@ -353,6 +353,27 @@ Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const Intersec
   return x;
 }
 
+Point4 slope_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
+                const Box4& x) {
+  IntersectionTube local = tube;
+  const Columns columns = columns_over(s1, s2, x);
+  if (is_bounded(columns) && choose_inverse(columns, &local)) choose_slope(columns, &local);
+  return local.slope;
+}
+
+Box4 derivative_over(const IntersectionTube& tube, const Box3& du, const Box3& dv, const Box3& ds,
+                     const Box3& dt) {
+  const Columns columns = columns_of(du, dv, ds, dt);
+  IntersectionTube local = tube;
+  if (!is_bounded(columns) || !choose_inverse(columns, &local)) return tube.derivative;
+  choose_slope(columns, &local);
+  const Linear linear = linearise(local, columns);
+  Vector scale;  // any positive radii will do
+  for (std::size_t i = 0; i < 3; ++i) scale[i] = around(0, mag(linear.drift[i]) + 0x1p-60);
+  if (!set_derivative(linear, scale, &local)) return tube.derivative;
+  return intersection(local.derivative, tube.derivative);
+}
+
 std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                           const IntersectionTube& tube, double w_lo, double w_hi) {
   const double w = w_lo + 0.5 * (w_hi - w_lo);

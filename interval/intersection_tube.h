@@ -53,6 +53,15 @@ TubeSearch find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2, const
 Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
             double w);
 
+/// Approximately, the derivatives of the arc's parameters by w where it passes the narrow box x.
+Point4 slope_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
+                const Box4& x);
+
+/// The derivatives of the arc's parameters by w, over the part of the arc that lies in the box x of the tube: tighter than the
+/// tube's own where x is small. @param du... derivatives of the surfaces over x
+Box4 derivative_over(const IntersectionTube& tube, const Box3& du, const Box3& dv, const Box3& ds,
+                     const Box3& dt);
+
 /// The same tube over a part of its range, with tighter offsets and derivatives. Nothing if they do not get tighter.
 std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                           const IntersectionTube& tube, double w_lo, double w_hi);

@@ -229,30 +229,89 @@ void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interva
   }
 }
 
-EnclosedSurface::Range EnclosedSurface::range(const Interval& u, const Interval& v) const {
-  Range all{Box3::empty(), Box3::empty(), Box3::empty()};
+template <typename OnPiece>
+void EnclosedSurface::on_pieces(const Interval& u, const Interval& v, OnPiece on_piece) const {
   const std::size_t last_i = num_spans(0) - 1, last_j = num_spans(1) - 1;
   // A rectangle that ends on a knot needs nothing of the next piece: the derivatives are those of its inside.
   const auto last_span = [&](std::size_t axis, std::size_t first, double hi) {
     const std::size_t span = span_of(axis, hi);
     return std::max(first, span > 0 && hi == breaks_[axis][span] ? span - 1 : span);
   };
+  const auto part = [&](std::size_t axis, std::size_t span, std::size_t last, const Interval& x) {
+    const double lo = span == 0 ? x.lo() : std::max(x.lo(), breaks_[axis][span]);
+    const double hi = span == last ? x.hi() : std::min(x.hi(), breaks_[axis][span + 1]);
+    return Interval::from_bounds(lo, hi);
+  };
   const std::size_t i0 = span_of(0, u.lo()), i1 = last_span(0, i0, u.hi());
   const std::size_t j0 = span_of(1, v.lo()), j1 = last_span(1, j0, v.hi());
   for (std::size_t i = i0; i <= i1; ++i)
-    for (std::size_t j = j0; j <= j1; ++j) {
-      const auto part = [&](std::size_t axis, std::size_t span, std::size_t last,
-                            const Interval& x) {
-        const double lo = span == 0 ? x.lo() : std::max(x.lo(), breaks_[axis][span]);
-        const double hi = span == last ? x.hi() : std::min(x.hi(), breaks_[axis][span + 1]);
-        return Interval::from_bounds(lo, hi);
-      };
-      Range one;
-      range_of_piece(i, j, part(0, i, last_i, u), part(1, j, last_j, v), &one);
-      all.point = hull(all.point, one.point);
-      all.du = hull(all.du, one.du);
-      all.dv = hull(all.dv, one.dv);
-    }
+    for (std::size_t j = j0; j <= j1; ++j)
+      on_piece(i, j, part(0, i, last_i, u), part(1, j, last_j, v));
+}
+
+EnclosedSurface::Range EnclosedSurface::range(const Interval& u, const Interval& v) const {
+  Range all{Box3::empty(), Box3::empty(), Box3::empty()};
+  on_pieces(u, v,
+            [&](std::size_t i, std::size_t j, const Interval& part_u, const Interval& part_v) {
+              Range one;
+              range_of_piece(i, j, part_u, part_v, &one);
+              all.point = hull(all.point, one.point);
+              all.du = hull(all.du, one.du);
+              all.dv = hull(all.dv, one.dv);
+            });
+  return all;
+}
+
+EnclosedSurface::SecondRange EnclosedSurface::second_range(const Interval& u,
+                                                           const Interval& v) const {
+  SecondRange all{Box3::empty(), Box3::empty(), Box3::empty()};
+  const auto components = static_cast<std::size_t>(num_components_);
+  on_pieces(
+      u, v, [&](std::size_t i, std::size_t j, const Interval& part_u, const Interval& part_v) {
+        const Cut cut_u(local(0, i, part_u.lo()), local(0, i, part_u.hi()));
+        const Cut cut_v(local(1, j, part_v.lo()), local(1, j, part_v.hi()));
+        const Interval length_u = Interval(breaks_[0][i + 1]) - Interval(breaks_[0][i]);
+        const Interval length_v = Interval(breaks_[1][j + 1]) - Interval(breaks_[1][j]);
+        // Hulls of the derivative of order (a, b), homogeneous, by the true parameters.
+        const auto derivative = [&](int a, int b) {
+          NetShape shape{degrees_[0] + 1, degrees_[1] + 1, components};
+          std::vector<Interval> net(piece(i, j), piece(i, j) + shape.size()), next;
+          std::array<Interval, 4> out{};
+          Interval scale(1.0);
+          for (int k = 0; k < a + b; ++k) {
+            const std::size_t axis = k < a ? 0 : 1;
+            std::size_t& size = axis == 0 ? shape.rows : shape.columns;
+            if (size == 1) return out;  // of a polynomial of lower degree
+            next.clear();
+            append_derivative(net.data(), shape, axis, &next);
+            net.swap(next);
+            --size;
+            scale = scale * (axis == 0 ? length_u : length_v);
+          }
+          internal::restrict_net(net.data(), shape, cut_u, cut_v);
+          for (std::size_t c = 0; c < components; ++c)
+            out[c] = internal::hull_of(net.data() + c * shape.count(), shape.count()) / scale;
+          return out;
+        };
+        auto uu = derivative(2, 0), uv = derivative(1, 1), vv = derivative(0, 2);
+        if (is_rational()) {
+          // (S w)'' = S'' w + S' w' + S' w' + S w''.
+          Range first;
+          range_of_piece(i, j, part_u, part_v, &first);
+          const auto du = derivative(1, 0), dv = derivative(0, 1), value = derivative(0, 0);
+          for (std::size_t c = 0; c < 3; ++c) {
+            uu[c] =
+                (uu[c] - Interval(2.0) * first.du[c] * du[3] - first.point[c] * uu[3]) / value[3];
+            uv[c] = (uv[c] - first.du[c] * dv[3] - first.dv[c] * du[3] - first.point[c] * uv[3]) /
+                    value[3];
+            vv[c] =
+                (vv[c] - Interval(2.0) * first.dv[c] * dv[3] - first.point[c] * vv[3]) / value[3];
+          }
+        }
+        all.duu = hull(all.duu, Box3(uu[0], uu[1], uu[2]));
+        all.duv = hull(all.duv, Box3(uv[0], uv[1], uv[2]));
+        all.dvv = hull(all.dvv, Box3(vv[0], vv[1], vv[2]));
+      });
   return all;
 }
 

@@ -22,6 +22,11 @@ class EnclosedSurface {
     Box3 point, du, dv;
   };
 
+  /// Boxes around the second derivatives.
+  struct SecondRange {
+    Box3 duu, duv, dvv;
+  };
+
   /// @error kBadArgument: not in space; a weight that is not positive; pieces that do not meet along a knot; knots that are the
   ///   same binary64 number; kOverLimit: coordinates beyond 2^300 (their products could overflow)
   static Result<EnclosedSurface> make(const BSpline<Rational, 2>& surface);
@@ -45,6 +50,9 @@ class EnclosedSurface {
   /// piece's weight is not positive.
   Range range(const Interval& u, const Interval& v) const;
 
+  /// The second derivatives over a rectangle, as range().
+  SecondRange second_range(const Interval& u, const Interval& v) const;
+
   /// The true parameter of a working one: an enclosure.
   Interval true_parameter(std::size_t axis, const Interval& working) const;
 
@@ -62,6 +70,8 @@ class EnclosedSurface {
  private:
   EnclosedSurface() = default;
   std::size_t span_of(std::size_t axis, double parameter) const;
+  template <typename OnPiece>
+  void on_pieces(const Interval& u, const Interval& v, OnPiece on_piece) const;
   void range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v,
                       Range* out) const;
   Interval local(std::size_t axis, std::size_t span, double parameter) const;

@@ -12,6 +12,8 @@
 namespace veritope {
 namespace {
 
+double middle_of(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+
 /// Ids by cells of the first surface's parameters.
 class ArcGrid {
  public:
@@ -143,9 +145,6 @@ class Joiner {
   bool starts_at_end(std::size_t a) const { return arc(a).tube.direction < 0; }
   bool starts_on_border(std::size_t a) const { return is_on_border(a, starts_at_end(a)); }
   bool finishes_on_border(std::size_t a) const { return is_on_border(a, !starts_at_end(a)); }
-  const std::vector<std::size_t>& finish_holders(std::size_t a) const {
-    return holders_[2 * a + (starts_at_end(a) ? 0 : 1)];
-  }
   double start_w(std::size_t a) const {
     return starts_at_end(a) ? arc(a).end.lo() : arc(a).begin.hi();
   }
@@ -155,50 +154,63 @@ class Joiner {
 
   /// How far in space arc b goes on behind the finish of a.
   double progress(const Box4& x, std::size_t b) const {
-    const double w = 0.5 * (pivot_of(x, b).lo() + pivot_of(x, b).hi());
+    const double w = middle_of(pivot_of(x, b));
     return std::abs(finish_w(b) - w) / (arc(b).tube.w_hi - arc(b).tube.w_lo) * width(range_box(b));
+  }
+
+  const std::vector<std::size_t>& start_holders(std::size_t a) const {
+    return holders_[2 * a + (starts_at_end(a) ? 1 : 0)];
+  }
+  /// An arc at which its branch begins, or any one of a closed branch.
+  std::size_t first_of(const std::vector<std::size_t>& ids) const {
+    for (const bool on_border : {true, false})
+      for (const std::size_t a : ids)
+        if (on_border ? starts_on_border(a) : start_holders(a).empty()) return a;
+    return ids.front();
   }
 
   void walk_all() {
     std::vector<std::vector<std::size_t>> members(parent_.size());
     for (std::size_t a = 0; a < parent_.size(); ++a) members[root(a)].push_back(a);
-    for (const auto& ids : members) {
-      if (ids.empty()) continue;
-      const auto start =
-          std::find_if(ids.begin(), ids.end(), [&](std::size_t a) { return starts_on_border(a); });
-      walk(start != ids.end() ? *start : ids.front(), start == ids.end(), ids.size());
-    }
+    for (const auto& ids : members)
+      if (!ids.empty()) out_->chains.push_back(walk(first_of(ids), ids.size()));
   }
 
-  void walk(std::size_t first, bool is_closed, std::size_t most) {
+  /// Steps on to the arc that goes farthest, until the border, the first arc or an unknown place.
+  BranchChain walk(std::size_t first, std::size_t most) {
+    const bool starts_open = !starts_on_border(first) && start_holders(first).empty();
+    const bool may_close = !starts_on_border(first) && !starts_open;
     BranchChain chain;
-    chain.is_closed = is_closed;
+    chain.is_partial = starts_open;
     std::size_t a = first;
     double from = start_w(first);
     for (std::size_t count = 0;; ++count) {
       chain.steps.push_back({a, from, finish_w(a)});
       if (finishes_on_border(a)) {
-        if (is_closed) return give_up(first);  // it has a start on the border, too
-        break;
+        chain.is_partial = chain.is_partial || may_close;
+        return chain;
       }
-      const auto& holders = finish_holders(a);
-      if (holders.empty() || count > most) return give_up(first);
+      const auto& holders = holders_[2 * a + (starts_at_end(a) ? 0 : 1)];
+      if (holders.empty() || count > most) {
+        if (count > most) out_->unresolved.push_back(range_box(a));
+        chain.is_partial = true;
+        return chain;
+      }
       const Box4 x = locate(s1_, s2_, arc(a).tube, finish_w(a));
-      if (is_closed && count > 0 &&
+      if (may_close && count > 0 &&
           std::find(holders.begin(), holders.end(), first) != holders.end()) {
         // The first arc is entered where the last one ends.
-        chain.steps.front().from = 0.5 * (pivot_of(x, first).lo() + pivot_of(x, first).hi());
-        break;
+        chain.is_closed = true;
+        chain.steps.front().from = middle_of(pivot_of(x, first));
+        return chain;
       }
       std::size_t next = holders.front();
       for (const std::size_t b : holders)
         if (progress(x, b) > progress(x, next)) next = b;
-      from = 0.5 * (pivot_of(x, next).lo() + pivot_of(x, next).hi());
+      from = middle_of(pivot_of(x, next));
       a = next;
     }
-    out_->chains.push_back(std::move(chain));
   }
-  void give_up(std::size_t a) { out_->unresolved.push_back(range_box(a)); }
 
   struct Maybe {
     std::size_t a, b;

@@ -23,9 +23,12 @@ struct BranchStep {
   std::size_t arc;
   double from, to;
 };
-/// A connected component of the common points in the closed domains: a closed curve, or one between two points of the border.
+/// A connected component of the common points in the closed domains: a closed curve, or one between two points of the
+/// border.
 struct BranchChain {
   bool is_closed = false;
+  /// Begins or ends where it is not known how it goes on: `unresolved` has the place.
+  bool is_partial = false;
   std::vector<BranchStep> steps;
 };
 

@@ -7,7 +7,8 @@
 namespace veritope {
 namespace {
 
-constexpr int kMostHalvings = 24;
+/// Deeper, a tube gets as narrow as the boxes of single points, and what it holds cannot be told.
+constexpr int kMostHalvings = 14;
 
 class Clipper {
  public:
@@ -19,6 +20,10 @@ class Clipper {
 
   void clip(const IntersectionTube& tube, int halvings) {
     DomainArc arc{tube, Interval(tube.w_lo), Interval(tube.w_hi)};
+    if (is_inside(tube.over(Interval::from_bounds(tube.w_lo, tube.w_hi)))) {
+      arcs_->push_back(arc);
+      return;
+    }
     const Box4 x = box_of(tube);
     for (std::size_t i = 0; i < 4; ++i) {
       if (is_disjoint(x[i], domain_[i])) return;
@@ -33,16 +38,16 @@ class Clipper {
     if (arc.begin.hi() < arc.end.lo()) {
       arcs_->push_back(arc);
     } else {
-      fprintf(stderr, "DBG pivot %d w %.6g %.6g begin %.17g %.17g end %.17g %.17g\n", tube.pivot,
-              tube.w_lo, tube.w_hi, arc.begin.lo(), arc.begin.hi(), arc.end.lo(), arc.end.hi());
-      for (int k = 0; k < 4; ++k)
-        fprintf(stderr, "  x %.6g %.6g d %.6g %.6g\n", x[k].lo(), x[k].hi(),
-                tube.derivative[k].lo(), tube.derivative[k].hi());
       unresolved_->push_back(x);
     }
   }
 
  private:
+  bool is_inside(const Box4& x) const {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!is_subset(x[i], domain_[i])) return false;
+    return true;
+  }
   /// As tight as the derivative allows.
   Box4 box_of(const IntersectionTube& tube) const {
     const Interval w = Interval::from_bounds(tube.w_lo, tube.w_hi);
@@ -57,23 +62,16 @@ class Clipper {
 
   void halve(const IntersectionTube& tube, const Box4& x, int halvings) {
     const double middle = tube.w_lo + 0.5 * (tube.w_hi - tube.w_lo);
-    const auto low = shortened(s1_, s2_, tube, tube.w_lo, middle);
-    const auto high = shortened(s1_, s2_, tube, middle, tube.w_hi);
+    // The halves share more than one point, so that each holds an end of the other.
+    const double reach = 0x1p-6 * (tube.w_hi - tube.w_lo);
+    const auto low = shortened(s1_, s2_, tube, tube.w_lo, middle + reach);
+    const auto high = shortened(s1_, s2_, tube, middle - reach, tube.w_hi);
     if (halvings >= kMostHalvings || !low || !high) {
-      fprintf(stderr, "DBG halve %d %d %d  w %.6g %.6g\n", halvings, !!low, !!high, tube.w_lo,
-              tube.w_hi);
-      for (int k = 0; k < 4; ++k)
-        fprintf(stderr, "  x %.6g %.6g d %.6g %.6g\n", x[k].lo(), x[k].hi(),
-                tube.derivative[k].lo(), tube.derivative[k].hi());
       unresolved_->push_back(x);
       return;
     }
-    // The halves share one point, so each gets a little of the other.
-    const double reach = 0x1p-6 * (tube.w_hi - tube.w_lo);
-    const auto low_more = shortened(s1_, s2_, tube, tube.w_lo, middle + reach);
-    const auto high_more = shortened(s1_, s2_, tube, middle - reach, tube.w_hi);
-    clip(low_more ? *low_more : *low, halvings + 1);
-    clip(high_more ? *high_more : *high, halvings + 1);
+    clip(*low, halvings + 1);
+    clip(*high, halvings + 1);
   }
 
   /// -1 before, +1 behind, 0 unknown: parameter i against the bound, at w.

@@ -336,19 +336,18 @@ Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const Intersec
             double w) {
   Box4 x = tube.over(Interval(w));
   IntersectionTube local = tube;
+  bool is_local = false;
   for (int step = 0; step < kMostSteps; ++step) {
     const Box4 next = contracted(s1, s2, tube, w, x, local.inverse, local.excess);
     const double shrunk = shrinkage(next, x);
     x = next;
-    if (shrunk < 0.3) continue;
-    // The tube's Jacobians are too far apart: those of this box.
+    if (shrunk < 0.05) continue;
+    if (is_local && shrunk > 0.5) break;
+    // The Jacobians in use are too far apart: those of this box.
     const Columns columns = columns_over(s1, s2, x);
-    if (!choose_inverse(columns, &local)) break;
+    if (!is_bounded(columns) || !choose_inverse(columns, &local)) break;
     local.excess = linearise(local, columns).excess;
-    const Box4 again = contracted(s1, s2, tube, w, x, local.inverse, local.excess);
-    const double better = shrinkage(again, x);
-    x = again;
-    if (better > 0.5) break;
+    is_local = true;
   }
   return x;
 }

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "interval/surface_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "interval/intersection_clip.h"
+#include "interval/intersection_contact.h"
+#include "interval/upward.h"
+
+namespace veritope {
+namespace {
+
+double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+
+Result<EnclosedSurface> prepared(const BSpline<Rational, 2>& surface, const char* which) {
+  auto made = EnclosedSurface::make(surface);
+  if (made) return made;
+  Error error = made.error();
+  error.message = std::string("the ") + which + " surface: " + error.message;
+  return error;
+}
+
+class Intersector {
+ public:
+  Intersector(const BSpline<Rational, 2>& first, const BSpline<Rational, 2>& second,
+              const EnclosedSurface& s1, const EnclosedSurface& s2,
+              const IntersectionOptions& options)
+      : first_(first), second_(second), s1_(s1), s2_(s2), options_(options) {}
+
+  SurfaceIntersection run() {
+    const IntersectionCover cover = cover_intersection(s1_, s2_, options_.budget);
+    out_.pairs = cover.pairs, out_.proofs = cover.proofs;
+    const BranchSet set = join_branches(s1_, s2_, cover.tubes);
+    for (const BranchChain& chain : set.chains) add_branch(set, chain);
+    add_contacts(cover.undecided, "the subdivision's budget was spent", true);
+    add_contacts(set.unresolved,
+                 "a branch touches the border of a domain, or its continuation is not decided",
+                 false);
+    return std::move(out_);
+  }
+
+ private:
+  double wanted_gap() const {
+    if (options_.gap > 0) return options_.gap;
+    const Box3 box = s1_.range(parameter_domain(s1_, s2_, 0), parameter_domain(s1_, s2_, 1)).point;
+    return 0x1p-24 * width(box);
+  }
+
+  void add_branch(const BranchSet& set, const BranchChain& chain) {
+    IntersectionBranch branch;
+    branch.is_closed = chain.is_closed, branch.is_partial = chain.is_partial;
+    branch.num_boxes = chain.steps.size();
+    branch.segments = trace_branch(s1_, s2_, set, chain, wanted_gap());
+    for (const CurveSegment& s : branch.segments) {
+      branch.length = branch.length + s.length;
+      branch.gap = std::max(branch.gap, s.gap);
+    }
+    out_.branches.push_back(std::move(branch));
+  }
+
+  void add_contacts(const std::vector<Box4>& boxes, const char* reason, bool may_touch) {
+    for (const auto& cluster : clusters_of(boxes)) {
+      IntersectionContact contact;
+      contact.parameters = boxes[cluster.front()];
+      for (const std::size_t i : cluster) contact.parameters = hull(contact.parameters, boxes[i]);
+      contact.num_boxes = cluster.size();
+      contact.reason = reason;
+      if (may_touch) classify(boxes, cluster, &contact);
+      contact.space = s1_.range(contact.parameters[0], contact.parameters[1]).point;
+      list_of(contact.kind).push_back(std::move(contact));
+    }
+  }
+  std::vector<IntersectionContact>& list_of(IntersectionContact::Kind kind) {
+    if (kind == IntersectionContact::Kind::kOverlap) return out_.overlaps;
+    return kind == IntersectionContact::Kind::kTangency ? out_.tangencies : out_.unresolved;
+  }
+
+  void classify(const std::vector<Box4>& boxes, const std::vector<std::size_t>& cluster,
+                IntersectionContact* contact) {
+    if (const auto normal = find_common_normal(s1_, s2_, contact->parameters)) {
+      contact->kind = IntersectionContact::Kind::kTangency;
+      contact->shape = normal->shape;
+      contact->separation = normal->separation;
+      contact->parameters = hull(contact->parameters, normal->parameters);
+      contact->reason.clear();
+      return;
+    }
+    std::vector<Point4> pairs;
+    for (const std::size_t i : cluster)
+      if (auto x = foot_points(boxes[i])) pairs.push_back(*x);
+    const auto overlap = find_overlap(first_, second_, pairs);
+    if (!overlap) return;
+    std::vector<Box4> beside;
+    for (const std::size_t i : cluster)
+      if (!holds_all_of(s1_, s2_, *overlap, boxes[i])) beside.push_back(boxes[i]);
+    if (!beside.empty())
+      add_contacts(beside, "beside an overlap, where a surface is not shown to be one-to-one",
+                   false);
+    contact->kind = IntersectionContact::Kind::kOverlap;
+    contact->parameters = overlap->parameters;
+    contact->num_boxes -= beside.size();
+    contact->reason.clear();
+  }
+
+  /// Gauss-Newton for (s, t) with (u, v) fixed at the box's middle, in doubles: nothing if no near point of the second surface is
+  /// as good as equal.
+  std::optional<Point4> foot_points(const Box4& x) const {
+    Point4 p{middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])};
+    const Box3 at = s1_.point(p[0], p[1]);
+    for (int step = 0; step < 12; ++step) {
+      const auto r = s2_.range(Interval(p[2]), Interval(p[3]));
+      double a = 0, b = 0, c = 0, f = 0, g = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double d = middle(at[i]) - middle(r.point[i]), s = middle(r.du[i]),
+                     t = middle(r.dv[i]);
+        a += s * s, b += s * t, c += t * t, f += d * s, g += d * t;
+      }
+      const double det = a * c - b * b;
+      if (!(det > 0)) return std::nullopt;
+      p[2] += (f * c - g * b) / det, p[3] += (a * g - b * f) / det;
+    }
+    const Box3 apart = at - s2_.point(p[2], p[3]);
+    const bool is_inside = is_member(p[2], parameter_domain(s1_, s2_, 2)) &&
+                           is_member(p[3], parameter_domain(s1_, s2_, 3));
+    return is_inside && mag(apart[0]) + mag(apart[1]) + mag(apart[2]) <
+                            1e-9 * (1 + width(s1_.hull_of_net(s1_.piece(0, 0))))
+               ? std::optional(p)
+               : std::nullopt;
+  }
+
+  const BSpline<Rational, 2>&first_, &second_;
+  const EnclosedSurface &s1_, &s2_;
+  const IntersectionOptions& options_;
+  SurfaceIntersection out_;
+};
+
+}  // namespace
+
+Result<SurfaceIntersection> intersect(const BSpline<Rational, 2>& first,
+                                      const BSpline<Rational, 2>& second,
+                                      const IntersectionOptions& options) {
+  const ScopedUpward upward;
+  const auto s1 = prepared(first, "first"), s2 = prepared(second, "second");
+  if (!s1) return s1.error();
+  if (!s2) return s2.error();
+  return Intersector(first, second, *s1, *s2, options).run();
+}
+
+}  // namespace veritope

@@ -392,8 +392,11 @@ std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const Enclo
     z[i] = around(0, 0.25 * radius(tube.derivative[k]) * half + 2 * radius(at[k]));
   }
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const double least = 0x1p-60 * half;
-    for (Interval& side : z) side = around(0, 1.25 * std::max(-side.lo(), side.hi()) + least);
+    // Wide enough for the boxes of single points, also in parameters that are linear along the arc.
+    const double part = 0.1 * half / (0.5 * (tube.w_hi - tube.w_lo));
+    for (std::size_t i = 0; i < 3; ++i)
+      z[i] = around(0, 1.25 * std::max(-z[i].lo(), z[i].hi()) +
+                           part * radius(tube.offset[static_cast<std::size_t>(rest[i])]));
     if (prove(s1, s2, &out, &z)) return out;
     for (const Interval& side : z)
       if (!is_common(side)) return std::nullopt;

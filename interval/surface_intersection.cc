@@ -33,7 +33,9 @@ class Intersector {
     const IntersectionCover cover = cover_intersection(s1_, s2_, options_.budget);
     out_.pairs = cover.pairs, out_.proofs = cover.proofs;
     const BranchSet set = join_branches(s1_, s2_, cover.tubes);
-    for (const BranchChain& chain : set.chains) add_branch(set, chain);
+    const std::vector<Box4> open = hulls_of(set.unresolved);
+    for (const BranchChain& chain : set.chains)
+      if (!chain.is_partial || !lies_in_one(set, chain, open)) add_branch(set, chain);
     add_contacts(cover.undecided, "the subdivision's budget was spent", true);
     add_contacts(set.unresolved,
                  "a branch touches the border of a domain, or its continuation is not decided",
@@ -46,6 +48,25 @@ class Intersector {
     if (options_.gap > 0) return options_.gap;
     const Box3 box = s1_.range(parameter_domain(s1_, s2_, 0), parameter_domain(s1_, s2_, 1)).point;
     return 0x1p-24 * width(box);
+  }
+
+  static std::vector<Box4> hulls_of(const std::vector<Box4>& boxes) {
+    std::vector<Box4> out;
+    for (const auto& cluster : clusters_of(boxes)) {
+      out.push_back(boxes[cluster.front()]);
+      for (const std::size_t i : cluster) out.back() = hull(out.back(), boxes[i]);
+    }
+    return out;
+  }
+  /// Whether a partial branch is nothing but a piece of an undecided place.
+  static bool lies_in_one(const BranchSet& set, const BranchChain& chain,
+                          const std::vector<Box4>& places) {
+    return std::any_of(places.begin(), places.end(), [&](const Box4& place) {
+      return std::all_of(chain.steps.begin(), chain.steps.end(), [&](const BranchStep& step) {
+        const auto [lo, hi] = std::minmax(step.from, step.to);
+        return is_subset(set.arcs[step.arc].tube.over(Interval::from_bounds(lo, hi)), place);
+      });
+    });
   }
 
   void add_branch(const BranchSet& set, const BranchChain& chain) {

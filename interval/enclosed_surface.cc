@@ -116,7 +116,10 @@ Result<EnclosedSurface> EnclosedSurface::make(const BSpline<Rational, 2>& surfac
           (j > 0 && border(piece, 1, false) != border(pieces.at({i, j - 1}), 1, true)))
         return refused(cell_name(i, j) + " does not meet the one before it along a knot");
       const std::size_t first = out.nets_.size();
-      for (const Rational& v : piece.coefficients()) out.nets_.push_back(enclose(v));
+      for (const Rational& v : piece.coefficients()) {
+        out.exact_.push_back(v);
+        out.nets_.push_back(enclose(v));
+      }
       append_derivative(out.nets_.data() + first, shape, 0, &out.du_);
       append_derivative(out.nets_.data() + first, shape, 1, &out.dv_);
     }
@@ -148,6 +151,37 @@ Box3 EnclosedSurface::point_of_piece(std::size_t i, std::size_t j, const Interva
     return (x - a) / (b - a);
   };
   return point_at(i, j, in_span(0, i, u), in_span(1, j, v));
+}
+
+std::array<MpInterval, 4> EnclosedSurface::precise_point(double u, double v, int precision) const {
+  const std::size_t i = span_of(0, u), j = span_of(1, v);
+  const auto number = [&](double x) { return MpInterval(Rational::from_double(x), precision); };
+  const auto in_span = [&](std::size_t axis, std::size_t span, double x) {
+    const MpInterval a = number(breaks_[axis][span]), b = number(breaks_[axis][span + 1]);
+    return (number(x) - a) / (b - a);
+  };
+  const MpInterval tu = in_span(0, i, u), tv = in_span(1, j, v), one = number(1);
+  const MpInterval su = one - tu, sv = one - tv;
+  // De Casteljau's first point of a line.
+  const auto reduce = [](std::vector<MpInterval>* line, const MpInterval& s, const MpInterval& t) {
+    for (std::size_t n = line->size() - 1; n > 0; --n)
+      for (std::size_t k = 0; k < n; ++k) (*line)[k] = s * (*line)[k] + t * (*line)[k + 1];
+    return line->front();
+  };
+  const std::size_t rows = degrees_[0] + 1, columns = degrees_[1] + 1;
+  const Rational* const net = exact_.data() + (i * num_spans(1) + j) * net_size();
+  std::array<MpInterval, 4> out{one, one, one, one};
+  for (std::size_t c = 0; c < static_cast<std::size_t>(num_components_); ++c) {
+    std::vector<MpInterval> ends;
+    for (std::size_t row = 0; row < rows; ++row) {
+      std::vector<MpInterval> line;
+      for (std::size_t k = 0; k < columns; ++k)
+        line.emplace_back(net[c * net_count() + row * columns + k], precision);
+      ends.push_back(reduce(&line, sv, tv));
+    }
+    out[c] = reduce(&ends, su, tu);
+  }
+  return out;
 }
 
 double EnclosedSurface::weight_spread(std::size_t i, std::size_t j) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interval/box.h"
+#include "interval/mp_interval.h"
 #include "robust/base/result.h"
 #include "splines/bspline.h"
 
@@ -41,6 +42,8 @@ class EnclosedSurface {
 
   /// The point at working parameters. Beyond the domain the last piece is continued.
   Box3 point(double u, double v) const;
+  /// As point(), in MPFR intervals of `precision` bits from the exact coefficients; homogeneous with weight 1 if polynomial.
+  std::array<MpInterval, 4> precise_point(double u, double v, int precision) const;
   /// Of one piece, continued beyond its borders, at a narrow box of parameters.
   Box3 point_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v) const;
   /// The largest weight of a piece's control points divided by the least, from above; 1 for polynomial pieces.
@@ -81,7 +84,8 @@ class EnclosedSurface {
   int num_components_ = 3;
   std::array<std::vector<double>, 2> breaks_;
   std::array<std::vector<Rational>, 2> knots_;
-  std::vector<Interval> nets_;     // of all pieces
+  std::vector<Rational> exact_;  // coefficients of all pieces
+  std::vector<Interval> nets_;   // around them
   std::vector<Interval> du_, dv_;  // derivatives by the local parameters, degrees one less
 };
 

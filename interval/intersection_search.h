@@ -12,7 +12,7 @@ namespace veritope {
 
 struct IntersectionBudget {
   /// A pair of rectangles is not cut further when its sides are this part of their spans.
-  double smallest = 0x1p-26;
+  double smallest = 0x1p-30;
   /// Pairs that touch form a cluster; one with more pairs than this after a round is given up at that size.
   std::size_t pairs_in_cluster = 6000;
   /// Of all pairs looked at.

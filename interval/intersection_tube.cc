@@ -78,6 +78,16 @@ Box3 gap_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const Point4& 
   return s1.point(x[0], x[1]) - s2.point(x[2], x[3]);
 }
 
+/// The same where cancellation leaves too little of it: in MPFR intervals, from exact coefficients.
+Box3 precise_gap_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const Point4& x) {
+  constexpr int kPrecision = 160;
+  const auto p = s1.precise_point(x[0], x[1], kPrecision),
+             q = s2.precise_point(x[2], x[3], kPrecision);
+  Box3 out;
+  for (std::size_t c = 0; c < 3; ++c) out[c] = (p[c] / p[3] - q[c] / q[3]).to_interval();
+  return out;
+}
+
 /// The system in the coordinates z of the tube's offset, at a center.
 struct Linear {
   IntervalMatrix excess;  // I - C J_z
@@ -298,21 +308,23 @@ TubeSearch find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2, const
 
 namespace {
 
-/// Krawczyk's operator at w about the middle of x: all solutions in x lie in the result, too.
+/// Krawczyk's operator at w about the middle of x: all solutions in x lie in the result, too. `local` has an approximate
+/// inverse, and its excess over x.
 Box4 contracted(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
-                double w, const Box4& x, const Matrix& inverse, const IntervalMatrix& excess) {
+                double w, const Box4& x, const IntersectionTube& local, bool is_precise) {
   const auto rest = others(tube.pivot);
   Point4 center{};
   for (std::size_t i = 0; i < 4; ++i) center[i] = middle(x[i]);
   center[static_cast<std::size_t>(tube.pivot)] = w;
-  const Vector newton = times(inverse, gap_at(s1, s2, center));
+  const Vector newton =
+      times(local.inverse, is_precise ? precise_gap_at(s1, s2, center) : gap_at(s1, s2, center));
   Box4 out = x;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(rest[i]);
     Interval moved = Interval(center[k]) - newton[i];
     for (std::size_t j = 0; j < 3; ++j) {
       const auto l = static_cast<std::size_t>(rest[j]);
-      moved = moved + excess[i][j] * (x[l] - Interval(center[l]));
+      moved = moved + local.excess[i][j] * (x[l] - Interval(center[l]));
     }
     out[k] = intersection(x[k], moved);
   }
@@ -320,7 +332,13 @@ Box4 contracted(const EnclosedSurface& s1, const EnclosedSurface& s2, const Inte
   return out;
 }
 
-constexpr int kMostSteps = 12;
+constexpr int kMostSteps = 16;
+
+bool is_narrow_in(const IntersectionTube& tube, const Box4& x) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (radius(x[i]) > 0x1p-10 * radius(tube.offset[i])) return false;
+  return true;
+}
 
 /// The least quotient of the sides' widths.
 double shrinkage(const Box4& now, const Box4& before) {
@@ -336,13 +354,16 @@ Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const Intersec
             double w) {
   Box4 x = tube.over(Interval(w));
   IntersectionTube local = tube;
-  bool is_local = false;
+  bool is_local = false, is_precise = false;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Box4 next = contracted(s1, s2, tube, w, x, local.inverse, local.excess);
+    const Box4 next = contracted(s1, s2, tube, w, x, local, is_precise);
     const double shrunk = shrinkage(next, x);
     x = next;
     if (shrunk < 0.05) continue;
-    if (is_local && shrunk > 0.5) break;
+    if (is_local && shrunk > 0.5) {
+      if (is_precise || is_narrow_in(tube, x)) break;
+      is_precise = true;  // close to tangential: rounding is large beside the tube
+    }
     // The Jacobians in use are too far apart: those of this box.
     const Columns columns = columns_over(s1, s2, x);
     if (!is_bounded(columns) || !choose_inverse(columns, &local)) break;

@@ -33,9 +33,15 @@ class Intersector {
     const IntersectionCover cover = cover_intersection(s1_, s2_, options_.budget);
     out_.pairs = cover.pairs, out_.proofs = cover.proofs;
     const BranchSet set = join_branches(s1_, s2_, cover.tubes);
-    const std::vector<Box4> open = hulls_of(set.unresolved);
-    for (const BranchChain& chain : set.chains)
-      if (!chain.is_partial || !lies_in_one(set, chain, open)) add_branch(set, chain);
+    std::vector<Box4> open = set.unresolved;
+    for (const BranchChain& chain : set.chains) {
+      const Box4 box = box_of(set, chain);
+      if (chain.is_partial && is_part_of_one(box, set.unresolved)) {
+        open.push_back(box);
+      } else {
+        add_branch(set, chain);
+      }
+    }
     add_contacts(cover.undecided, "the subdivision's budget was spent", true);
     add_contacts(set.unresolved,
                  "a branch touches the border of a domain, or its continuation is not decided",
@@ -50,22 +56,18 @@ class Intersector {
     return 0x1p-24 * width(box);
   }
 
-  static std::vector<Box4> hulls_of(const std::vector<Box4>& boxes) {
-    std::vector<Box4> out;
-    for (const auto& cluster : clusters_of(boxes)) {
-      out.push_back(boxes[cluster.front()]);
-      for (const std::size_t i : cluster) out.back() = hull(out.back(), boxes[i]);
+  static Box4 box_of(const BranchSet& set, const BranchChain& chain) {
+    Box4 out = Box4::empty();
+    for (const BranchStep& step : chain.steps) {
+      const auto [lo, hi] = std::minmax(step.from, step.to);
+      out = hull(out, set.arcs[step.arc].tube.over(Interval::from_bounds(lo, hi)));
     }
     return out;
   }
-  /// Whether a partial branch is nothing but a piece of an undecided place.
-  static bool lies_in_one(const BranchSet& set, const BranchChain& chain,
-                          const std::vector<Box4>& places) {
+  /// Whether a partial branch is little more than a piece of an undecided place.
+  static bool is_part_of_one(const Box4& box, const std::vector<Box4>& places) {
     return std::any_of(places.begin(), places.end(), [&](const Box4& place) {
-      return std::all_of(chain.steps.begin(), chain.steps.end(), [&](const BranchStep& step) {
-        const auto [lo, hi] = std::minmax(step.from, step.to);
-        return is_subset(set.arcs[step.arc].tube.over(Interval::from_bounds(lo, hi)), place);
-      });
+      return !is_disjoint(box, place) && width(box) <= 64 * width(place);
     });
   }
 

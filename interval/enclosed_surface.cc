@@ -194,14 +194,17 @@ Box3 EnclosedSurface::point_at(std::size_t i, std::size_t j, const Interval& tu,
                                const Interval& tv) const {
   const NetShape shape{degrees_[0] + 1, degrees_[1] + 1, static_cast<std::size_t>(num_components_)};
   WorkNet net(piece(i, j), shape.size());
+  // Inside of the piece all factors are positive or zero, and products are cheap.
+  const bool is_inside = tu.lo() >= 0 && tu.hi() <= 1 && tv.lo() >= 0 && tv.hi() <= 1;
+  const auto keep_right = is_inside ? internal::keep_right_inside : internal::keep_right_anywhere;
   const Interval one(1.0);
   const Interval su = one - tu, sv = one - tv;
   Interval values[4];
   for (std::size_t c = 0; c < shape.components; ++c) {
     Interval* const block = net.data() + c * shape.count();
     for (std::size_t k = 0; k < shape.rows; ++k)
-      internal::keep_right(block + k * shape.columns, 1, static_cast<int>(degrees_[1]), sv, tv);
-    internal::keep_right(block, shape.columns, static_cast<int>(degrees_[0]), su, tu);
+      keep_right(block + k * shape.columns, 1, shape.columns - 1, sv, tv);
+    keep_right(block, shape.columns, shape.rows - 1, su, tu);
     values[c] = block[0];
   }
   if (!is_rational()) return Box3(values[0], values[1], values[2]);
@@ -225,7 +228,7 @@ Box3 EnclosedSurface::hull_of_net(const Interval* net) const {
 }
 
 void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interval& u,
-                                     const Interval& v, Range* out) const {
+                                     const Interval& v, Want want, Range* out) const {
   const std::size_t components = static_cast<std::size_t>(num_components_);
   const std::size_t number = i * num_spans(1) + j;
   const Cut cut_u(local(0, i, u.lo()), local(0, i, u.hi()));
@@ -237,9 +240,13 @@ void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interva
   WorkNet net_v(dv_.data() + number * shape_v.size(), shape_v.size());
   internal::restrict_net(net_u.data(), shape_u, cut_u, cut_v);
   internal::restrict_net(net_v.data(), shape_v, cut_u, cut_v);
-  WorkNet net(piece(i, j), shape.size());
-  internal::restrict_net(net.data(), shape, cut_u, cut_v);
-  out->point = hull_of_net(net.data());
+  out->point = Box3::empty();
+  const bool needs_points = want == Want::kAll || is_rational();
+  WorkNet net(piece(i, j), needs_points ? shape.size() : 0);
+  if (needs_points) {
+    internal::restrict_net(net.data(), shape, cut_u, cut_v);
+    out->point = hull_of_net(net.data());
+  }
   const Interval length_u = Interval(breaks_[0][i + 1]) - Interval(breaks_[0][i]);
   const Interval length_v = Interval(breaks_[1][j + 1]) - Interval(breaks_[1][j]);
   Interval by_u[4], by_v[4];
@@ -283,12 +290,13 @@ void EnclosedSurface::on_pieces(const Interval& u, const Interval& v, OnPiece on
       on_piece(i, j, part(0, i, last_i, u), part(1, j, last_j, v));
 }
 
-EnclosedSurface::Range EnclosedSurface::range(const Interval& u, const Interval& v) const {
+EnclosedSurface::Range EnclosedSurface::range(const Interval& u, const Interval& v,
+                                              Want want) const {
   Range all{Box3::empty(), Box3::empty(), Box3::empty()};
   on_pieces(u, v,
             [&](std::size_t i, std::size_t j, const Interval& part_u, const Interval& part_v) {
               Range one;
-              range_of_piece(i, j, part_u, part_v, &one);
+              range_of_piece(i, j, part_u, part_v, want, &one);
               all.point = hull(all.point, one.point);
               all.du = hull(all.du, one.du);
               all.dv = hull(all.dv, one.dv);
@@ -331,7 +339,7 @@ EnclosedSurface::SecondRange EnclosedSurface::second_range(const Interval& u,
         if (is_rational()) {
           // (S w)'' = S'' w + S' w' + S' w' + S w''.
           Range first;
-          range_of_piece(i, j, part_u, part_v, &first);
+          range_of_piece(i, j, part_u, part_v, Want::kAll, &first);
           const auto du = derivative(1, 0), dv = derivative(0, 1), value = derivative(0, 0);
           for (std::size_t c = 0; c < 3; ++c) {
             uu[c] =

@@ -22,6 +22,8 @@ class EnclosedSurface {
   struct Range {
     Box3 point, du, dv;
   };
+  /// Which of them are wanted: the derivatives alone cost two thirds.
+  enum class Want { kAll, kDerivatives };
 
   /// Boxes around the second derivatives.
   struct SecondRange {
@@ -51,7 +53,7 @@ class EnclosedSurface {
   /// Over a rectangle of working parameters, which may cross knots and the domain's border; there the derivatives
   /// are the hull of those of both sides. Excess width: first order in the rectangle's size. The whole of space where a continued
   /// piece's weight is not positive.
-  Range range(const Interval& u, const Interval& v) const;
+  Range range(const Interval& u, const Interval& v, Want want = Want::kAll) const;
 
   /// The second derivatives over a rectangle, as range().
   SecondRange second_range(const Interval& u, const Interval& v) const;
@@ -75,7 +77,7 @@ class EnclosedSurface {
   std::size_t span_of(std::size_t axis, double parameter) const;
   template <typename OnPiece>
   void on_pieces(const Interval& u, const Interval& v, OnPiece on_piece) const;
-  void range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v,
+  void range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v, Want want,
                       Range* out) const;
   Interval local(std::size_t axis, std::size_t span, double parameter) const;
   Box3 point_at(std::size_t i, std::size_t j, const Interval& tu, const Interval& tv) const;
@@ -84,8 +86,8 @@ class EnclosedSurface {
   int num_components_ = 3;
   std::array<std::vector<double>, 2> breaks_;
   std::array<std::vector<Rational>, 2> knots_;
-  std::vector<Rational> exact_;  // coefficients of all pieces
-  std::vector<Interval> nets_;   // around them
+  std::vector<Rational> exact_;    // coefficients of all pieces
+  std::vector<Interval> nets_;     // around them
   std::vector<Interval> du_, dv_;  // derivatives by the local parameters, degrees one less
 };
 

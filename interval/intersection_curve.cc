@@ -11,6 +11,7 @@ namespace veritope {
 namespace {
 
 constexpr int kMostHalvings = 12;
+constexpr double kAny = std::numeric_limits<double>::infinity();
 
 double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
 Point4 middle(const Box4& x) { return {middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])}; }
@@ -58,8 +59,8 @@ class Gap {
  public:
   Gap(const EnclosedSurface& s1, const EnclosedSurface& s2) : surfaces_{&s1, &s2} {}
 
-  /// Infinite if the cubic leaves the pieces that hold its middle.
-  double of(const std::array<Point4, 4>& c) const {
+  /// Infinite if the cubic leaves the pieces that hold its middle; not the least bound if it is above `give_up_above`.
+  double of(const std::array<Point4, 4>& c, double give_up_above) const {
     std::array<Place, 4> places;
     double slack = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -73,8 +74,10 @@ class Gap {
     }
     const std::size_t degree = degree_of();
     double most = 0;
-    for (const double t : nodes_of(degree)) {
-      const Interval at(t);
+    // The inner nodes first: cubics that touch at both ends are worst there.
+    const std::vector<double>& nodes = nodes_of(degree);
+    for (std::size_t k = 0; k < nodes.size() && most <= give_up_above; ++k) {
+      const Interval at(nodes[(k + nodes.size() / 2) % nodes.size()]);
       const Box3 p = surfaces_[0]->point_of_piece(places[0].span, places[1].span, cubic(c, 0, at),
                                                   cubic(c, 1, at));
       const Box3 q = surfaces_[1]->point_of_piece(places[2].span, places[3].span, cubic(c, 2, at),
@@ -123,9 +126,9 @@ class Tracer {
     Point4 middle, rate;
   };
   Knot at(const IntersectionTube& tube, double w) const {
-    Knot out{w, locate(s1_, s2_, tube, w), {}, {}};
+    Knot out{w, {}, {}, {}};
+    out.x = locate(s1_, s2_, tube, w, &out.rate);
     out.middle = middle(out.x);
-    out.rate = slope_at(s1_, s2_, tube, out.x);
     return out;
   }
 
@@ -138,7 +141,7 @@ class Tracer {
       segment.control[2][i] = b.middle[i] - third * b.rate[i];
       segment.control[3][i] = b.middle[i];
     }
-    segment.gap = gap_.of(segment.control);
+    segment.gap = gap_.of(segment.control, halvings < kMostHalvings ? wanted_ : kAny);
     if (segment.gap > wanted_ && halvings < kMostHalvings) {
       const Knot m = at(tube, cut_place(tube, a, b));
       add(tube, a, m, halvings + 1);
@@ -260,7 +263,7 @@ std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const Enclosed
 
 double gap_of_cubic(const EnclosedSurface& s1, const EnclosedSurface& s2,
                     const std::array<Point4, 4>& control) {
-  return Gap(s1, s2).of(control);
+  return Gap(s1, s2).of(control, kAny);
 }
 
 }  // namespace veritope

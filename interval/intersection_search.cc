@@ -17,6 +17,9 @@ struct Pair {
   Id a, b;
 };
 
+/// By how much tubes reach beyond the box that they are made for: parts of its length.
+constexpr double kLongReach = 0.35, kShortReach = 0.125;
+
 double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
 double size_of(const Box3& box) {
   return std::max(
@@ -97,9 +100,7 @@ class Search {
       return;
     }
     if (are_apart_along_normals(p)) return;
-    const Box4 x = box_of(p);
-    if (is_covered(p, x)) return;
-    if (!decided_by_tube(p, x)) cut(p, next);
+    if (!decided_by_tube(p)) cut(p, next);
   }
 
   bool are_apart_along_normals(const Pair& p) {
@@ -120,23 +121,33 @@ class Search {
     const std::uint64_t piece2 = b.i0 * second_.surface().num_spans(1) + b.j0;
     return piece1 << 32 | piece2;
   }
-  bool is_covered(const Pair& p, const Box4& x) const {
-    const auto found = tubes_of_pieces_.find(key_of(p));
+  bool is_covered(std::uint64_t key, const IntersectionTube& region) const {
+    const auto found = tubes_of_pieces_.find(key);
     if (found == tubes_of_pieces_.end()) return false;
     return std::any_of(found->second.rbegin(), found->second.rend(),
-                       [&](std::size_t t) { return out_.tubes[t].contains(x); });
+                       [&](std::size_t t) { return out_.tubes[t].contains(region); });
   }
 
-  bool decided_by_tube(const Pair& p, const Box4& x) {
-    ++out_.proofs;
+  bool decided_by_tube(const Pair& p) {
     const auto &a = first_.node(p.a), &b = second_.node(p.b);
-    TubeSearch search = find_tube(first_.surface(), second_.surface(), x, a.du, a.dv, b.du, b.dv);
-    if (search.outcome == TubeSearch::Outcome::kUnknown) return false;
-    if (search.outcome == TubeSearch::Outcome::kTube) {
-      tubes_of_pieces_[key_of(p)].push_back(out_.tubes.size());
-      out_.tubes.push_back(std::move(search.tube));
+    const EnclosedSurface &s1 = first_.surface(), &s2 = second_.surface();
+    IntersectionTube region;
+    const Contraction found = contract(s1, s2, box_of(p), a.du, a.dv, b.du, b.dv, &region);
+    if (found == Contraction::kEmpty) return true;
+    const std::uint64_t key = key_of(p);
+    if (found == Contraction::kUnknown) return false;
+    if (is_covered(key, region)) return true;
+    // A long tube spares its neighbours theirs.
+    for (const double reach : {kLongReach, kShortReach}) {
+      ++out_.proofs;
+      auto tube = find_tube(s1, s2, region, reach);
+      
+      if (!tube) continue;
+      tubes_of_pieces_[key].push_back(out_.tubes.size());
+      out_.tubes.push_back(std::move(*tube));
+      return true;
     }
-    return true;
+    return false;
   }
 
   bool may_cut(const PatchTree& tree, Id id) const {

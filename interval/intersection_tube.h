@@ -28,34 +28,34 @@ struct IntersectionTube {
   std::array<std::array<double, 3>, 3> inverse{};  // of the other columns' Jacobian, approximately
   std::array<std::array<Interval, 3>, 3> excess;   // identity - inverse * Jacobian over the tube
 
+  /// Whether the other tube, as a set, lies in this one. The other's claim does not matter.
+  bool contains(const IntersectionTube& other) const;
   /// A box around the part of the tube over w.
   Box4 over(const Interval& w) const;
   /// Whether all of x lies in the tube, or in its inside.
   bool contains(const Box4& x) const;
 };
 
-struct TubeSearch {
-  enum class Outcome {
-    kEmpty,    ///< no common point in the box
-    kTube,     ///< all common points in the box lie in `tube`
-    kUnknown,  ///< too large, or close to tangential
-  };
-  Outcome outcome = Outcome::kUnknown;
-  IntersectionTube tube;
-};
-
 /// All functions REQUIRE a live ScopedUpward.
-/// @param x   a rectangle of parameters of each surface; `first` and `second` their derivatives over x
-TubeSearch find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x,
-                     const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt);
+
+enum class Contraction {
+  kEmpty,    ///< no common point in the box
+  kSlanted,  ///< all common points in the box lie in the slanted box
+  kUnknown,  ///< too large, or close to tangential
+};
+/// One step of Krawczyk's operator. @param x  a rectangle of parameters of each surface; du, dv, ds, dt: their derivatives over
+/// it.  @param region  on kSlanted, a tube without its claim
+Contraction contract(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x,
+                     const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt,
+                     IntersectionTube* region);
+/// A tube that contains the region of contract(), or nothing. It reaches beyond the region by `reach` times its range on both sides.
+std::optional<IntersectionTube> find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2,
+                                          const IntersectionTube& region, double reach);
 
 /// The arc's parameters at w: a narrow box. REQUIRES w in [w_lo, w_hi].
+/// @param slope  if not null: approximately their derivatives by w
 Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
-            double w);
-
-/// Approximately, the derivatives of the arc's parameters by w where it passes the narrow box x.
-Point4 slope_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
-                const Box4& x);
+            double w, Point4* slope = nullptr);
 
 /// The derivatives of the arc's parameters by w, over the part of the arc that lies in the box x of the tube: tighter than the
 /// tube's own where x is small. @param du... derivatives of the surfaces over x

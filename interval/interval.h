@@ -70,6 +70,12 @@ class Interval {
         larger(multiplied(h, p),
                larger(multiplied(n, q), larger(multiplied(internal::negated(n), p), fourth))));
   }
+  /// a * t for t >= 0, all bounds finite: two of the four products are enough. The same interval, for less.
+  static Interval nonnegative_multiple(const Interval& a, const Interval& t) {
+    using internal::larger, internal::multiplied;
+    return Interval(larger(multiplied(internal::negated(internal::both_first(t.v_)), a.v_),
+                           multiplied(internal::both_second(t.v_), a.v_)));
+  }
   /// { x / y : x in a, y in b, y != 0 }: the hull where that is two pieces (reverse.h has both).
   friend Interval operator/(const Interval& a, const Interval& b) { return quotient(a, b); }
   friend Interval recip(const Interval& a) { return quotient(Interval(1.0), a); }

@@ -3,10 +3,42 @@
 #pragma once
 #include <cstddef>
 
+#include "interval/relations.h"
 #include "interval/ring_numbers.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope::internal {
+
+/// t a for t >= 0 and finite operands: of the four products of bounds two will do.
+inline Interval times_nonnegative(const Interval& t, const Interval& a) {
+  return Interval::nonnegative_multiple(a, t);
+}
+
+// De Casteljau's scheme as in splines/, with factors in [0, 1] or any.
+inline void keep_left_inside(Interval* first, std::size_t stride, std::size_t degree,
+                             const Interval& s, const Interval& t) {
+  for (std::size_t level = 1; level <= degree; ++level)
+    for (std::size_t i = degree; i >= level; --i) {
+      Interval& p = first[i * stride];
+      p = times_nonnegative(s, first[(i - 1) * stride]) + times_nonnegative(t, p);
+    }
+}
+inline void keep_right_inside(Interval* first, std::size_t stride, std::size_t degree,
+                              const Interval& s, const Interval& t) {
+  for (std::size_t level = 1; level <= degree; ++level)
+    for (std::size_t i = 0; i + level <= degree; ++i) {
+      Interval& p = first[i * stride];
+      p = times_nonnegative(s, p) + times_nonnegative(t, first[(i + 1) * stride]);
+    }
+}
+inline void keep_left_anywhere(Interval* first, std::size_t stride, std::size_t degree,
+                               const Interval& s, const Interval& t) {
+  keep_left(first, stride, static_cast<int>(degree), s, t);
+}
+inline void keep_right_anywhere(Interval* first, std::size_t stride, std::size_t degree,
+                                const Interval& s, const Interval& t) {
+  keep_right(first, stride, static_cast<int>(degree), s, t);
+}
 
 /// A net of `components` blocks of rows x columns numbers, the column (v) fastest.
 struct NetShape {
@@ -31,7 +63,7 @@ void on_v_lines(Interval* net, const NetShape& shape, OnLine on_line) {
 /// A line of control points restricted to [t0, t1], any two numbers; both divisions stay away from zero.
 struct Cut {
   Interval left, one_minus_left, right, one_minus_right;
-  bool left_first;
+  bool left_first, is_inside;
   Cut(const Interval& t0, const Interval& t1) {
     const Interval one(1.0);
     left_first = t1.hi() > 0.5;
@@ -41,12 +73,18 @@ struct Cut {
       right = t0, left = (t1 - t0) / (one - t0);
     }
     one_minus_left = one - left, one_minus_right = one - right;
+    // Rounding may take a factor beyond 0; a number below it is then no factor of the exact cut.
+    is_inside = t0.lo() >= 0 && t1.hi() <= 1;
+    if (is_inside)
+      for (Interval* f : {&left, &one_minus_left, &right, &one_minus_right})
+        *f = intersection(*f, Interval::from_bounds(0, 1));
   }
   void apply(Interval* line, std::size_t stride, std::size_t degree) const {
-    const int d = static_cast<int>(degree);
-    if (left_first) keep_left(line, stride, d, one_minus_left, left);
-    keep_right(line, stride, d, one_minus_right, right);
-    if (!left_first) keep_left(line, stride, d, one_minus_left, left);
+    const auto left_part = is_inside ? keep_left_inside : keep_left_anywhere;
+    const auto right_part = is_inside ? keep_right_inside : keep_right_anywhere;
+    if (left_first) left_part(line, stride, degree, one_minus_left, left);
+    right_part(line, stride, degree, one_minus_right, right);
+    if (!left_first) left_part(line, stride, degree, one_minus_left, left);
   }
 };
 

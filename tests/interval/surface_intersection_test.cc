@@ -56,12 +56,6 @@ SurfaceIntersection of(const BSplineSurface<Rational>& a, const BSplineSurface<R
   EXPECT_TRUE(out.has_value()) << to_string(out.error());
   return std::move(*out);
 }
-std::size_t num_closed(const SurfaceIntersection& x) {
-  std::size_t n = 0;
-  for (const auto& b : x.branches) n += b.is_closed ? 1 : 0;
-  return n;
-}
-
 TEST(SurfaceIntersection, APlaneCutsAParaboloidInOneLoop) {
   const auto x = of(paraboloid(q(1), q(1), q(0)), plane(q(-2), q(2), q(-2), q(2), q(1, 4)));
   ASSERT_EQ(x.branches.size(), 1u);

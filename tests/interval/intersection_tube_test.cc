@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The proofs on pairs whose common points are known exactly.
+#include "interval/intersection_tube.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "interval/intersection_branches.h"
+#include "interval/intersection_curve.h"
+#include "interval/intersection_search.h"
+#include "interval/upward.h"
+#include "splines/de_casteljau.h"
+
+namespace veritope {
+namespace {
+
+Rational q(std::int64_t p, std::int64_t r = 1) { return Rational(p) / Rational(r); }
+KnotAxis<Rational> bezier_axis(int degree) {
+  KnotAxis<Rational> axis{degree, {}, false};
+  for (int i = 0; i < 2 * (degree + 1); ++i) axis.knots.push_back(q(i > degree ? 1 : 0));
+  return axis;
+}
+
+/// z = x^2 + 2 y^2 - 1/2 over [-1, 1]^2, x = 2 u - 1, y = 2 v - 1.
+BSplineSurface<Rational> bowl() {
+  std::vector<Rational> c;
+  const std::array<Rational, 3> line{q(-1), q(0), q(1)}, square{q(1), q(-1), q(1)};
+  for (const Rational& x : line) c.insert(c.end(), 3, x);
+  for (int i = 0; i < 3; ++i) c.insert(c.end(), line.begin(), line.end());
+  for (const Rational& a : square)
+    for (const Rational& b : square) c.push_back(a + q(2) * b - q(1, 2));
+  return BSplineSurface<Rational>({bezier_axis(2), bezier_axis(2)}, 3, false, std::move(c));
+}
+/// z = 0 over [-2, 2]^2.
+BSplineSurface<Rational> floor_plane() {
+  return BSplineSurface<Rational>(
+      {bezier_axis(1), bezier_axis(1)}, 3, false,
+      {q(-2), q(-2), q(2), q(2), q(-2), q(2), q(-2), q(2), q(0), q(0), q(0), q(0)});
+}
+Rational height(const Rational& u, const Rational& v) {
+  const Rational x = q(2) * u - q(1), y = q(2) * v - q(1);
+  return x * x + q(2) * y * y - q(1, 2);
+}
+bool changes_sign(const Box4& x) {
+  bool low = false, high = false;
+  for (const double u : {x[0].lo(), x[0].hi()})
+    for (const double v : {x[1].lo(), x[1].hi()}) {
+      const Sign s = height(Rational::from_double(u), Rational::from_double(v)).sign();
+      low = low || s != Sign::kPositive, high = high || s != Sign::kNegative;
+    }
+  return low && high;
+}
+
+struct Pair {
+  EnclosedSurface s1, s2;
+  IntersectionCover cover;
+};
+Pair bowl_and_plane() {
+  auto s1 = EnclosedSurface::make(bowl()), s2 = EnclosedSurface::make(floor_plane());
+  auto cover = cover_intersection(*s1, *s2, {});
+  return {std::move(*s1), std::move(*s2), std::move(cover)};
+}
+
+TEST(IntersectionTube, LocatedPointsHoldTheTruth) {
+  const ScopedUpward upward;
+  const auto pair = bowl_and_plane();
+  ASSERT_FALSE(pair.cover.tubes.empty());
+  EXPECT_TRUE(pair.cover.undecided.empty());
+  for (const auto& tube : pair.cover.tubes)
+    for (const double t : {0.0, 0.3, 0.5, 1.0}) {
+      const double w = tube.w_lo + t * (tube.w_hi - tube.w_lo);
+      const Box4 x = locate(pair.s1, pair.s2, tube, std::min(w, tube.w_hi));
+      EXPECT_LE(width(x), 1e-13);
+      EXPECT_TRUE(tube.contains(x));
+      EXPECT_TRUE(changes_sign(x));
+    }
+}
+
+TEST(IntersectionTube, DirectionAndDerivativesAreThoseOfTheArc) {
+  const ScopedUpward upward;
+  const auto pair = bowl_and_plane();
+  for (const auto& tube : pair.cover.tubes) {
+    const Box4 a = locate(pair.s1, pair.s2, tube, tube.w_lo),
+               b = locate(pair.s1, pair.s2, tube, tube.w_hi);
+    const Interval step = Interval(tube.w_hi) - Interval(tube.w_lo);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_FALSE(is_disjoint(tube.derivative[i], (b[i] - a[i]) / step));
+    // n1 points along (-2 x, -4 y, 1), n2 up: n1 x n2 along (-4 y, 2 x, 0), clockwise seen from above... by sign:
+    const double x = 2 * a[0].lo() - 1, y = 2 * a[1].lo() - 1;
+    const double along = -4 * y * (b[0].lo() - a[0].lo()) + 2 * x * (b[1].lo() - a[1].lo());
+    EXPECT_EQ(along > 0, tube.direction > 0);
+  }
+}
+
+TEST(IntersectionTube, ContainsWhatItSays) {
+  const ScopedUpward upward;
+  const auto pair = bowl_and_plane();
+  const auto& tube = pair.cover.tubes.front();
+  EXPECT_TRUE(tube.contains(tube));
+  IntersectionTube longer = tube;
+  longer.w_hi = tube.w_hi + 0.5 * (tube.w_hi - tube.w_lo);
+  EXPECT_FALSE(tube.contains(longer));
+  EXPECT_TRUE(longer.contains(tube));
+  IntersectionTube wider = tube;
+  for (std::size_t i = 0; i < 4; ++i) wider.offset[i] = Interval(2.0) * tube.offset[i];
+  EXPECT_FALSE(tube.contains(wider));
+}
+
+TEST(IntersectionTube, ShortenedTubesKeepTheArc) {
+  const ScopedUpward upward;
+  const auto pair = bowl_and_plane();
+  for (const auto& tube : pair.cover.tubes) {
+    const double w = tube.w_lo + 0.4 * (tube.w_hi - tube.w_lo);
+    const auto half = shortened(pair.s1, pair.s2, tube, tube.w_lo, w);
+    ASSERT_TRUE(half.has_value());
+    const Box4 a = locate(pair.s1, pair.s2, tube, w), b = locate(pair.s1, pair.s2, *half, w);
+    EXPECT_FALSE(is_disjoint(a, b));
+    EXPECT_TRUE(half->contains(b));
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_LE(wid(half->derivative[i]), wid(tube.derivative[i]) * 1.5);
+  }
+}
+
+TEST(IntersectionCurve, TheBoundOfLebesgueHoldsForTheRoundedNodes) {
+  const ScopedUpward upward;
+  for (const std::size_t degree : {3u, 6u, 12u, 18u, 24u, 36u}) {
+    const auto nodes = internal::chebyshev_nodes(degree);
+    ASSERT_EQ(nodes.size(), degree + 1);
+    // Sum of |l_i| over small intervals that cover [0, 1].
+    double most = 0;
+    const int kParts = 20000;
+    for (int part = 0; part < kParts; ++part) {
+      const Interval t = (Interval(static_cast<double>(part)) + Interval::from_bounds(0, 1)) /
+                         Interval(static_cast<double>(kParts));
+      Interval sum;
+      for (std::size_t i = 0; i <= degree; ++i) {
+        Interval l(1.0);
+        for (std::size_t j = 0; j <= degree; ++j)
+          if (i != j)
+            l = l * ((t - Interval(nodes[j])) / (Interval(nodes[i]) - Interval(nodes[j])));
+        sum = sum + abs(l);
+      }
+      most = std::max(most, sum.lo());
+    }
+    EXPECT_LE(most, internal::lebesgue_bound(degree)) << degree;
+    EXPECT_GE(most * 1.5, internal::lebesgue_bound(degree)) << degree;
+  }
+}
+
+TEST(IntersectionCurve, GapsOfWrongCurvesAreSeen) {
+  const ScopedUpward upward;
+  const auto pair = bowl_and_plane();
+  // The straight line from one point of the ellipse to another leaves the bowl.
+  const Point4 a{0.5 + 0.5 * 0.7071067811865476, 0.5, 0.5 + 0.25 * 0.7071067811865476, 0.5};
+  const Point4 b{0.5, 0.75, 0.5, 0.625};
+  std::array<Point4, 4> line;
+  for (std::size_t i = 0; i < 4; ++i)
+    line[0][i] = a[i], line[3][i] = b[i], line[1][i] = (2 * a[i] + b[i]) / 3,
+    line[2][i] = (a[i] + 2 * b[i]) / 3;
+  EXPECT_GE(gap_of_cubic(pair.s1, pair.s2, line), 0.2);
+  line[3][0] = 1.5;  // beyond the domain
+  EXPECT_TRUE(std::isinf(gap_of_cubic(pair.s1, pair.s2, line)));
+}
+
+}  // namespace
+}  // namespace veritope

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """hostile_builds.py [--cases N] [--seed S] [--folder F] [--only TEXT]: builds the predicates by every compiler here under flags that change
-floating point, and decides hard cases in each build under every rounding mode, with FTZ and DAZ. N cases of every predicate. Prints one JSON line a
-build and mode; exit 1 if a sign is wrong or a build fails. The expected signs: bench/hostile_cases.cc, built by ./dev bench or soak."""
+floating point, and decides hard cases in each build under every rounding mode, with FTZ and DAZ. N cases of every predicate; Ctrl-C ends after the
+chunk in work, and the figures say how many there were (go on with another --seed). Prints one JSON line a build and mode; exit 1 if a sign is wrong or a build fails. The expected signs: bench/hostile_cases.cc, built by ./dev bench or soak."""
 
 import argparse
 import concurrent.futures
@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -96,17 +97,20 @@ def main():
                 programs[label] = program
                 print(f"hostile_builds: {label} built", file=sys.stderr)
     counts = {}
+    stopped = []
+    signal.signal(signal.SIGINT, lambda *_: stopped.append(True))
     left = arguments.cases * num_predicates
     with tempfile.TemporaryDirectory(dir="/dev/shm" if os.path.isdir("/dev/shm") else None) as folder:
         number = 0
-        while left > 0:
+        while left > 0 and not stopped:
             size = min(left, CHUNK)
             path = pathlib.Path(folder) / "cases"
             with open(path, "wb") as out:
-                subprocess.run([str(maker), "--cases", str(size), "--seed", str(1_000_003 * arguments.seed + number)], check=True, stdout=out)
+                subprocess.run([str(maker), "--cases", str(size), "--seed", str(1_000_003 * arguments.seed + number)], check=True, stdout=out,
+                               start_new_session=True)
 
             def decide(label):
-                return label, subprocess.run([str(programs[label]), str(path)], capture_output=True, text=True)
+                return label, subprocess.run([str(programs[label]), str(path)], capture_output=True, text=True, start_new_session=True)
 
             for label, run in pool.map(decide, programs):
                 if run.returncode not in (0, 1) or run.stderr:

@@ -56,9 +56,7 @@ void add_text(CLI::App* app, const std::string& name, std::optional<std::string>
 }
 
 void add_files(CLI::App* app, std::vector<std::string>& files, const char* what) {
-  app->add_option("FILE", files, what)
-      ->required()
-      ->type_name("");
+  app->add_option("FILE", files, what)->required()->type_name("");
 }
 
 // Exactly one.
@@ -91,7 +89,8 @@ void add_any_format(CLI::App* app, Options& o) {
            o.spline_format = spline_format_from_name(name);
            if (!o.reading.format && !o.spline_format) {
              throw CLI::ValidationError(
-                 "--format", "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
+                 "--format",
+                 "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
            }
          },
          "stl, obj, ply, off, itd, g2, mfem, gismo or vjson,\nwhatever the name says")
@@ -134,7 +133,8 @@ void add_info(CLI::App& app, Options& o) {
   CLI::App* const c = app.add_subcommand("info", "what is in mesh and spline files");
   c->callback([&o] { o.command = Command::kInfo; });
   add_files(c, o.files,
-            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input (with --format)");
+            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input "
+            "(with --format)");
   add_text(c, "--json", o.json, "F", "write it as JSON; - is standard output");
   add_jobs(c, o);
   add_any_format(c, o);
@@ -157,19 +157,42 @@ void add_chord(CLI::App* app, Options& o) {
 }
 
 void add_convert(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("convert", "write a mesh or splines in another format, without loss");
+  CLI::App* const c =
+      app.add_subcommand("convert", "write a mesh or splines in another format, without loss");
   c->callback([&o] { o.command = Command::kConvert; });
   add_file(c, "IN", o.files, "a mesh or splines; - is standard input (with --format)");
   c->add_option("OUT", o.output, "the new file; - is standard output (with --to)")
       ->required()
       ->type_name("");
-  add_text(c, "--to", o.to, "V", "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to look at: vtu, obj, gltf");
+  add_text(c, "--to", o.to, "V",
+           "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
+           "look at: vtu, obj, gltf");
   add_chord(c, o);
   c->add_flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
   c->add_flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
   add_jobs(c, o);
   add_any_format(c, o);
   add_reading(c, o);
+}
+
+void add_intersect(CLI::App& app, Options& o) {
+  CLI::App* const c =
+      app.add_subcommand("intersect", "where the surfaces of two files meet, certified");
+  c->callback([&o] { o.command = Command::kIntersect; });
+  c->add_option("A B", o.files, "two files of splines; - is standard input (with --format)")
+      ->required()
+      ->expected(2)
+      ->type_name("");
+  add_text(c, "-o,--output", o.curves, "F", "write the curves; F ends in .json or .vtu");
+  add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
+  c->add_option(
+       "--gap", o.gap,
+       "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)")
+      ->check(CLI::Range(1e-300, 1e300))
+      ->type_name("D");
+  add_number(c, "--max-pairs", o.max_pairs, 1, kMost64,
+             "rectangles to compare at most (200000000)");
+  add_any_format(c, o);
 }
 
 void add_explain(CLI::App& app, Options& o) {
@@ -225,8 +248,9 @@ void add_corpus(CLI::App& app, Options& o) {
 std::string contradiction(const Options& o) {
   const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
   const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
-                     o.command == Command::kConvert;
-  if (reads && inputs > 0 && !o.reading.format && !o.spline_format) return "- is standard input and needs --format";
+                     o.command == Command::kConvert || o.command == Command::kIntersect;
+  if (reads && inputs > 0 && !o.reading.format && !o.spline_format)
+    return "- is standard input and needs --format";
   if (inputs > 1) return "standard input can be read once only";
   if (std::find(o.files.begin(), o.files.end(), "") != o.files.end()) {
     return "a file name must not be empty";
@@ -257,6 +281,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_certify(app, o);
   add_info(app, o);
   add_convert(app, o);
+  add_intersect(app, o);
   add_explain(app, o);
   add_predicate(app, o);
   add_selftest(app, o);

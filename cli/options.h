@@ -16,6 +16,7 @@ enum class Command {
   kCertify,
   kInfo,
   kConvert,
+  kIntersect,
   kExplain,
   kExplainCertificate,
   kPredicate,
@@ -27,18 +28,21 @@ struct Options {
   Command command = Command::kCertify;
   /// certify, info: inputs; convert: IN; explain-certificate: F; predicate: FILE
   std::vector<std::string> files;
-  ReadOptions reading;                     ///< certify, info, convert
+  ReadOptions reading;                        ///< certify, info, convert
   std::optional<SplineFormat> spline_format;  ///< info, convert: --format of a spline file
-  std::optional<std::string> json;         ///< certify, info
-  std::optional<std::string> certificate;  ///< certify
-  std::optional<std::string> picture;      ///< certify
-  std::uint64_t max_defects = 20;          ///< certify
+  std::optional<std::string> json;            ///< certify, info
+  std::optional<std::string> certificate;     ///< certify
+  std::optional<std::string> picture;         ///< certify
+  std::uint64_t max_defects = 20;             ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
   std::string output;                            ///< convert: OUT
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert
   std::optional<double> chord;                   ///< convert, of splines to obj or gltf
+  double gap = 0;                                ///< intersect; 0: chosen by the model's size
+  std::uint64_t max_pairs = 200000000;           ///< intersect
+  std::optional<std::string> curves;             ///< intersect: -o
   std::optional<std::string> rule;               ///< explain
   std::uint64_t max_items = 20;                  ///< explain-certificate
   const NamedPredicate* predicate = nullptr;     ///< predicate; null: each line names its own

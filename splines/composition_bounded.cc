@@ -144,9 +144,13 @@ int internal::composition_roundings(const std::array<int, M>& outer,
                                     const std::array<int, N>& inner) {
   const Grid<3> small = as_volume(Bezier<double, N>(inner, 0, false).grid());
   const int factor = 2 + binomial_roundings(inner);  // 1 - x, times a binomial coefficient
+  const int last = outer[M - 1];
   int sum = 0;
   for (const int a : outer) sum += a;
-  return sum * (DoubleAlgebra::blend_roundings(small) + factor) + (outer[M - 1] + 1) +
+  // The last variable's triangle begins with a product, not a blend; whatever is blended later begins with x, not q = 1 - x.
+  const int first_product =
+      last == 0 ? 0 : filter_roundings(small, 2) - filter_roundings(small, 1) + (last == 1 ? 0 : 1);
+  return sum * (filter_roundings(small, 2) + factor) - first_product + (1 + last) +
          (binomial_roundings(composed_degrees(outer, inner)) + 1);
 }
 

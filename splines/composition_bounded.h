@@ -20,7 +20,7 @@ struct BoundedBezier {
 /// outer(inner(x)): the map and degrees that compose() of splines/composition.h says, of the doubles as they are given. The rounding
 /// mode of the calling thread does not matter.
 /// A bound is at most about k 2^-53 times the composition of the absolute values (docs/bounds/composition.md; for two maps of
-/// degree 3 in 3 variables k = 206), so if the inner map's net lies in [0,1]^M: times the largest coefficients nearby.
+/// degree 3 in 3 variables k = 149), so if the inner map's net lies in [0,1]^M: times the largest coefficients nearby.
 /// @error as compose(); kNotFinite with the offending coefficient's number; kBadEnvironment in a build without IEEE arithmetic.
 /// @cost  twice the products of numbers of compose(); half of that for components whose coefficients have all one sign if 0 <= x <= w holds
 ///        for all coefficients x of the inner map and their weights w

@@ -57,8 +57,7 @@ class PrimeField {
 };
 
 /// The `count` largest primes below 2^61, in descending order: the first is 2^61 - 1. REQUIRES count <= 4096: then c < 2^24.
-/// Proved prime by the strong test to the first twelve prime bases, which decides all numbers below 3.3 10^24 (Sorenson and
-/// Webster 2015).
+/// Proved prime by the strong test to the first twelve prime bases, which decides all numbers below 3.1 10^23 [SW17].
 std::vector<PrimeField> largest_primes(std::size_t count);
 
 /// Integers of less than 2^bits in magnitude from their remainders modulo the fewest largest primes that suffice.

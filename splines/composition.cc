@@ -4,6 +4,7 @@
 #include <string>
 
 #include "robust/base/int128.h"
+#include "robust/binary64.h"
 
 namespace veritope::internal {
 
@@ -27,6 +28,16 @@ Status check_composition(std::span<const int> outer_degrees, std::span<const int
                        std::to_string(kMaxComposedCoefficients) + " coefficients"};
     count = static_cast<std::uint64_t>(product);
   }
+  return ok_status();
+}
+
+Status check_finite(std::span<const double> coefficients, const char* which_map) {
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    if (!is_finite(coefficients[i]))
+      return Error{
+          Code::kNotFinite,
+          {},
+          "coefficient " + std::to_string(i) + " of the " + which_map + " map is not finite"};
   return ok_status();
 }
 

@@ -37,6 +37,8 @@ namespace internal {
 ///        kOverLimit over kMaxComposedCoefficients.
 Status check_composition(std::span<const int> outer_degrees, std::span<const int> inner_degrees,
                          int inner_dimension, int num_components);
+/// @error kNotFinite with the first such coefficient's number.
+Status check_finite(std::span<const double> coefficients, const char* which_map);
 
 /// The outer map, with a weight of 1 if only the inner one is rational: its composition is w^(sum of degrees).
 template <Ring R, std::size_t M>

@@ -110,17 +110,6 @@ double underflow_error(const std::array<int, M>& degrees, const Inner& inner, do
   return error;
 }
 
-template <std::size_t N>
-Status check_finite(const Bezier<double, N>& map, const char* which) {
-  for (std::size_t i = 0; i < map.coefficients().size(); ++i)
-    if (!is_finite(map.coefficients()[i]))
-      return Error{Code::kNotFinite,
-                   {},
-                   std::string("coefficient ") + std::to_string(i) + " of the " + which +
-                       " map is not finite"};
-  return ok_status();
-}
-
 bool has_one_sign(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return v >= 0; }) ||
          std::all_of(values.begin(), values.end(), [](double v) { return v <= 0; });
@@ -157,8 +146,10 @@ int internal::composition_roundings(const std::array<int, M>& outer,
 template <std::size_t M, std::size_t N>
 Result<BoundedBezier<N>> compose_bounded(const Bezier<double, M>& outer_map,
                                          const Bezier<double, N>& inner) {
-  if (Status status = check_finite(outer_map, "outer"); !status) return status.error();
-  if (Status status = check_finite(inner, "inner"); !status) return status.error();
+  if (Status status = internal::check_finite(outer_map.coefficients(), "outer"); !status)
+    return status.error();
+  if (Status status = internal::check_finite(inner.coefficients(), "inner"); !status)
+    return status.error();
   const auto outer = internal::with_weight_if(inner.is_rational(), outer_map, 1.0);
   const auto& degrees = outer.degrees();
   if (Status status = internal::check_composition(degrees, inner.degrees(), inner.dimension(),

@@ -91,24 +91,15 @@ std::vector<Integer> composed_integers(const internal::IntegerProblem<M, N>& pro
   return out;
 }
 
-template <std::size_t N>
-Status check_finite(const Bezier<double, N>& map, const char* which) {
-  for (std::size_t i = 0; i < map.coefficients().size(); ++i)
-    if (!is_finite(map.coefficients()[i]))
-      return Error{Code::kNotFinite,
-                   {},
-                   std::string("coefficient ") + std::to_string(i) + " of the " + which +
-                       " map is not finite"};
-  return ok_status();
-}
-
 }  // namespace
 
 template <std::size_t M, std::size_t N>
 Result<ScaledBezier<N>> internal::compose_exact_by(ExactWay way, const Bezier<double, M>& outer_map,
                                                    const Bezier<double, N>& inner) {
-  if (Status status = check_finite(outer_map, "outer"); !status) return status.error();
-  if (Status status = check_finite(inner, "inner"); !status) return status.error();
+  if (Status status = internal::check_finite(outer_map.coefficients(), "outer"); !status)
+    return status.error();
+  if (Status status = internal::check_finite(inner.coefficients(), "inner"); !status)
+    return status.error();
   const auto outer = with_weight_if(inner.is_rational(), outer_map, 1.0);
   if (Status status = check_composition(outer.degrees(), inner.degrees(), inner.dimension(),
                                         outer.num_components());

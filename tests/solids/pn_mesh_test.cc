@@ -21,7 +21,8 @@ struct Model {
 Model ball(std::uint64_t seed, int levels) {
   Random random(seed);
   Model model;
-  auto& [positions, faces] = model.mesh;
+  auto& positions = model.mesh.positions;
+  auto& faces = model.mesh.faces;
   positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (int level = 0; level < levels; ++level) {

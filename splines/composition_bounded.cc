@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "robust/base/fp_guard.h"
-#include "robust/binary64.h"
 #include "splines/composition.h"
 #include "splines/polynomial_filter.h"
 

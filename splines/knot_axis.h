@@ -33,4 +33,11 @@ struct KnotAxis {
 Result<KnotAxis<Rational>> make_knot_axis(int degree, std::vector<Rational> knots,
                                           bool is_periodic = false);
 
+namespace internal {
+/// The error of a parameter of axis `number` that is not in its domain.
+Error outside_domain(std::size_t number, const Rational& u, const Rational& begin,
+                     const Rational& end);
+Error outside_domain(std::size_t number, double u, double begin, double end);
+}  // namespace internal
+
 }  // namespace veritope

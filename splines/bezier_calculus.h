@@ -28,8 +28,8 @@ Bezier<R, N> derivative(const Bezier<R, N>& map, std::size_t axis) {
   degrees[axis] = std::max(n - 1, 0);
   const R factor = RingNumbers<R>::ratio(n, 1);
   return {degrees, map.num_components(), false,
-          internal::map_lines(map.coefficients(), map.grid(), axis,
-                              static_cast<std::size_t>(degrees[axis]) + 1, [&](auto from, auto to) {
+          internal::map_lines(map, axis, static_cast<std::size_t>(degrees[axis]) + 1,
+                              [&](auto from, auto to) {
                                 for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
                                   to[i] = factor * (from[i + 1] - from[i]);
                               })};
@@ -43,7 +43,7 @@ Bezier<R, N> antiderivative(const Bezier<R, N>& map, std::size_t axis) {
   const auto n = static_cast<std::size_t>(++degrees[axis]);
   const R factor = RingNumbers<R>::ratio(1, degrees[axis]);
   return {degrees, map.num_components(), false,
-          internal::map_lines(map.coefficients(), map.grid(), axis, n + 1, [&](auto from, auto to) {
+          internal::map_lines(map, axis, n + 1, [&](auto from, auto to) {
             R total = R();
             for (std::size_t i = 1; i <= n; ++i) {
               internal::accumulate(total, from[i - 1]);

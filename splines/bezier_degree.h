@@ -28,12 +28,11 @@ Bezier<R, N> elevate(const Bezier<R, N>& map, std::size_t axis, int by) {
   degrees[axis] += by;
   const auto rows = static_cast<std::size_t>(p) + 1, columns = static_cast<std::size_t>(by) + 1;
   return {degrees, map.num_components(), map.is_rational(),
-          internal::map_lines(
-              map.coefficients(), map.grid(), axis, rows + columns - 1, [&](auto from, auto to) {
-                for (std::size_t i = 0; i < rows; ++i)
-                  for (std::size_t j = 0; j < columns; ++j)
-                    internal::accumulate(to[i + j], weights[i * columns + j] * from[i]);
-              })};
+          internal::map_lines(map, axis, rows + columns - 1, [&](auto from, auto to) {
+            for (std::size_t i = 0; i < rows; ++i)
+              for (std::size_t j = 0; j < columns; ++j)
+                internal::accumulate(to[i + j], weights[i * columns + j] * from[i]);
+          })};
 }
 
 /// The same map with the given degrees. REQUIRES none below the map's.

@@ -34,7 +34,7 @@ template <Ring R, std::size_t N>
 Bezier<R, N> reversed(const Bezier<R, N>& map, std::size_t axis) {
   const auto n = static_cast<std::size_t>(map.degree(axis));
   return {map.degrees(), map.num_components(), map.is_rational(),
-          internal::map_lines(map.coefficients(), map.grid(), axis, n + 1, [n](auto from, auto to) {
+          internal::map_lines(map, axis, n + 1, [n](auto from, auto to) {
             for (std::size_t i = 0; i <= n; ++i) to[i] = from[n - i];
           })};
 }
@@ -68,8 +68,7 @@ template <Ring R, std::size_t N>
 requires(N > 1) Bezier<R, N - 1> boundary(const Bezier<R, N>& map, std::size_t axis, int end) {
   const auto at = end == 0 ? 0 : static_cast<std::size_t>(map.degree(axis));
   return {internal::without_axis(map.degrees(), axis), map.num_components(), map.is_rational(),
-          internal::map_lines(map.coefficients(), map.grid(), axis, 1,
-                              [at](auto from, auto to) { to[0] = from[at]; })};
+          internal::map_lines(map, axis, 1, [at](auto from, auto to) { to[0] = from[at]; })};
 }
 
 }  // namespace veritope

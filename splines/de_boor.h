@@ -18,7 +18,7 @@ namespace internal {
 template <typename Knot>
 Status require_in_domain(const KnotAxis<Knot>& axis, std::size_t number, const Knot& u) {
   if (axis.domain_begin() <= u && u <= axis.domain_end()) return ok_status();
-  return outside_domain(number, u, axis.domain_begin(), axis.domain_end());
+  return outside_domain(number, u, axis);
 }
 
 /// Homogeneous values to coordinates.
@@ -101,12 +101,12 @@ requires(N > 1) Result<BSpline<R, N - 1>> isoparametric(const BSpline<R, N>& map
   const std::vector<R> weights =
       internal::numbers_of_knots<R>(internal::basis_values(map.axis(axis), span, u));
   const std::size_t first = span + 1 - weights.size();
-  return BSpline<R, N - 1>(
-      internal::without_axis(map.axes(), axis), map.num_components(), map.is_rational(),
-      internal::map_lines(map.coefficients(), map.grid(), axis, 1, [&](auto from, auto to) {
-        for (std::size_t j = 0; j < weights.size(); ++j)
-          internal::accumulate(to[0], weights[j] * from[first + j]);
-      }));
+  return BSpline<R, N - 1>(internal::without_axis(map.axes(), axis), map.num_components(),
+                           map.is_rational(),
+                           internal::map_lines(map, axis, 1, [&](auto from, auto to) {
+                             for (std::size_t j = 0; j < weights.size(); ++j)
+                               internal::accumulate(to[0], weights[j] * from[first + j]);
+                           }));
 }
 
 }  // namespace veritope

@@ -15,27 +15,17 @@ std::string named(std::size_t i, const Rational& knot) {
 }
 Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::move(message)}; }
 
-// 17 digits tell any two doubles apart. Of the classic locale, whatever the program's is.
-std::string text(double v) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << std::setprecision(17) << v;
-  return out.str();
-}
-Error outside(std::size_t number, const std::string& u, const std::string& begin,
-              const std::string& end) {
-  return refused("axis " + std::to_string(number) + ": the parameter " + u +
-                 " is not in the domain from " + begin + " to " + end);
-}
-
 }  // namespace
 
-Error internal::outside_domain(std::size_t number, const Rational& u, const Rational& begin,
-                               const Rational& end) {
-  return outside(number, u.to_string(), begin.to_string(), end.to_string());
+std::string internal::knot_text(const Rational& u) { return u.to_string(); }
+std::string internal::knot_text(double u) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());  // whatever the program's is
+  out << std::setprecision(17) << u;
+  return out.str();
 }
-Error internal::outside_domain(std::size_t number, double u, double begin, double end) {
-  return outside(number, text(u), text(begin), text(end));
+Error internal::axis_error(Code code, std::size_t number, const std::string& sentence) {
+  return Error{code, {}, "axis " + std::to_string(number) + ": " + sentence};
 }
 
 Result<KnotAxis<Rational>> make_knot_axis(int degree, std::vector<Rational> knots,

@@ -112,7 +112,7 @@ BSpline<R, N> refine(const BSpline<R, N>& map, std::size_t axis,
   axes[axis] = refinement.axis();
   return BSpline<R, N>(
       std::move(axes), map.num_components(), map.is_rational(),
-      internal::map_lines(map.coefficients(), map.grid(), axis, refinement.axis().num_control(),
+      internal::map_lines(map, axis, refinement.axis().num_control(),
                           [&](auto from, auto to) { refinement.apply(from, to); }));
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "splines/grid.h"
+#include "splines/ring.h"
 
 namespace veritope::internal {
 
@@ -18,11 +19,13 @@ struct Line {
   T& operator[](std::size_t i) const { return first[i * stride]; }
 };
 
-/// All components of a net whose `axis` is new_size long, from those of a net of shape `grid`: calls
+/// The coefficients of a Bezier or B-spline map whose `axis` has new_size control points, from those of `map`: calls
 /// on_line(Line<const R> from, Line<R> to) for every line of every component; `to` starts as zeros.
-template <typename R, std::size_t N, typename OnLine>
-std::vector<R> map_lines(std::span<const R> from, const Grid<N>& grid, std::size_t axis,
-                         std::size_t new_size, OnLine on_line) {
+template <template <Ring, std::size_t> class Map, Ring R, std::size_t N, typename OnLine>
+std::vector<R> map_lines(const Map<R, N>& map, std::size_t axis, std::size_t new_size,
+                         OnLine on_line) {
+  const Grid<N> grid = map.grid();
+  const std::span<const R> from = map.coefficients();
   const std::size_t stride = grid.stride(axis);
   const std::size_t block = stride * grid.size[axis], new_block = stride * new_size;
   const std::size_t num_blocks = from.size() / block;  // of all components

@@ -16,25 +16,6 @@ namespace {
 
 using Values = std::vector<Rational>;
 
-// Calls law(random, loop number) for seeded numbers.
-template <typename Law>
-void for_loops(std::uint64_t seed, int loops, Law law) {
-  for (int loop = 0; loop < loops; ++loop) {
-    Random random(seed * 1000 + static_cast<std::uint64_t>(loop));
-    SCOPED_TRACE("seed " + std::to_string(seed) + ", loop " + std::to_string(loop));
-    law(random);
-    if (testing::Test::HasFailure()) return;
-  }
-}
-// For curves, surfaces and volumes in turn.
-template <typename Law>
-void for_all_dimensions(std::uint64_t seed, int loops, Law law) {
-  for_loops(seed, loops, [&](Random& r) { law(r, std::integral_constant<std::size_t, 1>()); });
-  for_loops(seed + 1, loops, [&](Random& r) { law(r, std::integral_constant<std::size_t, 2>()); });
-  for_loops(seed + 2, loops / 4,
-            [&](Random& r) { law(r, std::integral_constant<std::size_t, 3>()); });
-}
-
 TEST(BezierLaw, ValuesAreTheSumsOfBernsteinPolynomials) {
   for_all_dimensions(10, 40, [](Random& random, auto n) {
     const auto map = draw_bezier<n>(random, 5, 2);

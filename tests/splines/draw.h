@@ -1,16 +1,42 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // tests/splines/draw.h: random Bezier and B-spline maps over the rationals, and their texts for failures.
 #pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "robust/base/random.h"
 #include "splines/bezier.h"
 #include "splines/bspline.h"
+#include "tests/predicates/test_scale.h"
 
 namespace veritope {
+
+/// Calls law(random) for `loops` seeds, until one fails, and names the seed then.
+template <typename Law>
+void for_loops(std::uint64_t seed, int loops, Law law) {
+  for (long loop = 0; loop < scaled(loops); ++loop) {
+    Random random(seed * 1'000'000 + static_cast<std::uint64_t>(loop));
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", loop " + std::to_string(loop));
+    law(random);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+/// Calls law(random, number of variables) for curves, surfaces and, a quarter as often, volumes.
+template <typename Law>
+void for_all_dimensions(std::uint64_t seed, int loops, Law law) {
+  for_loops(seed, loops, [&](Random& r) { law(r, std::integral_constant<std::size_t, 1>()); });
+  for_loops(seed + 1, loops, [&](Random& r) { law(r, std::integral_constant<std::size_t, 2>()); });
+  for_loops(seed + 2, loops / 4,
+            [&](Random& r) { law(r, std::integral_constant<std::size_t, 3>()); });
+}
 
 inline Rational fraction(long p, long q = 1) { return Rational(p) / Rational(q); }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "splines/bspline_make.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,18 +19,6 @@ std::string control_point(const Grid<N>& grid, std::size_t offset) {
   return "control point (" + text + ")";
 }
 
-// The product, or nothing if it is over the limit; no factor is 0.
-template <std::size_t N>
-std::optional<std::size_t> product_up_to(const std::array<std::size_t, N>& factors,
-                                         std::size_t limit) {
-  std::size_t product = 1;
-  for (const std::size_t f : factors) {
-    if (product > limit / f) return std::nullopt;
-    product *= f;
-  }
-  return product;
-}
-
 template <std::size_t N>
 Status check_count(const Grid<N>& grid, int num_components, bool is_rational, std::size_t count) {
   const int least = is_rational ? 2 : 1;
@@ -40,7 +27,7 @@ Status check_count(const Grid<N>& grid, int num_components, bool is_rational, st
                    (is_rational ? "rational" : "polynomial") + " map, which has at least " +
                    std::to_string(least));
   const auto components = static_cast<std::size_t>(num_components);
-  const auto points = product_up_to(grid.size, count / components);
+  const auto points = grid.count_up_to(count / components);
   if (points && *points * components == count) return ok_status();
   std::string sizes;
   for (const std::size_t s : grid.size) sizes += (sizes.empty() ? "" : " x ") + std::to_string(s);

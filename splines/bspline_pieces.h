@@ -78,7 +78,7 @@ BSpline<R, N> joined(const BezierPieces<R, N>& in) {
 namespace internal {
 
 /// The map on an axis with fewer knots, by blossoms at its knots; each from the middle one of the spans where the control point
-/// counts. The same map iff it has such a form. REQUIRES the same degree and domain, and the knots among those of the map.
+/// counts. The same map iff it has such a form. REQUIRES a clamped axis of the same degree and domain, its knots among those of the map.
 /// @cost degree^2 / 2 quotients a control point, and degree products for each line
 template <Ring R, std::size_t N>
 BSpline<R, N> with_fewer_knots(const BSpline<R, N>& map, std::size_t axis,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "splines/affine_map.h"
+#include "splines/bspline_common.h"
 #include "splines/bspline_degree.h"
 #include "splines/bspline_derivative.h"
 #include "splines/bspline_domain.h"
@@ -327,6 +328,39 @@ TEST(BSplineLaw, KnotsThatWereInsertedCanBeRemovedAndNoOthers) {
   });
 }
 
+TEST(BSplineLaw, EqualMapsHaveEqualCoefficientsOnCommonAxes) {
+  for_all_dimensions(315, 24, [](Random& random, auto n) {
+    const auto map = draw_bspline<n>(random, 3, 2);
+    SCOPED_TRACE(text_of(map));
+    auto a = map, b = map;
+    for (std::size_t axis = 0; axis < n; ++axis) {
+      a = elevate(refine(a, axis, draw_knots(random, a.axis(axis))), axis, draw_int(random, 0, 2));
+      b = refine(elevate(b, axis, draw_int(random, 0, 2)), axis, draw_knots(random, b.axis(axis)));
+    }
+    const auto common = to_common_axes(a, b);
+    ASSERT_TRUE(common);
+    expect_valid(common->first);
+    EXPECT_EQ(common->first, common->second);
+    auto other = clamped(b, 0);
+    other.coefficients()[random.below(other.coefficients().size())] += Rational(1);
+    if constexpr (n == 1) {  // clamped: every control point counts
+      const auto apart = to_common_axes(a, other);
+      ASSERT_TRUE(apart);
+      EXPECT_NE(apart->first, apart->second);
+    }
+  });
+}
+
+TEST(BSplineLaw, MapsOnDifferentDomainsHaveNoCommonAxes) {
+  const auto line = to_bspline(Bezier<Rational, 1>({1}, 1, false));
+  const auto longer = with_domain(line, 0, fraction(0), fraction(3, 2)).value();
+  const auto common = to_common_axes(line, longer);
+  ASSERT_FALSE(common);
+  EXPECT_EQ(common.error().code, Code::kBadArgument);
+  EXPECT_EQ(common.error().message,
+            "axis 0: the domain of one map ends at 1, that of the other at 3/2");
+}
+
 TEST(BSplineLaw, AffineMapsActOnPoints) {
   for_loops(320, 20, [](Random& random) {
     const auto map = draw_bspline<2>(random, 3, 3, true);
@@ -339,22 +373,43 @@ TEST(BSplineLaw, AffineMapsActOnPoints) {
   });
 }
 
+// Knots that are small fractions: numbers of many digits would make it a test of GMP.
 TEST(BSplineLaw, DegreeSixtyThreeWorks) {
   Random random(330);
   const int p = kMaxSplineDegree;
-  KnotAxis<Rational> axis = draw_axis(random, p, Ends::kClamped);
   for (const Ends ends : {Ends::kClamped, Ends::kUnclamped, Ends::kPeriodic}) {
-    axis = draw_axis(random, p, ends);
+    // Three spans; unclamped: two different knots outside of them on either side; periodic: knots of multiplicity 31 to 33.
+    KnotAxis<Rational> axis{p, {}, ends == Ends::kPeriodic};
+    const auto add = [&axis](int knot, int times) {
+      axis.knots.insert(axis.knots.end(), static_cast<std::size_t>(times), Rational(knot));
+    };
+    if (ends == Ends::kClamped) add(0, p + 1), add(1, 1), add(2, p + 1), add(3, p + 1);
+    if (ends == Ends::kUnclamped)
+      add(-2, 32), add(-1, 31), add(0, 1), add(1, 30), add(2, 1), add(3, 1), add(4, 32), add(5, 31);
+    if (ends == Ends::kPeriodic)
+      add(-2, 32), add(-1, 31), add(0, 33), add(1, 32), add(2, 31), add(3, 33), add(4, 31);
     BSpline<Rational, 1> map({axis}, 1, false,
                              draw_coefficients(random, axis.num_control(), 1, false));
     close_periodic(map);
+    SCOPED_TRACE(text_of(map));
     expect_valid(map);
     const auto at = draw_point(random, map);
     const Values expected = evaluate(map, at).value();
-    const auto raised = elevate(map, 0, 1);
-    EXPECT_EQ(evaluate(raised, at).value(), expected);
     EXPECT_EQ(evaluate(clamped(map, 0), at).value(), expected);
+    EXPECT_EQ(evaluate(elevate(map, 0, 1), at).value(), expected);
     expect_derivative(map, 0, derivative(map, 0));
+  }
+}
+
+TEST(BSplineLaw, ElevationOfUnclampedMapsOfHigherDegreesLeavesTheMapUnchanged) {
+  Random random(340);
+  for (const int degree : {8, 15, 24}) {
+    const auto axis = draw_axis(random, degree, Ends::kUnclamped);
+    const BSpline<Rational, 1> map({axis}, 1, false,
+                                   draw_coefficients(random, axis.num_control(), 1, false));
+    const auto raised = elevate(map, 0, 1);
+    expect_valid(raised);
+    expect_same_map(raised, map);
   }
 }
 

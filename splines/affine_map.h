@@ -33,10 +33,10 @@ std::vector<R> mapped(const AffineMap& affine, std::span<const R> from, bool is_
   std::vector<R> to;
   to.reserve(size * (rows + 1));
   for (std::size_t row = 0; row < rows; ++row) {
-    const R shift = number<R>(affine.translation[row]);
+    const R shift = ring_number<R>(affine.translation[row]);
     std::vector<R> factors;
     for (std::size_t c = 0; c < columns; ++c)
-      factors.push_back(number<R>(affine.linear[row * columns + c]));
+      factors.push_back(ring_number<R>(affine.linear[row * columns + c]));
     for (std::size_t i = 0; i < size; ++i) {
       R value = is_rational ? R(shift * from[columns * size + i]) : shift;
       for (std::size_t c = 0; c < columns; ++c) accumulate(value, factors[c] * from[c * size + i]);

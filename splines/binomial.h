@@ -19,7 +19,7 @@ std::int64_t binomial_int64(int n, int k);
 
 /// A fraction as a number of the ring: exact, nearest, or enclosed, as RingNumbers says.
 template <Ring R>
-R number(const Rational& q) {
+R ring_number(const Rational& q) {
   if constexpr (std::same_as<typename RingNumbers<R>::Knot, Rational>) {
     return RingNumbers<R>::of_knot(q);
   } else {
@@ -31,13 +31,13 @@ R number(const Rational& q) {
 template <Ring R>
 R binomial_in(int n, int k) {
   if (n <= kMaxBinomialRow) return RingNumbers<R>::ratio(binomial_int64(n, k), 1);
-  return number<R>(Rational(binomial(n, k)));
+  return ring_number<R>(Rational(binomial(n, k)));
 }
 /// 1 / (n over k). Rings of double: rounded at most twice. REQUIRES 0 <= k <= n.
 template <Ring R>
 R inverse_binomial_in(int n, int k) {
   if (n <= kMaxBinomialRow) return RingNumbers<R>::ratio(1, binomial_int64(n, k));
-  return number<R>(Rational(Integer(1), binomial(n, k)));
+  return ring_number<R>(Rational(Integer(1), binomial(n, k)));
 }
 
 /// (p over i) (q over j) / (p + q over i + j), which is at most 1: the factor of a_i b_j in coefficient i + j of the product of
@@ -49,7 +49,7 @@ R product_weight(int p, int i, int q, int j) {
       kMaxBinomialRow)  // the numerator is one term of Vandermonde's sum for the denominator
     return RingNumbers<R>::ratio(binomial_int64(p, i) * binomial_int64(q, j),
                                  binomial_int64(p + q, i + j));
-  return number<R>(Rational(binomial(p, i) * binomial(q, j), binomial(p + q, i + j)));
+  return ring_number<R>(Rational(binomial(p, i) * binomial(q, j), binomial(p + q, i + j)));
 }
 
 }  // namespace veritope

@@ -110,6 +110,10 @@ BSpline<R, N> refine(const BSpline<R, N>& map, std::size_t axis,
            "knots to be inserted are sorted and lie in the domain");
   const internal::Refinement<R> refinement(axes[axis], knots);
   axes[axis] = refinement.axis();
+  const auto order = static_cast<std::size_t>(axes[axis].degree) + 1;
+  for (std::size_t i = order; i < axes[axis].knots.size(); ++i)
+    VT_CHECK(axes[axis].knots[i - order] < axes[axis].knots[i],
+             "a knot occurs at most degree + 1 times");
   return BSpline<R, N>(
       std::move(axes), map.num_components(), map.is_rational(),
       internal::map_lines(map, axis, refinement.axis().num_control(),

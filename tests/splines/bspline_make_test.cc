@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "splines/bspline_domain.h"
 #include "splines/bspline_pieces.h"
@@ -137,10 +138,23 @@ TEST(BSpline, JumpsTakeTheValueFromTheRightAndAtTheEndFromTheLeft) {
             integers({1}));
 }
 
+TEST(BSpline, InsertionCopiesControlPointsThatAreNotBlended) {
+  // 0 * infinity would be no number: nothing is multiplied with 0.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const BSplineCurve<double> curve({KnotAxis<double>{2, {0, 0, 0, 1, 1, 2, 2, 2}, false}}, 1, false,
+                                   {kInfinity, 1, 0.1, 3, kInfinity});
+  const auto refined = refine(curve, 0, {1});
+  const std::vector<double> expected{kInfinity, 1, 0.1, 0.1, 3, kInfinity};
+  EXPECT_EQ(std::vector<double>(refined.coefficients().begin(), refined.coefficients().end()),
+            expected);
+}
+
 TEST(BSpline, ChecksWhatItRequires) {
   EXPECT_THROW(refine(kTent, 0, integers({1, 0})), InternalError);
   EXPECT_THROW(refine(kTent, 0, integers({3})), InternalError);
   EXPECT_THROW(refine(kTent, 0, integers({-1})), InternalError);
+  EXPECT_THROW(refine(kTent, 0, integers({1, 1})), InternalError);
+  EXPECT_THROW(insert_knot(kTent, 0, fraction(0)), InternalError);
   EXPECT_EQ(refine(kTent, 0, {}), kTent);
   const Bezier<Rational, 1> line({1}, 1, false);
   EXPECT_THROW(to_bspline(line, {fraction(1)}, {fraction(1)}), InternalError);

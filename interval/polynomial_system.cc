@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "interval/mp_interval.h"
+#include "interval/exact_bernstein.h"
+#include "interval/mp_restriction_internal.h"
 #include "interval/upward.h"
 #include "splines/de_casteljau.h"
 
@@ -14,73 +15,6 @@ namespace {
 
 constexpr double kTight = 0x1p-40;
 constexpr int kFirstPrecision = 128;
-
-// The same component with degree + 1 along an axis.
-template <std::size_t N>
-Bezier<Rational, N> raised(const Bezier<Rational, N>& map, std::size_t axis) {
-  auto degrees = map.degrees();
-  const auto n = static_cast<std::size_t>(++degrees[axis]);
-  Bezier<Rational, N> out(degrees, 1, false);
-  const Grid<N> from = map.grid(), to = out.grid();
-  const std::size_t stride = to.stride(axis);
-  std::vector<std::size_t> starts;
-  from.for_each_line(axis, [&](std::size_t first) { starts.push_back(first); });
-  std::size_t line = 0;
-  to.for_each_line(axis, [&](std::size_t first) {
-    const Rational* const p = map.component(0).data() + starts[line++];
-    Rational* const q = out.component(0).data() + first;
-    for (std::size_t i = 0; i <= n; ++i) {
-      const Rational share = Rational(i) / Rational(n);
-      Rational sum;
-      if (i > 0) sum += share * p[(i - 1) * stride];
-      if (i < n) sum += (Rational(1) - share) * p[i * stride];
-      q[i * stride] = std::move(sum);
-    }
-  });
-  return out;
-}
-
-template <std::size_t N>
-struct LineCut {
-  const Grid<N>& grid;
-  std::size_t axis;
-  int precision;
-
-  // De Casteljau towards t, keeping [0, t] or [t, 1].
-  void keep(std::vector<MpInterval>& values, const Rational& at, bool keep_left) const {
-    const MpInterval t(at, precision), s(Rational(1) - at, precision);
-    const std::size_t stride = grid.stride(axis), degree = grid.size[axis] - 1;
-    grid.for_each_line(axis, [&](std::size_t first) {
-      const auto value = [&](std::size_t i) -> MpInterval& { return values[first + i * stride]; };
-      for (std::size_t level = 1; level <= degree; ++level) {
-        if (keep_left) {
-          for (std::size_t i = degree; i >= level; --i) value(i) = s * value(i - 1) + t * value(i);
-        } else {
-          for (std::size_t i = 0; i <= degree - level; ++i)
-            value(i) = s * value(i) + t * value(i + 1);
-        }
-      }
-    });
-  }
-};
-
-// Cut so that no divisor is small.
-template <std::size_t N>
-void restrict_to(std::vector<MpInterval>& values, const Grid<N>& grid, const ExactBox<N>& box,
-                 int precision) {
-  for (std::size_t axis = 0; axis < N; ++axis) {
-    const Rational& a = box[axis].lo;
-    const Rational& b = box[axis].hi;
-    const LineCut<N> cut{grid, axis, precision};
-    if (a * Rational(2) < Rational(1)) {
-      if (a.sign() != Sign::kZero) cut.keep(values, a, false);
-      if (b != Rational(1)) cut.keep(values, (b - a) / (Rational(1) - a), true);
-    } else {
-      if (b != Rational(1)) cut.keep(values, b, true);
-      cut.keep(values, a / b, false);
-    }
-  }
-}
 
 // 2^e <= the largest magnitude < 2^(e + 2), if that is not 0.
 std::optional<std::int64_t> exponent_of(const std::vector<MpInterval>& values) {
@@ -100,7 +34,7 @@ class WideEquations {
     for (std::size_t r = 0; r < N; ++r) {
       for (const Rational& c : exact.component(static_cast<int>(r)))
         rows_[r].emplace_back(c, precision);
-      restrict_to(rows_[r], exact.grid(), frame, precision);
+      internal::restrict_to(rows_[r], exact.grid(), frame, precision);
     }
   }
   // Double intervals of them, each equation times a power of two; empty if their relative errors are too large. Equations of nearly

@@ -42,6 +42,13 @@ ExactBox<N> inflated_place(const ExactBox<N>& examined) {
   }
   return out;
 }
+template <std::size_t N>
+ExactBox<N> exact_box(const Box<N>& box) {
+  ExactBox<N> out;
+  for (std::size_t i = 0; i < N; ++i)
+    out[i] = {Rational::from_double(box[i].lo()), Rational::from_double(box[i].hi())};
+  return out;
+}
 /// The root of an examination in the coordinates of the frame.
 template <std::size_t N>
 ExactBox<N> place_of_root(const Box<N>& root, const ExactBox<N>& inflated) {
@@ -54,8 +61,49 @@ ExactBox<N> place_of_root(const Box<N>& root, const ExactBox<N>& inflated) {
 
 }  // namespace internal
 
+namespace internal {
+
+/// The hull of the parts of a system's frame, halved a few times, that may hold roots. Empty if none does.
+template <std::size_t N, EquationSystem<N> S>
+std::optional<ExactBox<N>> hull_of_live_parts(const S& system, SolverEffort& effort) {
+  struct Part {
+    typename S::Piece piece;
+    Box<N> local;
+  };
+  std::vector<Part> parts{{system.whole(), Box<N>::filled(Interval::from_bounds(0, 1))}};
+  std::optional<ExactBox<N>> settled;
+  for (std::size_t level = 0; level <= 3 * N; ++level) {
+    std::vector<Part> halved;
+    for (const Part& part : parts) {
+      const Examination<N> seen = system.examine(part.piece);
+      ++effort.boxes;
+      if (seen.kind == Examination<N>::Kind::kNoRoot) continue;
+      ExactBox<N> local = exact_box(part.local);
+      if (seen.kind == Examination<N>::Kind::kOneRoot) {
+        const ExactBox<N> root = place_of_root(seen.root, inflated_place(local));
+        if (!touches(root, local)) continue;
+        local = intersection(root, local);
+      }
+      if (level < 3 * N) {
+        const std::size_t axis = level % N;
+        auto pieces = system.halves(part.piece, axis);
+        auto boxes = split(part.local, axis);
+        halved.push_back({std::move(pieces.first), boxes.first});
+        halved.push_back({std::move(pieces.second), boxes.second});
+        continue;
+      }
+      const ExactBox<N> live = placed(local, system.frame());
+      settled = settled ? hull(*settled, live) : live;
+    }
+    parts = std::move(halved);
+  }
+  return settled;
+}
+
+}  // namespace internal
+
 /// The box of a proved root narrowed to sides of at most `width`, or as far as max_precision bits and the system's numbers go.
-/// REQUIRES a live ScopedUpward, width > 0. @cost one zoom and one examination a step; steps double the digits.
+/// REQUIRES a live ScopedUpward, width > 0. @cost one zoom and one examination a step; steps double the digits once they are many.
 template <std::size_t N, EquationSystem<N> S>
 void refine_root(const S& system, const Rational& width, int max_precision, IsolatedRoot<N>& root,
                  SolverEffort& effort) {
@@ -68,13 +116,18 @@ void refine_root(const S& system, const Rational& width, int max_precision, Isol
     if (!near) return;
     ++effort.frames, ++effort.boxes;
     effort.precision = std::max(effort.precision, near->precision());
+    const auto narrow_to = [&](const std::optional<ExactBox<N>>& part) {
+      VT_CHECK(part && touches(*part, root.box), "a proved root has gone");
+      const Rational before = root.box.width();
+      root.box = intersection(shortened(*part, least), root.box);
+      return root.box.width() * Rational(4) <= before * Rational(3);
+    };
     const Examination<N> found = near->examine(near->whole());
-    if (found.kind != Examination<N>::Kind::kOneRoot) return;
-    const ExactBox<N> tighter = intersection(
-        shortened(internal::place_of_root(found.root, internal::inflated_place(frame)), least),
-        root.box);
-    if (root.box.width() <= tighter.width() * Rational(2)) return;
-    root.box = tighter;
+    bool narrowed = false;
+    if (found.kind == Examination<N>::Kind::kOneRoot)
+      narrowed = narrow_to(internal::place_of_root(found.root, internal::inflated_place(frame)));
+    if (!narrowed) narrowed = narrow_to(internal::hull_of_live_parts<N>(*near, effort));
+    if (!narrowed) return;
   }
 }
 
@@ -110,12 +163,6 @@ class RootSearch {
   static constexpr int kMinDepth = 5 * static_cast<int>(N);
   static constexpr double kLeastSide = 0x1p-44;
 
-  static ExactBox<N> exact(const Box<N>& local) {
-    ExactBox<N> out;
-    for (std::size_t i = 0; i < N; ++i)
-      out[i] = {Rational::from_double(local[i].lo()), Rational::from_double(local[i].hi())};
-    return out;
-  }
   // The largest box of doubles in it, in the frame's coordinates; empty sides if there is none.
   static Box<N> inside(const ExactBox<N>& box, const ExactBox<N>& frame) {
     const ExactBox<N> local = seen_from(box, frame);
@@ -136,9 +183,11 @@ class RootSearch {
     while (!nodes.empty()) {
       Node node = std::move(nodes.front());
       nodes.pop_front();
-      const auto put_aside = [&] { hard.push_back(placed(exact(node.local), frame.frame())); };
+      const auto put_aside = [&] {
+        hard.push_back(placed(internal::exact_box(node.local), frame.frame()));
+      };
       if (effort_.boxes >= options_.max_boxes) {
-        give_up(placed(exact(node.local), frame.frame()), OpenReason::kBudget);
+        give_up(placed(internal::exact_box(node.local), frame.frame()), OpenReason::kBudget);
         continue;
       }
       if (is_covered(node.local)) continue;
@@ -188,7 +237,7 @@ class RootSearch {
   // Notes the root unless it is known; false if that could not be decided.
   bool add(const S& frame, const Box<N>& local, const Box<N>& place) {
     Found f;
-    f.root.unique_in = internal::inflated_place(placed(exact(local), frame.frame()));
+    f.root.unique_in = internal::inflated_place(placed(internal::exact_box(local), frame.frame()));
     f.root.box = internal::place_of_root(place, f.root.unique_in);
     refine_root(system_, options_.root_width, options_.max_precision, f.root, effort_);
     for (Found& known : found_) {

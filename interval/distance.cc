@@ -278,10 +278,7 @@ Result<Shape> Shape::of_pieces(const BSpline<Rational, N>& map) {
     return Error{Code::kBadArgument,
                  {},
                  "a map of dimension " + std::to_string(map.dimension()) + ", not 1 to 3"};
-  if (map.is_rational())
-    for (const Rational& w : map.component(map.num_components() - 1))
-      if (w.sign() != Sign::kPositive)
-        return Error{Code::kBadArgument, {}, "a weight is " + w.to_string() + ", not positive"};
+  if (const Status status = check_weights(map); !status) return status.error();
   const ExactPieces<N> all = bezier_pieces(map);
   const Grid<N> grid = all.grid();
   Shape out;

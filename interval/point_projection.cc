@@ -254,10 +254,7 @@ Result<Projection<N>> project_point(std::span<const Rational> point,
                  {},
                  "a point of dimension " + std::to_string(point.size()) + ", a map of dimension " +
                      std::to_string(map.dimension())};
-  if (map.is_rational())
-    for (const Rational& w : map.component(map.num_components() - 1))
-      if (w.sign() != Sign::kPositive)
-        return Error{Code::kBadArgument, {}, "a weight is " + w.to_string() + ", not positive"};
+  if (const Status status = check_weights(map); !status) return status.error();
   Projector<N> projector(point, options);
   for (const SmoothPart<N>& part : smooth_parts(map))
     if (const Status status = projector.add(part); !status) return status.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "interval/spline_pieces.h"
 
+#include <string>
 #include <utility>
 
 #include "interval/relations.h"
@@ -34,17 +35,19 @@ ExactPieces<N> sub_grid(const ExactPieces<N>& all, const std::array<std::size_t,
   return out;
 }
 
-}  // namespace
-
+// Cut at the breaks whose multiplicity exceeds the degree by `excess` or more.
 template <std::size_t N>
-std::vector<SmoothPart<N>> smooth_parts(const BSpline<Rational, N>& map) {
+std::vector<SmoothPart<N>> parts_of(const BSpline<Rational, N>& map, int excess) {
   const ExactPieces<N> all = bezier_pieces(map);
+  const auto excess_at = [&](std::size_t a, std::size_t i) {
+    return multiplicity(map.axis(a), all.breaks[a][i]) - map.axis(a).degree;
+  };
   std::array<std::vector<std::size_t>, N> cuts;
   Grid<N> parts;
   for (std::size_t a = 0; a < N; ++a) {
     cuts[a].push_back(0);
     for (std::size_t i = 1; i + 1 < all.breaks[a].size(); ++i)
-      if (multiplicity(map.axis(a), all.breaks[a][i]) >= map.axis(a).degree) cuts[a].push_back(i);
+      if (excess_at(a, i) >= excess) cuts[a].push_back(i);
     cuts[a].push_back(all.breaks[a].size() - 1);
     parts.size[a] = cuts[a].size() - 1;
   }
@@ -55,12 +58,33 @@ std::vector<SmoothPart<N>> smooth_parts(const BSpline<Rational, N>& map) {
     const auto number = cell_at(parts, i);
     for (std::size_t a = 0; a < N; ++a) {
       first[a] = cuts[a][number[a]], last[a] = cuts[a][number[a] + 1];
-      is_first[a] = number[a] == 0 || multiplicity(map.axis(a), all.breaks[a][first[a]]) >
-                                          map.axis(a).degree;  // torn: nothing is shared
+      is_first[a] = number[a] == 0 || excess_at(a, first[a]) > 0;  // torn: nothing is shared
     }
     out.push_back({sub_grid(all, first, last), is_first});
   }
   return out;
+}
+
+}  // namespace
+
+template <std::size_t N>
+std::vector<SmoothPart<N>> smooth_parts(const BSpline<Rational, N>& map) {
+  return parts_of(map, 0);
+}
+template <std::size_t N>
+std::vector<ExactPieces<N>> connected_parts(const BSpline<Rational, N>& map) {
+  std::vector<ExactPieces<N>> out;
+  for (SmoothPart<N>& part : parts_of(map, 1)) out.push_back(std::move(part.pieces));
+  return out;
+}
+
+template <std::size_t N>
+Status check_weights(const BSpline<Rational, N>& map) {
+  if (!map.is_rational()) return ok_status();
+  for (const Rational& w : map.component(map.num_components() - 1))
+    if (w.sign() != Sign::kPositive)
+      return Error{Code::kBadArgument, {}, "a weight is " + w.to_string() + ", not positive"};
+  return ok_status();
 }
 
 template <std::size_t N>
@@ -141,10 +165,11 @@ std::vector<Interval> points_of(const ExactPieces<N>& map, const ExactBox<N>& bo
   return out;
 }
 
-template std::vector<SmoothPart<1>> smooth_parts(const BSpline<Rational, 1>&);
-template std::vector<SmoothPart<2>> smooth_parts(const BSpline<Rational, 2>&);
 template ExactPieces<1> border(const ExactPieces<2>&, std::size_t, bool);
 #define VT_INSTANTIATE(N)                                                                  \
+  template std::vector<SmoothPart<N>> smooth_parts(const BSpline<Rational, N>&);           \
+  template std::vector<ExactPieces<N>> connected_parts(const BSpline<Rational, N>&);       \
+  template Status check_weights(const BSpline<Rational, N>&);                              \
   template ExactBox<N> place_of(const ExactPieces<N>&, const std::array<std::size_t, N>&); \
   template std::vector<Interval> points_of(const ExactPieces<N>&, const ExactBox<N>&);     \
   template std::vector<Interval> hull_of(const Bezier<Interval, N>&);                      \

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "interval/exact_bernstein.h"
+#include "robust/base/result.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope {
@@ -21,6 +22,12 @@ struct SmoothPart {
 };
 template <std::size_t N>
 std::vector<SmoothPart<N>> smooth_parts(const BSpline<Rational, N>& map);
+/// The parts between breaks of multiplicity degree + 1, where the map may be torn: each is continuous.
+template <std::size_t N>
+std::vector<ExactPieces<N>> connected_parts(const BSpline<Rational, N>& map);
+/// @error kBadArgument: a weight is not positive
+template <std::size_t N>
+Status check_weights(const BSpline<Rational, N>& map);
 
 /// The map on the border of an axis, low (false) or high.
 template <std::size_t N>

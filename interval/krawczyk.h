@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/krawczyk.h: the existence and uniqueness test of the solvers, and the small matrices that precondition it.
-// Source: Krawczyk 1969, Moore 1977; [Neu90] 5.2.
+// Source: [Neu90] 5.2 (Krawczyk, Moore).
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/root_isolation.h: all roots of a system of equations in a box, each proved, the rest proved free of roots.
-// Design: docs/design/0012-certified-solvers.md. Sources: [She97b] (Bernstein subdivision), [Neu90] 5.2.
+// Design: docs/design/0012-certified-solvers.md. Sources: [SP93] (Bernstein subdivision), [Neu90] 5.2.
 #pragma once
 #include <concepts>
 #include <deque>

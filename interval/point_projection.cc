@@ -140,6 +140,13 @@ struct Held {
 };
 
 template <std::size_t N>
+ExactBox<N> point_box(const std::array<Rational, N>& point) {
+  ExactBox<N> out;
+  for (std::size_t i = 0; i < N; ++i) out[i] = {point[i], point[i]};
+  return out;
+}
+
+template <std::size_t N>
 class Projector {
  public:
   Projector(std::span<const Rational> point, const SolverOptions& options)
@@ -161,6 +168,7 @@ class Projector {
   }
   Projection<N> finish() {
     Projection<N>& out = out_;
+    drop_repeated();
     double low = HUGE_VAL, high = HUGE_VAL;
     for (const auto& p : out.points) {
       low = std::min(low, p.distance.lo());
@@ -181,6 +189,18 @@ class Projector {
   }
 
  private:
+  // Parts come before their borders and corners: the first of equals has the fewest held axes.
+  void drop_repeated() {
+    std::vector<CriticalPoint<N>> kept;
+    for (CriticalPoint<N>& p : out_.points) {
+      const bool is_known = p.exact && std::any_of(kept.begin(), kept.end(), [&](const auto& k) {
+                              return k.exact == p.exact;
+                            });
+      if (!is_known) kept.push_back(std::move(p));
+    }
+    out_.points = std::move(kept);
+  }
+
   Status add_border(const SmoothPart<N>& part, std::size_t axis, bool high) requires(N == 2) {
     const ExactPieces<1> edge = border(part.pieces, axis, high);
     Held<2> held;
@@ -203,6 +223,7 @@ class Projector {
     const ScopedUpward upward;
     CriticalPoint<N> p;
     p.parameters = held.extended(ExactBox<0>{});
+    p.exact = p.parameters.middle();
     p.is_held = held.flags();
     p.kind = CriticalKind::kMinimum;
     p.point = points_of(curve, at);
@@ -226,6 +247,7 @@ class Projector {
     for (const IsolatedRoot<M>& root : report->roots) {
       CriticalPoint<N> p;
       p.parameters = held.extended(root.box);
+      if (root.exact) p.exact = held.extended(point_box(*root.exact)).middle();
       p.is_held = held.flags();
       p.place = root.place;
       p.kind = kind_at(system, root.box);

@@ -19,10 +19,13 @@ namespace veritope {
 enum class CriticalKind { kMinimum, kSaddle, kMaximum, kUndecided };
 
 /// Exactly one critical point, with the parameters in the box: on free axes the derivative of the distance is 0; a held axis is a
-/// border of the domain or a knot line where the map need not be differentiable.
+/// border of the domain or a knot line where the map need not be differentiable. A point on a border that is critical also without holding it is
+/// reported once, with the fewest held axes, if its parameters are exact; else both are reported, each in its own right.
 template <std::size_t N>
 struct CriticalPoint {
   ExactBox<N> parameters;
+  std::optional<std::array<Rational, N>>
+      exact;  ///< its parameters, if they are known to be short fractions
   std::array<bool, N> is_held{};
   RootPlace place = RootPlace::
       kInside;  ///< in the part; kAtBoundary: perhaps just outside, then no critical point of the map

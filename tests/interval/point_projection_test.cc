@@ -24,7 +24,8 @@ std::string text(const Projection<N>& p) {
     for (std::size_t a = 0; a < N; ++a)
       out += (c.is_held[a] ? " held " : " ") + std::to_string(nearest_double(c.parameters[a].lo));
   }
-  for (const auto& r : p.open) out += std::string("\nopen ") + open_reason_name(r.reason) + " " + to_string(r.parameters);
+  for (const auto& r : p.open)
+    out += std::string("\nopen ") + open_reason_name(r.reason) + " " + to_string(r.parameters);
   return out;
 }
 bool encloses_root_of(const Interval& a, const Rational& square) {
@@ -132,6 +133,21 @@ TEST(PointProjection, TakesCreasesAsBorders) {
   ASSERT_TRUE(p.certified_nearest.has_value()) << text(p);
   EXPECT_TRUE(p.points[*p.certified_nearest].is_held[0]);
   EXPECT_EQ(p.points[*p.certified_nearest].parameters[0].lo, at(1));
+}
+
+// The foot of (x, 0, 1) on the plate [0, 1]^2 lies on its border, critical with and without it.
+TEST(PointProjection, ReportsAFootOnABorderOnce) {
+  const BSplineSurface<Rational> plate(
+      {shapes::bezier_axis(1), shapes::bezier_axis(1)}, 3, false,
+      {at(0), at(0), at(1), at(1), at(0), at(1), at(0), at(1), at(0), at(0), at(0), at(0)});
+  const auto p = project_point<2>(point3(at(1, 3), at(0), at(1)), plate).value();
+  EXPECT_TRUE(p.is_complete()) << text(p);
+  ASSERT_TRUE(p.certified_nearest.has_value()) << text(p);
+  const auto& foot = p.points[*p.certified_nearest];
+  EXPECT_EQ(foot.place, RootPlace::kOnBoundary);
+  EXPECT_FALSE(foot.is_held[0] || foot.is_held[1]);
+  EXPECT_EQ(foot.exact, (std::array<Rational, 2>{at(1, 3), at(0)}));
+  EXPECT_TRUE(is_member(1, p.least_distance));
 }
 
 TEST(PointProjection, RationalArcHasTheRadiusAsDistance) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/gradient.h: a number with its first derivatives, in intervals (forward differentiation [Mul16]), so that the
-// same formula gives a value at a point and its slopes over a box.
+// interval/gradient.h: a number with its first derivatives, in intervals (forward differentiation), so that the same
+// formula gives a value at a point and its slopes over a box.
 #pragma once
 #include <array>
 #include <cstddef>

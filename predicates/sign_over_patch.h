@@ -51,7 +51,7 @@ using TriangleSign = SignReport<3, 3>;
 /// Of one component on [0,1]^N. Halves the box until the coefficients of every piece have one sign, or corners, which
 /// are values, have two. Intervals first; rationals where those are too wide.
 /// Zeros that no corner of a dyadic piece meets (f >= 0 that touches 0 at 1/3) end undecided.
-/// REQUIRES 0 <= component < num_components, max_pieces >= 1.  @cost 1 us a piece in intervals (bicubic)
+/// REQUIRES 0 <= component < num_components, max_pieces >= 1.  @cost a de Casteljau step and a scan a piece, in intervals
 template <std::size_t N>
 BoxSign<N> sign_over_box(const Bezier<Rational, N>& map, int component = 0,
                          const SignBudget& budget = {});

@@ -38,8 +38,8 @@ struct FastSplineOutput {
 template <std::size_t N>
 class FastSpline {
  public:
-  /// @error kOverLimit for a coefficient or a derivative's scale beyond 2^200, weights whose ratio exceeds 2^40, more
-  ///        than 2^26 coefficients; kBadArgument for weights that are not positive; kNotFinite for doubles that are not.
+  /// @error kOverLimit for a coefficient or a derivative's scale beyond 2^200, weights whose ratio exceeds 2^40
+  ///        or that change in a span between neighbouring doubles, more than 2^26 coefficients; kBadArgument for weights that are not positive; kNotFinite for doubles that are not.
   /// @cost  knot insertion in rationals: milliseconds for 1,000 control points.
   static Result<FastSpline> prepare(const BSpline<Rational, N>& map);
   static Result<FastSpline> prepare(const BSpline<double, N>& map);
@@ -48,7 +48,7 @@ class FastSpline {
   /// The least and the greatest binary64 numbers in the domain of an axis.
   std::array<double, 2> domain(std::size_t axis) const;
 
-  /// at[a][i]: parameter a of point i, i < n.  @cost bicubic 15, tricubic 40 ns a point (docs/benchmarks.md)
+  /// at[a][i]: parameter a of point i, i < n.  @cost bicubic 25, tricubic 42 ns a point (docs/benchmarks.md)
   void evaluate(const std::array<const double*, N>& at, std::size_t n,
                 const FastSplineOutput& out) const;
   /// REQUIRES is_available(back_end).

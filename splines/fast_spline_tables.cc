@@ -99,7 +99,7 @@ class BoundMaker {
 
 Error over_limit(const std::string& what) { return Error{Code::kOverLimit, {}, what}; }
 
-// The map with its weights, and so all of it, scaled to weights of at most 1.
+// The map with all components scaled by a power of two, so that the largest weight is in (1/4, 1).
 template <std::size_t N>
 Result<BSpline<Rational, N>> with_limits(BSpline<Rational, N> map) {
   const Rational limit = exactly(kFastLimit);
@@ -121,9 +121,11 @@ Result<BSpline<Rational, N>> with_limits(BSpline<Rational, N> map) {
     if (least < most * exactly(kFastWeightRatio))
       return over_limit("weights from " + least.to_string() + " to " + most.to_string() +
                         " differ by more than 2^40: too much for fast evaluation");
-    const Rational scale = Rational(1) / most;
-    if (most != Rational(1))
-      for (Rational& v : map.coefficients()) v *= scale;
+    // 2^(bits - 1) <= |integer| < 2^bits.
+    const auto exponent = static_cast<std::int64_t>(most.numerator().bit_length()) -
+                          static_cast<std::int64_t>(most.denominator().bit_length()) + 1;
+    const Rational scale = Rational::power_of_two(-exponent);
+    for (Rational& v : map.coefficients()) v *= scale;
   }
   for (const Rational& v : map.coefficients())
     if (abs(v) > limit)
@@ -133,8 +135,8 @@ Result<BSpline<Rational, N>> with_limits(BSpline<Rational, N> map) {
 }
 
 template <std::size_t N>
-void add_piece(const Bezier<Rational, N>& piece, const BoundMaker<N>& bound,
-               const std::array<std::size_t, N>& cell, FastStorage<N>& out) {
+Status add_piece(const Bezier<Rational, N>& piece, const BoundMaker<N>& bound,
+                 const std::array<std::size_t, N>& cell, FastStorage<N>& out) {
   const auto components = static_cast<std::size_t>(out.num_components);
   const std::size_t blocks = (components + 3) / 4, from = out.coefficients.size();
   out.coefficients.resize(from + blocks * out.num_coefficients);
@@ -148,10 +150,16 @@ void add_piece(const Bezier<Rational, N>& piece, const BoundMaker<N>& bound,
   for (std::size_t k = 0; k <= N; ++k)
     for (const Component& c : measured)
       out.bounds.push_back(k == 0 ? bound.value(c, cell) : bound.partial(c, k - 1, cell));
-  if (!out.is_rational) return;
+  if (!out.is_rational) return ok_status();
   Rational least = piece.component(out.num_components - 1)[0];
   for (const Rational& w : piece.component(out.num_components - 1)) least = w < least ? w : least;
+  const double error = bound.value(measured.back(), cell);
+  if (exactly(error) > least)
+    return over_limit(
+        "a span holds so few binary64 numbers that its weights are not known: too short for fast "
+        "evaluation");
   out.inverse_weight.push_back(round_up(Rational(1) / least));
+  return ok_status();
 }
 
 }  // namespace
@@ -175,7 +183,7 @@ Result<FastStorage<N>> make_fast_storage(const BSpline<Rational, N>& map) {
     std::array<std::size_t, N> cell;
     std::size_t rest = number;
     for (std::size_t a = N; a-- > 0; rest /= cells.size[a]) cell[a] = rest % cells.size[a];
-    add_piece(pieces.pieces[number], bound, cell, out);
+    if (const Status s = add_piece(pieces.pieces[number], bound, cell, out); !s) return s.error();
   }
   return out;
 }

@@ -326,6 +326,15 @@ TEST(SplineEnclosure, HoldsBothSlopesAtACorner) {
             Interval());
 }
 
+TEST(SplineEnclosure, HoldsBothSidesOfAJump) {
+  const auto axis = make_knot_axis(1, {0, 0, 1, 1, 2, 2}).value();
+  const auto enclosure =
+      SplineEnclosure<1>::prepare(BSplineCurve<Rational>({axis}, 1, false, {0, 1, 5, 7}), 1)
+          .value();
+  EXPECT_EQ(enclosure.value(Box<1>(Interval(1.0))).value()[0], Interval::from_bounds(1, 5));
+  EXPECT_EQ(enclosure.value(enclosure.domain()).value()[0], Interval::from_bounds(0, 7));
+}
+
 TEST(BernsteinBox, RestrictionHoldsTheRestrictedCoefficients) {
   Random random(8);
   const ScopedUpward upward;

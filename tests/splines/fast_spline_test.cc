@@ -247,6 +247,35 @@ TEST(FastSpline, RefusesWhatItsBoundsDoNotCover) {
             Code::kBadArgument);
 }
 
+// Knots between neighbouring doubles: a bound may be large, but it holds, or weights are refused.
+TEST(FastSpline, BoundsHoldInSpansThatHoldOneNumber) {
+  const Rational tiny = Rational::power_of_two(-80);
+  const auto axis = make_knot_axis(1, {0, 0, Rational(1) - tiny, Rational(1) + tiny, 2, 2}).value();
+  const BSplineCurve<Rational> map({axis}, 1, false, {0, 0, 1, 1});
+  const auto fast = FastSpline<1>::prepare(map).value();
+  for (const double u : {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0)}) {
+    Output out(1, 1, 1);
+    fast.evaluate({&u}, 1, out.all());
+    const auto truth = ExactMap<1>(map).at({Rational::from_double(u)});
+    EXPECT_LE(abs(Rational::from_double(out.value[0]) - truth.value[0]),
+              Rational::from_double(out.value_bound[0]));
+    EXPECT_LE(abs(Rational::from_double(out.partial[0]) - truth.partial[0][0]),
+              Rational::from_double(out.partial_bound[0]));
+  }
+  const BSplineCurve<Rational> weighted({axis}, 2, true, {0, 0, 1, 1, 1, 1, 2, 2});
+  EXPECT_EQ(FastSpline<1>::prepare(weighted).error().code, Code::kOverLimit);
+}
+
+TEST(FastSpline, TakesTheRightHandSideOfAJump) {
+  const auto axis = make_knot_axis(1, {0, 0, 1, 1, 2, 2}).value();
+  const auto fast =
+      FastSpline<1>::prepare(BSplineCurve<Rational>({axis}, 1, false, {0, 1, 5, 7})).value();
+  const double at[] = {0.5, 1.0, 1.5, 2.0}, expected[] = {0.5, 5, 6, 7};
+  Output out(4, 1, 1);
+  fast.evaluate({at}, 4, out.all());
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(out.value[i], expected[i]);
+}
+
 // The generic path of splines/ in doubles is a second computation of the same map.
 TEST(FastSpline, AgreesWithTheRingPathInDoubles) {
   Random random(51);

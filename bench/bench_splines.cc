@@ -2,7 +2,7 @@
 // bench/bench_splines.cc: ns a point of a bicubic surface (10 x 10 control points in space) and a tricubic volume (8 x 8 x 8)
 // at random parameters, one thread, all candidates turn by turn. A pass is 4,096 points, each with other parameters; a figure is
 // the least of the passes. Rows without a peer have a goal in million points a second. agrees: the greatest difference of the
-// two candidates' coordinates, for peers with a value.
+// two candidates' coordinates, for peers with a value. Enclosures: of the same surface over boxes of a quarter of a span, a row a quantity.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +12,7 @@
 
 #include "bench/spline_peers.h"
 #include "bench/stopwatch.h"
+#include "interval/surface_enclosure.h"
 #include "robust/base/random.h"
 #include "splines/fast_spline.h"
 
@@ -206,10 +207,56 @@ void volume_rows(Random& random) {
   print_alone("tricubic_value_baseline", all[4].ns, "");
 }
 
+// ns a box of 256 boxes inside of cells, the least of eight rounds.
+void enclosure_rows(Random& random) {
+  std::vector<Rational> coefficients;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 100; ++i)
+      coefficients.push_back(c == 0   ? Rational(i / 10)
+                             : c == 1 ? Rational(i % 10)
+                                      : Rational::from_double(2 * random.unit() - 1));
+  std::vector<Rational> knots;
+  for (const double k : clamped_knots(10, 3)) knots.push_back(Rational::from_double(k));
+  const auto axis = make_knot_axis(3, knots).value();
+  const auto surface =
+      SplineEnclosure<2>::prepare(BSplineSurface<Rational>({axis, axis}, 3, false, coefficients), 3)
+          .value();
+  std::vector<Box2> boxes;
+  for (int i = 0; i < 256; ++i) {
+    const auto side = [&] {
+      const double at = (static_cast<double>(random.below(7)) + 0.05 + 0.6 * random.unit()) / 7;
+      return Interval::from_bounds(at, at + 0.25 / 7);
+    };
+    boxes.emplace_back(side(), side());
+  }
+  const auto row = [&](const char* name, const auto& run) {
+    double ns = 1e300;
+    for (int round = 0; round < 8; ++round) {
+      const Stopwatch watch;
+      for (const Box2& box : boxes) VT_CHECK(run(box), "a box in the domain");
+      ns = std::min(ns, watch.ns() / static_cast<double>(boxes.size()));
+    }
+    std::printf("{\"row\":\"enclosure_%s\",\"ours\":%.0f,\"peer\":null,\"unit\":\"ns\"}\n", name,
+                ns);
+  };
+  using enum EnclosureForm;
+  row("value_hull", [&](const Box2& b) { return surface.value(b, kHull).has_value(); });
+  row("value_mean_value", [&](const Box2& b) { return surface.value(b, kMeanValue).has_value(); });
+  row("first_derivative_hull", [&](const Box2& b) {
+    return surface.derivative({1, 0}, b, kHull).has_value();
+  });
+  row("normal_both", [&](const Box2& b) { return enclose_normal(surface, b).has_value(); });
+  row("normal_cone", [&](const Box2& b) { return enclose_normal_cone(surface, b).has_value(); });
+  row("curvatures_hull",
+      [&](const Box2& b) { return enclose_curvatures(surface, b, kHull).has_value(); });
+  row("curvatures_both", [&](const Box2& b) { return enclose_curvatures(surface, b).has_value(); });
+}
+
 }  // namespace
 
 int main() {
   Random random(42);
   surface_rows(random);
   volume_rows(random);
+  enclosure_rows(random);
 }

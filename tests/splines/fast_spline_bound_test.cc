@@ -7,6 +7,7 @@
 #include "robust/base/random.h"
 #include "splines/fast_spline.h"
 #include "splines/fast_spline_formulas_internal.h"
+#include "splines/fast_spline_loops_internal.h"
 #include "splines/fast_spline_tables_internal.h"
 
 namespace veritope {
@@ -125,10 +126,59 @@ TEST(FastSplineBound, TableHasTheDerivedBoundAndNotMuchMore) {
   const Rational eps = (one + u) * (one + u) - one;  // a = 0, h = 1: e = rho = 0
   Rational power(1);
   for (int i = 0; i < 20; ++i) power *= one + u;
-  const Rational derived = (power - one) * size + conversion + eps * Rational(3) * (du + dv);
-  const Rational stored = Rational::from_double(storage.bounds[0]);
-  EXPECT_LE(derived, stored);
-  EXPECT_LE(stored, derived * (one + Rational::power_of_two(-20)));
+  const auto expect_derived = [&](const Rational& derived, double constant) {
+    const Rational stored = Rational::from_double(constant);
+    EXPECT_LE(derived, stored);
+    EXPECT_LE(stored, derived * (one + Rational::power_of_two(-20)));
+  };
+  expect_derived((power - one) * size + conversion + eps * Rational(3) * (du + dv),
+                 storage.bounds[0]);
+  // Section 5: K' = 20 - 6 + 3 + 1; q = 3 exactly.
+  Rational partial_power(1);
+  for (int i = 0; i < 18; ++i) partial_power *= one + u;
+  const Rational g = du, other = du < dv ? du : dv, q(3);
+  const Rational sum = (partial_power - one) * Rational(2) * size + Rational(2) * conversion +
+                       eps * (Rational(4) * g + Rational(6) * other);
+  expect_derived(q * (one + u) * sum + g * u * q, storage.bounds[1]);
+}
+
+// Section 6 with errors so large that every term counts: exact numbers at all corners of the computed ones' errors.
+TEST(FastSplineBound, QuotientsAreWithinTheirBoundsAtEveryCorner) {
+  struct NoLanes {};
+  Random random(9);
+  internal::FastTables tables{};
+  double inverse = 0, closest_value = 0, closest_slope = 0;
+  tables.inverse_weight = &inverse;
+  const auto exactly = [](double v) { return Rational::from_double(v); };
+  for (int loop = 0; loop < 1000; ++loop) {
+    const auto number = [&] {
+      return (2 * random.unit() - 1) * static_cast<double>(1 + random.below(9));
+    };
+    const double scale = random.below(2) == 0 ? 0x1p-8 : 0x1p-50;
+    // [component][value, slope]: X and w; and their errors.
+    double x[2][4] = {{number()}, {number()}}, w[2][4] = {{0.5 + random.unit()}, {number()}};
+    double bounds[4];  // E_X, E_w, E_X', E_w'
+    for (double& b : bounds) b = scale * random.unit() * static_cast<double>(random.below(3));
+    inverse = round_up(Rational(1) / (exactly(w[0][0]) - exactly(bounds[1])));
+    double value = 0, value_bound = 0, partial = 0, partial_bound = 0;
+    internal::FastLoop<NoLanes, 1, 0>::quotients(tables, 0, 0, 0, 1, x, w, bounds,
+                                                 {&value, &value_bound, &partial, &partial_bound});
+    for (int corner = 0; corner < 16; ++corner) {
+      const auto at = [&](double v, int k) {
+        return exactly(v) + ((corner >> k & 1) != 0 ? exactly(bounds[k]) : -exactly(bounds[k]));
+      };
+      const Rational exact_x = at(x[0][0], 0), exact_w = at(w[0][0], 1), q = exact_x / exact_w;
+      const Rational slope = (at(x[1][0], 2) - q * at(w[1][0], 3)) / exact_w;
+      const Rational value_error = abs(exactly(value) - q),
+                     slope_error = abs(exactly(partial) - slope);
+      ASSERT_LE(value_error, exactly(value_bound)) << "loop " << loop;
+      ASSERT_LE(slope_error, exactly(partial_bound)) << "loop " << loop;
+      closest_value = std::max(closest_value, nearest_double(value_error) / value_bound);
+      closest_slope = std::max(closest_slope, nearest_double(slope_error) / partial_bound);
+    }
+  }
+  EXPECT_GT(closest_value, 0.95);  // a term less would have failed
+  EXPECT_GT(closest_slope, 0.9);
 }
 
 }  // namespace

@@ -102,7 +102,8 @@ EnclosureData<N> make_data(const BSpline<R, N>& map, int max_order) {
 }  // namespace
 
 template <std::size_t N>
-Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& local, int order) {
+Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& local, int order,
+                  const MultiIndex<N>& base) {
   const auto dimension = static_cast<std::size_t>(data.dimension);
   Jets<N> out{&data, {}};
   std::vector<Interval> weight;
@@ -110,6 +111,12 @@ Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& 
   for (const Interval& side : local) is_point = is_point && is_singleton(side);
   std::size_t count = 0;
   for (; count < data.indices.size() && total<N>(data.indices[count]) <= order; ++count) {
+    bool is_read = true;
+    for (std::size_t a = 0; a < N; ++a) is_read = is_read && data.indices[count][a] >= base[a];
+    if (!is_read && !data.is_rational) {
+      out.values.insert(out.values.end(), dimension, Interval::empty());
+      continue;
+    }
     const Bezier<Interval, N>& whole = data.cells[cell].derivatives[count];
     std::array<Interval, N> point;
     for (std::size_t a = 0; a < N; ++a) point[a] = local[a];
@@ -184,6 +191,7 @@ template <std::size_t N>
 struct DerivativeFormula {
   MultiIndex<N> order;
   std::size_t dimension;
+  const MultiIndex<N>& base() const { return order; }
   template <typename View>
   std::vector<typename View::Number> operator()(const View& view) const {
     std::vector<typename View::Number> out;
@@ -261,7 +269,7 @@ Result<std::vector<Interval>> SplineEnclosure<N>::derivative(const std::array<in
 #define VT_INSTANTIATE(N)                                                                         \
   template class SplineEnclosure<N>;                                                              \
   template internal::Jets<N> internal::jets_over(const EnclosureData<N>&, std::size_t,            \
-                                                 const Box<N>&, int);                             \
+                                                 const Box<N>&, int, const MultiIndex<N>&);       \
   template Result<std::vector<internal::CellPart<N>>> internal::parts_of(const EnclosureData<N>&, \
                                                                          const Box<N>&, int);
 VT_INSTANTIATE(1)

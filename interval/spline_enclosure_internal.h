@@ -71,9 +71,11 @@ struct Jets {
     return values[data->index_of(order) * static_cast<std::size_t>(data->dimension) + c];
   }
 };
-/// Over `local`, a box of [0,1]^N of the cell. REQUIRES order <= max_order.
+/// Over `local`, a box of [0,1]^N of the cell. Of polynomial maps only the derivatives of `base` and of what is a derivative
+/// of it; the others are empty. REQUIRES order <= max_order.
 template <std::size_t N>
-Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& local, int order);
+Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& local, int order,
+                  const MultiIndex<N>& base);
 
 /// What formulas see: the derivative of a coordinate, as an Interval ...
 template <std::size_t N>
@@ -110,14 +112,14 @@ template <std::size_t N>
 Result<std::vector<CellPart<N>>> parts_of(const EnclosureData<N>& data, const Box<N>& at,
                                           int order);
 
-/// Formula: F::kOrder, the highest derivative it reads, and std::vector<Number> operator()(view).
+/// Formula: std::vector<Number> operator()(view), of derivatives up to `order`; base(), of which all that it reads are derivatives.
+/// `over`: the jets over the part, of one order more.
 template <std::size_t N, typename F>
 std::vector<Interval> mean_value(const EnclosureData<N>& data, const CellPart<N>& part,
-                                 const F& formula, int order) {
+                                 const F& formula, int order, const Jets<N>& over) {
   Box<N> middle;
   for (std::size_t a = 0; a < N; ++a) middle[a] = Interval(mid(part.local[a]));
-  const Jets<N> there = jets_over(data, part.cell, middle, order);
-  const Jets<N> over = jets_over(data, part.cell, part.local, order + 1);
+  const Jets<N> there = jets_over(data, part.cell, middle, order, formula.base());
   std::vector<Interval> out = formula(ValueView<N>{there});
   const auto slopes = formula(SlopeView<N>{over});
   for (std::size_t k = 0; k < out.size(); ++k)
@@ -129,11 +131,12 @@ std::vector<Interval> mean_value(const EnclosureData<N>& data, const CellPart<N>
 template <std::size_t N, typename F>
 std::vector<Interval> enclosed(const EnclosureData<N>& data, const CellPart<N>& part,
                                const F& formula, int order, EnclosureForm form) {
-  if (form == EnclosureForm::kMeanValue) return mean_value(data, part, formula, order);
-  const Jets<N> jets = jets_over(data, part.cell, part.local, order);
-  std::vector<Interval> out = formula(ValueView<N>{jets});
+  const int highest = form == EnclosureForm::kHull ? order : order + 1;
+  const Jets<N> over = jets_over(data, part.cell, part.local, highest, formula.base());
+  if (form == EnclosureForm::kMeanValue) return mean_value(data, part, formula, order, over);
+  std::vector<Interval> out = formula(ValueView<N>{over});
   if (form == EnclosureForm::kHull) return out;
-  const std::vector<Interval> other = mean_value(data, part, formula, order);
+  const std::vector<Interval> other = mean_value(data, part, formula, order, over);
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = intersection(out[k], other[k]);
   return out;
 }

@@ -30,6 +30,7 @@ Vector<typename View::Number> partial(const View& view, int u, int v) {
 }
 
 struct NormalFormula {
+  static internal::MultiIndex<2> base() { return {}; }
   template <typename View>
   auto operator()(const View& view) const {
     const auto n = cross(partial(view, 1, 0), partial(view, 0, 1));
@@ -48,6 +49,7 @@ Gradient<N> not_negative(const Gradient<N>& a) {
 // With n = S_u x S_v, E, F, G of the first fundamental form, e = S_uu . n etc. (|n| times those of the second):
 // K = (e g - f^2) / |n|^4, H = (e G - 2 f F + g E) / (2 |n|^3), principal curvatures H -+ sqrt(H^2 - K).
 struct CurvatureFormula {
+  static internal::MultiIndex<2> base() { return {}; }
   template <typename View>
   auto operator()(const View& view) const {
     using T = typename View::Number;

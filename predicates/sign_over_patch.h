@@ -8,6 +8,7 @@
 
 #include "robust/base/sign.h"
 #include "splines/bezier.h"
+#include "splines/bezier_triangle.h"
 
 namespace veritope {
 
@@ -61,6 +62,14 @@ BoxSign<N> sign_over_box(const Bezier<Rational, N>& map, int component = 0,
 /// REQUIRES (degree + 1)(degree + 2) / 2 coefficients, degree >= 0.
 TriangleSign sign_over_triangle(int degree, const std::vector<Rational>& coefficients,
                                 const SignBudget& budget = {});
+
+/// Of one component. REQUIRES 0 <= component < num_components.
+inline TriangleSign sign_over_triangle(const BezierTriangle<Rational>& map, int component = 0,
+                                       const SignBudget& budget = {}) {
+  VT_CHECK(component >= 0 && component < map.num_components(), "the component exists");
+  const auto values = map.component(component);
+  return sign_over_triangle(map.degree(), {values.begin(), values.end()}, budget);
+}
 
 extern template BoxSign<1> sign_over_box(const Bezier<Rational, 1>&, int, const SignBudget&);
 extern template BoxSign<2> sign_over_box(const Bezier<Rational, 2>&, int, const SignBudget&);

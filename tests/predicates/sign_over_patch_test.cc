@@ -194,6 +194,23 @@ TEST(SignOverTriangle, IsTheSignOfEveryPoint) {
     EXPECT_GT(counts[static_cast<int>(answer)], 5);
 }
 
+TEST(SignOverTriangle, ReadsTheCoefficientsOfABezierTriangle) {
+  Random random(6);
+  int mixed = 0;
+  for (int loop = 0; loop < 40; ++loop) {
+    BezierTriangle<Rational> map(3, 2, false);
+    for (Rational& v : map.coefficients()) v = ratio(random.between(-9, 20), 7);
+    const auto report = sign_over_triangle(map, 1);
+    if (report.answer != PatchSign::kMixed) continue;
+    ++mixed;
+    for (const auto& w : report.witnesses) {
+      EXPECT_EQ(evaluate(map, w.at)[1].sign(), w.sign);
+    }
+  }
+  EXPECT_GT(mixed, 5);
+  EXPECT_THROW(sign_over_triangle(BezierTriangle<Rational>(1, 1, false), 1), InternalError);
+}
+
 TEST(SignOverTriangle, DecidesThinDipsZeroAndUndecided) {
   // (3 u - 1)^2 + c on u + v + w = 1, as a quadratic form of u, v, w with 1 = u + v + w: (2 u - v - w)^2.
   const auto form = [](const Rational& c) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // splines/grid.h: indices of control nets: N axes, the last one fastest.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace veritope {
 
@@ -14,6 +16,16 @@ struct Grid {
   std::size_t count() const {
     std::size_t product = 1;
     for (const std::size_t s : size) product *= s;
+    return product;
+  }
+  /// The same, or nothing if it is over the limit; no overflow on the way: for sizes that a file claims.
+  std::optional<std::size_t> count_up_to(std::size_t limit) const {
+    if (std::find(size.begin(), size.end(), std::size_t{0}) != size.end()) return 0;
+    std::size_t product = 1;
+    for (const std::size_t s : size) {
+      if (product > limit / s) return std::nullopt;
+      product *= s;
+    }
     return product;
   }
   /// From one entry to the next along `axis`.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "splines/knot_axis.h"
 
+#include <iomanip>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -13,6 +16,17 @@ std::string named(std::size_t i, const Rational& knot) {
 Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::move(message)}; }
 
 }  // namespace
+
+std::string internal::knot_text(const Rational& u) { return u.to_string(); }
+std::string internal::knot_text(double u) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());  // whatever the program's is
+  out << std::setprecision(17) << u;
+  return out.str();
+}
+Error internal::axis_error(Code code, std::size_t number, const std::string& sentence) {
+  return Error{code, {}, "axis " + std::to_string(number) + ": " + sentence};
+}
 
 Result<KnotAxis<Rational>> make_knot_axis(int degree, std::vector<Rational> knots,
                                           bool is_periodic) {

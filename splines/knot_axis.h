@@ -2,6 +2,7 @@
 // splines/knot_axis.h: the degree and the knots of one axis of a B-spline.
 #pragma once
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "robust/base/result.h"
@@ -32,5 +33,36 @@ struct KnotAxis {
 /// @error kBadArgument, with the offending knot and its number, from 0; kOverLimit for the degree.
 Result<KnotAxis<Rational>> make_knot_axis(int degree, std::vector<Rational> knots,
                                           bool is_periodic = false);
+
+namespace internal {
+
+/// Enough digits to read the same number back.
+std::string knot_text(const Rational& u);
+std::string knot_text(double u);
+/// "axis 1: <sentence>"
+Error axis_error(Code code, std::size_t number, const std::string& sentence);
+
+/// A parameter of axis `number` that is not in its domain.
+template <typename Knot>
+Error outside_domain(std::size_t number, const Knot& u, const KnotAxis<Knot>& axis) {
+  return axis_error(Code::kBadArgument, number,
+                    "the parameter " + knot_text(u) + " is not in the domain from " +
+                        knot_text(axis.domain_begin()) + " to " + knot_text(axis.domain_end()));
+}
+template <typename Knot>
+Error empty_domain(std::size_t number, const Knot& begin, const Knot& end) {
+  return axis_error(
+      Code::kBadArgument, number,
+      "a domain from " + knot_text(begin) + " to " + knot_text(end) + " would be empty");
+}
+/// Knot i, which was u, would become `rounded` and no longer be as far from the others as the map needs.
+template <typename Knot, typename Rounded>
+Error knots_collide(std::size_t number, std::size_t i, const Knot& u, const Rounded& rounded) {
+  return axis_error(Code::kLossy, number,
+                    "knot " + std::to_string(i) + ", " + knot_text(u) + ", would be rounded to " +
+                        knot_text(rounded) + ", which is no number between its neighbours");
+}
+
+}  // namespace internal
 
 }  // namespace veritope

@@ -1,31 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/knot_insertion.h: more knots, the same map (Boehm 1980), and the Bezier pieces of a B-spline.
+// splines/knot_insertion.h: more knots, the same map; up to the Bezier pieces of a B-spline.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
+#include "robust/base/check.h"
 #include "splines/bezier.h"
+#include "splines/blossom_weights.h"
 #include "splines/bspline.h"
+#include "splines/lines.h"
 
 namespace veritope {
-namespace internal {
-
-/// The span k with knots[k] <= u < knots[k + 1]; for u = domain_end() the last one that is not empty.
-/// REQUIRES u in the domain.
-template <typename Knot>
-std::size_t find_span(const KnotAxis<Knot>& axis, const Knot& u) {
-  const auto begin = axis.knots.begin();
-  const auto first = begin + axis.degree,
-             last = begin + static_cast<std::ptrdiff_t>(axis.num_control());
-  auto above = std::upper_bound(first, last, u);  // in (domain_begin, domain_end)
-  if (above == last && !(u < *last)) above = std::lower_bound(first, last, *last);
-  return static_cast<std::size_t>(above - begin) - 1;
-}
-
-}  // namespace internal
 
 /// How often u is a knot.
 template <typename Knot>
@@ -34,52 +23,108 @@ int multiplicity(const KnotAxis<Knot>& axis, const Knot& u) {
   return static_cast<int>(last - first);
 }
 
-/// The same map with u once more among the knots of an axis. A periodic axis becomes an unclamped one.
-/// REQUIRES u in the domain, its multiplicity <= degree.
+namespace internal {
+
+/// Many insertions into one axis, ready to be done to line after line of control points.
+/// Source: [PT97] A5.4, which goes through the knots once, from the last to the first.
+template <Ring R>
+class Refinement {
+ public:
+  using Knot = typename RingNumbers<R>::Knot;
+
+  /// REQUIRES what refine says; at least one knot. @cost degree quotients an inserted knot
+  Refinement(const KnotAxis<Knot>& old_axis, const std::vector<Knot>& inserted)
+      : p_(static_cast<std::size_t>(old_axis.degree)),
+        n_(old_axis.num_control()),
+        num_inserted_(inserted.size()),
+        first_span_(find_span(old_axis, inserted.front())),
+        past_last_span_(find_span(old_axis, inserted.back()) + 1) {
+    axis_.degree = old_axis.degree;
+    std::merge(old_axis.knots.begin(), old_axis.knots.end(), inserted.begin(), inserted.end(),
+               std::back_inserter(axis_.knots));
+    std::size_t i = past_last_span_ + p_ - 1;
+    std::size_t k = i + num_inserted_;  // knot k of the new axis is the next to be made
+    for (std::size_t j = num_inserted_; j-- > 0; --k) {
+      const Knot& u = inserted[j];
+      moves_.push_back(0);
+      for (; i > first_span_ && u <= old_axis.knots[i]; --i, --k) ++moves_.back();
+      for (std::size_t l = 1; l <= p_; ++l)
+        blends_.push_back(blend_at(u, old_axis.knots[i - p_ + l], axis_.knots[k + l]));
+    }
+  }
+
+  /// Not periodic.
+  const KnotAxis<Knot>& axis() const { return axis_; }
+
+  /// From the num_control() points of a line of the old axis to those of the new. @cost degree blends an inserted knot
+  void apply(Line<const R> from, Line<R> to) const {
+    for (std::size_t j = 0; j + p_ <= first_span_; ++j) to[j] = from[j];
+    for (std::size_t j = past_last_span_ - 1; j < n_; ++j) to[j + num_inserted_] = from[j];
+    std::size_t i = past_last_span_ + p_ - 1, k = i + num_inserted_;
+    auto next = blends_.begin();
+    for (const std::size_t moves : moves_) {
+      for (std::size_t m = 0; m < moves; ++m, --i, --k) to[k - p_ - 1] = from[i - p_ - 1];
+      to[k - p_ - 1] = to[k - p_];
+      for (std::size_t at = k - p_; at < k; ++at, ++next) {
+        if (next->kind == Kind::kTakeSecond) to[at] = to[at + 1];
+        if (next->kind == Kind::kBlend) to[at] = next->first * to[at] + next->second * to[at + 1];
+      }
+      --k;
+    }
+  }
+
+ private:
+  enum class Kind { kTakeFirst, kTakeSecond, kBlend };
+  struct Blend {
+    Kind kind;
+    R first, second;  // factors of the two points
+  };
+  // 0 and 1 are not multiplied with: exact in rings that round, and cheaper.
+  static Blend blend_at(const Knot& u, const Knot& low, const Knot& high) {
+    if (!(u < high)) return {Kind::kTakeSecond, R(), R()};
+    if (!(low < u)) return {Kind::kTakeFirst, R(), R()};
+    return {Kind::kBlend, RingNumbers<R>::of_knot((high - u) / (high - low)),
+            RingNumbers<R>::of_knot((u - low) / (high - low))};
+  }
+
+  std::size_t p_, n_, num_inserted_;
+  std::size_t first_span_, past_last_span_;
+  KnotAxis<Knot> axis_;
+  std::vector<std::size_t>
+      moves_;  // for each inserted knot, the last one first: old points right of it to be moved
+  std::vector<Blend> blends_;  // `degree` for each
+};
+
+}  // namespace internal
+
+/// The same map with more knots on an axis. A periodic axis becomes an unclamped one. Each new control point is a convex
+/// combination of old ones. REQUIRES knots in the domain, not decreasing, of which none becomes more than degree + 1 times one.
+/// @cost degree blends an inserted knot, and one copy a control point, for each line
+template <Ring R, std::size_t N>
+BSpline<R, N> refine(const BSpline<R, N>& map, std::size_t axis,
+                     const std::vector<typename RingNumbers<R>::Knot>& knots) {
+  auto axes = map.axes();
+  if (knots.empty()) return map;
+  VT_CHECK(std::is_sorted(knots.begin(), knots.end()) && axes[axis].domain_begin() <= knots[0] &&
+               knots.back() <= axes[axis].domain_end(),
+           "knots to be inserted are sorted and lie in the domain");
+  const internal::Refinement<R> refinement(axes[axis], knots);
+  axes[axis] = refinement.axis();
+  const auto order = static_cast<std::size_t>(axes[axis].degree) + 1;
+  for (std::size_t i = order; i < axes[axis].knots.size(); ++i)
+    VT_CHECK(axes[axis].knots[i - order] < axes[axis].knots[i],
+             "a knot occurs at most degree + 1 times");
+  return BSpline<R, N>(
+      std::move(axes), map.num_components(), map.is_rational(),
+      internal::map_lines(map, axis, refinement.axis().num_control(),
+                          [&](auto from, auto to) { refinement.apply(from, to); }));
+}
+
+/// With u once more among the knots of an axis. REQUIRES u in the domain, its multiplicity <= degree.
 template <Ring R, std::size_t N>
 BSpline<R, N> insert_knot(const BSpline<R, N>& map, std::size_t axis,
                           const typename RingNumbers<R>::Knot& u) {
-  const auto& old_axis = map.axis(axis);
-  const auto p = static_cast<std::size_t>(old_axis.degree);
-  const std::size_t k = internal::find_span(old_axis, u);
-  auto axes = map.axes();
-  axes[axis].is_periodic = false;
-  axes[axis].knots.insert(axes[axis].knots.begin() + static_cast<std::ptrdiff_t>(k) + 1, u);
-  std::vector<R> alpha(p + 1), beta(p + 1);  // of i = k - p + 1 + j
-  const R t = RingNumbers<R>::of_knot(u);
-  for (std::size_t j = 0; j < p; ++j) {
-    const std::size_t i = k - p + 1 + j;
-    alpha[j] = RingNumbers<R>::fraction(t, old_axis.knots[i], old_axis.knots[i + p]);
-    beta[j] = one<R>() - alpha[j];
-  }
-  const Grid<N> old_grid = map.grid();
-  Grid<N> grid = old_grid;
-  ++grid.size[axis];
-  std::vector<R> coefficients(grid.count() * static_cast<std::size_t>(map.num_components()));
-  const std::size_t stride = grid.stride(axis), n = old_grid.size[axis];
-  for (int c = 0; c < map.num_components(); ++c) {
-    const R* const from = map.component(c).data();
-    R* const to = coefficients.data() + static_cast<std::size_t>(c) * grid.count();
-    std::vector<std::size_t> first_of_line;
-    grid.for_each_line(axis, [&](std::size_t first) { first_of_line.push_back(first); });
-    std::size_t line = 0;
-    old_grid.for_each_line(axis, [&](std::size_t first) {
-      const R* const q = from + first;
-      R* const r = to + first_of_line[line++];
-      for (std::size_t i = 0; i <= n; ++i) {
-        if (i + p <= k) {
-          r[i * stride] = q[i * stride];
-        } else if (i > k) {
-          r[i * stride] = q[(i - 1) * stride];
-        } else {
-          const std::size_t j = i + p - k - 1;
-          r[i * stride] = blend(q[(i - 1) * stride], q[i * stride], beta[j], alpha[j]);
-        }
-      }
-    });
-  }
-  return BSpline<R, N>(std::move(axes), map.num_components(), map.is_rational(),
-                       std::move(coefficients));
+  return refine(map, axis, {u});
 }
 
 /// A B-spline cut at its knots: breaks[a][i] < breaks[a][i + 1] are the different knots of axis a in the domain, and
@@ -99,37 +144,55 @@ struct BezierPieces {
   }
 };
 
+namespace internal {
+
+/// The different knots in the domain.
+template <typename Knot>
+std::vector<Knot> breaks_of(const KnotAxis<Knot>& axis) {
+  std::vector<Knot> breaks;
+  for (std::size_t i = static_cast<std::size_t>(axis.degree); i <= axis.num_control(); ++i)
+    if (breaks.empty() || breaks.back() < axis.knots[i]) breaks.push_back(axis.knots[i]);
+  return breaks;
+}
+
+/// What each of the given knots lacks to be one `degree` times.
+template <typename Knot>
+std::vector<Knot> missing_knots(const KnotAxis<Knot>& axis, const std::vector<Knot>& breaks) {
+  std::vector<Knot> missing;
+  for (const Knot& u : breaks)
+    for (int m = multiplicity(axis, u); m < axis.degree; ++m) missing.push_back(u);
+  return missing;
+}
+
+}  // namespace internal
+
+/// @cost that of refine, and one copy of each coefficient
 template <Ring R, std::size_t N>
 BezierPieces<R, N> bezier_pieces(BSpline<R, N> map) {
   BezierPieces<R, N> out;
   std::array<int, N> degrees;
-  std::array<std::vector<std::size_t>, N> spans;  // the last index of each break among the knots
+  std::array<std::vector<std::size_t>, N> first;  // control point of each cell
   for (std::size_t a = 0; a < N; ++a) {
     degrees[a] = map.axis(a).degree;
-    const auto axis = map.axis(a);
-    for (std::size_t i = static_cast<std::size_t>(axis.degree); i <= axis.num_control(); ++i)
-      if (out.breaks[a].empty() || out.breaks[a].back() < axis.knots[i])
-        out.breaks[a].push_back(axis.knots[i]);
-    for (const auto& u : out.breaks[a])
-      for (int m = multiplicity(map.axis(a), u); m < axis.degree; ++m) map = insert_knot(map, a, u);
+    out.breaks[a] = internal::breaks_of(map.axis(a));
+    map = refine(map, a, internal::missing_knots(map.axis(a), out.breaks[a]));
     for (std::size_t i = 0; i + 1 < out.breaks[a].size(); ++i)
-      spans[a].push_back(internal::find_span(map.axis(a), out.breaks[a][i]));
+      first[a].push_back(internal::find_span(map.axis(a), out.breaks[a][i]) -
+                         static_cast<std::size_t>(degrees[a]));
   }
   const Grid<N> cells = out.grid(), net = map.grid();
-  std::array<std::size_t, N> cell{};
+  out.pieces.reserve(cells.count());
   for (std::size_t number = 0; number < cells.count(); ++number) {
-    std::size_t rest = number;
-    for (std::size_t a = N; a-- > 0; rest /= cells.size[a]) cell[a] = rest % cells.size[a];
+    const auto cell = internal::index_of(cells, number);
     Bezier<R, N> piece(degrees, map.num_components(), map.is_rational());
     const Grid<N> grid = piece.grid();
-    for (int c = 0; c < map.num_components(); ++c)
-      for (std::size_t i = 0; i < grid.count(); ++i) {
-        std::array<std::size_t, N> index;
-        std::size_t left = i;
-        for (std::size_t a = N; a-- > 0; left /= grid.size[a])
-          index[a] = spans[a][cell[a]] - static_cast<std::size_t>(degrees[a]) + left % grid.size[a];
-        piece.component(c)[i] = map.component(c)[net.at(index)];
-      }
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+      auto index = internal::index_of(grid, i);
+      for (std::size_t a = 0; a < N; ++a) index[a] += first[a][cell[a]];
+      const std::size_t offset = net.at(index);
+      for (int c = 0; c < map.num_components(); ++c)
+        piece.component(c)[i] = map.component(c)[offset];
+    }
     out.pieces.push_back(std::move(piece));
   }
   return out;

@@ -35,6 +35,7 @@ OUTSIDE = [  # kind, headers
     ("cgal", r"(CGAL|boost)/.*|gmpxx\.h"),
     ("peers", r"(arb|tetgen)\.h"),
     ("eigen", r"Eigen/.*"),
+    ("occt", r"\w+\.hxx"),
 ]
 PUBLIC_OUTSIDE = {"intrinsics", "gmp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)

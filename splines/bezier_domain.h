@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// splines/bezier_domain.h: Bezier maps on parts of their domain, with axes reversed, permuted or fixed.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "robust/base/check.h"
+#include "splines/bezier.h"
+#include "splines/de_casteljau.h"
+#include "splines/lines.h"
+
+namespace veritope {
+
+/// The map on the part [a, b] of `axis`, as a map of [0,1]^N. Coefficients are convex combinations of the old ones if [a, b]
+/// lies in [0, 1]; elsewhere it extrapolates. REQUIRES a < b.  @cost degree^2 blends a line
+template <Ring R, std::size_t N>
+Bezier<R, N> restricted(const Bezier<R, N>& map, std::size_t axis,
+                        const typename RingNumbers<R>::Knot& a,
+                        const typename RingNumbers<R>::Knot& b) {
+  using Numbers = RingNumbers<R>;
+  using Knot = typename Numbers::Knot;
+  VT_CHECK(a < b, "a part of the domain needs a begin below its end");
+  const Knot unit(1);
+  // Of the two orders the one whose second cut divides by a length of 1/2 or more, if [a, b] lies in [0, 1].
+  if (unit < b + b)
+    return right_part(left_part(map, axis, Numbers::of_knot(b)), axis, Numbers::of_knot(a / b));
+  return left_part(right_part(map, axis, Numbers::of_knot(a)), axis,
+                   Numbers::of_knot((b - a) / (unit - a)));
+}
+
+/// u -> F(1 - u) along `axis`.
+template <Ring R, std::size_t N>
+Bezier<R, N> reversed(const Bezier<R, N>& map, std::size_t axis) {
+  const auto n = static_cast<std::size_t>(map.degree(axis));
+  return {map.degrees(), map.num_components(), map.is_rational(),
+          internal::map_lines(map, axis, n + 1, [n](auto from, auto to) {
+            for (std::size_t i = 0; i <= n; ++i) to[i] = from[n - i];
+          })};
+}
+
+/// The map with its variables in another order: new axis i is old axis order[i]. REQUIRES a permutation.
+template <Ring R, std::size_t N>
+Bezier<R, N> permuted(const Bezier<R, N>& map, const std::array<std::size_t, N>& order) {
+  return {internal::permuted(map.degrees(), order), map.num_components(), map.is_rational(),
+          internal::permuted_net(map.coefficients(), map.grid(), order)};
+}
+/// Two axes exchanged.
+template <Ring R, std::size_t N>
+Bezier<R, N> swapped(const Bezier<R, N>& map, std::size_t axis, std::size_t other) {
+  std::array<std::size_t, N> order;
+  for (std::size_t i = 0; i < N; ++i) order[i] = i;
+  std::swap(order[axis], order[other]);
+  return permuted(map, order);
+}
+
+/// The map of the other variables where that of `axis` is t. @cost degree^2 / 2 blends a line
+template <Ring R, std::size_t N>
+requires(N > 1) Bezier<R, N - 1> isoparametric(Bezier<R, N> map, std::size_t axis, const R& t) {
+  const R s = one<R>() - t;
+  internal::on_lines(map, axis, [&](R* first, std::size_t stride) {
+    internal::keep_right(first, stride, map.degree(axis), s, t);
+  });
+  return boundary(map, axis, 0);
+}
+/// The map of the other variables where that of `axis` is 0 (end = 0) or 1 (end = 1): coefficients are copied.
+template <Ring R, std::size_t N>
+requires(N > 1) Bezier<R, N - 1> boundary(const Bezier<R, N>& map, std::size_t axis, int end) {
+  const auto at = end == 0 ? 0 : static_cast<std::size_t>(map.degree(axis));
+  return {internal::without_axis(map.degrees(), axis), map.num_components(), map.is_rational(),
+          internal::map_lines(map, axis, 1, [at](auto from, auto to) { to[0] = from[at]; })};
+}
+
+}  // namespace veritope

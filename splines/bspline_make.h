@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// splines/bspline_make.h: B-splines from data that may be wrong.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "robust/base/result.h"
+#include "splines/bspline.h"
+
+namespace veritope {
+
+/// The B-spline, if the data are one; N = 1, 2, 3. For axes as make_knot_axis accepts; a coefficient for every component and
+/// control point; of a rational map at least one component besides the weight, and every weight positive; along a periodic
+/// axis of degree p the last p control points equal to the first p.
+/// @error kBadArgument or kOverLimit, with the axis, the index of the knot or control point, from 0, and the value.
+template <std::size_t N>
+Result<BSpline<Rational, N>> make_bspline(std::array<KnotAxis<Rational>, N> axes,
+                                          int num_components, bool is_rational,
+                                          std::vector<Rational> coefficients);
+
+}  // namespace veritope

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// splines/fast_spline_internal.h: the tables of fast_spline.h and its kernels. A kernel's file is compiled with the
+// flags of its instruction set, and so includes nothing that the linker could share with files that must run everywhere.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace veritope::internal {
+
+/// Of rational maps, where the bound is made of the value (docs/bounds/fast_spline.md, 6).
+inline constexpr double kFastQuotientRel = 0x1p-52, kFastQuotientSlack = 0x1.00000000001p0,
+                        kFastQuotientFloor = 0x1p-1000;
+
+/// One axis: `pieces` cells, breaks[i] <= u < breaks[i + 1] for the binary64 numbers u of cell i, the last one closed.
+/// u lies in bucket trunc((u - breaks[0]) * per_bucket), and then in one of the cells first[bucket] .. first[bucket + 1].
+struct FastAxis {
+  const double* breaks;        // pieces + 1
+  const double* origin;        // the cell's begin, to nearest
+  const double* rate;          // 1 / its length, to nearest
+  const double* slope_scale;   // degree / its length, to nearest
+  const std::uint32_t* first;  // buckets + 2
+  double per_bucket;
+  std::size_t pieces, buckets;
+  int degree;
+};
+
+/// Lanes of four components, the last ones 0; those of a piece are [block][coefficient][4]. Bounds of a piece, per
+/// component: the value's, then the partial derivatives' by each axis.
+struct FastTables {
+  FastAxis axis[3];
+  const double* coefficients;
+  const double* bounds;
+  const double* inverse_weight;  // upper bounds of 1 / w, a piece each; null for polynomial maps
+  std::size_t num_coefficients;  // of a piece and component
+  int num_components;            // the weight, which is the last one, included
+};
+
+/// out: as in fast_spline.h; null where not wanted.
+struct FastOut {
+  double* value;
+  double* value_bound;
+  double* partial;
+  double* partial_bound;
+};
+
+using FastKernel = void (*)(const FastTables& tables, const double* const* at, std::size_t n,
+                            const FastOut& out);
+inline constexpr int kFastDegrees = 5;  // unrolled for equal degrees 1 .. 5; entry 0: any degrees
+struct FastKernels {
+  FastKernel value[3][kFastDegrees + 1];  // [number of axes - 1][degree]
+  FastKernel jet[3][kFastDegrees + 1];
+};
+extern const FastKernels kFastBaseline;
+// Null where the compiler does not make such code.
+const FastKernels* fast_avx2();
+
+}  // namespace veritope::internal

@@ -18,6 +18,7 @@ const char* code_name(Code code) {
     case Code::kCannotWrite: return "cannot-write";
     case Code::kInterrupted: return "interrupted";
     case Code::kBadArgument: return "bad-argument";
+    case Code::kBadSpline: return "bad-spline";
     case Code::kBadEnvironment: return "bad-environment";
   }
   return "unknown";
@@ -30,6 +31,7 @@ std::string to_string(const Error& error) {
   if (p.line) text += "line " + std::to_string(*p.line) + ": ";
   if (p.byte) text += "byte " + std::to_string(*p.byte) + ": ";
   if (p.face) text += "face " + std::to_string(*p.face) + ": ";
+  if (p.entity) text += "entity " + std::to_string(*p.entity) + ": ";
   if (p.vertex) text += "vertex " + std::to_string(*p.vertex) + ": ";
   return text + error.message;
 }

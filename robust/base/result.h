@@ -26,19 +26,22 @@ enum class Code {
   kCannotWrite,      ///< the output could not be written; nothing was left behind
   kInterrupted,      ///< the user stopped it
   kBadArgument,      ///< a parameter outside its documented range
+  kBadSpline,        ///< knots, a degree, a weight or a number of control points that no spline has
   kBadEnvironment,   ///< this process computes in a way that the predicates do not allow (fp_guard.h)
 };
 
 /// The stable lower-case name of a code, for reports: "index-out-of-range".
 const char* code_name(Code code);
 
-/// Where in the input: only what is known is set. Lines count from 1, bytes and faces from 0.
+/// Where in the input: only what is known is set. Lines count from 1; bytes, faces, vertices and entities (the curves,
+/// surfaces and volumes of a spline file, in file order) from 0.
 struct Place {
   std::string file;
   std::optional<std::uint64_t> line;
   std::optional<std::uint64_t> byte;
   std::optional<std::uint64_t> face;
   std::optional<std::uint64_t> vertex;
+  std::optional<std::uint64_t> entity;
 };
 
 struct Error {

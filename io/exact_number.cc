@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/exact_number.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace veritope {
+namespace {
+
+Integer power_of_ten(std::uint64_t n) {
+  static const auto kSmall = [] {
+    std::array<Integer, 64> table;
+    table[0] = Integer(1);
+    for (std::size_t i = 1; i < table.size(); ++i) table[i] = table[i - 1] * Integer(10);
+    return table;
+  }();
+  if (n < kSmall.size()) return kSmall[n];
+  return Integer::from_decimal("1" + std::string(n, '0'));
+}
+
+bool names_no_finite_number(std::string_view token) {
+  if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+  using namespace std::string_view_literals;
+  for (const std::string_view word : {"nan"sv, "inf"sv, "infinity"sv, "nan(ind)"sv, "-nan"sv})
+    if (is_word(token, word)) return true;
+  return token.starts_with("1.#") && token.size() > 3;
+}
+
+// The parts of a number: digits with a point somewhere, then an exponent behind one of two letters.
+struct Parts {
+  bool is_negative = false;
+  std::string digits;             // without the point, zeros in front included
+  std::uint64_t num_fraction = 0;  // digits behind the point
+  bool exponent_is_negative = false;
+  std::uint64_t exponent = 0;  // saturated at 2^40
+};
+
+template <typename IsDigit>
+bool split(std::string_view token, char letter, IsDigit is_digit_here, Parts& parts) {
+  std::size_t i = 0;
+  bool has_point = false;
+  for (; i < token.size(); ++i) {
+    if (token[i] == '.') {
+      if (std::exchange(has_point, true)) return false;
+    } else if (is_digit_here(token[i])) {
+      parts.digits += token[i];
+      parts.num_fraction += has_point ? 1 : 0;
+    } else {
+      break;
+    }
+  }
+  if (parts.digits.empty()) return false;
+  if (i == token.size()) return true;
+  if ((token[i] | 0x20) != letter) return false;
+  ++i;
+  if (i < token.size() && (token[i] == '-' || token[i] == '+'))
+    parts.exponent_is_negative = token[i++] == '-';
+  if (i == token.size()) return false;
+  for (; i < token.size(); ++i) {
+    if (!is_digit(token[i])) return false;
+    parts.exponent = std::min(parts.exponent * 10 + static_cast<std::uint64_t>(token[i] - '0'),
+                              std::uint64_t{1} << 40);
+  }
+  return true;
+}
+
+bool take_sign(std::string_view& token) {
+  const bool is_negative = token.starts_with('-');
+  if (is_negative || token.starts_with('+')) token.remove_prefix(1);
+  return is_negative;
+}
+
+DecimalFault check_limits(const Parts& parts, const ReadLimits& limits) {
+  if (parts.digits.size() > limits.max_digits) return DecimalFault::kDigits;
+  return parts.exponent > limits.max_exponent ? DecimalFault::kExponent : DecimalFault::kNone;
+}
+
+DecimalFault read_hexadecimal(std::string_view token, bool is_negative, const ReadLimits& limits,
+                              Rational& value) {
+  Parts parts;
+  const auto is_hex = [](char c) {
+    return is_digit(c) || (static_cast<unsigned char>((c | 0x20) - 'a') < 6);
+  };
+  if (!split(token, 'p', is_hex, parts)) return DecimalFault::kSyntax;
+  if (const DecimalFault fault = check_limits(parts, limits); fault != DecimalFault::kNone)
+    return fault;
+  Integer whole;
+  for (const char c : parts.digits)
+    whole = whole.shift_left(4) + Integer(is_digit(c) ? c - '0' : (c | 0x20) - 'a' + 10);
+  const auto exponent = static_cast<std::int64_t>(parts.exponent);
+  const std::int64_t shift = (parts.exponent_is_negative ? -exponent : exponent) -
+                             4 * static_cast<std::int64_t>(parts.num_fraction);
+  value = Rational(std::move(whole)) * Rational::power_of_two(shift);
+  if (is_negative) value.negate();
+  return DecimalFault::kNone;
+}
+
+bool is_all_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+// How often `factor` divides `n`; n loses these factors. REQUIRES n > 0, factor a prime.
+std::uint64_t strip(Integer& n, int factor) {
+  if (factor == 2) {
+    const std::uint64_t count = n.trailing_zeros();
+    n.shift_right(count);
+    return count;
+  }
+  // Squares of the factor first, so that the work is near-linear in the answer's digits.
+  std::vector<Integer> powers = {Integer(factor)};
+  while (powers.back().bit_length() * 2 <= n.bit_length()) powers.push_back(powers.back() * powers.back());
+  std::uint64_t count = 0;
+  for (std::size_t i = powers.size(); i-- > 0;) {
+    for (;;) {
+      const Rational quotient(n, powers[i]);
+      if (quotient.denominator() != Integer(1)) break;
+      n = quotient.numerator();
+      count += std::uint64_t{1} << i;
+    }
+  }
+  return count;
+}
+
+std::string plain(std::string digits, std::uint64_t num_fraction) {
+  if (num_fraction == 0) return digits;
+  if (digits.size() <= num_fraction) digits.insert(0, num_fraction + 1 - digits.size(), '0');
+  digits.insert(digits.size() - num_fraction, 1, '.');
+  return digits;
+}
+
+}  // namespace
+
+DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits, Rational& value) {
+  if (names_no_finite_number(token)) return DecimalFault::kNotFinite;
+  const bool is_negative = take_sign(token);
+  Parts parts;
+  if (!split(token, 'e', is_digit, parts)) return DecimalFault::kSyntax;
+  if (const DecimalFault fault = check_limits(parts, limits); fault != DecimalFault::kNone)
+    return fault;
+  // Zeros at the end of a fraction change nothing and would cost a larger power.
+  while (parts.num_fraction > 0 && parts.digits.back() == '0' && parts.digits.size() > 1) {
+    parts.digits.pop_back();
+    --parts.num_fraction;
+  }
+  Integer whole = Integer::from_decimal(parts.digits);
+  const auto exponent = static_cast<std::int64_t>(parts.exponent);
+  const std::int64_t power = (parts.exponent_is_negative ? -exponent : exponent) -
+                             static_cast<std::int64_t>(parts.num_fraction);
+  if (whole.is_zero()) {
+    value = Rational();
+  } else if (power >= 0) {
+    value = Rational(whole * power_of_ten(static_cast<std::uint64_t>(power)));
+  } else {
+    value = Rational(std::move(whole), power_of_ten(static_cast<std::uint64_t>(-power)));
+  }
+  if (is_negative) value.negate();
+  return DecimalFault::kNone;
+}
+
+DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits, Rational& value) {
+  std::string_view rest = token;
+  const bool is_negative = take_sign(rest);
+  if (rest.starts_with("0x") || rest.starts_with("0X"))
+    return read_hexadecimal(rest.substr(2), is_negative, limits, value);
+  const std::size_t slash = rest.find('/');
+  if (slash == rest.npos) return read_exact_decimal(token, limits, value);
+  const std::string_view p = rest.substr(0, slash), q = rest.substr(slash + 1);
+  if (!is_all_digits(p) || !is_all_digits(q)) return DecimalFault::kSyntax;
+  if (p.size() > limits.max_digits || q.size() > limits.max_digits) return DecimalFault::kDigits;
+  const Integer denominator = Integer::from_decimal(q);
+  if (denominator.is_zero()) return DecimalFault::kNotFinite;
+  value = Rational(Integer::from_decimal(p), denominator);
+  if (is_negative) value.negate();
+  return DecimalFault::kNone;
+}
+
+std::optional<std::string> exact_decimal(const Rational& value) {
+  Integer rest = value.denominator();
+  const std::uint64_t twos = strip(rest, 2), fives = rest == Integer(1) ? 0 : strip(rest, 5);
+  if (rest != Integer(1)) return std::nullopt;
+  const std::uint64_t places = std::max(twos, fives);
+  const Rational scaled = abs(value) * Rational(power_of_ten(places));
+  std::string digits = scaled.numerator().to_string();
+  const char* const sign = value.sign() == Sign::kNegative ? "-" : "";
+  std::uint64_t zeros = 0;
+  while (zeros + 1 < digits.size() && digits[digits.size() - 1 - zeros] == '0') ++zeros;
+  if (places == 0 && zeros > 6)
+    return sign + digits.substr(0, digits.size() - zeros) + "e+" + std::to_string(zeros);
+  if (places > digits.size() + 6) return sign + digits + "e-" + std::to_string(places);
+  return sign + plain(std::move(digits), places);
+}
+
+}  // namespace veritope

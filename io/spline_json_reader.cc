@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Our exact text form: docs/formats/spline-json.md. Keys in any order, none unknown, none missing.
+#include <algorithm>
+
+#include "io/spline_text_reader.h"
+
+namespace veritope {
+namespace {
+
+class JsonReader : SplineTextReader {
+ public:
+  JsonReader(const Source& source, const ReadLimits& limits) : SplineTextReader(source, limits) {
+    own_tokens_ = "{}[],:\"";
+  }
+  using SplineTextReader::take_error;
+
+  bool read();
+  SplineFile take() {
+    SplineFile file;
+    file.model = std::move(model_);
+    return file;
+  }
+
+ private:
+  bool take_char(char c);
+  bool is_next(char c) { return peek() == std::string_view(&c, 1); }
+  bool take_null();
+  bool read_string(std::string& text);
+  bool read_escape(std::string& text);
+  bool read_hex4(unsigned& code);
+  bool read_bool(bool& value);
+  bool read_exact(Rational& value);
+
+  /// [item, item, ...]
+  template <typename Item>
+  bool read_list(Item item);
+  /// {"key": value, ...}: value(key, seen) returns false after an error; `keys` must all be there, once.
+  template <typename Value>
+  bool read_object(std::initializer_list<std::string_view> keys, Value value);
+
+  bool read_strings(std::vector<std::string>& texts);
+  bool read_index(const char* what, std::optional<std::size_t>& index, std::size_t below);
+  bool read_group();
+  bool read_entity();
+  bool read_shape(const std::string& kind, SplineEntity& entity);
+  struct RawMap {
+    const char* at = nullptr;
+    std::vector<std::int64_t> degrees;
+    std::vector<bool> periodic;
+    std::vector<std::vector<Rational>> knots;
+    bool is_rational = false;
+    std::int64_t components = 0;
+    std::uint64_t num_points = 0;
+    std::vector<Rational> points;
+  };
+  bool read_raw(RawMap& raw);
+  template <std::size_t N>
+  bool finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline);
+  template <std::size_t N>
+  bool read_map(std::optional<BSpline<Rational, N>>& spline);
+  bool read_optional_curve(std::optional<ExactCurve>& curve);
+  bool read_loops(std::vector<TrimLoop>& loops);
+  bool read_brep_face(SplineBrep& brep);
+  bool read_brep_segment(SplineBrep& brep);
+  bool check_brep(const SplineBrep& brep);
+
+  SplineModel model_;
+};
+
+bool JsonReader::take_char(char c) {
+  if (!is_next(c)) return fail_expected(quoted(std::string_view(&c, 1)));
+  ++p_;
+  return true;
+}
+
+bool JsonReader::take_null() {
+  if (peek() != "null") return false;
+  p_ += 4;
+  return true;
+}
+
+bool JsonReader::read_hex4(unsigned& code) {
+  code = 0;
+  for (int i = 0; i < 4; ++i, ++p_) {
+    const char c = p_ < source_.end ? *p_ : '\0';
+    const int low = c | 0x20;
+    const bool is_hex = is_digit(c) || (low >= 'a' && low <= 'f');
+    if (!is_hex) return fail(p_, Code::kSyntax, "four hexadecimal digits expected behind \\u");
+    code = code * 16 + static_cast<unsigned>(is_digit(c) ? c - '0' : low - 'a' + 10);
+  }
+  return true;
+}
+
+// Behind the backslash.
+bool JsonReader::read_escape(std::string& text) {
+  constexpr std::string_view kFrom = "\"\\/bfnrt", kTo = "\"\\/\b\f\n\r\t";
+  if (p_ >= source_.end) return fail(p_, Code::kTruncated, "a string does not end");
+  const char c = *p_++;
+  if (const std::size_t i = kFrom.find(c); i != kFrom.npos) return text += kTo[i], true;
+  unsigned code = 0;
+  if (c != 'u') return fail(p_ - 1, Code::kSyntax, "an unknown escape in a string");
+  if (!read_hex4(code)) return false;
+  if (code >= 0xD800 && code < 0xDC00) {
+    unsigned low = 0;
+    if (p_ + 1 >= source_.end || p_[0] != '\\' || p_[1] != 'u')
+      return fail(p_, Code::kSyntax, "half of a surrogate pair");
+    p_ += 2;
+    if (!read_hex4(low)) return false;
+    if (low < 0xDC00 || low > 0xDFFF) return fail(p_, Code::kSyntax, "half of a surrogate pair");
+    code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+  } else if (code >= 0xDC00 && code < 0xE000) {
+    return fail(p_, Code::kSyntax, "half of a surrogate pair");
+  }
+  const auto tail = [&](int shift) { return static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };
+  if (code < 0x80) {
+    text += static_cast<char>(code);
+  } else if (code < 0x800) {
+    text += {static_cast<char>(0xC0 | (code >> 6)), tail(0)};
+  } else if (code < 0x10000) {
+    text += {static_cast<char>(0xE0 | (code >> 12)), tail(6), tail(0)};
+  } else {
+    text += {static_cast<char>(0xF0 | (code >> 18)), tail(12), tail(6), tail(0)};
+  }
+  return true;
+}
+
+bool JsonReader::read_string(std::string& text) {
+  if (!is_next('"')) return fail_expected("a string");
+  const char* const start = p_++;
+  text.clear();
+  for (;;) {
+    if (p_ >= source_.end) return fail(start, Code::kTruncated, "a string does not end");
+    const char c = *p_++;
+    if (c == '"') break;
+    if (static_cast<unsigned char>(c) < 0x20)
+      return fail(p_ - 1, Code::kSyntax, "a control character in a string");
+    if (c != '\\') {
+      text += c;
+    } else if (!read_escape(text)) {
+      return false;
+    }
+  }
+  if (to_utf8(text) != text) return fail(start, Code::kSyntax, "a string is not UTF-8");
+  return true;
+}
+
+bool JsonReader::read_bool(bool& value) {
+  const std::string_view token = peek();
+  if (token != "true" && token != "false") return fail_expected("true or false");
+  value = token == "true";
+  p_ += token.size();
+  return true;
+}
+
+bool JsonReader::read_exact(Rational& value) {
+  skip();
+  const char* const at = p_;
+  std::string text;
+  if (!read_string(text)) return false;
+  switch (read_exact_number(text, limits_, value)) {
+    case DecimalFault::kNone: return true;
+    case DecimalFault::kSyntax: break;
+    case DecimalFault::kNotFinite: return fail(at, Code::kNotFinite, "the number " + quoted(text) + " is not finite");
+    case DecimalFault::kDigits:
+      return fail(at, Code::kOverLimit,
+                  "more than " + std::to_string(limits_.max_digits) + " digits in a number (--max-digits " +
+                      std::to_string(limits_.max_digits) + "): " + quoted(text));
+    case DecimalFault::kExponent:
+      return fail(at, Code::kOverLimit,
+                  "an exponent larger than " + std::to_string(limits_.max_exponent) + " (--max-exponent " +
+                      std::to_string(limits_.max_exponent) + "): " + quoted(text));
+  }
+  return fail(at, Code::kSyntax, "a number as a string expected, but there is " + quoted(text));
+}
+
+template <typename Item>
+bool JsonReader::read_list(Item item) {
+  if (!take_char('[')) return false;
+  if (is_next(']')) return ++p_, true;
+  for (;;) {
+    if (!item()) return false;
+    if (is_next(']')) return ++p_, true;
+    if (!take_char(',')) return false;
+  }
+}
+
+template <typename Value>
+bool JsonReader::read_object(std::initializer_list<std::string_view> keys, Value value) {
+  skip();
+  const char* const start = p_;
+  if (!take_char('{')) return false;
+  std::vector<bool> seen(keys.size());
+  for (bool is_first = true; !is_next('}'); is_first = false) {
+    if (!is_first && !take_char(',')) return false;
+    skip();
+    const char* const at = p_;
+    std::string key;
+    if (!read_string(key) || !take_char(':')) return false;
+    const auto found = std::find(keys.begin(), keys.end(), key);
+    if (found == keys.end()) return fail(at, Code::kSyntax, "unknown key " + quoted(key));
+    const auto i = static_cast<std::size_t>(found - keys.begin());
+    if (seen[i]) return fail(at, Code::kSyntax, "the key " + quoted(key) + " occurs twice");
+    seen[i] = true;
+    if (!value(i)) return false;
+  }
+  ++p_;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (!seen[i]) return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");
+  return true;
+}
+
+bool JsonReader::read_strings(std::vector<std::string>& texts) {
+  return read_list([&] { return read_string(texts.emplace_back()); });
+}
+
+bool JsonReader::read_index(const char* what, std::optional<std::size_t>& index, std::size_t below) {
+  if (take_null()) return true;
+  skip();
+  const char* const at = p_;
+  std::int64_t value = 0;
+  if (!read_integer(what, value)) return false;
+  if (value < 0 || static_cast<std::uint64_t>(value) >= below)
+    return fail(at, Code::kIndexOutOfRange, std::string(what) + " must be below " + std::to_string(below) + ", not " + std::to_string(value));
+  index = static_cast<std::size_t>(value);
+  return true;
+}
+
+bool JsonReader::read_group() {
+  SplineGroup group;
+  const bool ok = read_object({"name", "parent", "attributes"}, [&](std::size_t key) {
+    if (key == 0) return read_string(group.name);
+    if (key == 1) return read_index("the parent of a group", group.parent, model_.groups.size());
+    return read_strings(group.attributes);
+  });
+  model_.groups.push_back(std::move(group));
+  return ok;
+}
+
+bool JsonReader::read_raw(RawMap& raw) {
+  skip();
+  raw.at = p_;
+  return read_object({"degrees", "periodic", "knots", "rational", "components", "points"}, [&](std::size_t key) {
+    switch (key) {
+      case 0: return read_list([&] { return read_integer("a degree", raw.degrees.emplace_back()); });
+      case 1:
+        return read_list([&] {
+          bool value = false;
+          const bool ok = read_bool(value);
+          raw.periodic.push_back(value);
+          return ok;
+        });
+      case 2:
+        return read_list([&] {
+          auto& knots = raw.knots.emplace_back();
+          return read_list([&] { return read_exact(knots.emplace_back()); });
+        });
+      case 3: return read_bool(raw.is_rational);
+      case 4: return read_integer("a number of components", raw.components);
+      default:
+        return read_list([&] {
+          ++raw.num_points;
+          return read_list([&] { return read_exact(raw.points.emplace_back()); });
+        });
+    }
+  });
+}
+
+template <std::size_t N>
+bool JsonReader::finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline) {
+  if (raw.degrees.size() != N || raw.knots.size() != N || raw.periodic.size() != N)
+    return fail(raw.at, Code::kBadSpline, "degrees, periodic and knots must have " + std::to_string(N) + " entries");
+  const std::int64_t least = raw.is_rational ? 2 : 1;
+  const auto components = static_cast<std::uint64_t>(raw.components);
+  if (raw.components < least || raw.components > 1001 || raw.points.size() != raw.num_points * components)
+    return fail(raw.at, Code::kBadSpline, "every point must have as many numbers as there are components, " +
+                                              std::to_string(raw.components));
+  std::array<KnotAxis<Rational>, N> axes;
+  Grid<N> grid;
+  std::uint64_t total = 1;
+  for (std::size_t a = 0; a < N; ++a) {
+    const std::int64_t degree = std::clamp<std::int64_t>(raw.degrees[a], -1, kMaxSplineDegree + 1);
+    auto axis = make_knot_axis(static_cast<int>(degree), std::move(raw.knots[a]), raw.periodic[a]);
+    if (!axis) {
+      Error error = axis.error();
+      if (error.code == Code::kBadArgument) error.code = Code::kBadSpline;
+      return fail_with(raw.at, error);
+    }
+    axes[a] = std::move(*axis);
+    grid.size[a] = axes[a].num_control();
+    total = grid.size[a] > source_.size() / total ? source_.size() + 1 : total * grid.size[a];
+    if (total > source_.size()) break;
+  }
+  if (total != raw.num_points)
+    return fail(raw.at, Code::kBadSpline, std::to_string(raw.num_points) + " points do not fit the knots");
+  std::vector<Rational> coefficients(raw.points.size());
+  for (std::size_t i = 0; i < total; ++i)
+    for (std::size_t c = 0; c < components; ++c)
+      coefficients[c * total + i] = std::move(raw.points[i * components + c]);
+  BSpline<Rational, N> built(std::move(axes), static_cast<int>(components), raw.is_rational, std::move(coefficients));
+  if (raw.is_rational)
+    for (std::size_t i = 0; i < total; ++i)
+      if (const Rational& w = built.component(built.num_components() - 1)[i]; w.sign() != Sign::kPositive)
+        return fail(raw.at, Code::kBadSpline, "the weight of control point " + std::to_string(i) + ", " + w.to_string() + ", is not positive");
+  for (std::size_t a = 0; a < N; ++a) {
+    if (!built.axis(a).is_periodic) continue;
+    const std::size_t n = grid.size[a], p = static_cast<std::size_t>(built.axis(a).degree), stride = grid.stride(a);
+    bool repeats = n >= p;
+    for (int c = 0; c < built.num_components(); ++c)
+      grid.for_each_line(a, [&](std::size_t first) {
+        for (std::size_t i = 0; repeats && i < p; ++i)
+          repeats = built.component(c)[first + i * stride] == built.component(c)[first + (n - p + i) * stride];
+      });
+    if (!repeats) return fail(raw.at, Code::kBadSpline, "the control points of a periodic axis do not repeat");
+  }
+  spline = std::move(built);
+  return true;
+}
+
+template <std::size_t N>
+bool JsonReader::read_map(std::optional<BSpline<Rational, N>>& spline) {
+  RawMap raw;
+  return read_raw(raw) && finish(raw, spline);
+}
+
+bool JsonReader::read_optional_curve(std::optional<ExactCurve>& curve) { return take_null() || read_map(curve); }
+
+bool JsonReader::read_loops(std::vector<TrimLoop>& loops) {
+  return read_list([&] {
+    TrimLoop& loop = loops.emplace_back();
+    return read_list([&] {
+      TrimCurve& piece = loop.emplace_back();
+      return read_object({"parameter", "space", "omitted"}, [&](std::size_t key) {
+        if (key == 2) return read_string(piece.omitted);
+        return read_optional_curve(key == 0 ? piece.parameter : piece.space);
+      });
+    });
+  });
+}
+
+bool JsonReader::read_brep_face(SplineBrep& brep) {
+  std::optional<ExactSurface> surface;
+  std::vector<std::vector<std::int64_t>> loops;
+  const bool ok = read_object({"map", "loops"}, [&](std::size_t key) {
+    if (key == 0) return read_map(surface);
+    return read_list([&] {
+      auto& loop = loops.emplace_back();
+      return read_list([&] { return read_integer("a segment's number", loop.emplace_back()); });
+    });
+  });
+  if (ok) brep.faces.push_back({std::move(*surface), std::move(loops)});
+  return ok;
+}
+
+bool JsonReader::read_brep_segment(SplineBrep& brep) {
+  BrepSegment segment;
+  const auto exactly_two = [&](std::size_t count) {
+    return count == 2 || fail(p_, Code::kSyntax, "a segment has two surfaces and two parameter curves");
+  };
+  const bool ok = read_object({"surfaces", "parameter", "space"}, [&](std::size_t key) {
+    std::size_t count = 0;
+    std::uint64_t unused = 0;
+    std::optional<ExactCurve> ignored;
+    if (key == 0)
+      return read_list([&] {
+               const std::size_t i = count++;
+               return read_count("a surface's number", 0, std::uint64_t{1} << 60, i < 2 ? segment.faces[i] : unused);
+             }) &&
+             exactly_two(count);
+    if (key == 1)
+      return read_list([&] {
+               const std::size_t i = count++;
+               return read_optional_curve(i < 2 ? segment.parameter[i] : ignored);
+             }) &&
+             exactly_two(count);
+    return read_optional_curve(segment.space);
+  });
+  if (ok) brep.segments.push_back(std::move(segment));
+  return ok;
+}
+
+bool JsonReader::check_brep(const SplineBrep& brep) {
+  const auto most = static_cast<std::int64_t>(brep.segments.size());
+  for (const BrepFace& face : brep.faces)
+    for (const auto& loop : face.loops)
+      for (const std::int64_t n : loop)
+        if (n == 0 || n > most || n < -most)
+          return fail(p_, Code::kIndexOutOfRange, "a loop names segment " + std::to_string(n) + " of " + std::to_string(most));
+  for (const BrepSegment& s : brep.segments)
+    for (const std::uint64_t face : s.faces)
+      if (face > brep.faces.size())
+        return fail(p_, Code::kIndexOutOfRange, "a segment names surface " + std::to_string(face) + " of " + std::to_string(brep.faces.size()));
+  return true;
+}
+
+bool JsonReader::read_shape(const std::string& kind, SplineEntity& entity) {
+  const auto keep = [&](auto spline) {
+    entity.shape = std::move(*spline);
+    return true;
+  };
+  if (kind == "curve") {
+    std::optional<ExactCurve> curve;
+    return read_map(curve) && keep(std::move(curve));
+  }
+  if (kind == "surface") {
+    std::optional<ExactSurface> surface;
+    return read_map(surface) && keep(std::move(surface));
+  }
+  if (kind == "volume") {
+    std::optional<ExactVolume> volume;
+    return read_map(volume) && keep(std::move(volume));
+  }
+  if (kind == "trimmed") {
+    std::optional<ExactSurface> surface;
+    std::vector<TrimLoop> loops;
+    if (!read_object({"map", "loops"}, [&](std::size_t key) { return key == 0 ? read_map(surface) : read_loops(loops); }))
+      return false;
+    entity.shape = TrimmedSurface{std::move(*surface), std::move(loops)};
+    return true;
+  }
+  SplineBrep brep;
+  const bool ok = read_object({"surfaces", "segments"}, [&](std::size_t key) {
+    return key == 0 ? read_list([&] { return read_brep_face(brep); }) : read_list([&] { return read_brep_segment(brep); });
+  });
+  if (!ok || !check_brep(brep)) return false;
+  entity.shape = std::move(brep);
+  return true;
+}
+
+bool JsonReader::read_entity() {
+  skip();
+  const char* const open = p_;
+  entity_ = model_.entities.size();
+  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open)};
+  std::string kind;
+  const bool ok = read_object({"kind", "group", "attributes", "shape"}, [&](std::size_t key) {
+    if (key == 1) return read_index("the group of an entity", entity.group, model_.groups.size());
+    if (key == 2) return read_strings(entity.attributes);
+    if (key == 3) {
+      if (kind.empty()) return fail(p_, Code::kSyntax, "the key 'kind' must come before 'shape'");
+      return read_shape(kind, entity);
+    }
+    if (!read_string(kind)) return false;
+    for (const char* known : {"curve", "surface", "volume", "trimmed", "model"})
+      if (kind == known) return true;
+    return fail(p_, Code::kSyntax, "unknown kind of entity " + quoted(kind));
+  });
+  if (!ok) return false;
+  model_.entities.push_back(std::move(entity));
+  entity_.reset();
+  return true;
+}
+
+bool JsonReader::read() {
+  bool has_groups = false;
+  const bool ok = read_object({"format", "groups", "entities"}, [&](std::size_t key) {
+    if (key == 0) {
+      std::string format;
+      skip();
+      const char* const at = p_;
+      if (!read_string(format)) return false;
+      return format == "veritope-spline-1" ||
+             fail(at, Code::kUnknownFormat, "the format must be 'veritope-spline-1', not " + quoted(format));
+    }
+    if (key == 1) {
+      has_groups = true;
+      return read_list([&] { return read_group(); });
+    }
+    if (!has_groups) return fail(p_, Code::kSyntax, "the key 'groups' must come before 'entities'");
+    return read_list([&] { return read_entity(); });
+  });
+  if (!ok) return false;
+  return is_at_end() || fail_expected("the end of the file");
+}
+
+}  // namespace
+
+Result<SplineFile> read_spline_json(const Source& source, const ReadLimits& limits) {
+  JsonReader reader(source, limits);
+  if (!reader.read()) return reader.take_error();
+  return reader.take();
+}
+
+}  // namespace veritope

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/write_splines.h: spline models as files, and what a file would lose.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/spline_format.h"
+#include "io/spline_model.h"
+#include "robust/base/result.h"
+
+namespace veritope {
+
+/// The formats that are written: itd, g2, vjson.
+bool can_write(SplineFormat format);
+
+/// Canonical: equal models give equal bytes. Numbers that a format's decimals cannot hold, shapes, groups and attributes
+/// that it does not know are left out or rounded to the nearest binary64; spline_loss says which.
+/// REQUIRES can_write(format).
+std::string spline_bytes(const SplineModel& model, SplineFormat format);
+
+/// What reading spline_bytes(model, format) back would change, a sentence each: the bytes are read and compared.
+struct SplineLoss {
+  std::vector<std::string> shapes;  ///< lost or rounded shapes: a conversion that does this is lossy
+  std::vector<std::string> dropped;  ///< names, attributes, order of groups: no part of the geometry
+  std::optional<Error> unreadable;   ///< the rounded numbers make no spline: this file must not be written
+};
+SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes);
+
+/// The three writers.
+std::string itd_bytes(const SplineModel& model);
+std::string g2_bytes(const SplineModel& model);
+std::string spline_json_bytes(const SplineModel& model);
+
+/// An exact decimal if there is one, else the nearest binary64 in the shortest decimal.
+std::string decimal_or_nearest(const Rational& value);
+
+/// A name that .itd can hold as one word, and an attribute that it reads back as it is.
+bool is_itd_name(const std::string& name);
+bool is_itd_attribute(const std::string& text);
+
+}  // namespace veritope

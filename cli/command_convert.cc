@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/decimal_text.h"
 #include "cli/output_plan.h"
+#include "cli/spline_convert.h"
 #include "cli/text_style.h"
 #include "io/write_mesh.h"
 
@@ -141,6 +142,8 @@ void report(const Options& o, const MeshFile& file, const std::string& loss,
 }  // namespace
 
 ExitCode run_convert(const Options& options, StandardOutput& out) {
+  if (is_spline_input(options.files[0], options)) return convert_splines(options, out);
+  if (options.chord) return fail(bad_argument("--chord is for splines"));
   const Result<WriteOptions> target = target_of(options);
   if (!target) return fail(target.error());
   if (const Status status = refuse_same(options.files, options.output); !status) {

@@ -6,6 +6,8 @@
 #include "cli/output_plan.h"
 #include "cli/report_json.h"
 #include "cli/report_text.h"
+#include "cli/spline_convert.h"
+#include "cli/spline_report.h"
 #include "io/write_mesh.h"
 
 namespace veritope::cli {
@@ -55,10 +57,20 @@ ExitCode run_info(const Options& options, StandardOutput& out) {
   std::vector<std::string> json;
   ExitCode exit = kExitValid;
   for (const std::string& path : options.files) {
-    const InfoReport report = info_of(path, options.reading);
-    exit = first_of(exit, report.exit);
-    if (options.json) json.push_back(info_json(report));
-    if (options.json != "-") out.write(info_text(report, style));
+    std::string as_json, as_text;
+    if (is_spline_input(path, options)) {
+      const SplineReport report = spline_report(path, {options.spline_format, options.reading.limits});
+      exit = first_of(exit, report.exit);
+      if (options.json) as_json = spline_json(report);
+      as_text = spline_text(report, style);
+    } else {
+      const InfoReport report = info_of(path, options.reading);
+      exit = first_of(exit, report.exit);
+      if (options.json) as_json = info_json(report);
+      as_text = info_text(report, style);
+    }
+    if (options.json) json.push_back(std::move(as_json));
+    if (options.json != "-") out.write(as_text);
   }
   if (!options.json) return exit;
   const Status status = write_output(*options.json, document_json("veritope-info-1", json), out);

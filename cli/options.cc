@@ -55,8 +55,8 @@ void add_text(CLI::App* app, const std::string& name, std::optional<std::string>
       ->type_name(type);
 }
 
-void add_files(CLI::App* app, std::vector<std::string>& files) {
-  app->add_option("FILE", files, "STL, OBJ, PLY or OFF; - is standard input (with --format)")
+void add_files(CLI::App* app, std::vector<std::string>& files, const char* what) {
+  app->add_option("FILE", files, what)
       ->required()
       ->type_name("");
 }
@@ -70,7 +70,7 @@ void add_file(CLI::App* app, const std::string& name, std::vector<std::string>& 
       ->type_name("");
 }
 
-void add_reading(CLI::App* app, Options& o) {
+void add_format(CLI::App* app, Options& o) {
   app->add_option_function<std::string>(
          "--format",
          [&o](const std::string& name) {
@@ -81,6 +81,24 @@ void add_reading(CLI::App* app, Options& o) {
          },
          "stl, obj, ply or off, whatever the name says")
       ->type_name("F");
+}
+
+void add_any_format(CLI::App* app, Options& o) {
+  app->add_option_function<std::string>(
+         "--format",
+         [&o](const std::string& name) {
+           o.reading.format = mesh_format_from_name(name);
+           o.spline_format = spline_format_from_name(name);
+           if (!o.reading.format && !o.spline_format) {
+             throw CLI::ValidationError(
+                 "--format", "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
+           }
+         },
+         "stl, obj, ply, off, itd, g2, mfem, gismo or vjson,\nwhatever the name says")
+      ->type_name("F");
+}
+
+void add_reading(CLI::App* app, Options& o) {
   app->add_flag("--as-indexed", o.reading.as_indexed, "keep the file's vertex indices, merge none");
   ReadLimits& limits = o.reading.limits;
   add_number(app, "--max-bytes", limits.max_bytes, 0, kMost64, "limit: size of a file (4 GiB)");
@@ -99,7 +117,7 @@ void add_certify(CLI::App& app, Options& o) {
   CLI::App* const c =
       app.add_subcommand("certify", "decide whether meshes bound solids, and prove it");
   c->callback([&o] { o.command = Command::kCertify; });
-  add_files(c, o.files);
+  add_files(c, o.files, "STL, OBJ, PLY or OFF; - is standard input (with --format)");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
   add_text(c, "--certificate", o.certificate, "F",
            "keep the certificate; of several files in folder F");
@@ -108,29 +126,49 @@ void add_certify(CLI::App& app, Options& o) {
   add_jobs(c, o);
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
+  add_format(c, o);
   add_reading(c, o);
 }
 
 void add_info(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("info", "what is in mesh files");
+  CLI::App* const c = app.add_subcommand("info", "what is in mesh and spline files");
   c->callback([&o] { o.command = Command::kInfo; });
-  add_files(c, o.files);
+  add_files(c, o.files,
+            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input (with --format)");
   add_text(c, "--json", o.json, "F", "write it as JSON; - is standard output");
   add_jobs(c, o);
+  add_any_format(c, o);
   add_reading(c, o);
 }
 
+void add_chord(CLI::App* app, Options& o) {
+  app->add_option_function<std::string>(
+         "--chord",
+         [&o](const std::string& text) {
+           double value = 0;
+           const char* const end = text.data() + text.size();
+           const auto [stop, error] = std::from_chars(text.data(), end, value);
+           if (error != std::errc() || stop != end || !(value > 0) || value > 1e300)
+             throw CLI::ValidationError("--chord", "must be a length, not " + text);
+           o.chord = value;
+         },
+         "splines to obj, gltf: the distance of chords to aim at\n(1/1000 of the diagonal)")
+      ->type_name("H");
+}
+
 void add_convert(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("convert", "write a mesh in another format, without loss");
+  CLI::App* const c = app.add_subcommand("convert", "write a mesh or splines in another format, without loss");
   c->callback([&o] { o.command = Command::kConvert; });
-  add_file(c, "IN", o.files, "STL, OBJ, PLY or OFF; - is standard input (with --format)");
+  add_file(c, "IN", o.files, "a mesh or splines; - is standard input (with --format)");
   c->add_option("OUT", o.output, "the new file; - is standard output (with --to)")
       ->required()
       ->type_name("");
-  add_text(c, "--to", o.to, "V", "stl, stl-ascii, obj, ply, ply-ascii, ply-be or off");
+  add_text(c, "--to", o.to, "V", "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to look at: vtu, obj, gltf");
+  add_chord(c, o);
   c->add_flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
   c->add_flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
   add_jobs(c, o);
+  add_any_format(c, o);
   add_reading(c, o);
 }
 
@@ -188,7 +226,7 @@ std::string contradiction(const Options& o) {
   const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
   const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
                      o.command == Command::kConvert;
-  if (reads && inputs > 0 && !o.reading.format) return "- is standard input and needs --format";
+  if (reads && inputs > 0 && !o.reading.format && !o.spline_format) return "- is standard input and needs --format";
   if (inputs > 1) return "standard input can be read once only";
   if (std::find(o.files.begin(), o.files.end(), "") != o.files.end()) {
     return "a file name must not be empty";

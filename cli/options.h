@@ -8,6 +8,7 @@
 
 #include "cli/named_predicate.h"
 #include "io/read_mesh.h"
+#include "io/spline_format.h"
 
 namespace veritope::cli {
 
@@ -27,6 +28,7 @@ struct Options {
   /// certify, info: inputs; convert: IN; explain-certificate: F; predicate: FILE
   std::vector<std::string> files;
   ReadOptions reading;                     ///< certify, info, convert
+  std::optional<SplineFormat> spline_format;  ///< info, convert: --format of a spline file
   std::optional<std::string> json;         ///< certify, info
   std::optional<std::string> certificate;  ///< certify
   std::optional<std::string> picture;      ///< certify
@@ -36,6 +38,7 @@ struct Options {
   std::string output;                            ///< convert: OUT
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert
+  std::optional<double> chord;                   ///< convert, of splines to obj or gltf
   std::optional<std::string> rule;               ///< explain
   std::uint64_t max_items = 20;                  ///< explain-certificate
   const NamedPredicate* predicate = nullptr;     ///< predicate; null: each line names its own

@@ -2,31 +2,22 @@
 #include "cli/report_json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cli/bounding_box.h"
 #include "cli/certify.h"
 #include "cli/decimal_text.h"
+#include "cli/json_text.h"
 
 namespace veritope::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMostShells = 100'000;  // listed; a soup of triangles has millions
-
-template <typename T>
-Json optional_json(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-// JSON has no infinity.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) { return number_json(value); }
 
 // Microseconds are more than enough.
 Json seconds(const std::optional<double>& value) {
@@ -138,42 +129,6 @@ Json certificate_json(const FileReport& report) {
           {"sha256", c.sha256},
           {"bytes", c.bytes},
           {"checked", c.is_checked}};
-}
-
-Json fault_json(const std::optional<Fault>& fault) {
-  if (!fault) return nullptr;
-  const Place& p = fault->place;
-  return {{"code", fault->code},           {"message", fault->message},
-          {"line", optional_json(p.line)}, {"byte", optional_json(p.byte)},
-          {"face", optional_json(p.face)}, {"vertex", optional_json(p.vertex)}};
-}
-
-// As Json::dump, but floating-point numbers are the shortest that read back as the same: the library's need not be.
-void append(std::string& out, const Json& json) {
-  const bool is_object = json.is_object();
-  if (is_object || json.is_array()) {
-    out += is_object ? '{' : '[';
-    bool is_first = true;
-    for (const auto& [key, value] : json.items()) {
-      if (!std::exchange(is_first, false)) out += ',';
-      if (is_object) out += Json(key).dump() + ':';
-      append(out, value);
-    }
-    out += is_object ? '}' : ']';
-  } else if (json.is_number_float()) {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, json.get<double>());
-    out.append(digits, end.ptr);
-  } else {
-    // File names need not be UTF-8: what is not becomes U+FFFD.
-    out += json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
-  }
-}
-
-std::string dump(const Json& json) {
-  std::string out;
-  append(out, json);
-  return out;
 }
 
 }  // namespace

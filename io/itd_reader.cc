@@ -38,6 +38,7 @@ class ItdReader : SplineTextReader {
   bool skip_brackets();
   bool read_attribute(std::vector<std::string>& into);
   bool read_attributes(std::vector<std::string>& into);
+  void count_splines_in(std::string_view attribute);
   void drop_attributes(const std::vector<std::string>& inner);
 
   bool read_element(const char* open, std::string_view keyword, bool& is_data);
@@ -133,7 +134,17 @@ bool ItdReader::read_attribute(std::vector<std::string>& into) {
   const char* last = p_ - 1;
   while (last > start && has_class(last[-1], kTokenEnd)) --last;
   into.push_back(to_utf8({start, static_cast<std::size_t>(last - start)}));
+  count_splines_in(into.back());
   return true;
+}
+
+// An attribute may hold whole objects (animations, textures): they stay text, but are mentioned.
+void ItdReader::count_splines_in(std::string_view attribute) {
+  constexpr std::pair<std::string_view, const char*> kWords[] = {
+      {"CURVE ", "curves within attributes"}, {"SURFACE ", "surfaces within attributes"}, {"TRIVAR ", "volumes within attributes"}};
+  for (std::size_t at = attribute.find('['); at != attribute.npos; at = attribute.find('[', at + 1))
+    for (const auto& [word, what] : kWords)
+      if (attribute.substr(at + 1).starts_with(word)) leave_out(what, "kept as text", false);
 }
 
 bool ItdReader::read_attributes(std::vector<std::string>& into) {

@@ -59,6 +59,7 @@ std::optional<SplineFormat> spline_format_from_content(const Source& source) {
   if (text.starts_with("{") && text.find("veritope-spline-1") != text.npos) return SplineFormat::kJson;
   if (text.starts_with("<") && (text.find("<xml") != text.npos || text.find("<Geometry") != text.npos))
     return SplineFormat::kGismo;
+  if (head.find('\0') != head.npos) return std::nullopt;
   for (const std::string_view word : {"[OBJECT", "[SURFACE", "[CURVE", "[TRIVAR", "[TRIMSRF"})
     if (text.find(word) != text.npos) return SplineFormat::kItd;
   if (p < source.end && is_digit(*p)) {

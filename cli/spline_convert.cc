@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/spline_convert.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <variant>
+
+#include "cli/output_plan.h"
+#include "cli/text_style.h"
+#include "io/byte_buffer.h"
+#include "io/mesh_format.h"
+#include "io/read_splines.h"
+#include "io/sniff.h"
+#include "io/spline_view.h"
+#include "io/write_splines.h"
+
+namespace veritope::cli {
+namespace {
+
+using Target = std::variant<SplineFormat, ViewFormat>;
+
+Error bad_argument(std::string message) { return Error{Code::kBadArgument, Place{}, std::move(message)}; }
+
+ExitCode fail(const Error& error) {
+  complain(harmless(to_string(error)));
+  return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
+}
+
+Result<Target> target_of(const Options& o) {
+  const std::size_t dot = o.output.rfind('.');
+  const std::string name = o.to ? *o.to : dot == o.output.npos ? "" : o.output.substr(dot + 1);
+  if (const auto view = view_format_from_name(name)) return Target(*view);
+  if (const auto format = spline_format_from_name(name); format && can_write(*format)) return Target(*format);
+  if (o.to) return bad_argument("of splines --to must be itd, g2, vjson, vtu, obj or gltf, not " + name);
+  return bad_argument("the name " + o.output + " does not end in itd, g2, vjson, vtu, obj or gltf: use --to");
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& p : parts) text += (text.empty() ? "" : ", ") + p;
+  return text;
+}
+
+// What the model lacks against the file: shapes, and the rest.
+std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
+  std::array<std::vector<std::string>, 2> out;
+  for (const LeftOut& l : file.left_out)
+    if (l.reason != "kept as text") out[l.is_geometry ? 0 : 1].push_back(std::to_string(l.count) + " " + harmless(l.what));
+  return out;
+}
+
+ExitCode finish(const Options& o, const SplineFile& file, const std::string& bytes, const std::string& lost,
+                const std::string& dropped, bool is_view, StandardOutput& out) {
+  const Status written = write_output(o.output, bytes, out);
+  if (!written && o.output != "-") return fail(written.error());
+  const std::string what = is_view ? ", a picture" : lost.empty() ? ", nothing lost" : "";
+  const std::string text = "wrote  " + harmless(o.output) + "  " +
+                           counted(file.model.entities.size(), "entity", "entities") + what +
+                           (lost.empty() ? "" : ", lossy: " + lost) + "\n" +
+                           (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n");
+  if (o.output != "-") {
+    out.write(text);
+  } else {
+    if (!lost.empty()) complain("lossy: " + lost);
+    if (!dropped.empty()) complain("not part of the geometry, dropped: " + dropped);
+  }
+  return kExitValid;
+}
+
+}  // namespace
+
+bool is_spline_input(const std::string& path, const Options& options) {
+  if (options.spline_format || options.reading.format) return options.spline_format.has_value();
+  if (mesh_format_from_path(path)) return false;
+  if (spline_format_from_path(path)) return true;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::array<char, 4096> head{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), head.size());
+  const ByteBuffer buffer = copy_to_buffer(
+      {reinterpret_cast<const unsigned char*>(head.data()), static_cast<std::size_t>(file.gcount())});
+  const Source source = source_of(buffer, path);
+  return !mesh_format_from_content(source) && spline_format_from_content(source);
+}
+
+ExitCode convert_splines(const Options& options, StandardOutput& out) {
+  const Result<Target> target = target_of(options);
+  if (!target) return fail(target.error());
+  const auto* const view = std::get_if<ViewFormat>(&*target);
+  if (options.chord && (view == nullptr || *view == ViewFormat::kVtu)) return fail(bad_argument("--chord is for obj and gltf"));
+  if (options.single_precision) return fail(bad_argument("--float is for binary PLY"));
+  if (const Status status = refuse_same(options.files, options.output); !status) return fail(status.error());
+  if (const Status status = try_output(options.output); !status) return fail(status.error());
+  const Result<SplineFile> file = read_spline_file(options.files[0], {options.spline_format, options.reading.limits});
+  if (!file) return fail(file.error());
+  auto [lost, dropped] = left_out(*file);
+  if (view != nullptr) {
+    const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
+    if (!bytes) return fail(bytes.error());
+    return finish(options, *file, *bytes, "", joined(lost), true, out);
+  }
+  const SplineFormat format = std::get<SplineFormat>(*target);
+  const std::string bytes = spline_bytes(file->model, format);
+  const SplineLoss loss = spline_loss(file->model, format, bytes);
+  if (loss.unreadable) {
+    Error error = *loss.unreadable;
+    error.place.file = options.output;
+    error.code = Code::kLossy;
+    error.message = "not written: rounded to decimals, " + error.message;
+    return fail(error);
+  }
+  lost.insert(lost.end(), loss.shapes.begin(), loss.shapes.end());
+  dropped.insert(dropped.end(), loss.dropped.begin(), loss.dropped.end());
+  if (!lost.empty() && !options.lossy) {
+    complain(harmless(options.output) + ": not written, it would lose something: " + joined(lost) +
+             ". --lossy writes it all the same" +
+             (loss.shapes.empty() ? "" : "; --to vjson keeps every spline"));
+    return kExitInvalid;
+  }
+  return finish(options, *file, bytes, joined(lost), joined(dropped), false, out);
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/spline_report.h"
+
+#include <algorithm>
+#include <new>
+
+#include "io/write_splines.h"
+
+namespace veritope::cli {
+namespace {
+
+template <std::size_t N>
+void grow(ExactBox& box, const BSpline<Rational, N>& s) {
+  for (std::size_t i = 0; i < s.grid().count(); ++i)
+    for (int c = 0; c < s.dimension(); ++c) {
+      const auto k = static_cast<std::size_t>(c);
+      Rational x = s.component(c)[i];
+      if (s.is_rational()) x /= s.component(s.dimension())[i];
+      if (k == box.lo.size()) {
+        box.lo.push_back(x);
+        box.hi.push_back(std::move(x));
+      } else {
+        if (x < box.lo[k]) box.lo[k] = x;
+        if (box.hi[k] < x) box.hi[k] = std::move(x);
+      }
+    }
+}
+
+std::vector<std::string> lossless_formats(const SplineFile& file) {
+  std::vector<std::string> names;
+  for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kJson}) {
+    const SplineLoss loss = spline_loss(file.model, format, spline_bytes(file.model, format));
+    if (loss.shapes.empty() && loss.dropped.empty() && !loss.unreadable) names.emplace_back(spline_format_name(format));
+  }
+  return names;
+}
+
+}  // namespace
+
+ExactBox control_box(const SplineEntity& entity) {
+  ExactBox box;
+  if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape)) {
+    grow(box, t->surface);
+  } else if (const auto* b = std::get_if<SplineBrep>(&entity.shape)) {
+    for (const BrepFace& face : b->faces) grow(box, face.surface);
+  } else {
+    for_each_spline(entity, [&](const auto& s) { grow(box, s); });
+  }
+  return box;
+}
+
+void unite(ExactBox& box, const ExactBox& other) {
+  for (std::size_t k = 0; k < other.lo.size(); ++k)
+    if (k == box.lo.size()) {
+      box.lo.push_back(other.lo[k]);
+      box.hi.push_back(other.hi[k]);
+    } else {
+      box.lo[k] = std::min(box.lo[k], other.lo[k]);
+      box.hi[k] = std::max(box.hi[k], other.hi[k]);
+    }
+}
+
+SplineReport spline_report(const std::string& path, const SplineReadOptions& options) {
+  SplineReport report;
+  report.path = path;
+  try {
+    Result<SplineFile> file = read_spline_file(path, options);
+    if (file) {
+      report.lossless = lossless_formats(*file);
+      report.file = std::move(*file);
+      return report;
+    }
+    report.fault = fault_of(file.error());
+    report.exit = kExitUnreadable;
+  } catch (const std::bad_alloc&) {
+    report.file.reset();
+    report.fault = Fault{"out-of-memory", {}, "not enough memory for this file"};
+    report.exit = kExitUndecided;
+  }
+  return report;
+}
+
+}  // namespace veritope::cli

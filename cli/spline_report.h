@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/spline_report.h: what veritope info says about spline files.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "cli/file_report.h"
+#include "cli/text_style.h"
+#include "io/read_splines.h"
+
+namespace veritope::cli {
+
+struct SplineReport {
+  std::string path;
+  ExitCode exit = kExitValid;
+  std::optional<SplineFile> file;     ///< nothing: unreadable
+  std::vector<std::string> lossless;  ///< formats that hold it without loss
+  std::optional<Fault> fault;
+};
+
+SplineReport spline_report(const std::string& path, const SplineReadOptions& options);
+
+/// The element of "files" of veritope-info-1; one line.
+std::string spline_json(const SplineReport& report);
+std::string spline_text(const SplineReport& report, const Style& style);
+
+/// The least box of the control points, homogeneous ones divided by their weights: it contains the splines.
+struct ExactBox {
+  std::vector<Rational> lo, hi;  ///< empty: no points
+};
+/// Of the surfaces of trimmed surfaces and models, not of their loops.
+ExactBox control_box(const SplineEntity& entity);
+/// `box` grows to hold `other`; coordinates that only one of them has stay.
+void unite(ExactBox& box, const ExactBox& other);
+
+}  // namespace veritope::cli

@@ -43,13 +43,16 @@ class Schema(Folder):
         self.validator = jsonschema.Draft202012Validator(SCHEMA)
 
     def documents(self):
-        models = [path for path in sorted(MODELS.iterdir()) if path.name != "EXPECT.tsv"]
+        models = [path for path in sorted(MODELS.iterdir()) if path.is_file() and path.name != "EXPECT.tsv"]
         yield support.report(*models)
         yield support.report("--as-indexed", "--no-check", "--max-defects", 0, *models)
         yield support.report(MODELS / "valid_frame.off", "--certificate", self.folder / "c")
         yield support.report(MODELS / "valid_frame.off", "--certificate", "/dev/full")
         yield support.report(MODELS / "valid_frame.off", program=self.copy_programs("exit 1"))
         yield json.loads(run("info", "--json", "-", *models).stdout)
+        splines = sorted((MODELS / "splines").iterdir())
+        (self.folder / "bad.itd").write_text("[CURVE BSPLINE 2 2 E1 [KV 0 1 0 1] [0] [1]]")
+        yield json.loads(run("info", "--json", "-", *splines, self.folder / "bad.itd", models[0]).stdout)
 
     def test_the_schema_is_a_schema_and_every_document_obeys_it(self):
         self.validator.check_schema(SCHEMA)

@@ -37,6 +37,9 @@ TEST(Result, PrintsThePlaceThatItKnows) {
   e.place = {};
   e.place.byte = 3, e.place.face = 4, e.place.vertex = 5;
   EXPECT_EQ(to_string(e), "byte 3: face 4: vertex 5: bad token \"x\"");
+  e.place = {};
+  e.place.line = 6, e.place.entity = 7;
+  EXPECT_EQ(to_string(e), "line 6: entity 7: bad token \"x\"");
 }
 
 TEST(Result, NamesEveryCode) {

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope info and convert on spline files: what they say, what they refuse, and that JSON documents obey their schemas."""
+import base64
+import json
+import struct
+import unittest
+import xml.etree.ElementTree
+
+import support
+from support import MODELS, ROOT, Folder, run
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+SPLINES = MODELS / "splines"
+SAMPLES = sorted(SPLINES.iterdir())
+SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
+
+
+def info(*paths):
+    done = run("info", "--json", "-", *paths)
+    return json.loads(done.stdout)["files"]
+
+
+class Info(Folder):
+    def test_entities_are_described(self):
+        file = info(SPLINES / "groups.itd")[0]
+        self.assertEqual(list(file), list(SCHEMA["$defs"]["info_spline_file"]["properties"]))
+        self.assertEqual(file["counts"], {"entities": 5, "curves": 3, "surfaces": 1, "volumes": 1, "trimmed": 0, "models": 0})
+        self.assertEqual([e["kind"] for e in file["entities"]], ["curve", "surface", "curve", "curve", "volume"])
+        for entity in file["entities"]:
+            self.assertEqual(list(entity), list(SCHEMA["$defs"]["spline_entity"]["properties"]))
+        arc, closed = file["entities"][0], file["entities"][2]
+        self.assertEqual((arc["name"], arc["rational"], arc["dimension"], arc["line"]), ("ARC", True, 2, 4))
+        self.assertEqual(arc["bbox"]["min"], [0.5, 0])
+        self.assertTrue(2 / 3 <= arc["bbox"]["max"][1] <= 2 / 3 + 1e-15)  # 0.5 / 0.75, rounded up
+        self.assertEqual(closed["axes"], [{"degree": 2, "control_points": 6, "spans": 4, "periodic": True, "domain": ["2/1", "6/1"]}])
+        self.assertIn({"what": "polygons", "reason": "", "geometry": True, "count": 1}, file["left_out"])
+        self.assertEqual(file["lossless"], ["itd", "vjson"])
+
+    def test_text_names_every_entity(self):
+        done = run("info", *SAMPLES)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("groups.itd", "CLOSED, degree 2, 6 control points, periodic", "1 loop", "left out", "model, BODY"):
+            self.assertIn(word, done.stdout)
+
+    def test_a_bad_file_is_status_4_with_line_and_entity(self):
+        bad = self.folder / "bad.itd"
+        bad.write_text("[CURVE BEZIER 2 E1 [0] [1]]\n[CURVE BSPLINE 2 2 E1\n [KV 0 1 0 1] [0] [1]]\n")
+        done = run("info", bad)
+        self.assertEqual(done.returncode, 4)
+        self.assertRegex(done.stdout, r"^UNREADABLE  \S+  line 2: entity 1: knot 2, 0, is less than the one before it, 1\n$")
+        error = info(bad)[0]["error"]
+        self.assertEqual((error["code"], error["line"], error["entity"]), ("bad-spline", 2, 1))
+        self.assertEqual(run("convert", bad, self.folder / "x.vjson").returncode, 4)
+        self.assertEqual(self.listing(), ["bad.itd"])
+
+    def test_format_is_found_by_option_and_content(self):
+        text = (SPLINES / "objects.g2").read_text()
+        done = run("info", "--format", "g2", "--json", "-", "-", input=text)
+        self.assertEqual(json.loads(done.stdout)["files"][0]["counts"]["trimmed"], 1)
+        plain = self.folder / "plain"
+        plain.write_text(text)
+        self.assertEqual(info(plain)[0]["spline_format"], "g2")
+        self.assertEqual(run("info", "--format", "step", plain).returncode, 2)
+        self.assertEqual(run("certify", "--format", "g2", plain).returncode, 2)
+        self.assertEqual(run("info", "--max-digits", "1", SPLINES / "groups.itd").returncode, 4)
+
+
+class Convert(Folder):
+    def test_json_is_canonical_and_comes_back_the_same_from_itd(self):
+        for sample in SAMPLES:
+            first, itd, second = self.folder / "1.vjson", self.folder / "2.itd", self.folder / "3.vjson"
+            for source, target in [(sample, first), (first, itd), (itd, second)]:
+                done = run("convert", "--lossy", source, target)
+                self.assertEqual(done.returncode, 0, done.stderr)
+            # The remark about curves that were left out is no part of the model.
+            strip = lambda text: "".join(line.split('"omitted"')[0] for line in text.splitlines(True))
+            self.assertEqual(strip(first.read_text()), strip(second.read_text()), sample)
+            self.assertEqual(run("convert", first, "--to", "vjson", "-").stdout, first.read_text())
+
+    @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
+    def test_json_obeys_its_schema_and_the_schema_is_tight(self):
+        schema = json.loads((ROOT / "docs" / "formats" / "spline.schema.json").read_text())
+        validator = jsonschema.Draft202012Validator(schema)
+        validator.check_schema(schema)
+        for sample in SAMPLES:
+            document = json.loads(run("convert", "--lossy", sample, "--to", "vjson", "-").stdout)
+            self.assertEqual([], [e.message for e in validator.iter_errors(document)], sample)
+            for entity in document["entities"]:
+                for spoil in ({"kind": "sphere"}, {"extra": 1}, {"shape": {}}):
+                    broken = {**document, "entities": [{**entity, **spoil}]}
+                    self.assertFalse(validator.is_valid(broken), spoil)
+        for number in ("1", "-1/3", "0.5", ".5", "1e-3", "0x1.8p-3"):
+            self.assertRegex(number, schema["$defs"]["number"]["pattern"])
+        for number in ("", "1/0", "nan", "1/-2", "e5", "0x"):
+            self.assertNotRegex(number, schema["$defs"]["number"]["pattern"])
+
+    def test_losses_are_refused_unless_allowed(self):
+        out = self.folder / "out.g2"
+        done = run("convert", SPLINES / "trimmed.itd", out)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("it would lose something", done.stderr)
+        self.assertFalse(out.exists())
+        done = run("convert", "--lossy", SPLINES / "trimmed.itd", out)
+        self.assertEqual((done.returncode, out.exists()), (0, True))
+        self.assertIn("lossy: 1 of 2 entities", done.stdout)
+        third = self.folder / "third.vjson"
+        run("convert", "--lossy", SPLINES / "groups.itd", third)
+        third.write_text(third.read_text().replace('"1/4"', '"1/3"'))
+        self.assertEqual(run("convert", third, self.folder / "third.itd").returncode, 1)
+        # Polygons are geometry of the file that the model lacks.
+        self.assertEqual(run("convert", SPLINES / "groups.itd", self.folder / "x.vjson").returncode, 1)
+
+    def test_wrong_usage_is_status_2(self):
+        sample = SPLINES / "groups.itd"
+        for arguments in ([sample, self.folder / "x.stl"], [sample, self.folder / "x"], [sample, "--to", "mfem", self.folder / "x.mesh"],
+                          [sample, "--chord", "-1", self.folder / "x.obj"], [sample, "--chord", "1", self.folder / "x.vtu"],
+                          [sample, "--float", self.folder / "x.itd"], [support.VALID, "--chord", "1", self.folder / "x.obj"]):
+            self.assertEqual(run("convert", *arguments).returncode, 2, arguments)
+        self.assertEqual(self.listing(), [])
+        copy = self.folder / "a.itd"
+        copy.write_bytes(sample.read_bytes())
+        self.assertEqual(run("convert", copy, copy).returncode, 2)
+
+    def test_pictures_are_well_formed(self):
+        for sample in SAMPLES:
+            for kind in ("vtu", "obj", "gltf"):
+                target = self.folder / f"p.{kind}"
+                done = run("convert", sample, target)
+                self.assertEqual(done.returncode, 0, done.stderr)
+            piece = xml.etree.ElementTree.parse(self.folder / "p.vtu").find(".//Piece")
+            arrays = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
+            num_points, num_cells = int(piece.get("NumberOfPoints")), int(piece.get("NumberOfCells"))
+            self.assertEqual((len(arrays["Points"]), len(arrays["RationalWeights"])), (3 * num_points, num_points))
+            self.assertEqual((len(arrays["types"]), len(arrays["HigherOrderDegrees"])), (num_cells, 3 * num_cells))
+            start = 0
+            for cell, end in enumerate(map(int, arrays["offsets"])):
+                degrees = list(map(int, arrays["HigherOrderDegrees"][3 * cell:3 * cell + 3]))
+                axes = {"75": 1, "77": 2, "79": 3}[arrays["types"][cell]]
+                count = 1
+                for degree in degrees[:axes]:
+                    count *= degree + 1
+                self.assertEqual(end - start, count)
+                start = end
+            gltf = json.loads((self.folder / "p.gltf").read_text())
+            data = base64.b64decode(gltf["buffers"][0]["uri"].split(",")[1], validate=True)
+            self.assertEqual(len(data), gltf["buffers"][0]["byteLength"])
+            for mesh in gltf["meshes"]:
+                for primitive in mesh["primitives"]:
+                    position, index = gltf["accessors"][primitive["attributes"]["POSITION"]], gltf["accessors"][primitive["indices"]]
+                    view = gltf["bufferViews"][index["bufferView"]]
+                    ids = struct.unpack_from(f"<{index['count']}I", data, view["byteOffset"])
+                    self.assertLess(max(ids), position["count"])
+
+    def test_a_smaller_chord_gives_more_points(self):
+        sizes = []
+        for chord in ("1", "0.01", "0.0001"):
+            run("convert", "--chord", chord, SPLINES / "groups.itd", self.folder / "p.obj")
+            sizes.append((self.folder / "p.obj").stat().st_size)
+        self.assertTrue(sizes[0] < sizes[1] < sizes[2], sizes)
+
+
+if __name__ == "__main__":
+    support.main()

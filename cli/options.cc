@@ -56,9 +56,7 @@ void add_text(CLI::App* app, const std::string& name, std::optional<std::string>
 }
 
 void add_files(CLI::App* app, std::vector<std::string>& files, const char* what) {
-  app->add_option("FILE", files, what)
-      ->required()
-      ->type_name("");
+  app->add_option("FILE", files, what)->required()->type_name("");
 }
 
 // Exactly one.
@@ -91,10 +89,11 @@ void add_any_format(CLI::App* app, Options& o) {
            o.spline_format = spline_format_from_name(name);
            if (!o.reading.format && !o.spline_format) {
              throw CLI::ValidationError(
-                 "--format", "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
+                 "--format",
+                 "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
            }
          },
-         "stl, obj, ply, off, itd, g2, mfem, gismo or vjson,\nwhatever the name says")
+         "stl, obj, ply, off, itd, g2, mfem, gismo or vjson")
       ->type_name("F");
 }
 
@@ -134,7 +133,8 @@ void add_info(CLI::App& app, Options& o) {
   CLI::App* const c = app.add_subcommand("info", "what is in mesh and spline files");
   c->callback([&o] { o.command = Command::kInfo; });
   add_files(c, o.files,
-            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input (with --format)");
+            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input "
+            "(with --format)");
   add_text(c, "--json", o.json, "F", "write it as JSON; - is standard output");
   add_jobs(c, o);
   add_any_format(c, o);
@@ -152,18 +152,21 @@ void add_chord(CLI::App* app, Options& o) {
              throw CLI::ValidationError("--chord", "must be a length, not " + text);
            o.chord = value;
          },
-         "splines to obj, gltf: the distance of chords to aim at\n(1/1000 of the diagonal)")
+         "of splines in obj, gltf: distance of chords aimed at")
       ->type_name("H");
 }
 
 void add_convert(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("convert", "write a mesh or splines in another format, without loss");
+  CLI::App* const c =
+      app.add_subcommand("convert", "write a mesh or splines in another format, without loss");
   c->callback([&o] { o.command = Command::kConvert; });
   add_file(c, "IN", o.files, "a mesh or splines; - is standard input (with --format)");
   c->add_option("OUT", o.output, "the new file; - is standard output (with --to)")
       ->required()
       ->type_name("");
-  add_text(c, "--to", o.to, "V", "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to look at: vtu, obj, gltf");
+  add_text(c, "--to", o.to, "V",
+           "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
+           "look at: vtu, obj, gltf");
   add_chord(c, o);
   c->add_flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
   c->add_flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
@@ -226,7 +229,8 @@ std::string contradiction(const Options& o) {
   const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
   const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
                      o.command == Command::kConvert;
-  if (reads && inputs > 0 && !o.reading.format && !o.spline_format) return "- is standard input and needs --format";
+  if (reads && inputs > 0 && !o.reading.format && !o.spline_format)
+    return "- is standard input and needs --format";
   if (inputs > 1) return "standard input can be read once only";
   if (std::find(o.files.begin(), o.files.end(), "") != o.files.end()) {
     return "a file name must not be empty";

@@ -30,7 +30,7 @@ bool names_no_finite_number(std::string_view token) {
 // The parts of a number: digits with a point somewhere, then an exponent behind one of two letters.
 struct Parts {
   bool is_negative = false;
-  std::string digits;             // without the point, zeros in front included
+  std::string digits;              // without the point, zeros in front included
   std::uint64_t num_fraction = 0;  // digits behind the point
   bool exponent_is_negative = false;
   std::uint64_t exponent = 0;  // saturated at 2^40
@@ -109,7 +109,8 @@ std::uint64_t strip(Integer& n, int factor) {
   }
   // Squares of the factor first, so that the work is near-linear in the answer's digits.
   std::vector<Integer> powers = {Integer(factor)};
-  while (powers.back().bit_length() * 2 <= n.bit_length()) powers.push_back(powers.back() * powers.back());
+  while (powers.back().bit_length() * 2 <= n.bit_length())
+    powers.push_back(powers.back() * powers.back());
   std::uint64_t count = 0;
   for (std::size_t i = powers.size(); i-- > 0;) {
     for (;;) {

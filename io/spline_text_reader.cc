@@ -170,12 +170,9 @@ bool SplineTextReader::check_announced(std::uint64_t count, const char* what) {
 
 void SplineTextReader::leave_out(std::string what, std::string reason, bool is_geometry,
                                  std::uint64_t count) {
-  for (LeftOut& known : left_out_)
-    if (known.what == what && known.reason == reason) {
-      known.count += count;
-      return;
-    }
-  left_out_.push_back({std::move(what), std::move(reason), is_geometry, count});
+  const auto [at, is_new] = left_out_index_.emplace(std::pair{what, reason}, left_out_.size());
+  if (is_new) left_out_.push_back({std::move(what), std::move(reason), is_geometry, 0});
+  left_out_[at->second].count += count;
 }
 
 }  // namespace veritope

@@ -32,9 +32,7 @@ std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
     }
     ++changed;
     // Rounded: of the same kind, in the same place.
-    if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index() &&
-        back.entities.size() - j >= 1)
-      ++j;
+    if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index()) ++j;
   }
   return changed;
 }

@@ -49,9 +49,12 @@ TEST(ExactNumber, WhatIsNoNumberIsRefused) {
   ReadLimits limits;
   limits.max_digits = 4;
   limits.max_exponent = 9;
-  EXPECT_EQ(read("12345", limits), "digits");
+  EXPECT_EQ(read("1234.5", limits), "digits");
+  EXPECT_EQ(read("1234567890123", limits), "1234567890123");
+  EXPECT_EQ(read("12345678901234", limits), "digits");
   EXPECT_EQ(read("1234", limits), "1234");
-  EXPECT_EQ(read("1/12345", limits), "digits");
+  EXPECT_EQ(read("1/12345678901234", limits), "digits");
+  EXPECT_EQ(read("1/12345", limits), "1/12345");
   EXPECT_EQ(read("0x12345", limits), "digits");
   EXPECT_EQ(read("1e10", limits), "exponent");
   EXPECT_EQ(read("1e9", limits), "1000000000");

@@ -126,6 +126,13 @@ TEST(WriteSplines, JsonReadsOtherSpellingsOfTheSameNumbers) {
   EXPECT_NE(spline_json_bytes(model).find("[\"1/2\"]"), std::string::npos);
 }
 
+TEST(WriteSplines, JsonOfExtremeDecimalsIsWithinTheUsualLimits) {
+  const SplineModel model =
+      model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E2 [1e-4000 1e4000] [1.5e-4000 -7e4000]]");
+  EXPECT_TRUE(model_of(SplineFormat::kJson, spline_json_bytes(model)) == model);
+  EXPECT_TRUE(model_of(SplineFormat::kItd, itd_bytes(model)) == model);
+}
+
 TEST(WriteSplines, FormatsThatAreOnlyReadAreNotWritten) {
   EXPECT_FALSE(can_write(SplineFormat::kMfem));
   EXPECT_FALSE(can_write(SplineFormat::kGismo));

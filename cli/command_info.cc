@@ -59,7 +59,8 @@ ExitCode run_info(const Options& options, StandardOutput& out) {
   for (const std::string& path : options.files) {
     std::string as_json, as_text;
     if (is_spline_input(path, options)) {
-      const SplineReport report = spline_report(path, {options.spline_format, options.reading.limits});
+      const SplineReport report =
+          spline_report(path, {options.spline_format, options.reading.limits});
       exit = first_of(exit, report.exit);
       if (options.json) as_json = spline_json(report);
       as_text = spline_text(report, style);

@@ -34,9 +34,12 @@ void append(std::string& out, const Json& json) {
 Json fault_json(const std::optional<Fault>& fault) {
   if (!fault) return nullptr;
   const Place& p = fault->place;
-  return {{"code", fault->code},           {"message", fault->message},
-          {"line", optional_json(p.line)}, {"byte", optional_json(p.byte)},
-          {"face", optional_json(p.face)}, {"vertex", optional_json(p.vertex)},
+  return {{"code", fault->code},
+          {"message", fault->message},
+          {"line", optional_json(p.line)},
+          {"byte", optional_json(p.byte)},
+          {"face", optional_json(p.face)},
+          {"vertex", optional_json(p.vertex)},
           {"entity", optional_json(p.entity)}};
 }
 

@@ -93,7 +93,7 @@ void add_any_format(CLI::App* app, Options& o) {
                  "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
            }
          },
-         "stl, obj, ply, off, itd, g2, mfem, gismo or vjson,\nwhatever the name says")
+         "stl, obj, ply, off, itd, g2, mfem, gismo or vjson")
       ->type_name("F");
 }
 
@@ -152,7 +152,7 @@ void add_chord(CLI::App* app, Options& o) {
              throw CLI::ValidationError("--chord", "must be a length, not " + text);
            o.chord = value;
          },
-         "splines to obj, gltf: the distance of chords to aim at\n(1/1000 of the diagonal)")
+         "of splines in obj, gltf: distance of chords aimed at")
       ->type_name("H");
 }
 
@@ -176,8 +176,7 @@ void add_convert(CLI::App& app, Options& o) {
 }
 
 void add_intersect(CLI::App& app, Options& o) {
-  CLI::App* const c =
-      app.add_subcommand("intersect", "where the surfaces of two files meet, certified");
+  CLI::App* const c = app.add_subcommand("intersect", "where the surfaces of two files meet, certified");
   c->callback([&o] { o.command = Command::kIntersect; });
   c->add_option("A B", o.files, "two files of splines; - is standard input (with --format)")
       ->required()
@@ -185,13 +184,11 @@ void add_intersect(CLI::App& app, Options& o) {
       ->type_name("");
   add_text(c, "-o,--output", o.curves, "F", "write the curves; F ends in .json or .vtu");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
-  c->add_option(
-       "--gap", o.gap,
-       "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)")
+  c->add_option("--gap", o.gap,
+                "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)")
       ->check(CLI::Range(1e-300, 1e300))
       ->type_name("D");
-  add_number(c, "--max-pairs", o.max_pairs, 1, kMost64,
-             "rectangles to compare at most (200000000)");
+  add_number(c, "--max-pairs", o.max_pairs, 1, kMost64, "rectangles to compare at most (200000000)");
   add_any_format(c, o);
 }
 

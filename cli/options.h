@@ -28,12 +28,12 @@ struct Options {
   Command command = Command::kCertify;
   /// certify, info: inputs; convert: IN; explain-certificate: F; predicate: FILE
   std::vector<std::string> files;
-  ReadOptions reading;                        ///< certify, info, convert
+  ReadOptions reading;                     ///< certify, info, convert
   std::optional<SplineFormat> spline_format;  ///< info, convert: --format of a spline file
-  std::optional<std::string> json;            ///< certify, info
-  std::optional<std::string> certificate;     ///< certify
-  std::optional<std::string> picture;         ///< certify
-  std::uint64_t max_defects = 20;             ///< certify
+  std::optional<std::string> json;         ///< certify, info
+  std::optional<std::string> certificate;  ///< certify
+  std::optional<std::string> picture;      ///< certify
+  std::uint64_t max_defects = 20;          ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
   std::string output;                            ///< convert: OUT

@@ -20,7 +20,9 @@ namespace {
 
 using Target = std::variant<SplineFormat, ViewFormat>;
 
-Error bad_argument(std::string message) { return Error{Code::kBadArgument, Place{}, std::move(message)}; }
+Error bad_argument(std::string message) {
+  return Error{Code::kBadArgument, Place{}, std::move(message)};
+}
 
 ExitCode fail(const Error& error) {
   complain(harmless(to_string(error)));
@@ -31,9 +33,12 @@ Result<Target> target_of(const Options& o) {
   const std::size_t dot = o.output.rfind('.');
   const std::string name = o.to ? *o.to : dot == o.output.npos ? "" : o.output.substr(dot + 1);
   if (const auto view = view_format_from_name(name)) return Target(*view);
-  if (const auto format = spline_format_from_name(name); format && can_write(*format)) return Target(*format);
-  if (o.to) return bad_argument("of splines --to must be itd, g2, vjson, vtu, obj or gltf, not " + name);
-  return bad_argument("the name " + o.output + " does not end in itd, g2, vjson, vtu, obj or gltf: use --to");
+  if (const auto format = spline_format_from_name(name); format && can_write(*format))
+    return Target(*format);
+  if (o.to)
+    return bad_argument("of splines --to must be itd, g2, vjson, vtu, obj or gltf, not " + name);
+  return bad_argument("the name " + o.output +
+                      " does not end in itd, g2, vjson, vtu, obj or gltf: use --to");
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -46,19 +51,22 @@ std::string joined(const std::vector<std::string>& parts) {
 std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
   std::array<std::vector<std::string>, 2> out;
   for (const LeftOut& l : file.left_out)
-    if (l.reason != "kept as text") out[l.is_geometry ? 0 : 1].push_back(std::to_string(l.count) + " " + harmless(l.what));
+    if (l.reason != "kept as text")
+      out[l.is_geometry ? 0 : 1].push_back(std::to_string(l.count) + " " + harmless(l.what));
   return out;
 }
 
-ExitCode finish(const Options& o, const SplineFile& file, const std::string& bytes, const std::string& lost,
-                const std::string& dropped, bool is_view, StandardOutput& out) {
+ExitCode finish(const Options& o, const SplineFile& file, const std::string& bytes,
+                const std::string& lost, const std::string& dropped, bool is_view,
+                StandardOutput& out) {
   const Status written = write_output(o.output, bytes, out);
   if (!written && o.output != "-") return fail(written.error());
   const std::string what = is_view ? ", a picture" : lost.empty() ? ", nothing lost" : "";
-  const std::string text = "wrote  " + harmless(o.output) + "  " +
-                           counted(file.model.entities.size(), "entity", "entities") + what +
-                           (lost.empty() ? "" : ", lossy: " + lost) + "\n" +
-                           (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n");
+  const std::string text =
+      "wrote  " + harmless(o.output) + "  " +
+      counted(file.model.entities.size(), "entity", "entities") + what +
+      (lost.empty() ? "" : ", lossy: " + lost) + "\n" +
+      (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n");
   if (o.output != "-") {
     out.write(text);
   } else {
@@ -79,8 +87,8 @@ bool is_spline_input(const std::string& path, const Options& options) {
   std::array<char, 4096> head{};
   std::ifstream file(path, std::ios::binary);
   file.read(head.data(), head.size());
-  const ByteBuffer buffer = copy_to_buffer(
-      {reinterpret_cast<const unsigned char*>(head.data()), static_cast<std::size_t>(file.gcount())});
+  const ByteBuffer buffer = copy_to_buffer({reinterpret_cast<const unsigned char*>(head.data()),
+                                            static_cast<std::size_t>(file.gcount())});
   const Source source = source_of(buffer, path);
   return !mesh_format_from_content(source) && spline_format_from_content(source);
 }
@@ -89,11 +97,14 @@ ExitCode convert_splines(const Options& options, StandardOutput& out) {
   const Result<Target> target = target_of(options);
   if (!target) return fail(target.error());
   const auto* const view = std::get_if<ViewFormat>(&*target);
-  if (options.chord && (view == nullptr || *view == ViewFormat::kVtu)) return fail(bad_argument("--chord is for obj and gltf"));
+  if (options.chord && (view == nullptr || *view == ViewFormat::kVtu))
+    return fail(bad_argument("--chord is for obj and gltf"));
   if (options.single_precision) return fail(bad_argument("--float is for binary PLY"));
-  if (const Status status = refuse_same(options.files, options.output); !status) return fail(status.error());
+  if (const Status status = refuse_same(options.files, options.output); !status)
+    return fail(status.error());
   if (const Status status = try_output(options.output); !status) return fail(status.error());
-  const Result<SplineFile> file = read_spline_file(options.files[0], {options.spline_format, options.reading.limits});
+  const Result<SplineFile> file =
+      read_spline_file(options.files[0], {options.spline_format, options.reading.limits});
   if (!file) return fail(file.error());
   auto [lost, dropped] = left_out(*file);
   if (view != nullptr) {

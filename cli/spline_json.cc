@@ -38,7 +38,8 @@ void describe(Json& out, const BSpline<Rational, N>& s) {
                     {"control_points", axis.num_control()},
                     {"spans", num_spans(axis)},
                     {"periodic", axis.is_periodic},
-                    {"domain", Json::array({fraction_text(axis.domain_begin()), fraction_text(axis.domain_end())})}});
+                    {"domain", Json::array({fraction_text(axis.domain_begin()),
+                                            fraction_text(axis.domain_end())})}});
   out["axes"] = axes;
 }
 
@@ -75,7 +76,9 @@ Json entity_json(const SplineModel& model, const SplineEntity& entity) {
 
 Json counts_json(const SplineModel* model) {
   Json out;
-  const auto put = [&](const char* key, std::uint64_t n) { out[key] = model != nullptr ? Json(n) : Json(nullptr); };
+  const auto put = [&](const char* key, std::uint64_t n) {
+    out[key] = model != nullptr ? Json(n) : Json(nullptr);
+  };
   const auto splines = model != nullptr ? count_splines(*model) : std::array<std::uint64_t, 3>{};
   std::uint64_t trimmed = 0, models = 0;
   if (model != nullptr)
@@ -100,7 +103,10 @@ std::string spline_json(const SplineReport& report) {
   ExactBox all;
   if (file != nullptr) {
     for (const LeftOut& l : file->left_out)
-      left_out.push_back({{"what", l.what}, {"reason", l.reason}, {"geometry", l.is_geometry}, {"count", l.count}});
+      left_out.push_back({{"what", l.what},
+                          {"reason", l.reason},
+                          {"geometry", l.is_geometry},
+                          {"count", l.count}});
     for (const SplineEntity& e : file->model.entities) {
       entities.push_back(entity_json(file->model, e));
       unite(all, control_box(e));

@@ -30,7 +30,8 @@ std::vector<std::string> lossless_formats(const SplineFile& file) {
   std::vector<std::string> names;
   for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kJson}) {
     const SplineLoss loss = spline_loss(file.model, format, spline_bytes(file.model, format));
-    if (loss.shapes.empty() && loss.dropped.empty() && !loss.unreadable) names.emplace_back(spline_format_name(format));
+    if (loss.shapes.empty() && loss.dropped.empty() && !loss.unreadable)
+      names.emplace_back(spline_format_name(format));
   }
   return names;
 }

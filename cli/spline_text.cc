@@ -13,7 +13,8 @@ constexpr std::size_t kMostListed = 20;
 
 std::string line(std::string_view name, const std::string& value) {
   constexpr std::size_t kWidth = 13;
-  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') + value + "\n";
+  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') +
+         value + "\n";
 }
 
 std::string box_text(const ExactBox& box) {
@@ -34,32 +35,35 @@ std::string map_text(const BSpline<Rational, N>& s) {
     points += (points.empty() ? "" : "x") + std::to_string(axis.num_control());
     is_periodic = is_periodic || axis.is_periodic;
   }
-  return std::string(N == 1 ? "degree " : "degrees ") + degrees + ", " + points + " control points" +
-         (s.is_rational() ? ", rational" : "") + (is_periodic ? ", periodic" : "") + ", dimension " +
-         std::to_string(s.dimension());
+  return std::string(N == 1 ? "degree " : "degrees ") + degrees + ", " + points +
+         " control points" + (s.is_rational() ? ", rational" : "") +
+         (is_periodic ? ", periodic" : "") + ", dimension " + std::to_string(s.dimension());
 }
 
 std::string shape_text(const SplineEntity& e) {
   if (const auto* t = std::get_if<TrimmedSurface>(&e.shape))
     return map_text(t->surface) + ", " + counted(t->loops.size(), "loop", "loops");
   if (const auto* b = std::get_if<SplineBrep>(&e.shape))
-    return counted(b->faces.size(), "surface", "surfaces") + ", " + counted(b->segments.size(), "segment", "segments");
+    return counted(b->faces.size(), "surface", "surfaces") + ", " +
+           counted(b->segments.size(), "segment", "segments");
   std::string text;
   for_each_spline(e, [&](const auto& s) { text = map_text(s); });
   return text;
 }
 
 std::string counts_text(const SplineModel& model) {
-  constexpr std::array<std::array<const char*, 2>, 5> kNouns = {{{"curve", "curves"},
-                                                                 {"surface", "surfaces"},
-                                                                 {"volume", "volumes"},
-                                                                 {"trimmed surface", "trimmed surfaces"},
-                                                                 {"model", "models"}}};
+  constexpr std::array<std::array<const char*, 2>, 5> kNouns = {
+      {{"curve", "curves"},
+       {"surface", "surfaces"},
+       {"volume", "volumes"},
+       {"trimmed surface", "trimmed surfaces"},
+       {"model", "models"}}};
   std::array<std::uint64_t, 5> counts{};
   for (const SplineEntity& e : model.entities) ++counts[e.shape.index()];
   std::string text;
   for (std::size_t i = 0; i < counts.size(); ++i)
-    if (counts[i] != 0) text += (text.empty() ? "" : ", ") + counted(counts[i], kNouns[i][0], kNouns[i][1]);
+    if (counts[i] != 0)
+      text += (text.empty() ? "" : ", ") + counted(counts[i], kNouns[i][0], kNouns[i][1]);
   return text.empty() ? "no splines" : text;
 }
 
@@ -72,17 +76,20 @@ std::string name_text(const SplineModel& model, const SplineEntity& e) {
 }  // namespace
 
 std::string spline_text(const SplineReport& report, const Style& style) {
-  const std::string path = style.bold(report.path == "-" ? "standard input" : harmless(report.path));
+  const std::string path =
+      style.bold(report.path == "-" ? "standard input" : harmless(report.path));
   if (!report.file)
     return style.yellow(verdict_name(FileVerdict::kUnreadable)) + "  " + path + "  " +
            (report.fault ? harmless(fault_text(*report.fault)) : "") + "\n";
   const SplineFile& file = *report.file;
   std::string out = path + "\n";
-  out += line("file", std::string(spline_format_name(file.format)) + ", " + counted(file.bytes, "byte", "bytes"));
+  out += line("file", std::string(spline_format_name(file.format)) + ", " +
+                          counted(file.bytes, "byte", "bytes"));
   out += line("sha256", file.sha256);
   out += line("splines", counts_text(file.model));
   for (const LeftOut& l : file.left_out)
-    out += line("left out", std::to_string(l.count) + " " + harmless(l.what) + (l.reason.empty() ? "" : ": " + harmless(l.reason)));
+    out += line("left out", std::to_string(l.count) + " " + harmless(l.what) +
+                                (l.reason.empty() ? "" : ": " + harmless(l.reason)));
   ExactBox all;
   for (const SplineEntity& e : file.model.entities) unite(all, control_box(e));
   out += line("box", box_text(all));
@@ -92,8 +99,9 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   const auto& entities = file.model.entities;
   for (std::size_t i = 0; i < std::min(entities.size(), kMostListed); ++i) {
     const SplineEntity& e = entities[i];
-    out += line(std::to_string(i), std::string(spline_kind_name(e)) + ", " + name_text(file.model, e) + shape_text(e) + ", box " +
-                                       box_text(control_box(e)));
+    out +=
+        line(std::to_string(i), std::string(spline_kind_name(e)) + ", " + name_text(file.model, e) +
+                                    shape_text(e) + ", box " + box_text(control_box(e)));
   }
   if (entities.size() > kMostListed)
     out += line("...", std::to_string(entities.size() - kMostListed) + " more (--json lists them)");

@@ -20,8 +20,9 @@ inline std::span<const unsigned char> bytes_of(std::string_view text) {
 inline void check_refusal(const Error& error) {
   VT_CHECK(error.place.line || error.place.byte, "a refusal has a place");
   VT_CHECK(!error.message.empty(), "a refusal has a sentence");
-  constexpr Code kPromised[] = {Code::kEmpty, Code::kForeignFormat, Code::kUnknownFormat, Code::kSyntax, Code::kTruncated,
-                                Code::kNotFinite, Code::kIndexOutOfRange, Code::kOverLimit, Code::kBadSpline};
+  constexpr Code kPromised[] = {Code::kEmpty,           Code::kForeignFormat, Code::kUnknownFormat,
+                                Code::kSyntax,          Code::kTruncated,     Code::kNotFinite,
+                                Code::kIndexOutOfRange, Code::kOverLimit,     Code::kBadSpline};
   bool is_promised = false;
   for (const Code code : kPromised) is_promised = is_promised || code == error.code;
   VT_CHECK(is_promised, "a refusal has a promised code");
@@ -42,14 +43,16 @@ inline void check_writers(const SplineModel& model) {
     if (!loss.shapes.empty() || loss.unreadable || bytes.empty()) continue;
     options.format = format;
     const auto again = read_spline_bytes(bytes_of(bytes), "again", options);
-    VT_CHECK(again.has_value() && again->model.entities.size() == model.entities.size(), "nothing is lost in silence");
-    VT_CHECK(spline_bytes(again->model, format) == bytes, "what is written reads back as the same bytes");
+    VT_CHECK(again.has_value() && again->model.entities.size() == model.entities.size(),
+             "nothing is lost in silence");
+    VT_CHECK(spline_bytes(again->model, format) == bytes,
+             "what is written reads back as the same bytes");
   }
 }
 
 inline void check_spline_readers(std::span<const unsigned char> data) {
-  for (const SplineFormat format :
-       {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kMfem, SplineFormat::kGismo, SplineFormat::kJson}) {
+  for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kMfem,
+                                    SplineFormat::kGismo, SplineFormat::kJson}) {
     SplineReadOptions options;
     options.format = format;
     options.limits.max_digits = 100;

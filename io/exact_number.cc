@@ -30,7 +30,7 @@ bool names_no_finite_number(std::string_view token) {
 // The parts of a number: digits with a point somewhere, then an exponent behind one of two letters.
 struct Parts {
   bool is_negative = false;
-  std::string digits;             // without the point, zeros in front included
+  std::string digits;              // without the point, zeros in front included
   std::uint64_t num_fraction = 0;  // digits behind the point
   bool exponent_is_negative = false;
   std::uint64_t exponent = 0;  // saturated at 2^40
@@ -109,7 +109,8 @@ std::uint64_t strip(Integer& n, int factor) {
   }
   // Squares of the factor first, so that the work is near-linear in the answer's digits.
   std::vector<Integer> powers = {Integer(factor)};
-  while (powers.back().bit_length() * 2 <= n.bit_length()) powers.push_back(powers.back() * powers.back());
+  while (powers.back().bit_length() * 2 <= n.bit_length())
+    powers.push_back(powers.back() * powers.back());
   std::uint64_t count = 0;
   for (std::size_t i = powers.size(); i-- > 0;) {
     for (;;) {
@@ -163,11 +164,19 @@ DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits,
   const bool is_negative = take_sign(rest);
   if (rest.starts_with("0x") || rest.starts_with("0X"))
     return read_hexadecimal(rest.substr(2), is_negative, limits, value);
+  // Written out, a decimal within the limits may have so many digits.
+  const std::uint64_t most = std::uint64_t{limits.max_digits} + limits.max_exponent;
   const std::size_t slash = rest.find('/');
-  if (slash == rest.npos) return read_exact_decimal(token, limits, value);
+  if (slash == rest.npos) {
+    if (!is_all_digits(rest)) return read_exact_decimal(token, limits, value);
+    if (rest.size() > most) return DecimalFault::kDigits;
+    value = Rational(Integer::from_decimal(rest));
+    if (is_negative) value.negate();
+    return DecimalFault::kNone;
+  }
   const std::string_view p = rest.substr(0, slash), q = rest.substr(slash + 1);
   if (!is_all_digits(p) || !is_all_digits(q)) return DecimalFault::kSyntax;
-  if (p.size() > limits.max_digits || q.size() > limits.max_digits) return DecimalFault::kDigits;
+  if (p.size() > most || q.size() > most) return DecimalFault::kDigits;
   const Integer denominator = Integer::from_decimal(q);
   if (denominator.is_zero()) return DecimalFault::kNotFinite;
   value = Rational(Integer::from_decimal(p), denominator);

@@ -15,7 +15,8 @@ namespace veritope {
 /// @cost quadratic in the number of digits; the value has at most digits + exponent digits
 DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits, Rational& value);
 
-/// Also "p/q" of integers, q > 0, and C99's hexadecimal floats "-0x1.8p-3".
+/// Also "p/q" of integers, q > 0, and C99's hexadecimal floats "-0x1.8p-3". Integers and fractions may have max_digits +
+/// max_exponent digits: as many as a decimal within the limits has when it is written out.
 DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits, Rational& value);
 
 /// The shortest decimal that is exactly this number, "-0.5", "1e+30"; nothing if none is.

@@ -150,7 +150,8 @@ bool G2Reader::read_flag(const char* what, bool& flag, bool& has_domain) {
   std::int64_t value = 0;
   if (!read_integer(what, value)) return false;
   if (value != 0 && value != 1 && value != 10 && value != 11)
-    return fail(at, Code::kSyntax, std::string(what) + " must be 0, 1, 10 or 11, not " + std::to_string(value));
+    return fail(at, Code::kSyntax,
+                std::string(what) + " must be 0, 1, 10 or 11, not " + std::to_string(value));
   flag = value % 10 == 1;
   has_domain = value >= 10;
   return true;
@@ -161,7 +162,8 @@ bool G2Reader::read_spline(std::optional<BSpline<Rational, N>>& spline) {
   skip();
   const char* const at = p_;
   std::uint64_t dimension = 0, is_rational = 0, total = 0;
-  if (!read_dimension(dimension) || !read_count("the rational flag", 0, 1, is_rational)) return false;
+  if (!read_dimension(dimension) || !read_count("the rational flag", 0, 1, is_rational))
+    return false;
   RawSpline<N> raw;
   raw.is_rational = is_rational == 1;
   raw.num_components = static_cast<int>(dimension + is_rational);
@@ -174,7 +176,8 @@ bool G2Reader::read_spline(std::optional<BSpline<Rational, N>>& spline) {
       return false;
     if (order > raw.num_control[a])
       return fail(basis, Code::kBadSpline,
-                  "the order " + std::to_string(order) + " is larger than the number of control points, " +
+                  "the order " + std::to_string(order) +
+                      " is larger than the number of control points, " +
                       std::to_string(raw.num_control[a]));
     if (order > kMaxSplineDegree + 1)
       return fail(basis, Code::kOverLimit,
@@ -191,8 +194,8 @@ bool G2Reader::read_spline(std::optional<BSpline<Rational, N>>& spline) {
 }
 
 // dim, scalars, vectors, scalars; then the bounds.
-bool G2Reader::read_elementary(std::uint64_t scalars_first, std::uint64_t vectors, bool is_bounded_flag,
-                               std::uint64_t scalars_last) {
+bool G2Reader::read_elementary(std::uint64_t scalars_first, std::uint64_t vectors,
+                               bool is_bounded_flag, std::uint64_t scalars_last) {
   std::uint64_t dimension = 0;
   Numbers ignored;
   if (!read_dimension(dimension) ||
@@ -216,7 +219,8 @@ bool G2Reader::read_line(Shape<ExactCurve>& shape) {
   skip();
   const char* const at = p_;
   if (!read_dimension(dimension) || !read_numbers(dimension, place) ||
-      !read_numbers(dimension, direction) || !read_flag("the bounded flag", is_bounded, has_domain) ||
+      !read_numbers(dimension, direction) ||
+      !read_flag("the bounded flag", is_bounded, has_domain) ||
       (is_bounded && !read_numbers(2, bounds)) || (has_domain && !read_numbers(2, domain)) ||
       !read_flag("the reversed flag", is_reversed, unused))
     return false;
@@ -262,7 +266,8 @@ bool G2Reader::read_curve(std::int64_t type, Shape<ExactCurve>& shape) {
         return false;
       return read_flag("the reversed flag", flag, has_domain);
     default:
-      return fail(p_, Code::kSyntax, "curves of class " + std::to_string(type) + " are not known here");
+      return fail(p_, Code::kSyntax,
+                  "curves of class " + std::to_string(type) + " are not known here");
   }
 }
 
@@ -302,7 +307,8 @@ bool G2Reader::read_plane(Shape<ExactSurface>& shape) {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t c = 0; c < 3; ++c)
-        raw.points.push_back(place[c] + bounds[is_swapped ? j : i] * x[c] + bounds[2 + (is_swapped ? i : j)] * y[c]);
+        raw.points.push_back(place[c] + bounds[is_swapped ? j : i] * x[c] +
+                             bounds[2 + (is_swapped ? i : j)] * y[c]);
   shape.spline = build(at, std::move(raw));
   return shape.spline.has_value();
 }
@@ -315,7 +321,8 @@ bool G2Reader::read_extrusion(Shape<ExactSurface>& shape) {
   skip();
   const char* const at = p_;
   if (!read_dimension(dimension) || !read_spline(curve) || !read_numbers(dimension, axis) ||
-      !read_flag("the bounded flag", is_bounded, unused) || !read_numbers(is_bounded ? 4 : 2, bounds) ||
+      !read_flag("the bounded flag", is_bounded, unused) ||
+      !read_numbers(is_bounded ? 4 : 2, bounds) ||
       !read_flag("the swapped flag", is_swapped, unused))
     return false;
   if (static_cast<std::uint64_t>(curve->dimension()) != dimension)
@@ -368,10 +375,12 @@ bool G2Reader::read_surface(std::int64_t type, Shape<ExactSurface>& shape) {
     case kDisc: shape.reason = kAngles; return read_elementary(1, 3, false, 5);
     case kRevolution:
       shape.reason = kAngles;
-      return read_dimension(dimension) && read_numbers(2 * dimension, ignored) && read_spline(curve) &&
-             read_numbers(2, ignored) && read_flag("the swapped flag", flag, unused);
+      return read_dimension(dimension) && read_numbers(2 * dimension, ignored) &&
+             read_spline(curve) && read_numbers(2, ignored) &&
+             read_flag("the swapped flag", flag, unused);
     default:
-      return fail(p_, Code::kSyntax, "surfaces of class " + std::to_string(type) + " are not known here");
+      return fail(p_, Code::kSyntax,
+                  "surfaces of class " + std::to_string(type) + " are not known here");
   }
 }
 
@@ -451,9 +460,11 @@ bool G2Reader::read_object() {
   std::int64_t type = 0, version = 0;
   std::uint64_t num_extra = 0;
   if (!read_integer("a class of objects", type) || !read_integer("a version", version) ||
-      !read_integer("a version", version) || !read_count("a number of extra data", 0, bytes_left(), num_extra))
+      !read_integer("a version", version) ||
+      !read_count("a number of extra data", 0, bytes_left(), num_extra))
     return false;
-  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open)};
+  SplineEntity entity{
+      ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open)};
   std::string extra;
   for (std::uint64_t i = 0; i < num_extra; ++i) {
     std::int64_t value = 0;
@@ -470,7 +481,8 @@ bool G2Reader::read_object() {
     if (!read_bounded(entity, is_known)) return false;
   } else if (type == kPointCloud || type == kLineCloud) {
     is_known = false;
-    if (!read_cloud(type == kPointCloud ? 3 : 6, type == kPointCloud ? "point clouds" : "line clouds"))
+    if (!read_cloud(type == kPointCloud ? 3 : 6,
+                    type == kPointCloud ? "point clouds" : "line clouds"))
       return false;
   } else if (type == kCurveOnSurface) {
     TrimCurve piece;
@@ -484,7 +496,8 @@ bool G2Reader::read_object() {
     Shape<ExactSurface> shape;
     if (!read_surface(type, shape) || !keep(std::move(shape), type, entity, is_known)) return false;
   } else {
-    return fail(open, Code::kSyntax, "objects of class " + std::to_string(type) + " are not known here");
+    return fail(open, Code::kSyntax,
+                "objects of class " + std::to_string(type) + " are not known here");
   }
   if (is_known) model_.entities.push_back(std::move(entity));
   entity_.reset();

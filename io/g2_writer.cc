@@ -22,13 +22,15 @@ class G2Writer {
   // "g2-extra 255 0 0 255" is written as a count and the numbers.
   static bool is_extra(const std::string& a) {
     if (!a.starts_with("g2-extra ") || a.size() > 200) return false;
-    return a.find_first_not_of("0123456789 ", kExtra.size()) == a.npos && a.find("  ") == a.npos && a.back() != ' ';
+    return a.find_first_not_of("0123456789 ", kExtra.size()) == a.npos && a.find("  ") == a.npos &&
+           a.back() != ' ';
   }
   void header(int type) {
     std::size_t count = 0;
     if (extra_ != " 0")
       for (const char c : extra_) count += c == ' ' ? 1 : 0;
-    out_ += std::to_string(type) + " 1 0 " + std::to_string(count) + (count == 0 ? "" : extra_) + "\n";
+    out_ +=
+        std::to_string(type) + " 1 0 " + std::to_string(count) + (count == 0 ? "" : extra_) + "\n";
   }
   template <std::size_t N>
   void spline(const BSpline<Rational, N>& s) {
@@ -43,7 +45,8 @@ class G2Writer {
       std::array<std::size_t, N> index;
       std::size_t rest = i;
       for (std::size_t a = 0; a < N; rest /= grid.size[a], ++a) index[a] = rest % grid.size[a];
-      for (int c = 0; c < s.num_components(); ++c) out_ += decimal_or_nearest(s.component(c)[grid.at(index)]) + ' ';
+      for (int c = 0; c < s.num_components(); ++c)
+        out_ += decimal_or_nearest(s.component(c)[grid.at(index)]) + ' ';
       out_.back() = '\n';
     }
     out_ += '\n';

@@ -81,8 +81,8 @@ bool GismoReader::skip_comment(const char* closing, const char* what) {
 }
 
 bool is_name(char c) {
-  return is_digit(c) || (static_cast<unsigned char>((c | 0x20) - 'a') < 26) || c == '_' || c == '-' ||
-         c == ':' || c == '.';
+  return is_digit(c) || (static_cast<unsigned char>((c | 0x20) - 'a') < 26) || c == '_' ||
+         c == '-' || c == ':' || c == '.';
 }
 
 bool GismoReader::read_attribute(Tag& tag) {
@@ -164,10 +164,12 @@ bool GismoReader::read_degree(const Tag& tag, int& degree) {
   const std::string_view text = tag.attribute("degree");
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), degree);
   if (error != std::errc() || end != text.data() + text.size())
-    return fail(tag.at, Code::kSyntax, "a knot vector's degree must be an integer, not " + quoted(text));
+    return fail(tag.at, Code::kSyntax,
+                "a knot vector's degree must be an integer, not " + quoted(text));
   if (degree > kMaxSplineDegree)
     return fail(tag.at, Code::kOverLimit,
-                "the degree " + std::to_string(degree) + " is over the limit " + std::to_string(kMaxSplineDegree));
+                "the degree " + std::to_string(degree) + " is over the limit " +
+                    std::to_string(kMaxSplineDegree));
   return true;
 }
 
@@ -192,7 +194,8 @@ bool GismoReader::read_part(const Tag& tag, Geometry& g) {
     g.has_transform = true;
     return true;
   }
-  if (tag.is_empty || (tag.name != "KnotVector" && tag.name != "weights" && tag.name != "coefs")) return true;
+  if (tag.is_empty || (tag.name != "KnotVector" && tag.name != "weights" && tag.name != "coefs"))
+    return true;
   if (!refuse_format(tag)) return false;
   ends_ = kTokenEnd;
   own_tokens_ = "<";
@@ -209,7 +212,8 @@ bool GismoReader::read_part(const Tag& tag, Geometry& g) {
     g.has_coefficients = true;
     const std::string_view text = tag.attribute("geoDim");
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), g.dimension);
-    if (error != std::errc() || end != text.data() + text.size() || g.dimension < 1 || g.dimension > 1000)
+    if (error != std::errc() || end != text.data() + text.size() || g.dimension < 1 ||
+        g.dimension > 1000)
       return fail(tag.at, Code::kSyntax, "geoDim must be from 1 to 1000, not " + quoted(text));
     ok = read_text_numbers(g.coefficients);
   }
@@ -220,8 +224,9 @@ bool GismoReader::read_part(const Tag& tag, Geometry& g) {
 template <std::size_t N>
 bool GismoReader::finish(Geometry g, SplineEntity& entity) {
   if (g.axes.size() != N)
-    return fail(g.at, Code::kBadSpline,
-                std::to_string(g.axes.size()) + " knot vectors for " + std::to_string(N) + " parameters");
+    return fail(
+        g.at, Code::kBadSpline,
+        std::to_string(g.axes.size()) + " knot vectors for " + std::to_string(N) + " parameters");
   RawSpline<N> raw;
   std::uint64_t total = 1;
   for (std::size_t a = 0; a < N; ++a) {
@@ -246,7 +251,8 @@ bool GismoReader::finish(Geometry g, SplineEntity& entity) {
                     std::to_string(g.dimension) + " do not fit the knots");
   if (g.has_weights && g.weights.size() != total)
     return fail(g.at, Code::kBadSpline,
-                std::to_string(g.weights.size()) + " weights for " + std::to_string(total) + " control points");
+                std::to_string(g.weights.size()) + " weights for " + std::to_string(total) +
+                    " control points");
   raw.is_rational = g.has_weights;
   raw.num_components = static_cast<int>(g.dimension) + (g.has_weights ? 1 : 0);
   if (!g.has_weights) {
@@ -280,8 +286,8 @@ bool GismoReader::skip_element(const Tag& open) {
 
 bool GismoReader::read_geometry(const Tag& open) {
   constexpr std::pair<std::string_view, int> kTypes[] = {
-      {"BSpline", 1},        {"Nurbs", 1},          {"TensorBSpline1", 1}, {"TensorNurbs1", 1},
-      {"TensorBSpline2", 2}, {"TensorNurbs2", 2},   {"TensorBSpline3", 3}, {"TensorNurbs3", 3}};
+      {"BSpline", 1},        {"Nurbs", 1},        {"TensorBSpline1", 1}, {"TensorNurbs1", 1},
+      {"TensorBSpline2", 2}, {"TensorNurbs2", 2}, {"TensorBSpline3", 3}, {"TensorNurbs3", 3}};
   Geometry geometry;
   geometry.type = open.attribute("type");
   geometry.at = open.at;
@@ -292,7 +298,10 @@ bool GismoReader::read_geometry(const Tag& open) {
     return skip_element(open);
   }
   entity_ = model_.entities.size();
-  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open.at)};
+  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}),
+                      {},
+                      {},
+                      place_of(open.at)};
   const std::string_view label = open.attribute("label"), id = open.attribute("id");
   if (!id.empty()) entity.attributes.push_back("id " + to_utf8(id));
   if (!label.empty()) {
@@ -307,7 +316,8 @@ bool GismoReader::read_geometry(const Tag& open) {
     if (tag.is_end) {
       const std::string_view expected = inner.empty() ? std::string_view("Geometry") : inner.back();
       if (tag.name != expected)
-        return fail(tag.at, Code::kSyntax, "</" + escaped(expected) + "> expected, not </" + escaped(tag.name) + ">");
+        return fail(tag.at, Code::kSyntax,
+                    "</" + escaped(expected) + "> expected, not </" + escaped(tag.name) + ">");
       if (inner.empty()) break;
       inner.pop_back();
       continue;
@@ -315,11 +325,15 @@ bool GismoReader::read_geometry(const Tag& open) {
     if (!tag.is_empty) inner.push_back(tag.name);
     if (!read_part(tag, geometry)) return false;
   }
-  if (!geometry.has_coefficients) return fail(open.at, Code::kSyntax, "a <Geometry> without <coefs>");
-  if (geometry.has_transform) return fail(open.at, Code::kSyntax, "a <transform> of a geometry is not read");
+  if (!geometry.has_coefficients)
+    return fail(open.at, Code::kSyntax, "a <Geometry> without <coefs>");
+  if (geometry.has_transform)
+    return fail(open.at, Code::kSyntax, "a <transform> of a geometry is not read");
   const bool is_nurbs = geometry.type.find("Nurbs") != geometry.type.npos;
   if (is_nurbs != geometry.has_weights)
-    return fail(open.at, Code::kSyntax, std::string(is_nurbs ? "no" : "unexpected") + " <weights> of " + quoted(geometry.type));
+    return fail(
+        open.at, Code::kSyntax,
+        std::string(is_nurbs ? "no" : "unexpected") + " <weights> of " + quoted(geometry.type));
   const bool ok = known->second == 1   ? finish<1>(std::move(geometry), entity)
                   : known->second == 2 ? finish<2>(std::move(geometry), entity)
                                        : finish<3>(std::move(geometry), entity);
@@ -353,7 +367,8 @@ bool GismoReader::read() {
     }
   }
   if (!has_root) return fail(p_, Code::kTruncated, "there is no element");
-  if (!open_.empty()) return fail(p_, Code::kTruncated, "<" + escaped(open_.back()) + "> is not closed");
+  if (!open_.empty())
+    return fail(p_, Code::kTruncated, "<" + escaped(open_.back()) + "> is not closed");
   return true;
 }
 

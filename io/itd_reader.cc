@@ -89,7 +89,8 @@ bool ItdReader::take_bracket(char c) {
 
 bool ItdReader::take_word(std::string& word) {
   const std::string_view token = peek();
-  if (token.empty() || own_tokens_.find(token[0]) != own_tokens_.npos) return fail_expected("a word");
+  if (token.empty() || own_tokens_.find(token[0]) != own_tokens_.npos)
+    return fail_expected("a word");
   word = std::string(token);
   p_ += token.size();
   return true;
@@ -141,7 +142,9 @@ bool ItdReader::read_attribute(std::vector<std::string>& into) {
 // An attribute may hold whole objects (animations, textures): they stay text, but are mentioned.
 void ItdReader::count_splines_in(std::string_view attribute) {
   constexpr std::pair<std::string_view, const char*> kWords[] = {
-      {"CURVE ", "curves within attributes"}, {"SURFACE ", "surfaces within attributes"}, {"TRIVAR ", "volumes within attributes"}};
+      {"CURVE ", "curves within attributes"},
+      {"SURFACE ", "surfaces within attributes"},
+      {"TRIVAR ", "volumes within attributes"}};
   for (std::size_t at = attribute.find('['); at != attribute.npos; at = attribute.find('[', at + 1))
     for (const auto& [word, what] : kWords)
       if (attribute.substr(at + 1).starts_with(word)) leave_out(what, "kept as text", false);
@@ -151,7 +154,8 @@ bool ItdReader::read_attributes(std::vector<std::string>& into) {
   while (at('[')) {
     const char* const open = p_++;
     const std::string_view word = peek();
-    if (word == "KV" || word == "KVP" || word == "SURFACE" || word == "TRIMCRV" || word == "CURVE") {
+    if (word == "KV" || word == "KVP" || word == "SURFACE" || word == "TRIMCRV" ||
+        word == "CURVE") {
       p_ = open;
       return true;
     }
@@ -187,7 +191,8 @@ bool ItdReader::read_header(Header<N>& header, std::vector<std::string>& attribu
   } else if (word == "POWER") {
     header.basis = Basis::kPower;
   } else if (word != "BSPLINE") {
-    return fail(start, Code::kSyntax, "BSPLINE, BEZIER or POWER expected, but there is " + quoted(word));
+    return fail(start, Code::kSyntax,
+                "BSPLINE, BEZIER or POWER expected, but there is " + quoted(word));
   }
   if (!read_attributes(attributes)) return false;
   constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
@@ -307,9 +312,12 @@ bool ItdReader::read_multivariate_of(const char* open, Basis basis, SplineEntity
 bool ItdReader::read_multivariate(const char* open, SplineEntity& entity, bool& is_known) {
   std::string word;
   if (!take_word(word)) return false;
-  const Basis basis = word == "BEZIER" ? Basis::kBezier : word == "POWER" ? Basis::kPower : Basis::kBspline;
+  const Basis basis = word == "BEZIER"  ? Basis::kBezier
+                      : word == "POWER" ? Basis::kPower
+                                        : Basis::kBspline;
   if (basis == Basis::kBspline && word != "BSPLINE")
-    return fail(open, Code::kSyntax, "BSPLINE, BEZIER or POWER expected, but there is " + quoted(word));
+    return fail(open, Code::kSyntax,
+                "BSPLINE, BEZIER or POWER expected, but there is " + quoted(word));
   if (!read_attributes(entity.attributes)) return false;
   std::uint64_t dimension = 0;
   if (!read_count("a number of parameters", 1, 1000, dimension)) return false;
@@ -317,7 +325,8 @@ bool ItdReader::read_multivariate(const char* open, SplineEntity& entity, bool& 
   if (dimension == 1) return read_multivariate_of<1>(open, basis, entity);
   if (dimension == 2) return read_multivariate_of<2>(open, basis, entity);
   if (dimension == 3) return read_multivariate_of<3>(open, basis, entity);
-  leave_out("multivariates of " + std::to_string(dimension) + " parameters", "at most 3 are known", true);
+  leave_out("multivariates of " + std::to_string(dimension) + " parameters", "at most 3 are known",
+            true);
   return skip_brackets();
 }
 
@@ -398,8 +407,9 @@ bool ItdReader::check_model(const char* open, const SplineBrep& brep) {
     for (const auto& loop : face.loops)
       for (const std::int64_t number : loop)
         if (number == 0 || number > most || number < -most)
-          return fail(open, Code::kIndexOutOfRange,
-                      "a loop names segment " + std::to_string(number) + " of " + std::to_string(most));
+          return fail(
+              open, Code::kIndexOutOfRange,
+              "a loop names segment " + std::to_string(number) + " of " + std::to_string(most));
   return true;
 }
 
@@ -426,12 +436,18 @@ struct Skipped {
   bool is_geometry;
 };
 constexpr Skipped kSkipped[] = {
-    {"POLYGON", "polygons", true},        {"POLYLINE", "polylines", true},
-    {"POINTLIST", "point lists", true},   {"POLYSTRIP", "polygon strips", true},
-    {"TRISRF", "triangular patches", true}, {"INSTANCE", "instances of objects", true},
-    {"NUMBER", "numbers", false},         {"STRING", "strings", false},
-    {"POINT", "points", false},           {"VECTOR", "vectors", false},
-    {"PLANE", "planes", false},           {"MATRIX", "matrices", false},
+    {"POLYGON", "polygons", true},
+    {"POLYLINE", "polylines", true},
+    {"POINTLIST", "point lists", true},
+    {"POLYSTRIP", "polygon strips", true},
+    {"TRISRF", "triangular patches", true},
+    {"INSTANCE", "instances of objects", true},
+    {"NUMBER", "numbers", false},
+    {"STRING", "strings", false},
+    {"POINT", "points", false},
+    {"VECTOR", "vectors", false},
+    {"PLANE", "planes", false},
+    {"MATRIX", "matrices", false},
     {"CTLPT", "control points", false},
 };
 
@@ -451,7 +467,8 @@ bool ItdReader::read_data(const char* open, const std::string& keyword, bool& is
       leave_out(s.what, "", s.is_geometry);
       return skip_brackets();
     }
-  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, {}};
+  SplineEntity entity{
+      ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, {}};
   entity_ = model_.entities.size();
   if (keyword == "CURVE") {
     std::optional<ExactCurve> curve;
@@ -495,7 +512,8 @@ bool ItdReader::read_object_item() {
   if (at('"')) {
     const char* const start = p_;
     if (!skip_string()) return false;
-    if (std::exchange(object.has_name, true)) return fail(start, Code::kSyntax, "a second name of an object");
+    if (std::exchange(object.has_name, true))
+      return fail(start, Code::kSyntax, "a second name of an object");
     model_.groups[*object.group].name =
         to_utf8({start + 1, static_cast<std::size_t>(p_ - start) - 2});
     return true;
@@ -546,7 +564,8 @@ bool ItdReader::read() {
     bool is_data = false;
     if (!read_data(open, keyword, is_data)) return false;
     if (!is_data)
-      return fail(open, Code::kSyntax, "OBJECT or a kind of data expected, but there is " + quoted(keyword));
+      return fail(open, Code::kSyntax,
+                  "OBJECT or a kind of data expected, but there is " + quoted(keyword));
   }
 }
 

@@ -34,7 +34,9 @@ class ItdWriter {
   }
 
  private:
-  void line(const std::string& text) { out_ += std::string(2 * path_.size() + 2 * depth_, ' ') + text; }
+  void line(const std::string& text) {
+    out_ += std::string(2 * path_.size() + 2 * depth_, ' ') + text;
+  }
   void close() {
     path_.pop_back();
     line("]\n");
@@ -52,7 +54,8 @@ class ItdWriter {
     for (auto g = group; g; g = model.groups[*g].parent) wanted.push_back(*g);
     std::reverse(wanted.begin(), wanted.end());
     std::size_t common = 0;
-    while (common < path_.size() && common < wanted.size() && path_[common] == wanted[common]) ++common;
+    while (common < path_.size() && common < wanted.size() && path_[common] == wanted[common])
+      ++common;
     while (path_.size() > common) close();
     for (; common < wanted.size(); ++common) {
       open(model.groups[wanted[common]]);
@@ -135,7 +138,8 @@ class ItdWriter {
     out_ += "[MODEL";
     for (const std::string& a : attributes)
       if (is_itd_attribute(a)) out_ += " [" + a + "]";
-    out_ += ' ' + std::to_string(brep.faces.size()) + ' ' + std::to_string(brep.segments.size()) + '\n';
+    out_ +=
+        ' ' + std::to_string(brep.faces.size()) + ' ' + std::to_string(brep.segments.size()) + '\n';
     ++depth_;
     for (const BrepFace& face : brep.faces) {
       line("[MDLTSRF " + std::to_string(face.loops.size()) + "\n");
@@ -156,7 +160,8 @@ class ItdWriter {
   }
   void segment(const BrepSegment& s) {
     const int mask = (s.parameter[0] ? 1 : 0) + (s.parameter[1] ? 2 : 0) + (s.space ? 4 : 0);
-    line("[MDLTSEG " + std::to_string(mask) + ' ' + std::to_string(s.faces[0]) + ' ' + std::to_string(s.faces[1]) + '\n');
+    line("[MDLTSEG " + std::to_string(mask) + ' ' + std::to_string(s.faces[0]) + ' ' +
+         std::to_string(s.faces[1]) + '\n');
     ++depth_;
     for (const auto* curve : {&s.parameter[0], &s.parameter[1], &s.space})
       if (*curve) line(""), spline(**curve, {});
@@ -178,14 +183,17 @@ bool is_itd_name(const std::string& name) {
 }
 
 bool is_itd_attribute(const std::string& text) {
-  if (text.empty() || has_class(text.front(), kTokenEnd) || has_class(text.back(), kTokenEnd)) return false;
+  if (text.empty() || has_class(text.front(), kTokenEnd) || has_class(text.back(), kTokenEnd))
+    return false;
   if (text.front() == '[' || text.front() == ']' || text.front() == '"') return false;
-  constexpr const char* kTaken[] = {"KV",      "KVP",     "OBJECT",   "CURVE",     "SURFACE",   "TRIVAR", "TRIMSRF",
-                                    "TRIMCRV", "MODEL",   "MULTIVAR", "TRIMCRVSEG", "POLYGON",  "POLYLINE", "POINTLIST",
-                                    "POLYSTRIP", "TRISRF", "INSTANCE", "NUMBER", "STRING", "POINT", "VECTOR", "PLANE",
-                                    "MATRIX", "CTLPT"};
+  constexpr const char* kTaken[] = {"KV",         "KVP",      "OBJECT",   "CURVE",     "SURFACE",
+                                    "TRIVAR",     "TRIMSRF",  "TRIMCRV",  "MODEL",     "MULTIVAR",
+                                    "TRIMCRVSEG", "POLYGON",  "POLYLINE", "POINTLIST", "POLYSTRIP",
+                                    "TRISRF",     "INSTANCE", "NUMBER",   "STRING",    "POINT",
+                                    "VECTOR",     "PLANE",    "MATRIX",   "CTLPT"};
   std::size_t end = 0;
-  while (end < text.size() && !has_class(text[end], kTokenEnd) && text[end] != '[' && text[end] != ']' && text[end] != '"')
+  while (end < text.size() && !has_class(text[end], kTokenEnd) && text[end] != '[' &&
+         text[end] != ']' && text[end] != '"')
     ++end;
   const std::string_view word = std::string_view(text).substr(0, end);
   for (const char* taken : kTaken)

@@ -75,15 +75,22 @@ bool MfemReader::read_header() {
 }
 
 // "attribute geometry vertices"; of an element the geometry is the dimension's.
-bool MfemReader::read_shape(std::uint64_t vertices_of_elements, std::vector<std::uint64_t>& vertices) {
+bool MfemReader::read_shape(std::uint64_t vertices_of_elements,
+                            std::vector<std::uint64_t>& vertices) {
   skip();
   const char* const at = p_;
   std::int64_t attribute = 0, geometry = 0;
-  if (!read_integer("an attribute", attribute) || !read_integer("a geometry", geometry)) return false;
-  const std::uint64_t count = geometry == 0 ? 1 : geometry == 1 ? 2 : geometry == 3 ? 4 : geometry == 5 ? 8 : 0;
+  if (!read_integer("an attribute", attribute) || !read_integer("a geometry", geometry))
+    return false;
+  const std::uint64_t count = geometry == 0   ? 1
+                              : geometry == 1 ? 2
+                              : geometry == 3 ? 4
+                              : geometry == 5 ? 8
+                                              : 0;
   if (count == 0 || (vertices_of_elements != 0 && count != vertices_of_elements))
-    return fail(at, Code::kSyntax, "a patch of geometry " + std::to_string(geometry) + " in a mesh of dimension " +
-                                       std::to_string(topology_.dimension));
+    return fail(at, Code::kSyntax,
+                "a patch of geometry " + std::to_string(geometry) + " in a mesh of dimension " +
+                    std::to_string(topology_.dimension));
   vertices.resize(count);
   for (std::uint64_t& v : vertices)
     if (!read_count("a vertex", 0, source_.size(), v)) return false;
@@ -98,13 +105,16 @@ bool MfemReader::read_topology() {
   if (!take_keyword("dimension") || !read_count("the dimension", 1, 3, dimension)) return false;
   topology_.dimension = static_cast<int>(dimension);
   const std::uint64_t corners = std::uint64_t{1} << dimension;
-  if (!take_keyword("elements") || !read_count("a number of patches", 0, bytes_left(), count)) return false;
+  if (!take_keyword("elements") || !read_count("a number of patches", 0, bytes_left(), count))
+    return false;
   for (std::uint64_t i = 0; i < count; ++i) {
     std::vector<std::uint64_t> vertices;
     if (!read_shape(corners, vertices)) return false;
     topology_.patches.push_back(std::move(vertices));
   }
-  if (!take_keyword("boundary") || !read_count("a number of boundary parts", 0, bytes_left(), count)) return false;
+  if (!take_keyword("boundary") ||
+      !read_count("a number of boundary parts", 0, bytes_left(), count))
+    return false;
   if (count != 0) leave_out("boundary parts", "", false, count);
   for (std::uint64_t i = 0; i < count; ++i) {
     std::vector<std::uint64_t> ignored;
@@ -112,21 +122,25 @@ bool MfemReader::read_topology() {
   }
   skip();
   edges_at_ = p_;
-  if (!take_keyword("edges") || !read_count("a number of edges", 0, bytes_left(), count)) return false;
+  if (!take_keyword("edges") || !read_count("a number of edges", 0, bytes_left(), count))
+    return false;
   for (std::uint64_t i = 0; i < count; ++i) {
     MfemTopology::Edge edge;
     if (!read_count("a knot vector's number", 0, source_.size(), edge.knot_vector) ||
-        !read_count("a vertex", 0, source_.size(), edge.from) || !read_count("a vertex", 0, source_.size(), edge.to))
+        !read_count("a vertex", 0, source_.size(), edge.from) ||
+        !read_count("a vertex", 0, source_.size(), edge.to))
       return false;
     topology_.edges.push_back(edge);
   }
-  if (!take_keyword("vertices") || !read_count("a number of vertices", 0, source_.size(), topology_.num_vertices))
+  if (!take_keyword("vertices") ||
+      !read_count("a number of vertices", 0, source_.size(), topology_.num_vertices))
     return false;
   for (std::size_t p = 0; p < topology_.patches.size(); ++p)
     for (const std::uint64_t v : topology_.patches[p])
       if (v >= topology_.num_vertices)
-        return fail(patch_lines_[p], Code::kIndexOutOfRange,
-                    "vertex " + std::to_string(v) + " of " + std::to_string(topology_.num_vertices));
+        return fail(
+            patch_lines_[p], Code::kIndexOutOfRange,
+            "vertex " + std::to_string(v) + " of " + std::to_string(topology_.num_vertices));
   return true;
 }
 
@@ -139,7 +153,8 @@ bool MfemReader::read_knot_vector(KnotVector& knots) {
     return false;
   if (knots.num_control <= degree)
     return fail(at, Code::kBadSpline,
-                "the order " + std::to_string(degree + 1) + " is larger than the number of control points, " +
+                "the order " + std::to_string(degree + 1) +
+                    " is larger than the number of control points, " +
                     std::to_string(knots.num_control));
   knots.degree = static_cast<int>(degree);
   const std::uint64_t count = knots.num_control + degree + 1;
@@ -172,10 +187,12 @@ bool MfemReader::read_spacing() {
         if (!read_integer("a refinement factor", ignored)) return false;
     }
   }
-  if (!take_keyword("spacing") || !read_count("a number of spacings", 0, bytes_left(), count)) return false;
+  if (!take_keyword("spacing") || !read_count("a number of spacings", 0, bytes_left(), count))
+    return false;
   if (count != 0) leave_out("spacings", "", false, count);
   for (; count > 0; --count) {
-    if (!read_integer("a knot vector's number", ignored) || !read_integer("a kind of spacing", ignored) ||
+    if (!read_integer("a knot vector's number", ignored) ||
+        !read_integer("a kind of spacing", ignored) ||
         !read_count("a number of integers", 0, bytes_left(), integers) ||
         !read_count("a number of reals", 0, bytes_left(), reals))
       return false;
@@ -210,7 +227,8 @@ bool MfemReader::read_patch(const char* open) {
   if (!take_keyword("dimension") || !read_count("a dimension", 1, 1000, dimension)) return false;
   const bool is_cartesian = peek() == "controlpoints_cartesian";
   if (!is_cartesian && peek() != "controlpoints" && peek() != "controlpoints_homogeneous")
-    return fail_expected("'controlpoints', 'controlpoints_homogeneous' or 'controlpoints_cartesian'");
+    return fail_expected(
+        "'controlpoints', 'controlpoints_homogeneous' or 'controlpoints_cartesian'");
   p_ += peek().size();
   raw.is_rational = true;
   raw.num_components = static_cast<int>(dimension) + 1;
@@ -231,9 +249,12 @@ bool MfemReader::read_patches() {
     const char* const open = p_;
     std::uint64_t dimension = 0;
     const auto expected = static_cast<std::uint64_t>(topology_.dimension);
-    if (!take_keyword("knotvectors") || !read_count("a number of knot vectors", expected, expected, dimension))
+    if (!take_keyword("knotvectors") ||
+        !read_count("a number of knot vectors", expected, expected, dimension))
       return false;
-    const bool ok = dimension == 1 ? read_patch<1>(open) : dimension == 2 ? read_patch<2>(open) : read_patch<3>(open);
+    const bool ok = dimension == 1   ? read_patch<1>(open)
+                    : dimension == 2 ? read_patch<2>(open)
+                                     : read_patch<3>(open);
     if (!ok) return false;
   }
   entity_.reset();
@@ -242,16 +263,18 @@ bool MfemReader::read_patches() {
 }
 
 bool MfemReader::read_space(std::uint64_t& dimension, bool& by_nodes) {
-  if (!take_keyword("FiniteElementSpace") || !take_keyword("FiniteElementCollection:")) return false;
+  if (!take_keyword("FiniteElementSpace") || !take_keyword("FiniteElementCollection:"))
+    return false;
   const std::string collection(peek());
   bool is_known = collection.starts_with("NURBS");
   if (is_known && collection.size() > 5)
-    for (const KnotVector& k : knot_vectors_) is_known = is_known && collection.substr(5) == std::to_string(k.degree);
+    for (const KnotVector& k : knot_vectors_)
+      is_known = is_known && collection.substr(5) == std::to_string(k.degree);
   if (!is_known) return fail_expected("a collection NURBS or NURBSp for the degree p of the knots");
   p_ += collection.size();
   std::uint64_t ordering = 0;
-  if (!take_keyword("VDim:") || !read_count("a dimension", 1, 1000, dimension) || !take_keyword("Ordering:") ||
-      !read_count("an ordering", 0, 1, ordering))
+  if (!take_keyword("VDim:") || !read_count("a dimension", 1, 1000, dimension) ||
+      !take_keyword("Ordering:") || !read_count("an ordering", 0, 1, ordering))
     return false;
   by_nodes = ordering == 0;
   return true;
@@ -277,7 +300,8 @@ bool MfemReader::gather(const MfemNumbering& numbering, std::uint64_t dimension,
       const auto turn = numbering.is_reversed(p, axis);
       auto turned = reversed(k.knots);
       if (!turn && turned != k.knots)
-        return fail(patch_lines_[p], Code::kSyntax, "the patch's edges disagree about the direction of a knot vector");
+        return fail(patch_lines_[p], Code::kSyntax,
+                    "the patch's edges disagree about the direction of a knot vector");
       raw.degrees[a] = k.degree;
       raw.num_control[a] = k.num_control;
       raw.knots[a] = turn.value_or(false) ? std::move(turned) : k.knots;
@@ -289,10 +313,12 @@ bool MfemReader::gather(const MfemNumbering& numbering, std::uint64_t dimension,
     for (std::uint64_t i = 0; i < total; ++i) {
       std::array<std::uint64_t, 3> index{};
       std::uint64_t rest = i;
-      for (std::size_t a = 0; a < N; rest /= raw.num_control[a], ++a) index[a] = rest % raw.num_control[a];
+      for (std::size_t a = 0; a < N; rest /= raw.num_control[a], ++a)
+        index[a] = rest % raw.num_control[a];
       const std::uint64_t n = numbering.point(p, index);
       for (std::uint64_t c = 0; c < dimension; ++c)
-        raw.points.push_back(nodes_[by_nodes ? c * num_points + n : n * dimension + c] * weights_[n]);
+        raw.points.push_back(nodes_[by_nodes ? c * num_points + n : n * dimension + c] *
+                             weights_[n]);
       raw.points.push_back(weights_[n]);
     }
     if (!add(patch_lines_[p], std::move(raw))) return false;
@@ -340,7 +366,8 @@ bool MfemReader::read_shared() {
     if (!read_knot_vector(knot_vectors_.emplace_back())) return false;
   if (is_v11_ && !read_spacing()) return false;
   if (topology_.edges.empty() && !topology_.patches.empty())
-    return fail(edges_at_, Code::kSyntax, "a mesh without edges does not say which knot vector a patch has");
+    return fail(edges_at_, Code::kSyntax,
+                "a mesh without edges does not say which knot vector a patch has");
   for (const MfemTopology::Edge& e : topology_.edges) {
     const bool is_wrong_vertex = e.from >= topology_.num_vertices || e.to >= topology_.num_vertices;
     if (e.knot_vector >= count || is_wrong_vertex)

@@ -12,8 +12,18 @@ constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
 // The two corners of each local edge, turned to run along the axis: MFEM's order of edges.
 constexpr std::array<std::array<int, 2>, 1> kSegmentEdges = {{{0, 1}}};
 constexpr std::array<std::array<int, 2>, 4> kSquareEdges = {{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
-constexpr std::array<std::array<int, 2>, 12> kCubeEdges = {{{0, 1}, {1, 2}, {3, 2}, {0, 3}, {4, 5}, {5, 6},
-                                                            {7, 6}, {4, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+constexpr std::array<std::array<int, 2>, 12> kCubeEdges = {{{0, 1},
+                                                            {1, 2},
+                                                            {3, 2},
+                                                            {0, 3},
+                                                            {4, 5},
+                                                            {5, 6},
+                                                            {7, 6},
+                                                            {4, 7},
+                                                            {0, 4},
+                                                            {1, 5},
+                                                            {2, 6},
+                                                            {3, 7}}};
 constexpr std::array<std::array<int, 4>, 6> kCubeFaces = {
     {{3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}};
 
@@ -24,11 +34,14 @@ std::span<const std::array<int, 2>> local_edges(int dimension) {
 }
 int axis_of_edge(int local) { return local >= 8 ? 2 : local % 2; }
 
-std::uint64_t product(std::uint64_t a, std::uint64_t b) { return a != 0 && b > kMost / a ? kMost : a * b; }
+std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  return a != 0 && b > kMost / a ? kMost : a * b;
+}
 std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return std::min(kMost, a + b); }
 
 // How `test` lies over `base`: 2i if it starts i places on, 2i + 1 if it also runs the other way.
-int quad_orientation(const std::array<std::uint64_t, 4>& base, const std::array<std::uint64_t, 4>& test) {
+int quad_orientation(const std::array<std::uint64_t, 4>& base,
+                     const std::array<std::uint64_t, 4>& test) {
   int i = 0;
   while (i < 3 && test[static_cast<std::size_t>(i)] != base[0]) ++i;
   return test[static_cast<std::size_t>(i + 1) % 4] == base[1] ? 2 * i : 2 * i + 1;
@@ -36,7 +49,8 @@ int quad_orientation(const std::array<std::uint64_t, 4>& base, const std::array<
 
 }  // namespace
 
-MfemNumbering::MfemNumbering(const MfemTopology& topology, const std::vector<std::uint64_t>& num_control)
+MfemNumbering::MfemNumbering(const MfemTopology& topology,
+                             const std::vector<std::uint64_t>& num_control)
     : topology_(topology), num_control_(num_control) {
   patches_.resize(topology.patches.size());
   if (!find_edges()) return;
@@ -74,7 +88,8 @@ bool MfemNumbering::find_edges() {
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     const auto& v = topology_.patches[p];
     for (const auto& [a, b] : locals) {
-      const auto [low, high] = std::minmax(v[static_cast<std::size_t>(a)], v[static_cast<std::size_t>(b)]);
+      const auto [low, high] =
+          std::minmax(v[static_cast<std::size_t>(a)], v[static_cast<std::size_t>(b)]);
       const auto found = edge_of_.find({low, high});
       if (found == edge_of_.end() || low == high) {
         fault_ = "patch " + std::to_string(p) + " has an edge " + std::to_string(low) + " " +
@@ -149,10 +164,12 @@ std::uint64_t MfemNumbering::on_edge(const Patch& patch, std::size_t p, int loca
   return edge_offset_[patch.edges[static_cast<std::size_t>(local)]] + (is_up ? n : size - 1 - n);
 }
 
-std::uint64_t MfemNumbering::on_face(const Patch& patch, int local, std::uint64_t m, std::uint64_t n,
-                                     std::uint64_t size_m, std::uint64_t size_n) const {
+std::uint64_t MfemNumbering::on_face(const Patch& patch, int local, std::uint64_t m,
+                                     std::uint64_t n, std::uint64_t size_m,
+                                     std::uint64_t size_n) const {
   const auto f = static_cast<std::size_t>(local);
-  const std::uint64_t offset = faces_[patch.faces[f]].offset, back_m = size_m - 1 - m, back_n = size_n - 1 - n;
+  const std::uint64_t offset = faces_[patch.faces[f]].offset, back_m = size_m - 1 - m,
+                      back_n = size_n - 1 - n;
   switch (patch.orientations[f]) {
     case 0: return offset + m + n * size_m;
     case 1: return offset + n + m * size_n;

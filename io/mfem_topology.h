@@ -19,7 +19,8 @@ struct MfemTopology {
     std::uint64_t from = 0, to = 0;  ///< the knots run this way
   };
   int dimension = 0;
-  std::vector<std::vector<std::uint64_t>> patches;  ///< 2, 4 or 8 vertices each, as MFEM orders them
+  std::vector<std::vector<std::uint64_t>>
+      patches;  ///< 2, 4 or 8 vertices each, as MFEM orders them
   std::vector<Edge> edges;
   std::uint64_t num_vertices = 0;
 };
@@ -55,9 +56,10 @@ class MfemNumbering {
   };
   bool find_edges();
   void number_faces();
-  std::uint64_t on_edge(const Patch& patch, std::size_t p, int local, std::uint64_t n, std::uint64_t size) const;
-  std::uint64_t on_face(const Patch& patch, int local, std::uint64_t m, std::uint64_t n, std::uint64_t size_m,
-                        std::uint64_t size_n) const;
+  std::uint64_t on_edge(const Patch& patch, std::size_t p, int local, std::uint64_t n,
+                        std::uint64_t size) const;
+  std::uint64_t on_face(const Patch& patch, int local, std::uint64_t m, std::uint64_t n,
+                        std::uint64_t size_m, std::uint64_t size_n) const;
 
   const MfemTopology& topology_;
   const std::vector<std::uint64_t>& num_control_;

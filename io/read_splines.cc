@@ -44,8 +44,8 @@ Result<SplineFile> read_buffer(const ByteBuffer& buffer, const std::string& name
     const auto other = spline_format_from_content(source);
     const bool is_syntax = error.code == Code::kSyntax || error.code == Code::kTruncated;
     if (is_syntax && other && *other != *format)
-      error.message += std::string("; it looks like ") + spline_format_name(*other) + " (--format " +
-                       spline_format_name(*other) + ")";
+      error.message += std::string("; it looks like ") + spline_format_name(*other) +
+                       " (--format " + spline_format_name(*other) + ")";
     return error;
   }
   file->format = *format;

@@ -16,9 +16,9 @@ namespace veritope {
 
 /// Something in the file that the model does not hold.
 struct LeftOut {
-  std::string what;           ///< "polygons", "matrices", "trimmed cylinder", ...
-  std::string reason;         ///< empty: it is no part of a spline model
-  bool is_geometry = false;   ///< writing the model without it loses a shape
+  std::string what;          ///< "polygons", "matrices", "trimmed cylinder", ...
+  std::string reason;        ///< empty: it is no part of a spline model
+  bool is_geometry = false;  ///< writing the model without it loses a shape
   std::uint64_t count = 0;
 };
 

@@ -69,7 +69,8 @@ Result<BSpline<Rational, N>> build_spline(RawSpline<N> raw) {
       return bad(of_axis<N>(a) + "the order " + std::to_string(raw.degrees[a] + 1) +
                  " is larger than the number of control points, " + std::to_string(given.size[a]));
     if (raw.is_periodic[a]) stored.size[a] += static_cast<std::size_t>(std::max(raw.degrees[a], 0));
-    auto axis = build_axis(raw.degrees[a], std::move(raw.knots[a]), raw.is_periodic[a], stored.size[a]);
+    auto axis =
+        build_axis(raw.degrees[a], std::move(raw.knots[a]), raw.is_periodic[a], stored.size[a]);
     if (!axis) {
       Error error = axis.error();
       error.message.insert(0, of_axis<N>(a));

@@ -19,7 +19,8 @@ struct RawSpline {
   std::array<std::uint64_t, N> num_control{};
   std::array<int, N> degrees{};
   std::array<std::vector<Rational>, N> knots;
-  std::array<bool, N> is_periodic{};  ///< KVP of IRIT: the knots are all there, the repeated points are not
+  std::array<bool, N>
+      is_periodic{};  ///< KVP of IRIT: the knots are all there, the repeated points are not
   int num_components = 0;
   bool is_rational = false;
   std::vector<Rational> points;

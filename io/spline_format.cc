@@ -54,10 +54,13 @@ std::optional<SplineFormat> spline_format_from_content(const Source& source) {
   const std::string_view head(
       begin, std::min<std::size_t>(kHead, static_cast<std::size_t>(source.end - begin)));
   const char* p = skip_space(begin, source.end);
-  const std::string_view text = head.substr(std::min(head.size(), static_cast<std::size_t>(p - begin)));
+  const std::string_view text =
+      head.substr(std::min(head.size(), static_cast<std::size_t>(p - begin)));
   if (text.starts_with("MFEM NURBS mesh")) return SplineFormat::kMfem;
-  if (text.starts_with("{") && text.find("veritope-spline-1") != text.npos) return SplineFormat::kJson;
-  if (text.starts_with("<") && (text.find("<xml") != text.npos || text.find("<Geometry") != text.npos))
+  if (text.starts_with("{") && text.find("veritope-spline-1") != text.npos)
+    return SplineFormat::kJson;
+  if (text.starts_with("<") &&
+      (text.find("<xml") != text.npos || text.find("<Geometry") != text.npos))
     return SplineFormat::kGismo;
   if (head.find('\0') != head.npos) return std::nullopt;
   for (const std::string_view word : {"[OBJECT", "[SURFACE", "[CURVE", "[TRIVAR", "[TRIMSRF"})
@@ -65,7 +68,8 @@ std::optional<SplineFormat> spline_format_from_content(const Source& source) {
   if (p < source.end && is_digit(*p)) {
     const char* const last = skip_token(p, kTokenEnd);
     const char* q = skip_blanks(last);
-    if (is_g2_class({p, static_cast<std::size_t>(last - p)}) && is_digit(*q)) return SplineFormat::kG2;
+    if (is_g2_class({p, static_cast<std::size_t>(last - p)}) && is_digit(*q))
+      return SplineFormat::kG2;
   }
   return std::nullopt;
 }

@@ -160,15 +160,18 @@ bool JsonReader::read_exact(Rational& value) {
   switch (read_exact_number(text, limits_, value)) {
     case DecimalFault::kNone: return true;
     case DecimalFault::kSyntax: break;
-    case DecimalFault::kNotFinite: return fail(at, Code::kNotFinite, "the number " + quoted(text) + " is not finite");
+    case DecimalFault::kNotFinite:
+      return fail(at, Code::kNotFinite, "the number " + quoted(text) + " is not finite");
     case DecimalFault::kDigits:
       return fail(at, Code::kOverLimit,
-                  "more than " + std::to_string(limits_.max_digits) + " digits in a number (--max-digits " +
-                      std::to_string(limits_.max_digits) + "): " + quoted(text));
+                  "more than " + std::to_string(limits_.max_digits) +
+                      " digits in a number (--max-digits " + std::to_string(limits_.max_digits) +
+                      "): " + quoted(text));
     case DecimalFault::kExponent:
       return fail(at, Code::kOverLimit,
-                  "an exponent larger than " + std::to_string(limits_.max_exponent) + " (--max-exponent " +
-                      std::to_string(limits_.max_exponent) + "): " + quoted(text));
+                  "an exponent larger than " + std::to_string(limits_.max_exponent) +
+                      " (--max-exponent " + std::to_string(limits_.max_exponent) +
+                      "): " + quoted(text));
   }
   return fail(at, Code::kSyntax, "a number as a string expected, but there is " + quoted(text));
 }
@@ -205,7 +208,8 @@ bool JsonReader::read_object(std::initializer_list<std::string_view> keys, Value
   }
   ++p_;
   for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!seen[i]) return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");
+    if (!seen[i])
+      return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");
   return true;
 }
 
@@ -213,14 +217,17 @@ bool JsonReader::read_strings(std::vector<std::string>& texts) {
   return read_list([&] { return read_string(texts.emplace_back()); });
 }
 
-bool JsonReader::read_index(const char* what, std::optional<std::size_t>& index, std::size_t below) {
+bool JsonReader::read_index(const char* what, std::optional<std::size_t>& index,
+                            std::size_t below) {
   if (take_null()) return true;
   skip();
   const char* const at = p_;
   std::int64_t value = 0;
   if (!read_integer(what, value)) return false;
   if (value < 0 || static_cast<std::uint64_t>(value) >= below)
-    return fail(at, Code::kIndexOutOfRange, std::string(what) + " must be below " + std::to_string(below) + ", not " + std::to_string(value));
+    return fail(at, Code::kIndexOutOfRange,
+                std::string(what) + " must be below " + std::to_string(below) + ", not " +
+                    std::to_string(value));
   index = static_cast<std::size_t>(value);
   return true;
 }
@@ -239,41 +246,46 @@ bool JsonReader::read_group() {
 bool JsonReader::read_raw(RawMap& raw) {
   skip();
   raw.at = p_;
-  return read_object({"degrees", "periodic", "knots", "rational", "components", "points"}, [&](std::size_t key) {
-    switch (key) {
-      case 0: return read_list([&] { return read_integer("a degree", raw.degrees.emplace_back()); });
-      case 1:
-        return read_list([&] {
-          bool value = false;
-          const bool ok = read_bool(value);
-          raw.periodic.push_back(value);
-          return ok;
-        });
-      case 2:
-        return read_list([&] {
-          auto& knots = raw.knots.emplace_back();
-          return read_list([&] { return read_exact(knots.emplace_back()); });
-        });
-      case 3: return read_bool(raw.is_rational);
-      case 4: return read_integer("a number of components", raw.components);
-      default:
-        return read_list([&] {
-          ++raw.num_points;
-          return read_list([&] { return read_exact(raw.points.emplace_back()); });
-        });
-    }
-  });
+  return read_object(
+      {"degrees", "periodic", "knots", "rational", "components", "points"}, [&](std::size_t key) {
+        switch (key) {
+          case 0:
+            return read_list([&] { return read_integer("a degree", raw.degrees.emplace_back()); });
+          case 1:
+            return read_list([&] {
+              bool value = false;
+              const bool ok = read_bool(value);
+              raw.periodic.push_back(value);
+              return ok;
+            });
+          case 2:
+            return read_list([&] {
+              auto& knots = raw.knots.emplace_back();
+              return read_list([&] { return read_exact(knots.emplace_back()); });
+            });
+          case 3: return read_bool(raw.is_rational);
+          case 4: return read_integer("a number of components", raw.components);
+          default:
+            return read_list([&] {
+              ++raw.num_points;
+              return read_list([&] { return read_exact(raw.points.emplace_back()); });
+            });
+        }
+      });
 }
 
 template <std::size_t N>
 bool JsonReader::finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline) {
   if (raw.degrees.size() != N || raw.knots.size() != N || raw.periodic.size() != N)
-    return fail(raw.at, Code::kBadSpline, "degrees, periodic and knots must have " + std::to_string(N) + " entries");
+    return fail(raw.at, Code::kBadSpline,
+                "degrees, periodic and knots must have " + std::to_string(N) + " entries");
   const std::int64_t least = raw.is_rational ? 2 : 1;
   const auto components = static_cast<std::uint64_t>(raw.components);
-  if (raw.components < least || raw.components > 1001 || raw.points.size() != raw.num_points * components)
-    return fail(raw.at, Code::kBadSpline, "every point must have as many numbers as there are components, " +
-                                              std::to_string(raw.components));
+  if (raw.components < least || raw.components > 1001 ||
+      raw.points.size() != raw.num_points * components)
+    return fail(raw.at, Code::kBadSpline,
+                "every point must have as many numbers as there are components, " +
+                    std::to_string(raw.components));
   std::array<KnotAxis<Rational>, N> axes;
   Grid<N> grid;
   std::uint64_t total = 1;
@@ -291,26 +303,34 @@ bool JsonReader::finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline
     if (total > source_.size()) break;
   }
   if (total != raw.num_points)
-    return fail(raw.at, Code::kBadSpline, std::to_string(raw.num_points) + " points do not fit the knots");
+    return fail(raw.at, Code::kBadSpline,
+                std::to_string(raw.num_points) + " points do not fit the knots");
   std::vector<Rational> coefficients(raw.points.size());
   for (std::size_t i = 0; i < total; ++i)
     for (std::size_t c = 0; c < components; ++c)
       coefficients[c * total + i] = std::move(raw.points[i * components + c]);
-  BSpline<Rational, N> built(std::move(axes), static_cast<int>(components), raw.is_rational, std::move(coefficients));
+  BSpline<Rational, N> built(std::move(axes), static_cast<int>(components), raw.is_rational,
+                             std::move(coefficients));
   if (raw.is_rational)
     for (std::size_t i = 0; i < total; ++i)
-      if (const Rational& w = built.component(built.num_components() - 1)[i]; w.sign() != Sign::kPositive)
-        return fail(raw.at, Code::kBadSpline, "the weight of control point " + std::to_string(i) + ", " + w.to_string() + ", is not positive");
+      if (const Rational& w = built.component(built.num_components() - 1)[i];
+          w.sign() != Sign::kPositive)
+        return fail(raw.at, Code::kBadSpline,
+                    "the weight of control point " + std::to_string(i) + ", " + w.to_string() +
+                        ", is not positive");
   for (std::size_t a = 0; a < N; ++a) {
     if (!built.axis(a).is_periodic) continue;
-    const std::size_t n = grid.size[a], p = static_cast<std::size_t>(built.axis(a).degree), stride = grid.stride(a);
+    const std::size_t n = grid.size[a], p = static_cast<std::size_t>(built.axis(a).degree),
+                      stride = grid.stride(a);
     bool repeats = n >= p;
     for (int c = 0; c < built.num_components(); ++c)
       grid.for_each_line(a, [&](std::size_t first) {
         for (std::size_t i = 0; repeats && i < p; ++i)
-          repeats = built.component(c)[first + i * stride] == built.component(c)[first + (n - p + i) * stride];
+          repeats = built.component(c)[first + i * stride] ==
+                    built.component(c)[first + (n - p + i) * stride];
       });
-    if (!repeats) return fail(raw.at, Code::kBadSpline, "the control points of a periodic axis do not repeat");
+    if (!repeats)
+      return fail(raw.at, Code::kBadSpline, "the control points of a periodic axis do not repeat");
   }
   spline = std::move(built);
   return true;
@@ -322,7 +342,9 @@ bool JsonReader::read_map(std::optional<BSpline<Rational, N>>& spline) {
   return read_raw(raw) && finish(raw, spline);
 }
 
-bool JsonReader::read_optional_curve(std::optional<ExactCurve>& curve) { return take_null() || read_map(curve); }
+bool JsonReader::read_optional_curve(std::optional<ExactCurve>& curve) {
+  return take_null() || read_map(curve);
+}
 
 bool JsonReader::read_loops(std::vector<TrimLoop>& loops) {
   return read_list([&] {
@@ -354,7 +376,8 @@ bool JsonReader::read_brep_face(SplineBrep& brep) {
 bool JsonReader::read_brep_segment(SplineBrep& brep) {
   BrepSegment segment;
   const auto exactly_two = [&](std::size_t count) {
-    return count == 2 || fail(p_, Code::kSyntax, "a segment has two surfaces and two parameter curves");
+    return count == 2 ||
+           fail(p_, Code::kSyntax, "a segment has two surfaces and two parameter curves");
   };
   const bool ok = read_object({"surfaces", "parameter", "space"}, [&](std::size_t key) {
     std::size_t count = 0;
@@ -363,7 +386,8 @@ bool JsonReader::read_brep_segment(SplineBrep& brep) {
     if (key == 0)
       return read_list([&] {
                const std::size_t i = count++;
-               return read_count("a surface's number", 0, std::uint64_t{1} << 60, i < 2 ? segment.faces[i] : unused);
+               return read_count("a surface's number", 0, std::uint64_t{1} << 60,
+                                 i < 2 ? segment.faces[i] : unused);
              }) &&
              exactly_two(count);
     if (key == 1)
@@ -384,11 +408,14 @@ bool JsonReader::check_brep(const SplineBrep& brep) {
     for (const auto& loop : face.loops)
       for (const std::int64_t n : loop)
         if (n == 0 || n > most || n < -most)
-          return fail(p_, Code::kIndexOutOfRange, "a loop names segment " + std::to_string(n) + " of " + std::to_string(most));
+          return fail(p_, Code::kIndexOutOfRange,
+                      "a loop names segment " + std::to_string(n) + " of " + std::to_string(most));
   for (const BrepSegment& s : brep.segments)
     for (const std::uint64_t face : s.faces)
       if (face > brep.faces.size())
-        return fail(p_, Code::kIndexOutOfRange, "a segment names surface " + std::to_string(face) + " of " + std::to_string(brep.faces.size()));
+        return fail(p_, Code::kIndexOutOfRange,
+                    "a segment names surface " + std::to_string(face) + " of " +
+                        std::to_string(brep.faces.size()));
   return true;
 }
 
@@ -412,14 +439,17 @@ bool JsonReader::read_shape(const std::string& kind, SplineEntity& entity) {
   if (kind == "trimmed") {
     std::optional<ExactSurface> surface;
     std::vector<TrimLoop> loops;
-    if (!read_object({"map", "loops"}, [&](std::size_t key) { return key == 0 ? read_map(surface) : read_loops(loops); }))
+    if (!read_object({"map", "loops"}, [&](std::size_t key) {
+          return key == 0 ? read_map(surface) : read_loops(loops);
+        }))
       return false;
     entity.shape = TrimmedSurface{std::move(*surface), std::move(loops)};
     return true;
   }
   SplineBrep brep;
   const bool ok = read_object({"surfaces", "segments"}, [&](std::size_t key) {
-    return key == 0 ? read_list([&] { return read_brep_face(brep); }) : read_list([&] { return read_brep_segment(brep); });
+    return key == 0 ? read_list([&] { return read_brep_face(brep); })
+                    : read_list([&] { return read_brep_segment(brep); });
   });
   if (!ok || !check_brep(brep)) return false;
   entity.shape = std::move(brep);
@@ -430,7 +460,8 @@ bool JsonReader::read_entity() {
   skip();
   const char* const open = p_;
   entity_ = model_.entities.size();
-  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open)};
+  SplineEntity entity{
+      ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open)};
   std::string kind;
   const bool ok = read_object({"kind", "group", "attributes", "shape"}, [&](std::size_t key) {
     if (key == 1) return read_index("the group of an entity", entity.group, model_.groups.size());
@@ -459,7 +490,8 @@ bool JsonReader::read() {
       const char* const at = p_;
       if (!read_string(format)) return false;
       return format == "veritope-spline-1" ||
-             fail(at, Code::kUnknownFormat, "the format must be 'veritope-spline-1', not " + quoted(format));
+             fail(at, Code::kUnknownFormat,
+                  "the format must be 'veritope-spline-1', not " + quoted(format));
     }
     if (key == 1) {
       has_groups = true;

@@ -46,7 +46,8 @@ class JsonWriter {
   }
   void number(const Rational& r) { out_ += '"' + r.to_string() + '"'; }
   void texts(const std::vector<std::string>& items) {
-    list(items, [&](const std::string& s) { text(s); }, ", ");
+    list(
+        items, [&](const std::string& s) { text(s); }, ", ");
   }
   void index(const std::optional<std::size_t>& i) { out_ += i ? std::to_string(*i) : "null"; }
 
@@ -63,11 +64,19 @@ class JsonWriter {
   void map(const BSpline<Rational, N>& s) {
     using Axis = KnotAxis<Rational>;
     out_ += "{\"degrees\": ";
-    list(s.axes(), [&](const Axis& a) { out_ += std::to_string(a.degree); }, ", ");
+    list(
+        s.axes(), [&](const Axis& a) { out_ += std::to_string(a.degree); }, ", ");
     out_ += ", \"periodic\": ";
-    list(s.axes(), [&](const Axis& a) { out_ += a.is_periodic ? "true" : "false"; }, ", ");
+    list(
+        s.axes(), [&](const Axis& a) { out_ += a.is_periodic ? "true" : "false"; }, ", ");
     out_ += ",\n  \"knots\": ";
-    list(s.axes(), [&](const Axis& a) { list(a.knots, [&](const Rational& k) { number(k); }, ", "); }, ",\n   ");
+    list(
+        s.axes(),
+        [&](const Axis& a) {
+          list(
+              a.knots, [&](const Rational& k) { number(k); }, ", ");
+        },
+        ",\n   ");
     out_ += std::string(",\n  \"rational\": ") + (s.is_rational() ? "true" : "false") +
             ", \"components\": " + std::to_string(s.num_components()) + ",\n  \"points\": [";
     for (std::size_t i = 0; i < s.grid().count(); ++i) {
@@ -113,14 +122,19 @@ class JsonWriter {
       out_ += "{\"map\": ";
       map(face.surface);
       out_ += ",\n  \"loops\": ";
-      list(face.loops, [&](const std::vector<std::int64_t>& loop) {
-        list(loop, [&](std::int64_t n) { out_ += std::to_string(n); }, ", ");
-      }, ", ");
+      list(
+          face.loops,
+          [&](const std::vector<std::int64_t>& loop) {
+            list(
+                loop, [&](std::int64_t n) { out_ += std::to_string(n); }, ", ");
+          },
+          ", ");
       out_ += '}';
     });
     out_ += ",\n \"segments\": ";
     list(brep.segments, [&](const BrepSegment& s) {
-      out_ += "{\"surfaces\": [" + std::to_string(s.faces[0]) + ", " + std::to_string(s.faces[1]) + "], \"parameter\": ";
+      out_ += "{\"surfaces\": [" + std::to_string(s.faces[0]) + ", " + std::to_string(s.faces[1]) +
+              "], \"parameter\": ";
       list(s.parameter, [&](const std::optional<ExactCurve>& c) { optional_map(c); });
       out_ += ", \"space\": ";
       optional_map(s.space);

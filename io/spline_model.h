@@ -20,9 +20,10 @@ using ExactVolume = BSplineVolume<Rational>;
 
 /// A piece of a trimming loop. Either curve may be missing; the reason says why the file's was not taken over.
 struct TrimCurve {
-  std::optional<ExactCurve> parameter;  ///< in the surface's (u, v); a third coordinate has no meaning
-  std::optional<ExactCurve> space;      ///< the file's claim of the same curve in space
-  std::string omitted;                  ///< a remark, no part of the model; empty: nothing was left out
+  std::optional<ExactCurve>
+      parameter;                    ///< in the surface's (u, v); a third coordinate has no meaning
+  std::optional<ExactCurve> space;  ///< the file's claim of the same curve in space
+  std::string omitted;              ///< a remark, no part of the model; empty: nothing was left out
   friend bool operator==(const TrimCurve& a, const TrimCurve& b) {
     return a.parameter == b.parameter && a.space == b.space;
   }

@@ -20,10 +20,12 @@ double second_difference(const Bezier<double, N>& piece, std::size_t axis) {
   double most = 0;
   grid.for_each_line(axis, [&](std::size_t first) {
     for (std::size_t i = 0; i + 2 < grid.size[axis]; ++i) {
-      const Point a = internal::control_point(piece, first + i * stride), b = internal::control_point(piece, first + (i + 1) * stride),
+      const Point a = internal::control_point(piece, first + i * stride),
+                  b = internal::control_point(piece, first + (i + 1) * stride),
                   c = internal::control_point(piece, first + (i + 2) * stride);
       double square = 0;
-      for (std::size_t k = 0; k < 3; ++k) square += (a[k] - 2 * b[k] + c[k]) * (a[k] - 2 * b[k] + c[k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        square += (a[k] - 2 * b[k] + c[k]) * (a[k] - 2 * b[k] + c[k]);
       most = std::max(most, std::sqrt(square));
     }
   });
@@ -38,7 +40,8 @@ std::vector<std::size_t> divisions(const RoundedPieces<N>& s, std::size_t axis, 
   std::vector<std::size_t> out(cells.size[axis], 1);
   for (std::size_t cell = 0; cell < s.pieces.size(); ++cell) {
     const int p = s.pieces[cell].degree(axis);
-    const double bend = p * (p - 1) * second_difference(s.pieces[cell], axis) * static_cast<double>(N) / 8;
+    const double bend =
+        p * (p - 1) * second_difference(s.pieces[cell], axis) * static_cast<double>(N) / 8;
     double n = std::ceil(std::sqrt(bend / chord));
     // Bilinear pieces twist: two pieces at least, unless all is straight.
     if (N > 1 && p == 1) n = std::max(n, 2.0);
@@ -81,7 +84,8 @@ Sample locate(const std::vector<double>& breaks, double u) {
 
 class Tessellator {
  public:
-  Tessellator(std::uint64_t entity, double chord, std::string name) : entity_(entity), chord_(chord) {
+  Tessellator(std::uint64_t entity, double chord, std::string name)
+      : entity_(entity), chord_(chord) {
     out_.name = std::move(name);
   }
 
@@ -89,7 +93,8 @@ class Tessellator {
     const auto s = internal::rounded_pieces(curve, entity_);
     if (!s) return s.error();
     std::vector<std::uint32_t> line;
-    for (const Sample& t : samples(divisions(*s, 0, chord_))) line.push_back(put(value<1>(*s, {t})));
+    for (const Sample& t : samples(divisions(*s, 0, chord_)))
+      line.push_back(put(value<1>(*s, {t})));
     out_.lines.push_back(std::move(line));
     return ok_status();
   }
@@ -97,7 +102,9 @@ class Tessellator {
     const auto s = internal::rounded_pieces(surface, entity_);
     if (!s) return s.error();
     const auto u = samples(divisions(*s, 0, chord_)), v = samples(divisions(*s, 1, chord_));
-    return sheet(u.size(), v.size(), false, [&](std::size_t i, std::size_t j) { return value<2>(*s, {u[i], v[j]}); });
+    return sheet(u.size(), v.size(), false, [&](std::size_t i, std::size_t j) {
+      return value<2>(*s, {u[i], v[j]});
+    });
   }
   // The six sides, outward if the volume is right-handed.
   Status add(const ExactVolume& volume) {
@@ -108,12 +115,13 @@ class Tessellator {
     for (std::size_t a = 0; a < 3; ++a)
       for (const bool is_end : {false, true}) {
         const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-        const Status status = sheet(lines[b].size(), lines[c].size(), !is_end, [&](std::size_t i, std::size_t j) {
-          std::array<Sample, 3> at;
-          at[a] = is_end ? lines[a].back() : lines[a].front();
-          at[b] = lines[b][i], at[c] = lines[c][j];
-          return value<3>(*s, at);
-        });
+        const Status status =
+            sheet(lines[b].size(), lines[c].size(), !is_end, [&](std::size_t i, std::size_t j) {
+              std::array<Sample, 3> at;
+              at[a] = is_end ? lines[a].back() : lines[a].front();
+              at[b] = lines[b][i], at[c] = lines[c][j];
+              return value<3>(*s, at);
+            });
         if (!status) return status;
       }
     return ok_status();
@@ -168,14 +176,18 @@ class Tessellator {
   template <typename At>
   Status sheet(std::size_t m, std::size_t n, bool is_turned, At at) {
     if (out_.points.size() + m * n > internal::kMostViewPoints)
-      return internal::view_error(Code::kOverLimit, entity_, "more than 33554432 points; a larger chord gives fewer");
+      return internal::view_error(Code::kOverLimit, entity_,
+                                  "more than 33554432 points; a larger chord gives fewer");
     const auto first = static_cast<std::uint32_t>(out_.points.size());
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = 0; j < n; ++j) put(at(i, j));
-    const auto id = [&](std::size_t i, std::size_t j) { return first + static_cast<std::uint32_t>(i * n + j); };
+    const auto id = [&](std::size_t i, std::size_t j) {
+      return first + static_cast<std::uint32_t>(i * n + j);
+    };
     for (std::size_t i = 0; i + 1 < m; ++i)
       for (std::size_t j = 0; j + 1 < n; ++j) {
-        std::array<std::uint32_t, 3> a = {id(i, j), id(i + 1, j), id(i + 1, j + 1)}, b = {id(i, j), id(i + 1, j + 1), id(i, j + 1)};
+        std::array<std::uint32_t, 3> a = {id(i, j), id(i + 1, j), id(i + 1, j + 1)},
+                                     b = {id(i, j), id(i + 1, j + 1), id(i, j + 1)};
         if (is_turned) std::swap(a[1], a[2]), std::swap(b[1], b[2]);
         out_.triangles.push_back(a);
         out_.triangles.push_back(b);
@@ -231,7 +243,8 @@ Result<std::vector<Tessellation>> tessellate(const SplineModel& model, const Vie
   std::vector<Tessellation> parts;
   for (std::size_t i = 0; i < model.entities.size(); ++i) {
     Tessellator one(i, chord, name_of(model, model.entities[i]));
-    const Status status = std::visit([&](const auto& s) { return one.add(s); }, model.entities[i].shape);
+    const Status status =
+        std::visit([&](const auto& s) { return one.add(s); }, model.entities[i].shape);
     if (!status) return status.error();
     parts.push_back(one.take());
   }

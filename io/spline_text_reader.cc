@@ -102,7 +102,8 @@ std::string_view SplineTextReader::peek() {
   if (p_ >= source_.end) return {};
   if (own_tokens_.find(*p_) != own_tokens_.npos) return {p_, 1};
   const char* last = p_;
-  while (last < source_.end && !has_class(*last, ends_) && own_tokens_.find(*last) == own_tokens_.npos)
+  while (last < source_.end && !has_class(*last, ends_) &&
+         own_tokens_.find(*last) == own_tokens_.npos)
     ++last;
   return {p_, static_cast<std::size_t>(last - p_)};
 }
@@ -121,9 +122,9 @@ bool SplineTextReader::read_number(Rational& value) {
                       quoted(token));
     case DecimalFault::kExponent: {
       const std::string limit = std::to_string(limits_.max_exponent);
-      return fail(p_, Code::kOverLimit,
-                  "an exponent larger than " + limit + " (--max-exponent " + limit +
-                      "): " + quoted(token));
+      return fail(
+          p_, Code::kOverLimit,
+          "an exponent larger than " + limit + " (--max-exponent " + limit + "): " + quoted(token));
     }
   }
   return fail_expected("a number");
@@ -151,9 +152,11 @@ bool SplineTextReader::read_count(const char* what, std::uint64_t least, std::ui
   if (!read_integer(what, number)) return false;
   if (number < 0 || static_cast<std::uint64_t>(number) < least ||
       static_cast<std::uint64_t>(number) > most)
-    return fail(at, number > 0 && static_cast<std::uint64_t>(number) > most ? Code::kOverLimit : Code::kSyntax,
-                std::string(what) + " must be from " + std::to_string(least) + " to " +
-                    std::to_string(most) + ", not " + std::to_string(number));
+    return fail(
+        at,
+        number > 0 && static_cast<std::uint64_t>(number) > most ? Code::kOverLimit : Code::kSyntax,
+        std::string(what) + " must be from " + std::to_string(least) + " to " +
+            std::to_string(most) + ", not " + std::to_string(number));
   value = static_cast<std::uint64_t>(number);
   return true;
 }
@@ -167,12 +170,9 @@ bool SplineTextReader::check_announced(std::uint64_t count, const char* what) {
 
 void SplineTextReader::leave_out(std::string what, std::string reason, bool is_geometry,
                                  std::uint64_t count) {
-  for (LeftOut& known : left_out_)
-    if (known.what == what && known.reason == reason) {
-      known.count += count;
-      return;
-    }
-  left_out_.push_back({std::move(what), std::move(reason), is_geometry, count});
+  const auto [at, is_new] = left_out_index_.emplace(std::pair{what, reason}, left_out_.size());
+  if (is_new) left_out_.push_back({std::move(what), std::move(reason), is_geometry, 0});
+  left_out_[at->second].count += count;
 }
 
 }  // namespace veritope

@@ -2,6 +2,7 @@
 // io/spline_text_reader.h: what the readers of spline texts share: tokens, exact numbers, counts, errors with entity.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,6 +78,7 @@ class SplineTextReader {
 
  private:
   std::optional<Error> error_;
+  std::map<std::pair<std::string, std::string>, std::size_t> left_out_index_;
   const char* counted_ = nullptr;  ///< line_of has counted up to here
   std::uint64_t line_ = 1;
 };

@@ -24,7 +24,8 @@ std::string obj_bytes(const std::vector<Tessellation>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Tessellation& t = parts[i];
     std::string name;
-    for (const char c : t.name) name += static_cast<unsigned char>(c) <= ' ' || c == 0x7F || c == '\\' ? '_' : c;
+    for (const char c : t.name)
+      name += static_cast<unsigned char>(c) <= ' ' || c == 0x7F || c == '\\' ? '_' : c;
     out += "o entity_" + std::to_string(i) + (name.empty() ? "" : "_" + name) + "\n";
     for (const auto& p : t.points) {
       out += 'v';
@@ -59,15 +60,18 @@ class GltfWriter {
       if (t.points.empty() || (t.lines.empty() && t.triangles.empty())) continue;
       const std::string number = std::to_string(count);
       meshes += (count == 0 ? "" : ",\n") + std::string("{\"primitives\":[") + primitives(t) + "]}";
-      nodes += (count == 0 ? "" : ",") + std::string("{\"name\":\"entity ") + std::to_string(i) + "\",\"mesh\":" + number + "}";
+      nodes += (count == 0 ? "" : ",") + std::string("{\"name\":\"entity ") + std::to_string(i) +
+               "\",\"mesh\":" + number + "}";
       roots += (count == 0 ? "" : ",") + number;
       ++count;
     }
     std::string out = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"veritope\"}";
     if (count == 0) return out + "}\n";
-    return out + ",\n\"scene\":0,\"scenes\":[{\"nodes\":[" + roots + "]}],\n\"nodes\":[" + nodes + "],\n\"meshes\":[" + meshes +
-           "],\n\"accessors\":[" + accessors_ + "],\n\"bufferViews\":[" + views_ + "],\n\"buffers\":[{\"byteLength\":" +
-           std::to_string(data_.size()) + ",\"uri\":\"data:application/octet-stream;base64," + base64(data_) + "\"}]}\n";
+    return out + ",\n\"scene\":0,\"scenes\":[{\"nodes\":[" + roots + "]}],\n\"nodes\":[" + nodes +
+           "],\n\"meshes\":[" + meshes + "],\n\"accessors\":[" + accessors_ +
+           "],\n\"bufferViews\":[" + views_ +
+           "],\n\"buffers\":[{\"byteLength\":" + std::to_string(data_.size()) +
+           ",\"uri\":\"data:application/octet-stream;base64," + base64(data_) + "\"}]}\n";
   }
 
  private:
@@ -79,9 +83,11 @@ class GltfWriter {
     data_.append(bytes, sizeof value);
   }
   std::size_t accessor(std::size_t begin, const std::string& rest, int target) {
-    views_ += (num_ == 0 ? "" : ",") + std::string("{\"buffer\":0,\"byteOffset\":") + std::to_string(begin) +
-              ",\"byteLength\":" + std::to_string(data_.size() - begin) + ",\"target\":" + std::to_string(target) + "}";
-    accessors_ += (num_ == 0 ? "" : ",\n") + std::string("{\"bufferView\":") + std::to_string(num_) + "," + rest + "}";
+    views_ += (num_ == 0 ? "" : ",") + std::string("{\"buffer\":0,\"byteOffset\":") +
+              std::to_string(begin) + ",\"byteLength\":" + std::to_string(data_.size() - begin) +
+              ",\"target\":" + std::to_string(target) + "}";
+    accessors_ += (num_ == 0 ? "" : ",\n") + std::string("{\"bufferView\":") +
+                  std::to_string(num_) + "," + rest + "}";
     return num_++;
   }
   std::size_t positions(const Tessellation& t) {
@@ -94,7 +100,8 @@ class GltfWriter {
         lo[k] = std::min(lo[k], x), hi[k] = std::max(hi[k], x);
         append(x);
       }
-    std::string rest = "\"componentType\":5126,\"count\":" + std::to_string(t.points.size()) + ",\"type\":\"VEC3\"";
+    std::string rest = "\"componentType\":5126,\"count\":" + std::to_string(t.points.size()) +
+                       ",\"type\":\"VEC3\"";
     for (const auto& [name, corner] : {std::pair{"min", lo}, std::pair{"max", hi}}) {
       rest += std::string(",\"") + name + "\":[";
       for (std::size_t k = 0; k < 3; ++k) rest += k == 0 ? "" : ",", append_number(rest, corner[k]);
@@ -102,18 +109,23 @@ class GltfWriter {
     }
     return accessor(begin, rest, 34962);
   }
-  std::string indices(const std::uint32_t* first, std::size_t count, std::size_t position, int mode) {
+  std::string indices(const std::uint32_t* first, std::size_t count, std::size_t position,
+                      int mode) {
     const std::size_t begin = data_.size();
     for (std::size_t i = 0; i < count; ++i) append(first[i]);
-    const std::size_t n = accessor(begin, "\"componentType\":5125,\"count\":" + std::to_string(count) + ",\"type\":\"SCALAR\"", 34963);
-    return "{\"attributes\":{\"POSITION\":" + std::to_string(position) + "},\"indices\":" + std::to_string(n) + ",\"mode\":" +
-           std::to_string(mode) + "}";
+    const std::size_t n = accessor(
+        begin, "\"componentType\":5125,\"count\":" + std::to_string(count) + ",\"type\":\"SCALAR\"",
+        34963);
+    return "{\"attributes\":{\"POSITION\":" + std::to_string(position) +
+           "},\"indices\":" + std::to_string(n) + ",\"mode\":" + std::to_string(mode) + "}";
   }
   std::string primitives(const Tessellation& t) {
     const std::size_t position = positions(t);
     std::string out;
-    if (!t.triangles.empty()) out = indices(t.triangles[0].data(), 3 * t.triangles.size(), position, 4);
-    for (const auto& line : t.lines) out += (out.empty() ? "" : ",") + indices(line.data(), line.size(), position, 3);
+    if (!t.triangles.empty())
+      out = indices(t.triangles[0].data(), 3 * t.triangles.size(), position, 4);
+    for (const auto& line : t.lines)
+      out += (out.empty() ? "" : ",") + indices(line.data(), line.size(), position, 3);
     return out;
   }
 
@@ -128,7 +140,8 @@ std::string gltf_bytes(const std::vector<Tessellation>& parts) { return GltfWrit
 }  // namespace internal
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -148,7 +161,8 @@ std::optional<ViewFormat> view_format_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-Result<std::string> view_bytes(const SplineModel& model, ViewFormat format, const ViewOptions& options) {
+Result<std::string> view_bytes(const SplineModel& model, ViewFormat format,
+                               const ViewOptions& options) {
   if (format == ViewFormat::kVtu) return internal::vtu_bytes(model);
   const auto parts = tessellate(model, options);
   if (!parts) return parts.error();
@@ -157,7 +171,8 @@ Result<std::string> view_bytes(const SplineModel& model, ViewFormat format, cons
     for (const auto& p : (*parts)[i].points)
       for (const double x : p)
         if (!std::isfinite(static_cast<float>(x)))
-          return internal::view_error(Code::kNotFinite, i, "a coordinate is too large for binary32, which glTF has");
+          return internal::view_error(Code::kNotFinite, i,
+                                      "a coordinate is too large for binary32, which glTF has");
   return internal::gltf_bytes(*parts);
 }
 

@@ -39,13 +39,17 @@ struct Tessellation {
 Result<std::vector<Tessellation>> tessellate(const SplineModel& model, const ViewOptions& options);
 
 /// @error as tessellate
-Result<std::string> view_bytes(const SplineModel& model, ViewFormat format, const ViewOptions& options);
+Result<std::string> view_bytes(const SplineModel& model, ViewFormat format,
+                               const ViewOptions& options);
 
 /// The number of point (i, j, k) of a Bezier cell in VTK's order; degrees of one, two or three axes.
 /// Source: VTK 9.1, vtkHigherOrderHexahedron::PointIndexFromIJK, vtkHigherOrderQuadrilateral and -Curve likewise.
-std::size_t vtk_point_index(const std::array<std::size_t, 1>& index, const std::array<int, 1>& degrees);
-std::size_t vtk_point_index(const std::array<std::size_t, 2>& index, const std::array<int, 2>& degrees);
-std::size_t vtk_point_index(const std::array<std::size_t, 3>& index, const std::array<int, 3>& degrees);
+std::size_t vtk_point_index(const std::array<std::size_t, 1>& index,
+                            const std::array<int, 1>& degrees);
+std::size_t vtk_point_index(const std::array<std::size_t, 2>& index,
+                            const std::array<int, 2>& degrees);
+std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,
+                            const std::array<int, 3>& degrees);
 
 /// RFC 4648.
 std::string base64(std::string_view bytes);

@@ -34,14 +34,16 @@ template <std::size_t N>
 std::uint64_t num_piece_points(const BSpline<Rational, N>& spline) {
   double total = 1;
   for (const auto& axis : spline.axes())
-    total *= static_cast<double>(axis.num_control() - static_cast<std::size_t>(axis.degree)) * (axis.degree + 1);
+    total *= static_cast<double>(axis.num_control() - static_cast<std::size_t>(axis.degree)) *
+             (axis.degree + 1);
   return total > 1e15 ? std::uint64_t{1} << 50 : static_cast<std::uint64_t>(total);
 }
 
 template <std::size_t N>
 Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std::uint64_t entity) {
   if (num_piece_points(spline) > kMostViewPoints)
-    return view_error(Code::kOverLimit, entity, "its Bezier pieces have more than 33554432 control points");
+    return view_error(Code::kOverLimit, entity,
+                      "its Bezier pieces have more than 33554432 control points");
   const BezierPieces<Rational, N> exact = bezier_pieces(spline);
   RoundedPieces<N> out;
   for (std::size_t a = 0; a < N; ++a)
@@ -54,15 +56,17 @@ Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std:
       if (!std::isfinite(coefficients.back()))
         return view_error(Code::kNotFinite, entity, "a coordinate is too large for binary64");
     }
-    const bool has_zero_weight =
-        piece.is_rational() && [&] {
-          const std::size_t count = piece.grid().count(), first = count * static_cast<std::size_t>(piece.dimension());
-          for (std::size_t i = first; i < first + count; ++i)
-            if (coefficients[i] == 0) return true;
-          return false;
-        }();
-    if (has_zero_weight) return view_error(Code::kNotFinite, entity, "a weight is too small for binary64");
-    out.pieces.emplace_back(piece.degrees(), piece.num_components(), piece.is_rational(), std::move(coefficients));
+    const bool has_zero_weight = piece.is_rational() && [&] {
+      const std::size_t count = piece.grid().count(),
+                        first = count * static_cast<std::size_t>(piece.dimension());
+      for (std::size_t i = first; i < first + count; ++i)
+        if (coefficients[i] == 0) return true;
+      return false;
+    }();
+    if (has_zero_weight)
+      return view_error(Code::kNotFinite, entity, "a weight is too small for binary64");
+    out.pieces.emplace_back(piece.degrees(), piece.num_components(), piece.is_rational(),
+                            std::move(coefficients));
   }
   return out;
 }

@@ -7,7 +7,9 @@ namespace veritope {
 namespace {
 
 template <std::size_t N>
-constexpr int kCellType = N == 1 ? 75 : N == 2 ? 77 : 79;  // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
+constexpr int kCellType = N == 1   ? 75
+                          : N == 2 ? 77
+                                   : 79;  // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
 
 class VtuWriter {
  public:
@@ -24,22 +26,28 @@ class VtuWriter {
   }
   std::string write() const {
     std::string out =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" byte_order=\"LittleEndian\" "
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
+        "byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
         std::to_string(num_points_) + "\" NumberOfCells=\"" + std::to_string(num_cells_) + "\">\n";
-    out += "<PointData RationalWeights=\"RationalWeights\">\n" + array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
-    out += "<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n" + array("Float64", "HigherOrderDegrees", 3, degrees_) +
+    out += "<PointData RationalWeights=\"RationalWeights\">\n" +
+           array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
+    out += "<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n" +
+           array("Float64", "HigherOrderDegrees", 3, degrees_) +
            array("Int64", "entity", 1, entities_) + "</CellData>\n";
     out += "<Points>\n" + array("Float64", "Points", 3, points_) + "</Points>\n<Cells>\n" +
-           array("Int64", "connectivity", 1, connectivity_) + array("Int64", "offsets", 1, offsets_) +
-           array("UInt8", "types", 1, types_) + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+           array("Int64", "connectivity", 1, connectivity_) +
+           array("Int64", "offsets", 1, offsets_) + array("UInt8", "types", 1, types_) +
+           "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     return out;
   }
 
  private:
-  static std::string array(const char* type, const char* name, int components, const std::string& values) {
-    return std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-           std::to_string(components) + "\" format=\"ascii\">\n" + values + "</DataArray>\n";
+  static std::string array(const char* type, const char* name, int components,
+                           const std::string& values) {
+    return std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+           "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">\n" +
+           values + "</DataArray>\n";
   }
   template <std::size_t N>
   void add_cell(const Bezier<double, N>& piece, std::uint64_t entity) {
@@ -53,12 +61,14 @@ class VtuWriter {
         internal::append_number(points_, p[k]);
         points_ += k == 2 ? '\n' : ' ';
       }
-      internal::append_number(weights_, piece.is_rational() ? piece.component(piece.dimension())[i] : 1);
+      internal::append_number(weights_,
+                              piece.is_rational() ? piece.component(piece.dimension())[i] : 1);
       weights_ += '\n';
       connectivity_ += std::to_string(num_points_++) + ' ';
     }
     connectivity_ += '\n';
-    for (std::size_t a = 0; a < 3; ++a) degrees_ += std::to_string(a < N ? piece.degree(a) : 1) + (a == 2 ? "\n" : " ");
+    for (std::size_t a = 0; a < 3; ++a)
+      degrees_ += std::to_string(a < N ? piece.degree(a) : 1) + (a == 2 ? "\n" : " ");
     offsets_ += std::to_string(num_points_) + '\n';
     types_ += std::to_string(kCellType<N>) + '\n';
     entities_ += std::to_string(entity) + '\n';
@@ -70,7 +80,8 @@ class VtuWriter {
 };
 
 Status add_shape(VtuWriter& out, const SplineEntity& entity, std::uint64_t number) {
-  if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape)) return out.add(t->surface, number);
+  if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape))
+    return out.add(t->surface, number);
   if (const auto* b = std::get_if<SplineBrep>(&entity.shape)) {
     for (const BrepFace& face : b->faces)
       if (Status status = out.add(face.surface, number); !status) return status;
@@ -94,12 +105,14 @@ Result<std::string> vtu_bytes(const SplineModel& model) {
 
 }  // namespace internal
 
-std::size_t vtk_point_index(const std::array<std::size_t, 1>& index, const std::array<int, 1>& degrees) {
+std::size_t vtk_point_index(const std::array<std::size_t, 1>& index,
+                            const std::array<int, 1>& degrees) {
   const auto n = static_cast<std::size_t>(degrees[0]);
   return index[0] == 0 ? 0 : index[0] == n ? 1 : index[0] + 1;
 }
 
-std::size_t vtk_point_index(const std::array<std::size_t, 2>& index, const std::array<int, 2>& degrees) {
+std::size_t vtk_point_index(const std::array<std::size_t, 2>& index,
+                            const std::array<int, 2>& degrees) {
   const auto m = static_cast<std::size_t>(degrees[0]), n = static_cast<std::size_t>(degrees[1]);
   const auto [i, j] = index;
   const bool i_edge = i == 0 || i == m, j_edge = j == 0 || j == n;
@@ -109,7 +122,8 @@ std::size_t vtk_point_index(const std::array<std::size_t, 2>& index, const std::
   return 4 + 2 * (m - 1 + n - 1) + (i - 1) + (m - 1) * (j - 1);
 }
 
-std::size_t vtk_point_index(const std::array<std::size_t, 3>& index, const std::array<int, 3>& degrees) {
+std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,
+                            const std::array<int, 3>& degrees) {
   const auto l = static_cast<std::size_t>(degrees[0]), m = static_cast<std::size_t>(degrees[1]),
              n = static_cast<std::size_t>(degrees[2]);
   const auto [i, j, k] = index;
@@ -120,19 +134,22 @@ std::size_t vtk_point_index(const std::array<std::size_t, 3>& index, const std::
   const std::size_t ring = 2 * (l + m - 2);
   if (ends == 2) {
     if (!i_end) return offset + (i - 1) + (j != 0 ? l + m - 2 : 0) + (k != 0 ? ring : 0);
-    if (!j_end) return offset + (j - 1) + (i != 0 ? l - 1 : 2 * (l - 1) + m - 1) + (k != 0 ? ring : 0);
+    if (!j_end)
+      return offset + (j - 1) + (i != 0 ? l - 1 : 2 * (l - 1) + m - 1) + (k != 0 ? ring : 0);
     const std::size_t edge = i != 0 ? (j != 0 ? 2 : 1) : (j != 0 ? 3 : 0);
     return offset + 2 * ring + (k - 1) + (n - 1) * edge;
   }
   offset += 4 * (l + m + n - 3);
-  const std::size_t i_face = (m - 1) * (n - 1), j_face = (n - 1) * (l - 1), k_face = (l - 1) * (m - 1);
+  const std::size_t i_face = (m - 1) * (n - 1), j_face = (n - 1) * (l - 1),
+                    k_face = (l - 1) * (m - 1);
   if (ends == 1) {
     if (i_end) return offset + (j - 1) + (m - 1) * (k - 1) + (i != 0 ? i_face : 0);
     offset += 2 * i_face;
     if (j_end) return offset + (i - 1) + (l - 1) * (k - 1) + (j != 0 ? j_face : 0);
     return offset + 2 * j_face + (i - 1) + (l - 1) * (j - 1) + (k != 0 ? k_face : 0);
   }
-  return offset + 2 * (i_face + j_face + k_face) + (i - 1) + (l - 1) * ((j - 1) + (m - 1) * (k - 1));
+  return offset + 2 * (i_face + j_face + k_face) + (i - 1) +
+         (l - 1) * ((j - 1) + (m - 1) * (k - 1));
 }
 
 }  // namespace veritope

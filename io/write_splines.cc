@@ -32,9 +32,7 @@ std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
     }
     ++changed;
     // Rounded: of the same kind, in the same place.
-    if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index() &&
-        back.entities.size() - j >= 1)
-      ++j;
+    if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index()) ++j;
   }
   return changed;
 }
@@ -56,7 +54,8 @@ std::string seventeen_digits(const Rational& value) {
 }  // namespace
 
 bool can_write(SplineFormat format) {
-  return format == SplineFormat::kItd || format == SplineFormat::kG2 || format == SplineFormat::kJson;
+  return format == SplineFormat::kItd || format == SplineFormat::kG2 ||
+         format == SplineFormat::kJson;
 }
 
 std::string spline_bytes(const SplineModel& model, SplineFormat format) {
@@ -74,7 +73,8 @@ SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std:
   options.limits.max_exponent = ~std::uint32_t{0};
   SplineModel back;
   if (!bytes.empty()) {
-    auto file = read_spline_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
+    auto file = read_spline_bytes(
+        {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
     if (!file) {
       loss.unreadable = file.error();
       return loss;
@@ -83,11 +83,14 @@ SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std:
   }
   if (model == back) return loss;
   if (!same_shapes(model, back))
-    loss.shapes.push_back(std::to_string(num_changed(model, back)) + " of " + std::to_string(model.entities.size()) +
+    loss.shapes.push_back(std::to_string(num_changed(model, back)) + " of " +
+                          std::to_string(model.entities.size()) +
                           " entities are rounded or left out");
   bool has_text = false;
-  for (const SplineEntity& e : model.entities) has_text = has_text || !e.attributes.empty() || e.group;
-  if (has_text || !model.groups.empty()) loss.dropped.push_back("names, attributes or the order of groups");
+  for (const SplineEntity& e : model.entities)
+    has_text = has_text || !e.attributes.empty() || e.group;
+  if (has_text || !model.groups.empty())
+    loss.dropped.push_back("names, attributes or the order of groups");
   return loss;
 }
 

@@ -21,9 +21,12 @@ std::string spline_bytes(const SplineModel& model, SplineFormat format);
 
 /// What reading spline_bytes(model, format) back would change, a sentence each: the bytes are read and compared.
 struct SplineLoss {
-  std::vector<std::string> shapes;  ///< lost or rounded shapes: a conversion that does this is lossy
-  std::vector<std::string> dropped;  ///< names, attributes, order of groups: no part of the geometry
-  std::optional<Error> unreadable;   ///< the rounded numbers make no spline: this file must not be written
+  std::vector<std::string>
+      shapes;  ///< lost or rounded shapes: a conversion that does this is lossy
+  std::vector<std::string>
+      dropped;  ///< names, attributes, order of groups: no part of the geometry
+  std::optional<Error>
+      unreadable;  ///< the rounded numbers make no spline: this file must not be written
 };
 SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes);
 

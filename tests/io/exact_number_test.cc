@@ -41,15 +41,20 @@ TEST(ExactNumber, FractionsAndHexadecimalFloatsAreExactToo) {
 }
 
 TEST(ExactNumber, WhatIsNoNumberIsRefused) {
-  for (const char* bad : {"", "-", ".", "e5", "1e", "1e+", "1.2.3", "1,5", "1/2/3", "1/-2", "1.5/2", "0x", "0xp3", "0x1p", "1d3", "--1", "0x1.8q3"})
+  for (const char* bad : {"", "-", ".", "e5", "1e", "1e+", "1.2.3", "1,5", "1/2/3", "1/-2", "1.5/2",
+                          "0x", "0xp3", "0x1p", "1d3", "--1", "0x1.8q3"})
     EXPECT_EQ(read(bad), "syntax") << bad;
-  for (const char* bad : {"nan", "-inf", "Infinity", "1.#QNAN", "NaN", "1/0"}) EXPECT_EQ(read(bad), "not finite") << bad;
+  for (const char* bad : {"nan", "-inf", "Infinity", "1.#QNAN", "NaN", "1/0"})
+    EXPECT_EQ(read(bad), "not finite") << bad;
   ReadLimits limits;
   limits.max_digits = 4;
   limits.max_exponent = 9;
-  EXPECT_EQ(read("12345", limits), "digits");
+  EXPECT_EQ(read("1234.5", limits), "digits");
+  EXPECT_EQ(read("1234567890123", limits), "1234567890123");
+  EXPECT_EQ(read("12345678901234", limits), "digits");
   EXPECT_EQ(read("1234", limits), "1234");
-  EXPECT_EQ(read("1/12345", limits), "digits");
+  EXPECT_EQ(read("1/12345678901234", limits), "digits");
+  EXPECT_EQ(read("1/12345", limits), "1/12345");
   EXPECT_EQ(read("0x12345", limits), "digits");
   EXPECT_EQ(read("1e10", limits), "exponent");
   EXPECT_EQ(read("1e9", limits), "1000000000");
@@ -72,7 +77,8 @@ TEST(ExactNumber, AnExactDecimalReadsBackAsTheSameNumber) {
     const auto exponent = static_cast<std::int64_t>(random.next() % 200) - 100;
     Rational value(mantissa);
     const Rational base(random.next() % 2 == 0 ? 2 : 10);
-    for (std::int64_t k = 0; k < std::abs(exponent); ++k) exponent < 0 ? value /= base : value *= base;
+    for (std::int64_t k = 0; k < std::abs(exponent); ++k)
+      exponent < 0 ? value /= base : value *= base;
     if (random.next() % 2 == 0) value.negate();
     const auto text = exact_decimal(value);
     ASSERT_TRUE(text) << "seed 20250701: " << value.to_string();

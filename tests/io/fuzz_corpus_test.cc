@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fuzz/read_laws.h"
+#include "fuzz/spline_laws.h"
 #include "tests/io/io_test_util.h"
 
 namespace veritope {
@@ -28,6 +29,18 @@ TEST(FuzzCorpus, StlFilesKeepTheLaws) { expect_laws("read_stl", MeshFormat::kStl
 TEST(FuzzCorpus, ObjFilesKeepTheLaws) { expect_laws("read_obj", MeshFormat::kObj); }
 TEST(FuzzCorpus, PlyFilesKeepTheLaws) { expect_laws("read_ply", MeshFormat::kPly); }
 TEST(FuzzCorpus, OffFilesKeepTheLaws) { expect_laws("read_off", MeshFormat::kOff); }
+
+TEST(FuzzCorpus, SplineFilesKeepTheLaws) {
+  int num = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(VERITOPE_SOURCE_DIR "/fuzz/corpus/spline_text")) {
+    SCOPED_TRACE(entry.path().filename().string());
+    EXPECT_NO_THROW(
+        fuzz::check_spline_readers(io_test::bytes(io_test::slurp(entry.path().string()))));
+    ++num;
+  }
+  EXPECT_GE(num, 5);
+}
 
 }  // namespace
 }  // namespace veritope

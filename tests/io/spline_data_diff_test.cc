@@ -46,7 +46,8 @@ std::uint64_t count_of(const SplineFile& file, const std::string& kind) {
     trimmed += std::holds_alternative<TrimmedSurface>(e.shape) ? 1u : 0u;
     breps += std::holds_alternative<SplineBrep>(e.shape) ? 1u : 0u;
     plain += std::holds_alternative<ExactSurface>(e.shape) ? 1u : 0u;
-    for (auto g = e.group; g; g = file.model.groups[*g].parent) multivariates += file.model.groups[*g].name == "Multivars" ? 1u : 0u;
+    for (auto g = e.group; g; g = file.model.groups[*g].parent)
+      multivariates += file.model.groups[*g].name == "Multivars" ? 1u : 0u;
   }
   const std::uint64_t half = multivariates / 2;  // fltrtest: one of one parameter and one of two
   if (kind == "curve") return splines[0] - half + left_out(file, "curves within");
@@ -58,7 +59,8 @@ std::uint64_t count_of(const SplineFile& file, const std::string& kind) {
   if (kind == "spline_surface" || kind == "TensorBSpline2") return plain;
   if (kind == "bounded_surface") return trimmed + left_out(file, "trimmed");
   if (kind == "nurbs_patches") return file.model.entities.size();
-  if (kind == "MultiPatch") return 2 * left_out(file, "elements <MultiPatch>");  // it counts both tags
+  if (kind == "MultiPatch")
+    return 2 * left_out(file, "elements <MultiPatch>");  // it counts both tags
   ADD_FAILURE() << kind;
   return 0;
 }
@@ -82,7 +84,8 @@ void expect_counts(const std::string& name, const SplineFile& file, const std::s
 template <std::size_t N>
 std::string value_at(const BSpline<Rational, N>& s) {
   std::array<Rational, N> at;
-  for (std::size_t a = 0; a < N; ++a) at[a] = Rational(Integer(static_cast<int>(3 * a + 1)), Integer(static_cast<int>(7 + a)));
+  for (std::size_t a = 0; a < N; ++a)
+    at[a] = Rational(Integer(static_cast<int>(3 * a + 1)), Integer(static_cast<int>(7 + a)));
   return io_test::exact_value<N>(s, at);
 }
 
@@ -108,7 +111,8 @@ void expect_round_trips(const std::string& name, const SplineFile& file) {
 
 TEST(SplineData, IsReadCountedAndRefusedAsItsManifestSaysAndRoundTrips) {
   const auto rows = manifest();
-  if (rows.empty()) GTEST_SKIP() << "1 test skipped: no real splines in " << data_folder() << " (VERITOPE_DATA)";
+  if (rows.empty())
+    GTEST_SKIP() << "1 test skipped: no real splines in " << data_folder() << " (VERITOPE_DATA)";
   int num_read = 0, num_refused = 0;
   for (const auto& [name, expected] : rows) {
     const auto file = read_spline_file(data_folder() + name, {});
@@ -133,14 +137,17 @@ int handedness(const ExactVolume& volume) {
   const auto at = [&](int i, int j, int k) {
     const auto cut = bezier_pieces(volume);
     const Rational h(Integer(1), Integer(1000)), half(Integer(1), Integer(2));
-    const auto v = evaluate(cut.pieces[0], std::array<Rational, 3>{half + Rational(i) * h, half + Rational(j) * h, half + Rational(k) * h});
+    const auto v = evaluate(cut.pieces[0],
+                            std::array<Rational, 3>{half + Rational(i) * h, half + Rational(j) * h,
+                                                    half + Rational(k) * h});
     std::array<Rational, 3> p;
     for (std::size_t c = 0; c < 3; ++c) p[c] = volume.is_rational() ? v[c] / v.back() : v[c];
     return p;
   };
   const auto o = at(0, 0, 0), x = at(1, 0, 0), y = at(0, 1, 0), z = at(0, 0, 1);
   const auto d = [&](const auto& p, std::size_t c) { return p[c] - o[c]; };
-  const Rational det = d(x, 0) * (d(y, 1) * d(z, 2) - d(y, 2) * d(z, 1)) - d(x, 1) * (d(y, 0) * d(z, 2) - d(y, 2) * d(z, 0)) +
+  const Rational det = d(x, 0) * (d(y, 1) * d(z, 2) - d(y, 2) * d(z, 1)) -
+                       d(x, 1) * (d(y, 0) * d(z, 2) - d(y, 2) * d(z, 0)) +
                        d(x, 2) * (d(y, 0) * d(z, 1) - d(y, 1) * d(z, 0));
   return static_cast<int>(det.sign());
 }
@@ -148,9 +155,11 @@ int handedness(const ExactVolume& volume) {
 TEST(SplineData, TheVolumesOfMfemAreRightHanded) {
   // A wrong numbering of shared control points would fold them.
   int num_volumes = 0;
-  for (const char* name : {"ball-nurbs", "beam-hex-nurbs", "cube-nurbs", "two-cubes-nurbs", "two-cubes-nurbs-rot"}) {
+  for (const char* name :
+       {"ball-nurbs", "beam-hex-nurbs", "cube-nurbs", "two-cubes-nurbs", "two-cubes-nurbs-rot"}) {
     const auto file = read_spline_file(data_folder() + "mfem__" + name + ".mesh", {});
-    if (!file) GTEST_SKIP() << "1 test skipped: no real splines in " << data_folder() << " (VERITOPE_DATA)";
+    if (!file)
+      GTEST_SKIP() << "1 test skipped: no real splines in " << data_folder() << " (VERITOPE_DATA)";
     for (const SplineEntity& e : file->model.entities) {
       EXPECT_EQ(handedness(std::get<ExactVolume>(e.shape)), 1) << name;
       ++num_volumes;

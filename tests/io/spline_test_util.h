@@ -14,7 +14,8 @@
 
 namespace veritope::io_test {
 
-inline Result<SplineFile> read_splines(SplineFormat format, std::string_view text, SplineReadOptions options = {}) {
+inline Result<SplineFile> read_splines(SplineFormat format, std::string_view text,
+                                       SplineReadOptions options = {}) {
   options.format = format;
   return read_spline_bytes(bytes(text), "model", options);
 }
@@ -59,7 +60,8 @@ std::string exact_value(const BSpline<Rational, N>& s, const std::array<Rational
   const auto values = evaluate(cut.at(cell), t);
   std::string text;
   for (int c = 0; c < s.dimension(); ++c) {
-    const Rational x = s.is_rational() ? values[static_cast<std::size_t>(c)] / values.back() : values[static_cast<std::size_t>(c)];
+    const Rational x = s.is_rational() ? values[static_cast<std::size_t>(c)] / values.back()
+                                       : values[static_cast<std::size_t>(c)];
     text += (c == 0 ? "" : " ") + x.to_string();
   }
   return text;

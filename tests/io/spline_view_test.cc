@@ -35,7 +35,8 @@ TEST(VtkOrder, IsAPermutation) {
         for (std::size_t i = 0; i <= static_cast<std::size_t>(l); ++i)
           for (std::size_t j = 0; j <= static_cast<std::size_t>(m); ++j) {
             flat.insert(vtk_point_index({i, j}, std::array<int, 2>{l, m}));
-            for (std::size_t k = 0; k <= static_cast<std::size_t>(n); ++k) seen.insert(vtk_point_index({i, j, k}, std::array<int, 3>{l, m, n}));
+            for (std::size_t k = 0; k <= static_cast<std::size_t>(n); ++k)
+              seen.insert(vtk_point_index({i, j, k}, std::array<int, 3>{l, m, n}));
           }
         EXPECT_EQ(seen.size(), static_cast<std::size_t>((l + 1) * (m + 1) * (n + 1)));
         EXPECT_EQ(*seen.rbegin(), seen.size() - 1);
@@ -54,16 +55,18 @@ TEST(SplineView, Base64IsThatOfTheRfc) {
 TEST(SplineView, AVtuHoldsTheBezierCellsWithTheirWeights) {
   const auto vtu = view_bytes(sample("two_cubes.mesh").model, ViewFormat::kVtu, {});
   ASSERT_TRUE(vtu);
-  // Two spans along y; the second brick also two along x: 2 + 4 cells of 18 points.
-  EXPECT_NE(vtu->find("NumberOfPoints=\"108\" NumberOfCells=\"6\""), std::string::npos) << vtu->substr(0, 400);
+  // Two spans along y; the second brick also two along x: 2 + 4 cells of 12 points.
+  EXPECT_NE(vtu->find("NumberOfPoints=\"72\" NumberOfCells=\"6\""), std::string::npos)
+      << vtu->substr(0, 400);
   EXPECT_NE(vtu->find("\n79\n79\n"), std::string::npos);
   EXPECT_NE(vtu->find("2 1 1\n"), std::string::npos);
 }
 
 TEST(SplineView, ChordsStayAsCloseToACircleAsAskedFor) {
   // A quarter of the unit circle, weights 1, 1/2 sqrt 2 rounded, 1.
-  const SplineModel model = io_test::model_of(
-      SplineFormat::kItd, "[CURVE BEZIER 3 P2 [1 1 0] [0.7071067811865476 0.7071067811865476 0.7071067811865476] [1 0 1]]");
+  const SplineModel model = io_test::model_of(SplineFormat::kItd,
+                                              "[CURVE BEZIER 3 P2 [1 1 0] [0.7071067811865476 "
+                                              "0.7071067811865476 0.7071067811865476] [1 0 1]]");
   for (const double chord : {1e-2, 1e-4}) {
     ViewOptions options;
     options.chord = chord;
@@ -89,7 +92,8 @@ TEST(SplineView, TheBoundaryOfAVolumeIsClosedAndOutward) {
     double six_volumes = 0;
     for (const auto& f : t.triangles) {
       const auto &a = t.points[f[0]], &b = t.points[f[1]], &c = t.points[f[2]];
-      six_volumes += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      six_volumes += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                     a[2] * (b[0] * c[1] - b[1] * c[0]);
     }
     EXPECT_NEAR(six_volumes / 6, 1, 1e-12);
   }
@@ -97,7 +101,8 @@ TEST(SplineView, TheBoundaryOfAVolumeIsClosedAndOutward) {
 
 TEST(SplineView, ObjAndGltfCountFromOneAndFromZero) {
   const SplineModel model = sample("trimmed.itd").model;
-  const auto obj = view_bytes(model, ViewFormat::kObj, {}), gltf = view_bytes(model, ViewFormat::kGltf, {});
+  const auto obj = view_bytes(model, ViewFormat::kObj, {}),
+             gltf = view_bytes(model, ViewFormat::kGltf, {});
   ASSERT_TRUE(obj && gltf);
   EXPECT_NE(obj->find("o entity_0_FACE\n"), std::string::npos);
   std::istringstream lines(*obj);
@@ -114,7 +119,8 @@ TEST(SplineView, ObjAndGltfCountFromOneAndFromZero) {
 }
 
 TEST(SplineView, WhatBinary64CannotHoldIsRefusedWithItsEntity) {
-  const SplineModel model = io_test::model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [1]] [CURVE BEZIER 2 E1 [0] [1e400]]");
+  const SplineModel model = io_test::model_of(
+      SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [1]] [CURVE BEZIER 2 E1 [0] [1e400]]");
   for (const ViewFormat format : {ViewFormat::kVtu, ViewFormat::kObj, ViewFormat::kGltf}) {
     const auto bytes = view_bytes(model, format, {});
     ASSERT_FALSE(bytes);

@@ -11,7 +11,8 @@ using io_test::model_of;
 using io_test::read_splines;
 using io_test::sample;
 
-const char* const kSamples[] = {"groups.itd", "trimmed.itd", "objects.g2", "two_cubes.mesh", "patches.mesh", "surface.xml"};
+const char* const kSamples[] = {"groups.itd",     "trimmed.itd",  "objects.g2",
+                                "two_cubes.mesh", "patches.mesh", "surface.xml"};
 
 TEST(WriteSplines, JsonHoldsEverySampleBitForBit) {
   for (const char* name : kSamples) {
@@ -57,14 +58,22 @@ TEST(WriteSplines, WhatAFormatCannotHoldIsALoss) {
   EXPECT_TRUE(loss(third, SplineFormat::kJson).shapes.empty());
   EXPECT_FALSE(loss(third, SplineFormat::kItd).shapes.empty());
   const SplineModel rounded = model_of(SplineFormat::kItd, itd_bytes(third));
-  EXPECT_EQ(nearest_double(std::get<ExactCurve>(rounded.entities[0].shape).component(0)[1]), 1.0 / 3);
+  EXPECT_EQ(nearest_double(std::get<ExactCurve>(rounded.entities[0].shape).component(0)[1]),
+            1.0 / 3);
 }
 
 TEST(WriteSplines, RoundingThatLeavesNoSplineIsReported) {
   // Two knots a hair apart become one knot too many.
   const Rational third(Integer(1), Integer(3)), close = third + Rational::power_of_two(-200);
-  const SplineModel model{{}, {{ExactCurve({KnotAxis<Rational>{1, {Rational(0), Rational(0), third, third, close, close, Rational(1), Rational(1)}}}, 1, false,
-                                           std::vector<Rational>(6)), {}, {}, {}}}};
+  const SplineModel model{
+      {},
+      {{ExactCurve({KnotAxis<Rational>{1,
+                                       {Rational(0), Rational(0), third, third, close, close,
+                                        Rational(1), Rational(1)}}},
+                   1, false, std::vector<Rational>(6)),
+        {},
+        {},
+        {}}}};
   EXPECT_TRUE(model_of(SplineFormat::kJson, spline_json_bytes(model)) == model);
   const SplineLoss loss = spline_loss(model, SplineFormat::kItd, itd_bytes(model));
   ASSERT_TRUE(loss.unreadable);
@@ -72,11 +81,13 @@ TEST(WriteSplines, RoundingThatLeavesNoSplineIsReported) {
 }
 
 TEST(WriteSplines, NumbersBeyondBinary64AreCutToSeventeenDigits) {
-  Rational huge = Rational::power_of_two(5000) / Rational(3), tiny = Rational(1) / (Rational::power_of_two(5000) * Rational(3));
+  Rational huge = Rational::power_of_two(5000) / Rational(3),
+           tiny = Rational(1) / (Rational::power_of_two(5000) * Rational(3));
   for (const Rational& value : {huge, tiny, -huge}) {
     Rational back;
     ReadLimits limits;
-    ASSERT_EQ(read_exact_decimal(decimal_or_nearest(value), limits, back), DecimalFault::kNone) << decimal_or_nearest(value);
+    ASSERT_EQ(read_exact_decimal(decimal_or_nearest(value), limits, back), DecimalFault::kNone)
+        << decimal_or_nearest(value);
     EXPECT_LT(abs(back - value), abs(value) * Rational::power_of_two(-55));
   }
 }
@@ -86,11 +97,16 @@ TEST(WriteSplines, TextThatItdCannotHoldIsDropped) {
   for (const char* bad : {"", "a b", "a[", "\"a\""}) EXPECT_FALSE(is_itd_name(bad)) << bad;
   EXPECT_TRUE(is_itd_attribute("rgb \"1,2,3\""));
   EXPECT_TRUE(is_itd_attribute("a [b [c] \"]\"]"));
-  for (const char* bad : {"", " a", "a ", "a ]", "a [", "a \"", "CURVE", "NUMBER 4", "KV 0 1", "[a]", "]a["})
+  for (const char* bad :
+       {"", " a", "a ", "a ]", "a [", "a \"", "CURVE", "NUMBER 4", "KV 0 1", "[a]", "]a["})
     EXPECT_FALSE(is_itd_attribute(bad)) << bad;
-  const SplineModel model{{{"two words", {"]"}, {}}},
-                          {{ExactCurve({KnotAxis<Rational>{1, {Rational(0), Rational(0), Rational(1), Rational(1)}}}, 1, false, std::vector<Rational>(2)),
-                            {"CURVE"}, 0, {}}}};
+  const SplineModel model{
+      {{"two words", {"]"}, {}}},
+      {{ExactCurve({KnotAxis<Rational>{1, {Rational(0), Rational(0), Rational(1), Rational(1)}}}, 1,
+                   false, std::vector<Rational>(2)),
+        {"CURVE"},
+        0,
+        {}}}};
   const SplineLoss loss = spline_loss(model, SplineFormat::kItd, itd_bytes(model));
   EXPECT_TRUE(loss.shapes.empty());
   EXPECT_FALSE(loss.dropped.empty());
@@ -98,14 +114,23 @@ TEST(WriteSplines, TextThatItdCannotHoldIsDropped) {
 
 TEST(WriteSplines, JsonReadsOtherSpellingsOfTheSameNumbers) {
   const char* const text =
-      "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [{\"attributes\": [\"\\u00e9\\t\"], \"group\": null, \"kind\": "
-      "\"curve\", \"shape\": {\"points\": [[\"0.5\"], [\"0x1p-1\"]], \"components\": 1, \"rational\": false, \"knots\": [[\"0\", \"0/7\", "
+      "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [{\"attributes\": "
+      "[\"\\u00e9\\t\"], \"group\": null, \"kind\": "
+      "\"curve\", \"shape\": {\"points\": [[\"0.5\"], [\"0x1p-1\"]], \"components\": 1, "
+      "\"rational\": false, \"knots\": [[\"0\", \"0/7\", "
       "\"1\", \"10e-1\"]], \"periodic\": [false], \"degrees\": [1]}}]}";
   const SplineModel model = model_of(SplineFormat::kJson, text);
   const auto& s = std::get<ExactCurve>(model.entities[0].shape);
   EXPECT_EQ(s.component(0)[0], s.component(0)[1]);
   EXPECT_EQ(model.entities[0].attributes[0], "\xc3\xa9\t");
   EXPECT_NE(spline_json_bytes(model).find("[\"1/2\"]"), std::string::npos);
+}
+
+TEST(WriteSplines, JsonOfExtremeDecimalsIsWithinTheUsualLimits) {
+  const SplineModel model =
+      model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E2 [1e-4000 1e4000] [1.5e-4000 -7e4000]]");
+  EXPECT_TRUE(model_of(SplineFormat::kJson, spline_json_bytes(model)) == model);
+  EXPECT_TRUE(model_of(SplineFormat::kItd, itd_bytes(model)) == model);
 }
 
 TEST(WriteSplines, FormatsThatAreOnlyReadAreNotWritten) {

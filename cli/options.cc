@@ -176,7 +176,8 @@ void add_convert(CLI::App& app, Options& o) {
 }
 
 void add_intersect(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("intersect", "where the surfaces of two files meet, certified");
+  CLI::App* const c =
+      app.add_subcommand("intersect", "where the surfaces of two files meet, certified");
   c->callback([&o] { o.command = Command::kIntersect; });
   c->add_option("A B", o.files, "two files of splines; - is standard input (with --format)")
       ->required()
@@ -184,11 +185,28 @@ void add_intersect(CLI::App& app, Options& o) {
       ->type_name("");
   add_text(c, "-o,--output", o.curves, "F", "write the curves; F ends in .json or .vtu");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
-  c->add_option("--gap", o.gap,
-                "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)")
+  c->add_option(
+       "--gap", o.gap,
+       "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)")
       ->check(CLI::Range(1e-300, 1e300))
       ->type_name("D");
-  add_number(c, "--max-pairs", o.max_pairs, 1, kMost64, "rectangles to compare at most (200000000)");
+  add_number(c, "--max-pairs", o.max_pairs, 1, kMost64,
+             "rectangles to compare at most (200000000)");
+  add_any_format(c, o);
+}
+
+void add_project(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand(
+      "project",
+      "all critical points of the distance from a point to curves\nand surfaces, certified");
+  c->callback([&o] { o.command = Command::kProject; });
+  c->add_option("POINT", o.point, "x,y,z: decimals, fractions or hexadecimal numbers, exact")
+      ->required()
+      ->type_name("");
+  add_file(c, "SURFACE", o.files, "a file of splines; - is standard input (with --format)");
+  add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
+  add_number(c, "--max-boxes", o.max_boxes, 1, kMost64,
+             "of each curve and surface: parameter boxes to look at\n(100000)");
   add_any_format(c, o);
 }
 
@@ -245,7 +263,8 @@ void add_corpus(CLI::App& app, Options& o) {
 std::string contradiction(const Options& o) {
   const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
   const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
-                     o.command == Command::kConvert || o.command == Command::kIntersect;
+                     o.command == Command::kConvert || o.command == Command::kIntersect ||
+                     o.command == Command::kProject;
   if (reads && inputs > 0 && !o.reading.format && !o.spline_format)
     return "- is standard input and needs --format";
   if (inputs > 1) return "standard input can be read once only";
@@ -279,6 +298,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_info(app, o);
   add_convert(app, o);
   add_intersect(app, o);
+  add_project(app, o);
   add_explain(app, o);
   add_predicate(app, o);
   add_selftest(app, o);

@@ -17,6 +17,7 @@ enum class Command {
   kInfo,
   kConvert,
   kIntersect,
+  kProject,
   kExplain,
   kExplainCertificate,
   kPredicate,
@@ -26,14 +27,14 @@ enum class Command {
 
 struct Options {
   Command command = Command::kCertify;
-  /// certify, info: inputs; convert: IN; explain-certificate: F; predicate: FILE
+  /// certify, info: inputs; convert: IN; project: SURFACE; explain-certificate: F; predicate: FILE
   std::vector<std::string> files;
-  ReadOptions reading;                     ///< certify, info, convert
+  ReadOptions reading;                        ///< certify, info, convert
   std::optional<SplineFormat> spline_format;  ///< info, convert: --format of a spline file
-  std::optional<std::string> json;         ///< certify, info
-  std::optional<std::string> certificate;  ///< certify
-  std::optional<std::string> picture;      ///< certify
-  std::uint64_t max_defects = 20;          ///< certify
+  std::optional<std::string> json;            ///< certify, info
+  std::optional<std::string> certificate;     ///< certify
+  std::optional<std::string> picture;         ///< certify
+  std::uint64_t max_defects = 20;             ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
   std::string output;                            ///< convert: OUT
@@ -43,6 +44,8 @@ struct Options {
   double gap = 0;                                ///< intersect; 0: chosen by the model's size
   std::uint64_t max_pairs = 200000000;           ///< intersect
   std::optional<std::string> curves;             ///< intersect: -o
+  std::string point;                             ///< project: POINT
+  std::uint64_t max_boxes = 100000;              ///< project, of each curve and surface
   std::optional<std::string> rule;               ///< explain
   std::uint64_t max_items = 20;                  ///< explain-certificate
   const NamedPredicate* predicate = nullptr;     ///< predicate; null: each line names its own

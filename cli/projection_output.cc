@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Projections as JSON and as text. The schema: docs/project.schema.json.
+#include "cli/certify.h"
+#include "cli/decimal_text.h"
+#include "cli/json_text.h"
+#include "cli/projection_report.h"
+#include "cli/text_style.h"
+
+namespace veritope::cli {
+namespace {
+
+const char* place_name(RootPlace place) {
+  switch (place) {
+    case RootPlace::kInside: return "inside";
+    case RootPlace::kOnBoundary: return "on-boundary";
+    case RootPlace::kAtBoundary: return "at-boundary";
+  }
+  return "at-boundary";
+}
+
+Json interval_json(const Interval& a) {
+  return Json::array({number_json(a.lo()), number_json(a.hi())});
+}
+
+template <std::size_t N>
+Json box_json(const veritope::ExactBox<N>& box) {
+  Json out = Json::array();
+  for (const ExactInterval& s : box.side)
+    out.push_back(Json::array({fraction_text(s.lo), fraction_text(s.hi)}));
+  return out;
+}
+
+template <std::size_t N>
+Json point_json(const CriticalPoint<N>& p) {
+  Json out, position = Json::array();
+  for (const Interval& x : p.point) position.push_back(interval_json(x));
+  out["parameters"] = box_json(p.parameters);
+  out["held"] = p.is_held;
+  out["place"] = place_name(p.place);
+  out["kind"] = critical_kind_name(p.kind);
+  out["position"] = position;
+  out["distance"] = interval_json(p.distance);
+  return out;
+}
+
+template <std::size_t N>
+void describe(Json& out, const Projection<N>& p) {
+  Json points = Json::array(), open = Json::array();
+  for (const auto& c : p.points) points.push_back(point_json(c));
+  for (const auto& r : p.open)
+    open.push_back({{"parameters", box_json(r.parameters)},
+                    {"reason", open_reason_name(r.reason)},
+                    {"distance", interval_json(r.distance)}});
+  out["points"] = points;
+  out["open"] = open;
+  out["distance"] = interval_json(p.least_distance);
+  out["nearest"] = optional_json(p.certified_nearest);
+  out["effort"] = {
+      {"boxes", p.effort.boxes}, {"frames", p.effort.frames}, {"bits", p.effort.precision}};
+}
+
+// Rounded to nearest, for people.
+std::string range_text(const Interval& a) {
+  const std::string lo = short_decimal(a.lo(), 9), hi = short_decimal(a.hi(), 9);
+  return lo == hi ? lo : lo + " to " + hi;
+}
+
+template <std::size_t N>
+std::string line_of(const CriticalPoint<N>& p) {
+  std::string out = "    " + std::string(critical_kind_name(p.kind)) + "  distance " +
+                    range_text(p.distance) + "  at (";
+  for (std::size_t a = 0; a < N; ++a)
+    out += (a > 0 ? ", " : "") + std::string(p.is_held[a] ? "= " : "") +
+           short_decimal(p.parameters.middle()[a], 9);
+  out += ")";
+  if (p.place == RootPlace::kAtBoundary) out += "  on the border or just outside";
+  return out + "\n";
+}
+
+template <std::size_t N>
+std::string text_of(const Projection<N>& p) {
+  std::string out;
+  for (const auto& c : p.points) out += line_of(c);
+  for (const auto& r : p.open)
+    out += "    undecided (" + std::string(open_reason_name(r.reason)) + ")  distance " +
+           range_text(r.distance) + "  in " + to_string(r.parameters) + "\n";
+  return out;
+}
+
+}  // namespace
+
+std::string projection_json(const ProjectionReport& report) {
+  Json out, point = Json::array(), targets = Json::array();
+  for (const Rational& x : report.point) point.push_back(fraction_text(x));
+  for (const ProjectionTarget& t : report.targets) {
+    Json target;
+    target["entity"] = t.entity;
+    target["face"] = optional_json(t.face);
+    target["kind"] = t.kind;
+    std::visit([&](const auto& p) { describe(target, p); }, t.projection);
+    targets.push_back(target);
+  }
+  const auto nearest = report.nearest();
+  out["schema"] = "veritope-project-1";
+  out["tool"] = tool_name();
+  out["path"] = report.path;
+  out["sha256"] = report.sha256;
+  out["point"] = point;
+  out["targets"] = targets;
+  out["skipped_volumes"] = report.skipped;
+  out["distance"] = interval_json(report.distance());
+  out["nearest"] =
+      nearest ? Json({{"target", nearest->first}, {"point", nearest->second}}) : Json(nullptr);
+  out["complete"] = report.is_complete();
+  return dump(out) + "\n";
+}
+
+std::string projection_text(const ProjectionReport& report) {
+  const auto nearest = report.nearest();
+  std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
+                    harmless(report.path) + "  distance " + range_text(report.distance()) +
+                    (nearest ? "" : "  nearest point not decided") + "\n";
+  for (std::size_t t = 0; t < report.targets.size(); ++t) {
+    const ProjectionTarget& target = report.targets[t];
+    out += "  " + target.kind + " " + std::to_string(target.entity) +
+           (target.face ? ", face " + std::to_string(*target.face) : "") +
+           (nearest && nearest->first == t ? ": nearest is point " + std::to_string(nearest->second)
+                                           : "") +
+           "\n";
+    out += std::visit([](const auto& p) { return text_of(p); }, target.projection);
+  }
+  return out;
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/projection_report.h: what veritope project says: for one point and the curves and surfaces of a file.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "interval/point_projection.h"
+#include "io/spline_model.h"
+
+namespace veritope::cli {
+
+/// One curve or surface of the file.
+struct ProjectionTarget {
+  std::uint64_t entity = 0;           ///< its number in the file, from 0
+  std::optional<std::uint64_t> face;  ///< of a model, from 0
+  std::string kind;                   ///< spline_kind_name
+  std::variant<Projection<1>, Projection<2>> projection;
+};
+struct ProjectionReport {
+  std::vector<Rational> point;
+  std::string path, sha256;
+  std::vector<ProjectionTarget> targets;
+  std::uint64_t skipped = 0;  ///< volumes
+  ExitCode exit = kExitValid;
+
+  /// Encloses the distance to all targets. REQUIRES targets.
+  Interval distance() const;
+  /// The target and its point that are proved nearest.
+  std::optional<std::pair<std::size_t, std::size_t>> nearest() const;
+  bool is_complete() const;
+};
+
+/// "1,-2.5,1e-3" or with fractions and hexadecimal numbers, exactly.
+Result<std::vector<Rational>> point_from_text(const std::string& text);
+
+/// @error kBadArgument: nothing to project on, or of another dimension than the point
+Result<ProjectionReport> project_on(std::vector<Rational> point, const SplineModel& model,
+                                    const SolverOptions& options);
+
+/// Schema: docs/project.schema.json. One line.
+std::string projection_json(const ProjectionReport& report);
+std::string projection_text(const ProjectionReport& report);
+
+}  // namespace veritope::cli

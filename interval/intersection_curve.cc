@@ -261,6 +261,17 @@ std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const Enclosed
   return tracer.take();
 }
 
+Interval length_at_border(const EnclosedSurface& s1, const DomainArc& arc, bool at_end) {
+  const Interval& place = at_end ? arc.end : arc.begin;
+  const Box4 x = arc.tube.over(place);
+  const auto range = s1.range(x[0], x[1]);
+  Box3 tangent;
+  for (std::size_t c = 0; c < 3; ++c)
+    tangent[c] = range.du[c] * arc.tube.derivative[0] + range.dv[c] * arc.tube.derivative[1];
+  const Interval most = norm(tangent) * (Interval(place.hi()) - Interval(place.lo()));
+  return Interval::from_bounds(0, most.hi());
+}
+
 double gap_of_cubic(const EnclosedSurface& s1, const EnclosedSurface& s2,
                     const std::array<Point4, 4>& control) {
   return Gap(s1, s2).of(control, kAny);

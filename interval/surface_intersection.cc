@@ -80,6 +80,13 @@ class Intersector {
       branch.length = branch.length + s.length;
       branch.gap = std::max(branch.gap, s.gap);
     }
+    if (!chain.is_closed)
+      for (const BranchStep* step : {&chain.steps.front(), &chain.steps.back()}) {
+        const DomainArc& arc = set.arcs[step->arc];
+        const bool is_first = step == &chain.steps.front();
+        const bool at_end = is_first == (arc.tube.direction < 0);
+        branch.length = branch.length + length_at_border(s1_, arc, at_end);
+      }
     out_.branches.push_back(std::move(branch));
   }
 

@@ -56,6 +56,12 @@ SurfaceIntersection of(const BSplineSurface<Rational>& a, const BSplineSurface<R
   EXPECT_TRUE(out.has_value()) << to_string(out.error());
   return std::move(*out);
 }
+std::size_t num_closed(const SurfaceIntersection& x) {
+  std::size_t n = 0;
+  for (const auto& b : x.branches) n += b.is_closed ? 1 : 0;
+  return n;
+}
+
 TEST(SurfaceIntersection, APlaneCutsAParaboloidInOneLoop) {
   const auto x = of(paraboloid(q(1), q(1), q(0)), plane(q(-2), q(2), q(-2), q(2), q(1, 4)));
   ASSERT_EQ(x.branches.size(), 1u);
@@ -140,6 +146,75 @@ TEST(SurfaceIntersection, ASurfaceOverlapsItself) {
   ASSERT_EQ(x.overlaps.size(), 1u);
   EXPECT_TRUE(is_subset(Interval::from_bounds(0, 1), x.overlaps[0].parameters[0]));
   EXPECT_TRUE(x.is_complete());
+}
+
+/// z = (x^2 - 1/4)^2 + b (y^2 - 1/4)^2 over [-1, 1]^2, of bidegree (4, 4).
+BSplineSurface<Rational> double_well(const Rational& b) {
+  // t^4 - t^2 / 2 + 1 / 16 on [-1, 1] in Bernstein form: t^4 has 1, -1, 1, -1, 1, and t^2 has 1, 0, -1/3, 0, 1.
+  const std::array<Rational, 5> well{q(9, 16), q(-15, 16), q(59, 48), q(-15, 16), q(9, 16)};
+  Net net;
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; j < 5; ++j)
+      net.push_back({q(static_cast<std::int64_t>(i), 2) - q(1),
+                     q(static_cast<std::int64_t>(j), 2) - q(1), well[i] + b * well[j]});
+  return surface_of(uniform_axis(4, 1), uniform_axis(4, 1), net);
+}
+
+TEST(SurfaceIntersection, CountsLoops) {
+  const auto floor = plane(q(-2), q(2), q(-2), q(2), q(1, 100));
+  const auto four = of(double_well(q(1)), floor);
+  EXPECT_EQ(four.branches.size(), 4u);
+  EXPECT_EQ(num_closed(four), 4u);
+  EXPECT_TRUE(four.is_complete());
+  // Flat in y: two strips, each between two borders on both sides.
+  const auto strips = of(double_well(q(0)), floor);
+  EXPECT_EQ(strips.branches.size(), 4u);
+  EXPECT_EQ(num_closed(strips), 0u);
+  EXPECT_TRUE(strips.is_complete());
+}
+
+TEST(SurfaceIntersection, AnArcEndsInTwoCorners) {
+  const BSplineSurface<Rational> tilted = surface_of(
+      uniform_axis(1, 1), uniform_axis(1, 1),
+      {{q(-1), q(-1), q(0)}, {q(-1), q(1), q(-2)}, {q(1), q(-1), q(2)}, {q(1), q(1), q(0)}});
+  const auto x = of(tilted, plane(q(-2), q(2), q(-2), q(2), q(0)));
+  ASSERT_EQ(x.branches.size(), 1u);
+  EXPECT_TRUE(x.is_complete());
+  EXPECT_FALSE(x.branches[0].is_closed);
+  EXPECT_LE(x.branches[0].length.lo(), 2.8284271247461903);
+  EXPECT_GE(x.branches[0].length.hi(), 2.82842712474619);
+}
+
+TEST(SurfaceIntersection, RationalSurfacesMeetAsTheirShapesDo) {
+  // A quarter of a cylinder of radius 1 along z, exactly, and a plane at height 1/3: a quarter circle.
+  const std::vector<Rational> x{q(1), q(1), q(0)}, y{q(0), q(1), q(2)}, w{q(1), q(1), q(2)};
+  std::vector<Rational> c;
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (int j = 0; j < 2; ++j)
+        c.push_back(k == 0 ? x[i] : (k == 1 ? y[i] : (k == 2 ? q(j) * w[i] : w[i])));
+  const BSplineSurface<Rational> cylinder({uniform_axis(2, 1), uniform_axis(1, 1)}, 4, true, c);
+  const auto found = of(cylinder, plane(q(-2), q(2), q(-2), q(2), q(1, 3)));
+  ASSERT_EQ(found.branches.size(), 1u);
+  EXPECT_TRUE(found.is_complete());
+  EXPECT_LE(found.branches[0].length.lo(), 1.570796326794897);
+  EXPECT_GE(found.branches[0].length.hi(), 1.570796326794896);
+  EXPECT_LE(found.branches[0].gap, 1e-6);
+}
+
+TEST(SurfaceIntersection, APartOverlapsTheWholeAlsoUnderAnotherMap) {
+  // The part u in [0, 1/2] of the bowl, run through backwards in v and with u and v exchanged.
+  const auto whole = paraboloid(q(1), q(2), q(0));
+  Net net;
+  const std::array<Rational, 3> xs{q(-1), q(-1, 2), q(0)}, x_squares{q(1), q(0), q(0)};
+  for (int j = 2; j >= 0; --j)
+    for (std::size_t i = 0; i < 3; ++i)
+      net.push_back({xs[i], q(j - 1), x_squares[i] + q(2) * (j == 1 ? q(-1) : q(1))});
+  const auto part = surface_of(uniform_axis(2, 1), uniform_axis(2, 1), net);
+  const auto x = of(whole, part);
+  ASSERT_EQ(x.overlaps.size(), 1u);
+  EXPECT_TRUE(is_member(0.5, x.overlaps[0].parameters[0]));
+  EXPECT_LE(wid(x.overlaps[0].parameters[0]), 0.5000001);
 }
 
 TEST(SurfaceIntersection, RefusesAPlaneCurveAndNamesTheSurface) {

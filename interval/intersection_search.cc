@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace {
 using Id = PatchTree::Id;
 struct Pair {
   Id a, b;
+  std::uint32_t parent = 0;  // in the round before
 };
 
 /// By how much tubes reach beyond the box that they are made for: parts of its length.
@@ -47,25 +49,41 @@ Slab project(const EnclosedSurface& surface, const Interval* net,
   return out;
 }
 
-std::array<Interval, 3> middle_normal(const PatchTree::Node& n) {
-  double a[3], b[3];
-  for (std::size_t c = 0; c < 3; ++c) a[c] = middle(n.du[c]), b[c] = middle(n.dv[c]);
-  const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2],
-               z = a[0] * b[1] - a[1] * b[0];
-  const double scale = std::max({std::abs(x), std::abs(y), std::abs(z)});
-  if (!(scale > 0) || !std::isfinite(scale)) return {Interval(1.0), Interval(), Interval()};
-  return {Interval(x / scale), Interval(y / scale), Interval(z / scale)};
+using Direction = std::array<double, 3>;
+Direction cross(const Direction& a, const Direction& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// Scaled, as numbers to compute with; nothing for directions that are none.
+std::optional<std::array<Interval, 3>> usable(const Direction& d) {
+  const double scale = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+  if (!(scale > 0) || !std::isfinite(scale)) return std::nullopt;
+  return std::array<Interval, 3>{Interval(d[0] / scale), Interval(d[1] / scale),
+                                 Interval(d[2] / scale)};
+}
+
+Direction middle(const Box3& d) { return {middle(d[0]), middle(d[1]), middle(d[2])}; }
+
+/// Directions that may separate two nodes seen as parallelograms: both normals, and those across a side of each, which
+/// also see apart what lies on one plane. An affine map of space maps them along.
+std::array<Direction, 6> separating_directions(const PatchTree::Node& a, const PatchTree::Node& b) {
+  const Direction u = middle(a.du), v = middle(a.dv), s = middle(b.du), t = middle(b.dv);
+  return {cross(u, v), cross(s, t), cross(u, s), cross(v, t), cross(u, t), cross(v, s)};
 }
 
 class Search {
  public:
   Search(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionBudget& budget)
-      : budget_(budget), first_(s1), second_(s2) {}
+      : budget_(budget),
+        limit_(budget.pairs_in_cluster +
+               budget.pairs_per_piece *
+                   (s1.num_spans(0) * s1.num_spans(1) + s2.num_spans(0) * s2.num_spans(1))),
+        first_(s1),
+        second_(s2) {}
 
   IntersectionCover run() {
     std::vector<Pair> round{{PatchTree::kRoot, PatchTree::kRoot}}, next;
     while (!round.empty()) {
-      next.clear();
+      next.clear(), cut_.clear();
       for (std::size_t i = 0; i < round.size(); ++i) {
         if (out_.pairs >= budget_.pairs || (i % 256 == 0 && budget_.stop && budget_.stop())) {
           for (; i < round.size(); ++i) give_up(round[i]);
@@ -75,7 +93,7 @@ class Search {
         }
         visit(round[i], &next);
       }
-      if (next.size() > budget_.pairs_in_cluster) give_up_large_clusters(&next);
+      if (cut_.size() > limit_) give_up_large_clusters(&next);
       round.swap(next);
     }
     return std::move(out_);
@@ -99,16 +117,18 @@ class Search {
       split(p, cut_first, !cut_first, next);
       return;
     }
-    if (are_apart_along_normals(p)) return;
+    if (are_apart(p)) return;
     if (!decided_by_tube(p)) cut(p, next);
   }
 
-  bool are_apart_along_normals(const Pair& p) {
-    const auto n1 = middle_normal(first_.with_derivatives(p.a));
-    const auto n2 = middle_normal(second_.with_derivatives(p.b));
-    for (const auto& n : {n1, n2}) {
-      const Slab a = project(first_.surface(), first_.net(p.a), n);
-      const Slab b = project(second_.surface(), second_.net(p.b), n);
+  bool are_apart(const Pair& p) {
+    const auto& first = first_.with_derivatives(p.a);
+    const auto& second = second_.with_derivatives(p.b);
+    for (const Direction& d : separating_directions(first, second)) {
+      const auto direction = usable(d);
+      if (!direction) continue;
+      const Slab a = project(first_.surface(), first_.net(p.a), *direction);
+      const Slab b = project(second_.surface(), second_.net(p.b), *direction);
       if (a.is_known && b.is_known && is_disjoint(a.range, b.range)) return true;
     }
     return false;
@@ -141,7 +161,7 @@ class Search {
     for (const double reach : {kLongReach, kShortReach}) {
       ++out_.proofs;
       auto tube = find_tube(s1, s2, region, reach);
-      
+
       if (!tube) continue;
       tubes_of_pieces_[key].push_back(out_.tubes.size());
       out_.tubes.push_back(std::move(*tube));
@@ -169,28 +189,28 @@ class Search {
     const Id a = cut_a ? first_.children(p.a) : p.a, b = cut_b ? second_.children(p.b) : p.b;
     const std::uint32_t na = cut_a ? first_.num_children(p.a) : 1;
     const std::uint32_t nb = cut_b ? second_.num_children(p.b) : 1;
+    const auto parent = static_cast<std::uint32_t>(cut_.size());
+    cut_.push_back(p);
     for (std::uint32_t i = 0; i < na; ++i)
       for (std::uint32_t j = 0; j < nb; ++j)
         if (!is_disjoint(first_.node(a + i).hull, second_.node(b + j).hull))
-          next->push_back({a + i, b + j});
+          next->push_back({a + i, b + j, parent});
   }
 
+  /// Of the pairs that this round cut.
   void give_up_large_clusters(std::vector<Pair>* next) {
     std::vector<Box4> boxes;
-    for (const Pair& p : *next) boxes.push_back(box_of(p));
-    std::vector<Pair> kept;
+    for (const Pair& p : cut_) boxes.push_back(box_of(p));
+    std::vector<char> is_given_up(cut_.size(), 0);
     for (const auto& cluster : clusters_of(boxes))
-      for (const std::size_t i : cluster) {
-        if (cluster.size() > budget_.pairs_in_cluster) {
-          give_up((*next)[i]);
-        } else {
-          kept.push_back((*next)[i]);
-        }
-      }
-    next->swap(kept);
+      if (cluster.size() > limit_)
+        for (const std::size_t i : cluster) is_given_up[i] = 1, give_up(cut_[i]);
+    std::erase_if(*next, [&](const Pair& p) { return is_given_up[p.parent] != 0; });
   }
 
   IntersectionBudget budget_;
+  std::size_t limit_;      // of pairs in a cluster
+  std::vector<Pair> cut_;  // in this round
   PatchTree first_, second_;
   IntersectionCover out_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> tubes_of_pieces_;

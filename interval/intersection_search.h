@@ -13,8 +13,9 @@ namespace veritope {
 struct IntersectionBudget {
   /// A pair of rectangles is not cut further when its sides are this part of their spans.
   double smallest = 0x1p-30;
-  /// Pairs that touch form a cluster; one with more pairs than this after a round is given up at that size.
-  std::size_t pairs_in_cluster = 6000;
+  /// Pairs to be cut that touch form a cluster; one with more pairs than the first and, for each piece of both surfaces, the
+  /// second is given up at that size. Contact along an area or a curve ends so.
+  std::size_t pairs_in_cluster = 1500, pairs_per_piece = 15;
   /// Of all pairs looked at.
   std::uint64_t pairs = 200'000'000;
   /// Asked now and then; true ends the search, what is left is undecided.

@@ -198,7 +198,7 @@ void add_intersect(CLI::App& app, Options& o) {
 void add_project(CLI::App& app, Options& o) {
   CLI::App* const c = app.add_subcommand(
       "project",
-      "all critical points of the distance from a point to curves\nand surfaces, certified");
+      "all critical points of the distance from a point\nto curves and surfaces, certified");
   c->callback([&o] { o.command = Command::kProject; });
   c->add_option("POINT", o.point, "x,y,z: decimals, fractions or hexadecimal numbers, exact")
       ->required()

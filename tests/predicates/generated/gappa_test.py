@@ -44,11 +44,15 @@ def constants():
     return found
 
 
+# No constants of filters: these bounds count roundings by running the code itself on counts.
+COUNTED = {"composition", "fast_spline"}
+
+
 class Constants(unittest.TestCase):
     def test_every_constant_of_the_pages_has_a_script_and_every_script_a_constant(self):
         names = set(constants())
         self.assertEqual({path.stem for path in SCRIPTS.glob("*.g")}, names | {name + "_box" for name in names})
-        pages = {path.stem for path in (ROOT / "docs" / "bounds").glob("*.md")} - {"README"}
+        pages = {path.stem for path in (ROOT / "docs" / "bounds").glob("*.md")} - {"README"} - COUNTED
         covered = {re.sub(r"^(implicit)_.*", r"\1_point", name).removesuffix("_ray") for name in names}
         self.assertEqual(pages, covered)
 

@@ -9,6 +9,8 @@ namespace {
 
 /// Deeper, a tube gets as narrow as the boxes of single points, and what it holds cannot be told.
 constexpr int kMostHalvings = 14;
+/// Of one tube. An arc that touches a border needs two at each depth; one that runs along it would need all.
+constexpr int kMostHalved = 60;
 
 class Clipper {
  public:
@@ -61,12 +63,16 @@ class Clipper {
   }
 
   void halve(const IntersectionTube& tube, const Box4& x, int halvings) {
+    if (halvings >= kMostHalvings || ++num_halved_ > kMostHalved) {
+      unresolved_->push_back(x);
+      return;
+    }
     const double middle = tube.w_lo + 0.5 * (tube.w_hi - tube.w_lo);
     // The halves share more than one point, so that each holds an end of the other.
     const double reach = 0x1p-6 * (tube.w_hi - tube.w_lo);
     const auto low = shortened(s1_, s2_, tube, tube.w_lo, middle + reach);
     const auto high = shortened(s1_, s2_, tube, middle - reach, tube.w_hi);
-    if (halvings >= kMostHalvings || !low || !high) {
+    if (!low || !high) {
       unresolved_->push_back(x);
       return;
     }
@@ -122,6 +128,7 @@ class Clipper {
   }
 
   const EnclosedSurface &s1_, &s2_;
+  int num_halved_ = 0;
   std::array<Interval, 4> domain_;
   std::vector<DomainArc>* arcs_;
   std::vector<Box4>* unresolved_;

@@ -11,6 +11,8 @@ namespace veritope {
 namespace {
 
 constexpr int kMostHalvings = 12;
+/// Of a branch, as far as they come from halving: weights far apart make bounds that nothing improves.
+constexpr std::size_t kMostSegments = 5000;
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
@@ -132,6 +134,9 @@ class Tracer {
     return out;
   }
 
+  bool may_halve(int halvings) const {
+    return halvings < kMostHalvings && out_.size() < kMostSegments;
+  }
   void add(const IntersectionTube& tube, const Knot& a, const Knot& b, int halvings) {
     CurveSegment segment;
     const double third = (b.w - a.w) / 3;
@@ -141,8 +146,8 @@ class Tracer {
       segment.control[2][i] = b.middle[i] - third * b.rate[i];
       segment.control[3][i] = b.middle[i];
     }
-    segment.gap = gap_.of(segment.control, halvings < kMostHalvings ? wanted_ : kAny);
-    if (segment.gap > wanted_ && halvings < kMostHalvings) {
+    segment.gap = gap_.of(segment.control, may_halve(halvings) ? wanted_ : kAny);
+    if (segment.gap > wanted_ && may_halve(halvings)) {
       const Knot m = at(tube, cut_place(tube, a, b));
       add(tube, a, m, halvings + 1);
       add(tube, m, b, halvings + 1);
@@ -259,6 +264,17 @@ std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const Enclosed
   for (const BranchStep& step : chain.steps)
     tracer.add_step(set.arcs[step.arc], step.from, step.to);
   return tracer.take();
+}
+
+Box4 box_at_border(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
+                   bool at_end) {
+  const Interval& place = at_end ? arc.end : arc.begin;
+  const double inner = at_end ? place.lo() : place.hi();
+  const Box4 at = locate(s1, s2, arc.tube, inner);
+  const Interval step = place - Interval(inner);
+  Box4 out;
+  for (std::size_t i = 0; i < 4; ++i) out[i] = at[i] + arc.tube.derivative[i] * step;
+  return out;
 }
 
 Interval length_at_border(const EnclosedSurface& s1, const DomainArc& arc, bool at_end) {

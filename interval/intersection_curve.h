@@ -27,7 +27,10 @@ struct CurveSegment {
 std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                        const BranchSet& set, const BranchChain& chain, double gap);
 
-/// How much of the arc lies between the two bounds of a place on the border: [0, ...].
+/// A box around the part of the arc that lies between the two bounds of a place on the border.
+Box4 box_at_border(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
+                   bool at_end);
+/// How long that part is: [0, ...].
 Interval length_at_border(const EnclosedSurface& s1, const DomainArc& arc, bool at_end);
 
 /// A bound of |S1 - S2| along a cubic that is not known to be close to anything: for curves of others. Infinite if it leaves

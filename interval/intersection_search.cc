@@ -19,6 +19,7 @@ struct Pair {
   std::uint32_t parent = 0;  // in the round before
 };
 
+constexpr std::size_t kMostComparisons = 50'000'000;
 /// By how much tubes reach beyond the box that they are made for: parts of its length.
 constexpr double kLongReach = 0.35, kShortReach = 0.125;
 
@@ -86,8 +87,8 @@ class Search {
       next.clear(), cut_.clear();
       for (std::size_t i = 0; i < round.size(); ++i) {
         if (out_.pairs >= budget_.pairs || (i % 256 == 0 && budget_.stop && budget_.stop())) {
-          for (; i < round.size(); ++i) give_up(round[i]);
-          for (const Pair& p : next) give_up(p);
+          for (; i < round.size(); ++i) give_up(round[i], OpenPair::kBudget);
+          for (const Pair& p : next) give_up(p, OpenPair::kBudget);
           next.clear();
           break;
         }
@@ -96,6 +97,7 @@ class Search {
       if (cut_.size() > limit_) give_up_large_clusters(&next);
       round.swap(next);
     }
+    drop_what_tubes_hold();
     return std::move(out_);
   }
 
@@ -105,7 +107,24 @@ class Search {
     return Box4(Interval::from_bounds(a.u0, a.u1), Interval::from_bounds(a.v0, a.v1),
                 Interval::from_bounds(b.u0, b.u1), Interval::from_bounds(b.v0, b.v1));
   }
-  void give_up(const Pair& p) { out_.undecided.push_back(box_of(p)); }
+  /// Unless a tube that was proved later, maybe from other pieces, holds the pair.
+  void give_up(const Pair& p, OpenPair reason) {
+    out_.undecided.push_back(box_of(p));
+    out_.reasons.push_back(reason);
+  }
+  void drop_what_tubes_hold() {
+    if (out_.undecided.size() * out_.tubes.size() > kMostComparisons) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < out_.undecided.size(); ++i) {
+      const Box4 x = out_.undecided[i];
+      if (std::any_of(out_.tubes.begin(), out_.tubes.end(),
+                      [&](const IntersectionTube& t) { return t.contains(x); }))
+        continue;
+      out_.undecided[kept] = x, out_.reasons[kept] = out_.reasons[i];
+      ++kept;
+    }
+    out_.undecided.resize(kept), out_.reasons.resize(kept);
+  }
 
   void visit(const Pair& p, std::vector<Pair>* next) {
     ++out_.pairs;
@@ -182,7 +201,7 @@ class Search {
   void cut(const Pair& p, std::vector<Pair>* next) {
     const double a = size_of(first_.node(p.a).hull), b = size_of(second_.node(p.b).hull);
     const bool may_a = may_cut(first_, p.a), may_b = may_cut(second_, p.b);
-    if (!may_a && !may_b) return give_up(p);
+    if (!may_a && !may_b) return give_up(p, OpenPair::kSmallest);
     split(p, may_a && (a > 0.6 * b || !may_b), may_b && (b > 0.6 * a || !may_a), next);
   }
   void split(const Pair& p, bool cut_a, bool cut_b, std::vector<Pair>* next) {
@@ -204,7 +223,8 @@ class Search {
     std::vector<char> is_given_up(cut_.size(), 0);
     for (const auto& cluster : clusters_of(boxes))
       if (cluster.size() > limit_)
-        for (const std::size_t i : cluster) is_given_up[i] = 1, give_up(cut_[i]);
+        for (const std::size_t i : cluster)
+          is_given_up[i] = 1, give_up(cut_[i], OpenPair::kCluster);
     std::erase_if(*next, [&](const Pair& p) { return is_given_up[p.parent] != 0; });
   }
 

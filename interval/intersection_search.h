@@ -22,12 +22,20 @@ struct IntersectionBudget {
   std::function<bool()> stop;
 };
 
+/// Why a pair of rectangles was not decided.
+enum class OpenPair {
+  kSmallest,  ///< at the smallest size: close to tangential, or within rounding
+  kCluster,   ///< one of very many that touch: contact along a curve or an area, or nearly so
+  kBudget,    ///< the budget was spent, or the search was stopped
+};
+
 struct IntersectionCover {
   /// Every common point of the closed domains lies in a tube or in an undecided box.
   std::vector<IntersectionTube> tubes;
   std::vector<Box4> undecided;
-  std::uint64_t pairs = 0;   ///< rectangles compared
-  std::uint64_t proofs = 0;  ///< tubes tried
+  std::vector<OpenPair> reasons;  ///< of the undecided boxes, one each
+  std::uint64_t pairs = 0;        ///< rectangles compared
+  std::uint64_t proofs = 0;       ///< tubes tried
 };
 
 /// REQUIRES a live ScopedUpward.

@@ -66,7 +66,7 @@ std::vector<MidRadius<R>> values_of_span(const std::vector<MidRadius<R>>& line, 
 }  // namespace internal
 
 /// The spline with control boxes `line` over [lo, hi]: contains its value for every choice of points in the boxes
-/// and every t in [lo, hi].
+/// and every t in [lo, hi]; at hi, if the map jumps there, the value from the left.
 ///   (1) If no knot lies inside (lo, hi): mid is exactly the value of the spline of the mids at the middle of [lo, hi],
 ///       and radius follows eq. 13; with fixed hi - lo, and on spans where no |D| changes sign, radius is a polynomial of
 ///       degree <= degree in the middle.

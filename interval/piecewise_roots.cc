@@ -30,7 +30,8 @@ class PiecewiseSearch {
       if (const Status status = search(cell_at(i)); !status) return status.error();
     const ScopedUpward upward;
     for (const IsolatedRoot<N>& root : at_borders_) settle(root);
-    for (auto& part : unsettled_) out_.clusters.push_back({part, OpenReason::kPrecision, {}});
+    for (auto& part : unsettled_)
+      if (!is_known(part)) out_.clusters.push_back({part, OpenReason::kPrecision, {}});
     merge_clusters();
     return std::move(out_);
   }
@@ -112,11 +113,18 @@ class PiecewiseSearch {
       if (!is_clear) continue;
       if (root.exact && root.place != RootPlace::kAtBoundary && around.contains(*root.exact))
         proved.exact = root.exact;  // it lies in its cell
+      if (proved.exact) proved.box = narrowed(proved);
       set_place(proved);
       out_.roots.push_back(std::move(proved));
       return;
     }
     unsettled_.push_back(root.box);
+  }
+  // Lies where a root that was proved later, from another cell, is the only one.
+  bool is_known(const ExactBox<N>& box) const {
+    return std::any_of(out_.roots.begin(), out_.roots.end(), [&](const IsolatedRoot<N>& known) {
+      return is_subset(box, known.unique_in);
+    });
   }
   void set_place(IsolatedRoot<N>& root) const {
     bool inside = true, on_face = false;
@@ -139,9 +147,25 @@ class PiecewiseSearch {
       }
       const Look look = look_at(frame);
       ++out_.effort.boxes;
-      if (!look.root || root.box.width() <= look.root->width() * Rational(2)) return;
-      root.box = intersection(shortened(*look.root, options_.root_width), root.box);
+      if (!look.root) return;
+      // At a kink the contraction may be slow; where it is none the box is as narrow as it gets.
+      const ExactBox<N> next = intersection(shortened(*look.root, options_.root_width), root.box);
+      const bool is_progress = next.width() * Rational(16) < root.box.width() * Rational(15);
+      root.box = next;
+      if (!is_progress) return;
     }
+  }
+  // A box as wide as asked around a root that is known exactly.
+  ExactBox<N> narrowed(const IsolatedRoot<N>& root) const {
+    ExactBox<N> out = root.box;
+    const Rational reach = options_.root_width / Rational(4);
+    for (std::size_t i = 0; i < N; ++i) {
+      const Rational& x = (*root.exact)[i];
+      const Rational lo = x - reach, hi = x + reach;
+      if (out[i].lo < lo) out[i].lo = lo;
+      if (hi < out[i].hi) out[i].hi = hi;
+    }
+    return out;
   }
 
   struct Look {

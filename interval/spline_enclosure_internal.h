@@ -126,6 +126,9 @@ std::vector<Interval> mean_value(const EnclosureData<N>& data, const CellPart<N>
     for (std::size_t a = 0; a < N; ++a)
       out[k] +=
           slopes[k].slope[a] * (data.axes[a].length[part.index[a]] * (part.local[a] - middle[a]));
+  // Where the formula is not defined at the middle (a singular point), this form knows nothing.
+  for (Interval& v : out)
+    if (v.is_empty()) v = Interval::entire();
   return out;
 }
 template <std::size_t N, typename F>

@@ -42,18 +42,24 @@ class Intersector {
         add_branch(set, chain);
       }
     }
-    add_contacts(cover.undecided, "the subdivision's budget was spent", true);
+    for (const OpenPair reason : {OpenPair::kSmallest, OpenPair::kCluster, OpenPair::kBudget}) {
+      std::vector<Box4> boxes;
+      for (std::size_t i = 0; i < cover.undecided.size(); ++i)
+        if (cover.reasons[i] == reason) boxes.push_back(cover.undecided[i]);
+      add_contacts(boxes, text_of(reason), true, reason == OpenPair::kSmallest);
+    }
     add_contacts(set.unresolved,
                  "a branch touches the border of a domain, or its continuation is not decided",
-                 false);
+                 false, false);
     return std::move(out_);
   }
 
  private:
   double wanted_gap() const {
-    if (options_.gap > 0) return options_.gap;
     const Box3 box = s1_.range(parameter_domain(s1_, s2_, 0), parameter_domain(s1_, s2_, 1)).point;
-    return 0x1p-24 * width(box);
+    // Less than rounding lets nobody prove.
+    const double rounding = 0x1p-38 * std::max({mag(box[0]), mag(box[1]), mag(box[2])});
+    return std::max(options_.gap > 0 ? options_.gap : 0x1p-24 * width(box), rounding);
   }
 
   static Box4 box_of(const BranchSet& set, const BranchChain& chain) {
@@ -86,18 +92,37 @@ class Intersector {
         const bool is_first = step == &chain.steps.front();
         const bool at_end = is_first == (arc.tube.direction < 0);
         branch.length = branch.length + length_at_border(s1_, arc, at_end);
+        CurveSegment& last = is_first ? branch.segments.front() : branch.segments.back();
+        const Box4 rest = box_at_border(s1_, s2_, arc, at_end);
+        last.parameters = hull(last.parameters, rest);
+        last.space = hull(last.space, s1_.range(rest[0], rest[1]).point);
       }
     out_.branches.push_back(std::move(branch));
   }
 
-  void add_contacts(const std::vector<Box4>& boxes, const char* reason, bool may_touch) {
+  static const char* text_of(OpenPair reason) {
+    switch (reason) {
+      case OpenPair::kSmallest:
+        return "at the smallest size: nearly tangential, degenerate, or within rounding";
+      case OpenPair::kCluster: return "contact along a curve or an area, or nearly so";
+      case OpenPair::kBudget: return "the subdivision's budget was spent";
+    }
+    return "";
+  }
+
+  void add_contacts(const std::vector<Box4>& boxes, const char* reason, bool may_overlap,
+                    bool may_touch) {
     for (const auto& cluster : clusters_of(boxes)) {
       IntersectionContact contact;
       contact.parameters = boxes[cluster.front()];
       for (const std::size_t i : cluster) contact.parameters = hull(contact.parameters, boxes[i]);
       contact.num_boxes = cluster.size();
       contact.reason = reason;
-      if (may_touch) classify(boxes, cluster, &contact);
+      if (may_touch && is_tangency(&contact)) {
+        contact.reason.clear();
+      } else if (may_overlap) {
+        classify_overlap(boxes, cluster, &contact);
+      }
       contact.space = s1_.range(contact.parameters[0], contact.parameters[1]).point;
       list_of(contact.kind).push_back(std::move(contact));
     }
@@ -107,16 +132,34 @@ class Intersector {
     return kind == IntersectionContact::Kind::kTangency ? out_.tangencies : out_.unresolved;
   }
 
-  void classify(const std::vector<Box4>& boxes, const std::vector<std::size_t>& cluster,
-                IntersectionContact* contact) {
-    if (const auto normal = find_common_normal(s1_, s2_, contact->parameters)) {
-      contact->kind = IntersectionContact::Kind::kTangency;
-      contact->shape = normal->shape;
-      contact->separation = normal->separation;
-      contact->parameters = hull(contact->parameters, normal->parameters);
-      contact->reason.clear();
-      return;
+  /// One pair of points with a common normal and no proved distance, in a box so small that its place is the answer: inside of
+  /// both domains, and of one piece of each, so that the normals are differentiable.
+  bool is_tangency(IntersectionContact* contact) const {
+    if (!is_small_and_smooth(contact->parameters)) return false;
+    const auto normal = find_common_normal(s1_, s2_, contact->parameters);
+    if (!normal || !is_small_and_smooth(normal->unique_in) || !is_member(0, normal->separation))
+      return false;
+    contact->kind = IntersectionContact::Kind::kTangency;
+    contact->shape = normal->shape;
+    contact->separation = normal->separation;
+    contact->parameters = hull(contact->parameters, normal->parameters);
+    return true;
+  }
+  bool is_small_and_smooth(const Box4& x) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& breaks = (i < 2 ? s1_ : s2_).breaks(i % 2);
+      const auto above = std::upper_bound(breaks.begin(), breaks.end(), x[i].lo());
+      if (above == breaks.begin() || above == breaks.end()) return false;
+      const double begin = *(above - 1), end = *above;
+      if (!(begin < x[i].lo() && x[i].hi() < end &&
+            x[i].hi() - x[i].lo() < 0x1p-12 * (end - begin)))
+        return false;
     }
+    return true;
+  }
+
+  void classify_overlap(const std::vector<Box4>& boxes, const std::vector<std::size_t>& cluster,
+                        IntersectionContact* contact) {
     std::vector<Point4> pairs;
     for (const std::size_t i : cluster)
       if (auto x = foot_points(boxes[i])) pairs.push_back(*x);
@@ -126,8 +169,9 @@ class Intersector {
     for (const std::size_t i : cluster)
       if (!holds_all_of(s1_, s2_, *overlap, boxes[i])) beside.push_back(boxes[i]);
     if (!beside.empty())
-      add_contacts(beside, "beside an overlap, where a surface is not shown to be one-to-one",
-                   false);
+      add_contacts(beside,
+                   "beside an overlap, where this one is not shown to hold all common points",
+                   false, false);
     contact->kind = IntersectionContact::Kind::kOverlap;
     contact->parameters = overlap->parameters;
     contact->num_boxes -= beside.size();

@@ -41,9 +41,8 @@ struct IntersectionContact {
   Shape shape = Shape::kUnknown;
   Box4 parameters;  ///< a rectangle of each surface's working parameters
   Box3 space;       ///< around the part of the first surface there
-  /// Tangency: of the pair of points, along the first surface's unit normal; contains 0 if they may touch. If they do: elliptic, in an
-  /// isolated point; hyperbolic, where two arcs cross. If they do not: a loop around an elliptic pair, or none, or two arcs
-  /// beside a hyperbolic one, in a box that was not divided further.
+  /// Tangency: of the pair of points, along the first surface's unit normal; contains 0. If they touch: elliptic, in an isolated
+  /// point; hyperbolic, where two arcs cross. The box is smaller than 2^-12 of a span in every parameter.
   Interval separation;
   std::size_t num_boxes = 0;  ///< undecided pairs of rectangles in it
   std::string reason;

@@ -36,6 +36,17 @@ TEST(PiecewiseRoots, ReportARootAtABreakOnce) {
   EXPECT_EQ(report.roots[0].place, RootPlace::kInside);
 }
 
+TEST(PiecewiseRoots, ReportARootAtAKinkOnceAndNarrow) {
+  for (const Rational& s : {at(11, 10), at(3, 2), at(2), at(5, 2), at(29, 10), at(4)}) {
+    const auto report =
+        piecewise_roots<1>(polyline({at(-1), at(0), at(1)}, {at(-1), at(0), s})).value();
+    EXPECT_TRUE(report.is_complete()) << s.to_string();
+    ASSERT_EQ(report.roots.size(), 1u) << s.to_string();
+    EXPECT_TRUE(report.roots[0].box[0].contains(at(0)));
+    EXPECT_LE(report.roots[0].box.width(), Rational::power_of_two(-40)) << s.to_string();
+  }
+}
+
 TEST(PiecewiseRoots, KeepsAKinkThatTouchesZero) {
   const auto report =
       piecewise_roots<1>(polyline({at(0), at(1), at(2)}, {at(1), at(0), at(1)})).value();

@@ -140,6 +140,41 @@ TEST(SurfaceIntersection, ASaddlesTangentPlaneIsHyperbolic) {
   EXPECT_EQ(x.tangencies[0].shape, IntersectionContact::Shape::kHyperbolic);
 }
 
+TEST(SurfaceIntersection, NearlyCoincidentSurfacesAreNotDecided) {
+  // The whole patch lies within rounding of the plane; in truth they meet in an ellipse, and have one common normal.
+  const Rational tiny = q(1, 100000000000000);
+  const auto x = of(paraboloid(tiny, tiny, q(-1, 2) * tiny), plane(q(-2), q(2), q(-2), q(2), q(0)));
+  if (x.is_complete()) {
+    ASSERT_EQ(x.branches.size(), 1u);
+    EXPECT_TRUE(x.branches[0].is_closed);
+  }
+  EXPECT_TRUE(x.tangencies.empty());
+}
+
+TEST(SurfaceIntersection, ASpentBudgetIsNoProof) {
+  IntersectionOptions options;
+  for (const std::uint64_t pairs : {1u, 5u, 20u, 60u}) {
+    options.budget.pairs = pairs;
+    const auto x =
+        intersect(paraboloid(q(1), q(1), q(0)), plane(q(-2), q(2), q(-2), q(2), q(1, 4)), options);
+    ASSERT_TRUE(x.has_value());
+    EXPECT_FALSE(x->is_complete()) << pairs;
+    EXPECT_TRUE(x->tangencies.empty()) << pairs;
+  }
+}
+
+TEST(SurfaceIntersection, BoxesHoldTheEndsOnTheBorder) {
+  const auto x = of(paraboloid(q(1), q(1), q(0)), plane(q(0), q(2), q(-2), q(2), q(1, 4)));
+  ASSERT_EQ(x.branches.size(), 1u);
+  const auto& segments =
+      x.branches[0].segments;  // the half circle ends at (0, -1/2, 1/4) and (0, 1/2, 1/4)
+  for (const auto* end : {&segments.front(), &segments.back()}) {
+    EXPECT_TRUE(is_member(0, end->space[0]));
+    EXPECT_TRUE(is_member(0, end->parameters[2]));
+    EXPECT_TRUE(is_member(0.5, abs(end->space[1])));
+  }
+}
+
 TEST(SurfaceIntersection, ASurfaceOverlapsItself) {
   const auto s = paraboloid(q(1), q(2), q(0));
   const auto x = of(s, s);

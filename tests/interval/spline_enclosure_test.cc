@@ -218,6 +218,21 @@ TEST(SurfaceEnclosure, ConesOfACylinderSpanItsAngle) {
   EXPECT_TRUE(are_within_right_angle({{1, 0, 0}, 0.99}, {{1, 0, 0}, 0.99}));
 }
 
+TEST(SurfaceEnclosure, ASingularPointInTheMiddleLeavesCurvaturesUnbounded) {
+  // (u^2, v^2, u v), a cone, with its tip at the middle of the box: regular all around it.
+  const auto u = make_knot_axis(2, {-1, -1, -1, 1, 1, 1}).value();
+  const BSplineSurface<Rational> map(
+      {u, u}, 3, false,
+      {1, 1, 1, -1, -1, -1, 1, 1, 1, 1, -1, 1, 1, -1, 1, 1, -1, 1, 1, 0, -1, 0, 0, 0, -1, 0, 1});
+  const auto surface = SplineEnclosure<2>::prepare(map, 3).value();
+  const Box2 box(Interval::from_bounds(-0.25, 0.25), Interval::from_bounds(-0.25, 0.25));
+  for (const auto form : {EnclosureForm::kHull, EnclosureForm::kMeanValue, EnclosureForm::kBoth}) {
+    const auto k = enclose_curvatures(surface, box, form).value();
+    EXPECT_TRUE(contains(k.gauss, Rational()));
+    EXPECT_FALSE(k.mean.is_empty());
+  }
+}
+
 TEST(SurfaceEnclosure, NoConeWhereThereIsNoNormal) {
   const auto u = make_knot_axis(1, {0, 0, 1, 1}).value();
   // A collapsed edge is legal: v = 0 is one point.

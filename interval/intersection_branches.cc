@@ -176,7 +176,8 @@ class Joiner {
       if (!ids.empty()) out_->chains.push_back(walk(first_of(ids), ids.size()));
   }
 
-  /// Steps on to the arc that goes farthest, until the border, the first arc or an unknown place.
+  /// Steps on to the arc that goes farthest, until the border, an arc that was passed already, or an unknown place. A long arc
+  /// may overtake the first one, so a loop closes where it meets itself.
   BranchChain walk(std::size_t first, std::size_t most) {
     const bool starts_open = !starts_on_border(first) && start_holders(first).empty();
     const bool may_close = !starts_on_border(first) && !starts_open;
@@ -197,11 +198,15 @@ class Joiner {
         return chain;
       }
       const Box4 x = locate(s1_, s2_, arc(a).tube, finish_w(a));
-      if (may_close && count > 0 &&
-          std::find(holders.begin(), holders.end(), first) != holders.end()) {
-        // The first arc is entered where the last one ends.
+      // The earliest step whose arc holds the present end; the walk before it is no part of the loop.
+      const auto met =
+          std::find_if(chain.steps.begin(), chain.steps.end() - 1, [&](const BranchStep& step) {
+            return std::find(holders.begin(), holders.end(), step.arc) != holders.end();
+          });
+      if (may_close && met != chain.steps.end() - 1) {
+        chain.steps.erase(chain.steps.begin(), met);
+        chain.steps.front().from = middle_of(pivot_of(x, chain.steps.front().arc));
         chain.is_closed = true;
-        chain.steps.front().from = middle_of(pivot_of(x, first));
         return chain;
       }
       std::size_t next = holders.front();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "interval/bernstein_system.h"
+#include "interval/box_geometry_internal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 // Rounding errors as large as this part of a polynomial's range: no hope to see its sign.
 constexpr double kNoiseShare = 0x1p-4;
 
-double middle(const Interval& a) { return 0.5 * a.lo() + 0.5 * a.hi(); }
+double middle(const Interval& a) { return internal::approx_middle(a); }
 
 struct Range {
   double low = 0, high = 0;  // of all members of all coefficients

@@ -3,20 +3,19 @@
 #include <array>
 #include <cmath>
 
+#include "interval/box_geometry_internal.h"
 #include "interval/intersection_contact.h"
+#include "interval/krawczyk.h"
 
 namespace veritope {
 namespace {
 
-using Matrix4 = std::array<std::array<double, 4>, 4>;
-using IntervalMatrix4 = std::array<std::array<Interval, 4>, 4>;
+using Matrix4 = ApproxMatrix<4>;
+using IntervalMatrix4 = IntervalMatrix<4>;
 
-double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
-double radius(const Interval& a) { return 0.5 * (a.hi() - a.lo()); }
-Interval dot(const Box3& a, const Box3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Box3 cross(const Box3& a, const Box3& b) {
-  return Box3(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-}
+using internal::cross, internal::dot;
+double middle(const Interval& a) { return internal::approx_middle(a); }
+double radius(const Interval& a) { return internal::approx_radius(a); }
 
 /// Values and Jacobian of the four equations over a box.
 struct System {
@@ -43,34 +42,14 @@ System evaluate_system(const EnclosedSurface& s1, const EnclosedSurface& s2, con
   return out;
 }
 
-/// Gauss-Jordan with pivots; false if singular in doubles.
-bool invert(Matrix4 a, Matrix4* out) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 4; ++k) (*out)[i][k] = i == k ? 1 : 0;
-  for (std::size_t c = 0; c < 4; ++c) {
-    std::size_t best = c;
-    for (std::size_t r = c + 1; r < 4; ++r)
-      if (std::abs(a[r][c]) > std::abs(a[best][c])) best = r;
-    if (!(std::abs(a[best][c]) > 0)) return false;
-    std::swap(a[best], a[c]), std::swap((*out)[best], (*out)[c]);
-    const double pivot = a[c][c];
-    for (std::size_t k = 0; k < 4; ++k) a[c][k] /= pivot, (*out)[c][k] /= pivot;
-    for (std::size_t r = 0; r < 4; ++r) {
-      if (r == c) continue;
-      const double f = a[r][c];
-      for (std::size_t k = 0; k < 4; ++k) a[r][k] -= f * a[c][k], (*out)[r][k] -= f * (*out)[c][k];
-    }
-  }
-  for (const auto& row : *out)
-    for (const double v : row)
-      if (!std::isfinite(v)) return false;
-  return true;
-}
+/// Approximately; false if the middles are singular in doubles.
 bool invert_middle(const IntervalMatrix4& j, Matrix4* out) {
   Matrix4 m;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 4; ++k) m[i][k] = middle(j[i][k]);
-  return invert(m, out);
+  const auto inverse = eliminate<4>(m).inverse;
+  if (inverse) *out = *inverse;
+  return inverse.has_value();
 }
 
 Box4 point_box(const Point4& p) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "interval/box_geometry_internal.h"
 #include "interval/relations.h"
 #include "interval/spline_pieces.h"
 #include "interval/upward.h"
@@ -17,7 +18,7 @@ namespace {
 
 using Vector = std::array<Interval, 3>;
 
-double middle(const Interval& a) { return 0.5 * a.lo() + 0.5 * a.hi(); }
+double middle(const Interval& a) { return internal::approx_middle(a); }
 
 // A part of a piece with its control points.
 struct Part {

@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include "interval/box_geometry_internal.h"
+
 namespace veritope {
 namespace {
 
@@ -15,13 +17,12 @@ constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostSegments = 5000;
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
-double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+using internal::dot, internal::norm;
+double middle(const Interval& a) { return internal::approx_middle(a); }
 Point4 middle(const Box4& x) { return {middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])}; }
 
 /// Of |v|, from above.
-double norm_above(const Box3& v) { return sqrt(sqr(v[0]) + sqr(v[1]) + sqr(v[2])).hi(); }
-Interval dot(const Box3& a, const Box3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Interval norm(const Box3& v) { return sqrt(sqr(v[0]) + sqr(v[1]) + sqr(v[2])); }
+double norm_above(const Box3& v) { return norm(v).hi(); }
 
 const std::vector<double>& nodes_of(std::size_t degree) {
   thread_local std::map<std::size_t, std::vector<double>> known;

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "interval/box_geometry_internal.h"
 #include "interval/patch_tree.h"
 
 namespace veritope {
@@ -23,7 +24,7 @@ constexpr std::size_t kMostComparisons = 50'000'000;
 /// By how much tubes reach beyond the box that they are made for: parts of its length.
 constexpr double kLongReach = 0.35, kShortReach = 0.125;
 
-double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+double middle(const Interval& a) { return internal::approx_middle(a); }
 double size_of(const Box3& box) {
   return std::max(
       {box[0].hi() - box[0].lo(), box[1].hi() - box[1].lo(), box[2].hi() - box[2].lo()});

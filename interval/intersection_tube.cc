@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "interval/box_geometry_internal.h"
+
 namespace veritope {
 namespace {
 
@@ -14,8 +16,8 @@ using Vector = std::array<Interval, 3>;
 /// The columns S1_u, S1_v, -S2_s, -S2_t.
 using Columns = std::array<Box3, 4>;
 
-double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
-double radius(const Interval& a) { return 0.5 * (a.hi() - a.lo()); }
+double middle(const Interval& a) { return internal::approx_middle(a); }
+double radius(const Interval& a) { return internal::approx_radius(a); }
 Interval around(double c, double r) { return Interval::from_bounds(-(-c + r), c + r); }
 
 double determinant(const std::array<double, 3>& a, const std::array<double, 3>& b,

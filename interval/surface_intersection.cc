@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "interval/box_geometry_internal.h"
 #include "interval/intersection_clip.h"
 #include "interval/intersection_contact.h"
 #include "interval/upward.h"
@@ -12,7 +13,7 @@
 namespace veritope {
 namespace {
 
-double middle(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
+double middle(const Interval& a) { return internal::approx_middle(a); }
 
 Result<EnclosedSurface> prepared(const BSpline<Rational, 2>& surface, const char* which) {
   auto made = EnclosedSurface::make(surface);

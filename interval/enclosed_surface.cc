@@ -126,6 +126,13 @@ Result<EnclosedSurface> EnclosedSurface::make(const BSpline<Rational, 2>& surfac
   return out;
 }
 
+bool EnclosedSurface::has_exact_knots() const {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t i = 0; i < breaks_[axis].size(); ++i)
+      if (Rational::from_double(breaks_[axis][i]) != knots_[axis][i]) return false;
+  return true;
+}
+
 std::size_t EnclosedSurface::span_of(std::size_t axis, double parameter) const {
   const auto& b = breaks_[axis];
   const auto above = std::upper_bound(b.begin() + 1, b.end() - 1, parameter);
@@ -184,10 +191,14 @@ std::array<MpInterval, 4> EnclosedSurface::precise_point(double u, double v, int
   return out;
 }
 
-double EnclosedSurface::weight_spread(std::size_t i, std::size_t j) const {
-  if (!is_rational()) return 1;
-  const Interval w = internal::hull_of(piece(i, j) + 3 * net_count(), net_count());
-  return (Interval(w.hi()) / Interval(w.lo())).hi();
+Interval EnclosedSurface::weight_of_piece(std::size_t i, std::size_t j, const Interval& u,
+                                          const Interval& v) const {
+  if (!is_rational()) return Interval(1.0);
+  const NetShape shape{degrees_[0] + 1, degrees_[1] + 1, 1};
+  WorkNet net(piece(i, j) + 3 * net_count(), shape.size());
+  internal::restrict_net(net.data(), shape, Cut(local(0, i, u.lo()), local(0, i, u.hi())),
+                         Cut(local(1, j, v.lo()), local(1, j, v.hi())));
+  return internal::hull_of(net.data(), net_count());
 }
 
 Box3 EnclosedSurface::point_at(std::size_t i, std::size_t j, const Interval& tu,
@@ -227,8 +238,9 @@ Box3 EnclosedSurface::hull_of_net(const Interval* net) const {
   return out;
 }
 
-void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interval& u,
-                                     const Interval& v, Want want, Range* out) const {
+EnclosedSurface::Range EnclosedSurface::range_of_piece(std::size_t i, std::size_t j,
+                                                       const Interval& u, const Interval& v,
+                                                       Want want) const {
   const std::size_t components = static_cast<std::size_t>(num_components_);
   const std::size_t number = i * num_spans(1) + j;
   const Cut cut_u(local(0, i, u.lo()), local(0, i, u.hi()));
@@ -240,12 +252,13 @@ void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interva
   WorkNet net_v(dv_.data() + number * shape_v.size(), shape_v.size());
   internal::restrict_net(net_u.data(), shape_u, cut_u, cut_v);
   internal::restrict_net(net_v.data(), shape_v, cut_u, cut_v);
-  out->point = Box3::empty();
+  Range out;
+  out.point = Box3::empty();
   const bool needs_points = want == Want::kAll || is_rational();
   WorkNet net(piece(i, j), needs_points ? shape.size() : 0);
   if (needs_points) {
     internal::restrict_net(net.data(), shape, cut_u, cut_v);
-    out->point = hull_of_net(net.data());
+    out.point = hull_of_net(net.data());
   }
   const Interval length_u = Interval(breaks_[0][i + 1]) - Interval(breaks_[0][i]);
   const Interval length_v = Interval(breaks_[1][j + 1]) - Interval(breaks_[1][j]);
@@ -259,15 +272,16 @@ void EnclosedSurface::range_of_piece(std::size_t i, std::size_t j, const Interva
   for (std::size_t c = 0; c < 3; ++c) {
     if (is_rational()) {
       if (weight.sign() != Sign3::kPositive) {
-        out->du[c] = out->dv[c] = Interval::entire();
+        out.du[c] = out.dv[c] = Interval::entire();
         continue;
       }
-      by_u[c] = (by_u[c] - out->point[c] * by_u[3]) / weight;
-      by_v[c] = (by_v[c] - out->point[c] * by_v[3]) / weight;
+      by_u[c] = (by_u[c] - out.point[c] * by_u[3]) / weight;
+      by_v[c] = (by_v[c] - out.point[c] * by_v[3]) / weight;
     }
-    out->du[c] = by_u[c] / length_u;
-    out->dv[c] = by_v[c] / length_v;
+    out.du[c] = by_u[c] / length_u;
+    out.dv[c] = by_v[c] / length_v;
   }
+  return out;
 }
 
 template <typename OnPiece>
@@ -295,8 +309,7 @@ EnclosedSurface::Range EnclosedSurface::range(const Interval& u, const Interval&
   Range all{Box3::empty(), Box3::empty(), Box3::empty()};
   on_pieces(u, v,
             [&](std::size_t i, std::size_t j, const Interval& part_u, const Interval& part_v) {
-              Range one;
-              range_of_piece(i, j, part_u, part_v, want, &one);
+              const Range one = range_of_piece(i, j, part_u, part_v, want);
               all.point = hull(all.point, one.point);
               all.du = hull(all.du, one.du);
               all.dv = hull(all.dv, one.dv);
@@ -338,8 +351,7 @@ EnclosedSurface::SecondRange EnclosedSurface::second_range(const Interval& u,
         auto uu = derivative(2, 0), uv = derivative(1, 1), vv = derivative(0, 2);
         if (is_rational()) {
           // (S w)'' = S'' w + S' w' + S' w' + S w''.
-          Range first;
-          range_of_piece(i, j, part_u, part_v, Want::kAll, &first);
+          const Range first = range_of_piece(i, j, part_u, part_v);
           const auto du = derivative(1, 0), dv = derivative(0, 1), value = derivative(0, 0);
           for (std::size_t c = 0; c < 3; ++c) {
             uu[c] =

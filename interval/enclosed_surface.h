@@ -37,6 +37,8 @@ class EnclosedSurface {
   /// The ends of the spans, increasing. Working parameters; the exact knots beside them.
   const std::vector<double>& breaks(std::size_t axis) const { return breaks_[axis]; }
   const std::vector<Rational>& knots(std::size_t axis) const { return knots_[axis]; }
+  /// Whether working parameters are the surface's own.
+  bool has_exact_knots() const;
   std::size_t num_spans(std::size_t axis) const { return breaks_[axis].size() - 1; }
   double domain_begin(std::size_t axis) const { return breaks_[axis].front(); }
   double domain_end(std::size_t axis) const { return breaks_[axis].back(); }
@@ -48,8 +50,12 @@ class EnclosedSurface {
   std::array<MpInterval, 4> precise_point(double u, double v, int precision) const;
   /// Of one piece, continued beyond its borders, at a narrow box of parameters.
   Box3 point_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v) const;
-  /// The largest weight of a piece's control points divided by the least, from above; 1 for polynomial pieces.
-  double weight_spread(std::size_t i, std::size_t j) const;
+  /// The weights of one piece, continued, over a rectangle; 1 for polynomial pieces.
+  Interval weight_of_piece(std::size_t i, std::size_t j, const Interval& u,
+                           const Interval& v) const;
+  /// As range(), of one piece, continued.
+  Range range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v,
+                       Want want = Want::kAll) const;
   /// Over a rectangle of working parameters, which may cross knots and the domain's border; there the derivatives
   /// are the hull of those of both sides. Excess width: first order in the rectangle's size. The whole of space where a continued
   /// piece's weight is not positive.
@@ -77,8 +83,6 @@ class EnclosedSurface {
   std::size_t span_of(std::size_t axis, double parameter) const;
   template <typename OnPiece>
   void on_pieces(const Interval& u, const Interval& v, OnPiece on_piece) const;
-  void range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v, Want want,
-                      Range* out) const;
   Interval local(std::size_t axis, std::size_t span, double parameter) const;
   Box3 point_at(std::size_t i, std::size_t j, const Interval& tu, const Interval& tv) const;
 

@@ -186,9 +186,11 @@ std::optional<ExactOverlap> find_overlap(const BSpline<Rational, 2>& first,
     breaks[axis] = common_breaks(s1.knots(axis), s2.knots(i), map->factor[i], map->offset[i]);
     if (breaks[axis].size() < 2) return std::nullopt;
     const Rational &a = breaks[axis].front(), &b = breaks[axis].back();
+    const Rational c = map->factor[i] * a + map->offset[i], d = map->factor[i] * b + map->offset[i];
+    map->exact[axis] = {a, b};
+    map->exact[2 + i] = {std::min(c, d), std::max(c, d)};
     map->parameters[axis] = around(a, b);
-    map->parameters[2 + i] =
-        around(map->factor[i] * a + map->offset[i], map->factor[i] * b + map->offset[i]);
+    map->parameters[2 + i] = around(c, d);
   }
   for (std::size_t i = 0; i + 1 < breaks[0].size(); ++i)
     for (std::size_t j = 0; j + 1 < breaks[1].size(); ++j)
@@ -205,10 +207,14 @@ bool holds_all_of(const EnclosedSurface& s1, const EnclosedSurface& s2, const Ex
   const Interval fs = enclose(overlap.factor[0]), os = enclose(overlap.offset[0]);
   const Interval ft = enclose(overlap.factor[1]), ot = enclose(overlap.offset[1]);
   const Box4& all = overlap.parameters;
-  if (is_subset(x[0], all[0]) && is_subset(x[1], all[1]))
+  const auto lies_in = [&](std::size_t i) {
+    return overlap.exact[i][0] <= Rational::from_double(x[i].lo()) &&
+           Rational::from_double(x[i].hi()) <= overlap.exact[i][1];
+  };
+  if (lies_in(0) && lies_in(1))
     return is_one_to_one(s2, hull(x[2], intersection(all[2], fs * x[of_s] + os)),
                          hull(x[3], intersection(all[3], ft * x[of_t] + ot)));
-  if (!is_subset(x[2], all[2]) || !is_subset(x[3], all[3])) return false;
+  if (!lies_in(2) || !lies_in(3)) return false;
   std::array<Interval, 2> preimage;
   preimage[of_s] = (x[2] - os) / fs, preimage[of_t] = (x[3] - ot) / ft;
   return is_one_to_one(s1, hull(x[0], intersection(all[0], preimage[0])),

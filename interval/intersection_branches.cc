@@ -185,10 +185,15 @@ class Joiner {
     chain.is_partial = starts_open;
     std::size_t a = first;
     double from = start_w(first);
+    Interval entry = starts_at_end(first) ? arc(first).end : arc(first).begin;
     for (std::size_t count = 0;; ++count) {
-      chain.steps.push_back({a, from, finish_w(a)});
+      chain.steps.push_back({a, from, finish_w(a), entry, Interval(finish_w(a))});
       if (finishes_on_border(a)) {
-        chain.is_partial = chain.is_partial || may_close;
+        chain.steps.back().exit = starts_at_end(a) ? arc(a).begin : arc(a).end;
+        if (may_close) {  // a branch that ends on a border begins somewhere: not found
+          out_->unresolved.push_back(range_box(first));
+          chain.is_partial = true;
+        }
         return chain;
       }
       const auto& holders = holders_[2 * a + (starts_at_end(a) ? 0 : 1)];
@@ -205,14 +210,16 @@ class Joiner {
           });
       if (may_close && met != chain.steps.end() - 1) {
         chain.steps.erase(chain.steps.begin(), met);
-        chain.steps.front().from = middle_of(pivot_of(x, chain.steps.front().arc));
+        chain.steps.front().entry = pivot_of(x, chain.steps.front().arc);
+        chain.steps.front().from = middle_of(chain.steps.front().entry);
         chain.is_closed = true;
         return chain;
       }
       std::size_t next = holders.front();
       for (const std::size_t b : holders)
         if (progress(x, b) > progress(x, next)) next = b;
-      from = middle_of(pivot_of(x, next));
+      entry = pivot_of(x, next);
+      from = middle_of(entry);
       a = next;
     }
   }

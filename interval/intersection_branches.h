@@ -22,6 +22,8 @@ struct DomainArc {
 struct BranchStep {
   std::size_t arc;
   double from, to;
+  /// Where on this arc the step before ends, or the border is: around `from`. And where it ends itself, if on a border.
+  Interval entry, exit;
 };
 /// A connected component of the common points in the closed domains: a closed curve, or one between two points of the
 /// border.

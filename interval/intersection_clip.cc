@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace veritope {
 namespace {
@@ -33,8 +34,12 @@ class Clipper {
       const Sign3 rate = tube.derivative[i].sign();
       if (rate != Sign3::kPositive && rate != Sign3::kNegative) return halve(tube, x, halvings);
       const bool rises = rate == Sign3::kPositive;
-      if (x[i].lo() < domain_[i].lo()) cut(&arc, i, domain_[i].lo(), rises);
-      if (x[i].hi() > domain_[i].hi()) cut(&arc, i, domain_[i].hi(), !rises);
+      const bool is_cut =
+          (!(x[i].lo() < domain_[i].lo()) || cut(&arc, i, domain_[i].lo(), rises)) &&
+          (!(x[i].hi() > domain_[i].hi()) || cut(&arc, i, domain_[i].hi(), !rises));
+      if (is_cut) continue;
+      unresolved_->push_back(x);
+      return;
     }
     if (arc.begin.lo() > arc.end.hi()) return;
     if (arc.begin.hi() < arc.end.lo()) {
@@ -86,30 +91,34 @@ class Clipper {
     return at[i].hi() < bound ? -1 : (at[i].lo() > bound ? 1 : 0);
   }
 
-  /// Keeps what is behind the place where parameter i is `bound` (keep_behind), or what is before it.
-  void cut(DomainArc* arc, std::size_t i, double bound, bool keep_behind) const {
+  /// Keeps what is behind the place where parameter i is `bound` (keep_behind), or what is before it. False if it is not decided
+  /// whether the tube's range holds that place.
+  bool cut(DomainArc* arc, std::size_t i, double bound, bool keep_behind) const {
     const IntersectionTube& tube = arc->tube;
     const int rises = tube.derivative[i].sign() == Sign3::kPositive ? 1 : -1;
-    const Interval place = crossing(tube, i, bound, rises);
+    const auto place = crossing(tube, i, bound, rises);
+    if (!place) return false;
     if (keep_behind) {
-      if (place.hi() <= tube.w_lo) return;
-      arc->begin = max(arc->begin, place);
+      if (place->hi() <= tube.w_lo) return true;
+      arc->begin = max(arc->begin, *place);
       arc->begins_on_border = true;
     } else {
-      if (place.lo() >= tube.w_hi) return;
-      arc->end = min(arc->end, place);
+      if (place->lo() >= tube.w_hi) return true;
+      arc->end = min(arc->end, *place);
       arc->ends_on_border = true;
     }
+    return true;
   }
 
   /// Where x[i] passes the bound: an interval of w, beyond the tube's range if it does not within.
-  Interval crossing(const IntersectionTube& tube, std::size_t i, double bound, int rises) const {
+  std::optional<Interval> crossing(const IntersectionTube& tube, std::size_t i, double bound,
+                                   int rises) const {
     const double width = tube.w_hi - tube.w_lo;
     const int at_lo = rises * side(tube, i, bound, tube.w_lo);
     const int at_hi = rises * side(tube, i, bound, tube.w_hi);
     if (at_lo > 0) return Interval(tube.w_lo - width);
     if (at_hi < 0) return Interval(tube.w_hi + width);
-    double before = tube.w_lo, behind = tube.w_hi;
+    if (at_lo == 0 || at_hi == 0) return std::nullopt;
     // Regula falsi's first guess, then brackets that grow until both sides are sure.
     double w = tube.w_lo + 0.5 * width;
     for (int step = 0; step < 4; ++step) {
@@ -124,7 +133,7 @@ class Clipper {
       const bool is_behind = b == tube.w_hi || rises * side(tube, i, bound, b) > 0;
       if (is_before && is_behind) return Interval::from_bounds(a, b);
     }
-    return Interval::from_bounds(before, behind);
+    return Interval::from_bounds(tube.w_lo, tube.w_hi);
   }
 
   const EnclosedSurface &s1_, &s2_;

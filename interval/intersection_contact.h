@@ -24,7 +24,8 @@ std::optional<CommonNormal> find_common_normal(const EnclosedSurface& s1, const 
 
 /// On `first` parameters (u, v) in a rectangle of the first surface, S1(u, v) = S2(s, t) with s and t affine in one of u, v each.
 struct ExactOverlap {
-  Box4 parameters;  ///< working parameters, rounded outward
+  Box4 parameters;                               ///< rounded outward
+  std::array<std::array<Rational, 2>, 4> exact;  ///< the bounds
   /// s = factor u + offset, or of v, and t of the other one.
   bool is_swapped = false;
   std::array<Rational, 2> factor, offset;  ///< of s, of t

@@ -73,8 +73,9 @@ class Gap {
       const auto& b = s.breaks(i % 2);
       const double span = b[places[i].span + 1] - b[places[i].span];
       if (places[i].outside > 0x1p-30 * span) return std::numeric_limits<double>::infinity();
-      if (places[i].outside > 0) slack += 2 * places[i].outside * speed(c, i);
     }
+    for (std::size_t i = 0; i < 4; ++i)
+      if (places[i].outside > 0) slack += places[i].outside * speed(c, places, i);
     const std::size_t degree = degree_of();
     double most = 0;
     // The inner nodes first: cubics that touch at both ends are worst there.
@@ -89,8 +90,13 @@ class Gap {
     }
     // For rational pieces the numerator is the polynomial: |S1 - S2| = |numerator| / (w1 w2).
     double spread = 1;
-    for (std::size_t k = 0; k < 2; ++k)
-      spread *= surfaces_[k]->weight_spread(places[2 * k].span, places[2 * k + 1].span);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Interval w =
+          surfaces_[k]->weight_of_piece(places[2 * k].span, places[2 * k + 1].span,
+                                        control_hull(c, 2 * k), control_hull(c, 2 * k + 1));
+      if (!(w.lo() > 0)) return std::numeric_limits<double>::infinity();
+      spread *= (Interval(w.hi()) / Interval(w.lo())).hi();
+    }
     return internal::lebesgue_bound(degree) * most * spread + slack;
   }
 
@@ -103,11 +109,15 @@ class Gap {
     }
     return surfaces_[0]->is_rational() || surfaces_[1]->is_rational() ? sum : most;
   }
-  /// A bound of the derivative by parameter i on both sides of a knot.
-  double speed(const std::array<Point4, 4>& c, std::size_t i) const {
+  /// How fast the surface and the piece, continued beyond its knot, may part there: both start from the same point.
+  double speed(const std::array<Point4, 4>& c, const std::array<Place, 4>& places,
+               std::size_t i) const {
     const std::size_t k = i / 2;
-    const auto range = surfaces_[k]->range(control_hull(c, 2 * k), control_hull(c, 2 * k + 1));
-    return norm_above(i % 2 == 0 ? range.du : range.dv);
+    const Interval u = control_hull(c, 2 * k), v = control_hull(c, 2 * k + 1);
+    const auto both = surfaces_[k]->range(u, v);
+    const auto own = surfaces_[k]->range_of_piece(places[2 * k].span, places[2 * k + 1].span, u, v);
+    return i % 2 == 0 ? norm_above(both.du) + norm_above(own.du)
+                      : norm_above(both.dv) + norm_above(own.dv);
   }
   const EnclosedSurface* surfaces_[2];
 };
@@ -267,10 +277,8 @@ std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const Enclosed
   return tracer.take();
 }
 
-Box4 box_at_border(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
-                   bool at_end) {
-  const Interval& place = at_end ? arc.end : arc.begin;
-  const double inner = at_end ? place.lo() : place.hi();
+Box4 box_over(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
+              const Interval& place, double inner) {
   const Box4 at = locate(s1, s2, arc.tube, inner);
   const Interval step = place - Interval(inner);
   Box4 out;
@@ -278,15 +286,13 @@ Box4 box_at_border(const EnclosedSurface& s1, const EnclosedSurface& s2, const D
   return out;
 }
 
-Interval length_at_border(const EnclosedSurface& s1, const DomainArc& arc, bool at_end) {
-  const Interval& place = at_end ? arc.end : arc.begin;
+double length_over(const EnclosedSurface& s1, const DomainArc& arc, const Interval& place) {
   const Box4 x = arc.tube.over(place);
   const auto range = s1.range(x[0], x[1]);
   Box3 tangent;
   for (std::size_t c = 0; c < 3; ++c)
     tangent[c] = range.du[c] * arc.tube.derivative[0] + range.dv[c] * arc.tube.derivative[1];
-  const Interval most = norm(tangent) * (Interval(place.hi()) - Interval(place.lo()));
-  return Interval::from_bounds(0, most.hi());
+  return (norm(tangent) * (Interval(place.hi()) - Interval(place.lo()))).hi();
 }
 
 double gap_of_cubic(const EnclosedSurface& s1, const EnclosedSurface& s2,

@@ -27,11 +27,11 @@ struct CurveSegment {
 std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                        const BranchSet& set, const BranchChain& chain, double gap);
 
-/// A box around the part of the arc that lies between the two bounds of a place on the border.
-Box4 box_at_border(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
-                   bool at_end);
-/// How long that part is: [0, ...].
-Interval length_at_border(const EnclosedSurface& s1, const DomainArc& arc, bool at_end);
+/// A box around the part of the arc over `place`. REQUIRES inner in place, in the tube's range.
+Box4 box_over(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
+              const Interval& place, double inner);
+/// At most how long that part is.
+double length_over(const EnclosedSurface& s1, const DomainArc& arc, const Interval& place);
 
 /// A bound of |S1 - S2| along a cubic that is not known to be close to anything: for curves of others. Infinite if it leaves
 /// the domains by more than a few units in the last place.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "interval/box_geometry_internal.h"
@@ -49,7 +50,7 @@ class Intersector {
         if (cover.reasons[i] == reason) boxes.push_back(cover.undecided[i]);
       add_contacts(boxes, text_of(reason), true, reason == OpenPair::kSmallest);
     }
-    add_contacts(set.unresolved,
+    add_contacts(open,
                  "a branch touches the border of a domain, or its continuation is not decided",
                  false, false);
     return std::move(out_);
@@ -87,18 +88,26 @@ class Intersector {
       branch.length = branch.length + s.length;
       branch.gap = std::max(branch.gap, s.gap);
     }
-    if (!chain.is_closed)
-      for (const BranchStep* step : {&chain.steps.front(), &chain.steps.back()}) {
-        const DomainArc& arc = set.arcs[step->arc];
-        const bool is_first = step == &chain.steps.front();
-        const bool at_end = is_first == (arc.tube.direction < 0);
-        branch.length = branch.length + length_at_border(s1_, arc, at_end);
-        CurveSegment& last = is_first ? branch.segments.front() : branch.segments.back();
-        const Box4 rest = box_at_border(s1_, s2_, arc, at_end);
-        last.parameters = hull(last.parameters, rest);
-        last.space = hull(last.space, s1_.range(rest[0], rest[1]).point);
-      }
+    for (const BranchStep& step : chain.steps) {
+      // Two steps meet in a place that is only enclosed: what lies there is counted once, twice or not at all.
+      const double meeting = length_over(s1_, set.arcs[step.arc], step.entry);
+      branch.length = branch.length + Interval::from_bounds(-meeting, meeting);
+    }
+    const BranchStep &first = chain.steps.front(), &last = chain.steps.back();
+    const double rest = length_over(s1_, set.arcs[last.arc], last.exit);
+    branch.length = intersection(branch.length + Interval::from_bounds(0, rest),
+                                 Interval::from_bounds(0, std::numeric_limits<double>::infinity()));
+    extend(set.arcs[first.arc], first.entry, first.from, &branch.segments.front());
+    extend(set.arcs[last.arc], last.exit, last.to, &branch.segments.back());
     out_.branches.push_back(std::move(branch));
+  }
+
+  /// The boxes of a branch hold its ends, too.
+  void extend(const DomainArc& arc, const Interval& place, double inner,
+              CurveSegment* segment) const {
+    const Box4 x = box_over(s1_, s2_, arc, place, inner);
+    segment->parameters = hull(segment->parameters, x);
+    segment->space = hull(segment->space, s1_.range(x[0], x[1]).point);
   }
 
   static const char* text_of(OpenPair reason) {
@@ -164,6 +173,8 @@ class Intersector {
     std::vector<Point4> pairs;
     for (const std::size_t i : cluster)
       if (auto x = foot_points(boxes[i])) pairs.push_back(*x);
+    if (!s1_.has_exact_knots() || !s2_.has_exact_knots())
+      return;  // boxes are in rounded parameters
     const auto overlap = find_overlap(first_, second_, pairs);
     if (!overlap) return;
     std::vector<Box4> beside;

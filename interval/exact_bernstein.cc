@@ -13,13 +13,6 @@ std::vector<Rational> binomials(int n) {
   return out;
 }
 
-template <std::size_t N>
-std::array<std::size_t, N> index_of(const Grid<N>& grid, std::size_t offset) {
-  std::array<std::size_t, N> out;
-  for (std::size_t a = N; a-- > 0; offset /= grid.size[a]) out[a] = offset % grid.size[a];
-  return out;
-}
-
 // Coefficients times (or divided by) the products of binomials that turn products of Bernstein polynomials into convolutions.
 template <std::size_t N>
 void scale(ExactPolynomial<N>& p, bool multiply) {
@@ -27,7 +20,7 @@ void scale(ExactPolynomial<N>& p, bool multiply) {
   for (std::size_t a = 0; a < N; ++a) factors[a] = binomials(p.degree(a));
   const Grid<N> grid = p.grid();
   for (std::size_t i = 0; i < grid.count(); ++i) {
-    const auto index = index_of(grid, i);
+    const auto index = grid.index_of(i);
     for (std::size_t a = 0; a < N; ++a) {
       if (multiply) {
         p.coefficients()[i] *= factors[a][index[a]];
@@ -50,8 +43,8 @@ ExactPolynomial<N> product(const ExactPolynomial<N>& a, const ExactPolynomial<N>
   for (std::size_t i = 0; i < from.count(); ++i) {
     if (p.coefficients()[i].sign() == Sign::kZero) continue;
     for (std::size_t j = 0; j < with.count(); ++j) {
-      auto index = index_of(from, i);
-      const auto other = index_of(with, j);
+      auto index = from.index_of(i);
+      const auto other = with.index_of(j);
       for (std::size_t k = 0; k < N; ++k) index[k] += other[k];
       out.coefficients()[to.at(index)] += p.coefficients()[i] * q.coefficients()[j];
     }
@@ -106,7 +99,7 @@ ExactPolynomial<N> derivative(const ExactPolynomial<N>& a, std::size_t axis) {
   ExactPolynomial<N> out(degrees, 1, false);
   const Grid<N> from = a.grid(), to = out.grid();
   for (std::size_t i = 0; i < to.count(); ++i) {
-    auto index = index_of(to, i);
+    auto index = to.index_of(i);
     const Rational& low = a.coefficients()[from.at(index)];
     ++index[axis];
     out.coefficients()[i] = Rational(n) * (a.coefficients()[from.at(index)] - low);

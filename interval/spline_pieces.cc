@@ -11,13 +11,6 @@ namespace {
 
 constexpr int kPointPrecision = 256;
 
-template <std::size_t N>
-std::array<std::size_t, N> cell_at(const Grid<N>& grid, std::size_t offset) {
-  std::array<std::size_t, N> out;
-  for (std::size_t a = N; a-- > 0; offset /= grid.size[a]) out[a] = offset % grid.size[a];
-  return out;
-}
-
 // The pieces from index first[a] to last[a] of each axis.
 template <std::size_t N>
 ExactPieces<N> sub_grid(const ExactPieces<N>& all, const std::array<std::size_t, N>& first,
@@ -28,7 +21,7 @@ ExactPieces<N> sub_grid(const ExactPieces<N>& all, const std::array<std::size_t,
                          all.breaks[a].begin() + static_cast<std::ptrdiff_t>(last[a]) + 1);
   const Grid<N> grid = out.grid();
   for (std::size_t i = 0; i < grid.count(); ++i) {
-    auto cell = cell_at(grid, i);
+    auto cell = grid.index_of(i);
     for (std::size_t a = 0; a < N; ++a) cell[a] += first[a];
     out.pieces.push_back(all.at(cell));
   }
@@ -55,7 +48,7 @@ std::vector<SmoothPart<N>> parts_of(const BSpline<Rational, N>& map, int excess)
   for (std::size_t i = 0; i < parts.count(); ++i) {
     std::array<std::size_t, N> first, last;
     std::array<bool, N> is_first;
-    const auto number = cell_at(parts, i);
+    const auto number = parts.index_of(i);
     for (std::size_t a = 0; a < N; ++a) {
       first[a] = cuts[a][number[a]], last[a] = cuts[a][number[a] + 1];
       is_first[a] = number[a] == 0 || excess_at(a, first[a]) > 0;  // torn: nothing is shared
@@ -94,7 +87,7 @@ requires(N > 1) ExactPieces<N - 1> border(const ExactPieces<N>& map, std::size_t
     if (a != axis) out.breaks[b++] = map.breaks[a];
   const Grid<N - 1> cells = out.grid();
   for (std::size_t i = 0; i < cells.count(); ++i) {
-    const auto cell = cell_at(cells, i);
+    const auto cell = cells.index_of(i);
     std::array<std::size_t, N> index;
     for (std::size_t a = 0, b = 0; a < N; ++a)
       index[a] = a != axis ? cell[b++] : high ? map.breaks[a].size() - 2 : 0;
@@ -107,7 +100,7 @@ requires(N > 1) ExactPieces<N - 1> border(const ExactPieces<N>& map, std::size_t
     for (int c = 0; c < from.num_components(); ++c) {
       std::size_t k = 0;
       for (std::size_t o = 0; o < grid.count(); ++o)
-        if (cell_at(grid, o)[axis] == (high ? grid.size[axis] - 1 : 0))
+        if (grid.index_of(o)[axis] == (high ? grid.size[axis] - 1 : 0))
           to.component(c)[k++] = from.component(c)[o];
     }
     out.pieces.push_back(std::move(to));
@@ -151,7 +144,7 @@ std::vector<Interval> points_of(const ExactPieces<N>& map, const ExactBox<N>& bo
   std::vector<Interval> out(static_cast<std::size_t>(map.pieces[0].dimension()), Interval::empty());
   const Grid<N> cells = map.grid();
   for (std::size_t i = 0; i < cells.count(); ++i) {
-    const ExactBox<N> place = place_of(map, cell_at(cells, i));
+    const ExactBox<N> place = place_of(map, cells.index_of(i));
     if (!touches(place, box)) continue;
     ExactBox<N> local = seen_from(intersection(box, place), place);
     for (ExactInterval& s : local.side)  // a point of a side: widened a little

@@ -4,11 +4,10 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "robust/base/check.h"
+#include "splines/control_net.h"
 #include "splines/grid.h"
 #include "splines/knot_axis.h"
 #include "splines/ring.h"
@@ -19,7 +18,7 @@ namespace veritope {
 /// component is the weight, the others are the weight times the coordinates. Coefficients lie component by component; within
 /// one as Grid says, the last axis fastest.
 template <Ring R, std::size_t N>
-class BSpline {
+class BSpline : public ControlNet<R> {
  public:
   using Knot = typename RingNumbers<R>::Knot;
   using Axis = KnotAxis<Knot>;
@@ -27,39 +26,22 @@ class BSpline {
   /// REQUIRES what KnotAxis says and the right number of coefficients; read data go through make_bspline.
   BSpline(std::array<Axis, N> axes, int num_components, bool is_rational,
           std::vector<R> coefficients)
-      : axes_(std::move(axes)),
-        num_components_(num_components),
-        is_rational_(is_rational),
-        coefficients_(std::move(coefficients)) {
-    VT_CHECK(coefficients_.size() == grid().count() * static_cast<std::size_t>(num_components_),
-             "a B-spline needs a coefficient for every component and index");
-  }
+      : ControlNet<R>(grid_of(axes).count(), num_components, is_rational, std::move(coefficients)),
+        axes_(std::move(axes)) {}
 
   const std::array<Axis, N>& axes() const { return axes_; }
   const Axis& axis(std::size_t i) const { return axes_[i]; }
-  int num_components() const { return num_components_; }
-  bool is_rational() const { return is_rational_; }
-  int dimension() const { return num_components_ - (is_rational_ ? 1 : 0); }
-  Grid<N> grid() const {
-    Grid<N> g;
-    for (std::size_t i = 0; i < N; ++i) g.size[i] = axes_[i].num_control();
-    return g;
-  }
-  std::span<const R> coefficients() const { return coefficients_; }
-  std::span<R> coefficients() { return coefficients_; }
-  std::span<const R> component(int c) const {
-    return coefficients().subspan(static_cast<std::size_t>(c) * grid().count(), grid().count());
-  }
-  std::span<R> component(int c) {
-    return coefficients().subspan(static_cast<std::size_t>(c) * grid().count(), grid().count());
-  }
+  Grid<N> grid() const { return grid_of(axes_); }
+
   friend bool operator==(const BSpline&, const BSpline&) = default;
 
  private:
+  static Grid<N> grid_of(const std::array<Axis, N>& axes) {
+    Grid<N> g;
+    for (std::size_t i = 0; i < N; ++i) g.size[i] = axes[i].num_control();
+    return g;
+  }
   std::array<Axis, N> axes_;
-  int num_components_;
-  bool is_rational_;
-  std::vector<R> coefficients_;
 };
 
 template <Ring R>

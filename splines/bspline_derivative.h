@@ -90,7 +90,7 @@ BSpline<R, N> quotient_derivative(const BSpline<R, N>& map, std::size_t axis) {
   BezierPieces<R, N> pieces = bezier_pieces(map);
   const Grid<N> cells = pieces.grid();
   for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
-    const std::size_t cell = index_of(cells, i)[axis];
+    const std::size_t cell = cells.index_of(i)[axis];
     const auto& breaks = pieces.breaks[axis];
     const R per_length = RingNumbers<R>::of_knot(typename RingNumbers<R>::Knot(1) /
                                                  (breaks[cell + 1] - breaks[cell]));

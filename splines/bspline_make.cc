@@ -14,7 +14,7 @@ Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::m
 template <std::size_t N>
 std::string control_point(const Grid<N>& grid, std::size_t offset) {
   std::string text;
-  for (const std::size_t i : internal::index_of(grid, offset))
+  for (const std::size_t i : grid.index_of(offset))
     text += (text.empty() ? "" : ", ") + std::to_string(i);
   return "control point (" + text + ")";
 }

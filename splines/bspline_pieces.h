@@ -64,9 +64,9 @@ BSpline<R, N> joined(const BezierPieces<R, N>& in) {
     VT_CHECK(piece.degrees() == any.degrees() && piece.num_components() == any.num_components() &&
                  piece.is_rational() == any.is_rational(),
              "pieces of one map are of one kind");
-    const auto cell = internal::index_of(cells, number);
+    const auto cell = cells.index_of(number);
     for (std::size_t i = 0; i < local.count(); ++i) {
-      auto index = internal::index_of(local, i);
+      auto index = local.index_of(i);
       for (std::size_t a = 0; a < N; ++a) index[a] += cell[a] * local.size[a];
       for (int c = 0; c < any.num_components(); ++c)
         out[static_cast<std::size_t>(c) * net.count() + net.at(index)] = piece.component(c)[i];

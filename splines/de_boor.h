@@ -54,7 +54,7 @@ Result<std::vector<R>> evaluate(const BSpline<R, N>& map,
   std::vector<R> values, work(local.count());
   for (int c = 0; c < map.num_components(); ++c) {
     for (std::size_t i = 0; i < work.size(); ++i) {
-      auto index = internal::index_of(local, i);
+      auto index = local.index_of(i);
       for (std::size_t a = 0; a < N; ++a) index[a] += first[a];
       work[i] = map.component(c)[grid.at(index)];
     }

@@ -33,6 +33,13 @@ struct FastTables {
   const double* inverse_weight;  // upper bounds of 1 / w, a piece each; null for polynomial maps
   std::size_t num_coefficients;  // of a piece and component
   int num_components;            // the weight, which is the last one, included
+
+  bool is_rational() const { return inverse_weight != nullptr; }
+  std::size_t dimension() const {
+    return static_cast<std::size_t>(num_components) - (is_rational() ? 1 : 0);
+  }
+  /// Of four components each, the last one filled up.
+  std::size_t num_blocks() const { return (static_cast<std::size_t>(num_components) + 3) / 4; }
 };
 
 /// out: as in fast_spline.h; null where not wanted.

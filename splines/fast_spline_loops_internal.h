@@ -141,9 +141,9 @@ struct FastLoop {
   static void value(const FastTables& t, const double* const* at, std::size_t n,
                     const FastOut& out) {
     const auto components = static_cast<std::size_t>(t.num_components);
-    const bool is_rational = t.inverse_weight != nullptr;
-    const std::size_t dimension = components - (is_rational ? 1 : 0);
-    const std::size_t blocks = (components + 3) / 4, stride = 4 * t.num_coefficients;
+    const bool is_rational = t.is_rational();
+    const std::size_t dimension = t.dimension(), blocks = t.num_blocks();
+    const std::size_t stride = 4 * t.num_coefficients;
     for (std::size_t i = 0; i < n; ++i) {
       Place place;
       if (!locate(t, at, i, place)) [[unlikely]] {
@@ -181,9 +181,9 @@ struct FastLoop {
 
   static void jet(const FastTables& t, const double* const* at, std::size_t n, const FastOut& out) {
     const auto components = static_cast<std::size_t>(t.num_components);
-    const bool is_rational = t.inverse_weight != nullptr;
-    const std::size_t dimension = components - (is_rational ? 1 : 0);
-    const std::size_t blocks = (components + 3) / 4, stride = 4 * t.num_coefficients;
+    const bool is_rational = t.is_rational();
+    const std::size_t dimension = t.dimension(), blocks = t.num_blocks();
+    const std::size_t stride = 4 * t.num_coefficients;
     for (std::size_t i = 0; i < n; ++i) {
       Place place;
       if (!locate(t, at, i, place)) [[unlikely]] {

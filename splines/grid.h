@@ -39,6 +39,12 @@ struct Grid {
     for (std::size_t i = 0; i < N; ++i) offset = offset * size[i] + index[i];
     return offset;
   }
+  /// Inverse of at().
+  std::array<std::size_t, N> index_of(std::size_t offset) const {
+    std::array<std::size_t, N> index;
+    for (std::size_t i = N; i-- > 0; offset /= size[i]) index[i] = offset % size[i];
+    return index;
+  }
   friend bool operator==(const Grid&, const Grid&) = default;
 
   /// Calls visit(first) with the offset of the first entry of every line along `axis`; the others are

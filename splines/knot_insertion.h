@@ -183,11 +183,11 @@ BezierPieces<R, N> bezier_pieces(BSpline<R, N> map) {
   const Grid<N> cells = out.grid(), net = map.grid();
   out.pieces.reserve(cells.count());
   for (std::size_t number = 0; number < cells.count(); ++number) {
-    const auto cell = internal::index_of(cells, number);
+    const auto cell = cells.index_of(number);
     Bezier<R, N> piece(degrees, map.num_components(), map.is_rational());
     const Grid<N> grid = piece.grid();
     for (std::size_t i = 0; i < grid.count(); ++i) {
-      auto index = internal::index_of(grid, i);
+      auto index = grid.index_of(i);
       for (std::size_t a = 0; a < N; ++a) index[a] += first[a][cell[a]];
       const std::size_t offset = net.at(index);
       for (int c = 0; c < map.num_components(); ++c)

@@ -54,14 +54,6 @@ std::array<T, N> permuted(const std::array<T, N>& values, const std::array<std::
   return out;
 }
 
-/// The index of each axis of the entry at `offset`.
-template <std::size_t N>
-std::array<std::size_t, N> index_of(const Grid<N>& grid, std::size_t offset) {
-  std::array<std::size_t, N> index{};
-  for (std::size_t a = N; a-- > 0; offset /= grid.size[a]) index[a] = offset % grid.size[a];
-  return index;
-}
-
 /// The net with its axes in another order: new axis i is old axis order[i].
 template <typename R, std::size_t N>
 std::vector<R> permuted_net(std::span<const R> from, const Grid<N>& grid,
@@ -71,7 +63,7 @@ std::vector<R> permuted_net(std::span<const R> from, const Grid<N>& grid,
   to.reserve(from.size());
   for (std::size_t base = 0; base < from.size(); base += grid.count())
     for (std::size_t i = 0; i < grid.count(); ++i) {
-      const auto index = index_of(new_grid, i);
+      const auto index = new_grid.index_of(i);
       std::array<std::size_t, N> old_index{};
       for (std::size_t a = 0; a < N; ++a) old_index[order[a]] = index[a];
       to.push_back(from[base + grid.at(old_index)]);

@@ -38,7 +38,7 @@ template <std::size_t N>
 std::vector<std::size_t> offsets_in(const Grid<N>& grid, const Grid<N>& out) {
   std::vector<std::size_t> offsets;
   offsets.reserve(grid.count());
-  for (std::size_t i = 0; i < grid.count(); ++i) offsets.push_back(out.at(index_of(grid, i)));
+  for (std::size_t i = 0; i < grid.count(); ++i) offsets.push_back(out.at(grid.index_of(i)));
   return offsets;
 }
 

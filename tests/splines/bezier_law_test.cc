@@ -23,7 +23,7 @@ TEST(BezierLaw, ValuesAreTheSumsOfBernsteinPolynomials) {
     const auto at = draw_point<n>(random);
     Values sums(2), ones(1);
     for (std::size_t i = 0; i < map.grid().count(); ++i) {
-      const auto index = internal::index_of(map.grid(), i);
+      const auto index = map.grid().index_of(i);
       Rational basis(1);
       for (std::size_t a = 0; a < n; ++a) {
         const int k = static_cast<int>(index[a]);
@@ -229,7 +229,7 @@ TEST(BezierLaw, CoefficientsAreBlossomsOfZerosAndOnes) {
   for_loops(105, 12, [](Random& random) {
     const auto map = draw_bezier<2>(random, 4, 1);
     for (std::size_t i = 0; i < map.grid().count(); ++i) {
-      const auto index = internal::index_of(map.grid(), i);
+      const auto index = map.grid().index_of(i);
       std::array<Values, 2> arguments;
       for (std::size_t a = 0; a < 2; ++a)
         for (std::size_t k = 0; k + 1 < map.grid().size[a]; ++k)

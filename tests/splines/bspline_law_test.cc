@@ -98,7 +98,7 @@ TEST(BSplineLaw, ValuesAreTheSumsOfTheTextbooksBasisAndTheBasisSumsToOne) {
     Values sums(2);
     Rational total;
     for (std::size_t i = 0; i < map.grid().count(); ++i) {
-      const auto index = internal::index_of(map.grid(), i);
+      const auto index = map.grid().index_of(i);
       Rational product(1);
       for (std::size_t a = 0; a < n && product.sign() != Sign::kZero; ++a)
         product *=
@@ -142,7 +142,7 @@ TEST(BSplineLaw, PiecesAreTheMapOnTheirCells) {
     SCOPED_TRACE(text_of(map));
     const auto pieces = bezier_pieces(map);
     for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
-      const auto cell = internal::index_of(pieces.grid(), i);
+      const auto cell = pieces.grid().index_of(i);
       std::array<Rational, n> local = draw_point<n>(random), at;
       for (std::size_t a = 0; a < n; ++a) {
         const Rational &low = pieces.breaks[a][cell[a]], &high = pieces.breaks[a][cell[a] + 1];
@@ -266,7 +266,7 @@ void expect_derivative(const BSpline<Rational, N>& map, std::size_t axis,
   const auto x = bezier_pieces(map), y = bezier_pieces(derived);
   ASSERT_EQ(x.breaks, y.breaks);
   for (std::size_t i = 0; i < x.pieces.size(); ++i) {
-    const std::size_t cell = internal::index_of(x.grid(), i)[axis];
+    const std::size_t cell = x.grid().index_of(i)[axis];
     auto expected = derivative(x.pieces[i], axis);
     for (int c = 0; c < expected.dimension(); ++c)
       for (Rational& v : expected.component(c))

@@ -57,12 +57,9 @@ void check(std::uint64_t seeds) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const bool outer_is_rational = random.below(3) == 0, inner_is_rational = random.below(3) == 0;
-    Bezier<double, M> outer(draw_degrees<M>(random, 3), 1 + outer_is_rational, outer_is_rational);
-    Bezier<double, N> inner(draw_degrees<N>(random, N == 3 ? 2 : 3),
-                            static_cast<int>(M) + inner_is_rational, inner_is_rational);
-    for (double& v : outer.coefficients()) v = draw(random, kKinds[seed % 5]);
-    for (double& v : inner.coefficients()) v = draw(random, kKinds[seed / 5 % 5]);
+    const auto [outer, inner] = draw_composable<M, N>(
+        random, 3, N == 3 ? 2 : 3, [&] { return draw(random, kKinds[seed % 5]); },
+        [&] { return draw(random, kKinds[seed / 5 % 5]); });
     expect_within_bounds(outer, inner);
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robust/base/random.h"
@@ -30,6 +31,22 @@ std::array<int, N> draw_degrees(Random& random, int most) {
   std::array<int, N> degrees;
   for (int& n : degrees) n = static_cast<int>(random.between(0, most));
   return degrees;
+}
+
+/// Maps of one component or N that fit together, rational ones among them; the values are the caller's.
+template <std::size_t M, std::size_t N, typename DrawOuter, typename DrawInner>
+std::pair<Bezier<double, M>, Bezier<double, N>> draw_composable(Random& random, int most_outer,
+                                                                int most_inner,
+                                                                DrawOuter draw_outer,
+                                                                DrawInner draw_inner) {
+  const bool outer_is_rational = random.below(3) == 0, inner_is_rational = random.below(3) == 0;
+  Bezier<double, M> outer(draw_degrees<M>(random, most_outer), 1 + outer_is_rational,
+                          outer_is_rational);
+  Bezier<double, N> inner(draw_degrees<N>(random, most_inner),
+                          static_cast<int>(M) + inner_is_rational, inner_is_rational);
+  for (double& v : outer.coefficients()) v = draw_outer();
+  for (double& v : inner.coefficients()) v = draw_inner();
+  return {std::move(outer), std::move(inner)};
 }
 
 inline std::string text_of(const Rational& v) { return v.to_string(); }

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The roots of a PieceForest: exact coefficients to doubles with bounds.
+#include <algorithm>
+#include <cmath>
+
+#include "interval/ring_numbers.h"
+#include "interval/upward.h"
+#include "solids/star_box/piece_forest.h"
+#include "solids/star_box/piece_net_internal.h"
+
+namespace veritope {
+namespace {
+
+constexpr int kMaxRootBits = 6;
+
+// Of a number that is not 0: 2^(result - 1) <= about |v| < 2^(result + 1).
+int binary_exponent(double v) {
+  int e = 0;
+  std::frexp(v, &e);
+  return e;
+}
+
+FormShape shape_of(const Patch& patch) {
+  if (patch.is_triangle()) return {true, patch.triangle().degree(), 0};
+  return {false, patch.tensor().degree(0), patch.tensor().degree(1)};
+}
+
+}  // namespace
+
+class ForestBuilder {
+ public:
+  explicit ForestBuilder(const PatchComplex& complex) { forest_.complex_ = &complex; }
+
+  Result<PieceForest> build() {
+    if (const Status status = choose_scale(); !status) return status.error();
+    const auto patches = forest_.complex_->patches();
+    const ScopedUpward upward;
+    for (std::uint32_t p = 0; p < patches.size(); ++p) {
+      PieceForest::Form form = form_of(p);
+      if (!is_in_range(form))
+        return Error{Code::kOverLimit, {}, to_string(patches[p].origin()) + " has coordinates, weights or derivatives out of the range of binary64"};
+      forest_.forms_.push_back(std::move(form));
+    }
+    add_roots();
+    return std::move(forest_);
+  }
+
+ private:
+  static Error over_limit(const Patch& patch) {
+    return Error{Code::kOverLimit, {}, to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
+  }
+  Status choose_scale() {
+    double most = 0;
+    for (const Patch& patch : forest_.complex_->patches())
+      for (std::size_t i = 0; i < patch.num_control(); ++i)
+        for (int c = 0; c < 3; ++c) {
+          const Rational& v = patch.component(c)[i];
+          const double x = std::abs(nearest_double(patch.is_rational() ? v / patch.component(3)[i] : v));
+          if (!std::isfinite(x)) return over_limit(patch);
+          most = std::max(most, x);
+        }
+    forest_.scale_ = most > 0 ? -binary_exponent(most) : 0;
+    return {};
+  }
+
+  // Coordinates times 2^scale, relative to a point near the patch; weights of about 1.
+  PieceForest::Form form_of(std::uint32_t number) const {
+    const Patch& patch = forest_.complex_->patch(number);
+    PieceForest::Form form;
+    form.shape = shape_of(patch);
+    form.determinant = determinant_shape(form.shape);
+    form.is_rational = patch.is_rational();
+    for (std::uint32_t s = 0; s < patch.num_sides(); ++s)
+      if (forest_.complex_->is_collapsed({number, s})) form.collapsed |= static_cast<std::uint8_t>(1u << s);
+    const std::size_t n = form.shape.count();
+    Rational factor(1);
+    if (form.is_rational) {
+      Rational largest = patch.component(3)[0];
+      for (const Rational& w : patch.component(3)) largest = std::max(largest, w);
+      factor = Rational(1) / largest;
+    }
+    const Rational unit = Rational::power_of_two(forest_.scale_);
+    std::vector<Interval> control;
+    for (int c = 0; c < 3; ++c) {
+      const Rational first =
+          unit * (form.is_rational ? patch.component(c)[0] / patch.component(3)[0] : patch.component(c)[0]);
+      const double origin = nearest_double(first);
+      form.origin[static_cast<std::size_t>(c)] = origin;
+      const Rational shift = Rational::from_double(origin);
+      for (std::size_t i = 0; i < n; ++i)
+        control.push_back(enclose(form.is_rational ? factor * (unit * patch.component(c)[i] - shift * patch.component(3)[i])
+                                                   : unit * patch.component(c)[i] - shift));
+    }
+    if (form.is_rational)
+      for (const Rational& w : patch.component(3)) control.push_back(enclose(factor * w));
+    const auto determinants = determinant_form<Interval>(form.shape, form.is_rational, control.data());
+    fill_net(control, determinants, &form);
+    choose_roots(&form);
+    return form;
+  }
+
+  static void fill_net(const std::vector<Interval>& control,
+                       const std::array<std::vector<Interval>, 4>& determinants, PieceForest::Form* form) {
+    const auto layout = PieceForest::layout(*form);
+    form->root_net.assign(layout.size(), 0);
+    for (std::size_t c = 0; c < layout.components + 4; ++c) {
+      const Interval* const from =
+          c < layout.components ? control.data() + c * layout.control : determinants[c - layout.components].data();
+      const std::size_t n = c < layout.components ? layout.control : layout.determinant;
+      double error = 0, size = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const MidRad m = mid_rad(from[i]);
+        form->root_net[layout.begin(c) + i] = m.mid;
+        error = std::max(error, m.rad);
+        size = std::max(size, std::abs(m.mid));
+      }
+      form->root_net[layout.error(c)] = error;
+      form->root_net[layout.magnitude(c)] = size;
+    }
+  }
+
+  static bool is_in_range(const PieceForest::Form& form) {
+    return std::all_of(form.root_net.begin(), form.root_net.end(),
+                       [](double v) { return std::abs(v) < 0x1p900; });
+  }
+
+  // As many halves along the longer parameter as make the pieces about as long as wide.
+  static void choose_roots(PieceForest::Form* form) {
+    if (form->shape.is_triangle) return;
+    const auto layout = PieceForest::layout(*form);
+    const auto columns = static_cast<std::size_t>(form->shape.q + 1);
+    const auto length = [&](std::size_t from, std::size_t to) {
+      double sum = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double* const x = form->root_net.data() + layout.begin(c);
+        const auto point = [&](std::size_t i) {
+          return layout.components == 4 ? x[i] / form->root_net[layout.begin(3) + i] : x[i];
+        };
+        sum += (point(to) - point(from)) * (point(to) - point(from));
+      }
+      return std::sqrt(sum);
+    };
+    double along_u = 0, along_v = 0;
+    for (std::size_t j = 0; j < columns; ++j) {
+      double sum = 0;
+      for (std::size_t i = 0; i + 1 <= static_cast<std::size_t>(form->shape.p); ++i)
+        sum += length(i * columns + j, (i + 1) * columns + j);
+      along_u = std::max(along_u, sum);
+    }
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(form->shape.p); ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j + 1 < columns; ++j) sum += length(i * columns + j, i * columns + j + 1);
+      along_v = std::max(along_v, sum);
+    }
+    const double ratio = along_u / along_v;
+    if (!(ratio > 0) || !std::isfinite(ratio)) return;
+    const int bits = std::min(kMaxRootBits, std::abs(static_cast<int>(std::lround(std::log2(ratio)))));
+    form->root_bits[ratio > 1 ? 0 : 1] = static_cast<std::uint8_t>(bits);
+  }
+
+  void add_roots() {
+    std::vector<Box3d> boxes;
+    for (std::uint32_t p = 0; p < forest_.forms_.size(); ++p) {
+      PieceForest::Form& form = forest_.forms_[p];
+      form.first_root = static_cast<PieceForest::Id>(forest_.nodes_.size());
+      const std::uint64_t rows = std::uint64_t{1} << form.root_bits[0], columns = std::uint64_t{1} << form.root_bits[1];
+      form.num_roots = static_cast<std::uint32_t>(rows * columns);
+      for (std::uint64_t i = 0; i < rows; ++i)
+        for (std::uint64_t j = 0; j < columns; ++j) {
+          PieceForest::Node node;
+          node.patch = p, node.i = i, node.j = j;
+          forest_.nodes_.push_back(node);
+          const auto id = static_cast<PieceForest::Id>(forest_.nodes_.size() - 1);
+          const double* const net = forest_.net(id);
+          forest_.nodes_[id].hull = forest_.hull_of(form, net);
+          boxes.push_back(forest_.nodes_[id].hull);
+        }
+    }
+    forest_.num_roots_ = forest_.nodes_.size();
+    forest_.roots_ = BoxHierarchy(std::move(boxes));
+  }
+
+  PieceForest forest_;
+};
+
+Result<PieceForest> PieceForest::make(const PatchComplex& complex) { return ForestBuilder(complex).build(); }
+
+}  // namespace veritope

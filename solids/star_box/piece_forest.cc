@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/star_box/piece_forest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robust/base/check.h"
+#include "solids/star_box/piece_net_internal.h"
+
+namespace veritope {
+
+using internal::kNetTiny;
+using internal::kNetUnit;
+
+PieceForest::Layout PieceForest::layout(const Form& form) {
+  return {form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count(), form.determinant.count()};
+}
+
+const double* PieceForest::net(Id id) {
+  if (nodes_[id].net < 0) make_net(id);
+  return forms_[nodes_[id].patch].nets.data() + nodes_[id].net;
+}
+
+void PieceForest::make_net(Id id) {
+  const Node node = nodes_[id];
+  if (node.parent != kNone) return quarter(node.parent);
+  Form& form = forms_[node.patch];
+  const Layout at = layout(form);
+  std::vector<double> net = form.root_net, other(std::max(at.control, at.determinant));
+  for (const int axis : {0, 1})
+    for (int bit = form.root_bits[axis]; bit-- > 0;) {
+      const bool upper = ((axis == 0 ? node.i : node.j) >> bit & 1) != 0;
+      for (std::size_t c = 0; c < at.components + 4; ++c) {
+        const FormShape& s = c < at.components ? form.shape : form.determinant;
+        const int degree = axis == 0 ? s.p : s.q, lines = axis == 0 ? s.q : s.p;
+        const auto stride = static_cast<std::size_t>(axis == 0 ? s.q + 1 : 1);
+        const auto next = static_cast<std::size_t>(axis == 0 ? 1 : s.q + 1);
+        double* const first = net.data() + at.begin(c);
+        for (int k = 0; k <= lines; ++k) {
+          double* const line = first + static_cast<std::size_t>(k) * next;
+          internal::halve_line(line, stride, degree, other.data(), 1);
+          for (int i = 0; upper && i <= degree; ++i)
+            line[static_cast<std::size_t>(i) * stride] = other[static_cast<std::size_t>(i)];
+        }
+        net[at.error(c)] = internal::error_after_halving(net[at.error(c)], net[at.magnitude(c)], degree);
+      }
+    }
+  nodes_[id].net = static_cast<std::int64_t>(form.nets.size());
+  form.nets.insert(form.nets.end(), net.begin(), net.end());
+  net_doubles_ += net.size();
+}
+
+void PieceForest::quarter(Id id) {
+  const double* from = net(id);
+  Form& form = forms_[nodes_[id].patch];
+  const Layout at = layout(form);
+  scratch_.assign(from, from + at.size());
+  const std::size_t begin = form.nets.size();
+  form.nets.resize(begin + 4 * at.size());
+  net_doubles_ += 4 * at.size();
+  double* to[4];
+  for (std::size_t c = 0; c < at.components + 4; ++c) {
+    const FormShape& s = c < at.components ? form.shape : form.determinant;
+    for (std::size_t k = 0; k < 4; ++k) to[k] = form.nets.data() + begin + k * at.size() + at.begin(c);
+    if (s.is_triangle)
+      internal::quarter_triangle(s.p, scratch_.data() + at.begin(c), to);
+    else
+      internal::quarter_tensor(s, scratch_.data() + at.begin(c), to);
+    const double error = internal::error_after_halving(scratch_[at.error(c)], scratch_[at.magnitude(c)],
+                                                       internal::quarter_depth(s));
+    for (std::size_t k = 0; k < 4; ++k) {
+      double* const child = form.nets.data() + begin + k * at.size();
+      double size = 0;
+      for (std::size_t i = 0; i < s.count(); ++i) size = std::max(size, std::abs(to[k][i]));
+      child[at.error(c)] = error;
+      child[at.magnitude(c)] = size;
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    nodes_[nodes_[id].first_child + k].net = static_cast<std::int64_t>(begin + k * at.size());
+}
+
+PieceForest::Id PieceForest::children(Id id) {
+  if (nodes_[id].first_child != kNone) return nodes_[id].first_child;
+  const Node parent = nodes_[id];
+  VT_CHECK(parent.level < kMaxLevel, "a piece is split too often");
+  const Form& form = forms_[parent.patch];
+  const Id first = static_cast<Id>(nodes_.size());
+  for (std::uint8_t k = 0; k < 4; ++k) {
+    Node child;
+    child.patch = parent.patch, child.parent = id, child.child_number = k;
+    child.level = static_cast<std::uint8_t>(parent.level + 1);
+    child.i = 2 * parent.i, child.j = 2 * parent.j;
+    if (!form.shape.is_triangle) {
+      child.i += k / 2, child.j += k % 2;
+    } else {
+      // Corner children move towards their corner; the middle one is turned. The first coordinate follows from the sum.
+      child.is_upside_down = parent.is_upside_down != (k == 3);
+      const bool one_i = k == 1 || k == 3, one_j = k == 2 || k == 3;
+      if (parent.is_upside_down)
+        child.i -= one_i, child.j -= one_j;
+      else
+        child.i += one_i, child.j += one_j;
+    }
+    nodes_.push_back(child);
+  }
+  nodes_[id].first_child = first;
+  quarter(id);
+  for (Id k = 0; k < 4; ++k) nodes_[first + k].hull = hull_of(forms_[parent.patch], net(first + k));
+  return first;
+}
+
+Box3d PieceForest::hull_of(const Form& form, const double* net) const {
+  const Layout at = layout(form);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box3d out;
+  const double w_error = at.components == 4 ? net[at.error(3)] : 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double error = net[at.error(c)];
+    double lo = kInfinity, hi = -kInfinity;
+    for (std::size_t i = 0; i < at.control; ++i) {
+      const double x = net[at.begin(c) + i];
+      double a = x - error, b = x + error;
+      if (at.components == 4) {
+        const double w_lo = net[at.begin(3) + i] - w_error, w_hi = net[at.begin(3) + i] + w_error;
+        if (!(w_lo > 0)) return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+        a /= a < 0 ? w_lo : w_hi;
+        b /= b < 0 ? w_hi : w_lo;
+      }
+      lo = std::min(lo, a), hi = std::max(hi, b);
+    }
+    // Differences, sums, quotients, and the sum with the origin: four roundings at most.
+    const double slack = 4 * kNetUnit * (std::max(std::abs(lo), std::abs(hi)) + std::abs(form.origin[c]) + error) + kNetTiny;
+    out.lo[c] = form.origin[c] + lo - slack;
+    out.hi[c] = form.origin[c] + hi + slack;
+  }
+  return out;
+}
+
+bool PieceForest::touches_collapsed_side(const Node& node, const Form& form) const {
+  if (form.collapsed == 0) return false;
+  for (std::uint32_t s = 0; s < 4; ++s)
+    if ((form.collapsed >> s & 1) != 0 && side_of_patch(node, s)) return true;
+  return false;
+}
+
+bool PieceForest::side_of_patch(const Node& node, std::uint32_t side) const {
+  const Form& form = forms_[node.patch];
+  if (form.shape.is_triangle) {
+    if (node.is_upside_down) return false;
+    const std::uint64_t first = (std::uint64_t{1} << node.level) - 1 - node.i - node.j;
+    // Side s runs from corner s to corner s + 1: the coordinate of corner s + 2 is 0.
+    return (side == 0 ? node.j : side == 1 ? first : node.i) == 0;
+  }
+  const std::uint64_t rows = std::uint64_t{1} << (form.root_bits[0] + node.level);
+  const std::uint64_t columns = std::uint64_t{1} << (form.root_bits[1] + node.level);
+  switch (side) {
+    case 0: return node.j == 0;
+    case 1: return node.i + 1 == rows;
+    case 2: return node.j + 1 == columns;
+    default: return node.i == 0;
+  }
+}
+
+Sign3 PieceForest::side_of(Id id, const Point3d& c) {
+  const double* const net = this->net(id);
+  const Node& node = nodes_[id];
+  const Form& form = forms_[node.patch];
+  const Layout at = layout(form);
+  double x[3], bound = net[at.error(at.components)], size = net[at.magnitude(at.components)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    x[k] = c[k] - form.origin[k];
+    bound += std::abs(x[k]) * net[at.error(at.components + 1 + k)];
+    size += std::abs(x[k]) * net[at.magnitude(at.components + 1 + k)];
+  }
+  // docs/bounds/piece_net.md, 3: the difference, three products, three sums.
+  bound = (bound + 8 * kNetUnit * size) * (1 + 0x1p-40) + kNetTiny;
+  const double* const g0 = net + at.begin(at.components);
+  const double *const g1 = g0 + at.determinant, *const g2 = g1 + at.determinant, *const g3 = g2 + at.determinant;
+  double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+  if (!touches_collapsed_side(node, form)) {
+    for (std::size_t i = 0; i < at.determinant; ++i) {
+      const double g = g0[i] + (g1[i] * x[0] + g2[i] * x[1] + g3[i] * x[2]);
+      lo = g < lo ? g : lo;
+      hi = g > hi ? g : hi;
+    }
+  } else {
+    for_each_kept(node, [&](std::size_t i) {
+      const double g = g0[i] + (g1[i] * x[0] + g2[i] * x[1] + g3[i] * x[2]);
+      lo = std::min(lo, g), hi = std::max(hi, g);
+    });
+  }
+  if (lo > bound) return Sign3::kPositive;
+  if (hi < -bound) return Sign3::kNegative;
+  return Sign3::kUncertain;
+}
+
+const double* PieceForest::control(Id id) { return net(id); }
+double PieceForest::control_error(Id id, std::size_t component) {
+  const Layout at = layout(forms_[nodes_[id].patch]);
+  return net(id)[at.error(component)];
+}
+const double* PieceForest::approx_determinants(Id id) {
+  const Layout at = layout(forms_[nodes_[id].patch]);
+  return net(id) + at.begin(at.components);
+}
+
+void PieceForest::limit_memory(std::size_t bytes) {
+  if (net_doubles_ * sizeof(double) <= bytes) return;
+  for (Form& form : forms_) std::vector<double>().swap(form.nets);
+  for (Node& node : nodes_) node.net = -1;
+  net_doubles_ = 0;
+}
+
+}  // namespace veritope

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/star_box/piece_forest.h: all patches of a complex as trees of ever smaller pieces, in doubles with proved bounds: closed hulls, and
+// the signs of n·(S - c). Theory: docs/THEORY.md §4. Bound: docs/bounds/piece_net.md.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "robust/base/result.h"
+#include "robust/base/sign.h"
+#include "solids/patch_complex.h"
+#include "solids/star_box/box_hierarchy.h"
+#include "solids/star_box/surface_form.h"
+
+namespace veritope {
+
+/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model times 2^scale(), so
+/// that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped and are made again.
+class PieceForest {
+ public:
+  using Id = std::uint32_t;
+  static constexpr Id kNone = ~Id{0};
+  static constexpr int kMaxLevel = 24;
+
+  /// A tensor piece is [i, i + 1] x [j, j + 1] in units of 2^-(roots + level). A triangle has barycentric coordinates in units of 2^-level: upright, corner e is
+  /// (a, b, c) plus the unit vector e, with a + b + c = 2^level - 1, b = i, c = j; upside down, minus it, with a + b + c = 2^level + 1.
+  struct Node {
+    Box3d hull;  ///< contains the closed hull of the exact control points
+    std::uint32_t patch;
+    Id first_child = kNone;
+    Id parent = kNone;
+    std::uint64_t i, j;
+    std::int64_t net = -1;
+    std::uint8_t level = 0, child_number = 0;
+    bool is_upside_down = false;
+  };
+  /// What a patch's nodes have in common.
+  struct Form {
+    FormShape shape, determinant;
+    bool is_rational = false;
+    std::uint8_t root_bits[2] = {0, 0};  ///< 2^a x 2^b roots
+    std::uint8_t collapsed = 0;          ///< bit s: side s of the patch
+    Point3d origin{};                    ///< of the nets
+    Id first_root = 0;
+    std::uint32_t num_roots = 1;
+    std::vector<double> root_net;  ///< of the whole patch
+    std::vector<double> nets;
+  };
+
+  /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can stand for.
+  static Result<PieceForest> make(const PatchComplex& complex);
+
+  int scale() const { return scale_; }
+  const PatchComplex& complex() const { return *complex_; }
+  std::size_t num_patches() const { return forms_.size(); }
+  const Form& form(std::uint32_t patch) const { return forms_[patch]; }
+  const Node& node(Id id) const { return nodes_[id]; }
+  std::size_t num_nodes() const { return nodes_.size(); }
+  /// Four of them, from this one on. REQUIRES level < kMaxLevel.
+  Id children(Id id);
+  /// All roots; number i of it is root(i).
+  const BoxHierarchy& roots() const { return roots_; }
+  Id root(std::uint32_t number) const { return number; }
+  std::size_t num_roots() const { return num_roots_; }
+
+  /// Whether side s of the node (as of the patch: of a triangle, from corner s to corner s + 1) lies in side s of the patch.
+  bool side_of_patch(const Node& node, std::uint32_t side) const;
+  /// visit(i) for the places of the determinants' coefficients outside the rows of collapsed sides.
+  template <typename Visit>
+  void for_each_kept(const Node& node, Visit visit) const;
+
+  /// The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides left out; uncertain if they differ or are too
+  /// close to 0 for the bound.
+  Sign3 side_of(Id id, const Point3d& c);
+  /// Coefficients of G0 .. G3 relative to origin(), as approximate numbers: for searches.
+  const double* approx_determinants(Id id);
+  /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
+  const double* control(Id id);
+  double control_error(Id id, std::size_t component);
+  /// Frees nets if they take more than this; nodes stay.
+  void limit_memory(std::size_t bytes);
+
+ private:
+  friend class ForestBuilder;
+  struct Layout {
+    std::size_t components, control, determinant;
+    std::size_t size() const { return components * control + 4 * determinant + 2 * (components + 4); }
+    /// Of component c; the four determinants follow the control points.
+    std::size_t begin(std::size_t c) const {
+      return c < components ? c * control : components * control + (c - components) * determinant;
+    }
+    std::size_t error(std::size_t c) const { return components * control + 4 * determinant + c; }
+    std::size_t magnitude(std::size_t c) const { return error(c) + components + 4; }
+  };
+  static Layout layout(const Form& form);
+  const double* net(Id id);
+  void make_net(Id id);
+  void quarter(Id id);
+  Box3d hull_of(const Form& form, const double* net) const;
+  bool touches_collapsed_side(const Node& node, const Form& form) const;
+
+  const PatchComplex* complex_ = nullptr;
+  int scale_ = 0;
+  std::vector<Form> forms_;
+  std::vector<Node> nodes_;
+  std::size_t num_roots_ = 0;
+  std::size_t net_doubles_ = 0;
+  BoxHierarchy roots_;
+  std::vector<double> scratch_;
+};
+
+template <typename Visit>
+void PieceForest::for_each_kept(const Node& node, Visit visit) const {
+  const Form& form = forms_[node.patch];
+  bool left_out[4];
+  for (std::uint32_t s = 0; s < 4; ++s)
+    left_out[s] = (form.collapsed >> s & 1) != 0 && side_of_patch(node, s);
+  const FormShape& d = form.determinant;
+  if (d.is_triangle) {
+    for_each_triangle_index(d.p, [&](int i, int j, int k) {
+      if (!(left_out[0] && k == 0) && !(left_out[1] && i == 0) && !(left_out[2] && j == 0))
+        visit(triangle_index(j, k));
+    });
+    return;
+  }
+  for (int i = 0; i <= d.p; ++i)
+    for (int j = 0; j <= d.q; ++j)
+      if (!(left_out[0] && j == 0) && !(left_out[1] && i == d.p) && !(left_out[2] && j == d.q) &&
+          !(left_out[3] && i == 0))
+        visit(static_cast<std::size_t>(i * (d.q + 1) + j));
+}
+
+}  // namespace veritope

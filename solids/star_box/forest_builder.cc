@@ -60,7 +60,7 @@ class ForestBuilder {
           most = std::max(most, x);
         }
     forest_.scale_ = most > 0 ? -binary_exponent(most) : 0;
-    return {};
+    return ok_status();
   }
 
   // Coordinates times 2^scale, relative to a point near the patch; weights of about 1.

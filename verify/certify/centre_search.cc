@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/centre_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace veritope {
+namespace {
+
+// A linear program in x, y, z, t: maximise t under rows r·(x, y, z, t) + s >= 0. Seidel's incremental method; the bounds of the variables are
+// rows of `bounds`, from which each recursion starts. Few rows: deepest_point adds them one by one.
+constexpr int kDimension = 4;
+using Row = std::array<double, kDimension + 1>;  // coefficients, then the constant
+
+struct Program {
+  int dimension;
+  Row objective;
+  std::array<double, kDimension> lo, hi;
+};
+
+// The optimum in x[0 .. dimension), or false if there is none.
+bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num_rows, double* x) {
+  const int d = program.dimension;
+  for (int i = 0; i < d; ++i) {
+    if (program.lo[i] > program.hi[i]) return false;
+    x[i] = program.objective[i] >= 0 ? program.hi[i] : program.lo[i];
+  }
+  for (std::size_t k = 0; k < num_rows; ++k) {
+    double value = rows[k][kDimension], scale = std::abs(value);
+    for (int i = 0; i < d; ++i) {
+      value += rows[k][i] * x[i];
+      scale = std::max(scale, std::abs(rows[k][i] * x[i]));
+    }
+    if (value >= -1e-13 * scale) continue;
+    // The optimum lies in the plane of row k: its variable of greatest coefficient is expressed by the others.
+    int pivot = 0;
+    for (int i = 1; i < d; ++i)
+      if (std::abs(rows[k][i]) > std::abs(rows[k][pivot])) pivot = i;
+    if (std::abs(rows[k][pivot]) < 1e-12) return false;
+    const auto substituted = [&](const Row& r) {
+      Row out{};
+      const double f = r[pivot] / rows[k][pivot];
+      for (int i = 0, to = 0; i < d; ++i)
+        if (i != pivot) out[to++] = r[i] - f * rows[k][i];
+      out[kDimension] = r[kDimension] - f * rows[k][kDimension];
+      return out;
+    };
+    Program less{d - 1, substituted(program.objective), {}, {}};
+    for (int i = 0, to = 0; i < d; ++i)
+      if (i != pivot) less.lo[to] = program.lo[i], less.hi[to] = program.hi[i], ++to;
+    std::vector<Row> reduced;
+    for (const bool upper : {false, true}) {  // the bounds of the variable that goes
+      Row bound{};
+      bound[pivot] = upper ? -1 : 1;
+      bound[kDimension] = upper ? program.hi[pivot] : -program.lo[pivot];
+      reduced.push_back(substituted(bound));
+    }
+    for (std::size_t j = 0; j < k; ++j) reduced.push_back(substituted(rows[j]));
+    double y[kDimension] = {};
+    if (d == 1) {
+      x[0] = -rows[k][kDimension] / rows[k][0];
+      for (const Row& r : reduced)
+        if (r[kDimension] < -1e-12) return false;
+      continue;
+    }
+    if (!solve(less, reduced, reduced.size(), y)) return false;
+    double at_pivot = rows[k][kDimension];
+    for (int i = 0, from = 0; i < d; ++i)
+      if (i != pivot) x[i] = y[from++], at_pivot += rows[k][i] * x[i];
+    x[pivot] = -at_pivot / rows[k][pivot];
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough) {
+  constexpr int kMaxRounds = 40;
+  Program program{kDimension, {0, 0, 0, 1, 0}, {}, {}};
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    program.lo[i] = box.lo[i], program.hi[i] = box.hi[i];
+    size = std::max(size, box.hi[i] - box.lo[i]);
+  }
+  program.lo[3] = -4 * size, program.hi[3] = 4 * size;
+  const Point3d centre = approx_centre(box);
+  double x[kDimension] = {centre[0], centre[1], centre[2], 4 * size};
+  std::vector<Row> rows;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    double worst = x[3];
+    const HalfSpace* worst_one = nullptr;
+    for (const HalfSpace& h : half_spaces) {
+      const double value = h.a[0] * x[0] + h.a[1] * x[1] + h.a[2] * x[2] + h.b;
+      if (value < worst) worst = value, worst_one = &h;
+    }
+    if (worst_one == nullptr || worst > 0.9 * x[3]) {
+      if (!(worst > enough)) return std::nullopt;
+      return DeepestPoint{{x[0], x[1], x[2]}, worst};
+    }
+    rows.push_back({worst_one->a[0], worst_one->a[1], worst_one->a[2], -1, worst_one->b});
+    if (!solve(program, rows, rows.size(), x) || !(x[3] > enough)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace veritope

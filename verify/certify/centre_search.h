@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/centre_search.h: a search, in floating point, for points from which all pieces in a box are seen from one side. Nothing here decides.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "solids/star_box/piece_forest.h"
+
+namespace veritope {
+
+/// a·x + b with |a| = 1: a linear condition a·x + b > 0.
+struct HalfSpace {
+  Point3d a;
+  double b;
+};
+
+/// The point of the box whose least a·x + b is greatest, and that least value; about, and only if it exceeds `enough`. Half-spaces are taken
+/// into account as they prove to be violated. @cost O(m) a round for m half-spaces, mostly a few rounds
+struct DeepestPoint {
+  Point3d point;
+  double depth;
+};
+std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough);
+
+}  // namespace veritope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/star_cover.h: the search for star boxes that cover a patch complex. Theory: docs/THEORY.md §4.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "solids/star_box/star_box.h"
+
+namespace veritope {
+
+struct StarCoverOptions {
+  int max_level = 14;                      ///< pieces are not split deeper: undecided there
+  std::size_t max_boxes = 4'000'000;       ///< that are tried
+  double growth = 1.75;                    ///< box to hull
+  std::size_t memory = std::size_t{1} << 30;
+  std::function<bool(std::size_t covered, std::size_t patches)> progress;  ///< false: stop
+};
+
+/// A box and centres on the grid of multiples of unit, a power of two.
+struct CoverBox {
+  StarBox star;
+  double unit;
+};
+
+/// Where no star box was found.
+struct UncoveredPiece {
+  PieceForest::Id piece;
+  enum class Why { kNoCentres, kSigns, kCrossings, kTooDeep, kBudget, kStopped } why;
+};
+
+struct StarCover {
+  std::vector<CoverBox> boxes;
+  /// Of each node of the forest: the box that holds its hull, or kNone. A node that is no leaf of the cover has children that are.
+  std::vector<std::uint32_t> box_of_node;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box
+  std::size_t tried = 0, tested_pieces = 0, programs = 0;
+  bool is_complete() const { return uncovered.empty(); }
+};
+
+/// Stops at the first piece that stays uncovered at the greatest level.
+StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options);
+
+}  // namespace veritope

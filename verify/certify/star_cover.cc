@@ -31,6 +31,7 @@ class CoverSearch {
       forest_.limit_memory(options_.memory);
     }
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
+    if (out_.is_complete()) keep_leaves();
     return std::move(out_);
   }
 
@@ -48,6 +49,27 @@ class CoverSearch {
     }
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4 && out_.uncovered.empty(); ++k) cover(first + k);
+  }
+
+  // Boxes are numbered anew, in the order of the leaves; those that cover only parts of other leaves go.
+  void keep_leaves() {
+    std::vector<std::uint32_t> leaf_box(forest_.num_nodes(), StarCover::kNone), number(out_.boxes.size(), StarCover::kNone);
+    std::vector<CoverBox> boxes;
+    const auto visit = [&](auto& self, Id id) -> void {
+      const std::uint32_t box = out_.box_of_node[id];
+      if (box == StarCover::kNone) {
+        for (Id k = 0; k < 4; ++k) self(self, forest_.node(id).first_child + k);
+        return;
+      }
+      if (number[box] == StarCover::kNone) {
+        number[box] = static_cast<std::uint32_t>(boxes.size());
+        boxes.push_back(out_.boxes[box]);
+      }
+      leaf_box[id] = number[box];
+    };
+    for (std::uint32_t r = 0; r < forest_.num_roots(); ++r) visit(visit, forest_.root(r));
+    out_.boxes = std::move(boxes);
+    out_.box_of_node = std::move(leaf_box);
   }
 
   // A cube around the hull, on a grid of a power of two.

@@ -32,7 +32,7 @@ struct UncoveredPiece {
 
 struct StarCover {
   std::vector<CoverBox> boxes;
-  /// Of each node of the forest: the box that holds its hull, or kNone. A node that is no leaf of the cover has children that are.
+  /// Of the leaves of the cover: the box that holds the hull; of all other nodes kNone. On the way from a root down there is exactly one leaf.
   std::vector<std::uint32_t> box_of_node;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box

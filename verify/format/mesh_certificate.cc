@@ -5,44 +5,19 @@
 
 #include "verify/format/byte_stream.h"
 #include "verify/format/sha256.h"
+#include "verify/format/statement_writer.h"
 
 namespace veritope::certificate {
 namespace {
 
 using internal::ByteReader;
 using internal::ByteWriter;
+using internal::join;
+using internal::StatementWriter;
 
 constexpr std::size_t kMaxStatement = 64 << 10;
 constexpr unsigned char kValidMagic[] = {'V', 'T', 'M', 'V'};
 constexpr unsigned char kInvalidMagic[] = {'V', 'T', 'M', 'I'};
-
-// One flat JSON object; the values hold no character that needs an escape.
-class StatementWriter {
- public:
-  void text(std::string_view key, std::string_view value) {
-    open(key);
-    line_ += '"';
-    line_ += value;
-    line_ += '"';
-  }
-  void number(std::string_view key, std::uint64_t value) {
-    open(key);
-    line_ += std::to_string(value);
-  }
-  void boolean(std::string_view key, bool value) {
-    open(key);
-    line_ += value ? "true" : "false";
-  }
-  std::string take() { return line_ + "}"; }
-
- private:
-  void open(std::string_view key) {
-    line_ += line_.empty() ? "{\"" : ",\"";
-    line_ += key;
-    line_ += "\":";
-  }
-  std::string line_;
-};
 
 void state_subject(StatementWriter& w, const Subject& s, std::string_view claim, const Bytes& body) {
   w.text("certificate", kFormatName);
@@ -54,15 +29,6 @@ void state_subject(StatementWriter& w, const Subject& s, std::string_view claim,
   w.text("reading_rule", s.reading_rule);
   w.boolean("as_indexed", s.as_indexed);
   w.text("body_sha256", to_hex(sha256(body)));
-}
-
-Bytes join(std::string statement, const Bytes& body) {
-  Bytes out;
-  out.reserve(statement.size() + 1 + body.size());
-  out.insert(out.end(), statement.begin(), statement.end());
-  out.push_back('\n');
-  out.insert(out.end(), body.begin(), body.end());
-  return out;
 }
 
 std::string rules_of(const InvalidBody& body) {

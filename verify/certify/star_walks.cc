@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/star_walks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robust/base/check.h"
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+
+constexpr int kMaxVisits = 200'000;
+// Added to boxes on all sides, relative to the largest coordinate, 1: pays for all roundings of the slab test.
+constexpr double kPad = 0x1p-40;
+
+// The part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the padded box; t0 > t1 if there is none.
+struct Part {
+  double t0 = 0, t1 = 1;
+};
+Part part_in(const Box3d& box, const Point3d& a, const Point3d& b) {
+  Part part;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double pad = kPad * (1 + std::abs(a[k]) + std::abs(b[k]));
+    const double lo = box.lo[k] - pad, hi = box.hi[k] + pad, d = b[k] - a[k];
+    if (std::abs(d) < pad) {
+      if (std::max(a[k], b[k]) < lo || std::min(a[k], b[k]) > hi) return {1, 0};
+      continue;
+    }
+    const double s = (lo - a[k]) / d, t = (hi - a[k]) / d;
+    part.t0 = std::max(part.t0, std::min(s, t) - kPad);
+    part.t1 = std::min(part.t1, std::max(s, t) + kPad);
+  }
+  return part;
+}
+
+class SegmentDescent {
+ public:
+  SegmentDescent(PieceForest& forest, const Point3d& a, const Point3d& b) : forest_(forest), a_(a), b_(b) {}
+  bool is_free() {
+    bool free = true;
+    forest_.roots().visit([&](const Box3d& box) { return free && meets_segment(box); },
+                          [&](std::uint32_t number) { free = free && visit(forest_.root(number)); });
+    return free;
+  }
+
+ private:
+  bool meets_segment(const Box3d& box) const {
+    const Part p = part_in(box, a_, b_);
+    return p.t0 <= p.t1;
+  }
+  bool visit(Id id) {
+    if (!meets_segment(forest_.node(id).hull)) return true;
+    if (++visits_ > kMaxVisits || forest_.node(id).level >= PieceForest::kMaxLevel - 2) return false;
+    const Id first = forest_.children(id);
+    for (Id k = 0; k < 4; ++k)
+      if (!visit(first + k)) return false;
+    return true;
+  }
+  PieceForest& forest_;
+  const Point3d &a_, &b_;
+  int visits_ = 0;
+};
+
+class WalkSearch {
+ public:
+  WalkSearch(PieceForest& forest, const StarCover& cover) : forest_(forest), cover_(cover) {
+    all_ = forest.node(0).hull;
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) all_ = hull(all_, forest.node(forest.root(r)).hull);
+    list_boxes();
+  }
+
+  ShellWalks run() {
+    const std::size_t n = boxes_of_shell_.size();
+    done_.assign(n, false);
+    windings_.resize(n);
+    for (bool progress = true; progress;) {
+      progress = false;
+      for (std::uint32_t s = 0; s < n; ++s)
+        if (!done_[s]) progress = walk_from(s) || progress;
+    }
+    for (std::uint32_t s = 0; s < n; ++s)
+      if (!done_[s]) out_.missing.push_back(s);
+    return std::move(out_);
+  }
+
+ private:
+  const Point3d& centre(std::uint32_t box, bool outside) const {
+    return outside ? cover_.boxes[box].star.outside : cover_.boxes[box].star.inside;
+  }
+
+  void list_boxes() {
+    shell_of_box_.assign(cover_.boxes.size(), 0);
+    boxes_of_shell_.resize(forest_.complex().shells().size());
+    std::vector<bool> seen(cover_.boxes.size());
+    for (Id id = 0; id < cover_.box_of_node.size(); ++id) {
+      const std::uint32_t box = cover_.box_of_node[id];
+      if (box == StarCover::kNone || seen[box]) continue;
+      seen[box] = true;
+      shell_of_box_[box] = forest_.complex().shell(forest_.node(id).patch);
+      boxes_of_shell_[shell_of_box_[box]].push_back(box);
+    }
+  }
+
+  // The centres of a shell that lie farthest in a direction see infinity, or the next shell around.
+  bool walk_from(std::uint32_t shell) {
+    struct Start {
+      std::uint32_t box;
+      bool outside;
+      std::uint8_t direction;
+    };
+    std::vector<Start> starts;
+    for (std::uint8_t direction = 0; direction < 6; ++direction) {
+      const std::size_t k = direction / 2;
+      const double sign = direction % 2 == 0 ? 1 : -1;
+      Start best{};
+      double farthest = -std::numeric_limits<double>::infinity();
+      for (const std::uint32_t box : boxes_of_shell_[shell])
+        for (const bool outside : {true, false}) {
+          const double reach = sign * centre(box, outside)[k];
+          if (reach > farthest) farthest = reach, best = {box, outside, direction};
+        }
+      starts.push_back(best);
+    }
+    for (const Start& s : starts)
+      if (to_infinity(shell, s.box, s.outside, s.direction)) return true;
+    for (const Start& s : starts)
+      if (to_other_shell(shell, s.box, s.outside, s.direction)) return true;
+    return false;
+  }
+
+  // A point of the ray beyond all hulls.
+  Point3d far_point(const Point3d& from, std::uint8_t direction) const {
+    Point3d to = from;
+    const std::size_t k = direction / 2;
+    to[k] = direction % 2 == 0 ? std::max(all_.hi[k], from[k]) + 1 : std::min(all_.lo[k], from[k]) - 1;
+    return to;
+  }
+
+  bool to_infinity(std::uint32_t shell, std::uint32_t box, bool outside, std::uint8_t direction) {
+    const Point3d& from = centre(box, outside);
+    if (!is_free_segment(forest_, from, far_point(from, direction))) return false;
+    add(ShellWalk{shell, box, outside, direction, 0, false, 0, 0}, 0);
+    return true;
+  }
+
+  bool to_other_shell(std::uint32_t shell, std::uint32_t box, bool outside, std::uint8_t direction) {
+    const Point3d& from = centre(box, outside);
+    for (const std::uint32_t next : boxes_along(from, far_point(from, direction))) {
+      const std::uint32_t other = shell_of_box_[next];
+      if (other == shell || !done_[other]) return false;  // the first shell that the ray meets decides
+      for (const bool to_outside : {true, false})
+        if (is_free_segment(forest_, from, centre(next, to_outside))) {
+          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0}, windings_[other][to_outside ? 1 : 0]);
+          return true;
+        }
+    }
+    return false;
+  }
+
+  // Boxes that cover pieces near the segment, nearest first; a few.
+  std::vector<std::uint32_t> boxes_along(const Point3d& a, const Point3d& b) {
+    std::vector<std::pair<double, std::uint32_t>> found;
+    const auto visit = [&](auto& self, Id id) -> void {
+      const Part p = part_in(forest_.node(id).hull, a, b);
+      if (p.t0 > p.t1) return;
+      if (cover_.box_of_node[id] != StarCover::kNone) {
+        found.push_back({p.t0, cover_.box_of_node[id]});
+        return;
+      }
+      const Id first = forest_.node(id).first_child;
+      for (Id k = 0; first != PieceForest::kNone && k < 4; ++k) self(self, first + k);
+    };
+    forest_.roots().visit([&](const Box3d& box) { const Part p = part_in(box, a, b); return p.t0 <= p.t1; },
+                          [&](std::uint32_t number) { visit(visit, forest_.root(number)); });
+    std::sort(found.begin(), found.end());
+    std::vector<std::uint32_t> out;
+    for (const auto& [t, box] : found)
+      if (out.size() < 16 && std::find(out.begin(), out.end(), box) == out.end()) out.push_back(box);
+    return out;
+  }
+
+  void add(ShellWalk walk, int winding_at_end) {
+    // w(c-) = w(c+) + 1.
+    walk.winding_inside = walk.starts_outside ? winding_at_end + 1 : winding_at_end;
+    walk.winding_outside = walk.winding_inside - 1;
+    windings_[walk.shell] = {walk.winding_inside, walk.winding_outside};
+    done_[walk.shell] = true;
+    out_.walks.push_back(walk);
+  }
+
+  PieceForest& forest_;
+  const StarCover& cover_;
+  Box3d all_;
+  ShellWalks out_;
+  std::vector<bool> done_;
+  std::vector<std::array<int, 2>> windings_;
+  std::vector<std::uint32_t> shell_of_box_;
+  std::vector<std::vector<std::uint32_t>> boxes_of_shell_;
+};
+
+}  // namespace
+
+std::uint64_t ShellWalks::num_bodies() const {
+  VT_CHECK(missing.empty(), "bodies are counted when every shell has a walk");
+  std::uint64_t n = 0;
+  for (const ShellWalk& w : walks) n += w.starts_outside ? 1 : 0;
+  return n;
+}
+
+bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b) { return SegmentDescent(forest, a, b).is_free(); }
+
+ShellWalks find_shell_walks(PieceForest& forest, const StarCover& cover) {
+  VT_CHECK(cover.is_complete(), "walks start at boxes of a whole cover");
+  return WalkSearch(forest, cover).run();
+}
+
+}  // namespace veritope

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// verify/format/star_box_certificate.h: the star-box certificate, version 1, as plain data, and its encoding.
+// The page: docs/certificates/star-box.md. Integers and bytes only; nothing here decides anything.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope::certificate {
+
+inline constexpr std::string_view kStarBoxClaim = "star-box-1";
+
+/// A fraction in lowest terms; denominator > 0.
+struct Fraction {
+  bool is_negative = false;
+  Natural numerator, denominator;
+};
+
+/// One entity of the model: a surface with its breaks along u and v, or a triangle without.
+struct PatchEntity {
+  bool is_reversed = false;
+  bool is_surface = true;
+  std::array<std::vector<Fraction>, 2> breaks;
+};
+
+/// In units of 2^(exponent + shift); the exponent is the body's.
+struct StarBoxItem {
+  std::uint64_t shift = 0;
+  std::array<std::int64_t, 3> low{};
+  std::array<std::uint64_t, 3> size{};
+  std::array<std::uint64_t, 3> inside{}, outside{};  ///< c- and c+, from the least corner
+};
+
+/// Symbols in preorder: kSplit, or the leaf's box.
+inline constexpr std::int64_t kSplit = -1;
+
+struct WalkPoint {
+  std::uint64_t shift = 0;
+  std::array<std::int64_t, 3> at{};
+};
+struct StarWalk {
+  std::uint64_t box = 0;
+  bool starts_outside = true;
+  std::vector<WalkPoint> points;
+  std::uint8_t end = 0;  ///< 0..5: to infinity along +x -x +y -y +z -z; 6: to a box
+  std::uint64_t end_box = 0;
+  bool ends_outside = false;
+};
+
+struct StarBoxBody {
+  std::vector<PatchEntity> entities;
+  std::vector<std::array<std::uint8_t, 2>> roots;  ///< a, b of each patch
+  std::int64_t exponent = 0;
+  std::vector<StarBoxItem> boxes;
+  std::vector<std::int64_t> trees;  ///< of all roots of all patches, one after the other
+  std::vector<StarWalk> walks;
+};
+
+/// What a star-box certificate states beside its claim.
+struct StarBoxQuantities {
+  std::uint64_t patches = 0, edges = 0, vertices = 0, shells = 0, bodies = 0, genus = 0;
+};
+
+Bytes encode(const StarBoxBody& body);
+/// The whole certificate. `subject.reading_rule` and `as_indexed` are not used.
+Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const StarBoxBody& body);
+
+}  // namespace veritope::certificate

@@ -352,6 +352,7 @@ bool G2Reader::read_extrusion(Shape<ExactSurface>& shape) {
     for (int c = 0; c < raw.num_components; ++c) {
       Rational x = curve->component(c)[i];
       if (c < curve->dimension()) x += w * bounds[2 + j] * axis[static_cast<std::size_t>(c)];
+      if (!charge(at, x)) return false;
       raw.points.push_back(std::move(x));
     }
   }

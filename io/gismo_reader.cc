@@ -259,8 +259,11 @@ bool GismoReader::finish(Geometry g, SplineEntity& entity) {
     raw.points = std::move(g.coefficients);
   } else {
     for (std::uint64_t i = 0; i < total; ++i) {
-      for (std::uint64_t c = 0; c < g.dimension; ++c)
-        raw.points.push_back(g.coefficients[i * g.dimension + c] * g.weights[i]);
+      for (std::uint64_t c = 0; c < g.dimension; ++c) {
+        Rational& x = g.coefficients[i * g.dimension + c];
+        if (!multiply(g.at, x, g.weights[i])) return false;
+        raw.points.push_back(std::move(x));
+      }
       raw.points.push_back(g.weights[i]);
     }
   }

@@ -269,7 +269,8 @@ bool ItdReader::read_body(const char* open, Header<N>& header,
   }
   if (header.basis == Basis::kBspline && !read_knots(header)) return false;
   if (!read_points(raw) || !take_bracket(']')) return false;
-  if (header.basis == Basis::kPower) power_to_bernstein(raw);
+  if (header.basis == Basis::kPower && !power_to_bernstein(raw, budget_))
+    return fail(open, Code::kOverLimit, budget_.message() + ", in Bernstein's basis");
   spline = build(open, std::move(raw));
   return spline.has_value();
 }

@@ -238,7 +238,8 @@ bool MfemReader::read_patch(const char* open) {
     if (!read_number(x)) return false;
   if (is_cartesian)
     for (std::uint64_t i = 0; i < total; i += dimension + 1)
-      for (std::uint64_t c = 0; c < dimension; ++c) raw.points[i + c] *= raw.points[i + dimension];
+      for (std::uint64_t c = 0; c < dimension; ++c)
+        if (!multiply(open, raw.points[i + c], raw.points[i + dimension])) return false;
   return add(open, std::move(raw));
 }
 
@@ -305,6 +306,8 @@ bool MfemReader::gather(const MfemNumbering& numbering, std::uint64_t dimension,
       raw.degrees[a] = k.degree;
       raw.num_control[a] = k.num_control;
       raw.knots[a] = turn.value_or(false) ? std::move(turned) : k.knots;
+      for (const Rational& x : raw.knots[a])
+        if (!charge(patch_lines_[p], x)) return false;
       total *= k.num_control;
     }
     raw.is_rational = true;
@@ -316,10 +319,13 @@ bool MfemReader::gather(const MfemNumbering& numbering, std::uint64_t dimension,
       for (std::size_t a = 0; a < N; rest /= raw.num_control[a], ++a)
         index[a] = rest % raw.num_control[a];
       const std::uint64_t n = numbering.point(p, index);
-      for (std::uint64_t c = 0; c < dimension; ++c)
+      for (std::uint64_t c = 0; c < dimension; ++c) {
         raw.points.push_back(nodes_[by_nodes ? c * num_points + n : n * dimension + c] *
                              weights_[n]);
+        if (!charge(patch_lines_[p], raw.points.back())) return false;
+      }
       raw.points.push_back(weights_[n]);
+      if (!charge(patch_lines_[p], raw.points.back())) return false;
     }
     if (!add(patch_lines_[p], std::move(raw))) return false;
   }

@@ -157,23 +157,7 @@ bool JsonReader::read_exact(Rational& value) {
   const char* const at = p_;
   std::string text;
   if (!read_string(text)) return false;
-  switch (read_exact_number(text, limits_, value)) {
-    case DecimalFault::kNone: return true;
-    case DecimalFault::kSyntax: break;
-    case DecimalFault::kNotFinite:
-      return fail(at, Code::kNotFinite, "the number " + quoted(text) + " is not finite");
-    case DecimalFault::kDigits:
-      return fail(at, Code::kOverLimit,
-                  "more than " + std::to_string(limits_.max_digits) +
-                      " digits in a number (--max-digits " + std::to_string(limits_.max_digits) +
-                      "): " + quoted(text));
-    case DecimalFault::kExponent:
-      return fail(at, Code::kOverLimit,
-                  "an exponent larger than " + std::to_string(limits_.max_exponent) +
-                      " (--max-exponent " + std::to_string(limits_.max_exponent) +
-                      "): " + quoted(text));
-  }
-  return fail(at, Code::kSyntax, "a number as a string expected, but there is " + quoted(text));
+  return read_token(at, text, value, read_exact_number);
 }
 
 template <typename Item>

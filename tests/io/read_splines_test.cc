@@ -289,6 +289,61 @@ TEST(ReadSplines, LimitsAreObeyed) {
   EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, "[CURVE", options)), "over-limit");
 }
 
+std::string curve_of(std::uint64_t count, const std::string& number) {
+  std::string text = "[CURVE BSPLINE " + std::to_string(count) + " 2 E1\n[KV 0";
+  for (std::uint64_t i = 0; i < count; ++i) text += " " + std::to_string(i);
+  text += " " + std::to_string(count - 1) + "]\n";
+  for (std::uint64_t i = 0; i < count; ++i) text += "[" + number + "]";
+  return text + "]";
+}
+
+std::string sentence(const Result<SplineFile>& file) {
+  return file ? "read" : outcome(file) + " " + file.error().message;
+}
+
+TEST(ReadSplines, TheNumbersOfAFileHaveABudgetOfMemory) {
+  // 60,000 times 1700 bytes, of 900,000.
+  const std::string refused =
+      sentence(read_splines(SplineFormat::kItd, curve_of(60'000, "1e4096")));
+  EXPECT_NE(refused.find("over-limit@3#0 the file's numbers take more than"), refused.npos)
+      << refused;
+  EXPECT_NE(refused.find("'1e4096'"), refused.npos) << refused;
+  EXPECT_EQ(sentence(read_splines(SplineFormat::kItd, curve_of(5'000, "-1e-4096"))), "read");
+  // What is in the range of binary64 is within the budget however large the file: 77 MB of numbers.
+  EXPECT_EQ(sentence(read_splines(SplineFormat::kItd, curve_of(600'000, "1e308"))), "read");
+}
+
+TEST(ReadSplines, OneNumberOverTheBudgetIsNotWrittenOut) {
+  SplineReadOptions options;
+  options.limits.max_exponent = 4'000'000'000;
+  const std::string refused =
+      sentence(read_splines(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [1e3999999999]]", options));
+  EXPECT_NE(refused.find("over-limit@1#0 the file's numbers take more than"), refused.npos)
+      << refused;
+}
+
+TEST(ReadSplines, NumbersThatAreMadeOfTheFilesNumbersAreInTheBudget) {
+  // A weight times 1000 coordinates of two bytes each: 10 MB from 2 KB a point, 20 points.
+  std::string xml =
+      "<xml>\n<Geometry type=\"Nurbs\"><Basis><KnotVector degree=\"1\">0 0 1 2 3 4 5 6 7 8 9 10 11 "
+      "12 13 14 15 16 "
+      "17 18 19 19</KnotVector></Basis><weights>";
+  for (int i = 0; i < 20; ++i) xml += "1e40000 ";
+  xml += "</weights><coefs geoDim=\"1000\">";
+  for (int i = 0; i < 20'000; ++i) xml += "1 ";
+  SplineReadOptions options;
+  options.limits.max_exponent = 40000;
+  const auto file = read_splines(SplineFormat::kGismo, xml + "</coefs></Geometry></xml>", options);
+  EXPECT_EQ(outcome(file), "over-limit@2#0") << sentence(file);
+  // A constant in the power basis is a part of every coefficient.
+  std::string power = "[TRIVAR POWER 64 64 8 E1 [1e4096]";
+  for (int i = 1; i < 64 * 64 * 8; ++i) power += "[0]";
+  EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, power + "]")), "ok");
+  power = "[TRIVAR POWER 64 64 64 E1 [1e4096]";
+  for (int i = 1; i < 64 * 64 * 64; ++i) power += "[0]";
+  EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, power + "]")), "over-limit@1#0");
+}
+
 TEST(ReadSplines, FormatsAreFoundByNameAndByContent) {
   for (const char* name : {"groups.itd", "objects.g2", "two_cubes.mesh", "surface.xml"}) {
     const std::string text = io_test::slurp(io_test::spline_folder() + name);

@@ -110,6 +110,11 @@ ExitCode convert_splines(const Options& options, StandardOutput& out) {
   if (view != nullptr) {
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());
+    if (bytes->empty()) {
+      Error error{Code::kEmpty, {}, "not written, there is nothing to show"};
+      error.place.file = options.output;
+      return fail(error);
+    }
     return finish(options, *file, *bytes, "", joined(lost), true, out);
   }
   const SplineFormat format = std::get<SplineFormat>(*target);

@@ -184,6 +184,8 @@ bool GismoReader::refuse_format(const Tag& tag) {
 
 // An element within <Geometry>; the tags of bases are passed, their knots kept in order.
 bool GismoReader::read_part(const Tag& tag, Geometry& g) {
+  if (tag.name == "Geometry")
+    return fail(tag.at, Code::kSyntax, "a <Geometry> within a <Geometry> is not read");
   if (tag.name == "Basis") {
     const std::string_view type = tag.attribute("type");
     if (type.starts_with("H") || type.starts_with("TH") || type.find("HTensor") != type.npos)
@@ -297,7 +299,10 @@ bool GismoReader::read_geometry(const Tag& open) {
   const auto* const known = std::find_if(std::begin(kTypes), std::end(kTypes),
                                          [&](const auto& t) { return t.first == geometry.type; });
   if (known == std::end(kTypes)) {
-    leave_out("geometries of type " + escaped(geometry.type), "this type is not known here", true);
+    const bool has_type = !geometry.type.empty();
+    leave_out(
+        has_type ? "geometries of type " + escaped(geometry.type) : "geometries without a type",
+        has_type ? "this type is not known here" : "", true);
     return skip_element(open);
   }
   entity_ = model_.entities.size();

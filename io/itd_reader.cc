@@ -546,6 +546,8 @@ bool ItdReader::read_object_item() {
 }
 
 bool ItdReader::read() {
+  // A file of comments only is no model without splines: it was cut off, or is something else.
+  if (std::find(p_, source_.end, '[') == source_.end) return fail_expected("'['");
   for (;;) {
     if (!open_.empty()) {
       if (is_at_end()) return fail(open_.back().at, Code::kTruncated, "an object is not closed");
@@ -578,7 +580,10 @@ SplineFile ItdReader::take() {
   std::vector<std::size_t> renamed(model_.groups.size());
   SplineFile file;
   for (std::size_t g = 0; g < model_.groups.size(); ++g) {
-    if (!is_used[g]) continue;
+    if (!is_used[g]) {
+      leave_out("groups without splines", "", false);
+      continue;
+    }
     renamed[g] = file.model.groups.size();
     SplineGroup& group = model_.groups[g];
     if (group.parent) group.parent = renamed[*group.parent];

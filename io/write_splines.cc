@@ -75,16 +75,17 @@ SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std:
   options.format = format;
   options.limits = limits;
   options.limits.max_bytes = ~std::uint64_t{0};
-  SplineModel back;
-  if (!bytes.empty()) {
-    auto file = read_spline_bytes(
-        {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
-    if (!file) {
-      loss.unreadable = file.error();
-      return loss;
-    }
-    back = std::move(file->model);
+  if (bytes.empty()) {
+    loss.unreadable = Error{Code::kEmpty, {}, "no spline is left for it to hold"};
+    return loss;
   }
+  const auto file = read_spline_bytes(
+      {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
+  if (!file) {
+    loss.unreadable = file.error();
+    return loss;
+  }
+  const SplineModel& back = file->model;
   if (model == back) return loss;
   if (!same_shapes(model, back))
     loss.shapes.push_back(std::to_string(num_changed(model, back)) + " of " +

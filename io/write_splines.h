@@ -29,7 +29,7 @@ struct SplineLoss {
       shapes;  ///< lost or rounded shapes: a conversion that does this is lossy
   std::vector<std::string>
       dropped;  ///< names, attributes, order of groups: no part of the geometry
-  /// The rounded numbers make no spline, or the bytes are over a limit: this file must not be written.
+  /// The rounded numbers make no spline, no spline is left, or the bytes are over a limit: this file must not be written.
   std::optional<Error> unreadable;
 };
 SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes,

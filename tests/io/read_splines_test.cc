@@ -38,6 +38,7 @@ TEST(ReadSplines, ItdGroupsNamesAndAttributesAreATree) {
   EXPECT_EQ(file.model.entities[4].group, std::nullopt);
   EXPECT_EQ(left_out(file, "polygons"), 1u);
   EXPECT_EQ(left_out(file, "matrices"), 1u);
+  EXPECT_EQ(left_out(file, "groups without splines"), 1u);
   EXPECT_EQ(file.model.entities[0].place.line, 4u);
 }
 
@@ -126,6 +127,13 @@ TEST(ReadSplines, GismoWeightsAreMultipliedInAndCommentsHoldNothing) {
   EXPECT_EQ(left_out(file, "geometries of type THBSpline2"), 1u);
 }
 
+TEST(ReadSplines, AGismoGeometryWithoutATypeIsCalledThat) {
+  const auto file = read_splines(SplineFormat::kGismo,
+                                 "<xml><Geometry><Geometry type=\"BSpline\"/></Geometry></xml>");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(left_out(*file, "geometries without a type"), 1u);
+}
+
 TEST(ReadSplines, MfemPatchesMayBeCartesian) {
   const SplineFile file = sample("patches.mesh");
   EXPECT_EQ(exact_value<2>(shape<ExactSurface>(file, 0), {kHalf, Rational(1)}), "1 4/3");
@@ -190,6 +198,9 @@ TEST(ReadSplines, BadFilesAreRefusedWithEntityAndLine) {
       {kItd, "[OBJECT [a \"b]\n] ]", "truncated@1"},
       {kItd, "[OBJECT A B]", "syntax@1"},
       {kItd, "[SPHERE 1]", "syntax@1"},
+      {kItd, "\n\nhello", "syntax@3"},
+      {kItd, "a comment, and then the file was cut\n", "syntax@1"},
+      {kItd, "\n \n", "truncated@3"},
       {kItd, "[CURVE BEZIER 2 E1 [0] [1]]\n[MODEL 0 1 [MDLTSEG 0 1 0]]", "over-limit@2#1"},
       {kItd, "[MODEL 1 0 [MDLTSRF 1 [SURFACE BEZIER 2 2 E1 [0][0][0][0]] [MDLLOOP 1]]]",
        "index-out-of-range@1#0"},
@@ -233,6 +244,8 @@ TEST(ReadSplines, BadFilesAreRefusedWithEntityAndLine) {
       {kGismo, "<xml>\n<Geometry type=\"BSpline\"><KnotVector degree=\"99\">0 1</KnotVector>",
        "over-limit@2#0"},
       {kGismo, "<xml><!-- ", "truncated@1"},
+      {kGismo, "<xml><Geometry type=\"BSpline\">\n<Geometry type=\"BSpline\"/></Geometry></xml>",
+       "syntax@2#0"},
       {kGismo, "<!DOCTYPE a []><xml/>", "syntax@1"},
       {kJson, "{\"format\": \"veritope-spline-2\"", "unknown-format@1"},
       {kJson, "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [{}]}",

@@ -42,15 +42,10 @@ struct Geometry {
 class GismoReader : SplineTextReader {
  public:
   using SplineTextReader::SplineTextReader;
+  using SplineTextReader::take;
   using SplineTextReader::take_error;
 
   bool read();
-  SplineFile take() {
-    SplineFile file;
-    file.model = std::move(model_);
-    file.left_out = std::move(left_out_);
-    return file;
-  }
 
  private:
   /// The next tag; text before it is passed over. is_end_of_file: there is none.
@@ -68,7 +63,6 @@ class GismoReader : SplineTextReader {
   bool skip_element(const Tag& open);
   bool refuse_format(const Tag& tag);
 
-  SplineModel model_;
   std::vector<std::string_view> open_;
 };
 
@@ -305,11 +299,7 @@ bool GismoReader::read_geometry(const Tag& open) {
         has_type ? "this type is not known here" : "", true);
     return skip_element(open);
   }
-  entity_ = model_.entities.size();
-  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}),
-                      {},
-                      {},
-                      place_of(open.at)};
+  SplineEntity entity = begin_entity(open.at);
   const std::string_view label = open.attribute("label"), id = open.attribute("id");
   if (!id.empty()) entity.attributes.push_back("id " + to_utf8(id));
   if (!label.empty()) {
@@ -345,10 +335,7 @@ bool GismoReader::read_geometry(const Tag& open) {
   const bool ok = known->second == 1   ? finish<1>(std::move(geometry), entity)
                   : known->second == 2 ? finish<2>(std::move(geometry), entity)
                                        : finish<3>(std::move(geometry), entity);
-  if (!ok) return false;
-  model_.entities.push_back(std::move(entity));
-  entity_.reset();
-  return true;
+  return ok && end_entity(std::move(entity));
 }
 
 bool GismoReader::read() {
@@ -383,9 +370,7 @@ bool GismoReader::read() {
 }  // namespace
 
 Result<SplineFile> read_gismo(const Source& source, const ReadLimits& limits) {
-  GismoReader reader(source, limits);
-  if (!reader.read()) return reader.take_error();
-  return reader.take();
+  return run_reader<GismoReader>(source, limits);
 }
 
 }  // namespace veritope

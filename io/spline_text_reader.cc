@@ -75,6 +75,17 @@ Place SplineTextReader::place_of(const char* at) {
   return place;
 }
 
+SplineEntity SplineTextReader::begin_entity(const char* at) {
+  entity_ = model_.entities.size();
+  return {ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(at)};
+}
+
+bool SplineTextReader::end_entity(SplineEntity entity) {
+  model_.entities.push_back(std::move(entity));
+  entity_.reset();
+  return true;
+}
+
 bool SplineTextReader::fail(const char* at, Code code, std::string message) {
   if (!error_) error_ = Error{code, place_of(at), std::move(message)};
   return false;
@@ -146,6 +157,12 @@ bool SplineTextReader::read_number(Rational& value) {
   if (token.empty()) return fail_expected("a number");
   if (!read_token(p_, token, value, read_exact_decimal)) return false;
   p_ += token.size();
+  return true;
+}
+
+bool SplineTextReader::read_all(std::vector<Rational>& into) {
+  for (Rational& x : into)
+    if (!read_number(x)) return false;
   return true;
 }
 

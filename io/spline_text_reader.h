@@ -29,6 +29,13 @@ class SplineTextReader {
 
   /// REQUIRES that a function failed.
   Error take_error();
+  /// The model as it is, and what was left out.
+  SplineFile take() {
+    SplineFile file;
+    file.model = std::move(model_);
+    file.left_out = std::move(left_out_);
+    return file;
+  }
 
  protected:
   /// The place is the line of `at`, and the entity if one is being read.
@@ -45,6 +52,8 @@ class SplineTextReader {
   bool is_at_end() { return peek().empty(); }
 
   bool read_number(Rational& value);
+  /// As many as `into` has elements.
+  bool read_all(std::vector<Rational>& into);
   /// Reads `token` as `read` does (read_exact_decimal, read_exact_number); an error is placed at `at`.
   bool read_token(const char* at, std::string_view token, Rational& value,
                   DecimalFault (*read)(std::string_view, const ReadLimits&, Rational&));
@@ -76,6 +85,11 @@ class SplineTextReader {
   std::uint64_t line_of(const char* at);
   Place place_of(const char* at);
 
+  /// The next entity, found at `at`; its shape is still to come.
+  SplineEntity begin_entity(const char* at);
+  /// It goes into the model.
+  bool end_entity(SplineEntity entity);
+
   void leave_out(std::string what, std::string reason, bool is_geometry, std::uint64_t count = 1);
 
   std::uint64_t bytes_left() const { return static_cast<std::uint64_t>(source_.end - p_); }
@@ -87,6 +101,7 @@ class SplineTextReader {
   bool has_comments_ = false;            ///< # to the end of the line
   std::string_view own_tokens_;          ///< characters that are tokens of their own
   std::optional<std::uint64_t> entity_;  ///< that is being read
+  SplineModel model_;
   std::vector<LeftOut> left_out_;
   NumberBudget budget_;
 
@@ -100,6 +115,14 @@ class SplineTextReader {
   const char* counted_ = nullptr;  ///< line_of has counted up to here
   std::uint64_t line_ = 1;
 };
+
+/// All of a format's reader: bool read(), take_error(), take().
+template <typename Reader>
+Result<SplineFile> run_reader(const Source& source, const ReadLimits& limits) {
+  Reader reader(source, limits);
+  if (!reader.read()) return reader.take_error();
+  return reader.take();
+}
 
 /// Valid UTF-8 stays; otherwise every byte is the Latin-1 character of its number.
 std::string to_utf8(std::string_view text);

@@ -201,6 +201,10 @@ double PieceForest::control_error(Id id, std::size_t component) {
   const Layout at = layout(forms_[nodes_[id].patch]);
   return net(id)[at.error(component)];
 }
+double PieceForest::determinant_error(Id id, std::size_t k) {
+  const Layout at = layout(forms_[nodes_[id].patch]);
+  return net(id)[at.error(at.components + k)];
+}
 const double* PieceForest::approx_determinants(Id id) {
   const Layout at = layout(forms_[nodes_[id].patch]);
   return net(id) + at.begin(at.components);

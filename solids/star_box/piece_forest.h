@@ -75,6 +75,8 @@ class PieceForest {
   Sign3 side_of(Id id, const Point3d& c);
   /// Coefficients of G0 .. G3 relative to origin(), as approximate numbers: for searches.
   const double* approx_determinants(Id id);
+  /// The bound of their errors, of G_k.
+  double determinant_error(Id id, std::size_t k);
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);

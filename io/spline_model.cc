@@ -12,7 +12,8 @@ constexpr std::size_t num_parameters(const BSpline<Rational, N>&) {
 }  // namespace
 
 const char* spline_kind_name(const SplineEntity& entity) {
-  constexpr std::array kNames = {"curve", "surface", "volume", "trimmed", "model"};
+  constexpr std::array kNames = {"curve", "surface", "volume", "trimmed", "model", "triangle"};
+  static_assert(kNames.size() == std::variant_size_v<decltype(entity.shape)>);
   return kNames[entity.shape.index()];
 }
 

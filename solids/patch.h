@@ -15,13 +15,14 @@
 #include "robust/base/result.h"
 #include "splines/bezier.h"
 #include "splines/bezier_triangle.h"
-#include "splines/pn_triangle.h"
 
 namespace veritope {
 
 /// The greatest degree, along each axis or of a triangle, of which a patch complex is sound; a patch of more is read, matched and named
 /// as a finding (PatchDefect::kDegree). Of more than kMaxSplineDegree it is refused.
 inline constexpr int kMaxPatchDegree = 15;
+
+using PatchPoint = std::array<Rational, 3>;
 
 /// Where a patch comes from, for messages.
 struct PatchOrigin {
@@ -61,6 +62,9 @@ class Patch {
   std::uint32_t num_sides() const { return is_triangle() ? 3 : 4; }
   /// In its direction of travel; homogeneous iff is_rational(). REQUIRES side < num_sides().
   Curve side(std::uint32_t side) const;
+  /// The number of its control points, and where in a component the i-th is.
+  std::size_t side_length(std::uint32_t side) const;
+  std::size_t side_index(std::uint32_t side, std::size_t i) const;
   /// The homogeneous coefficients of a corner: 3, or 4 with the weight last. REQUIRES corner < num_sides().
   std::vector<Rational> corner(std::uint32_t corner) const;
   /// All control points, one component after the other; see Bezier and BezierTriangle.
@@ -93,7 +97,7 @@ Patch reversed(const Patch& patch);
 Patch turned(const Patch& patch, std::uint32_t by);
 
 /// The point of homogeneous coefficients (three, or four with the weight last); nothing if the weight is 0.
-std::optional<RationalPoint> point_of(std::span<const Rational> homogeneous);
+std::optional<PatchPoint> point_of(std::span<const Rational> homogeneous);
 /// Each coordinate rounded to nearest: for messages and searches. NaN where there is no point.
 std::array<double, 3> approx_point(std::span<const Rational> homogeneous);
 

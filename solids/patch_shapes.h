@@ -12,7 +12,7 @@
 
 namespace veritope::patch_shapes {
 
-using Point = RationalPoint;
+using Point = PatchPoint;
 using Patches = std::vector<Patch>;
 
 // All normals point out of the solid. Circles are cut into quarters at the directions +x, +y, -x, -y; the weights of a quarter's ends
@@ -59,6 +59,10 @@ Patches placed(const Patches& patches, const Rational& factor, const Point& shif
 Patches joined(std::initializer_list<Patches> parts);
 /// Every normal the other way.
 Patches inside_out(const Patches& patches);
+
+/// The cube [-4,4]^3 of 38 flat triangles whose top is folded like a Z without leaving its plane: three sheets in the middle, S0 true. Every
+/// point set in it looks like that of a sound cube: it must be refused all the same.
+Patches wrinkled_cube();
 
 /// What is known of a model's map by construction.
 enum class Truth {

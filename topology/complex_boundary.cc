@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "topology/complex_boundary.h"
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -168,8 +168,30 @@ class Analysis {
   void count_edges_and_vertices() {
     for (const std::uint32_t f : face_at_edge_)
       if (f != kNone) ++out_.components[out_.component_of_face[f]].edges;
+    // A bad vertex may belong to several components.
+    for (const BadVertex& bad : out_.bad_vertices) face_at_vertex_[bad.vertex] = kNone;
     for (const std::uint32_t f : face_at_vertex_)
       if (f != kNone) ++out_.components[out_.component_of_face[f]].vertices;
+    for (const std::uint32_t component : components_at_bad_vertices()) ++out_.components[component].vertices;
+  }
+
+  /// Each component as often as it has bad vertices.
+  std::vector<std::uint32_t> components_at_bad_vertices() const {
+    if (out_.bad_vertices.empty()) return {};
+    std::vector<bool> is_bad(c_.num_vertices());
+    for (const BadVertex& bad : out_.bad_vertices) is_bad[bad.vertex] = true;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> at;
+    for (std::uint32_t f = 0; f < c_.num_faces(); ++f) {
+      if (out_.component_of_face[f] == kNone) continue;
+      for (const std::uint32_t e : c_.edges_of_face(f))
+        for (const std::uint32_t v : {c_.edges()[e].lower, c_.edges()[e].upper})
+          if (is_bad[v]) at.emplace_back(v, out_.component_of_face[f]);
+    }
+    std::sort(at.begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
+    std::vector<std::uint32_t> out;
+    for (const auto& entry : at) out.push_back(entry.second);
+    return out;
   }
 
   const CommonSubdivision& c_;

@@ -45,10 +45,14 @@ class Remaining {
 
 class Collapser {
  public:
-  Collapser(const CommonSubdivision& complex, const ComplexBoundary& boundary, std::span<const std::uint32_t> bodies,
-            std::span<const std::uint32_t> d_plus)
-      : c_(complex), boundary_(boundary), d_plus_(boundary.bodies.size(), kNone), faces_(c_.num_faces()),
-        edges_(c_.num_edges()), vertices_(c_.num_vertices()) {
+  Collapser(const CommonSubdivision& complex, const ComplexBoundary& boundary,
+            std::span<const std::uint32_t> bodies, std::span<const std::uint32_t> d_plus)
+      : c_(complex),
+        boundary_(boundary),
+        d_plus_(boundary.bodies.size(), kNone),
+        faces_(c_.num_faces()),
+        edges_(c_.num_edges()),
+        vertices_(c_.num_vertices()) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       d_plus_[bodies[i]] = d_plus[i];
       out_.remaining[3] += boundary.bodies[bodies[i]].cells;
@@ -56,7 +60,9 @@ class Collapser {
     for (std::uint32_t f = 0; f < c_.num_faces(); ++f)
       if (d_plus_[body_of_face(f)] != kNone) add_face(f);
     for (std::uint32_t f = 0; f < c_.num_faces(); ++f)
-      if (boundary_.component_of_face[f] != kNone && boundary_.component_of_face[f] == d_plus_[body_of_face(f)]) put_in_d_plus(f);
+      if (boundary_.component_of_face[f] != kNone &&
+          boundary_.component_of_face[f] == d_plus_[body_of_face(f)])
+        put_in_d_plus(f);
   }
 
   CollapseAttempt run(CollapseOrder order, std::uint64_t seed) {
@@ -106,7 +112,8 @@ class Collapser {
     Random random(seed);
     if (order != CollapseOrder::kBreadthFirst) std::shuffle(front.begin(), front.end(), random);
     for (std::size_t next = 0; next < front.size(); ++next) {
-      if (order == CollapseOrder::kRandomFront) std::swap(front[next], front[next + random.below(front.size() - next)]);
+      if (order == CollapseOrder::kRandomFront)
+        std::swap(front[next], front[next + random.below(front.size() - next)]);
       const std::uint32_t f = front[next];
       if (!faces_.is_free(f)) continue;
       const std::uint32_t cell = faces_.coface(f);
@@ -187,7 +194,9 @@ class Collapser {
   bool is_left_at(std::uint32_t f) const {
     if (faces_.is_left(f)) return true;
     for (const std::uint32_t e : c_.edges_of_face(f))
-      if (edges_.is_left(e) || vertices_.is_left(c_.edges()[e].lower) || vertices_.is_left(c_.edges()[e].upper)) return true;
+      if (edges_.is_left(e) || vertices_.is_left(c_.edges()[e].lower) ||
+          vertices_.is_left(c_.edges()[e].upper))
+        return true;
     return false;
   }
 
@@ -198,8 +207,10 @@ class Collapser {
     for (std::uint32_t f = 0; f < c_.num_faces(); ++f)
       if (is_stuck[body_of_face(f)])
         for (const std::uint32_t e : c_.edges_of_face(f)) stuck_edge[e] = true;
-    std::erase_if(out_.sequence.cells, [&](const Collapse& c) { return is_stuck[boundary_.body_of_cell[c.coface]]; });
-    std::erase_if(out_.sequence.faces, [&](const Collapse& c) { return is_stuck[body_of_face(c.coface)]; });
+    std::erase_if(out_.sequence.cells,
+                  [&](const Collapse& c) { return is_stuck[boundary_.body_of_cell[c.coface]]; });
+    std::erase_if(out_.sequence.faces,
+                  [&](const Collapse& c) { return is_stuck[body_of_face(c.coface)]; });
     std::erase_if(out_.sequence.edges, [&](const Collapse& c) { return stuck_edge[c.coface]; });
   }
 
@@ -213,8 +224,9 @@ class Collapser {
 }  // namespace
 
 CollapseAttempt collapse_greedily(const CommonSubdivision& complex, const ComplexBoundary& boundary,
-                                  std::span<const std::uint32_t> bodies, std::span<const std::uint32_t> d_plus,
-                                  CollapseOrder order, std::uint64_t seed) {
+                                  std::span<const std::uint32_t> bodies,
+                                  std::span<const std::uint32_t> d_plus, CollapseOrder order,
+                                  std::uint64_t seed) {
   return Collapser(complex, boundary, bodies, d_plus).run(order, seed);
 }
 
@@ -223,13 +235,17 @@ std::string name_of(const CommonSubdivision& complex, unsigned dimension, std::u
   const unsigned level = complex.cells().finest_level(), up = OctreeKey::kMaxLevel - level;
   const auto point = [&](std::uint32_t v) {
     const std::array<std::uint32_t, 3> p = complex.point(v);
-    return "(" + std::to_string(p[0] >> up) + " " + std::to_string(p[1] >> up) + " " + std::to_string(p[2] >> up) + ")";
+    return "(" + std::to_string(p[0] >> up) + " " + std::to_string(p[1] >> up) + " " +
+           std::to_string(p[2] >> up) + ")";
   };
   const std::string unit = " / " + std::to_string(1u << level);
   if (dimension == 0) return "vertex " + point(id) + unit;
-  if (dimension == 1) return "edge " + point(complex.edges()[id].lower) + "-" + point(complex.edges()[id].upper) + unit;
+  if (dimension == 1)
+    return "edge " + point(complex.edges()[id].lower) + "-" + point(complex.edges()[id].upper) +
+           unit;
   const std::span<const std::uint32_t> edges = complex.edges_of_face(id);
-  return "face " + point(complex.faces()[id].corner) + "-" + point(complex.edges()[edges.back()].upper) + unit;
+  return "face " + point(complex.faces()[id].corner) + "-" +
+         point(complex.edges()[edges.back()].upper) + unit;
 }
 
 }  // namespace veritope

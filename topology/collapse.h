@@ -39,9 +39,11 @@ enum class CollapseOrder {
 /// What a greedy collapse came to. Finished bodies have their collapses in `sequence`, others have none there.
 struct CollapseAttempt {
   CollapseSequence sequence;
-  std::vector<std::uint32_t> stuck;             ///< bodies where something outside d+ remains, ascending
-  std::array<std::uint64_t, 4> remaining{};     ///< their vertices, edges, faces, cells outside d+ that remain; no cell ever does
-  std::array<std::uint32_t, 2> remains_at{};    ///< dimension and id of one of these, of the greatest dimension
+  std::vector<std::uint32_t> stuck;  ///< bodies where something outside d+ remains, ascending
+  std::array<std::uint64_t, 4>
+      remaining{};  ///< their vertices, edges, faces, cells outside d+ that remain; no cell ever does
+  std::array<std::uint32_t, 2>
+      remains_at{};  ///< dimension and id of one of these, of the greatest dimension
 };
 
 /// Collapses each body of `bodies` onto the boundary component d_plus[i] (of bodies[i]) as far as the greedy order gets.
@@ -49,8 +51,9 @@ struct CollapseAttempt {
 /// only one that does (then some cell has a free face outside d+, and all cells of the body go: it is connected).
 /// @cost O(size of the complex)
 CollapseAttempt collapse_greedily(const CommonSubdivision& complex, const ComplexBoundary& boundary,
-                                  std::span<const std::uint32_t> bodies, std::span<const std::uint32_t> d_plus,
-                                  CollapseOrder order, std::uint64_t seed);
+                                  std::span<const std::uint32_t> bodies,
+                                  std::span<const std::uint32_t> d_plus, CollapseOrder order,
+                                  std::uint64_t seed);
 
 /// Why a claimed collapse is none.
 enum class CollapseFault {
@@ -67,15 +70,16 @@ enum class CollapseFault {
 
 struct CollapseCheck {
   CollapseFault fault = CollapseFault::kNone;
-  std::uint64_t step = 0;      ///< of the sequence: cells, faces, edges counted through
-  unsigned dimension = 0;      ///< of what the fault is about
+  std::uint64_t step = 0;  ///< of the sequence: cells, faces, edges counted through
+  unsigned dimension = 0;  ///< of what the fault is about
   std::uint32_t id = 0;
-  std::string message;         ///< a sentence with the place; empty without fault
+  std::string message;  ///< a sentence with the place; empty without fault
 };
 
 /// K2 and K3, as a checker decides them: are the faces d_plus whole boundary components, and does the sequence collapse the
 /// complex onto them? Any input; believes nothing. REQUIRES K1 for what follows from it. @cost O(size of the complex)
-CollapseCheck replay_collapse(const CommonSubdivision& complex, std::span<const std::uint32_t> d_plus,
+CollapseCheck replay_collapse(const CommonSubdivision& complex,
+                              std::span<const std::uint32_t> d_plus,
                               const CollapseSequence& sequence);
 
 /// "edge (16 16 28)-(16 16 30) / 32": coordinates in units of the finest level that occurs. REQUIRES dimension <= 3, an id of it.

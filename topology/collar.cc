@@ -11,7 +11,8 @@ constexpr std::uint32_t kNone = CommonSubdivision::kNone;
 
 class Search {
  public:
-  Search(const CommonSubdivision& complex, const CollarOptions& options) : c_(complex), options_(options) {
+  Search(const CommonSubdivision& complex, const CollarOptions& options)
+      : c_(complex), options_(options) {
     out_.boundary = analyse_boundary(complex);
   }
 
@@ -28,17 +29,25 @@ class Search {
 
  private:
   Status read_choice() {
-    if (options_.max_attempts == 0) return Error{Code::kBadArgument, {}, "a collar needs at least one attempt"};
+    if (options_.max_attempts == 0)
+      return Error{Code::kBadArgument, {}, "a collar needs at least one attempt"};
     chosen_.assign(out_.boundary.bodies.size(), kNone);
     for (const std::uint32_t f : options_.d_plus) {
       if (f >= c_.num_faces())
-        return Error{Code::kBadArgument, {}, "d+: face " + std::to_string(f) + " of " + std::to_string(c_.num_faces())};
+        return Error{Code::kBadArgument,
+                     {},
+                     "d+: face " + std::to_string(f) + " of " + std::to_string(c_.num_faces())};
       const std::uint32_t component = out_.boundary.component_of_face[f];
-      if (component == kNone) return Error{Code::kBadArgument, {}, "d+: " + name_of(c_, 2, f) + " is not on the boundary"};
+      if (component == kNone)
+        return Error{
+            Code::kBadArgument, {}, "d+: " + name_of(c_, 2, f) + " is not on the boundary"};
       std::uint32_t& chosen = chosen_[out_.boundary.components[component].body];
       if (chosen != kNone && chosen != component)
-        return Error{Code::kBadArgument, {}, "d+: " + name_of(c_, 2, f) + " is on another boundary component of its body than " +
-                                                 name_of(c_, 2, out_.boundary.components[chosen].first_face)};
+        return Error{Code::kBadArgument,
+                     {},
+                     "d+: " + name_of(c_, 2, f) +
+                         " is on another boundary component of its body than " +
+                         name_of(c_, 2, out_.boundary.components[chosen].first_face)};
       chosen = component;
     }
     return ok_status();
@@ -48,10 +57,12 @@ class Search {
     out_.outcome = CollarOutcome::kNotManifold;
     if (!out_.boundary.bad_edges.empty()) {
       const BadEdge& bad = out_.boundary.bad_edges.front();
-      out_.message = name_of(c_, 1, bad.edge) + " has " + std::to_string(bad.num_faces) + " boundary faces";
+      out_.message =
+          name_of(c_, 1, bad.edge) + " has " + std::to_string(bad.num_faces) + " boundary faces";
     } else {
       const BadVertex& bad = out_.boundary.bad_vertices.front();
-      out_.message = "the boundary faces at " + name_of(c_, 0, bad.vertex) + " form " + std::to_string(bad.num_cycles) + " cycles";
+      out_.message = "the boundary faces at " + name_of(c_, 0, bad.vertex) + " form " +
+                     std::to_string(bad.num_cycles) + " cycles";
     }
   }
 
@@ -76,7 +87,8 @@ class Search {
 
   void choose_side(CollarBody& body, std::uint32_t chosen) const {
     const auto faces = [&](std::uint32_t i) { return out_.boundary.components[i].faces; };
-    if (chosen != kNone ? chosen == body.d_minus : faces(body.d_minus) < faces(body.d_plus)) std::swap(body.d_plus, body.d_minus);
+    if (chosen != kNone ? chosen == body.d_minus : faces(body.d_minus) < faces(body.d_plus))
+      std::swap(body.d_plus, body.d_minus);
   }
 
   void refuse_product(std::uint32_t body, std::uint32_t num) {
@@ -85,8 +97,11 @@ class Search {
     if (num != 2) {
       out_.message += std::to_string(num) + " boundary component" + (num == 1 ? "" : "s");
     } else {
-      const auto genus = [&](std::uint32_t i) { return std::to_string(out_.boundary.components[i].genus()); };
-      out_.message += "boundary components of genus " + genus(out_.bodies[body].d_plus) + " and " + genus(out_.bodies[body].d_minus);
+      const auto genus = [&](std::uint32_t i) {
+        return std::to_string(out_.boundary.components[i].genus());
+      };
+      out_.message += "boundary components of genus " + genus(out_.bodies[body].d_plus) + " and " +
+                      genus(out_.bodies[body].d_minus);
     }
   }
 
@@ -103,21 +118,24 @@ class Search {
         sides.push_back(body.d_plus);
       }
       if (bodies.empty()) break;
-      take(collapse_greedily(c_, out_.boundary, bodies, sides, order(attempt), options_.seed + attempt));
+      take(collapse_greedily(c_, out_.boundary, bodies, sides, order(attempt),
+                             options_.seed + attempt));
     }
     if (!out_.message.empty()) return;
     out_.outcome = last_.stuck.empty() ? CollarOutcome::kCollar : CollarOutcome::kUndecided;
     if (!last_.stuck.empty())
       out_.message = "no order that was tried collapses the body of " +
                      name_of(c_, 3, out_.boundary.bodies[last_.stuck.front()].first_cell) + ": " +
-                     std::to_string(last_.remaining[2]) + " faces, " + std::to_string(last_.remaining[1]) + " edges are left, " +
+                     std::to_string(last_.remaining[2]) + " faces, " +
+                     std::to_string(last_.remaining[1]) + " edges are left, " +
                      name_of(c_, last_.remains_at[0], last_.remains_at[1]) + " among them";
   }
 
   /// Both sides breadth first, then both in each of the random orders in turn.
   static CollapseOrder order(unsigned attempt) {
     if (attempt < 2) return CollapseOrder::kBreadthFirst;
-    return attempt / 2 % 2 == 1 ? CollapseOrder::kShuffledBreadthFirst : CollapseOrder::kRandomFront;
+    return attempt / 2 % 2 == 1 ? CollapseOrder::kShuffledBreadthFirst
+                                : CollapseOrder::kRandomFront;
   }
 
   void take(CollapseAttempt attempt) {
@@ -135,7 +153,8 @@ class Search {
 
   const CommonSubdivision& c_;
   const CollarOptions& options_;
-  std::vector<std::uint32_t> chosen_;  // the boundary component that the caller wants as d+ of each body, or kNone
+  std::vector<std::uint32_t>
+      chosen_;  // the boundary component that the caller wants as d+ of each body, or kNone
   CollapseAttempt last_;
   Collar out_;
 };

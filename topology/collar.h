@@ -15,7 +15,7 @@
 namespace veritope {
 
 enum class CollarOutcome {
-  kCollar,       ///< K1, K2, K3 hold: every body is a product, between the two components of its boundary
+  kCollar,  ///< K1, K2, K3 hold: every body is a product, between the two components of its boundary
   kNotManifold,  ///< K1 fails: |K| is no 3-manifold
   kNotProduct,   ///< |K| is one, but some body has not two boundary components of one genus
   kUndecided,    ///< every order that was tried got stuck: it may be a product or not
@@ -30,17 +30,18 @@ struct CollarOptions {
 
 /// One body of |K|; boundary components by their numbers in `boundary`.
 struct CollarBody {
-  std::uint32_t d_plus = CommonSubdivision::kNone, d_minus = CommonSubdivision::kNone;  ///< kNone if it has not two of one genus
-  unsigned attempts = 0;                                                                ///< orders that were tried
-  bool is_product = false;                                                              ///< proved by collapses
+  std::uint32_t d_plus = CommonSubdivision::kNone,
+                d_minus = CommonSubdivision::kNone;  ///< kNone if it has not two of one genus
+  unsigned attempts = 0;                             ///< orders that were tried
+  bool is_product = false;                           ///< proved by collapses
 };
 
 struct Collar {
   CollarOutcome outcome = CollarOutcome::kUndecided;
-  std::string message;               ///< unless it is a collar: why, with the place
+  std::string message;  ///< unless it is a collar: why, with the place
   ComplexBoundary boundary;
-  std::vector<CollarBody> bodies;    ///< beside boundary.bodies; empty if K1 fails
-  CollapseSequence collapses;        ///< of the bodies that are products: certificate content
+  std::vector<CollarBody> bodies;  ///< beside boundary.bodies; empty if K1 fails
+  CollapseSequence collapses;      ///< of the bodies that are products: certificate content
   /// Vertices, edges, faces, cells outside d+ that the last order left of the bodies that are undecided.
   std::array<std::uint64_t, 4> remaining{};
 

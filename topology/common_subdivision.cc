@@ -59,14 +59,16 @@ class FaceLister {
 
   /// Is `key`, of which no cell in the set is a part, part of one? `at` is its lower bound.
   bool has_container(OctreeKey key, std::size_t at) const {
-    return (at < cells_.size() && cells_[at].contains(key)) || (at > 0 && cells_[at - 1].contains(key));
+    return (at < cells_.size() && cells_[at].contains(key)) ||
+           (at > 0 && cells_[at - 1].contains(key));
   }
 
   /// Lists the part of the cell's side that lies on `across`, which is of the cell's level or finer and contains the cells of
   /// `range`, if some of these touch it; returns whether. Each node is visited for at most one coarse cell a side: O(n depth) in all.
   bool split(OctreeKey across, Range range) {
     if (range.empty()) return false;
-    if (cells_[range.first] == across) return list(across, static_cast<std::uint32_t>(range.first)), true;
+    if (cells_[range.first] == across)
+      return list(across, static_cast<std::uint32_t>(range.first)), true;
     std::array<OctreeKey, 4> quadrant;
     std::array<bool, 4> touched;
     unsigned num = 0;
@@ -83,9 +85,11 @@ class FaceLister {
   }
 
   Range part(Range range, OctreeKey key) const {
-    const auto begin = cells_.keys().begin(), last = begin + static_cast<std::ptrdiff_t>(range.last);
+    const auto begin = cells_.keys().begin(),
+               last = begin + static_cast<std::ptrdiff_t>(range.last);
     const auto less = [](OctreeKey a, std::uint64_t code) { return a.code() < code; };
-    const auto lo = std::lower_bound(begin + static_cast<std::ptrdiff_t>(range.first), last, key.first_code(), less);
+    const auto lo = std::lower_bound(begin + static_cast<std::ptrdiff_t>(range.first), last,
+                                     key.first_code(), less);
     const auto hi = std::lower_bound(lo, last, key.last_code() + 1, less);
     return {static_cast<std::size_t>(lo - begin), static_cast<std::size_t>(hi - begin)};
   }
@@ -93,8 +97,8 @@ class FaceLister {
   /// `key` is the cell itself or a node across the side.
   void list(OctreeKey key, std::uint32_t other) {
     const auto own = static_cast<std::uint32_t>(cell_);
-    RawFace face{key.corner(), upper_ ? own : other, upper_ ? other : own, static_cast<std::uint8_t>(axis_),
-                 static_cast<std::uint8_t>(key.level())};
+    RawFace face{key.corner(), upper_ ? own : other, upper_ ? other : own,
+                 static_cast<std::uint8_t>(axis_), static_cast<std::uint8_t>(key.level())};
     const OctreeKey cell = cells_[cell_];
     face.corner[axis_] = cell.corner()[axis_] + (upper_ ? cell.size() : 0);
     faces_.push_back(face);
@@ -108,7 +112,8 @@ class FaceLister {
 };
 
 /// ids[r] = the rank of record r's key among the distinct keys, which are returned in order. REQUIRES keys < 2^bits.
-std::vector<std::uint64_t> rank(Buffer<internal::KeyedRecord>& records, unsigned bits, std::vector<std::uint32_t>& ids) {
+std::vector<std::uint64_t> rank(Buffer<internal::KeyedRecord>& records, unsigned bits,
+                                std::vector<std::uint32_t>& ids) {
   internal::radix_sort(records, bits);
   std::vector<std::uint64_t> distinct;
   ids.resize(records.size());
@@ -163,7 +168,8 @@ class SubdivisionBuilder {
   /// No two faces have the same normal and least corner: they would overlap.
   void order_faces() {
     std::vector<std::uint32_t> at(3 * s_.points_.size(), kNone);
-    for (std::size_t f = 0; f < raw_.size(); ++f) at[3 * std::size_t{corner_[4 * f]} + raw_[f].axis] = static_cast<std::uint32_t>(f);
+    for (std::size_t f = 0; f < raw_.size(); ++f)
+      at[3 * std::size_t{corner_[4 * f]} + raw_[f].axis] = static_cast<std::uint32_t>(f);
     std::vector<std::array<std::uint32_t, 4>> corners;
     corners.reserve(raw_.size());
     s_.faces_.reserve(raw_.size());
@@ -187,9 +193,12 @@ class SubdivisionBuilder {
     // Rotated so that the axis has the lowest bits: points of one line are adjacent.
     const unsigned all = 3 * s_.bits_, shift = axis * s_.bits_;
     const std::uint64_t mask = (std::uint64_t{1} << all) - 1;
-    const auto rotated = [&](std::uint64_t p) { return shift == 0 ? p : (p >> shift | p << (all - shift)) & mask; };
+    const auto rotated = [&](std::uint64_t p) {
+      return shift == 0 ? p : (p >> shift | p << (all - shift)) & mask;
+    };
     Buffer<internal::KeyedRecord> order(n);
-    for (std::size_t v = 0; v < n; ++v) order[v] = {rotated(s_.points_[v]), static_cast<std::uint32_t>(v)};
+    for (std::size_t v = 0; v < n; ++v)
+      order[v] = {rotated(s_.points_[v]), static_cast<std::uint32_t>(v)};
     if (axis != 0) internal::radix_sort(order, all);
     for (std::size_t i = 1; i < n; ++i)
       if (order[i].key >> s_.bits_ == order[i - 1].key >> s_.bits_)
@@ -243,15 +252,19 @@ class SubdivisionBuilder {
 
   CommonSubdivision s_;
   std::vector<RawFace> raw_;
-  std::vector<std::uint32_t> corner_;                   // ids of the corners of raw face f at 4 f
-  std::vector<std::array<std::uint32_t, 4>> corners_;  // of face f: least, along axis + 1, along axis + 2, greatest
+  std::vector<std::uint32_t> corner_;  // ids of the corners of raw face f at 4 f
+  std::vector<std::array<std::uint32_t, 4>>
+      corners_;  // of face f: least, along axis + 1, along axis + 2, greatest
   std::vector<std::uint32_t> next_;
 };
 
 Result<CommonSubdivision> CommonSubdivision::build(OctreeKeySet cells) {
   FaceLister lister(cells);
   if (!lister.run())
-    return Error{Code::kOverLimit, {}, std::to_string(cells.size()) + " octree cells have more than " + std::to_string(kMaxFaces) + " faces"};
+    return Error{Code::kOverLimit,
+                 {},
+                 std::to_string(cells.size()) + " octree cells have more than " +
+                     std::to_string(kMaxFaces) + " faces"};
   std::vector<RawFace> raw = std::move(lister.faces());
   return SubdivisionBuilder(std::move(cells), std::move(raw)).run();
 }

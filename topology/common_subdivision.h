@@ -22,13 +22,15 @@ namespace veritope {
 class CommonSubdivision {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  static constexpr std::uint32_t kMaxFaces = 1u << 26;  ///< then all counts and incidences fit 32 bits
+  static constexpr std::uint32_t kMaxFaces = 1u
+                                             << 26;  ///< then all counts and incidences fit 32 bits
 
   struct Face {
-    std::uint32_t below, above;  ///< the cells on its two sides along its normal; kNone for none, not both
-    std::uint32_t corner;        ///< the vertex with the least coordinates
-    std::uint8_t axis;           ///< of its normal
-    std::uint8_t level;          ///< its edge is 2^-level of the root's
+    std::uint32_t below,
+        above;  ///< the cells on its two sides along its normal; kNone for none, not both
+    std::uint32_t corner;  ///< the vertex with the least coordinates
+    std::uint8_t axis;     ///< of its normal
+    std::uint8_t level;    ///< its edge is 2^-level of the root's
     std::uint32_t num_cells() const { return (below != kNone) + (above != kNone); }
     /// REQUIRES num_cells() == 1.
     std::uint32_t only_cell() const { return below != kNone ? below : above; }
@@ -61,7 +63,9 @@ class CommonSubdivision {
   /// In units of the finest level that octrees have, each in [0, OctreeKey::kGrid].
   std::array<std::uint32_t, 3> point(std::uint32_t vertex) const {
     const std::uint64_t p = points_[vertex], mask = (std::uint64_t{1} << bits_) - 1;
-    const auto at = [&](unsigned a) { return static_cast<std::uint32_t>(p >> (a * bits_) & mask) << up_; };
+    const auto at = [&](unsigned a) {
+      return static_cast<std::uint32_t>(p >> (a * bits_) & mask) << up_;
+    };
     return {at(0), at(1), at(2)};
   }
   /// The axis along which an edge runs.
@@ -77,7 +81,8 @@ class CommonSubdivision {
   OctreeKeySet cells_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
-  std::vector<std::uint64_t> points_;                   // z, y, x, bits_ bits each, in cells of the finest level that occurs
+  std::vector<std::uint64_t>
+      points_;  // z, y, x, bits_ bits each, in cells of the finest level that occurs
   std::vector<std::uint32_t> cell_first_, cell_faces_;  // compressed rows
   std::vector<std::uint32_t> face_first_, face_edges_;
   unsigned bits_ = 1, up_ = 0;

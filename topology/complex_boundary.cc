@@ -14,7 +14,9 @@ constexpr std::uint32_t kNone = CommonSubdivision::kNone;
 /// Union-find whose roots are the least members.
 class Partition {
  public:
-  explicit Partition(std::uint32_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit Partition(std::uint32_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
   std::uint32_t find(std::uint32_t x) {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
     return x;
@@ -64,8 +66,12 @@ unsigned num_classes(Corners corners) {
 class Analysis {
  public:
   explicit Analysis(const CommonSubdivision& complex)
-      : c_(complex), num_at_edge_(c_.num_edges()), face_at_edge_(c_.num_edges(), kNone), corners_(c_.num_vertices()),
-        face_at_vertex_(c_.num_vertices(), kNone), faces_(c_.num_faces()) {}
+      : c_(complex),
+        num_at_edge_(c_.num_edges()),
+        face_at_edge_(c_.num_edges(), kNone),
+        corners_(c_.num_vertices()),
+        face_at_vertex_(c_.num_vertices(), kNone),
+        faces_(c_.num_faces()) {}
 
   ComplexBoundary run() {
     find_bodies();
@@ -125,9 +131,11 @@ class Analysis {
     add_corner(f, corner[3], pair_bit(2 * b + 1, 2 * c + 1));
   }
 
-  std::array<std::uint32_t, 4> corners_of(std::uint32_t f, std::span<const std::uint32_t> edges) const {
+  std::array<std::uint32_t, 4> corners_of(std::uint32_t f,
+                                          std::span<const std::uint32_t> edges) const {
     const unsigned b = (c_.faces()[f].axis + 1u) % 3;
-    std::array<std::uint32_t, 4> corner{c_.faces()[f].corner, kNone, kNone, c_.edges()[edges.back()].upper};
+    std::array<std::uint32_t, 4> corner{c_.faces()[f].corner, kNone, kNone,
+                                        c_.edges()[edges.back()].upper};
     std::size_t i = 0;
     while (c_.edge_axis(edges[i]) == b) ++i;
     corner[1] = c_.edges()[edges[i - 1]].upper;
@@ -143,7 +151,8 @@ class Analysis {
 
   void find_bad() {
     for (std::uint32_t e = 0; e < c_.num_edges(); ++e)
-      if (num_at_edge_[e] != 0 && num_at_edge_[e] != 2) out_.bad_edges.push_back({e, num_at_edge_[e]});
+      if (num_at_edge_[e] != 0 && num_at_edge_[e] != 2)
+        out_.bad_edges.push_back({e, num_at_edge_[e]});
     for (std::uint32_t v = 0; v < c_.num_vertices(); ++v)
       if (corners_[v] != 0)
         if (const unsigned n = num_classes(corners_[v]); n > 1) out_.bad_vertices.push_back({v, n});
@@ -172,7 +181,8 @@ class Analysis {
     for (const BadVertex& bad : out_.bad_vertices) face_at_vertex_[bad.vertex] = kNone;
     for (const std::uint32_t f : face_at_vertex_)
       if (f != kNone) ++out_.components[out_.component_of_face[f]].vertices;
-    for (const std::uint32_t component : components_at_bad_vertices()) ++out_.components[component].vertices;
+    for (const std::uint32_t component : components_at_bad_vertices())
+      ++out_.components[component].vertices;
   }
 
   /// Each component as often as it has bad vertices.
@@ -196,9 +206,9 @@ class Analysis {
 
   const CommonSubdivision& c_;
   ComplexBoundary out_;
-  std::vector<std::uint8_t> num_at_edge_;     // boundary faces
-  std::vector<std::uint32_t> face_at_edge_;   // one of them
-  std::vector<Corners> corners_;              // of boundary faces
+  std::vector<std::uint8_t> num_at_edge_;    // boundary faces
+  std::vector<std::uint32_t> face_at_edge_;  // one of them
+  std::vector<Corners> corners_;             // of boundary faces
   std::vector<std::uint32_t> face_at_vertex_;
   Partition faces_;
 };
@@ -212,6 +222,8 @@ std::vector<std::uint32_t> ComplexBoundary::faces_of(std::uint32_t component) co
   return out;
 }
 
-ComplexBoundary analyse_boundary(const CommonSubdivision& complex) { return Analysis(complex).run(); }
+ComplexBoundary analyse_boundary(const CommonSubdivision& complex) {
+  return Analysis(complex).run();
+}
 
 }  // namespace veritope

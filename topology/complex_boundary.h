@@ -22,10 +22,11 @@ struct BadVertex {
 /// Boundary faces connected through edges.
 struct BoundaryComponent {
   std::uint32_t first_face;  ///< its least face; components are numbered by it
-  std::uint32_t body;        ///< the body that it bounds; one of them, if the complex is no manifold
+  std::uint32_t body;  ///< the body that it bounds; one of them, if the complex is no manifold
   std::uint64_t vertices = 0, edges = 0, faces = 0;
   std::int64_t euler() const {
-    return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) + static_cast<std::int64_t>(faces);
+    return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) +
+           static_cast<std::int64_t>(faces);
   }
   /// REQUIRES that the complex is a manifold: then the component is a closed orientable surface.
   std::int64_t genus() const { return 1 - euler() / 2; }

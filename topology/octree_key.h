@@ -40,7 +40,9 @@ class OctreeKey {
   static Result<OctreeKey> from_code(std::uint64_t code);
 
   constexpr std::uint64_t code() const { return code_; }
-  constexpr unsigned level() const { return kMaxLevel - static_cast<unsigned>(std::countr_zero(code_)) / 3; }
+  constexpr unsigned level() const {
+    return kMaxLevel - static_cast<unsigned>(std::countr_zero(code_)) / 3;
+  }
   constexpr OctreeCell cell() const {
     const std::uint64_t m = code_ >> (3 * (kMaxLevel - level()) + 1);
     return {level(), compact(m), compact(m >> 1), compact(m >> 2)};
@@ -76,7 +78,8 @@ class OctreeKey {
   /// REQUIRES axis < 3.
   constexpr std::optional<OctreeKey> neighbour(unsigned axis, bool upper) const {
     // Arithmetic on every third bit: the bits of the other axes are filled with ones (or zeros) so that carries pass.
-    const std::uint64_t mask = (kThirds << axis) & ((std::uint64_t{1} << 3 * kMaxLevel) - 1), unit = low_bit() << axis;
+    const std::uint64_t mask = (kThirds << axis) & ((std::uint64_t{1} << 3 * kMaxLevel) - 1),
+                        unit = low_bit() << axis;
     const std::uint64_t m = (code_ ^ low_bit()) >> 1, mine = m & mask, top = mask & ~(unit - 1);
     if (upper ? mine == top : mine == 0) return std::nullopt;
     const std::uint64_t moved = upper ? ((mine | ~mask) + unit) & mask : (mine - unit) & mask;

@@ -10,13 +10,18 @@ namespace {
 Error nested(OctreeKey outer, OctreeKey inner) {
   const std::string name = "cell " + to_string(outer.cell());
   if (outer == inner) return {Code::kBadArgument, {}, name + " occurs twice"};
-  return {Code::kBadArgument, {}, name + " contains cell " + to_string(inner.cell()) + ", which is in the set too"};
+  return {Code::kBadArgument,
+          {},
+          name + " contains cell " + to_string(inner.cell()) + ", which is in the set too"};
 }
 
 Status check_size(std::size_t n) {
   if (n == 0) return Error{Code::kEmpty, {}, "a set of octree cells needs at least one cell"};
   if (n > OctreeKeySet::kMaxCells)
-    return Error{Code::kOverLimit, {}, std::to_string(n) + " octree cells; at most " + std::to_string(OctreeKeySet::kMaxCells)};
+    return Error{
+        Code::kOverLimit,
+        {},
+        std::to_string(n) + " octree cells; at most " + std::to_string(OctreeKeySet::kMaxCells)};
   return ok_status();
 }
 
@@ -58,8 +63,10 @@ void OctreeKeySet::build_index() {
   const std::uint64_t last = keys_.back().code();
   while (last >> shift_ > 2 * keys_.size()) ++shift_;
   bucket_.assign((last >> shift_) + 2, static_cast<std::uint32_t>(keys_.size()));
-  for (std::size_t i = keys_.size(); i-- > 0;) bucket_[keys_[i].code() >> shift_] = static_cast<std::uint32_t>(i);
-  for (std::size_t b = bucket_.size() - 1; b-- > 0;) bucket_[b] = std::min(bucket_[b], bucket_[b + 1]);
+  for (std::size_t i = keys_.size(); i-- > 0;)
+    bucket_[keys_[i].code() >> shift_] = static_cast<std::uint32_t>(i);
+  for (std::size_t b = bucket_.size() - 1; b-- > 0;)
+    bucket_[b] = std::min(bucket_[b], bucket_[b + 1]);
 }
 
 std::size_t OctreeKeySet::lower_bound(std::uint64_t code) const {
@@ -67,7 +74,9 @@ std::size_t OctreeKeySet::lower_bound(std::uint64_t code) const {
   if (b + 1 >= bucket_.size()) return keys_.size();
   const auto first = keys_.begin() + bucket_[b], last = keys_.begin() + bucket_[b + 1];
   return static_cast<std::size_t>(
-      std::lower_bound(first, last, code, [](OctreeKey key, std::uint64_t c) { return key.code() < c; }) - keys_.begin());
+      std::lower_bound(first, last, code,
+                       [](OctreeKey key, std::uint64_t c) { return key.code() < c; }) -
+      keys_.begin());
 }
 
 }  // namespace veritope

@@ -36,7 +36,8 @@ class OctreeKeySet {
   void build_index();
 
   std::vector<OctreeKey> keys_;
-  std::vector<std::uint32_t> bucket_;  // bucket_[b]: the first key whose code >> shift_ is at least b
+  std::vector<std::uint32_t>
+      bucket_;  // bucket_[b]: the first key whose code >> shift_ is at least b
   unsigned shift_ = 0;
   unsigned finest_level_ = 0;
 };

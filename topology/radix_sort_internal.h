@@ -29,7 +29,8 @@ inline void radix_sort(Buffer<KeyedRecord>& records, unsigned bits) {
       s = sum;
       sum += count;
     }
-    for (std::size_t i = 0; i < records.size(); ++i) other[start[digit(records[i].key)]++] = records[i];
+    for (std::size_t i = 0; i < records.size(); ++i)
+      other[start[digit(records[i].key)]++] = records[i];
     std::swap(records, other);
   }
 }

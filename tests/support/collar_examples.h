@@ -24,7 +24,7 @@ Cells edge_contact_of_different_length();
 Cells pits_with_common_vertex();
 Cells pits_with_common_edge();
 
-/// All of the above and more; shells at level 5 and 6, mixed levels.
+/// All of the above and more; shells at levels 4 to 6, alone and mixed.
 std::vector<CollarExample> collar_examples();
 
 }  // namespace veritope::octree_shapes

@@ -25,7 +25,9 @@ std::vector<Cube> cubes(std::span<const OctreeCell> cells) {
   std::vector<Cube> out;
   for (const OctreeCell& c : cells) {
     const int size = 1 << (level - c.level);
-    out.push_back({{static_cast<int>(c.i) * size, static_cast<int>(c.j) * size, static_cast<int>(c.k) * size}, size});
+    out.push_back(
+        {{static_cast<int>(c.i) * size, static_cast<int>(c.j) * size, static_cast<int>(c.k) * size},
+         size});
   }
   return out;
 }
@@ -38,13 +40,18 @@ GridPoint moved(GridPoint p, unsigned axis, int by) {
 bool contains(const GridSquare& outer, const GridSquare& inner) {
   if (outer.axis != inner.axis || outer.low[outer.axis] != inner.low[outer.axis]) return false;
   for (unsigned a = 0; a < 3; ++a)
-    if (a != outer.axis && (inner.low[a] < outer.low[a] || inner.low[a] + inner.size > outer.low[a] + outer.size)) return false;
+    if (a != outer.axis &&
+        (inner.low[a] < outer.low[a] || inner.low[a] + inner.size > outer.low[a] + outer.size))
+      return false;
   return true;
 }
 
 // The parts of a face: quadrants while smaller faces of cells lie in it.
-void parts(const GridSquare& face, const std::vector<GridSquare>& sides, std::vector<GridSquare>& out) {
-  const bool split = std::any_of(sides.begin(), sides.end(), [&](const GridSquare& s) { return s.size < face.size && contains(face, s); });
+void parts(const GridSquare& face, const std::vector<GridSquare>& sides,
+           std::vector<GridSquare>& out) {
+  const bool split = std::any_of(sides.begin(), sides.end(), [&](const GridSquare& s) {
+    return s.size < face.size && contains(face, s);
+  });
   if (!split) return out.push_back(face);
   const int half = face.size / 2;
   for (int q = 0; q < 4; ++q) {
@@ -56,7 +63,8 @@ void parts(const GridSquare& face, const std::vector<GridSquare>& sides, std::ve
 
 std::array<GridPoint, 4> corners(const GridSquare& s) {
   const unsigned b = (s.axis + 1) % 3, c = (s.axis + 2) % 3;
-  return {s.low, moved(s.low, b, s.size), moved(moved(s.low, b, s.size), c, s.size), moved(s.low, c, s.size)};
+  return {s.low, moved(s.low, b, s.size), moved(moved(s.low, b, s.size), c, s.size),
+          moved(s.low, c, s.size)};
 }
 
 // Of the segment between two corners, cut at those points that lie inside it.
@@ -78,7 +86,8 @@ std::vector<Segment> cut(GridPoint from, GridPoint to, const std::set<GridPoint>
 
 template <typename T>
 std::size_t position(const std::vector<T>& sorted, const T& item) {
-  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), item) - sorted.begin());
+  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), item) -
+                                  sorted.begin());
 }
 
 // Connected classes of `items`, joined where `sets` intersect.
@@ -91,7 +100,9 @@ std::size_t num_classes(const std::vector<std::set<T>>& sets) {
     for (std::size_t i = 0; i < sets.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         if (label[i] == label[j]) continue;
-        if (std::none_of(sets[i].begin(), sets[i].end(), [&](const T& x) { return sets[j].contains(x); })) continue;
+        if (std::none_of(sets[i].begin(), sets[i].end(),
+                         [&](const T& x) { return sets[j].contains(x); }))
+          continue;
         label[i] = label[j] = std::min(label[i], label[j]);
         changed = true;
       }
@@ -107,7 +118,8 @@ BruteComplex brute_complex(std::span<const OctreeCell> cells, EdgeRule rule) {
   std::vector<GridSquare> all;
   for (std::size_t c = 0; c < cube.size(); ++c)
     for (unsigned a = 0; a < 3; ++a)
-      for (const int end : {0, cube[c].size}) sides[c].push_back({a, moved(cube[c].low, a, end), cube[c].size});
+      for (const int end : {0, cube[c].size})
+        sides[c].push_back({a, moved(cube[c].low, a, end), cube[c].size});
   for (const auto& s : sides) all.insert(all.end(), s.begin(), s.end());
 
   BruteComplex out;
@@ -143,10 +155,13 @@ BruteComplex brute_complex(std::span<const OctreeCell> cells, EdgeRule rule) {
     if (rule == EdgeRule::kFaceNeighbours)
       for (const std::size_t c : out.face_cells[f])
         for (const std::size_t g : out.cell_faces[c])
-          for (const std::size_t d : out.face_cells[g]) near.insert(points_of_cell[d].begin(), points_of_cell[d].end());
+          for (const std::size_t d : out.face_cells[g])
+            near.insert(points_of_cell[d].begin(), points_of_cell[d].end());
     const auto corner = corners(out.faces[f]);
     for (unsigned i = 0; i < 4; ++i)
-      for (const Segment& s : cut(corner[i], corner[(i + 1) % 4], rule == EdgeRule::kEveryVertex ? points : near)) of_face[f].insert(s);
+      for (const Segment& s :
+           cut(corner[i], corner[(i + 1) % 4], rule == EdgeRule::kEveryVertex ? points : near))
+        of_face[f].insert(s);
     edges.insert(of_face[f].begin(), of_face[f].end());
   }
   out.edges.assign(edges.begin(), edges.end());
@@ -167,7 +182,8 @@ std::vector<std::size_t> BruteComplex::bad_edges() const {
 }
 
 std::vector<std::size_t> BruteComplex::bad_vertices() const {
-  std::map<GridPoint, std::vector<std::set<std::size_t>>> at;  // of each boundary face, its edges there
+  std::map<GridPoint, std::vector<std::set<std::size_t>>>
+      at;  // of each boundary face, its edges there
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (face_cells[f].size() != 1) continue;
     std::map<GridPoint, std::set<std::size_t>> here;
@@ -220,7 +236,8 @@ int BruteComplex::euler(const std::set<std::size_t>& some) const {
 std::array<std::size_t, 4> BruteComplex::collapse(const std::set<std::size_t>& d_plus) const {
   // sides[d][t]: the cells of dimension d - 1 in the boundary of t.
   std::array<std::vector<std::set<std::size_t>>, 4> sides;
-  for (const auto& e : edges) sides[1].push_back({position(vertices, e.first), position(vertices, e.second)});
+  for (const auto& e : edges)
+    sides[1].push_back({position(vertices, e.first), position(vertices, e.second)});
   sides[2] = face_edges;
   sides[3] = cell_faces;
   sides[0].resize(vertices.size());
@@ -243,7 +260,8 @@ std::array<std::size_t, 4> BruteComplex::collapse(const std::set<std::size_t>& d
         if (!gone[d][t])
           for (const std::size_t s : sides[d][t]) above[s].push_back(t);
       for (std::size_t s = 0; s < above.size(); ++s) {
-        if (stays[d - 1][s] || gone[d - 1][s] || above[s].size() != 1 || gone[d][above[s][0]]) continue;
+        if (stays[d - 1][s] || gone[d - 1][s] || above[s].size() != 1 || gone[d][above[s][0]])
+          continue;
         gone[d - 1][s] = gone[d][above[s][0]] = changed = true;
       }
     }
@@ -259,25 +277,30 @@ VoxelLinks voxel_links(std::span<const OctreeCell> cells) {
   for (const Cube& c : cubes(cells))
     for (int z = 0; z < c.size; ++z)
       for (int y = 0; y < c.size; ++y)
-        for (int x = 0; x < c.size; ++x) occupied.insert({c.low[0] + x, c.low[1] + y, c.low[2] + z});
+        for (int x = 0; x < c.size; ++x)
+          occupied.insert({c.low[0] + x, c.low[1] + y, c.low[2] + z});
   VoxelLinks out;
   for (int z = 0; z <= n; ++z)
     for (int y = 0; y <= n; ++y)
       for (int x = 0; x <= n; ++x) {
         std::array<bool, 8> full;
-        for (int q = 0; q < 8; ++q) full[static_cast<unsigned>(q)] = occupied.contains({x - 1 + (q & 1), y - 1 + (q >> 1 & 1), z - 1 + (q >> 2)});
+        for (int q = 0; q < 8; ++q)
+          full[static_cast<unsigned>(q)] =
+              occupied.contains({x - 1 + (q & 1), y - 1 + (q >> 1 & 1), z - 1 + (q >> 2)});
         bool on_bad_edge = false;
         for (unsigned a = 0; a < 3; ++a)
           for (unsigned up = 0; up < 2; ++up) {
             const unsigned b = 1u << (a + 1) % 3, c = 1u << (a + 2) % 3, base = up << a;
-            const bool p = full[base], q = full[base | b | c], r = full[base | b], s = full[base | c];
+            const bool p = full[base], q = full[base | b | c], r = full[base | b],
+                       s = full[base | c];
             if (p != q || r != s || p == r) continue;
             on_bad_edge = true;
             if (up == 1) out.bad_edges.insert({{x, y, z}, a});
           }
         if (on_bad_edge) continue;
         for (const bool kind : {false, true}) {
-          std::vector<std::set<unsigned>> squares;  // of each voxel of that kind, the coordinate squares at the point
+          std::vector<std::set<unsigned>>
+              squares;  // of each voxel of that kind, the coordinate squares at the point
           for (unsigned q = 0; q < 8; ++q)
             if (full[q] == kind) {
               squares.emplace_back();

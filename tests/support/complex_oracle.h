@@ -18,7 +18,7 @@ using GridPoint = std::array<int, 3>;  // in cells of the finest level that occu
 
 /// Which vertices split an edge of a face.
 enum class EdgeRule {
-  kEveryVertex,     ///< THEORY 2
+  kEveryVertex,  ///< THEORY 2
   kFaceNeighbours,  ///< wrong: only corners of faces of the face's own cells and of those that share a face with them
 };
 
@@ -30,9 +30,9 @@ struct GridSquare {
 };
 
 struct BruteComplex {
-  std::vector<GridPoint> vertices;                        // ascending
-  std::vector<std::pair<GridPoint, GridPoint>> edges;     // lower and upper end, ascending
-  std::vector<GridSquare> faces;                          // ascending
+  std::vector<GridPoint> vertices;                     // ascending
+  std::vector<std::pair<GridPoint, GridPoint>> edges;  // lower and upper end, ascending
+  std::vector<GridSquare> faces;                       // ascending
   std::vector<std::set<std::size_t>> face_edges, face_cells, cell_faces;
 
   /// Edges with a number of boundary faces that is neither 0 nor 2.

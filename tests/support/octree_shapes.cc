@@ -15,7 +15,8 @@ struct Less {
 };
 
 OctreeCell child(const OctreeCell& c, unsigned octant) {
-  return {c.level + 1, 2 * c.i + (octant & 1), 2 * c.j + (octant >> 1 & 1), 2 * c.k + (octant >> 2 & 1)};
+  return {c.level + 1, 2 * c.i + (octant & 1), 2 * c.j + (octant >> 1 & 1),
+          2 * c.k + (octant >> 2 & 1)};
 }
 
 }  // namespace
@@ -23,14 +24,18 @@ OctreeCell child(const OctreeCell& c, unsigned octant) {
 std::string text(const Cells& cells) {
   std::string out;
   for (const OctreeCell& c : cells)
-    out += "{" + std::to_string(c.level) + "," + std::to_string(c.i) + "," + std::to_string(c.j) + "," + std::to_string(c.k) + "}, ";
+    out += "{" + std::to_string(c.level) + "," + std::to_string(c.i) + "," + std::to_string(c.j) +
+           "," + std::to_string(c.k) + "}, ";
   return out;
 }
 
-VoxelSolid::VoxelSolid(unsigned level, const std::function<bool(int, int, int)>& contains) : level_(level) {
+VoxelSolid::VoxelSolid(unsigned level, const std::function<bool(int, int, int)>& contains)
+    : level_(level) {
   const int n = 1 << level, m = n + 1;
   sum_.assign(static_cast<std::size_t>(m) * m * m, 0);
-  const auto at = [&](int x, int y, int z) -> std::int64_t& { return sum_[static_cast<std::size_t>((z * m + y) * m + x)]; };
+  const auto at = [&](int x, int y, int z) -> std::int64_t& {
+    return sum_[static_cast<std::size_t>((z * m + y) * m + x)];
+  };
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y) {
       std::int64_t row = 0;
@@ -49,7 +54,8 @@ std::int64_t VoxelSolid::count(Voxel low, Voxel high) const {
   }
   std::int64_t out = 0;
   for (int q = 0; q < 8; ++q) {
-    const int x = q & 1 ? low[0] : high[0], y = q & 2 ? low[1] : high[1], z = q & 4 ? low[2] : high[2];
+    const int x = q & 1 ? low[0] : high[0], y = q & 2 ? low[1] : high[1],
+              z = q & 4 ? low[2] : high[2];
     const int flips = (q & 1) + (q >> 1 & 1) + (q >> 2);
     out += (flips % 2 == 0 ? 1 : -1) * sum_[static_cast<std::size_t>((z * m + y) * m + x)];
   }
@@ -58,7 +64,9 @@ std::int64_t VoxelSolid::count(Voxel low, Voxel high) const {
 
 bool VoxelSolid::boundary_meets(const OctreeCell& cell) const {
   const int size = 1 << (level_ - cell.level), n = 1 << level_;
-  Voxel low{static_cast<int>(cell.i) * size - 1, static_cast<int>(cell.j) * size - 1, static_cast<int>(cell.k) * size - 1}, high;
+  Voxel low{static_cast<int>(cell.i) * size - 1, static_cast<int>(cell.j) * size - 1,
+            static_cast<int>(cell.k) * size - 1},
+      high;
   std::int64_t volume = 1;
   for (unsigned a = 0; a < 3; ++a) {
     high[a] = std::min(low[a] + size + 2, n);
@@ -69,7 +77,8 @@ bool VoxelSolid::boundary_meets(const OctreeCell& cell) const {
   return 0 < in && in < volume;
 }
 
-Cells cover(const VoxelSolid& solid, const std::function<unsigned(const OctreeCell&)>& wanted_level) {
+Cells cover(const VoxelSolid& solid,
+            const std::function<unsigned(const OctreeCell&)>& wanted_level) {
   Cells out, open{{}};
   while (!open.empty()) {
     const OctreeCell cell = open.back();
@@ -90,19 +99,24 @@ namespace {
 template <typename Inside>
 VoxelSolid solid_of(unsigned level, Inside inside) {
   const std::int64_t n = 1 << level;
-  return VoxelSolid(level, [&](int x, int y, int z) { return inside(16 * (2 * x + 1 - n), 16 * (2 * y + 1 - n), 16 * (2 * z + 1 - n), n); });
+  return VoxelSolid(level, [&](int x, int y, int z) {
+    return inside(16 * (2 * x + 1 - n), 16 * (2 * y + 1 - n), 16 * (2 * z + 1 - n), n);
+  });
 }
 
 }  // namespace
 
 VoxelSolid ball(unsigned level) {
-  return solid_of(level, [](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t u) { return x * x + y * y + z * z < 100 * u * u; });
+  return solid_of(level, [](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t u) {
+    return x * x + y * y + z * z < 100 * u * u;
+  });
 }
 
-VoxelSolid solid_torus(unsigned level) {  // radii 8.5 and 4 of 16: (x^2 + y^2 + z^2 + R^2 - r^2)^2 < 4 R^2 (x^2 + y^2)
+VoxelSolid solid_torus(
+    unsigned level) {  // R = 8, r^2 = 18: (x^2 + y^2 + z^2 + R^2 - r^2)^2 < 4 R^2 (x^2 + y^2)
   return solid_of(level, [](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t u) {
-    const std::int64_t s = 4 * (x * x + y * y + z * z) + (289 - 64) * u * u;
-    return s * s / 16 < 289 * u * u * (x * x + y * y);
+    const std::int64_t s = x * x + y * y + z * z + (64 - 18) * u * u;
+    return s * s < 4 * 64 * u * u * (x * x + y * y);
   });
 }
 
@@ -121,7 +135,8 @@ Cells block(unsigned level, Voxel low, Voxel high) {
   for (int z = low[2]; z < high[2]; ++z)
     for (int y = low[1]; y < high[1]; ++y)
       for (int x = low[0]; x < high[0]; ++x)
-        out.push_back({level, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)});
+        out.push_back({level, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                       static_cast<std::uint32_t>(z)});
   return out;
 }
 
@@ -183,7 +198,8 @@ Cells transformed(const Cells& cells, std::array<unsigned, 3> axes, unsigned mir
   return out;
 }
 
-Cells random_cells(Random& random, unsigned max_level, unsigned cell_chance, unsigned empty_chance) {
+Cells random_cells(Random& random, unsigned max_level, unsigned cell_chance,
+                   unsigned empty_chance) {
   Cells out, open{{}};
   while (!open.empty()) {
     const OctreeCell cell = open.back();
@@ -218,8 +234,11 @@ Cells tube_in_torus(bool knotted) {
   const int a = knotted ? 2 : -2, b = -a;
   std::vector<Voxel> core{{0, 12, 0}, {0, 12, 2}, {16, 12, 2}, {16, 12, -2}, {30, 12, -2}};
   for (const Voxel& p : {Voxel{30, 12, a}, Voxel{30, 24, a}, Voxel{12, 24, a}}) core.push_back(p);
-  for (const Voxel& p : {Voxel{12, 24, -2}, Voxel{12, 0, -2}, Voxel{12, 0, 2}, Voxel{21, 0, 2}, Voxel{21, 18, 2}}) core.push_back(p);
-  for (const Voxel& p : {Voxel{21, 18, b}, Voxel{21, 44, b}, Voxel{21, 44, -2}, Voxel{-20, 44, -2}, Voxel{-20, 12, -2}, Voxel{-20, 12, 0}})
+  for (const Voxel& p :
+       {Voxel{12, 24, -2}, Voxel{12, 0, -2}, Voxel{12, 0, 2}, Voxel{21, 0, 2}, Voxel{21, 18, 2}})
+    core.push_back(p);
+  for (const Voxel& p : {Voxel{21, 18, b}, Voxel{21, 44, b}, Voxel{21, 44, -2}, Voxel{-20, 44, -2},
+                         Voxel{-20, 12, -2}, Voxel{-20, 12, 0}})
     core.push_back(p);
   std::set<Voxel> tube;
   for (const Voxel& p : closed_path(core)) tube.insert(p);
@@ -229,7 +248,8 @@ Cells tube_in_torus(bool knotted) {
       for (int x = -28; x < 36; ++x) {
         if (-14 <= x && x < -6 && 18 <= y && y < 38) continue;
         if (tube.contains({x, y, z})) continue;
-        out.push_back({6, static_cast<std::uint32_t>(x + 28), static_cast<std::uint32_t>(y + 6), static_cast<std::uint32_t>(z + 8)});
+        out.push_back({6, static_cast<std::uint32_t>(x + 28), static_cast<std::uint32_t>(y + 6),
+                       static_cast<std::uint32_t>(z + 8)});
       }
   return out;
 }

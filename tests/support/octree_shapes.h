@@ -34,9 +34,10 @@ class VoxelSolid {
 };
 
 /// Cells that the solid's boundary meets: the root is split until wanted_level(cell) <= the cell's level.
-Cells cover(const VoxelSolid& solid, const std::function<unsigned(const OctreeCell&)>& wanted_level);
+Cells cover(const VoxelSolid& solid,
+            const std::function<unsigned(const OctreeCell&)>& wanted_level);
 
-/// Solids for level 5 or finer (scaled up): their covers at level 5 and finer are collars.
+/// Solids of features of 5 or more voxels of level 5: their covers at level 5 and finer are collars.
 VoxelSolid ball(unsigned level);
 VoxelSolid solid_torus(unsigned level);
 VoxelSolid double_torus(unsigned level);

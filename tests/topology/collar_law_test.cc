@@ -17,7 +17,8 @@ namespace {
 using octree_shapes::Cells;
 
 CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value()).value();
+  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
+      .value();
 }
 
 oracle::GridPoint grid(const CommonSubdivision& c, std::uint32_t vertex) {
@@ -49,14 +50,18 @@ TEST(CollarLaw, K1IsWhatTheLinksOfAllGridPointsSay) {
   int with_edges = 0, with_vertices_only = 0, manifolds = 0;
   for (std::uint64_t seed = 1; seed <= 2500; ++seed) {
     Random random(seed);
-    const unsigned cells_in_16 = 1 + static_cast<unsigned>(seed % 6), empty_in_16 = 3 + static_cast<unsigned>(seed / 6 % 10);
-    const Cells cells = octree_shapes::random_cells(random, 2 + static_cast<unsigned>(seed % 4 == 0), cells_in_16, empty_in_16);
+    const unsigned cells_in_16 = 1 + static_cast<unsigned>(seed % 6),
+                   empty_in_16 = 3 + static_cast<unsigned>(seed / 6 % 10);
+    const Cells cells = octree_shapes::random_cells(
+        random, 2 + static_cast<unsigned>(seed % 4 == 0), cells_in_16, empty_in_16);
     if (cells.empty()) continue;
     const CommonSubdivision complex = build(cells);
     const ComplexBoundary boundary = analyse_boundary(complex);
     const oracle::VoxelLinks got = links(complex, boundary), want = oracle::voxel_links(cells);
-    EXPECT_EQ(got.bad_edges, want.bad_edges) << "seed " << seed << " cells " << octree_shapes::text(cells);
-    EXPECT_EQ(got.bad_points, want.bad_points) << "seed " << seed << " cells " << octree_shapes::text(cells);
+    EXPECT_EQ(got.bad_edges, want.bad_edges)
+        << "seed " << seed << " cells " << octree_shapes::text(cells);
+    EXPECT_EQ(got.bad_points, want.bad_points)
+        << "seed " << seed << " cells " << octree_shapes::text(cells);
     EXPECT_EQ(boundary.is_manifold(), want.bad_edges.empty() && want.bad_points.empty());
     with_edges += !want.bad_edges.empty();
     with_vertices_only += want.bad_edges.empty() && !want.bad_points.empty();
@@ -74,18 +79,28 @@ struct Answer {
   std::vector<std::array<std::int64_t, 4>> components;
   bool operator==(const Answer&) const = default;
   friend void PrintTo(const Answer& a, std::ostream* out) {
-    *out << "outcome " << static_cast<int>(a.outcome) << ", bad edges " << a.bad_edges << ", vertices " << a.bad_vertices << ", bodies " << a.bodies << ", components";
-    for (const auto& c : a.components) *out << " (V " << c[0] << " E " << c[1] << " F " << c[2] << " body " << c[3] << ")";
+    *out << "outcome " << static_cast<int>(a.outcome) << ", bad edges " << a.bad_edges
+         << ", vertices " << a.bad_vertices << ", bodies " << a.bodies << ", components";
+    for (const auto& c : a.components)
+      *out << " (V " << c[0] << " E " << c[1] << " F " << c[2] << " body " << c[3] << ")";
   }
 };
 
 Answer answer(const Cells& cells) {
   const CommonSubdivision complex = build(cells);
   const Collar collar = find_collar(complex).value();
-  Answer out{collar.outcome, collar.boundary.bad_edges.size(), collar.boundary.bad_vertices.size(), collar.boundary.bodies.size(), {}};
+  Answer out{collar.outcome,
+             collar.boundary.bad_edges.size(),
+             collar.boundary.bad_vertices.size(),
+             collar.boundary.bodies.size(),
+             {}};
   for (const BoundaryComponent& c : collar.boundary.components)
-    out.components.push_back({static_cast<std::int64_t>(c.vertices), static_cast<std::int64_t>(c.edges), static_cast<std::int64_t>(c.faces),
-                              collar.boundary.is_manifold() ? static_cast<std::int64_t>(collar.boundary.bodies[c.body].cells) : 0});
+    out.components.push_back({static_cast<std::int64_t>(c.vertices),
+                              static_cast<std::int64_t>(c.edges),
+                              static_cast<std::int64_t>(c.faces),
+                              collar.boundary.is_manifold()
+                                  ? static_cast<std::int64_t>(collar.boundary.bodies[c.body].cells)
+                                  : 0});
   std::sort(out.components.begin(), out.components.end());
   return out;
 }
@@ -106,11 +121,14 @@ void expect_invariant(const Cells& cells, std::uint64_t seed) {
   Random random(seed);
   std::array<unsigned, 3> axes{0, 1, 2};
   std::shuffle(axes.begin(), axes.end(), random);
-  const auto mirror = static_cast<unsigned>(random.below(8)), octant = static_cast<unsigned>(random.below(8));
-  SCOPED_TRACE("seed " + std::to_string(seed) + " axes " + std::to_string(axes[0]) + std::to_string(axes[1]) + " mirror " +
-               std::to_string(mirror) + " octant " + std::to_string(octant));
+  const auto mirror = static_cast<unsigned>(random.below(8)),
+             octant = static_cast<unsigned>(random.below(8));
+  SCOPED_TRACE("seed " + std::to_string(seed) + " axes " + std::to_string(axes[0]) +
+               std::to_string(axes[1]) + " mirror " + std::to_string(mirror) + " octant " +
+               std::to_string(octant));
   EXPECT_EQ(answer(octree_shapes::transformed(cells, axes, mirror)), want);
-  EXPECT_EQ(answer(octree_shapes::into_octant(cells, octant & 1, octant >> 1 & 1, octant >> 2)), want);
+  EXPECT_EQ(answer(octree_shapes::into_octant(cells, octant & 1, octant >> 1 & 1, octant >> 2)),
+            want);
   EXPECT_EQ(answer(shifted_by_half_a_root(cells, octant)), want);
 }
 
@@ -140,7 +158,8 @@ TEST(CollarLaw, CellsInEightKeepTheAnswer) {
     SCOPED_TRACE(example.name + ", seed " + std::to_string(seed));
     Random random(seed);
     const std::uint64_t every = 2 + random.below(40);
-    const Cells finer = octree_shapes::refine(example.cells, [&](const OctreeCell&) { return random.below(every) == 0; });
+    const Cells finer = octree_shapes::refine(
+        example.cells, [&](const OctreeCell&) { return random.below(every) == 0; });
     const CommonSubdivision before = build(example.cells), after = build(finer);
     const Collar a = find_collar(before).value(), b = find_collar(after).value();
     EXPECT_EQ(b.outcome, example.outcome) << b.message;
@@ -167,9 +186,12 @@ TEST(CollarLaw, AgreesWithTheOracleOnRandomSmallBodies) {
   int collars = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     Random random(seed);
-    Cells wall = octree_shapes::without(octree_shapes::block(3, {1, 1, 1}, {7, 7, 7}), octree_shapes::block(3, {3, 3, 3}, {5, 5, 5}));
-    for (std::uint64_t n = random.below(6); n > 0; --n) wall.erase(wall.begin() + static_cast<std::ptrdiff_t>(random.below(wall.size())));
-    const Cells cells = octree_shapes::refine(octree_shapes::coarsen(wall), [&](const OctreeCell&) { return random.below(30) == 0; });
+    Cells wall = octree_shapes::without(octree_shapes::block(3, {1, 1, 1}, {7, 7, 7}),
+                                        octree_shapes::block(3, {3, 3, 3}, {5, 5, 5}));
+    for (std::uint64_t n = random.below(6); n > 0; --n)
+      wall.erase(wall.begin() + static_cast<std::ptrdiff_t>(random.below(wall.size())));
+    const Cells cells = octree_shapes::refine(
+        octree_shapes::coarsen(wall), [&](const OctreeCell&) { return random.below(30) == 0; });
     SCOPED_TRACE("seed " + std::to_string(seed) + " cells " + octree_shapes::text(cells));
     const Collar collar = find_collar(build(cells)).value();
     const oracle::BruteComplex brute = oracle::brute_complex(cells, oracle::EdgeRule::kEveryVertex);
@@ -184,7 +206,8 @@ TEST(CollarLaw, AgreesWithTheOracleOnRandomSmallBodies) {
     std::sort(want.begin(), want.end());
     EXPECT_EQ(got, want);
     if (!collar.boundary.is_manifold()) continue;
-    const bool collapses = sides.size() == 2 && brute.collapse(sides[0]) == std::array<std::size_t, 4>{};
+    const bool collapses =
+        sides.size() == 2 && brute.collapse(sides[0]) == std::array<std::size_t, 4>{};
     EXPECT_EQ(collar.outcome == CollarOutcome::kCollar, collapses) << collar.message;
     collars += collapses;
   }

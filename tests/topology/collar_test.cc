@@ -14,7 +14,8 @@ namespace {
 using octree_shapes::Cells;
 
 CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value()).value();
+  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
+      .value();
 }
 
 void expect_replays(const CommonSubdivision& complex, const Collar& collar) {
@@ -24,7 +25,8 @@ void expect_replays(const CommonSubdivision& complex, const Collar& collar) {
 
 std::vector<int> genus_of_bodies(const Collar& collar) {
   std::vector<int> out;
-  for (const CollarBody& body : collar.bodies) out.push_back(static_cast<int>(collar.boundary.components[body.d_plus].genus()));
+  for (const CollarBody& body : collar.bodies)
+    out.push_back(static_cast<int>(collar.boundary.components[body.d_plus].genus()));
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -47,7 +49,9 @@ TEST(Collar, IsFoundWhereThereIsOneAndRefusedWhereThereIsNone) {
 // "Voxel shells of sphere, torus, double torus collapse at once, onto either side": one attempt, no retry.
 TEST(Collar, OfVoxelShellsCollapsesAtOnceOntoEitherSide) {
   for (const octree_shapes::CollarExample& example : octree_shapes::collar_examples()) {
-    if (example.outcome != CollarOutcome::kCollar || example.genus.size() != 1 || example.name == "the same without the knot") continue;
+    if (example.outcome != CollarOutcome::kCollar || example.genus.size() != 1 ||
+        example.name == "the same without the knot")
+      continue;
     const CommonSubdivision complex = build(example.cells);
     const ComplexBoundary boundary = analyse_boundary(complex);
     ASSERT_EQ(boundary.components.size(), 2u) << example.name;
@@ -98,7 +102,8 @@ TEST(Collar, WouldBeAcceptedThereIfEdgesWereSplitByFaceNeighboursOnly) {
 
 // PROVES COLLAR-1.K1
 TEST(Collar, NeedsBothClausesOfK1) {
-  const Cells vertex = octree_shapes::pits_with_common_vertex(), edge = octree_shapes::pits_with_common_edge();
+  const Cells vertex = octree_shapes::pits_with_common_vertex(),
+              edge = octree_shapes::pits_with_common_edge();
   const CommonSubdivision at_vertex = build(vertex), at_edge = build(edge);
   const Collar a = find_collar(at_vertex).value(), b = find_collar(at_edge).value();
   EXPECT_TRUE(a.boundary.bad_edges.empty());
@@ -113,7 +118,8 @@ TEST(Collar, NeedsBothClausesOfK1) {
     const oracle::BruteComplex brute = oracle::brute_complex(cells, oracle::EdgeRule::kEveryVertex);
     auto components = brute.boundary_components();
     ASSERT_EQ(components.size(), 2u);
-    std::sort(components.begin(), components.end(), [](const auto& p, const auto& q) { return p.size() < q.size(); });
+    std::sort(components.begin(), components.end(),
+              [](const auto& p, const auto& q) { return p.size() < q.size(); });
     EXPECT_EQ(brute.collapse(components[0]), (std::array<std::size_t, 4>{}));
   }
 }
@@ -129,15 +135,19 @@ TEST(Collar, IsNotTakenForOneBecauseItsHomologyIsRight) {
     EXPECT_EQ(collar.outcome, knotted ? CollarOutcome::kUndecided : CollarOutcome::kCollar);
     EXPECT_EQ(collar.remaining[2] > 0, knotted);
     EXPECT_EQ(collar.remaining[3], 0u);
-    EXPECT_EQ(collar.message.find("no order that was tried collapses the body of cell (level 6: 0 0 0): ") == 0, knotted);
+    EXPECT_EQ(collar.message.find(
+                  "no order that was tried collapses the body of cell (level 6: 0 0 0): ") == 0,
+              knotted);
   }
 }
 
 TEST(Collar, SaysWhyABodyIsNoProduct) {
   const auto message = [](const Cells& cells) { return find_collar(build(cells)).value().message; };
   EXPECT_EQ(message({{0, 0, 0, 0}}), "the body of cell (level 0: 0 0 0) has 1 boundary component");
-  Cells tunnel = octree_shapes::without(octree_shapes::thick_wall(), octree_shapes::block(5, {6, 4, 15}, {7, 28, 16}));
-  EXPECT_EQ(message(tunnel), "the body of cell (level 5: 4 4 4) has boundary components of genus 1 and 0");
+  Cells tunnel = octree_shapes::without(octree_shapes::thick_wall(),
+                                        octree_shapes::block(5, {6, 4, 15}, {7, 28, 16}));
+  EXPECT_EQ(message(tunnel),
+            "the body of cell (level 5: 4 4 4) has boundary components of genus 1 and 0");
 }
 
 // One body is a product, its neighbour is not: the outcome is the neighbour's, the first's collapses are kept.
@@ -163,7 +173,8 @@ TEST(Collar, KeepsWhatIsProvedOfOtherBodies) {
 // Beside a knotted collar, which stays undecided, the collapses of the unknotted one still replay alone.
 TEST(Collar, ForgetsTheCollapsesOfStuckBodiesOnly) {
   const Cells unknotted = octree_shapes::coarsen(octree_shapes::tube_in_torus(false));
-  Cells cells = octree_shapes::into_octant(octree_shapes::coarsen(octree_shapes::tube_in_torus(true)), 1, 1, 1);
+  Cells cells = octree_shapes::into_octant(
+      octree_shapes::coarsen(octree_shapes::tube_in_torus(true)), 1, 1, 1);
   const std::size_t knotted = cells.size();
   const Cells other = octree_shapes::into_octant(unknotted, 0, 0, 0);
   cells.insert(cells.end(), other.begin(), other.end());
@@ -188,7 +199,8 @@ TEST(Collar, RefusesChoicesOfDPlusThatNameNoSide) {
     const auto collar = find_collar(complex, {.d_plus = faces, .max_attempts = attempts});
     return collar ? std::optional<Code>() : collar.error().code;
   };
-  const std::uint32_t outer = boundary.components[0].first_face, inner = boundary.components[1].first_face;
+  const std::uint32_t outer = boundary.components[0].first_face,
+                      inner = boundary.components[1].first_face;
   std::uint32_t between = 0;
   while (complex.faces()[between].num_cells() != 2) ++between;
   EXPECT_EQ(code({outer, inner}), Code::kBadArgument);
@@ -201,7 +213,8 @@ TEST(Collar, RefusesChoicesOfDPlusThatNameNoSide) {
 TEST(Collar, ResultDependsOnCellsAndOptionsAlone) {
   const Cells cells = octree_shapes::coarsen(octree_shapes::tube_in_torus(false));
   const CommonSubdivision complex = build(cells);
-  const Collar a = find_collar(complex, {.seed = 5}).value(), b = find_collar(complex, {.seed = 5}).value();
+  const Collar a = find_collar(complex, {.seed = 5}).value(),
+               b = find_collar(complex, {.seed = 5}).value();
   EXPECT_EQ(a.outcome, b.outcome);
   EXPECT_EQ(a.collapses, b.collapses);
 }

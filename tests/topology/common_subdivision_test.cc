@@ -17,7 +17,8 @@ namespace {
 using octree_shapes::Cells;
 
 CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value()).value();
+  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
+      .value();
 }
 
 oracle::GridPoint grid(const CommonSubdivision& c, std::uint32_t vertex) {
@@ -28,7 +29,9 @@ oracle::GridPoint grid(const CommonSubdivision& c, std::uint32_t vertex) {
 }
 
 using Segment = std::pair<oracle::GridPoint, oracle::GridPoint>;
-Segment segment(const CommonSubdivision& c, std::uint32_t e) { return {grid(c, c.edges()[e].lower), grid(c, c.edges()[e].upper)}; }
+Segment segment(const CommonSubdivision& c, std::uint32_t e) {
+  return {grid(c, c.edges()[e].lower), grid(c, c.edges()[e].upper)};
+}
 
 oracle::GridSquare square(const CommonSubdivision& c, std::uint32_t f) {
   const CommonSubdivision::Face& face = c.faces()[f];
@@ -57,7 +60,9 @@ void expect_as_defined(const Cells& cells) {
   ASSERT_EQ(squares.size(), got.num_faces());
 
   for (std::uint32_t f = 0; f < got.num_faces(); ++f) {
-    const auto at = static_cast<std::size_t>(std::lower_bound(want.faces.begin(), want.faces.end(), square(got, f)) - want.faces.begin());
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(want.faces.begin(), want.faces.end(), square(got, f)) -
+        want.faces.begin());
     std::set<Segment> edges, want_edges;
     for (const std::uint32_t e : got.edges_of_face(f)) edges.insert(segment(got, e));
     for (const std::size_t e : want.face_edges[at]) want_edges.insert(want.edges[e]);
@@ -66,7 +71,8 @@ void expect_as_defined(const Cells& cells) {
     std::set<OctreeKey> around, want_around;
     for (const std::uint32_t cell : {got.faces()[f].below, got.faces()[f].above})
       if (cell != CommonSubdivision::kNone) around.insert(got.cells()[cell]);
-    for (const std::size_t cell : want.face_cells[at]) want_around.insert(OctreeKey::make(cells[cell]).value());
+    for (const std::size_t cell : want.face_cells[at])
+      want_around.insert(OctreeKey::make(cells[cell]).value());
     EXPECT_EQ(around, want_around);
   }
 }
@@ -84,7 +90,8 @@ void expect_regular(const CommonSubdivision& c) {
     EXPECT_EQ(ends.size(), c.edges_of_face(f).size()) << "face " << f;
     for (const auto& [v, n] : ends) EXPECT_EQ(n, 2) << "face " << f << " vertex " << v;
     if (f > 0) {
-      EXPECT_LT(std::tuple(c.faces()[f - 1].corner, c.faces()[f - 1].axis), std::tuple(face.corner, face.axis));
+      EXPECT_LT(std::tuple(c.faces()[f - 1].corner, c.faces()[f - 1].axis),
+                std::tuple(face.corner, face.axis));
     }
     for (const std::uint32_t cell : {face.below, face.above})
       if (cell != CommonSubdivision::kNone) {
@@ -95,7 +102,8 @@ void expect_regular(const CommonSubdivision& c) {
     const auto lower = c.point(c.edges()[e].lower), upper = c.point(c.edges()[e].upper);
     for (unsigned a = 0; a < 3; ++a) EXPECT_EQ(lower[a] < upper[a], a == c.edge_axis(e));
     if (e > 0) {
-      EXPECT_LT(std::tuple(c.edges()[e - 1].lower, c.edge_axis(e - 1)), std::tuple(c.edges()[e].lower, c.edge_axis(e)));
+      EXPECT_LT(std::tuple(c.edges()[e - 1].lower, c.edge_axis(e - 1)),
+                std::tuple(c.edges()[e].lower, c.edge_axis(e)));
     }
   }
   for (std::uint32_t v = 1; v < c.num_vertices(); ++v) {
@@ -104,13 +112,15 @@ void expect_regular(const CommonSubdivision& c) {
   }
   for (std::uint32_t cell = 0; cell < c.num_cells(); ++cell) {  // its boundary is a sphere
     std::set<std::uint32_t> edges, vertices;
-    for (const std::uint32_t f : c.faces_of_cell(cell)) edges.insert(c.edges_of_face(f).begin(), c.edges_of_face(f).end());
+    for (const std::uint32_t f : c.faces_of_cell(cell))
+      edges.insert(c.edges_of_face(f).begin(), c.edges_of_face(f).end());
     for (const std::uint32_t e : edges) vertices.insert({c.edges()[e].lower, c.edges()[e].upper});
     EXPECT_EQ(vertices.size() + c.faces_of_cell(cell).size(), edges.size() + 2) << "cell " << cell;
   }
 }
 
-void expect_counts(const Cells& cells, std::uint32_t vertices, std::uint32_t edges, std::uint32_t faces) {
+void expect_counts(const Cells& cells, std::uint32_t vertices, std::uint32_t edges,
+                   std::uint32_t faces) {
   const CommonSubdivision c = build(cells);
   EXPECT_EQ(c.num_vertices(), vertices) << octree_shapes::text(cells);
   EXPECT_EQ(c.num_edges(), edges) << octree_shapes::text(cells);
@@ -143,7 +153,8 @@ TEST(CommonSubdivision, IsTheOneOfTheDefinitionOnRandomCells) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const Cells cells = octree_shapes::random_cells(random, 2 + static_cast<unsigned>(seed % 3 == 0), 1 + static_cast<unsigned>(seed % 5), 5);
+    const Cells cells = octree_shapes::random_cells(
+        random, 2 + static_cast<unsigned>(seed % 3 == 0), 1 + static_cast<unsigned>(seed % 5), 5);
     if (cells.empty() || cells.size() > 150) continue;
     expect_as_defined(cells);
     expect_regular(build(cells));

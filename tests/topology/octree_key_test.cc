@@ -14,7 +14,9 @@ namespace {
 
 OctreeCell random_cell(Random& random, unsigned max_level = OctreeKey::kMaxLevel) {
   const auto level = static_cast<std::uint32_t>(random.below(max_level + 1));
-  const auto index = [&] { return static_cast<std::uint32_t>(random.below(std::uint64_t{1} << level)); };
+  const auto index = [&] {
+    return static_cast<std::uint32_t>(random.below(std::uint64_t{1} << level));
+  };
   const std::uint32_t i = index(), j = index(), k = index();
   return {level, i, j, k};
 }
@@ -44,28 +46,35 @@ TEST(OctreeKey, GivesBackTheCellThatItWasMadeOf) {
     EXPECT_EQ(k.cell(), cell);
     EXPECT_EQ(k.level(), cell.level);
     EXPECT_EQ(k.size(), OctreeKey::kGrid >> cell.level);
-    EXPECT_EQ(k.corner(), (std::array<std::uint32_t, 3>{cell.i * k.size(), cell.j * k.size(), cell.k * k.size()}));
+    EXPECT_EQ(k.corner(), (std::array<std::uint32_t, 3>{cell.i * k.size(), cell.j * k.size(),
+                                                        cell.k * k.size()}));
     EXPECT_EQ(OctreeKey::from_code(k.code()).value(), k);
   }
 }
 
 TEST(OctreeKey, IsRefusedOutOfRangeWithTheCellsName) {
   EXPECT_EQ(OctreeKey::make({21, 0, 0, 0}).error().code, Code::kBadArgument);
-  for (const OctreeCell& cell : {OctreeCell{3, 8, 0, 0}, OctreeCell{3, 0, 8, 0}, OctreeCell{3, 0, 0, 8}, OctreeCell{0, 1, 0, 0},
-                                 OctreeCell{20, 1u << 20, 0, 0}, OctreeCell{5, 0xffffffffu, 0, 0}, OctreeCell{0xffffffffu, 0, 0, 0}}) {
+  for (const OctreeCell& cell :
+       {OctreeCell{3, 8, 0, 0}, OctreeCell{3, 0, 8, 0}, OctreeCell{3, 0, 0, 8},
+        OctreeCell{0, 1, 0, 0}, OctreeCell{20, 1u << 20, 0, 0}, OctreeCell{5, 0xffffffffu, 0, 0},
+        OctreeCell{0xffffffffu, 0, 0, 0}}) {
     const auto made = OctreeKey::make(cell);
     ASSERT_FALSE(made) << to_string(cell);
-    EXPECT_NE(made.error().message.find(to_string(cell)), std::string::npos) << made.error().message;
+    EXPECT_NE(made.error().message.find(to_string(cell)), std::string::npos)
+        << made.error().message;
   }
-  EXPECT_EQ(OctreeKey::make({3, 8, 0, 0}).error().message, "cell (level 3: 8 0 0): its level has indices 0 to 7");
+  EXPECT_EQ(OctreeKey::make({3, 8, 0, 0}).error().message,
+            "cell (level 3: 8 0 0): its level has indices 0 to 7");
 }
 
 TEST(OctreeKey, RefusesCodesOfNoCell) {
-  for (const std::uint64_t code : {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{4}, std::uint64_t{1} << 61, std::uint64_t{1} << 63,
-                                   ~std::uint64_t{0}, (std::uint64_t{1} << 60) | 2})
+  for (const std::uint64_t code :
+       {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{4}, std::uint64_t{1} << 61,
+        std::uint64_t{1} << 63, ~std::uint64_t{0}, (std::uint64_t{1} << 60) | 2})
     EXPECT_FALSE(OctreeKey::from_code(code)) << code;
   EXPECT_EQ(OctreeKey::from_code(std::uint64_t{1} << 60).value(), OctreeKey());
-  EXPECT_EQ(OctreeKey::from_code((std::uint64_t{1} << 61) - 1).value().cell(), (OctreeCell{20, 0xfffff, 0xfffff, 0xfffff}));
+  EXPECT_EQ(OctreeKey::from_code((std::uint64_t{1} << 61) - 1).value().cell(),
+            (OctreeCell{20, 0xfffff, 0xfffff, 0xfffff}));
 }
 
 TEST(OctreeKey, ContainsWhatLiesInsideAndItsCodesAreOneInterval) {
@@ -84,14 +93,16 @@ TEST(OctreeKey, ParentsChildrenAndAncestorsAgreeWithCoordinates) {
     const OctreeKey k = key(cell);
     for (unsigned level = 0; level <= cell.level; ++level) {
       const unsigned d = cell.level - level;
-      EXPECT_EQ(k.ancestor(level).cell(), (OctreeCell{level, cell.i >> d, cell.j >> d, cell.k >> d}));
+      EXPECT_EQ(k.ancestor(level).cell(),
+                (OctreeCell{level, cell.i >> d, cell.j >> d, cell.k >> d}));
     }
     if (cell.level > 0) {
       EXPECT_EQ(k.parent(), k.ancestor(cell.level - 1));
     }
     if (cell.level == OctreeKey::kMaxLevel) continue;
     for (unsigned q = 0; q < 8; ++q) {
-      const OctreeCell child{cell.level + 1, 2 * cell.i + (q & 1), 2 * cell.j + (q >> 1 & 1), 2 * cell.k + (q >> 2)};
+      const OctreeCell child{cell.level + 1, 2 * cell.i + (q & 1), 2 * cell.j + (q >> 1 & 1),
+                             2 * cell.k + (q >> 2)};
       EXPECT_EQ(k.child(q).cell(), child);
       EXPECT_EQ(k.child(q) < k, q < 4);
     }
@@ -127,11 +138,15 @@ TEST(OctreeKeySet, NamesNestedAndDoubledCells) {
     const auto set = OctreeKeySet::make(std::span<const OctreeCell>(cells));
     return set ? std::string() : set.error().message;
   };
-  EXPECT_EQ(message({{2, 1, 2, 3}, {1, 0, 0, 0}, {2, 1, 2, 3}}), "cell (level 2: 1 2 3) occurs twice");
+  EXPECT_EQ(message({{2, 1, 2, 3}, {1, 0, 0, 0}, {2, 1, 2, 3}}),
+            "cell (level 2: 1 2 3) occurs twice");
   // The inner cell before and after the outer one's code, and far from it in the list.
-  EXPECT_EQ(message({{3, 0, 0, 0}, {1, 1, 1, 1}, {1, 0, 0, 0}}), "cell (level 1: 0 0 0) contains cell (level 3: 0 0 0), which is in the set too");
-  EXPECT_EQ(message({{1, 0, 0, 0}, {1, 1, 1, 1}, {3, 3, 3, 3}}), "cell (level 1: 0 0 0) contains cell (level 3: 3 3 3), which is in the set too");
-  EXPECT_EQ(message({{0, 0, 0, 0}, {20, 0, 0, 0}}), "cell (level 0: 0 0 0) contains cell (level 20: 0 0 0), which is in the set too");
+  EXPECT_EQ(message({{3, 0, 0, 0}, {1, 1, 1, 1}, {1, 0, 0, 0}}),
+            "cell (level 1: 0 0 0) contains cell (level 3: 0 0 0), which is in the set too");
+  EXPECT_EQ(message({{1, 0, 0, 0}, {1, 1, 1, 1}, {3, 3, 3, 3}}),
+            "cell (level 1: 0 0 0) contains cell (level 3: 3 3 3), which is in the set too");
+  EXPECT_EQ(message({{0, 0, 0, 0}, {20, 0, 0, 0}}),
+            "cell (level 0: 0 0 0) contains cell (level 20: 0 0 0), which is in the set too");
   EXPECT_EQ(message({{1, 0, 0, 0}, {1, 1, 0, 0}}), "");
 }
 
@@ -153,7 +168,8 @@ TEST(OctreeKeySet, AcceptsExactlyTheDisjointSets) {
     for (std::uint64_t n = 1 + random.below(6); n > 0; --n) cells.push_back(random_cell(random, 3));
     bool disjoint = true;
     for (std::size_t a = 0; a < cells.size(); ++a)
-      for (std::size_t b = 0; b < cells.size(); ++b) disjoint &= a == b || !covers(cells[a], cells[b]);
+      for (std::size_t b = 0; b < cells.size(); ++b)
+        disjoint &= a == b || !covers(cells[a], cells[b]);
     const auto set = OctreeKeySet::make(std::span<const OctreeCell>(cells));
     EXPECT_EQ(set.has_value(), disjoint) << octree_shapes::text(cells);
     accepted += set.has_value();
@@ -177,7 +193,9 @@ TEST(OctreeKeySet, FindsLowerBounds) {
       EXPECT_EQ(set.lower_bound(code), want) << "seed " << seed << " code " << code;
     };
     for (const OctreeKey k : set.keys())
-      for (const std::uint64_t code : {k.first_code(), k.code() - 1, k.code(), k.code() + 1, k.last_code() + 1}) expect_bound(code);
+      for (const std::uint64_t code :
+           {k.first_code(), k.code() - 1, k.code(), k.code() + 1, k.last_code() + 1})
+        expect_bound(code);
     for (int n = 0; n < 100; ++n) expect_bound(random.below(std::uint64_t{1} << 61));
     expect_bound(0);
     expect_bound(~std::uint64_t{0});

@@ -40,10 +40,10 @@ enum class CollapseOrder {
 struct CollapseAttempt {
   CollapseSequence sequence;
   std::vector<std::uint32_t> stuck;  ///< bodies where something outside d+ remains, ascending
-  std::array<std::uint64_t, 4>
-      remaining{};  ///< their vertices, edges, faces, cells outside d+ that remain; no cell ever does
-  std::array<std::uint32_t, 2>
-      remains_at{};  ///< dimension and id of one of these, of the greatest dimension
+  /// Their vertices, edges, faces, cells outside d+ that remain; no cell ever does.
+  std::array<std::uint64_t, 4> remaining{};
+  /// Dimension and id of one of these, of the greatest dimension.
+  std::array<std::uint32_t, 2> remains_at{};
 };
 
 /// Collapses each body of `bodies` onto the boundary component d_plus[i] (of bodies[i]) as far as the greedy order gets.

@@ -5,8 +5,6 @@
 namespace veritope {
 namespace {
 
-constexpr std::uint32_t kNone = CommonSubdivision::kNone;
-
 class Replay {
  public:
   explicit Replay(const CommonSubdivision& complex) : c_(complex) {
@@ -83,7 +81,8 @@ class Replay {
   // That s has one remaining coface of the next dimension suffices: what remains is closed, so if t had a coface u, s would have
   // a second one in u.
   bool accept(unsigned dimension, const std::vector<Collapse>& collapses) {
-    for (const auto& [s, t] : collapses) {
+    for (const Collapse& step : collapses) {
+      const std::uint32_t s = step.face, t = step.coface;
       const unsigned below = dimension - 1;
       if (s >= size_[below]) return reject(CollapseFault::kNoSuchCell, below, s, "does not exist");
       if (t >= size_[dimension])

@@ -24,13 +24,13 @@ class FaceLister {
  public:
   explicit FaceLister(const OctreeKeySet& cells) : cells_(cells) {}
 
-  /// False if there are more than kMaxFaces.
-  bool run() {
+  /// False if there are more than max_faces; stops there.
+  bool run(std::uint32_t max_faces) {
     faces_.reserve(4 * cells_.size());
     for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
       for (axis_ = 0; axis_ < 3; ++axis_)
         for (const bool upper : {false, true}) list_side(upper);
-      if (faces_.size() > CommonSubdivision::kMaxFaces) return false;
+      if (faces_.size() > max_faces) return false;
     }
     return true;
   }
@@ -258,13 +258,14 @@ class SubdivisionBuilder {
   std::vector<std::uint32_t> next_;
 };
 
-Result<CommonSubdivision> CommonSubdivision::build(OctreeKeySet cells) {
+Result<CommonSubdivision> CommonSubdivision::build(OctreeKeySet cells, std::uint32_t max_faces) {
+  VT_CHECK(max_faces <= kMaxFaces, "ids of 32 bits");
   FaceLister lister(cells);
-  if (!lister.run())
+  if (!lister.run(max_faces))
     return Error{Code::kOverLimit,
                  {},
                  std::to_string(cells.size()) + " octree cells have more than " +
-                     std::to_string(kMaxFaces) + " faces"};
+                     std::to_string(max_faces) + " faces"};
   std::vector<RawFace> raw = std::move(lister.faces());
   return SubdivisionBuilder(std::move(cells), std::move(raw)).run();
 }

@@ -22,15 +22,14 @@ namespace veritope {
 class CommonSubdivision {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  static constexpr std::uint32_t kMaxFaces = 1u
-                                             << 26;  ///< then all counts and incidences fit 32 bits
+  /// With no more, all counts and incidences fit 32 bits.
+  static constexpr std::uint32_t kMaxFaces = 1u << 26;
 
   struct Face {
-    std::uint32_t below,
-        above;  ///< the cells on its two sides along its normal; kNone for none, not both
-    std::uint32_t corner;  ///< the vertex with the least coordinates
-    std::uint8_t axis;     ///< of its normal
-    std::uint8_t level;    ///< its edge is 2^-level of the root's
+    std::uint32_t below, above;  ///< cells on its two sides, along its normal; kNone for none
+    std::uint32_t corner;        ///< the vertex with the least coordinates
+    std::uint8_t axis;           ///< of its normal
+    std::uint8_t level;          ///< its edge is 2^-level of the root's
     std::uint32_t num_cells() const { return (below != kNone) + (above != kNone); }
     /// REQUIRES num_cells() == 1.
     std::uint32_t only_cell() const { return below != kNone ? below : above; }
@@ -39,9 +38,10 @@ class CommonSubdivision {
     std::uint32_t lower, upper;  ///< vertices
   };
 
-  /// @error kOverLimit if there are more than kMaxFaces faces.
+  /// @error kOverLimit if there are more than max_faces faces (the cap on memory: found before anything else is built).
+  ///        REQUIRES max_faces <= kMaxFaces.
   /// @cost  O(n depth) time and memory for n cells (about 0.5 kB a cell in uniform levels).
-  static Result<CommonSubdivision> build(OctreeKeySet cells);
+  static Result<CommonSubdivision> build(OctreeKeySet cells, std::uint32_t max_faces = kMaxFaces);
 
   const OctreeKeySet& cells() const { return cells_; }
   std::uint32_t num_cells() const { return static_cast<std::uint32_t>(cells_.size()); }

@@ -14,7 +14,7 @@ namespace veritope {
 /// A set of octree cells with disjoint interiors, ascending by code.
 class OctreeKeySet {
  public:
-  static constexpr std::size_t kMaxCells = std::size_t{1} << 26;
+  static constexpr std::size_t kMaxCells = std::size_t{1} << 24;
 
   /// The cells in any order.
   /// @error kEmpty if there is none; kOverLimit if there are more than kMaxCells; kBadArgument if a cell is out of range (its
@@ -36,8 +36,8 @@ class OctreeKeySet {
   void build_index();
 
   std::vector<OctreeKey> keys_;
-  std::vector<std::uint32_t>
-      bucket_;  // bucket_[b]: the first key whose code >> shift_ is at least b
+  /// bucket_[b]: the first key whose code >> shift_ is at least b.
+  std::vector<std::uint32_t> bucket_;
   unsigned shift_ = 0;
   unsigned finest_level_ = 0;
 };

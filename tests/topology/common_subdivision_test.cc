@@ -177,6 +177,18 @@ TEST(CommonSubdivision, IsRegularOnShellsOfMixedLevels) {
   }
 }
 
+TEST(CommonSubdivision, OverTheLimitOfFacesIsRefused) {
+  const Cells cells{{1, 0, 0, 0}, {1, 1, 0, 0}};
+  const auto with_limit = [&](std::uint32_t faces) {
+    return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value(),
+                                    faces);
+  };
+  EXPECT_TRUE(with_limit(11));
+  ASSERT_FALSE(with_limit(10));
+  EXPECT_EQ(with_limit(10).error().code, Code::kOverLimit);
+  EXPECT_EQ(with_limit(10).error().message, "2 octree cells have more than 10 faces");
+}
+
 TEST(CommonSubdivision, DoesNotDependOnTheOrderOfTheCells) {
   Cells cells = octree_shapes::edge_contact_of_different_length();
   const CommonSubdivision a = build(cells);

@@ -152,6 +152,8 @@ TEST(OctreeKeySet, NamesNestedAndDoubledCells) {
 
 TEST(OctreeKeySet, RefusesNothingAndCellsOutOfRange) {
   EXPECT_EQ(OctreeKeySet::make(std::vector<OctreeKey>{}).error().code, Code::kEmpty);
+  EXPECT_EQ(OctreeKeySet::make(std::vector<OctreeKey>(OctreeKeySet::kMaxCells + 1)).error().code,
+            Code::kOverLimit);
   const octree_shapes::Cells cells{{1, 0, 0, 0}, {1, 2, 0, 0}};
   const auto set = OctreeKeySet::make(std::span<const OctreeCell>(cells));
   ASSERT_FALSE(set);

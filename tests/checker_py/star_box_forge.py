@@ -107,7 +107,7 @@ class Plan:
         return b"".join(out) + self.tail
 
     def certificate(self, model=None):
-        model, body = model or encode_model(self.entities), self.body()
+        model, body = encode_model(self.entities) if model is None else model, self.body()
         statement = {"certificate": "veritope-certificate-1", "tool": "star_box_forge", "claim": "star-box-1",
                      "subject_sha256": hashlib.sha256(model).hexdigest(), "subject_bytes": len(model), "subject_format": "vjson",
                      "body_sha256": hashlib.sha256(body).hexdigest(), "patches": 0, "edges": 0, "vertices": 0, "shells": 0,
@@ -195,12 +195,12 @@ class Prover:
             keep = piece.kept(piece.coefficients())
             if keep is False:
                 return None
-            for i in range(0, len(d)):
+            for i in range(0, len(d), 1 + len(d) // 12):
                 length = math.isqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i])
                 if length and (keep is True or keep[i]):
                     rows.append((ratio(x[i], length), ratio(y[i], length), ratio(z[i], length), ratio(d[i], length)))
         rows = list(dict.fromkeys(rows))
-        rows = rows[::1 + len(rows) // 200]
+        rows = rows[::1 + len(rows) // 120]
         for minus, plus in self.centres(rows, lo, hi):
             offsets = [[int(c) - a for c, a in zip(p, lo)] for p in (minus, plus)]
             if any(not 0 < o < s for p in offsets for o, s in zip(p, size)):
@@ -216,11 +216,11 @@ class Prover:
         for sign in (1, -1):
             c, size = [(a + b) / 2 for a, b in zip(lo, hi)], min(b - a for a, b in zip(lo, hi))
             best, best_gap = c, -math.inf
-            for step in range(60):
+            for step in range(40):
                 gap, worst = min((sign * (r[3] - r[0] * c[0] - r[1] * c[1] - r[2] * c[2]), r) for r in rows)
                 if gap > best_gap:
                     best, best_gap = list(c), gap
-                move = max(size * 0.5 * 0.91 ** step, 0)
+                move = max(size * 0.5 * 0.87 ** step, 0)
                 c = [min(max(v - sign * move * n, a + 0.02 * (b - a) + 1), b - 0.02 * (b - a) - 1)
                      for v, n, a, b in zip(c, worst, lo, hi)]
             if best_gap <= 0:

@@ -155,7 +155,7 @@ def read_surface(shape):
     entity.knots = [[number(t) for t in typed(axis, list)] for axis in knots]
     for p, t in zip(entity.degrees, entity.knots):
         n = len(t) - p - 1
-        if n <= p or any(a > b for a, b in zip(t, t[1:])) or t[p] >= t[n] or any(a == b for a, b in zip(t, t[p + 2:])):
+        if n <= p or any(a > b for a, b in zip(t, t[1:])) or t[p] >= t[n] or any(a == b for a, b in zip(t, t[p + 1:])):
             raise Refused("the knots are too few, decrease, are too often the same or have no domain")
         sizes.append(n)
     flat = read_points(entity, points, components, rational, sizes[0] * sizes[1])

@@ -512,6 +512,32 @@ class Pieces(unittest.TestCase):
                 self.assertEqual(len(ratios), 1, (is_tensor, p, q, rows))
                 self.assertGreater(ratios.pop(), 0)
 
+    def test_touching_is_meeting_and_zero_is_not_positive(self):
+        box = type("Box", (), {"lo": [0, 0, 0], "hi": [6, 6, 6]})
+        for k in range(3):
+            for at, misses in ((-2, False), (-3, True), (12, False), (13, True)):
+                lo, hi = [[(4, 2)] * 3 for _ in range(2)]
+                lo[k], hi[k] = ((-9, 2), (at + 2, 2)) if at < 0 else ((at, 2), (at + 5, 2))
+                self.assertEqual(check.misses_box(box)(lo, hi), misses, (k, at))
+        entity = read.read_model(forge.encode_model([forge.triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])]))[0]
+        node = next(check.root_nodes(next(patches.patches_of(entity, None, 0, 0))))
+        node.patch.sides = [(0, True), (1, True), (2, True)]
+        for minus, plus, good in ((-1, 1, True), (0, 1, False), (-1, 0, False), (1, -1, False)):
+            self.assertEqual(node.has_s1(((0, 0, minus), (0, 0, plus))), good, (minus, plus))
+
+    def test_the_rule_of_the_crossing_number(self):
+        """Whole turns of polygons around the centre, from every corner, both ways, vertices on the ray among them."""
+        crossing = check.Crossing([], type("Box", (), {"c": [[0] * 3, [0, 0, 1]]}), lambda: None)
+        square = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
+        for shift, want in (((0, 0), 1), ((3, 0), 0), ((-3, 0), 0), ((0, 3), 0)):
+            points = [(x + shift[0], y + shift[1]) for x, y in square]
+            for way in (1, -1):
+                turn = points[::way]
+                total = sum(crossing.of_curve([a[0], b[0]], [a[1], b[1]]) for a, b in zip(turn, turn[1:] + turn[:1]))
+                self.assertEqual(total, way * want, (shift, way))
+        self.assertEqual(crossing.of_curve([1, -9, 9, -1], [-1, 1, 1, -1]), 0)     # a curve that ends where y < 0
+        self.assertRaises(read.Reject, crossing.of_curve, [-1, 1], [-1, 1])         # through the centre
+
     def test_triangles_and_boxes(self):
         rng = random.Random(7)
         for _ in range(400 * SCALE):

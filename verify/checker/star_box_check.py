@@ -149,8 +149,8 @@ class Forest:
             items.append(([n // d for n, d in lo], [-(-n // d) for n, d in hi], node))
         self.top = hierarchy(items)
 
-    def spend(self, condition):
-        self.work -= 1
+    def spend(self, condition, units=1):
+        self.work -= units
         if self.work < 0:
             raise Reject(condition, "too much work")
 
@@ -170,7 +170,7 @@ class Forest:
         stack, result = list(self.roots_near(misses, condition)), []
         while stack:
             node = stack.pop()
-            self.spend(condition)
+            self.spend(condition, node.patch.cost)
             if misses(*node.hull()):
                 continue
             if taken(node):

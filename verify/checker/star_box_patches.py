@@ -12,7 +12,7 @@ from operator import add
 from star_box_read import Reject
 
 FULL = 1 << 36                          # the side of a patch's parameter domain in integers: 12 + 24 halvings
-MAX_BITS, MAX_KNOT_BITS = 8192, 2048
+MAX_BITS, MAX_KNOT_BITS, MAX_SIZE = 8192, 2048, 1 << 20
 
 
 # ---------------------------------------------------------------- arrays: halves, quarters, sides
@@ -154,6 +154,14 @@ class Patch:
         self.net = [[[point[c] for point in row] for row in points] for c in range(4)]
         if matrices:
             self.net = [transposed(apply(matrices[1], transposed(apply(matrices[0], a)))) for a in self.net]
+            common = gcd(*[c for a in self.net for row in a for c in row])
+            self.net = [[[c // common for c in row] for row in a] for a in self.net]
+        p, q = self.degrees * (1 if self.is_tensor else 2)
+        size = 9 * p * q if self.is_tensor else 3 * p * (3 * p - 1) // 2
+        size *= max(abs(c).bit_length() for a in self.net for row in a for c in row)
+        if size > MAX_SIZE:
+            raise Reject("B2", "the coefficients of a patch are too long for its degree")
+        self.cost = 1 + (size >> 14)                        # units of work for a node
         self.g, self.component, self.roots, self.index = None, None, (0, 0), 0
         self.sides = [None] * self.num_sides
 

@@ -54,10 +54,11 @@ def number(text):
         digits = m and m[2] + (m[3] or "")
         if not digits or len(digits) > MAX_DIGITS:
             raise Refused("not a number, or too many digits: %r" % text[:40])
-        exponent = m[4] or "0"
-        if len(exponent.lstrip("+-0")) > 5 or abs(int(exponent)) > MAX_EXPONENT:
+        exponent = (m[4] or "").lstrip("+-0") or "0"
+        if len(exponent) > 5 or int(exponent) > MAX_EXPONENT:
             raise Refused("an exponent is too large: %r" % text[:40])
-        value = int(digits, base) * Fraction(2 if base == 16 else 10) ** int(exponent) / base ** len(m[3] or "")
+        power = Fraction(2 if base == 16 else 10) ** (-int(exponent) if m[4] and m[4][0] == "-" else int(exponent))
+        value = int(digits, base) * power / base ** len(m[3] or "")
     return -value if m[1] == "-" else value
 
 def typed(value, kind):

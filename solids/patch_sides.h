@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/patch_sides.h: one form for each boundary curve, whatever the degree, the factor and the direction that it is given in: two
+// sides are the same curve in the sense of S0 iff their forms are equal.
+// Theory: docs/THEORY.md §4, S0.
+#pragma once
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solids/patch.h"
+
+namespace veritope {
+
+/// In which direction the curve runs along its canonical form. kBoth: it is its own reverse, C(t) = C(1 - t).
+enum class Travel : std::uint8_t { kForward, kBackward, kBoth };
+
+/// Homogeneous control points, each x, y, z (w), of the least degree, divided by the absolute value of the first weight that is not 0;
+/// without weights if all are then 1. Of the two directions that one whose values come first in lexicographic order.
+struct CanonicalCurve {
+  std::size_t width = 3;  ///< 3, or 4 with weights
+  std::vector<Rational> values;
+  Travel travel =
+      Travel::kForward;  ///< of the curve that it was made of; no part of the comparison
+
+  friend std::strong_ordering operator<=>(const CanonicalCurve& a, const CanonicalCurve& b);
+  friend bool operator==(const CanonicalCurve& a, const CanonicalCurve& b) {
+    return a.width == b.width && a.values == b.values;
+  }
+};
+
+/// Claim   canonical(a) == canonical(b) iff a, or a run backwards, and b are equal after elevation to one degree, as polynomial maps or
+///         as homogeneous ones up to one positive factor; a polynomial map is homogeneous with the weight 1.
+/// A common polynomial factor of all components is not cancelled: S0 does not ask for it.
+/// @cost   O(degree^2) at most; no product at all for a polynomial curve of its least degree but the test of it
+CanonicalCurve canonical(const Patch::Curve& curve);
+
+/// All control points are one point: S0's collapsed row. Where a weight is 0 there is no point, and the row is not collapsed.
+bool is_collapsed(const Patch::Curve& curve);
+
+/// Equal values have equal hashes. The low 64 bits and the lengths of numerators and denominators count: unequal hashes decide, equal
+/// ones do not.
+std::uint64_t hash_of(const CanonicalCurve& curve);
+
+namespace internal {
+/// Of the least degree: the same polynomials.
+Patch::Curve with_least_degree(Patch::Curve curve);
+std::uint64_t hash_step(std::uint64_t hash, std::uint64_t word);
+std::uint64_t hash_step(std::uint64_t hash, const Rational& value);
+}  // namespace internal
+
+}  // namespace veritope

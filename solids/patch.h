@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patch.h: one piece of a surface: a tensor-product Bezier piece or a Bezier triangle in space, polynomial or rational, with exact
 // coefficients; its sides and corners in the counterclockwise order of the domain.
-// Theory: docs/THEORY.md §4.
+// Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <array>
 #include <cstddef>

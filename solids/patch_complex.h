@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patch_complex.h: patches glued along equal boundary curves: edges, vertices, shells, orientation, Euler characteristic; and what
 // keeps them from being a closed oriented surface, named and placed.
-// Theory: docs/THEORY.md §4, S0.
+// Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -89,7 +89,7 @@ struct PatchInput {
   std::vector<PatchFinding> findings;
 };
 
-/// The abstract surface X of THEORY section 4 with its map. Vertices are the classes of corners that paired sides and collapsed sides
+/// The abstract surface X that the patches are a map of. Vertices are the classes of corners that paired sides and collapsed sides
 /// generate, never corners in equal places; an edge is a class of equal sides that are not collapsed.
 class PatchComplex {
  public:
@@ -128,7 +128,7 @@ class PatchComplex {
   std::uint64_t count(PatchDefect defect) const {
     return counts_[static_cast<std::size_t>(defect)];
   }
-  /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, and its map one that section 4 is about.
+  /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, its map as the certificates of star boxes ask.
   /// Says nothing about the image. kAdjacentPoles is allowed.
   bool is_closed_oriented_surface() const;
 

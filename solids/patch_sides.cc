@@ -116,23 +116,29 @@ std::strong_ordering operator<=>(const CanonicalCurve& a, const CanonicalCurve& 
   return std::strong_ordering::equal;
 }
 
-CanonicalCurve canonical(const Patch::Curve& curve) {
-  CanonicalCurve forward{curve.is_rational() ? std::size_t{4} : std::size_t{3}, {}, {}};
-  forward.values = by_points(internal::with_least_degree(curve));
-  if (curve.is_rational()) {
-    normalise(forward.values, 4);
-    if (all_weights_are_one(forward.values)) {
-      drop_weights(forward.values);
-      forward.width = 3;
-    }
+CanonicalCurve directed_form(const Patch::Curve& curve) {
+  CanonicalCurve out{curve.is_rational() ? std::size_t{4} : std::size_t{3}, {}, {}};
+  out.values = by_points(internal::with_least_degree(curve));
+  if (!curve.is_rational()) return out;
+  normalise(out.values, 4);
+  if (all_weights_are_one(out.values)) {
+    drop_weights(out.values);
+    out.width = 3;
   }
-  CanonicalCurve backward{forward.width, backwards(forward.values, forward.width),
-                          Travel::kBackward};
-  if (backward.width == 4) normalise(backward.values, 4);
+  return out;
+}
+CanonicalCurve run_backwards(const CanonicalCurve& directed) {
+  CanonicalCurve out{directed.width, backwards(directed.values, directed.width), Travel::kForward};
+  if (out.width == 4) normalise(out.values, 4);
+  return out;
+}
+
+CanonicalCurve canonical(const Patch::Curve& curve) {
+  CanonicalCurve forward = directed_form(curve), backward = run_backwards(forward);
   const auto order = forward <=> backward;
-  if (order > 0) return backward;
   forward.travel = order == 0 ? Travel::kBoth : Travel::kForward;
-  return forward;
+  backward.travel = Travel::kBackward;
+  return order > 0 ? backward : forward;
 }
 
 bool is_collapsed(const Patch::Curve& curve) {

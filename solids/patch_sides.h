@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patch_sides.h: one form for each boundary curve, whatever the degree, the factor and the direction that it is given in: two
 // sides are the same curve in the sense of S0 iff their forms are equal.
-// Theory: docs/THEORY.md §4, S0.
+// Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <compare>
 #include <cstddef>
@@ -34,6 +34,11 @@ struct CanonicalCurve {
 /// A common polynomial factor of all components is not cancelled: S0 does not ask for it.
 /// @cost   O(degree^2) at most; no product at all for a polynomial curve of its least degree but the test of it
 CanonicalCurve canonical(const Patch::Curve& curve);
+
+/// The same without the choice of a direction: travel is kForward. Equal iff the curves are, run the same way.
+CanonicalCurve directed_form(const Patch::Curve& curve);
+/// The directed form of the curve run backwards, from its own.
+CanonicalCurve run_backwards(const CanonicalCurve& directed);
 
 /// All control points are one point: S0's collapsed row. Where a weight is 0 there is no point, and the row is not collapsed.
 bool is_collapsed(const Patch::Curve& curve);

@@ -39,7 +39,7 @@ TEST(PatchComplex, CountsTheCellsOfABox) {
 TEST(PatchComplex, CountsTheCellsOfASphereOfSixPatches) {
   expect_one_shell(complex_of(patch_shapes::sphere()), 8, 12, 6, 0);
 }
-// PROVES THEORY-4.S0 (poles): 8, 0 and -2 are what the wrong rules for collapsed rows give.
+// S0 with poles: 8, 0 and -2 are what the wrong rules for collapsed rows give.
 TEST(PatchComplex, AnOctantSphereIsSixMinusTwelvePlusEight) {
   expect_one_shell(complex_of(patch_shapes::octant_sphere()), 6, 12, 8, 0);
 }

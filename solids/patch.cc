@@ -131,11 +131,11 @@ Patch turned(const Patch& patch, std::uint32_t by) {
   return made(make_patch(std::move(map), patch.origin()));
 }
 
-std::optional<RationalPoint> point_of(std::span<const Rational> h) {
+std::optional<PatchPoint> point_of(std::span<const Rational> h) {
   VT_CHECK(h.size() == 3 || h.size() == 4, "a point in space has 3 or 4 coefficients");
-  if (h.size() == 3) return RationalPoint{h[0], h[1], h[2]};
+  if (h.size() == 3) return PatchPoint{h[0], h[1], h[2]};
   if (h[3].sign() == Sign::kZero) return std::nullopt;
-  return RationalPoint{h[0] / h[3], h[1] / h[3], h[2] / h[3]};
+  return PatchPoint{h[0] / h[3], h[1] / h[3], h[2] / h[3]};
 }
 
 std::array<double, 3> approx_point(std::span<const Rational> homogeneous) {

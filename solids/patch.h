@@ -15,13 +15,14 @@
 #include "robust/base/result.h"
 #include "splines/bezier.h"
 #include "splines/bezier_triangle.h"
-#include "splines/pn_triangle.h"
 
 namespace veritope {
 
 /// The greatest degree, along each axis or of a triangle, of which a patch complex is sound; a patch of more is read, matched and named
 /// as a finding (PatchDefect::kDegree). Of more than kMaxSplineDegree it is refused.
 inline constexpr int kMaxPatchDegree = 15;
+
+using PatchPoint = std::array<Rational, 3>;
 
 /// Where a patch comes from, for messages.
 struct PatchOrigin {
@@ -93,7 +94,7 @@ Patch reversed(const Patch& patch);
 Patch turned(const Patch& patch, std::uint32_t by);
 
 /// The point of homogeneous coefficients (three, or four with the weight last); nothing if the weight is 0.
-std::optional<RationalPoint> point_of(std::span<const Rational> homogeneous);
+std::optional<PatchPoint> point_of(std::span<const Rational> homogeneous);
 /// Each coordinate rounded to nearest: for messages and searches. NaN where there is no point.
 std::array<double, 3> approx_point(std::span<const Rational> homogeneous);
 

@@ -12,7 +12,7 @@
 
 namespace veritope::patch_shapes {
 
-using Point = RationalPoint;
+using Point = PatchPoint;
 using Patches = std::vector<Patch>;
 
 // All normals point out of the solid. Circles are cut into quarters at the directions +x, +y, -x, -y; the weights of a quarter's ends

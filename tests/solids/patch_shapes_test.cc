@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "tests/solids/patch_support.h"
 #include "solids/patch_complex.h"
+#include "tests/solids/patch_support.h"
 
 namespace veritope {
 namespace {

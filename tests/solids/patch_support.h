@@ -6,11 +6,43 @@
 #include <vector>
 
 #include "solids/patch_complex.h"
+#include "solids/patch_shapes.h"
 #include "solids/polyhedron/triangle_mesh.h"
+#include "splines/bezier_components.h"
+#include "splines/bezier_degree.h"
 #include "splines/bezier_triangle.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope {
+
+using Patches = std::vector<Patch>;
+
+inline PatchComplex complex_of(Patches patches,
+                               PatchOrientation orientation = PatchOrientation::kKeep) {
+  return make_patch_complex(std::move(patches), orientation).value();
+}
+
+inline Patches unit_box() { return patch_shapes::box({0, 0, 0}, {1, 1, 1}); }
+
+inline Patch with_coefficient(const Patch& patch, int component, std::size_t control,
+                              const Rational& value) {
+  Patch::Tensor map = patch.tensor();
+  map.component(component)[control] = value;
+  return make_patch(std::move(map), patch.origin()).value();
+}
+inline Patch bilinear(const std::array<PatchPoint, 4>& p) {
+  Patch::Tensor map({1, 1}, 3, false);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto b = map.component(static_cast<int>(c));
+    b[0] = p[0][c], b[2] = p[1][c], b[3] = p[2][c], b[1] = p[3][c];
+  }
+  return make_patch(std::move(map)).value();
+}
+inline Patch flat(const PatchPoint& a, const PatchPoint& b, const PatchPoint& c) {
+  std::vector<Rational> values;
+  for (std::size_t i = 0; i < 3; ++i) values.insert(values.end(), {a[i], b[i], c[i]});
+  return make_patch(Patch::Triangle(1, 3, false, std::move(values))).value();
+}
 
 inline std::string all_findings(const PatchComplex& complex) {
   std::string text;

@@ -62,6 +62,9 @@ class Patch {
   std::uint32_t num_sides() const { return is_triangle() ? 3 : 4; }
   /// In its direction of travel; homogeneous iff is_rational(). REQUIRES side < num_sides().
   Curve side(std::uint32_t side) const;
+  /// The number of its control points, and where in a component the i-th is.
+  std::size_t side_length(std::uint32_t side) const;
+  std::size_t side_index(std::uint32_t side, std::size_t i) const;
   /// The homogeneous coefficients of a corner: 3, or 4 with the weight last. REQUIRES corner < num_sides().
   std::vector<Rational> corner(std::uint32_t corner) const;
   /// All control points, one component after the other; see Bezier and BezierTriangle.

@@ -40,27 +40,28 @@ class DisjointSets {
 template <typename Item, typename FormOf>
 std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t, Item>> hashed,
                                              FormOf form_of) {
-  using Exact = std::pair<decltype(form_of(hashed[0].second)), Item>;
+  using Form = decltype(form_of(hashed[0].second));
   std::sort(hashed.begin(), hashed.end());
   std::vector<std::vector<Item>> classes;
-  std::vector<Exact> run;
+  std::vector<Form> forms;
+  std::vector<std::size_t> run;
   for (std::size_t i = 0; i < hashed.size();) {
     std::size_t end = i + 1;
     while (end < hashed.size() && hashed[end].first == hashed[i].first) ++end;
-    if (end == i + 1) {
-      classes.push_back({hashed[i++].second});
-      continue;
-    }
-    run.clear();
-    for (; i < end; ++i) run.emplace_back(form_of(hashed[i].second), hashed[i].second);
-    std::sort(run.begin(), run.end(), [](const Exact& a, const Exact& b) {
-      const auto order = a.first <=> b.first;
-      return order != 0 ? order < 0 : a.second < b.second;
+    forms.clear();
+    if (end > i + 1)
+      for (std::size_t k = i; k < end; ++k) forms.push_back(form_of(hashed[k].second));
+    run.resize(end - i);
+    std::iota(run.begin(), run.end(), std::size_t{0});
+    std::sort(run.begin(), run.end(), [&](std::size_t a, std::size_t b) {
+      const auto order = forms[a] <=> forms[b];
+      return order != 0 ? order < 0 : a < b;
     });
     for (std::size_t k = 0; k < run.size(); ++k) {
-      if (k == 0 || (run[k - 1].first <=> run[k].first) != 0) classes.emplace_back();
-      classes.back().push_back(run[k].second);
+      if (k == 0 || (forms[run[k - 1]] <=> forms[run[k]]) != 0) classes.emplace_back();
+      classes.back().push_back(hashed[i + run[k]].second);
     }
+    i = end;
   }
   return classes;
 }

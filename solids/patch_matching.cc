@@ -11,14 +11,13 @@ MatchedSides match_sides(std::span<const Patch> patches) {
   std::vector<std::pair<std::uint64_t, PatchSide>> hashed;
   hashed.reserve(4 * patches.size());
   for_each_side(patches, [&](PatchSide s) {
-    const Patch::Curve curve = patches[s.patch].side(s.side);
-    if (is_collapsed(curve)) return;
-    const CanonicalCurve form = canonical(curve);
-    out.travel[4 * std::size_t{s.patch} + s.side] = form.travel;
-    hashed.emplace_back(hash_of(form), s);
+    const SideForm form(patches[s.patch], s.side);
+    if (form.is_collapsed()) return;
+    out.travel[4 * std::size_t{s.patch} + s.side] = form.travel();
+    hashed.emplace_back(form.hash(), s);
   });
   auto edges = equal_classes(std::move(hashed),
-                             [&](PatchSide s) { return canonical(patches[s.patch].side(s.side)); });
+                             [&](PatchSide s) { return SideForm(patches[s.patch], s.side); });
   std::sort(edges.begin(), edges.end());
   for (const auto& sides : edges) {
     out.first_side.push_back(out.sides.size());

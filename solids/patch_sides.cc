@@ -18,26 +18,36 @@ std::uint64_t hash_step(std::uint64_t hash, const Rational& value) {
     hash = hash_step(hash_step(hash, part->low_bits()), part->bit_length());
   return hash_step(hash, static_cast<std::uint64_t>(to_int(value.sign()) + 1));
 }
+std::strong_ordering order_of_parts(const Rational& a, const Rational& b) {
+  const auto order = a.numerator() <=> b.numerator();
+  return order != 0 ? order : a.denominator() <=> b.denominator();
+}
 
 }  // namespace internal
 
 namespace {
 
-// The coefficient of t^n, up to a factor: the n-th difference of the control points.
+// The coefficient of t^n, up to a factor, is not 0: the last difference of `count` numbers.
+template <typename At>
+bool has_last_difference(std::size_t count, At at) {
+  const int n = static_cast<int>(count) - 1;
+  if (n == 1) return !(at(0) == at(1));
+  Rational sum;
+  for (int i = 0; i <= n; ++i) {
+    const Rational term = Rational(binomial(n, i)) * at(static_cast<std::size_t>(i));
+    if ((n - i) % 2 == 0) {
+      sum += term;
+    } else {
+      sum -= term;
+    }
+  }
+  return sum.sign() != Sign::kZero;
+}
 bool has_full_degree(const Patch::Curve& curve) {
-  const int n = curve.degree(0);
   for (int c = 0; c < curve.num_components(); ++c) {
     const auto b = curve.component(c);
-    Rational sum;
-    for (int i = 0; i <= n; ++i) {
-      const Rational term = Rational(binomial(n, i)) * b[static_cast<std::size_t>(i)];
-      if ((n - i) % 2 == 0) {
-        sum += term;
-      } else {
-        sum -= term;
-      }
-    }
-    if (sum.sign() != Sign::kZero) return true;
+    if (has_last_difference(b.size(), [&](std::size_t i) -> const Rational& { return b[i]; }))
+      return true;
   }
   return false;
 }
@@ -112,7 +122,8 @@ std::strong_ordering operator<=>(const CanonicalCurve& a, const CanonicalCurve& 
   if (a.width != b.width) return a.width <=> b.width;
   if (a.values.size() != b.values.size()) return a.values.size() <=> b.values.size();
   for (std::size_t i = 0; i < a.values.size(); ++i)
-    if (const auto order = a.values[i] <=> b.values[i]; order != 0) return order;
+    if (const auto order = internal::order_of_parts(a.values[i], b.values[i]); order != 0)
+      return order;
   return std::strong_ordering::equal;
 }
 
@@ -158,6 +169,64 @@ bool is_collapsed(const Patch::Curve& curve) {
   }
   return true;
 }
+
+namespace internal {
+
+SideForm::SideForm(const Patch& patch, std::uint32_t side) {
+  if (!patch.is_rational() && borrow(patch, side)) return;
+  const Patch::Curve curve = patch.side(side);
+  is_collapsed_ = veritope::is_collapsed(curve);
+  if (is_collapsed_) return;
+  CanonicalCurve form = canonical(curve);
+  travel_ = form.travel;
+  width_ = form.width;
+  owned_ = std::move(form.values);
+  for (const Rational& v : owned_) values_.push_back(&v);
+}
+
+// Of a polynomial side: false if its degree can be lowered.
+bool SideForm::borrow(const Patch& patch, std::uint32_t side) {
+  const std::size_t count = patch.side_length(side);
+  values_.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int c = 0; c < 3; ++c) values_.push_back(&patch.component(c)[patch.side_index(side, i)]);
+  bool is_one_point = true, has_full_degree = false;
+  for (std::size_t c = 0; c < 3 && !has_full_degree; ++c) {
+    const auto at = [&](std::size_t i) -> const Rational& { return *values_[3 * i + c]; };
+    for (std::size_t i = 1; i < count; ++i) is_one_point = is_one_point && at(i) == at(0);
+    if (!is_one_point) has_full_degree = has_last_difference(count, at);
+  }
+  is_collapsed_ = is_one_point;
+  if (is_one_point || !has_full_degree) {
+    values_.clear();
+    return is_one_point;
+  }
+  auto order = std::strong_ordering::equal;
+  for (std::size_t i = 0; i < values_.size() && order == 0; ++i)
+    order = order_of_parts(*values_[i], *values_[values_.size() - 3 - i / 3 * 3 + i % 3]);
+  travel_ = order == 0 ? Travel::kBoth : order < 0 ? Travel::kForward : Travel::kBackward;
+  if (order > 0) {
+    std::reverse(values_.begin(), values_.end());
+    for (std::size_t i = 0; i < values_.size(); i += 3) std::swap(values_[i], values_[i + 2]);
+  }
+  return true;
+}
+
+std::uint64_t SideForm::hash() const {
+  std::uint64_t hash = hash_step(width_, values_.size());
+  for (const Rational* v : values_) hash = hash_step(hash, *v);
+  return hash;
+}
+
+std::strong_ordering operator<=>(const SideForm& a, const SideForm& b) {
+  if (a.width_ != b.width_) return a.width_ <=> b.width_;
+  if (a.values_.size() != b.values_.size()) return a.values_.size() <=> b.values_.size();
+  for (std::size_t i = 0; i < a.values_.size(); ++i)
+    if (const auto order = order_of_parts(*a.values_[i], *b.values_[i]); order != 0) return order;
+  return std::strong_ordering::equal;
+}
+
+}  // namespace internal
 
 std::uint64_t hash_of(const CanonicalCurve& curve) {
   std::uint64_t hash = internal::hash_step(curve.width, curve.values.size());

@@ -11,6 +11,7 @@
 #include "splines/bezier_components.h"
 #include "splines/bezier_degree.h"
 #include "splines/bezier_triangle.h"
+#include "splines/bezier_triangle_algebra.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope {

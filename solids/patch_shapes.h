@@ -60,6 +60,10 @@ Patches joined(std::initializer_list<Patches> parts);
 /// Every normal the other way.
 Patches inside_out(const Patches& patches);
 
+/// The cube [-4,4]^3 of 38 flat triangles whose top is folded like a Z without leaving its plane: three sheets in the middle, S0 true. Every
+/// point set in it looks like that of a sound cube: it must be refused all the same.
+Patches wrinkled_cube();
+
 /// What is known of a model's map by construction.
 enum class Truth {
   kEmbedded,  ///< one to one

@@ -47,6 +47,64 @@ Patches blocks(const std::vector<Cube>& cubes) {
   return internal::block_faces(cubes, internal::at_integers);
 }
 
+Patches wrinkled_cube() {
+  // In the plane of the top: the fold p, q, m1, m2 with o in its middle; then the boundary, counterclockwise from E.
+  constexpr int kHigh = 4;
+  const int xy[][2] = {{-2, 0}, {2, 0},  {0, 1},  {0, -1},  {0, 0},  {4, 0}, {4, 4},
+                       {0, 4},  {-4, 4}, {-4, 0}, {-4, -4}, {0, -4}, {4, -4}};
+  enum {
+    p,
+    q,
+    m1,
+    m2,
+    o,
+    kEast,
+    kNorthEast,
+    kNorth,
+    kNorthWest,
+    kWest,
+    kSouthWest,
+    kSouth,
+    kSouthEast
+  };
+  Patches out;
+  const auto add_triangle = [&](const std::array<int, 3>& corners,
+                                const std::array<int, 3>& heights) {
+    Patch::Triangle map(1, 3, false);
+    for (std::size_t i = 0; i < 3; ++i) {
+      map.component(0)[i] = xy[corners[i]][0];
+      map.component(1)[i] = xy[corners[i]][1];
+      map.component(2)[i] = heights[i];
+    }
+    internal::add(out, std::move(map));
+  };
+  const std::array<int, 3> top{kHigh, kHigh, kHigh}, bottom{-kHigh, -kHigh, -kHigh};
+  const std::array<int, 3> upper[] = {{p, m2, kNorth},
+                                      {m2, q, kNorth},
+                                      {p, kNorth, kNorthWest},
+                                      {p, kNorthWest, kWest},
+                                      {q, kEast, kNorthEast},
+                                      {q, kNorthEast, kNorth},  // the upper sheet
+                                      {o, q, m1},
+                                      {o, m1, p},
+                                      {o, p, kSouth},
+                                      {o, kSouth, q},
+                                      {p, kWest, kSouthWest},
+                                      {p, kSouthWest, kSouth},
+                                      {q, kSouth, kSouthEast},
+                                      {q, kSouthEast, kEast},  // the lower one
+                                      {p, m1, q},
+                                      {p, q, m2}};  // between them, facing down
+  for (const auto& corners : upper) add_triangle(corners, top);
+  for (int i = 0; i < 8; ++i) {
+    const int a = kEast + i, b = kEast + (i + 1) % 8;
+    add_triangle({b, a, a}, {kHigh, kHigh, -kHigh});
+    add_triangle({b, a, b}, {kHigh, -kHigh, -kHigh});
+    if (a != kNorth && b != kNorth) add_triangle({kNorth, b, a}, bottom);
+  }
+  return out;
+}
+
 std::vector<Cube> internal::plate_cubes(int g) {
   VT_CHECK(g >= 0, "a plate with a negative number of holes");
   std::vector<Cube> cubes;

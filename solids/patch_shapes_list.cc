@@ -73,6 +73,12 @@ Patches crossed_teapot() {
 
 Patches at_x(const Patches& patches, const Rational& x) { return placed(patches, 1, {x, 0, 0}); }
 
+// Radius 3 with a hole of radius 2, and in it a ball of radius 1.
+Patches nested_spheres() {
+  const Point o{0, 0, 0};
+  return joined({placed(sphere(), 3, o), inside_out(placed(sphere(), 2, o)), sphere()});
+}
+
 }  // namespace
 
 Patches thin_shell(const Rational& thickness) {
@@ -92,6 +98,7 @@ std::vector<Shape> sound_shapes() {
           {"plate-genus-3", plate(3), Truth::kEmbedded, {3}, 1},
           {"thin-shell", thin_shell(Rational(1) / 16), Truth::kEmbedded, {0, 0}, 1},
           {"two-boxes", joined({unit_box, at_x(unit_box, 2)}), Truth::kEmbedded, {0, 0}, 2},
+          {"spheres-3-2-1", nested_spheres(), Truth::kEmbedded, {0, 0, 0}, 2},
           {"knotted-tube", knotted_tube(kQuarter, 6, 48), Truth::kEmbedded, {1}, 1},
           {"teapot", teapot(), Truth::kEmbedded, {0}, 1},
           {"pn-torus-192", pn_torus(12, 8), Truth::kEmbedded, {1}, 1}};
@@ -124,6 +131,7 @@ std::vector<Shape> broken_shapes() {
        0},
       {"boxes-touching-in-a-vertex", other_box({1, 1, 1}, {2, 2, 2}), Truth::kTouching, {0, 0}, 0},
       {"box-folded", folded_box(), Truth::kTouching, {0}, 0},
+      {"cube-wrinkled", wrinkled_cube(), Truth::kTouching, {0}, 0},
       {"sphere-pushed-through", pushed_through_sphere(), Truth::kCrossing, {0}, 0},
       {"spheres-crossing", joined({ball, at_x(ball, 1)}), Truth::kCrossing, {0, 0}, 0},
       {"spheres-touching", joined({ball, at_x(ball, 2)}), Truth::kTouching, {0, 0}, 0},

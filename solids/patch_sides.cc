@@ -173,43 +173,78 @@ bool is_collapsed(const Patch::Curve& curve) {
 namespace internal {
 
 SideForm::SideForm(const Patch& patch, std::uint32_t side) {
-  if (!patch.is_rational() && borrow(patch, side)) return;
-  const Patch::Curve curve = patch.side(side);
-  is_collapsed_ = veritope::is_collapsed(curve);
-  if (is_collapsed_) return;
-  CanonicalCurve form = canonical(curve);
+  point_at(patch, side);
+  is_collapsed_ = is_one_point();
+  if (is_collapsed_ || make_in_place()) return;
+  CanonicalCurve form = canonical(patch.side(side));
   travel_ = form.travel;
   width_ = form.width;
   owned_ = std::move(form.values);
+  values_.clear();
   for (const Rational& v : owned_) values_.push_back(&v);
 }
 
-// Of a polynomial side: false if its degree can be lowered.
-bool SideForm::borrow(const Patch& patch, std::uint32_t side) {
+void SideForm::point_at(const Patch& patch, std::uint32_t side) {
+  width_ = patch.is_rational() ? 4 : 3;
   const std::size_t count = patch.side_length(side);
-  values_.reserve(3 * count);
+  values_.reserve(width_ * count);
   for (std::size_t i = 0; i < count; ++i)
-    for (int c = 0; c < 3; ++c) values_.push_back(&patch.component(c)[patch.side_index(side, i)]);
-  bool is_one_point = true, has_full_degree = false;
-  for (std::size_t c = 0; c < 3 && !has_full_degree; ++c) {
-    const auto at = [&](std::size_t i) -> const Rational& { return *values_[3 * i + c]; };
-    for (std::size_t i = 1; i < count; ++i) is_one_point = is_one_point && at(i) == at(0);
-    if (!is_one_point) has_full_degree = has_last_difference(count, at);
+    for (std::size_t c = 0; c < width_; ++c)
+      values_.push_back(&patch.component(static_cast<int>(c))[patch.side_index(side, i)]);
+}
+
+bool SideForm::is_one_point() const {
+  if (width_ == 4)
+    for (std::size_t i = 0; i < num_points(); ++i)
+      if (at(i, 3).sign() == Sign::kZero) return false;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 1; i < num_points(); ++i)
+      if (width_ == 3 ? !(at(i, c) == at(0, c)) : !(at(i, c) * at(0, 3) == at(0, c) * at(i, 3)))
+        return false;
+  return true;
+}
+
+// What canonical does, for all but rare cases: false, and nothing done, if the degree can be lowered, weights are equal or 0, or the ends
+// are one point.
+bool SideForm::make_in_place() {
+  const std::size_t last = num_points() - 1;
+  bool has_full_degree = false;
+  for (std::size_t c = 0; c < width_ && !has_full_degree; ++c)
+    has_full_degree = has_last_difference(
+        num_points(), [&](std::size_t i) -> const Rational& { return at(i, c); });
+  if (!has_full_degree) return false;
+  Rational first_weight(1), last_weight(1);
+  if (width_ == 4) {
+    bool differ = false;
+    for (std::size_t i = 0; i <= last; ++i) differ = differ || !(at(i, 3) == at(0, 3));
+    first_weight = abs(at(0, 3)), last_weight = abs(at(last, 3));
+    if (!differ || first_weight.sign() == Sign::kZero || last_weight.sign() == Sign::kZero)
+      return false;
   }
-  is_collapsed_ = is_one_point;
-  if (is_one_point || !has_full_degree) {
-    values_.clear();
-    return is_one_point;
-  }
+  const bool is_plain = first_weight == Rational(1) && last_weight == Rational(1);
   auto order = std::strong_ordering::equal;
-  for (std::size_t i = 0; i < values_.size() && order == 0; ++i)
-    order = order_of_parts(*values_[i], *values_[values_.size() - 3 - i / 3 * 3 + i % 3]);
-  travel_ = order == 0 ? Travel::kBoth : order < 0 ? Travel::kForward : Travel::kBackward;
+  for (std::size_t c = 0; c < 3 && order == 0; ++c)
+    order = is_plain ? order_of_parts(at(0, c), at(last, c))
+                     : order_of_parts(at(0, c) / first_weight, at(last, c) / last_weight);
+  if (order == 0) return false;
+  travel_ = order < 0 ? Travel::kForward : Travel::kBackward;
   if (order > 0) {
     std::reverse(values_.begin(), values_.end());
-    for (std::size_t i = 0; i < values_.size(); i += 3) std::swap(values_[i], values_[i + 2]);
+    for (std::size_t i = 0; i < values_.size(); i += width_)
+      std::reverse(values_.begin() + static_cast<std::ptrdiff_t>(i),
+                   values_.begin() + static_cast<std::ptrdiff_t>(i + width_));
   }
+  divide(order < 0 ? first_weight : last_weight);
   return true;
+}
+
+void SideForm::divide(const Rational& by) {
+  if (by == Rational(1)) return;
+  owned_.reserve(values_.size());
+  for (const Rational*& v : values_) {
+    owned_.push_back(*v / by);
+    v = &owned_.back();
+  }
 }
 
 std::uint64_t SideForm::hash() const {

@@ -50,8 +50,8 @@ std::uint64_t hash_of(const CanonicalCurve& curve);
 
 namespace internal {
 
-/// The canonical form of a side without copies where the side already has it but for the direction: numbers of the patch, which must live
-/// as long. Not to be copied: its pointers may point into itself.
+/// The canonical form of a side, with few copies: where the side already has it but for the direction it points at the numbers of the
+/// patch, which must live as long. Not to be copied: its pointers may point into itself.
 class SideForm {
  public:
   SideForm(const Patch& patch, std::uint32_t side);
@@ -67,7 +67,14 @@ class SideForm {
   friend std::strong_ordering operator<=>(const SideForm& a, const SideForm& b);
 
  private:
-  bool borrow(const Patch& patch, std::uint32_t side);
+  std::size_t num_points() const { return values_.size() / width_; }
+  const Rational& at(std::size_t point, std::size_t c) const {
+    return *values_[width_ * point + c];
+  }
+  void point_at(const Patch& patch, std::uint32_t side);
+  bool is_one_point() const;
+  bool make_in_place();
+  void divide(const Rational& by);
 
   bool is_collapsed_ = false;
   Travel travel_ = Travel::kForward;

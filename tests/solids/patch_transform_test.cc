@@ -77,6 +77,23 @@ TEST(PatchTransform, SubdivisionKeepsTopologyAndVolume) {
                 1e-9 * approx_volume(shape.patches, 8));
   }
 }
+TEST(PatchTransform, CutsAlongBeltsKeepTopologyAndVolume) {
+  Random random(kSeed + 2);
+  std::size_t cut_in_part = 0;
+  for (const auto& shape : patch_shapes::sound_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Patches cut = cut_along_belts(shape.patches, random);
+    const std::size_t before = shape.patches.size();
+    cut_in_part += cut.size() != before && cut.size() != 4 * before ? 1 : 0;
+    const PatchComplex complex = complex_of(cut);
+    EXPECT_TRUE(complex.is_closed_oriented_surface()) << all_findings(complex);
+    EXPECT_EQ(complex.euler(), complex_of(shape.patches).euler());
+    const int n = before < 20 ? 40 : 8;
+    EXPECT_NEAR(approx_volume(cut, n), approx_volume(shape.patches, n),
+                0.02 * approx_volume(cut, n));
+  }
+  EXPECT_GE(cut_in_part, 6u);
+}
 // Half of the patches, chosen at random, reversed: all directions agree again, and no more than half of a shell is flipped.
 TEST(PatchTransform, AnyFlipsAreRepaired) {
   Random random(kSeed + 1);

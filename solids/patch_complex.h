@@ -52,7 +52,8 @@ const char* defect_name(PatchDefect defect);
 struct PatchFinding {
   PatchDefect defect = PatchDefect::kOpenSide;
   std::vector<PatchSide> sides;
-  std::size_t control = 0;  ///< kWeight: the control point
+  std::size_t control =
+      0;  ///< kWeight: the first such control point of the patch, in the order of its components
   double distance =
       0;  ///< kNearMiss: the greatest difference of two coordinates of control points, rounded to nearest
   bool is_one_ulp =
@@ -108,7 +109,8 @@ class PatchComplex {
     return std::span(sides_of_edges_)
         .subspan(first_side_[edge], first_side_[edge + 1] - first_side_[edge]);
   }
-  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the same patch.
+  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the same patch. Where
+  /// X is a closed oriented surface, the point at t of a side is that at 1 - t of its mate, exactly, for all t of [0,1].
   std::optional<PatchSide> mate(PatchSide side) const;
   /// How a side runs along the canonical form of its curve; two mates fit iff one runs forward and one backward, or both are kBoth.
   Travel travel(PatchSide side) const { return travel_[slot(side)]; }

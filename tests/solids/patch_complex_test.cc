@@ -5,7 +5,9 @@
 
 #include <chrono>
 
+#include "robust/base/random.h"
 #include "solids/patch_shapes.h"
+#include "splines/bezier_domain.h"
 #include "tests/solids/patch_support.h"
 
 namespace veritope {
@@ -99,6 +101,63 @@ TEST(PatchComplex, EqualHashesDoNotMakeEqualSides) {
   const PatchComplex complex = complex_of(both);
   EXPECT_TRUE(complex.is_closed_oriented_surface()) << all_findings(complex);
   EXPECT_EQ(complex.shells().size(), 3u);
+}
+
+// Two curves of S0, by its words: equal after elevation up to one positive factor.
+bool is_same_curve(const Patch::Curve& a, const Patch::Curve& b) {
+  const auto [x, y] = to_common_degrees(to_rational(a), to_rational(b));
+  const auto p = x.coefficients(), q = y.coefficients();
+  std::size_t first = 0;
+  while (first < p.size() && p[first].sign() == Sign::kZero) ++first;
+  if (first == p.size() || q[first].sign() != p[first].sign()) return x == y;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!(p[i] * q[first] == q[i] * p[first])) return false;
+  return true;
+}
+// Patches on four points, weights -1 to 2: many coincidences, collapsed sides, sides that are their own reverse.
+Patch random_patch(Random& random) {
+  const bool is_rational = random.below(3) == 0, is_triangle = random.below(2) == 0;
+  const int width = is_rational ? 4 : 3, p = 1 + static_cast<int>(random.below(2)),
+            q = 1 + static_cast<int>(random.below(2));
+  const std::size_t count =
+      is_triangle ? num_triangle_coefficients(p) : static_cast<std::size_t>((p + 1) * (q + 1));
+  std::vector<Rational> values(count * static_cast<std::size_t>(width));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rational w = is_rational ? random.between(random.below(9) == 0 ? -1 : 1, 2) : 1;
+    const std::uint64_t corner = random.below(4);
+    for (std::size_t c = 0; c < 3; ++c) values[c * count + i] = corner == c ? w : Rational(0);
+    if (is_rational) values[3 * count + i] = w;
+  }
+  if (is_triangle)
+    return make_patch(Patch::Triangle(p, width, is_rational, std::move(values))).value();
+  return make_patch(Patch::Tensor({p, q}, width, is_rational, std::move(values))).value();
+}
+TEST(PatchComplex, FindsTheEdgesThatComparingAllSidesFinds) {
+  Random random(6300);
+  std::size_t shared = 0;
+  for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round) + " of seed 6300");
+    Patches soup;
+    for (std::uint64_t n = 1 + random.below(8); n > 0; --n) soup.push_back(random_patch(random));
+    const PatchComplex complex = complex_of(soup);
+    std::vector<PatchSide> all;
+    for (std::uint32_t p = 0; p < soup.size(); ++p)
+      for (std::uint32_t s = 0; s < soup[p].num_sides(); ++s) all.push_back({p, s});
+    for (const PatchSide a : all)
+      for (const PatchSide b : all) {
+        const Patch::Curve x = soup[a.patch].side(a.side), y = soup[b.patch].side(b.side);
+        if (complex.is_collapsed(a) || complex.is_collapsed(b)) continue;
+        const bool alike = is_same_curve(x, y), opposite = is_same_curve(x, reversed(y, 0));
+        ASSERT_EQ(complex.edge(a) == complex.edge(b), alike || opposite);
+        shared += a < b && (alike || opposite) ? 1 : 0;
+        if (!alike && !opposite) continue;
+        const Travel s = complex.travel(a), t = complex.travel(b);
+        EXPECT_EQ(s == t, alike);
+        EXPECT_EQ(s == Travel::kBoth, alike && opposite);
+      }
+    for (const PatchFinding& f : complex.findings()) EXPECT_FALSE(describe(complex, f).empty());
+  }
+  EXPECT_GT(shared, 200u);
 }
 
 // 100,000 patches against 25,000: near-linear, by a ratio within one run.

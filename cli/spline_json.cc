@@ -91,11 +91,10 @@ Json counts_json(const SplineModel* model) {
     out[key] = model != nullptr ? Json(n) : Json(nullptr);
   };
   const auto splines = model != nullptr ? count_splines(*model) : std::array<std::uint64_t, 3>{};
-  std::uint64_t trimmed = 0, models = 0, triangles = 0;
+  std::uint64_t trimmed = 0, models = 0;
   if (model != nullptr)
     for (const SplineEntity& e : model->entities) {
       trimmed += std::holds_alternative<TrimmedSurface>(e.shape) ? 1u : 0u;
-      triangles += std::holds_alternative<ExactTriangle>(e.shape) ? 1u : 0u;
       models += std::holds_alternative<SplineBrep>(e.shape) ? 1u : 0u;
     }
   put("entities", model != nullptr ? model->entities.size() : 0);
@@ -104,7 +103,7 @@ Json counts_json(const SplineModel* model) {
   put("volumes", splines[2]);
   put("trimmed", trimmed);
   put("models", models);
-  put("triangles", triangles);
+  put("triangles", model != nullptr ? count_triangles(*model) : 0);
   return out;
 }
 

@@ -94,6 +94,9 @@ void for_each_spline(const SplineEntity& entity, Visit visit);
 /// How many splines of each number of parameters there are, those of trimming included.
 std::array<std::uint64_t, 3> count_splines(const SplineModel& model);
 
+/// How many entities are Bezier triangles.
+std::uint64_t count_triangles(const SplineModel& model);
+
 // ---- bodies
 
 template <typename Visit>

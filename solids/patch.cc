@@ -48,6 +48,7 @@ std::string to_string(const PatchOrigin& origin) {
   const std::string number = std::to_string(origin.number);
   switch (origin.kind) {
     case PatchOrigin::Kind::kFacet: return "facet " + number;
+    case PatchOrigin::Kind::kTriangle: return "triangle " + number;
     case PatchOrigin::Kind::kSurface:
       return "surface " + number + ", span (" + std::to_string(origin.span[0]) + ", " +
              std::to_string(origin.span[1]) + ")";

@@ -26,14 +26,14 @@ using PatchPoint = std::array<Rational, 3>;
 
 /// Where a patch comes from, for messages.
 struct PatchOrigin {
-  enum class Kind { kBuilt, kSurface, kFacet };
+  enum class Kind { kBuilt, kSurface, kFacet, kTriangle };
   Kind kind = Kind::kBuilt;
-  std::uint64_t number = 0;  ///< of the surface or facet in its file, or of the built patch, from 0
+  std::uint64_t number = 0;  ///< of the surface, facet or Bezier triangle in its file, or of the built patch, from 0
   std::array<std::uint32_t, 2>
       span{};  ///< of a surface: which of its pieces, along each axis, from 0
   friend bool operator==(const PatchOrigin&, const PatchOrigin&) = default;
 };
-/// "surface 3, span (0, 2)", "facet 17", "patch 4".
+/// "surface 3, span (0, 2)", "facet 17", "triangle 2", "patch 4".
 std::string to_string(const PatchOrigin& origin);
 
 /// A map of [0,1]^2, S(u, v) with u = axis 0 and v = axis 1, or of the standard triangle, into space. Its normal is S_u x S_v; of a

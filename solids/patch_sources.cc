@@ -85,13 +85,13 @@ namespace {
 
 using Surface = BSplineSurface<Rational>;
 
-Error at_surface(Code code, std::size_t number, std::string message) {
+Error at_surface(Code code, std::uint64_t number, std::string message) {
   Error error{code, {}, std::move(message)};
   error.place.entity = number;
   return error;
 }
 
-Status check_surface(const Surface& surface, std::size_t number) {
+Status check_surface(const Surface& surface, std::uint64_t number) {
   if (surface.dimension() != 3)
     return at_surface(Code::kBadArgument, number,
                       std::to_string(surface.dimension()) + " coordinates; a patch lies in space");
@@ -107,56 +107,78 @@ Status check_surface(const Surface& surface, std::size_t number) {
   return ok_status();
 }
 
-Status check_count(const CommonBreaks& breaks) {
+// The breaks of a clamped surface's axes in its parameters.
+using Breaks = std::array<std::vector<Rational>, 2>;
+Breaks own_breaks(const Surface& surface, const CommonBreaks& breaks, std::size_t number) {
+  Breaks out;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto& knots = surface.axis(axis);
+    const Rational &begin = knots.domain_begin(), &end = knots.domain_end();
+    for (const Rational& t : breaks.of(number, axis))
+      out[axis].push_back(begin + t * (end - begin));
+  }
+  return out;
+}
+
+Status check_count(const CommonBreaks& breaks, std::span<const std::uint64_t> numbers) {
   std::size_t count = 0;
   for (std::size_t s = 0; s < breaks.list_of.size(); ++s) {
     const Grid<2> cells{{breaks.of(s, 0).size() - 1, breaks.of(s, 1).size() - 1}};
     const auto more = cells.count_up_to(kMaxPatches - count);
     if (!more)
       return at_surface(
-          Code::kOverLimit, s,
+          Code::kOverLimit, numbers.empty() ? s : numbers[s],
           "with this surface there are over " + std::to_string(kMaxPatches) + " pieces");
     count += *more;
   }
   return ok_status();
 }
 
-// With a knot at each of the breaks of [0,1]. REQUIRES a clamped axis.
+// With a knot at each of the breaks. REQUIRES a clamped axis.
 Surface cut_at(const Surface& surface, std::size_t axis, const std::vector<Rational>& breaks) {
-  const auto& knots = surface.axis(axis);
-  const Rational &begin = knots.domain_begin(), &end = knots.domain_end();
-  std::vector<Rational> wanted, missing;
-  for (const Rational& t : breaks) wanted.push_back(begin + t * (end - begin));
-  std::set_difference(wanted.begin(), wanted.end(), knots.knots.begin(), knots.knots.end(),
+  const auto& knots = surface.axis(axis).knots;
+  std::vector<Rational> missing;
+  std::set_difference(breaks.begin(), breaks.end(), knots.begin(), knots.end(),
                       std::back_inserter(missing));
   return refine(surface, axis, missing);
 }
 
 }  // namespace
 
-Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> surfaces) {
+Result<SurfacePieces> pieces_of(std::span<const BSplineSurface<Rational>> surfaces,
+                                std::span<const std::uint64_t> numbers) {
+  VT_CHECK(numbers.empty() || numbers.size() == surfaces.size(), "a number for each surface");
+  const auto number = [&](std::size_t s) { return numbers.empty() ? s : numbers[s]; };
   if (surfaces.size() > kMaxPatches)
     return Error{Code::kOverLimit, {}, std::to_string(surfaces.size()) + " surfaces"};
   std::vector<Surface> clamp;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    if (Status ok = check_surface(surfaces[s], s); !ok) return ok.error();
+    if (Status ok = check_surface(surfaces[s], number(s)); !ok) return ok.error();
     clamp.push_back(clamped(clamped(surfaces[s], 0), 1));
   }
   const CommonBreaks breaks = common_breaks(clamp);
-  if (Status ok = check_count(breaks); !ok) return ok.error();
-  std::vector<Patch> out;
+  if (Status ok = check_count(breaks, numbers); !ok) return ok.error();
+  SurfacePieces out;
   for (std::size_t s = 0; s < clamp.size(); ++s) {
-    auto cut = bezier_pieces(cut_at(cut_at(clamp[s], 0, breaks.of(s, 0)), 1, breaks.of(s, 1)));
+    const Breaks& at = out.breaks.emplace_back(own_breaks(clamp[s], breaks, s));
+    auto cut = bezier_pieces(cut_at(cut_at(clamp[s], 0, at[0]), 1, at[1]));
     const Grid<2> cells = cut.grid();
     for (std::size_t i = 0; i < cells.count(); ++i) {
       const auto span = cells.index_of(i);
-      out.push_back(made(std::move(cut.pieces[i]), {PatchOrigin::Kind::kSurface,
-                                                    s,
-                                                    {static_cast<std::uint32_t>(span[0]),
-                                                     static_cast<std::uint32_t>(span[1])}}));
+      out.patches.push_back(
+          made(std::move(cut.pieces[i]),
+               {PatchOrigin::Kind::kSurface,
+                number(s),
+                {static_cast<std::uint32_t>(span[0]), static_cast<std::uint32_t>(span[1])}}));
     }
   }
   return out;
+}
+
+Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> surfaces) {
+  Result<SurfacePieces> pieces = pieces_of(surfaces);
+  if (!pieces) return pieces.error();
+  return std::move(pieces->patches);
 }
 
 namespace {

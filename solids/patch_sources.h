@@ -2,7 +2,9 @@
 // solids/patch_sources.h: patches from triangles, PN triangles, B-spline surfaces and the faces of Bezier volumes.
 // Design: docs/design/0015-patch-complex.md.
 #pragma once
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,18 @@ std::vector<Patch> patches_of(const PnMesh<double>& mesh);
 ///        kMaxSplineDegree, with the surface.
 /// @cost  near-linear in the pieces, but for the comparison of sides: O(spans degree^2) each
 Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> surfaces);
+
+/// The same pieces, and where each surface is cut.
+struct SurfacePieces {
+  std::vector<Patch> patches;
+  /// Of each surface, along u and v, in its own parameters: ascending, from the domain's begin to its end, with every knot between. The
+  /// surface has a piece for each two neighbours along u and two along v.
+  std::vector<std::array<std::vector<Rational>, 2>> breaks;
+};
+/// @param numbers  of the surfaces, in origins and errors; none: they are numbered from 0. REQUIRES none or one a surface.
+/// @error as patches_of
+Result<SurfacePieces> pieces_of(std::span<const BSplineSurface<Rational>> surfaces,
+                                std::span<const std::uint64_t> numbers = {});
 
 /// The faces of each volume, their normals out of it if its Jacobian determinant is positive; surface number 6 v + 2 axis + end. Walls, which
 /// two volumes share as a whole, with opposite normals and in whatever way they are turned, are left out. @error kBadArgument for a volume not

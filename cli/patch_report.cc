@@ -8,6 +8,7 @@
 #include "cli/file_report.h"
 #include "cli/json_text.h"
 #include "cli/text_style.h"
+#include "interval/numeric.h"
 
 namespace veritope::cli {
 namespace {

@@ -27,10 +27,9 @@ std::array<std::uint64_t, 3> count_splines(const SplineModel& model) {
 }
 
 std::uint64_t count_triangles(const SplineModel& model) {
-  return static_cast<std::uint64_t>(
-      std::count_if(model.entities.begin(), model.entities.end(), [](const SplineEntity& e) {
-        return std::holds_alternative<ExactTriangle>(e.shape);
-      }));
+  return static_cast<std::uint64_t>(std::count_if(
+      model.entities.begin(), model.entities.end(),
+      [](const SplineEntity& e) { return std::holds_alternative<ExactTriangle>(e.shape); }));
 }
 
 }  // namespace veritope

@@ -28,7 +28,7 @@ using PatchPoint = std::array<Rational, 3>;
 struct PatchOrigin {
   enum class Kind { kBuilt, kSurface, kFacet, kTriangle };
   Kind kind = Kind::kBuilt;
-  std::uint64_t number = 0;  ///< of the surface, facet or Bezier triangle in its file, or of the built patch, from 0
+  std::uint64_t number = 0;  ///< of the surface, facet, triangle or built patch, from 0
   std::array<std::uint32_t, 2>
       span{};  ///< of a surface: which of its pieces, along each axis, from 0
   friend bool operator==(const PatchOrigin&, const PatchOrigin&) = default;

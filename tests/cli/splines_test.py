@@ -160,7 +160,7 @@ class Convert(Folder):
         for target in ("x.itd", "x.g2"):
             self.assertEqual(run("convert", "--lossy", TRIANGLES, self.folder / target).returncode, 4)
         mixed, document = self.folder / "mixed.vjson", json.loads(TRIANGLES.read_text())
-        surface = json.loads(run("convert", SPLINES / "surface.xml", "--to", "vjson", "-").stdout)["entities"][0]
+        surface = json.loads(run("convert", "--lossy", SPLINES / "surface.xml", "--to", "vjson", "-").stdout)["entities"][0]
         document["entities"].append({**surface, "group": None})
         mixed.write_text(json.dumps(document))
         done = run("convert", mixed, self.folder / "mixed.itd")

@@ -145,26 +145,21 @@ inline Big gcd(Big a, Big b) {  // >= 0
   return a.m.empty() ? a : shifted(shifted(a, -a.zeros()), twos);
 }
 
-struct Ratio {  // n / d, d > 0, not always in lowest terms
+struct Ratio {  // n / d, d > 0, in lowest terms if it comes out of a function
   Big n, d;
   Ratio(const Big& num = Big(), const Big& den = Big(1)) : n(num), d(den) {}
 };
 inline int compare(const Ratio& a, const Ratio& b) { return compare(a.n * b.d, b.n * a.d); }
 inline Ratio lowest(const Ratio& a) {
   const Big g = gcd(a.n, a.d);
+  if (g == Big(1)) return a;
   return Ratio(divide(a.n, g, nullptr), divide(a.d, g, nullptr));
-}
-inline Ratio operator*(const Ratio& a, const Ratio& b) {
-  return lowest(Ratio(a.n * b.n, a.d * b.d));
 }
 inline Ratio operator-(const Ratio& a, const Ratio& b) {
   return lowest(Ratio(a.n * b.d - b.n * a.d, a.d * b.d));
 }
-inline Ratio operator+(const Ratio& a, const Ratio& b) {
-  return lowest(Ratio(a.n * b.d + b.n * a.d, a.d * b.d));
-}
-inline Ratio operator/(const Ratio& a, const Ratio& b) {  // REQUIRES b != 0
-  Ratio r = Ratio(a.n * b.d, a.d * b.n);
-  if (r.d.neg) r = Ratio(-r.n, -r.d);
-  return lowest(r);
+inline Ratio scaled(const Ratio& a, int64_t up) {  // a 2^up; lowest terms stay lowest
+  const int64_t both = std::min(up < 0 ? -up : up, (up < 0 ? a.n : a.d).zeros());
+  if (up < 0) return Ratio(shifted(a.n, -both), shifted(a.d, -up - both));
+  return Ratio(shifted(a.n, up - both), shifted(a.d, -both));
 }

@@ -12,15 +12,16 @@ const int kLevels = 24;                        // below the roots
 const int64_t kFarthest = int64_t(1) << 61;    // coordinates are less in absolute value
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // of patches; of |E| and s
+const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
 
-// A surface or triangle of the model, its control points homogeneous (X, Y, Z, W), v fastest.
+// A surface or triangle of the model.
 struct Entity {
   enum Kind { kOther, kSurface, kTriangle } kind = kOther;
   bool is_rational = false;
   int64_t components = 0;
   std::vector<int64_t> degrees;           // of a triangle: one
   std::vector<std::vector<Ratio>> knots;  // of a surface: two axes
-  std::vector<Big> net;                   // empty if there are not three coordinates
+  std::vector<Ratio> points;              // `components` numbers each, v fastest
 };
 std::vector<Entity> read_spline_model(const std::string& file);
 
@@ -46,7 +47,8 @@ struct Patch {
   bool is_rational, is_flipped;
   uint8_t roots[2];
   uint64_t first_root, first_symbol;
-  std::vector<Big> net;  // of shape.count() points (X, Y, Z, W), in units 2^E
+  std::vector<Big> net;  // of shape.count() points (X, Y, Z, W), in units 2^E, no common factor
+  uint64_t cost;         // units of work for a node
   uint32_t pair[4];      // of each side; collapsed: kNoPair
   bool is_second[4];     // of its pair
   uint32_t vertex[4], component;
@@ -84,5 +86,8 @@ struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
 struct Units {  // the work of the page's last paragraph
   uint64_t done, limit;
   const char* id;
-  void add() { require(++done <= limit, id, "more work than allowed, units", limit); }
+  void add(uint64_t units) {
+    done += units;
+    require(done <= limit, id, "more work than allowed, units", limit);
+  }
 };

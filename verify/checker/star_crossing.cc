@@ -4,6 +4,8 @@
 
 namespace {
 
+const int kMostHalvings = 64;
+
 struct Side {  // of a piece, as an interval of a line of its patch, or of a pair of sides
   uint64_t line;
   int64_t place, lo, hi;
@@ -90,19 +92,20 @@ struct Counter {
     }
   }
   void halve(const Curve& c, Curve* half) {
-    units.add();
+    units.add(1);
     halve(c.x, &half[0].x, &half[1].x);
     halve(c.y, &half[0].y, &half[1].y);
   }
-  int64_t crossings(const Curve& c) {
+  int64_t crossings(const Curve& c, int halvings) {
     bool up = true, down = true, left = true, right = true;
     for (const Big& y : c.y) up = up && y.sign() >= 0, down = down && y.sign() < 0;
     for (const Big& x : c.x) left = left && x.sign() <= 0, right = right && x.sign() >= 0;
     if (up || down || left) return 0;
     if (right) return int(c.y.back().sign() >= 0) - int(c.y[0].sign() >= 0);
+    require(halvings < kMostHalvings, "C3", "a curve comes too close to the centres' line");
     Curve half[2];
     halve(c, half);
-    return crossings(half[0]) + crossings(half[1]);
+    return crossings(half[0], halvings + 1) + crossings(half[1], halvings + 1);
   }
   // The part [lo, hi] of a side, c: what no other piece passes in the opposite direction. Intervals
   // are dyadic: one ends inside another only if it lies in it.
@@ -115,7 +118,7 @@ struct Counter {
       return o->line == key.line && o->place == key.place && o->is_forward == key.is_forward;
     };
     if (next != sides.begin() && is_opposite(next - 1) && (next - 1)->hi > lo) --next;
-    if (next == sides.end() || !is_opposite(next) || next->lo >= hi) return crossings(c);
+    if (next == sides.end() || !is_opposite(next) || next->lo >= hi) return crossings(c, 0);
     if (next->lo <= lo && next->hi >= hi) return 0;
     Curve half[2];
     halve(c, half);

@@ -126,7 +126,7 @@ bool meet_properly(const std::vector<Piece>& pieces, Units* units) {
     if (is_zero(Triangle(corners(*a.patch, *a.node)).n)) return false;
   for (size_t i = 0; i < pieces.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
-      units->add();
+      units->add(1);
       if (!meet_properly(pieces[i], pieces[j])) return false;
     }
   return true;

@@ -426,17 +426,21 @@ void make_root_g(const Patch& p, Node* root) {
     du[k] = component(p, *root, k, 0);
     dv[k] = component(p, *root, k, 1);
   }
-  const auto minor = [&](int i, int j) {
-    return combined(product(du[i], dv[j]), product(du[j], dv[i]), -1);
-  };
+  Poly minors[4][4];
+  for (int i = 0; i < (p.is_rational ? 4 : 3); ++i)
+    for (int j = 0; j < i; ++j) {
+      minors[j][i] = combined(product(du[j], dv[i]), product(du[i], dv[j]), -1);
+      minors[i][j] = minors[j][i];
+      for (Big& x : minors[i][j].c) x = -x;
+    }
   const auto determinant = [&](int i, int j, int k) {  // of the columns of F, F_u, F_v
-    return combined(combined(product(f[i], minor(j, k)), product(f[j], minor(k, i)), 1),
-                    product(f[k], minor(i, j)), 1);
+    return combined(combined(product(f[i], minors[j][k]), product(f[j], minors[k][i]), 1),
+                    product(f[k], minors[i][j]), 1);
   };
   g[0] = determinant(0, 1, 2);
   for (int k = 0; k < 3; ++k) {  // minus the cofactor; a polynomial patch has F_u, F_v with w = 0
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    g[k + 1] = p.is_rational ? determinant(i, j, 3) : product(f[3], minor(i, j));
+    g[k + 1] = p.is_rational ? determinant(i, j, 3) : product(f[3], minors[i][j]);
   }
   Big common = 1;
   each_binomial(g[0].shape, [&](size_t, const Big& factor) {
@@ -462,8 +466,12 @@ bool star_test(const Patch& p, Node* node, const Box& b) {
   const int d = p.shape.is_triangle ? 2 : 1, sgn = p.is_flipped ? -1 : 1, n = node->g.n;
   const Shape s = {p.shape.is_triangle, 3 * p.shape.p - d, 3 * p.shape.q - d};
   std::vector<bool> left_out;
+  bool is_before = p.is_collapsed(s.sides() - 1) && node->is_outer(p, s.sides() - 1);
   for (int e = 0; e < s.sides(); ++e) {
-    if (!p.is_collapsed(e) || !node->is_outer(p, e)) continue;
+    const bool is_pole = p.is_collapsed(e) && node->is_outer(p, e);
+    if (is_pole && is_before) return false;  // two with a common corner
+    is_before = is_pole;
+    if (!is_pole) continue;
     left_out.resize(size_t(s.count()));
     for (int k = 0; k <= s.side_degree(e); ++k) left_out[size_t(s.on_side(e, k))] = true;
   }

@@ -165,7 +165,7 @@ struct Reader {
           (scale < 0 ? r.d : r.n) * power(is_hex ? 2 : 10, uint64_t(scale < 0 ? -scale : scale));
     }
     if (below) r.n = -r.n;
-    return r;
+    return lowest(r);
   }
 
   void group() {
@@ -176,23 +176,21 @@ struct Reader {
     });
     ++groups;
   }
-  void points(Entity* e, std::vector<Ratio>* flat, uint64_t* count) {
+  void points(std::vector<Ratio>* flat, uint64_t* count) {
     list([&] {
       ++*count;
       list([&] { flat->push_back(number()); });
     });
-    expect(e->net.empty(), "points occur twice");
   }
   Entity shape(Entity::Kind kind) {
     Entity e;
     e.kind = kind;
-    std::vector<Ratio> flat;
     std::vector<bool> periodic(2);
     uint64_t count = 0;
     if (kind == Entity::kSurface) {
       periodic.clear();
       object({"points", "rational", "components", "degrees", "periodic", "knots"}, [&](size_t key) {
-        if (key == 0) points(&e, &flat, &count);
+        if (key == 0) points(&e.points, &count);
         if (key == 1) e.is_rational = boolean();
         if (key == 2) e.components = integer();
         if (key == 3) list([&] { e.degrees.push_back(integer()); });
@@ -206,13 +204,13 @@ struct Reader {
       });
     } else {
       object({"points", "rational", "components", "degree"}, [&](size_t key) {
-        if (key == 0) points(&e, &flat, &count);
+        if (key == 0) points(&e.points, &count);
         if (key == 1) e.is_rational = boolean();
         if (key == 2) e.components = integer();
         if (key == 3) e.degrees.assign(1, integer());
       });
     }
-    check(e, flat, periodic, count);
+    check(e, periodic, count);
     return e;
   }
 
@@ -231,8 +229,8 @@ struct Reader {
       expect(compare(t[i + n - p] - t[i], t[n] - t[p]) == 0, "the knots do not repeat");
     return n;
   }
-  void check(Entity& e, const std::vector<Ratio>& flat, const std::vector<bool>& periodic,
-             uint64_t count) {
+  void check(const Entity& e, const std::vector<bool>& periodic, uint64_t count) const {
+    const std::vector<Ratio>& flat = e.points;
     for (int64_t d : e.degrees)
       expect(d >= 1 && d <= kMostSplineDegree, "a degree is out of range");
     expect(e.components > e.is_rational && e.components <= 1001 &&
@@ -257,19 +255,6 @@ struct Reader {
           expect(compare(flat[i * c + j], flat[(i + turn) * c + j]) == 0,
                  "the control points of a periodic axis do not repeat");
       }
-    if (e.components - e.is_rational == 3) homogenize(&e, flat);
-  }
-  // Over the least common denominator.
-  static void homogenize(Entity* e, const std::vector<Ratio>& flat) {
-    Big common = 1;
-    for (const Ratio& x : flat) {
-      const Big g = gcd(common, x.d);
-      if (!(g == x.d)) common = common * divide(x.d, g, nullptr);
-    }
-    for (size_t i = 0; i < flat.size(); ++i) {
-      e->net.push_back(flat[i].n * divide(common, flat[i].d, nullptr));
-      if (!e->is_rational && i % 3 == 2) e->net.push_back(common);
-    }
   }
 
   Entity entity() {
@@ -308,4 +293,8 @@ struct Reader {
 
 }  // namespace
 
-std::vector<Entity> read_spline_model(const std::string& file) { return Reader(file).model(); }
+std::vector<Entity> read_spline_model(const std::string& file) {
+  Reader r(file);
+  if (file.compare(0, 3, "\xef\xbb\xbf") == 0) r.at = 3;
+  return r.model();
+}

@@ -64,7 +64,7 @@ struct Descent {
     return line.meets(end[0], w[0], end[1], w[1]);
   }
   void visit(const Patch& p, Node* node) {
-    units.add();
+    units.add(p.cost);
     if (!meets(p, *node)) return;
     require(node->level < kLevels, "W1", "a node of level 24 is not off the walk", walk);
     Node* const child = forest.children(p, node);

@@ -65,7 +65,7 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.files, options.certificate, options.json);
   if (!plan) return fail(plan.error());
   if (options.picture) {
-    if (Status status = check_picture(*options.picture, options.files, *plan, options.json); !status) {
+    if (Status status = check_output("--picture", *options.picture, options.files, *plan, options.json); !status) {
       return fail(status.error());
     }
   }

@@ -52,7 +52,8 @@ Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& fil
 ExitCode run_intersect(const Options& options, StandardOutput& out) {
   Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);
   if (plan && options.curves) {
-    const Status apart = check_picture(*options.curves, options.files, *plan, options.json);
+    const Status apart =
+        check_output("--output", *options.curves, options.files, *plan, options.json);
     if (!apart) plan = apart.error();
   }
   if (!plan) {

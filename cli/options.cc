@@ -141,19 +141,22 @@ void add_info(CLI::App& app, Options& o) {
   add_reading(c, o);
 }
 
-void add_chord(CLI::App* app, Options& o) {
+// A decimal number from 1e-300 to 1e300, so that a few roundings of its products stay finite.
+template <typename T>
+void add_length(CLI::App* app, const std::string& name, T& target, const char* type,
+                const std::string& help) {
   app->add_option_function<std::string>(
-         "--chord",
-         [&o](const std::string& text) {
+         name,
+         [&target, name](const std::string& text) {
            double value = 0;
            const char* const end = text.data() + text.size();
            const auto [stop, error] = std::from_chars(text.data(), end, value);
-           if (error != std::errc() || stop != end || !(value > 0) || value > 1e300)
-             throw CLI::ValidationError("--chord", "must be a length, not " + text);
-           o.chord = value;
+           if (error != std::errc() || stop != end || !(value >= 1e-300 && value <= 1e300))
+             throw CLI::ValidationError(name, "must be a length from 1e-300 to 1e300, not " + text);
+           target = value;
          },
-         "of splines in obj, gltf: distance of chords aimed at")
-      ->type_name("H");
+         help)
+      ->type_name(type);
 }
 
 void add_convert(CLI::App& app, Options& o) {
@@ -167,7 +170,7 @@ void add_convert(CLI::App& app, Options& o) {
   add_text(c, "--to", o.to, "V",
            "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
            "look at: vtu, obj, gltf");
-  add_chord(c, o);
+  add_length(c, "--chord", o.chord, "H", "of splines in obj, gltf: distance of chords aimed at");
   c->add_flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
   c->add_flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
   add_jobs(c, o);
@@ -185,11 +188,9 @@ void add_intersect(CLI::App& app, Options& o) {
       ->type_name("");
   add_text(c, "-o,--output", o.curves, "F", "write the curves; F ends in .json or .vtu");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
-  c->add_option(
-       "--gap", o.gap,
-       "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)")
-      ->check(CLI::Range(1e-300, 1e300))
-      ->type_name("D");
+  add_length(
+      c, "--gap", o.gap, "D",
+      "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)");
   add_number(c, "--max-pairs", o.max_pairs, 1, kMost64,
              "rectangles to compare at most (200000000)");
   add_any_format(c, o);

@@ -97,15 +97,16 @@ Status refuse_same(const std::vector<std::string>& inputs, const std::string& ou
   return ok_status();
 }
 
-Status check_picture(const std::string& picture, const std::vector<std::string>& inputs, const OutputPlan& plan,
-                     const std::optional<std::string>& json) {
-  if (Status status = refuse_same(inputs, picture); !status) return status;
-  const auto is_taken = [&](const std::string& other) { return same_target(picture, other); };
-  if ((json && *json != "-" && is_taken(*json)) ||
-      std::any_of(plan.certificates.begin(), plan.certificates.end(), is_taken)) {
-    return bad_argument("--picture and another option would both write " + picture);
-  }
-  return try_output(picture);
+Status check_output(const std::string& option, const std::string& path,
+                    const std::vector<std::string>& inputs, const OutputPlan& plan,
+                    const std::optional<std::string>& json) {
+  if (Status status = refuse_same(inputs, path); !status) return status;
+  const auto is_taken = [&](const std::string& other) { return same_target(path, other); };
+  if (json && *json != "-" && is_taken(*json))
+    return bad_argument(option + " and --json would both write " + path);
+  if (std::any_of(plan.certificates.begin(), plan.certificates.end(), is_taken))
+    return bad_argument(option + " and --certificate would both write " + path);
+  return try_output(path);
 }
 
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,

@@ -26,9 +26,10 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
                                 const std::optional<std::string>& certificate,
                                 const std::optional<std::string>& json);
 
-/// One more output beside those of the plan. @error as plan_outputs
-Status check_picture(const std::string& picture, const std::vector<std::string>& inputs, const OutputPlan& plan,
-                     const std::optional<std::string>& json);
+/// One more output, that `option` names, beside those of the plan. @error as plan_outputs
+Status check_output(const std::string& option, const std::string& path,
+                    const std::vector<std::string>& inputs, const OutputPlan& plan,
+                    const std::optional<std::string>& json);
 
 /// kBadArgument if `output` is one of the inputs.
 Status refuse_same(const std::vector<std::string>& inputs, const std::string& output);

@@ -55,6 +55,20 @@ class Targets {
 Interval distance_of(const ProjectionTarget& target) {
   return std::visit([](const auto& p) { return p.least_distance; }, target.projection);
 }
+// Why a coordinate is refused.
+std::string sentence(DecimalFault fault, std::string_view token) {
+  const ReadLimits limits;
+  if (fault == DecimalFault::kNotFinite) return "which is not finite";
+  if (fault == DecimalFault::kExponent)
+    return "whose exponent is over the limit " + std::to_string(limits.max_exponent);
+  if (fault == DecimalFault::kDigits) {
+    const bool is_decimal = token.find_first_of(".eExX") != token.npos;
+    return "whose digits are more than the limit " +
+           std::to_string(limits.max_digits + (is_decimal ? 0 : limits.max_exponent));
+  }
+  return "not a decimal, fraction or hexadecimal number";
+}
+
 // Of what is not the certified nearest point of its own target: how near it may be.
 bool may_be_nearer(const ProjectionTarget& target, double than) {
   return !(distance_of(target).lo() > than);
@@ -93,11 +107,11 @@ Result<std::vector<Rational>> point_from_text(const std::string& text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     Rational value;
     const std::string token = text.substr(begin, end - begin);
-    if (read_exact_number(token, {}, value) != DecimalFault::kNone)
+    if (const DecimalFault fault = read_exact_number(token, {}, value);
+        fault != DecimalFault::kNone)
       return Error{Code::kBadArgument,
                    {},
-                   "POINT has the coordinate '" + token +
-                       "', not a decimal, fraction or hexadecimal number"};
+                   "POINT has the coordinate '" + token + "', " + sentence(fault, token)};
     out.push_back(std::move(value));
     begin = end + 1;
   }

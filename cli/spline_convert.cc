@@ -110,16 +110,22 @@ ExitCode convert_splines(const Options& options, StandardOutput& out) {
   if (view != nullptr) {
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());
+    if (bytes->empty()) {
+      Error error{Code::kEmpty, {}, "not written, there is nothing to show"};
+      error.place.file = options.output;
+      return fail(error);
+    }
     return finish(options, *file, *bytes, "", joined(lost), true, out);
   }
   const SplineFormat format = std::get<SplineFormat>(*target);
-  const std::string bytes = spline_bytes(file->model, format);
-  const SplineLoss loss = spline_loss(file->model, format, bytes);
+  const ReadLimits& limits = options.reading.limits;
+  const std::string bytes = spline_bytes(file->model, format, limits);
+  const SplineLoss loss = spline_loss(file->model, format, bytes, limits);
   if (loss.unreadable) {
     Error error = *loss.unreadable;
     error.place.file = options.output;
     error.code = Code::kLossy;
-    error.message = "not written: rounded to decimals, " + error.message;
+    error.message = "not written, it would not be read back: " + error.message;
     return fail(error);
   }
   lost.insert(lost.end(), loss.shapes.begin(), loss.shapes.end());

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/exact_number.h"
 
+#include <gmp.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
 namespace veritope {
 namespace {
+
+mpz_ptr z(Integer& n) { return static_cast<mpz_ptr>(n.gmp()); }
+mpz_srcptr z(const Integer& n) { return static_cast<mpz_srcptr>(n.gmp()); }
+
+Integer power(unsigned long base, std::uint64_t n) {
+  Integer out;
+  mpz_ui_pow_ui(z(out), base, n);
+  return out;
+}
 
 Integer power_of_ten(std::uint64_t n) {
   static const auto kSmall = [] {
@@ -16,7 +27,7 @@ Integer power_of_ten(std::uint64_t n) {
     return table;
   }();
   if (n < kSmall.size()) return kSmall[n];
-  return Integer::from_decimal("1" + std::string(n, '0'));
+  return power(10, n);
 }
 
 bool names_no_finite_number(std::string_view token) {
@@ -100,27 +111,10 @@ bool is_all_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-// How often `factor` divides `n`; n loses these factors. REQUIRES n > 0, factor a prime.
-std::uint64_t strip(Integer& n, int factor) {
-  if (factor == 2) {
-    const std::uint64_t count = n.trailing_zeros();
-    n.shift_right(count);
-    return count;
-  }
-  // Squares of the factor first, so that the work is near-linear in the answer's digits.
-  std::vector<Integer> powers = {Integer(factor)};
-  while (powers.back().bit_length() * 2 <= n.bit_length())
-    powers.push_back(powers.back() * powers.back());
-  std::uint64_t count = 0;
-  for (std::size_t i = powers.size(); i-- > 0;) {
-    for (;;) {
-      const Rational quotient(n, powers[i]);
-      if (quotient.denominator() != Integer(1)) break;
-      n = quotient.numerator();
-      count += std::uint64_t{1} << i;
-    }
-  }
-  return count;
+// How often `factor` divides `n`; n loses these factors. REQUIRES n > 0, factor >= 2.
+std::uint64_t strip(Integer& n, unsigned long factor) {
+  const Integer f(factor);
+  return mpz_remove(z(n), z(n), z(f));
 }
 
 std::string plain(std::string digits, std::uint64_t num_fraction) {
@@ -184,20 +178,47 @@ DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits,
   return DecimalFault::kNone;
 }
 
-std::optional<std::string> exact_decimal(const Rational& value) {
+std::optional<std::string> spell_decimal(std::string digits, std::int64_t exponent,
+                                         const ReadLimits& limits) {
+  const auto most_digits = static_cast<std::int64_t>(limits.max_digits);
+  const auto most_exponent = static_cast<std::int64_t>(limits.max_exponent);
+  auto length = static_cast<std::int64_t>(digits.size());
+  const std::int64_t plain_length =
+      exponent >= 0 ? length + exponent : std::max(length, 1 - exponent);
+  if (exponent <= 6 && -exponent <= length + 6 && plain_length <= most_digits) {
+    if (exponent > 0) digits.append(static_cast<std::size_t>(exponent), '0');
+    return plain(std::move(digits),
+                 static_cast<std::uint64_t>(std::max(-exponent, std::int64_t{0})));
+  }
+  // The point moves until the exponent is within its limit.
+  const std::int64_t written = std::clamp(exponent, -most_exponent, most_exponent);
+  const std::int64_t moved = exponent - written;
+  length = moved >= 0 ? length + moved : std::max(length, 1 - moved);
+  if (length > most_digits) return std::nullopt;
+  if (moved > 0) digits.append(static_cast<std::size_t>(moved), '0');
+  if (moved < 0) digits = plain(std::move(digits), static_cast<std::uint64_t>(-moved));
+  if (written == 0) return digits;
+  return digits + (written > 0 ? "e+" : "e-") + std::to_string(std::abs(written));
+}
+
+std::optional<std::string> exact_decimal(const Rational& value, const ReadLimits& limits) {
   Integer rest = value.denominator();
   const std::uint64_t twos = strip(rest, 2), fives = rest == Integer(1) ? 0 : strip(rest, 5);
   if (rest != Integer(1)) return std::nullopt;
   const std::uint64_t places = std::max(twos, fives);
-  const Rational scaled = abs(value) * Rational(power_of_ten(places));
-  std::string digits = scaled.numerator().to_string();
-  const char* const sign = value.sign() == Sign::kNegative ? "-" : "";
+  Integer scaled = abs(value.numerator());
+  scaled.shift_left(places - twos);
+  if (places > fives) scaled *= power(5, places - fives);
+  std::string digits = scaled.to_string();
+  // Behind a point the last digit is none: `places` is the least number.
   std::uint64_t zeros = 0;
   while (zeros + 1 < digits.size() && digits[digits.size() - 1 - zeros] == '0') ++zeros;
-  if (places == 0 && zeros > 6)
-    return sign + digits.substr(0, digits.size() - zeros) + "e+" + std::to_string(zeros);
-  if (places > digits.size() + 6) return sign + digits + "e-" + std::to_string(places);
-  return sign + plain(std::move(digits), places);
+  digits.resize(digits.size() - zeros);
+  auto text =
+      spell_decimal(std::move(digits),
+                    static_cast<std::int64_t>(zeros) - static_cast<std::int64_t>(places), limits);
+  if (text && value.sign() == Sign::kNegative) text->insert(0, 1, '-');
+  return text;
 }
 
 }  // namespace veritope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/exact_number.h: decimals, fractions and hexadecimal floats as exact rationals, and back.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,13 @@ DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits
 /// max_exponent digits: as many as a decimal within the limits has when it is written out.
 DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits, Rational& value);
 
-/// The shortest decimal that is exactly this number, "-0.5", "1e+30"; nothing if none is.
-std::optional<std::string> exact_decimal(const Rational& value);
+/// A decimal, "-0.5", "1e+30", that is exactly this number and that read_exact_decimal reads within the limits; nothing if
+/// there is none. Equal numbers give equal text. Every number that was read from a decimal within them has one.
+/// @cost near-linear in the digits
+std::optional<std::string> exact_decimal(const Rational& value, const ReadLimits& limits = {});
+
+/// digits * 10^exponent the same way. REQUIRES digits, the last not 0 unless it is the only one.
+std::optional<std::string> spell_decimal(std::string digits, std::int64_t exponent,
+                                         const ReadLimits& limits);
 
 }  // namespace veritope

@@ -7,6 +7,7 @@ namespace {
 
 class G2Writer {
  public:
+  explicit G2Writer(const ReadLimits& limits) : limits_(limits) {}
   std::string write(const SplineModel& model) {
     for (const SplineEntity& e : model.entities) {
       extra_ = " 0";
@@ -18,6 +19,7 @@ class G2Writer {
   }
 
  private:
+  std::string number(const Rational& x) const { return decimal_or_nearest(x, limits_); }
   static constexpr std::string_view kExtra = "g2-extra";
   // "g2-extra 255 0 0 255" is written as a count and the numbers.
   static bool is_extra(const std::string& a) {
@@ -37,7 +39,7 @@ class G2Writer {
     out_ += std::to_string(s.dimension()) + (s.is_rational() ? " 1\n" : " 0\n");
     for (const auto& axis : s.axes()) {
       out_ += std::to_string(axis.num_control()) + ' ' + std::to_string(axis.degree + 1) + '\n';
-      for (const Rational& k : axis.knots) out_ += decimal_or_nearest(k) + ' ';
+      for (const Rational& k : axis.knots) out_ += number(k) + ' ';
       out_.back() = '\n';
     }
     const Grid<N> grid = s.grid();
@@ -46,7 +48,7 @@ class G2Writer {
       std::size_t rest = i;
       for (std::size_t a = 0; a < N; rest /= grid.size[a], ++a) index[a] = rest % grid.size[a];
       for (int c = 0; c < s.num_components(); ++c)
-        out_ += decimal_or_nearest(s.component(c)[grid.at(index)]) + ' ';
+        out_ += number(s.component(c)[grid.at(index)]) + ' ';
       out_.back() = '\n';
     }
     out_ += '\n';
@@ -76,11 +78,14 @@ class G2Writer {
   }
   void object(const SplineBrep&) {}
 
+  const ReadLimits& limits_;
   std::string out_, extra_;
 };
 
 }  // namespace
 
-std::string g2_bytes(const SplineModel& model) { return G2Writer().write(model); }
+std::string g2_bytes(const SplineModel& model, const ReadLimits& limits) {
+  return G2Writer(limits).write(model);
+}
 
 }  // namespace veritope

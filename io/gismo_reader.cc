@@ -42,15 +42,10 @@ struct Geometry {
 class GismoReader : SplineTextReader {
  public:
   using SplineTextReader::SplineTextReader;
+  using SplineTextReader::take;
   using SplineTextReader::take_error;
 
   bool read();
-  SplineFile take() {
-    SplineFile file;
-    file.model = std::move(model_);
-    file.left_out = std::move(left_out_);
-    return file;
-  }
 
  private:
   /// The next tag; text before it is passed over. is_end_of_file: there is none.
@@ -68,7 +63,6 @@ class GismoReader : SplineTextReader {
   bool skip_element(const Tag& open);
   bool refuse_format(const Tag& tag);
 
-  SplineModel model_;
   std::vector<std::string_view> open_;
 };
 
@@ -184,6 +178,8 @@ bool GismoReader::refuse_format(const Tag& tag) {
 
 // An element within <Geometry>; the tags of bases are passed, their knots kept in order.
 bool GismoReader::read_part(const Tag& tag, Geometry& g) {
+  if (tag.name == "Geometry")
+    return fail(tag.at, Code::kSyntax, "a <Geometry> within a <Geometry> is not read");
   if (tag.name == "Basis") {
     const std::string_view type = tag.attribute("type");
     if (type.starts_with("H") || type.starts_with("TH") || type.find("HTensor") != type.npos)
@@ -259,8 +255,11 @@ bool GismoReader::finish(Geometry g, SplineEntity& entity) {
     raw.points = std::move(g.coefficients);
   } else {
     for (std::uint64_t i = 0; i < total; ++i) {
-      for (std::uint64_t c = 0; c < g.dimension; ++c)
-        raw.points.push_back(g.coefficients[i * g.dimension + c] * g.weights[i]);
+      for (std::uint64_t c = 0; c < g.dimension; ++c) {
+        Rational& x = g.coefficients[i * g.dimension + c];
+        if (!multiply(g.at, x, g.weights[i])) return false;
+        raw.points.push_back(std::move(x));
+      }
       raw.points.push_back(g.weights[i]);
     }
   }
@@ -294,14 +293,13 @@ bool GismoReader::read_geometry(const Tag& open) {
   const auto* const known = std::find_if(std::begin(kTypes), std::end(kTypes),
                                          [&](const auto& t) { return t.first == geometry.type; });
   if (known == std::end(kTypes)) {
-    leave_out("geometries of type " + escaped(geometry.type), "this type is not known here", true);
+    const bool has_type = !geometry.type.empty();
+    leave_out(
+        has_type ? "geometries of type " + escaped(geometry.type) : "geometries without a type",
+        has_type ? "this type is not known here" : "", true);
     return skip_element(open);
   }
-  entity_ = model_.entities.size();
-  SplineEntity entity{ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}),
-                      {},
-                      {},
-                      place_of(open.at)};
+  SplineEntity entity = begin_entity(open.at);
   const std::string_view label = open.attribute("label"), id = open.attribute("id");
   if (!id.empty()) entity.attributes.push_back("id " + to_utf8(id));
   if (!label.empty()) {
@@ -337,10 +335,7 @@ bool GismoReader::read_geometry(const Tag& open) {
   const bool ok = known->second == 1   ? finish<1>(std::move(geometry), entity)
                   : known->second == 2 ? finish<2>(std::move(geometry), entity)
                                        : finish<3>(std::move(geometry), entity);
-  if (!ok) return false;
-  model_.entities.push_back(std::move(entity));
-  entity_.reset();
-  return true;
+  return ok && end_entity(std::move(entity));
 }
 
 bool GismoReader::read() {
@@ -375,9 +370,7 @@ bool GismoReader::read() {
 }  // namespace
 
 Result<SplineFile> read_gismo(const Source& source, const ReadLimits& limits) {
-  GismoReader reader(source, limits);
-  if (!reader.read()) return reader.take_error();
-  return reader.take();
+  return run_reader<GismoReader>(source, limits);
 }
 
 }  // namespace veritope

@@ -17,6 +17,7 @@ bool has_type(const BSpline<Rational, N>& s) {
 
 class ItdWriter {
  public:
+  explicit ItdWriter(const ReadLimits& limits) : limits_(limits) {}
   std::string write(const SplineModel& model) {
     for (const SplineEntity& e : model.entities) {
       bool fits = true;
@@ -34,6 +35,7 @@ class ItdWriter {
   }
 
  private:
+  std::string number(const Rational& x) const { return decimal_or_nearest(x, limits_); }
   void line(const std::string& text) {
     out_ += std::string(2 * path_.size() + 2 * depth_, ' ') + text;
   }
@@ -80,7 +82,7 @@ class ItdWriter {
     ++depth_;
     for (const auto& axis : s.axes()) {
       line(axis.is_periodic ? "[KVP" : "[KV");
-      for (const Rational& k : axis.knots) out_ += ' ' + decimal_or_nearest(k);
+      for (const Rational& k : axis.knots) out_ += ' ' + number(k);
       out_ += "]\n";
     }
     points(s, counts);
@@ -98,9 +100,9 @@ class ItdWriter {
       for (std::size_t a = 0; a < N; rest /= counts[a], ++a) index[a] = rest % counts[a];
       const std::size_t at = grid.at(index);
       line("[");
-      if (s.is_rational()) out_ += decimal_or_nearest(s.component(s.dimension())[at]) + ' ';
+      if (s.is_rational()) out_ += number(s.component(s.dimension())[at]) + ' ';
       for (int c = 0; c < s.dimension(); ++c)
-        out_ += (c == 0 ? "" : " ") + decimal_or_nearest(s.component(c)[at]);
+        out_ += (c == 0 ? "" : " ") + number(s.component(c)[at]);
       out_ += "]\n";
     }
   }
@@ -169,6 +171,7 @@ class ItdWriter {
     line("]\n");
   }
 
+  const ReadLimits& limits_;
   std::string out_;
   std::vector<std::size_t> path_;  // of open groups
   std::size_t depth_ = 0;          // of brackets within the entity
@@ -211,6 +214,8 @@ bool is_itd_attribute(const std::string& text) {
   return depth == 0;
 }
 
-std::string itd_bytes(const SplineModel& model) { return ItdWriter().write(model); }
+std::string itd_bytes(const SplineModel& model, const ReadLimits& limits) {
+  return ItdWriter(limits).write(model);
+}
 
 }  // namespace veritope

@@ -21,15 +21,10 @@ class MfemReader : SplineTextReader {
     has_comments_ = true;
     ends_ = kTokenEndOrComment;
   }
+  using SplineTextReader::take;
   using SplineTextReader::take_error;
 
   bool read();
-  SplineFile take() {
-    SplineFile file;
-    file.model = std::move(model_);
-    file.left_out = std::move(left_out_);
-    return file;
-  }
 
  private:
   bool take_keyword(std::string_view word);
@@ -56,7 +51,6 @@ class MfemReader : SplineTextReader {
   const char* edges_at_ = nullptr;
   std::vector<KnotVector> knot_vectors_;
   std::vector<Rational> weights_, nodes_;
-  SplineModel model_;
 };
 
 bool MfemReader::take_keyword(std::string_view word) {
@@ -160,8 +154,7 @@ bool MfemReader::read_knot_vector(KnotVector& knots) {
   const std::uint64_t count = knots.num_control + degree + 1;
   if (!check_announced(count, "knots")) return false;
   knots.knots.resize(count);
-  for (Rational& k : knots.knots)
-    if (!read_number(k)) return false;
+  if (!read_all(knots.knots)) return false;
   auto axis = make_knot_axis(knots.degree, knots.knots);
   if (axis) return true;
   Error error = axis.error();
@@ -234,11 +227,11 @@ bool MfemReader::read_patch(const char* open) {
   raw.num_components = static_cast<int>(dimension) + 1;
   if (!check_grid(raw.num_control, dimension + 1, total)) return false;
   raw.points.resize(total);
-  for (Rational& x : raw.points)
-    if (!read_number(x)) return false;
+  if (!read_all(raw.points)) return false;
   if (is_cartesian)
     for (std::uint64_t i = 0; i < total; i += dimension + 1)
-      for (std::uint64_t c = 0; c < dimension; ++c) raw.points[i + c] *= raw.points[i + dimension];
+      for (std::uint64_t c = 0; c < dimension; ++c)
+        if (!multiply(open, raw.points[i + c], raw.points[i + dimension])) return false;
   return add(open, std::move(raw));
 }
 
@@ -305,6 +298,8 @@ bool MfemReader::gather(const MfemNumbering& numbering, std::uint64_t dimension,
       raw.degrees[a] = k.degree;
       raw.num_control[a] = k.num_control;
       raw.knots[a] = turn.value_or(false) ? std::move(turned) : k.knots;
+      for (const Rational& x : raw.knots[a])
+        if (!charge(patch_lines_[p], x)) return false;
       total *= k.num_control;
     }
     raw.is_rational = true;
@@ -316,10 +311,13 @@ bool MfemReader::gather(const MfemNumbering& numbering, std::uint64_t dimension,
       for (std::size_t a = 0; a < N; rest /= raw.num_control[a], ++a)
         index[a] = rest % raw.num_control[a];
       const std::uint64_t n = numbering.point(p, index);
-      for (std::uint64_t c = 0; c < dimension; ++c)
+      for (std::uint64_t c = 0; c < dimension; ++c) {
         raw.points.push_back(nodes_[by_nodes ? c * num_points + n : n * dimension + c] *
                              weights_[n]);
+        if (!charge(patch_lines_[p], raw.points.back())) return false;
+      }
       raw.points.push_back(weights_[n]);
+      if (!charge(patch_lines_[p], raw.points.back())) return false;
     }
     if (!add(patch_lines_[p], std::move(raw))) return false;
   }
@@ -336,8 +334,7 @@ bool MfemReader::read_nodes(const char* at, const MfemNumbering& numbering) {
     p_ += keyword.size();
     if (!check_announced(num_points, "weights")) return false;
     weights_.resize(num_points);
-    for (Rational& w : weights_)
-      if (!read_number(w)) return false;
+    if (!read_all(weights_)) return false;
   } else if (keyword == "unitweights" || keyword == "autoweights") {
     p_ += keyword.size();
     weights_.assign(num_points, Rational(1));
@@ -351,8 +348,7 @@ bool MfemReader::read_nodes(const char* at, const MfemNumbering& numbering) {
   if (!read_space(dimension, by_nodes)) return false;
   if (!check_announced(num_points * dimension, "coordinates")) return false;
   nodes_.resize(num_points * dimension);
-  for (Rational& x : nodes_)
-    if (!read_number(x)) return false;
+  if (!read_all(nodes_)) return false;
   if (!is_at_end()) return fail_expected("the end of the file");
   if (topology_.dimension == 1) return gather<1>(numbering, dimension, by_nodes);
   return topology_.dimension == 2 ? gather<2>(numbering, dimension, by_nodes)
@@ -396,9 +392,7 @@ bool MfemReader::read() {
 }  // namespace
 
 Result<SplineFile> read_mfem(const Source& source, const ReadLimits& limits) {
-  MfemReader reader(source, limits);
-  if (!reader.read()) return reader.take_error();
-  return reader.take();
+  return run_reader<MfemReader>(source, limits);
 }
 
 }  // namespace veritope

@@ -39,7 +39,7 @@ struct SplineReadOptions {
 /// spline is read, too: the model is empty and left_out says what there is.
 /// @error  kCannotOpen, kEmpty, kForeignFormat, kUnknownFormat, kSyntax, kTruncated, kNotFinite, kIndexOutOfRange,
 ///         kOverLimit, kBadSpline, with the line and, in a spline, its entity; kBadArgument for "-" without a format
-/// @cost   memory at most a constant times the bytes, never an announced count; the stack does not grow with nesting
+/// @cost   memory at most a constant times the bytes (exact numbers: NumberBudget), never an announced count; the stack does not grow with nesting
 Result<SplineFile> read_spline_file(const std::string& path, const SplineReadOptions& options);
 
 /// The same for bytes in memory. `name` stands for the file in errors, and its extension counts as one.

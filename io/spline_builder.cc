@@ -79,6 +79,7 @@ Result<BSpline<Rational, N>> build_spline(RawSpline<N> raw) {
     axes[a] = std::move(*axis);
   }
   const auto components = static_cast<std::size_t>(raw.num_components);
+  const bool is_repeated = stored.size != given.size;
   std::vector<Rational> coefficients(stored.count() * components);
   for (std::size_t i = 0; i < stored.count(); ++i) {
     std::array<std::size_t, N> index;
@@ -86,7 +87,8 @@ Result<BSpline<Rational, N>> build_spline(RawSpline<N> raw) {
     for (std::size_t a = N; a-- > 0; rest /= stored.size[a]) index[a] = rest % stored.size[a];
     const std::size_t from = file_offset(index, given) * components;
     for (std::size_t c = 0; c < components; ++c)
-      coefficients[c * stored.count() + i] = raw.points[from + c];
+      coefficients[c * stored.count() + i] =
+          is_repeated ? raw.points[from + c] : std::move(raw.points[from + c]);
   }
   return BSpline<Rational, N>(std::move(axes), raw.num_components, raw.is_rational,
                               std::move(coefficients));
@@ -99,40 +101,8 @@ std::vector<Rational> bezier_knots(int degree) {
   return knots;
 }
 
-// b_j = sum of C(j, k) / C(n, k) a_k over k <= j, along each axis: n rounds of b_j += ... would do, but the sum is plain.
-template <std::size_t N>
-void power_to_bernstein(RawSpline<N>& raw) {
-  const auto components = static_cast<std::size_t>(raw.num_components);
-  std::size_t stride = components;
-  for (std::size_t a = 0; a < N; ++a) {
-    const auto count = static_cast<std::size_t>(raw.num_control[a]);
-    // factor[j][k] = C(j, k) / C(n, k), by products of (j - i) / (n - i).
-    std::vector<std::vector<Rational>> factor(count);
-    for (std::size_t j = 0; j < count; ++j) {
-      Rational f(1);
-      for (std::size_t k = 0; k <= j; ++k) {
-        factor[j].push_back(f);
-        if (k < j) f *= Rational(j - k) / Rational(count - 1 - k);
-      }
-    }
-    std::vector<Rational> line(count);
-    for (std::size_t block = 0; block < raw.points.size(); block += stride * count)
-      for (std::size_t i = block; i < block + stride; ++i) {
-        for (std::size_t j = 0; j < count; ++j) {
-          line[j] = Rational();
-          for (std::size_t k = 0; k <= j; ++k) line[j] += factor[j][k] * raw.points[i + k * stride];
-        }
-        for (std::size_t j = 0; j < count; ++j) raw.points[i + j * stride] = line[j];
-      }
-    stride *= count;
-  }
-}
-
 template Result<BSpline<Rational, 1>> build_spline(RawSpline<1>);
 template Result<BSpline<Rational, 2>> build_spline(RawSpline<2>);
 template Result<BSpline<Rational, 3>> build_spline(RawSpline<3>);
-template void power_to_bernstein(RawSpline<1>&);
-template void power_to_bernstein(RawSpline<2>&);
-template void power_to_bernstein(RawSpline<3>&);
 
 }  // namespace veritope

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/number_budget.h"
 #include "robust/base/result.h"
 #include "splines/bspline.h"
 
@@ -34,15 +35,17 @@ Result<BSpline<Rational, N>> build_spline(RawSpline<N> raw);
 /// The knots of one Bezier piece over [0, 1].
 std::vector<Rational> bezier_knots(int degree);
 
-/// Coefficients of t^i s^j ... over [0, 1] become Bernstein coefficients, in place.
+/// Coefficients of t^i s^j ... over [0, 1] become Bernstein coefficients, in place. False, and nothing has happened, if
+/// they might take more than the budget: each may become as long as a common denominator and the largest together.
+/// @cost  one common denominator for each component; then additions, count * (sum of degrees) / 2 of them
 template <std::size_t N>
-void power_to_bernstein(RawSpline<N>& raw);
+bool power_to_bernstein(RawSpline<N>& raw, NumberBudget& budget);
 
 extern template Result<BSpline<Rational, 1>> build_spline(RawSpline<1>);
 extern template Result<BSpline<Rational, 2>> build_spline(RawSpline<2>);
 extern template Result<BSpline<Rational, 3>> build_spline(RawSpline<3>);
-extern template void power_to_bernstein(RawSpline<1>&);
-extern template void power_to_bernstein(RawSpline<2>&);
-extern template void power_to_bernstein(RawSpline<3>&);
+extern template bool power_to_bernstein(RawSpline<1>&, NumberBudget&);
+extern template bool power_to_bernstein(RawSpline<2>&, NumberBudget&);
+extern template bool power_to_bernstein(RawSpline<3>&, NumberBudget&);
 
 }  // namespace veritope

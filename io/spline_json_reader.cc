@@ -2,42 +2,20 @@
 // Our exact text form: docs/formats/spline-json.md. Keys in any order, none unknown, none missing.
 #include <algorithm>
 
-#include "io/spline_text_reader.h"
+#include "io/spline_json_lexer.h"
 
 namespace veritope {
 namespace {
 
-class JsonReader : SplineTextReader {
+class JsonReader : SplineJsonLexer {
  public:
-  JsonReader(const Source& source, const ReadLimits& limits) : SplineTextReader(source, limits) {
-    own_tokens_ = "{}[],:\"";
-  }
+  using SplineJsonLexer::SplineJsonLexer;
+  using SplineTextReader::take;
   using SplineTextReader::take_error;
 
   bool read();
-  SplineFile take() {
-    SplineFile file;
-    file.model = std::move(model_);
-    return file;
-  }
 
  private:
-  bool take_char(char c);
-  bool is_next(char c) { return peek() == std::string_view(&c, 1); }
-  bool take_null();
-  bool read_string(std::string& text);
-  bool read_escape(std::string& text);
-  bool read_hex4(unsigned& code);
-  bool read_bool(bool& value);
-  bool read_exact(Rational& value);
-
-  /// [item, item, ...]
-  template <typename Item>
-  bool read_list(Item item);
-  /// {"key": value, ...}: value(key, seen) returns false after an error; `keys` must all be there, once.
-  template <typename Value>
-  bool read_object(std::initializer_list<std::string_view> keys, Value value);
-
   bool read_strings(std::vector<std::string>& texts);
   bool read_index(const char* what, std::optional<std::size_t>& index, std::size_t below);
   bool read_group();
@@ -63,155 +41,7 @@ class JsonReader : SplineTextReader {
   bool read_brep_face(SplineBrep& brep);
   bool read_brep_segment(SplineBrep& brep);
   bool check_brep(const SplineBrep& brep);
-
-  SplineModel model_;
 };
-
-bool JsonReader::take_char(char c) {
-  if (!is_next(c)) return fail_expected(quoted(std::string_view(&c, 1)));
-  ++p_;
-  return true;
-}
-
-bool JsonReader::take_null() {
-  if (peek() != "null") return false;
-  p_ += 4;
-  return true;
-}
-
-bool JsonReader::read_hex4(unsigned& code) {
-  code = 0;
-  for (int i = 0; i < 4; ++i, ++p_) {
-    const char c = p_ < source_.end ? *p_ : '\0';
-    const int low = c | 0x20;
-    const bool is_hex = is_digit(c) || (low >= 'a' && low <= 'f');
-    if (!is_hex) return fail(p_, Code::kSyntax, "four hexadecimal digits expected behind \\u");
-    code = code * 16 + static_cast<unsigned>(is_digit(c) ? c - '0' : low - 'a' + 10);
-  }
-  return true;
-}
-
-// Behind the backslash.
-bool JsonReader::read_escape(std::string& text) {
-  constexpr std::string_view kFrom = "\"\\/bfnrt", kTo = "\"\\/\b\f\n\r\t";
-  if (p_ >= source_.end) return fail(p_, Code::kTruncated, "a string does not end");
-  const char c = *p_++;
-  if (const std::size_t i = kFrom.find(c); i != kFrom.npos) return text += kTo[i], true;
-  unsigned code = 0;
-  if (c != 'u') return fail(p_ - 1, Code::kSyntax, "an unknown escape in a string");
-  if (!read_hex4(code)) return false;
-  if (code >= 0xD800 && code < 0xDC00) {
-    unsigned low = 0;
-    if (p_ + 1 >= source_.end || p_[0] != '\\' || p_[1] != 'u')
-      return fail(p_, Code::kSyntax, "half of a surrogate pair");
-    p_ += 2;
-    if (!read_hex4(low)) return false;
-    if (low < 0xDC00 || low > 0xDFFF) return fail(p_, Code::kSyntax, "half of a surrogate pair");
-    code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
-  } else if (code >= 0xDC00 && code < 0xE000) {
-    return fail(p_, Code::kSyntax, "half of a surrogate pair");
-  }
-  const auto tail = [&](int shift) { return static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += {static_cast<char>(0xC0 | (code >> 6)), tail(0)};
-  } else if (code < 0x10000) {
-    text += {static_cast<char>(0xE0 | (code >> 12)), tail(6), tail(0)};
-  } else {
-    text += {static_cast<char>(0xF0 | (code >> 18)), tail(12), tail(6), tail(0)};
-  }
-  return true;
-}
-
-bool JsonReader::read_string(std::string& text) {
-  if (!is_next('"')) return fail_expected("a string");
-  const char* const start = p_++;
-  text.clear();
-  for (;;) {
-    if (p_ >= source_.end) return fail(start, Code::kTruncated, "a string does not end");
-    const char c = *p_++;
-    if (c == '"') break;
-    if (static_cast<unsigned char>(c) < 0x20)
-      return fail(p_ - 1, Code::kSyntax, "a control character in a string");
-    if (c != '\\') {
-      text += c;
-    } else if (!read_escape(text)) {
-      return false;
-    }
-  }
-  if (to_utf8(text) != text) return fail(start, Code::kSyntax, "a string is not UTF-8");
-  return true;
-}
-
-bool JsonReader::read_bool(bool& value) {
-  const std::string_view token = peek();
-  if (token != "true" && token != "false") return fail_expected("true or false");
-  value = token == "true";
-  p_ += token.size();
-  return true;
-}
-
-bool JsonReader::read_exact(Rational& value) {
-  skip();
-  const char* const at = p_;
-  std::string text;
-  if (!read_string(text)) return false;
-  switch (read_exact_number(text, limits_, value)) {
-    case DecimalFault::kNone: return true;
-    case DecimalFault::kSyntax: break;
-    case DecimalFault::kNotFinite:
-      return fail(at, Code::kNotFinite, "the number " + quoted(text) + " is not finite");
-    case DecimalFault::kDigits:
-      return fail(at, Code::kOverLimit,
-                  "more than " + std::to_string(limits_.max_digits) +
-                      " digits in a number (--max-digits " + std::to_string(limits_.max_digits) +
-                      "): " + quoted(text));
-    case DecimalFault::kExponent:
-      return fail(at, Code::kOverLimit,
-                  "an exponent larger than " + std::to_string(limits_.max_exponent) +
-                      " (--max-exponent " + std::to_string(limits_.max_exponent) +
-                      "): " + quoted(text));
-  }
-  return fail(at, Code::kSyntax, "a number as a string expected, but there is " + quoted(text));
-}
-
-template <typename Item>
-bool JsonReader::read_list(Item item) {
-  if (!take_char('[')) return false;
-  if (is_next(']')) return ++p_, true;
-  for (;;) {
-    if (!item()) return false;
-    if (is_next(']')) return ++p_, true;
-    if (!take_char(',')) return false;
-  }
-}
-
-template <typename Value>
-bool JsonReader::read_object(std::initializer_list<std::string_view> keys, Value value) {
-  skip();
-  const char* const start = p_;
-  if (!take_char('{')) return false;
-  std::vector<bool> seen(keys.size());
-  for (bool is_first = true; !is_next('}'); is_first = false) {
-    if (!is_first && !take_char(',')) return false;
-    skip();
-    const char* const at = p_;
-    std::string key;
-    if (!read_string(key) || !take_char(':')) return false;
-    const auto found = std::find(keys.begin(), keys.end(), key);
-    if (found == keys.end()) return fail(at, Code::kSyntax, "unknown key " + quoted(key));
-    const auto i = static_cast<std::size_t>(found - keys.begin());
-    if (seen[i]) return fail(at, Code::kSyntax, "the key " + quoted(key) + " occurs twice");
-    seen[i] = true;
-    if (!value(i)) return false;
-  }
-  ++p_;
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!seen[i])
-      return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");
-  return true;
-}
 
 bool JsonReader::read_strings(std::vector<std::string>& texts) {
   return read_list([&] { return read_string(texts.emplace_back()); });
@@ -458,10 +288,7 @@ bool JsonReader::read_shape(const std::string& kind, SplineEntity& entity) {
 
 bool JsonReader::read_entity() {
   skip();
-  const char* const open = p_;
-  entity_ = model_.entities.size();
-  SplineEntity entity{
-      ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(open)};
+  SplineEntity entity = begin_entity(p_);
   std::string kind;
   const bool ok = read_object({"kind", "group", "attributes", "shape"}, [&](std::size_t key) {
     if (key == 1) return read_index("the group of an entity", entity.group, model_.groups.size());
@@ -475,10 +302,7 @@ bool JsonReader::read_entity() {
       if (kind == known) return true;
     return fail(p_, Code::kSyntax, "unknown kind of entity " + quoted(kind));
   });
-  if (!ok) return false;
-  model_.entities.push_back(std::move(entity));
-  entity_.reset();
-  return true;
+  return ok && end_entity(std::move(entity));
 }
 
 bool JsonReader::read() {
@@ -507,9 +331,7 @@ bool JsonReader::read() {
 }  // namespace
 
 Result<SplineFile> read_spline_json(const Source& source, const ReadLimits& limits) {
-  JsonReader reader(source, limits);
-  if (!reader.read()) return reader.take_error();
-  return reader.take();
+  return run_reader<JsonReader>(source, limits);
 }
 
 }  // namespace veritope

@@ -96,19 +96,27 @@ class JsonWriter {
       out_ += "null";
     }
   }
+  void space(const std::optional<ExactCurve>& curve) {
+    out_ += ", \"space\": ";
+    optional_map(curve);
+  }
+  // An object's map and what opens the list of its loops.
+  template <typename Surface>
+  void map_and_loops(const Surface& s, const char* blanks) {
+    out_ += "{\"map\": ";
+    map(s.surface);
+    out_ += std::string(",\n") + blanks + "\"loops\": ";
+  }
   void shape(const ExactCurve& s) { map(s); }
   void shape(const ExactSurface& s) { map(s); }
   void shape(const ExactVolume& s) { map(s); }
   void shape(const TrimmedSurface& s) {
-    out_ += "{\"map\": ";
-    map(s.surface);
-    out_ += ",\n \"loops\": ";
+    map_and_loops(s, " ");
     list(s.loops, [&](const TrimLoop& loop) {
       list(loop, [&](const TrimCurve& piece) {
         out_ += "{\"parameter\": ";
         optional_map(piece.parameter);
-        out_ += ", \"space\": ";
-        optional_map(piece.space);
+        space(piece.space);
         out_ += ", \"omitted\": ";
         text(piece.omitted);
         out_ += '}';
@@ -119,9 +127,7 @@ class JsonWriter {
   void shape(const SplineBrep& brep) {
     out_ += "{\"surfaces\": ";
     list(brep.faces, [&](const BrepFace& face) {
-      out_ += "{\"map\": ";
-      map(face.surface);
-      out_ += ",\n  \"loops\": ";
+      map_and_loops(face, "  ");
       list(
           face.loops,
           [&](const std::vector<std::int64_t>& loop) {
@@ -136,8 +142,7 @@ class JsonWriter {
       out_ += "{\"surfaces\": [" + std::to_string(s.faces[0]) + ", " + std::to_string(s.faces[1]) +
               "], \"parameter\": ";
       list(s.parameter, [&](const std::optional<ExactCurve>& c) { optional_map(c); });
-      out_ += ", \"space\": ";
-      optional_map(s.space);
+      space(s.space);
       out_ += '}';
     });
     out_ += '}';

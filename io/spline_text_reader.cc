@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/spline_text_reader.h"
 
+#include <algorithm>
+
 #include "io/parsed_mesh.h"
 
 namespace veritope {
@@ -73,6 +75,17 @@ Place SplineTextReader::place_of(const char* at) {
   return place;
 }
 
+SplineEntity SplineTextReader::begin_entity(const char* at) {
+  entity_ = model_.entities.size();
+  return {ExactCurve({KnotAxis<Rational>{1, bezier_knots(1)}}, 0, false, {}), {}, {}, place_of(at)};
+}
+
+bool SplineTextReader::end_entity(SplineEntity entity) {
+  model_.entities.push_back(std::move(entity));
+  entity_.reset();
+  return true;
+}
+
 bool SplineTextReader::fail(const char* at, Code code, std::string message) {
   if (!error_) error_ = Error{code, place_of(at), std::move(message)};
   return false;
@@ -108,26 +121,70 @@ std::string_view SplineTextReader::peek() {
   return {p_, static_cast<std::size_t>(last - p_)};
 }
 
-bool SplineTextReader::read_number(Rational& value) {
-  const std::string_view token = peek();
-  if (token.empty()) return fail_expected("a number");
-  switch (read_exact_decimal(token, limits_, value)) {
-    case DecimalFault::kNone: p_ += token.size(); return true;
+bool SplineTextReader::read_token(const char* at, std::string_view token, Rational& value,
+                                  DecimalFault (*read)(std::string_view, const ReadLimits&,
+                                                       Rational&)) {
+  // 10^e has more than 3 e bits: a larger exponent is over the budget before it is written out.
+  ReadLimits limits = limits_;
+  const std::uint64_t affordable = budget_.left() * 8 / 3 + 1;
+  limits.max_exponent =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(limits.max_exponent, affordable));
+  const auto over_budget = [&] {
+    return fail(at, Code::kOverLimit, budget_.message() + ": " + quoted(token));
+  };
+  switch (read(token, limits, value)) {
+    case DecimalFault::kNone: return budget_.spend(value) || over_budget();
     case DecimalFault::kSyntax: break;
     case DecimalFault::kNotFinite:
-      return fail(p_, Code::kNotFinite, "the number " + quoted(token) + " is not finite");
+      return fail(at, Code::kNotFinite, "the number " + quoted(token) + " is not finite");
     case DecimalFault::kDigits:
-      return fail(p_, Code::kOverLimit,
+      return fail(at, Code::kOverLimit,
                   over_limit("digits in a number", "--max-digits", limits_.max_digits) + ": " +
                       quoted(token));
     case DecimalFault::kExponent: {
+      if (limits.max_exponent < limits_.max_exponent) return over_budget();
       const std::string limit = std::to_string(limits_.max_exponent);
       return fail(
-          p_, Code::kOverLimit,
+          at, Code::kOverLimit,
           "an exponent larger than " + limit + " (--max-exponent " + limit + "): " + quoted(token));
     }
   }
-  return fail_expected("a number");
+  return fail(at, Code::kSyntax, "a number expected, but there is " + quoted(token));
+}
+
+bool SplineTextReader::read_number(Rational& value) {
+  const std::string_view token = peek();
+  if (token.empty()) return fail_expected("a number");
+  if (!read_token(p_, token, value, read_exact_decimal)) return false;
+  p_ += token.size();
+  return true;
+}
+
+bool SplineTextReader::read_all(std::vector<Rational>& into) {
+  for (Rational& x : into)
+    if (!read_number(x)) return false;
+  return true;
+}
+
+bool SplineTextReader::charge(const char* at, const Rational& value) {
+  return budget_.spend(value) ||
+         fail(at, Code::kOverLimit, budget_.message() + ", with those made of them");
+}
+
+bool SplineTextReader::multiply(const char* at, Rational& x, const Rational& factor) {
+  budget_.give_back(NumberBudget::bytes_of(x));
+  x *= factor;
+  return charge(at, x);
+}
+
+bool SplineTextReader::charge_repeated(const char* at, const std::vector<Rational>& points,
+                                       std::span<const bool> is_periodic) {
+  std::uint64_t copies = 1;
+  for (const bool is : is_periodic) copies *= is ? 2 : 1;
+  for (std::uint64_t i = 1; i < copies; ++i)
+    for (const Rational& x : points)
+      if (!charge(at, x)) return false;
+  return true;
 }
 
 bool SplineTextReader::read_integer(const char* what, std::int64_t& value) {

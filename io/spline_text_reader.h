@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "io/exact_number.h"
+#include "io/number_budget.h"
 #include "io/read_splines.h"
 #include "io/scan.h"
 #include "io/source.h"
@@ -20,10 +22,20 @@ namespace veritope {
 class SplineTextReader {
  public:
   SplineTextReader(const Source& source, const ReadLimits& limits)
-      : source_(source), limits_(limits), p_(skip_byte_order_mark(source)) {}
+      : source_(source),
+        limits_(limits),
+        p_(skip_byte_order_mark(source)),
+        budget_(source.size()) {}
 
   /// REQUIRES that a function failed.
   Error take_error();
+  /// The model as it is, and what was left out.
+  SplineFile take() {
+    SplineFile file;
+    file.model = std::move(model_);
+    file.left_out = std::move(left_out_);
+    return file;
+  }
 
  protected:
   /// The place is the line of `at`, and the entity if one is being read.
@@ -40,6 +52,15 @@ class SplineTextReader {
   bool is_at_end() { return peek().empty(); }
 
   bool read_number(Rational& value);
+  /// As many as `into` has elements.
+  bool read_all(std::vector<Rational>& into);
+  /// Reads `token` as `read` does (read_exact_decimal, read_exact_number); an error is placed at `at`.
+  bool read_token(const char* at, std::string_view token, Rational& value,
+                  DecimalFault (*read)(std::string_view, const ReadLimits&, Rational&));
+  /// For numbers that are made of the file's: whether the budget allows one more.
+  bool charge(const char* at, const Rational& value);
+  /// x *= factor, if the budget allows its growth.
+  bool multiply(const char* at, Rational& x, const Rational& factor);
   /// An integer of at most `most`; `what` names it in errors.
   bool read_count(const char* what, std::uint64_t least, std::uint64_t most, std::uint64_t& value);
   bool read_integer(const char* what, std::int64_t& value);
@@ -53,6 +74,7 @@ class SplineTextReader {
   /// Builds it; an error is placed at `at`.
   template <std::size_t N>
   std::optional<BSpline<Rational, N>> build(const char* at, RawSpline<N> raw) {
+    if (!charge_repeated(at, raw.points, raw.is_periodic)) return std::nullopt;
     auto spline = build_spline(std::move(raw));
     if (spline) return std::move(*spline);
     fail_with(at, spline.error());
@@ -62,6 +84,11 @@ class SplineTextReader {
   /// The line of `at`, found without counting from the start again.
   std::uint64_t line_of(const char* at);
   Place place_of(const char* at);
+
+  /// The next entity, found at `at`; its shape is still to come.
+  SplineEntity begin_entity(const char* at);
+  /// It goes into the model.
+  bool end_entity(SplineEntity entity);
 
   void leave_out(std::string what, std::string reason, bool is_geometry, std::uint64_t count = 1);
 
@@ -74,14 +101,28 @@ class SplineTextReader {
   bool has_comments_ = false;            ///< # to the end of the line
   std::string_view own_tokens_;          ///< characters that are tokens of their own
   std::optional<std::uint64_t> entity_;  ///< that is being read
+  SplineModel model_;
   std::vector<LeftOut> left_out_;
+  NumberBudget budget_;
 
  private:
+  /// The points that a periodic axis repeats are at most as many as there are.
+  bool charge_repeated(const char* at, const std::vector<Rational>& points,
+                       std::span<const bool> is_periodic);
+
   std::optional<Error> error_;
   std::map<std::pair<std::string, std::string>, std::size_t> left_out_index_;
   const char* counted_ = nullptr;  ///< line_of has counted up to here
   std::uint64_t line_ = 1;
 };
+
+/// All of a format's reader: bool read(), take_error(), take().
+template <typename Reader>
+Result<SplineFile> run_reader(const Source& source, const ReadLimits& limits) {
+  Reader reader(source, limits);
+  if (!reader.read()) return reader.take_error();
+  return reader.take();
+}
 
 /// Valid UTF-8 stays; otherwise every byte is the Latin-1 character of its number.
 std::string to_utf8(std::string_view text);

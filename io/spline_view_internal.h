@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/spline_view.h"
+#include "io/wide_float.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
@@ -17,7 +18,7 @@ inline Error view_error(Code code, std::uint64_t entity, std::string message) {
   return error;
 }
 
-/// The Bezier pieces, cut exactly, then rounded.
+/// The Bezier pieces, cut exactly or (is_cut_exactly) with 256 bits, then rounded.
 template <std::size_t N>
 struct RoundedPieces {
   std::array<std::vector<double>, N> breaks;
@@ -39,20 +40,40 @@ std::uint64_t num_piece_points(const BSpline<Rational, N>& spline) {
   return total > 1e15 ? std::uint64_t{1} << 50 : static_cast<std::uint64_t>(total);
 }
 
+/// Whether the pieces' numbers stay so short that cutting them exactly takes no more than milliseconds each: a piece's
+/// coefficient has the bits of a coefficient and up to those of `degree` knots, along each axis.
 template <std::size_t N>
-Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std::uint64_t entity) {
-  if (num_piece_points(spline) > kMostViewPoints)
-    return view_error(Code::kOverLimit, entity,
-                      "its Bezier pieces have more than 33554432 control points");
-  const BezierPieces<Rational, N> exact = bezier_pieces(spline);
+bool is_cut_exactly(const BSpline<Rational, N>& spline) {
+  constexpr std::uint64_t kMostKnotBits = 768, kMostCoefficientBits = 1200;
+  const auto bits = [](const Rational& x) {
+    return x.numerator().bit_length() + x.denominator().bit_length();
+  };
+  std::uint64_t of_knots = 0;
+  for (const auto& axis : spline.axes()) {
+    std::uint64_t longest = 0;
+    for (const Rational& u : axis.knots) longest = std::max(longest, bits(u));
+    of_knots += longest * static_cast<std::uint64_t>(axis.degree);
+  }
+  if (of_knots > kMostKnotBits) return false;
+  for (int c = 0; c < spline.num_components(); ++c)
+    for (const Rational& x : spline.component(c))
+      if (bits(x) > kMostCoefficientBits) return false;
+  return true;
+}
+
+inline double rounded(const Rational& x) { return nearest_double(x); }
+inline double rounded(const WideFloat& x) { return nearest_double(x.exact()); }
+
+template <typename R, std::size_t N>
+Result<RoundedPieces<N>> rounded(const BezierPieces<R, N>& cut, std::uint64_t entity) {
   RoundedPieces<N> out;
   for (std::size_t a = 0; a < N; ++a)
-    for (const Rational& k : exact.breaks[a]) out.breaks[a].push_back(nearest_double(k));
-  for (const auto& piece : exact.pieces) {
+    for (const Rational& k : cut.breaks[a]) out.breaks[a].push_back(nearest_double(k));
+  for (const auto& piece : cut.pieces) {
     std::vector<double> coefficients;
     coefficients.reserve(piece.coefficients().size());
-    for (const Rational& c : piece.coefficients()) {
-      coefficients.push_back(nearest_double(c));
+    for (const R& c : piece.coefficients()) {
+      coefficients.push_back(rounded(c));
       if (!std::isfinite(coefficients.back()))
         return view_error(Code::kNotFinite, entity, "a coordinate is too large for binary64");
     }
@@ -69,6 +90,23 @@ Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std:
                             std::move(coefficients));
   }
   return out;
+}
+
+template <std::size_t N>
+BSpline<WideFloat, N> with_wide_floats(const BSpline<Rational, N>& spline) {
+  std::vector<WideFloat> coefficients;
+  for (int c = 0; c < spline.num_components(); ++c)
+    for (const Rational& x : spline.component(c)) coefficients.emplace_back(x);
+  return {spline.axes(), spline.num_components(), spline.is_rational(), std::move(coefficients)};
+}
+
+template <std::size_t N>
+Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std::uint64_t entity) {
+  if (num_piece_points(spline) > kMostViewPoints)
+    return view_error(Code::kOverLimit, entity,
+                      "its Bezier pieces have more than 33554432 control points");
+  if (is_cut_exactly(spline)) return rounded(bezier_pieces(spline), entity);
+  return rounded(bezier_pieces(with_wide_floats(spline)), entity);
 }
 
 /// The first three coordinates of homogeneous values, 0 where there are fewer.

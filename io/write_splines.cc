@@ -38,17 +38,21 @@ std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
 }
 
 // At least 17 significant digits, cut, of a magnitude that binary64 does not have. REQUIRES value != 0.
-std::string seventeen_digits(const Rational& value) {
+std::string seventeen_digits(const Rational& value, const ReadLimits& limits) {
   const auto bits = static_cast<std::int64_t>(value.numerator().bit_length()) -
                     static_cast<std::int64_t>(value.denominator().bit_length());
   const std::int64_t exponent = bits * 30103 / 100000 - 19;  // log10(2) = 0.30103
-  const std::string zeros(static_cast<std::size_t>(std::abs(exponent)), '0');
-  const Rational power(Integer::from_decimal("1" + zeros));
-  const Rational scaled = exponent < 0 ? value * power : value / power;
-  Integer whole;
-  mpz_tdiv_q(static_cast<mpz_ptr>(whole.gmp()), static_cast<mpz_srcptr>(scaled.numerator().gmp()),
-             static_cast<mpz_srcptr>(scaled.denominator().gmp()));
-  return whole.to_string() + "e" + std::to_string(exponent);
+  Integer power;
+  mpz_ui_pow_ui(static_cast<mpz_ptr>(power.gmp()), 10,
+                static_cast<unsigned long>(std::abs(exponent)));
+  const Rational scaled =
+      exponent < 0 ? abs(value) * Rational(power) : abs(value) / Rational(power);
+  std::string digits = floor_divide(scaled.numerator(), scaled.denominator()).to_string();
+  std::int64_t zeros = 0;
+  for (; digits.back() == '0'; ++zeros) digits.pop_back();
+  const auto spelled = spell_decimal(digits, exponent + zeros, limits);
+  return (value.sign() == Sign::kNegative ? "-" : "") +
+         spelled.value_or(digits + "e" + std::to_string(exponent + zeros));
 }
 
 }  // namespace
@@ -58,29 +62,30 @@ bool can_write(SplineFormat format) {
          format == SplineFormat::kJson;
 }
 
-std::string spline_bytes(const SplineModel& model, SplineFormat format) {
+std::string spline_bytes(const SplineModel& model, SplineFormat format, const ReadLimits& limits) {
   VT_CHECK(can_write(format), "spline_bytes needs a format that is written");
-  if (format == SplineFormat::kItd) return itd_bytes(model);
-  return format == SplineFormat::kG2 ? g2_bytes(model) : spline_json_bytes(model);
+  if (format == SplineFormat::kItd) return itd_bytes(model, limits);
+  return format == SplineFormat::kG2 ? g2_bytes(model, limits) : spline_json_bytes(model);
 }
 
-SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes) {
+SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes,
+                       const ReadLimits& limits) {
   SplineLoss loss;
   SplineReadOptions options;
   options.format = format;
+  options.limits = limits;
   options.limits.max_bytes = ~std::uint64_t{0};
-  options.limits.max_digits = ~std::uint32_t{0};
-  options.limits.max_exponent = ~std::uint32_t{0};
-  SplineModel back;
-  if (!bytes.empty()) {
-    auto file = read_spline_bytes(
-        {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
-    if (!file) {
-      loss.unreadable = file.error();
-      return loss;
-    }
-    back = std::move(file->model);
+  if (bytes.empty()) {
+    loss.unreadable = Error{Code::kEmpty, {}, "no spline is left for it to hold"};
+    return loss;
   }
+  const auto file = read_spline_bytes(
+      {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
+  if (!file) {
+    loss.unreadable = file.error();
+    return loss;
+  }
+  const SplineModel& back = file->model;
   if (model == back) return loss;
   if (!same_shapes(model, back))
     loss.shapes.push_back(std::to_string(num_changed(model, back)) + " of " +
@@ -94,11 +99,11 @@ SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std:
   return loss;
 }
 
-std::string decimal_or_nearest(const Rational& value) {
-  if (auto text = exact_decimal(value)) return std::move(*text);
+std::string decimal_or_nearest(const Rational& value, const ReadLimits& limits) {
+  if (auto text = exact_decimal(value, limits)) return std::move(*text);
   char digits[32];
   const double nearest = nearest_double(value);
-  if (nearest == 0 || !std::isfinite(nearest)) return seventeen_digits(value);
+  if (nearest == 0 || !std::isfinite(nearest)) return seventeen_digits(value, limits);
   const auto end = std::to_chars(digits, digits + sizeof digits, nearest);
   return {digits, static_cast<std::size_t>(end.ptr - digits)};
 }

@@ -4,6 +4,8 @@
 standard library only, and are short enough to read.
 """
 import ast
+import hashlib
+import json
 import pathlib
 import re
 import shutil
@@ -54,11 +56,28 @@ class CheckerAlone(unittest.TestCase):
         self.assertEqual(self.run_here(*command).returncode, 2)
 
     def test_the_python_one_imports_the_standard_library_only(self):
-        for node in ast.walk(ast.parse((self.alone / "veritope_check.py").read_text())):
-            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
-            names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-            for name in names:
-                self.assertIn(name.split(".")[0], sys.stdlib_module_names)
+        own = {path.stem for path in self.alone.glob("*.py")}
+        for path in self.alone.glob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text())):
+                names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+                names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+                for name in names:
+                    self.assertIn(name.split(".")[0], own | sys.stdlib_module_names, path.name)
+
+    def test_the_python_one_says_which_file_a_claim_needs(self):
+        model, certificate = self.alone / "m.vjson", self.alone / "m.cert"
+        model.write_bytes(b"{}")
+        digest = hashlib.sha256
+        statement = {"certificate": "veritope-certificate-1", "tool": "", "claim": "star-box-1", "subject_format": "vjson",
+                     "subject_sha256": digest(b"{}").hexdigest(), "subject_bytes": 2, "body_sha256": digest(b"").hexdigest(),
+                     **dict.fromkeys(("patches", "edges", "vertices", "shells", "bodies", "genus", "boxes", "flipped"), 0)}
+        certificate.write_text(json.dumps(statement, separators=(",", ":")) + "\n")
+        command = (sys.executable, "-I", "-S", "veritope_check.py", model.name, certificate.name)
+        there = self.run_here(*command)
+        self.assertEqual((there.returncode, "keys" in there.stderr), (4, True), there)       # it read the model
+        (self.alone / "star_box_read.py").unlink()
+        gone = self.run_here(*command)
+        self.assertEqual((gone.returncode, "beside" in gone.stderr), (4, True), gone)
 
     def test_the_cpp_one_includes_its_own_files_and_the_standard_library_only(self):
         for path in [*self.alone.glob("*.h"), *self.alone.glob("*.cc")]:

@@ -118,6 +118,21 @@ class Intersect(Folder):
             done = run("intersect", *arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
 
+    def test_a_gap_is_a_length(self):
+        good = self.file("plane.itd", plane(0))
+        for gap in ("nan", "0", "inf", "-1", "1e-301", "1e301", "x", ""):
+            done = run("intersect", good, good, "--gap=" + gap)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), gap)
+            self.assertIn("--gap", done.stderr)
+            if gap:
+                self.assertIn("must be a length from 1e-300 to 1e300, not " + gap, done.stderr)
+
+    def test_two_outputs_that_are_one_file_are_named_by_their_options(self):
+        good, out = self.file("plane.itd", plane(0)), self.folder / "x.json"
+        done = run("intersect", good, good, "-o", out, "--json", out)
+        self.assertEqual((done.returncode, done.stdout, out.exists()), (2, "", False))
+        self.assertIn("--output and --json would both write", done.stderr)
+
     def test_the_budget_ends_with_what_is_left(self):
         document = self.report(self.file("bowl.itd", paraboloid(1, 1, 0)), self.file("plane.itd", plane(0.25)), "--max-pairs", "20")
         self.assertFalse(document["complete"])

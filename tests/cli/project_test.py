@@ -92,6 +92,12 @@ class Project(Folder):
         bowl = self.bowl()
         for point in ("1,2,x", "1,,3", "", "1,2,nan"):
             self.assertEqual(2, run("project", point, bowl).returncode, point)
+        for coordinate, words in (("1e999999", "exponent is over the limit 4096"), ("0x1p5000", "exponent is over the limit 4096"), ("nan", "not finite"),
+                                  ("1/0", "not finite"), ("0." + "1" * 1001, "more than the limit 1000"), ("1" * 5097, "more than the limit 5096"), ("x", "not a decimal")):
+            done = run("project", coordinate + ",2,3", bowl)
+            self.assertEqual(2, done.returncode, coordinate)
+            self.assertIn(words, done.stderr)
+            self.assertIn(f"'{coordinate}'", done.stderr)
         done = run("project", "1,2", bowl)
         self.assertEqual(4, done.returncode)
         self.assertIn("dimension", done.stderr)

@@ -115,6 +115,37 @@ class Convert(Folder):
         # Polygons are geometry of the file that the model lacks.
         self.assertEqual(run("convert", SPLINES / "groups.itd", self.folder / "x.vjson").returncode, 1)
 
+    def test_nothing_is_no_file(self):
+        empty = self.folder / "empty.itd"
+        empty.write_text("[OBJECT A [NUMBER 1]]\n")
+        for target in ("a.itd", "a.g2", "a.obj"):
+            done = run("convert", "--lossy", empty, self.folder / target)
+            self.assertEqual(done.returncode, 4, target)
+            self.assertIn("not written", done.stderr)
+        done = run("convert", empty, self.folder / "a.vjson")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("dropped: 1 numbers, 1 groups without splines", done.stdout)
+        self.assertEqual(self.listing(), ["a.vjson", "empty.itd"])
+        self.assertEqual(info(self.folder / "a.vjson")[0]["lossless"], ["vjson"])
+        # A model of faces is all that there is, and .g2 has none.
+        text = (SPLINES / "trimmed.itd").read_text()
+        model = self.folder / "model.itd"
+        model.write_text(text[text.index("[MODEL"):text.rindex("]")])
+        done = run("convert", "--lossy", model, self.folder / "model.g2")
+        self.assertEqual((done.returncode, (self.folder / "model.g2").exists()), (4, False), done.stderr)
+
+    def test_what_would_not_be_read_back_is_not_written(self):
+        source = self.folder / "power.itd"
+        source.write_text("[CURVE POWER 3 E1 [1e4096] [1e-4096] [1]]\n")
+        done = run("convert", source, self.folder / "p.vjson")  # numbers of 8192 digits
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("would not be read back", done.stderr)
+        self.assertIn("--max-digits", done.stderr)
+        done = run("convert", "--max-digits", "9000", source, self.folder / "p.vjson")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(run("info", self.folder / "p.vjson").returncode, 4)
+        self.assertEqual(run("info", "--max-digits", "9000", self.folder / "p.vjson").returncode, 0)
+
     def test_wrong_usage_is_status_2(self):
         sample = SPLINES / "groups.itd"
         for arguments in ([sample, self.folder / "x.stl"], [sample, self.folder / "x"], [sample, "--to", "mfem", self.folder / "x.mesh"],

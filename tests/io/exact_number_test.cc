@@ -88,5 +88,46 @@ TEST(ExactNumber, AnExactDecimalReadsBackAsTheSameNumber) {
   }
 }
 
+TEST(ExactNumber, WhatIsWrittenIsReadWithinTheSameLimits) {
+  // The shortest digits of 1.5e-4096 are 15e-4097, over the limit of the exponent: the point moves.
+  for (const char* token :
+       {"1.5e-4096", "-123e4096", "0.00125e-4096", "1e4096", "7e-4096", "12300e4096"}) {
+    Rational value, back;
+    ASSERT_EQ(read_exact_decimal(token, {}, value), DecimalFault::kNone);
+    const auto text = exact_decimal(value);
+    ASSERT_TRUE(text) << token;
+    ASSERT_EQ(read_exact_decimal(*text, {}, back), DecimalFault::kNone) << *text;
+    EXPECT_EQ(back, value) << *text;
+  }
+  EXPECT_EQ(spell_decimal("15", -4097, {}), "1.5e-4096");
+  EXPECT_EQ(spell_decimal("15", 4098, {}), "1500e+4096");
+  EXPECT_EQ(spell_decimal("15", -5096, {}), std::nullopt);
+  EXPECT_EQ(spell_decimal("1", -5095, {}), "0." + std::string(998, '0') + "1e-4096");
+  EXPECT_EQ(exact_decimal(Rational::power_of_two(-1000)).has_value(), true);
+  EXPECT_EQ(exact_decimal(Rational::power_of_two(-4000)), std::nullopt);  // 2796 digits
+}
+
+TEST(ExactNumber, SmallLimitsOfDigitsAndExponentsAreKept) {
+  Random random(20251121);
+  for (int i = 0; i < 4000; ++i) {
+    ReadLimits limits;
+    limits.max_digits = static_cast<std::uint32_t>(1 + random.next() % 12);
+    limits.max_exponent = static_cast<std::uint32_t>(random.next() % 12);
+    std::string token;
+    for (std::uint64_t n = 1 + random.next() % limits.max_digits; n > 0; --n)
+      token += static_cast<char>('0' + random.next() % 10);
+    if (random.next() % 2 == 0) token.insert(random.next() % token.size() + 1, ".");
+    token += (random.next() % 2 == 0 ? "e-" : "e") +
+             std::to_string(random.next() % (limits.max_exponent + std::uint64_t{1}));
+    Rational value, back;
+    ASSERT_EQ(read_exact_decimal(token, limits, value), DecimalFault::kNone) << token;
+    const auto text = exact_decimal(value, limits);
+    ASSERT_TRUE(text) << "seed 20251121, case " << i << ": " << token;
+    ASSERT_EQ(read_exact_decimal(*text, limits, back), DecimalFault::kNone)
+        << token << " " << *text;
+    EXPECT_EQ(back, value) << token << " " << *text;
+  }
+}
+
 }  // namespace
 }  // namespace veritope

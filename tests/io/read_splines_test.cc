@@ -38,6 +38,7 @@ TEST(ReadSplines, ItdGroupsNamesAndAttributesAreATree) {
   EXPECT_EQ(file.model.entities[4].group, std::nullopt);
   EXPECT_EQ(left_out(file, "polygons"), 1u);
   EXPECT_EQ(left_out(file, "matrices"), 1u);
+  EXPECT_EQ(left_out(file, "groups without splines"), 1u);
   EXPECT_EQ(file.model.entities[0].place.line, 4u);
 }
 
@@ -126,6 +127,13 @@ TEST(ReadSplines, GismoWeightsAreMultipliedInAndCommentsHoldNothing) {
   EXPECT_EQ(left_out(file, "geometries of type THBSpline2"), 1u);
 }
 
+TEST(ReadSplines, AGismoGeometryWithoutATypeIsCalledThat) {
+  const auto file = read_splines(SplineFormat::kGismo,
+                                 "<xml><Geometry><Geometry type=\"BSpline\"/></Geometry></xml>");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(left_out(*file, "geometries without a type"), 1u);
+}
+
 TEST(ReadSplines, MfemPatchesMayBeCartesian) {
   const SplineFile file = sample("patches.mesh");
   EXPECT_EQ(exact_value<2>(shape<ExactSurface>(file, 0), {kHalf, Rational(1)}), "1 4/3");
@@ -190,6 +198,9 @@ TEST(ReadSplines, BadFilesAreRefusedWithEntityAndLine) {
       {kItd, "[OBJECT [a \"b]\n] ]", "truncated@1"},
       {kItd, "[OBJECT A B]", "syntax@1"},
       {kItd, "[SPHERE 1]", "syntax@1"},
+      {kItd, "\n\nhello", "syntax@3"},
+      {kItd, "a comment, and then the file was cut\n", "syntax@1"},
+      {kItd, "\n \n", "truncated@3"},
       {kItd, "[CURVE BEZIER 2 E1 [0] [1]]\n[MODEL 0 1 [MDLTSEG 0 1 0]]", "over-limit@2#1"},
       {kItd, "[MODEL 1 0 [MDLTSRF 1 [SURFACE BEZIER 2 2 E1 [0][0][0][0]] [MDLLOOP 1]]]",
        "index-out-of-range@1#0"},
@@ -233,6 +244,8 @@ TEST(ReadSplines, BadFilesAreRefusedWithEntityAndLine) {
       {kGismo, "<xml>\n<Geometry type=\"BSpline\"><KnotVector degree=\"99\">0 1</KnotVector>",
        "over-limit@2#0"},
       {kGismo, "<xml><!-- ", "truncated@1"},
+      {kGismo, "<xml><Geometry type=\"BSpline\">\n<Geometry type=\"BSpline\"/></Geometry></xml>",
+       "syntax@2#0"},
       {kGismo, "<!DOCTYPE a []><xml/>", "syntax@1"},
       {kJson, "{\"format\": \"veritope-spline-2\"", "unknown-format@1"},
       {kJson, "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [{}]}",
@@ -287,6 +300,61 @@ TEST(ReadSplines, LimitsAreObeyed) {
             "over-limit@1#0");
   options.limits.max_bytes = 3;
   EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, "[CURVE", options)), "over-limit");
+}
+
+std::string curve_of(std::uint64_t count, const std::string& number) {
+  std::string text = "[CURVE BSPLINE " + std::to_string(count) + " 2 E1\n[KV 0";
+  for (std::uint64_t i = 0; i < count; ++i) text += " " + std::to_string(i);
+  text += " " + std::to_string(count - 1) + "]\n";
+  for (std::uint64_t i = 0; i < count; ++i) text += "[" + number + "]";
+  return text + "]";
+}
+
+std::string sentence(const Result<SplineFile>& file) {
+  return file ? "read" : outcome(file) + " " + file.error().message;
+}
+
+TEST(ReadSplines, TheNumbersOfAFileHaveABudgetOfMemory) {
+  // 60,000 times 1700 bytes, of 900,000.
+  const std::string refused =
+      sentence(read_splines(SplineFormat::kItd, curve_of(60'000, "1e4096")));
+  EXPECT_NE(refused.find("over-limit@3#0 the file's numbers take more than"), refused.npos)
+      << refused;
+  EXPECT_NE(refused.find("'1e4096'"), refused.npos) << refused;
+  EXPECT_EQ(sentence(read_splines(SplineFormat::kItd, curve_of(5'000, "-1e-4096"))), "read");
+  // What is in the range of binary64 is within the budget however large the file: 77 MB of numbers.
+  EXPECT_EQ(sentence(read_splines(SplineFormat::kItd, curve_of(600'000, "1e308"))), "read");
+}
+
+TEST(ReadSplines, OneNumberOverTheBudgetIsNotWrittenOut) {
+  SplineReadOptions options;
+  options.limits.max_exponent = 4'000'000'000;
+  const std::string refused =
+      sentence(read_splines(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [1e3999999999]]", options));
+  EXPECT_NE(refused.find("over-limit@1#0 the file's numbers take more than"), refused.npos)
+      << refused;
+}
+
+TEST(ReadSplines, NumbersThatAreMadeOfTheFilesNumbersAreInTheBudget) {
+  // A weight times 1000 coordinates of two bytes each: 10 MB from 2 KB a point, 20 points.
+  std::string xml =
+      "<xml>\n<Geometry type=\"Nurbs\"><Basis><KnotVector degree=\"1\">0 0 1 2 3 4 5 6 7 8 9 10 11 "
+      "12 13 14 15 16 "
+      "17 18 19 19</KnotVector></Basis><weights>";
+  for (int i = 0; i < 20; ++i) xml += "1e40000 ";
+  xml += "</weights><coefs geoDim=\"1000\">";
+  for (int i = 0; i < 20'000; ++i) xml += "1 ";
+  SplineReadOptions options;
+  options.limits.max_exponent = 40000;
+  const auto file = read_splines(SplineFormat::kGismo, xml + "</coefs></Geometry></xml>", options);
+  EXPECT_EQ(outcome(file), "over-limit@2#0") << sentence(file);
+  // A constant in the power basis is a part of every coefficient.
+  std::string power = "[TRIVAR POWER 64 64 8 E1 [1e4096]";
+  for (int i = 1; i < 64 * 64 * 8; ++i) power += "[0]";
+  EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, power + "]")), "ok");
+  power = "[TRIVAR POWER 64 64 64 E1 [1e4096]";
+  for (int i = 1; i < 64 * 64 * 64; ++i) power += "[0]";
+  EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, power + "]")), "over-limit@1#0");
 }
 
 TEST(ReadSplines, FormatsAreFoundByNameAndByContent) {

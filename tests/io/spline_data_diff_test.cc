@@ -102,7 +102,11 @@ void expect_round_trips(const std::string& name, const SplineFile& file) {
   const SplineModel back = io_test::model_of(SplineFormat::kJson, json);
   EXPECT_TRUE(back == file.model) << name;
   EXPECT_EQ(spline_json_bytes(back), json) << name;
-  const SplineModel again = io_test::model_of(SplineFormat::kItd, itd_bytes(file.model) + " ");
+  if (file.model.entities.empty()) {
+    EXPECT_TRUE(spline_loss(file.model, SplineFormat::kItd, itd_bytes(file.model)).unreadable);
+    return;
+  }
+  const SplineModel again = io_test::model_of(SplineFormat::kItd, itd_bytes(file.model));
   EXPECT_TRUE(again == file.model) << name;
   const auto expected = values(file.model);
   EXPECT_EQ(values(back), expected) << name;

@@ -5,6 +5,8 @@
 #include <set>
 #include <sstream>
 
+#include "io/spline_view_internal.h"
+#include "robust/base/random.h"
 #include "tests/io/spline_test_util.h"
 
 namespace veritope {
@@ -45,11 +47,9 @@ TEST(VtkOrder, IsAPermutation) {
 }
 
 TEST(SplineView, Base64IsThatOfTheRfc) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  constexpr std::pair<const char*, const char*> kVectors[] = {
+      {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}};
+  for (const auto& [bytes, text] : kVectors) EXPECT_EQ(base64(bytes), text);
 }
 
 TEST(SplineView, AVtuHoldsTheBezierCellsWithTheirWeights) {
@@ -135,6 +135,73 @@ TEST(SplineView, WhatBinary64CannotHoldIsRefusedWithItsEntity) {
 TEST(SplineView, FormatsHaveNames) {
   EXPECT_EQ(view_format_from_name("GLTF"), ViewFormat::kGltf);
   EXPECT_EQ(view_format_from_name("itd"), std::nullopt);
+}
+
+// Degree 12, 30 random knots, weights; numbers of `digits` digits.
+ExactCurve random_curve(Random& random, int digits) {
+  const auto number = [&] {
+    std::string text;
+    for (int i = 0; i < digits; ++i) text += static_cast<char>('0' + random.next() % 10);
+    return Rational(Integer::from_decimal(text),
+                    Integer::from_decimal("1" + std::string(text.size(), '0')));
+  };
+  KnotAxis<Rational> axis{12, {}, false};
+  for (int i = 0; i < 30; ++i) axis.knots.push_back(number());
+  std::sort(axis.knots.begin(), axis.knots.end());
+  axis.knots.insert(axis.knots.begin(), 13, Rational(0));
+  axis.knots.insert(axis.knots.end(), 13, Rational(1));
+  const std::size_t n = axis.num_control();
+  std::vector<Rational> coefficients(4 * n);
+  for (Rational& x : coefficients) x = number();
+  for (std::size_t i = 3 * n; i < 4 * n; ++i) coefficients[i] += Rational(1);
+  return {{std::move(axis)}, 4, true, std::move(coefficients)};
+}
+
+TEST(SplineView, PiecesCutWithWideFloatsRoundToThoseCutExactly) {
+  Random random(20251123);
+  for (const int digits : {3, 17}) {
+    const ExactCurve curve = random_curve(random, digits);
+    EXPECT_EQ(internal::is_cut_exactly(curve), digits == 3);
+    const auto exact = internal::rounded(bezier_pieces(curve), 0);
+    const auto wide = internal::rounded(bezier_pieces(internal::with_wide_floats(curve)), 0);
+    ASSERT_TRUE(exact && wide);
+    EXPECT_EQ(exact->breaks, wide->breaks);
+    EXPECT_EQ(exact->pieces, wide->pieces) << "seed 20251123, digits " << digits;
+  }
+}
+
+TEST(SplineView, NumbersOfThousandsOfDigitsDoNotHoldUpAPicture) {
+  // Cut exactly this takes minutes.
+  Random random(20251124);
+  const SplineModel model{{}, {{random_curve(random, 1000), {}, {}, {}}}};
+  EXPECT_TRUE(view_bytes(model, ViewFormat::kObj, {}));
+}
+
+TEST(WideFloat, RoundsBelowTheLast256Bits) {
+  using internal::WideFloat;
+  Random random(20251125);
+  const auto number = [&] {
+    const Rational x(Integer(static_cast<std::int64_t>(random.next())),
+                     Integer(1 + (random.next() >> 1)));
+    return x * x * x * x * x *
+           Rational::power_of_two(static_cast<std::int64_t>(random.next() % 2000) - 1000);
+  };
+  const auto near = [](const Rational& a, const Rational& b, const Rational& size) {
+    return abs(a - b) <= size * Rational::power_of_two(-254);
+  };
+  for (int i = 0; i < 500; ++i) {
+    const Rational x = number(), y = number();
+    const WideFloat a(x), b(y);
+    EXPECT_TRUE(near(a.exact(), x, abs(x))) << "seed 20251125, case " << i;
+    const Rational u = a.exact(), v = b.exact();
+    EXPECT_TRUE(near((a + b).exact(), u + v, abs(u + v)) || near((a + b).exact(), u + v, abs(u)));
+    EXPECT_TRUE(near((a * b).exact(), u * v, abs(u * v)));
+    EXPECT_EQ((a - a).exact(), Rational());
+    EXPECT_EQ((-a).exact(), -u);
+    EXPECT_EQ((a + WideFloat()).exact(), u);
+  }
+  EXPECT_EQ(WideFloat(Rational()).exact(), Rational());
+  EXPECT_EQ(WideFloat(Rational(-3)).exact(), Rational(-3));
 }
 
 }  // namespace

@@ -133,6 +133,35 @@ TEST(WriteSplines, JsonOfExtremeDecimalsIsWithinTheUsualLimits) {
   EXPECT_TRUE(model_of(SplineFormat::kItd, itd_bytes(model)) == model);
 }
 
+TEST(WriteSplines, NoWriterMovesAnExponentOverTheLimit) {
+  const SplineModel model =
+      model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E2 [1.5e-4096 123e4096] [1 0.1e-4095]]");
+  for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kJson}) {
+    const std::string bytes = spline_bytes(model, format);
+    EXPECT_TRUE(model_of(format, bytes) == model) << bytes;
+    EXPECT_TRUE(spline_loss(model, format, bytes).shapes.empty());
+  }
+}
+
+TEST(WriteSplines, NumbersOfMoreDigitsThanTheReaderTakesAreALoss) {
+  SplineModel model = model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [3]]");
+  auto& x = std::get<ExactCurve>(model.entities[0].shape).component(0)[1];
+  x = Rational::power_of_two(-4000);  // 2796 decimal digits
+  const std::string rounded = itd_bytes(model);
+  EXPECT_TRUE(read_splines(SplineFormat::kItd, rounded)) << rounded;
+  EXPECT_FALSE(spline_loss(model, SplineFormat::kItd, rounded).shapes.empty());
+  ReadLimits wide;
+  wide.max_digits = 3000;
+  const std::string exact = itd_bytes(model, wide);
+  EXPECT_TRUE(spline_loss(model, SplineFormat::kItd, exact, wide).shapes.empty());
+  // Over the limits of our own format: not to be written.
+  x = Rational::power_of_two(-20000);
+  EXPECT_TRUE(spline_loss(model, SplineFormat::kJson, spline_json_bytes(model)).unreadable);
+  EXPECT_FALSE(
+      spline_loss(model, SplineFormat::kJson, spline_json_bytes(model), {.max_digits = 9000})
+          .unreadable);
+}
+
 TEST(WriteSplines, FormatsThatAreOnlyReadAreNotWritten) {
   EXPECT_FALSE(can_write(SplineFormat::kMfem));
   EXPECT_FALSE(can_write(SplineFormat::kGismo));

@@ -3,7 +3,8 @@
 """veritope_check.py MODEL CERT: does this certificate prove its claim about this model?
 
 Written from docs/certificates/reading-rule-1.md and docs/certificates/mesh.md (version 1) alone.
-Python 3.9 or later, standard library only, one file: copy it where you need it.
+Python 3.9 or later, standard library only, one file: copy it where you need it. The claim star-box-1
+(docs/certificates/star-box.md) needs star_box_*.py beside it; the claims about meshes do not.
 
 Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
 memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
@@ -19,7 +20,7 @@ import struct
 import sys
 from fractions import Fraction
 
-VERSION = "veritope_check.py 1 (mesh-valid-1, mesh-invalid-1; reading rule v1)"
+VERSION = "veritope_check.py 1 (mesh-valid-1, mesh-invalid-1, star-box-1; reading rule v1)"
 READING_RULE = (
     "Reading rule v1: vertices with equal coordinates are one vertex, -0 equals +0, unless"
     " as_indexed is true (STL: always one); vertex ids count first occurrences in file order;"
@@ -318,13 +319,14 @@ def strip(values):
 MEMBER = re.compile(r'"([^"\\]*)":(?:"([^"\\]*)"|(0|[1-9][0-9]*)|(true|false))')
 HEX64 = r"[0-9a-f]{64}"
 COMMON_KEYS = {"certificate": "veritope-certificate-1", "tool": r".{0,200}",
-               "claim": "mesh-valid-1|mesh-invalid-1", "subject_sha256": HEX64,
-               "subject_bytes": int, "subject_format": "stl|obj|ply|off", "reading_rule": r".*",
-               "as_indexed": bool, "body_sha256": HEX64}
+               "subject_sha256": HEX64, "subject_bytes": int, "body_sha256": HEX64}
+MESH_KEYS = {"claim": ".*", "subject_format": "stl|obj|ply|off", "reading_rule": r".*", "as_indexed": bool}
 CLAIM_KEYS = {
-    "mesh-valid-1": {"vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int,
+    "mesh-valid-1": {**MESH_KEYS, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int,
                      "genus": int, "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"},   # lowest terms: V11
-    "mesh-invalid-1": {"rules": r"M[1-9]( M[1-9])*"}}
+    "mesh-invalid-1": {**MESH_KEYS, "rules": r"M[1-9]( M[1-9])*"},
+    "star-box-1": {"claim": ".*", "subject_format": "vjson", "patches": int, "edges": int, "vertices": int,
+                   "shells": int, "bodies": int, "genus": int, "boxes": int, "flipped": int}}
 
 def parse_statement(cert):
     """(statement, body): S1."""
@@ -353,8 +355,9 @@ def parse_statement(cert):
     return statement, cert[end + 1:]
 
 def check_keys(statement):
-    keys = dict(COMMON_KEYS)
-    keys.update(CLAIM_KEYS.get(statement.get("claim"), {}))
+    if statement.get("claim") not in CLAIM_KEYS:
+        raise Reject("S1", "an unknown claim, or none")
+    keys = {**COMMON_KEYS, **CLAIM_KEYS[statement["claim"]]}
     if set(keys) != set(statement):
         raise Reject("S1", "keys missing or unknown: %s" % sorted(set(keys) ^ set(statement)))
     for key, rule in keys.items():
@@ -375,13 +378,15 @@ def _check(model_bytes, cert_bytes, skip):
     """check() with some conditions disabled: for tests only, main() has no way to reach it."""
     try:
         statement, body = parse_statement(cert_bytes)
-        if statement["reading_rule"] != READING_RULE:
+        if statement.get("reading_rule", READING_RULE) != READING_RULE:
             raise Reject("S2", "another reading rule")
         if (statement["subject_bytes"] != len(model_bytes) or
                 statement["subject_sha256"] != hashlib.sha256(model_bytes).hexdigest()):
             raise Reject("S3", "the certificate is about another file")
         if statement["body_sha256"] != hashlib.sha256(body).hexdigest():
             raise Reject("S4", "the body is not the one that the statement names")
+        if statement["claim"] == "star-box-1":
+            return check_star_box(statement, body, model_bytes, skip)
         mesh = Mesh(*read_model(model_bytes, statement["subject_format"], statement["as_indexed"]))
         decide = check_valid if statement["claim"] == "mesh-valid-1" else check_invalid
         decide(statement, Body(body), mesh, skip)
@@ -394,6 +399,16 @@ def _check(model_bytes, cert_bytes, skip):
     except Exception as e:                                  # our bug: never an ACCEPT
         return 5, "BUG: %s: %s" % (type(e).__name__, e)
     return 0, "ACCEPT " + statement["claim"]
+
+def check_star_box(statement, body, model_bytes, skip):
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    try:
+        import star_box_check
+    except ImportError as e:
+        return 4, "ERROR: star_box_*.py are not beside veritope_check.py: %s" % e
+    finally:
+        del sys.path[0]
+    return star_box_check.check(statement, body, model_bytes, skip)
 
 class Body:
     """A cursor over the body; running out of bytes is B1."""

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star.h: what the parts of star-box-1 share. The page: docs/certificates/star-box.md; the theory:
-// docs/THEORY.md, sections 4 and 5 of its second part.
+// star.h: what the parts of star-box-1 share. The page: docs/certificates/star-box.md.
 #pragma once
 #include <memory>
 
@@ -76,6 +75,13 @@ struct StarBody {
   uint64_t flipped = 0, leaves = 0, num_roots = 0;
 };
 StarBody read_star_body(const std::vector<Entity>& entities, Body body);  // B1, B2
+
+struct Place {  // of a patch: its entity, and the numbers of its intervals along u and v
+  const Entity* entity;
+  size_t surface, interval[2];  // surface: breaks 2 surface and 2 surface + 1 are its axes'
+};
+std::vector<Patch> cut_patches(const std::vector<Place>& places, int64_t unit,
+                               const std::vector<std::vector<Ratio>>& breaks);
 
 struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
   explicit Gluing(std::vector<Patch>* patches);

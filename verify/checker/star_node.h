@@ -55,3 +55,8 @@ void make_children(const Patch& p, Node* node);  // with nets and hulls
 void make_root_g(const Patch& p, Node* root);
 void make_children_g(const Patch& p, Node* node);          // REQUIRES the node's own, and children
 bool star_test(const Patch& p, Node* node, const Box& b);  // S1 on the node; REQUIRES its g
+
+Block packed(const std::vector<Big>& numbers);
+// The blocks of the children: of points of `numbers` numbers each, and what stands behind them (a
+// common weight), all times the same power of two.
+void quarters(const Shape& s, int numbers, const Block& b, Block* out);

@@ -52,7 +52,8 @@ void expect_leaves(Model& m) {
   EXPECT_TRUE(std::all_of(named.begin(), named.end(), [](bool b) { return b; }));
 }
 
-// PROVES THEORY-4.S1
+// PROVES STAR-1
+// PROVES STAR-1.S1
 TEST(StarCover, CoversSoundModelsAndFindsTheirSides) {
   const std::vector<std::pair<const char*, Patches>> models = {
       {"box", patch_shapes::box(origin(), {ratio(1), ratio(2), ratio(3)})},
@@ -97,6 +98,7 @@ TEST(StarCover, NeverCoversWhatTouchesOrCrossesItself) {
   }
 }
 
+// PROVES STAR-2
 TEST(ShellWalks, CountBodiesByDepthAndSeeReversedShells) {
   const auto ball = [](int radius) { return patch_shapes::placed(patch_shapes::sphere(), ratio(radius), origin()); };
   Model nested(patch_shapes::joined({patch_shapes::inside_out(ball(2)), ball(3), ball(1)}));
@@ -115,7 +117,7 @@ TEST(ShellWalks, CountBodiesByDepthAndSeeReversedShells) {
 }
 
 // Two blocks whose tops z = x/10 and z = 1/50 - x/10 cross: seen from the centres every sheet is a graph, and there are two.
-// PROVES THEORY-4.S2
+// PROVES STAR-1.S2
 TEST(CrossingNumber, CountsSheetsJointly) {
   const auto wedge = [](const Rational& slope, const Rational& height) {
     Patches block = patch_shapes::box({ratio(-1), ratio(-1), ratio(-2)}, {ratio(1), ratio(1), ratio(0)});

@@ -61,3 +61,4 @@ Statement read_statement(const std::string& certificate, const std::string& mode
 // The conditions behind S4. The result is what ACCEPT prints behind the claim.
 std::string check_mesh_valid(const Statement& statement, const Model& model, const Body& body);
 std::string check_mesh_invalid(const Statement& statement, const Model& model, const Body& body);
+std::string check_star_box(const Statement& statement, const std::string& model, const Body& body);

@@ -10,9 +10,11 @@ namespace {
 
 const char kUsage[] =
     "usage: veritope-check MODEL CERT\n"
-    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY or OFF). Prints ACCEPT with\n"
-    "the claim and exits with 0, or REJECT with the condition that fails and exits with 1.\n"
-    "Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the reading rule refuses\n"
+    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF or vjson). Prints\n"
+    "ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and exits "
+    "with\n"
+    "1. Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the reading rule "
+    "refuses\n"
     "the model, or the answer cannot be printed; 5 a bug.";
 
 std::string read_file(const std::string& name) {
@@ -50,6 +52,8 @@ int main(int argc, char** argv) {
     Body body = {nullptr, nullptr};
     const Statement s = read_statement(certificate, file, &body);
     const std::string &claim = s.text.at("claim"), &format = s.text.at("subject_format");
+    if (claim == "star-box-1")
+      return say(stdout, "ACCEPT " + claim + ": " + check_star_box(s, file, body), 0);
     const Model model = read_model(std::move(file), format, s.flag.at("as_indexed"));
     const auto check = claim == "mesh-valid-1" ? check_mesh_valid : check_mesh_invalid;
     return say(stdout, "ACCEPT " + claim + ": " + check(s, model, body), 0);
@@ -61,6 +65,7 @@ int main(int argc, char** argv) {
     std::fputs("veritope-check stops: out of memory\n", stderr);
     return 3;
   } catch (const std::exception& e) {  // NOT COVERED: a bug of the checker
-    return say(stderr, std::string("veritope-check stops: ") + e.what(), 5);  // NOT COVERED: the same
-  }  // NOT COVERED: the same
+    return say(stderr, std::string("veritope-check stops: ") + e.what(),
+               5);  // NOT COVERED: the same
+  }                 // NOT COVERED: the same
 }

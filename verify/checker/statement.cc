@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// statement.cc: conditions S1 to S4 of docs/certificates/mesh.md.
+// statement.cc: conditions S1 to S4 of docs/certificates/mesh.md and star-box.md.
 #include "checker.h"
 #include "sha256.h"
 
@@ -72,22 +72,33 @@ std::string keys(const std::map<std::string, T>& values) {  // a map is sorted b
   return r;
 }
 
+struct Keys {  // what a claim's statement has beside what all have, sorted
+  const char *claim, *text, *number, *flag;
+};
+const Keys kClaims[] = {
+    {"mesh-valid-1",
+     " body_sha256 certificate claim reading_rule subject_format subject_sha256 tool volume",
+     " bodies edges faces genus shells subject_bytes vertices", " as_indexed"},
+    {"mesh-invalid-1",
+     " body_sha256 certificate claim reading_rule rules subject_format subject_sha256 tool",
+     " subject_bytes", " as_indexed"},
+    {"star-box-1", " body_sha256 certificate claim subject_format subject_sha256 tool",
+     " bodies boxes edges flipped genus patches shells subject_bytes vertices", ""}};
+
 void check_form(Statement s) {
-  const bool valid = s.text["claim"] == "mesh-valid-1";
-  require(valid || s.text["claim"] == "mesh-invalid-1", "S1", "unknown claim");
-  const std::string first = " body_sha256 certificate claim reading_rule",
-                    last = " subject_format subject_sha256 tool";
-  require(keys(s.text) == first + (valid ? last + " volume" : " rules" + last) &&
-              keys(s.number) == (valid ? " bodies edges faces genus shells subject_bytes vertices"
-                                       : " subject_bytes") &&
-              keys(s.flag) == " as_indexed",
-          "S1", "not exactly the keys of the claim, each with a value of its kind");
+  const Keys* c = kClaims;
+  while (c != kClaims + 3 && s.text["claim"] != c->claim) ++c;
+  require(c != kClaims + 3, "S1", "unknown claim");
+  const bool valid = c == kClaims, is_mesh = c < kClaims + 2;
+  require(keys(s.text) == c->text && keys(s.number) == c->number && keys(s.flag) == c->flag, "S1",
+          "not exactly the keys of the claim, each with a value of its kind");
   require(s.text["certificate"] == "veritope-certificate-1", "S1", "unknown kind of certificate");
   require(s.text["tool"].size() <= 200, "S1", "tool is longer than 200 bytes");
   require(is_hash(s.text["subject_sha256"]) && is_hash(s.text["body_sha256"]), "S1", "no hash");
   const std::string format = s.text["subject_format"], volume = s.text["volume"];
-  require(format == "stl" || format == "obj" || format == "ply" || format == "off", "S1",
-          "unknown subject_format");
+  require(is_mesh ? format == "stl" || format == "obj" || format == "ply" || format == "off"
+                  : format == "vjson",
+          "S1", "unknown subject_format");
   const size_t slash = std::min(volume.find('/'), volume.size());
   require(!valid || (is_natural(volume.substr(0, slash)) && slash < volume.size() &&
                      is_natural(volume.substr(slash + 1)) && volume[slash + 1] != '0'),
@@ -95,7 +106,7 @@ void check_form(Statement s) {
   std::string rules = s.text["rules"] + ' ';
   for (char c = '1'; c <= '9'; ++c)
     if (rules.compare(0, 3, std::string("M") + c + ' ') == 0) rules.erase(0, 3);
-  require(valid || rules.empty(), "S1", "rules is no ascending list of M1 to M9");
+  require(valid || !is_mesh || rules.empty(), "S1", "rules is no ascending list of M1 to M9");
 }
 
 }  // namespace
@@ -107,7 +118,8 @@ Statement read_statement(const std::string& certificate, const std::string& mode
     require(certificate[i] >= 32 && certificate[i] <= 126, "S1", "no printable ASCII: byte", i);
   Statement s = Json{certificate.data()}.object();
   check_form(s);
-  require(s.text["reading_rule"] == kReadingRule, "S2", "another reading rule");
+  require(s.text["claim"] == "star-box-1" || s.text["reading_rule"] == kReadingRule, "S2",
+          "another reading rule");
   require(s.number["subject_bytes"] == model.size(), "S3", "the model's size is", model.size());
   require(s.text["subject_sha256"] == sha256(model.data(), model.size()), "S3", "another model");
   const uint8_t* const begin = reinterpret_cast<const uint8_t*>(certificate.data());

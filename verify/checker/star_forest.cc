@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+#include "star_forest.h"
+
+namespace {
+const uint64_t kKeptLimbs = uint64_t(40) << 20;    // 320 MiB between boxes
+const uint64_t kMostLimbs = uint64_t(160) << 20;   // 1,280 MiB within one
+const uint64_t kNodeLimbs = sizeof(Node) / 8 + 8;  // what a node costs besides its numbers
+
+uint64_t limbs_below(const Node& n) {  // itself included
+  uint64_t r = n.limbs() + kNodeLimbs;
+  for (int c = 0; c < 4 && n.child; ++c) r += limbs_below(n.child[c]);
+  return r;
+}
+
+}  // namespace
+
+Forest::Forest(StarBody* body, Units* units)
+    : patches_(&body->patches), units_(units), roots_(body->num_roots), used_(body->num_roots) {
+  std::vector<int64_t> hulls;
+  for (uint32_t i = 0; i < body->patches.size(); ++i) {
+    const Patch& p = body->patches[i];
+    uint64_t symbol = p.first_symbol;
+    for (uint64_t root = p.first_root; root < p.first_root + p.num_roots(); ++root) {
+      patch_of_.push_back(i);
+      order_.push_back(root);
+      const Hull& h = use(root)->hull;
+      hulls.insert(hulls.end(), h.out_lo, h.out_lo + 3);
+      hulls.insert(hulls.end(), h.out_hi, h.out_hi + 3);
+      cover(body, roots_[root].get(), p, &symbol);
+      tidy();
+    }
+  }
+  for (size_t i = 0; i < body->boxes.size(); ++i)
+    require(body->boxes[i].component != kNoPair, "C1", "no leaf names the box", i);
+  if (body->num_roots > 0) build(0, body->num_roots, hulls);
+}
+
+// The tree of a node: every leaf's hull in its box.
+void Forest::cover(StarBody* body, Node* node, const Patch& p, uint64_t* symbol) {
+  const uint32_t s = body->symbols[(*symbol)++];
+  if (s != 0) {
+    Box& b = body->boxes[s - 1];
+    require(node->hull.is_inside(b), "C1", "the hull of a leaf is not in its box", s - 1);
+    require(b.component == kNoPair || b.component == p.component, "C1",
+            "leaves of two components name the box", s - 1);
+    b.component = p.component;
+    return;
+  }
+  Node* const child = children(p, node);
+  for (int c = 0; c < 4; ++c) cover(body, child + c, p, symbol);
+  if (limbs_ <= kKeptLimbs) return;
+  limbs_ -= limbs_below(*node) - node->limbs() - kNodeLimbs;
+  node->child.reset();
+}
+
+Node* Forest::use(uint64_t root) {
+  if (!roots_[root]) {
+    const Patch& p = (*patches_)[patch_of_[root]];
+    roots_[root].reset(new Node(make_root(p, root - p.first_root)));
+    add(roots_[root]->limbs());
+    live_.push_back(root);
+  }
+  used_[root] = ++time_;
+  return roots_[root].get();
+}
+void Forest::add(size_t limbs) {
+  limbs_ += limbs + kNodeLimbs;
+  require(limbs_ <= kMostLimbs, units_->id, "over a limit of this checker: 1,280 MiB of nodes");
+}
+void Forest::need_g(const Patch& p, Node* node, Node* parent) {
+  if (!node->g.d.empty()) return;
+  if (parent == nullptr) {
+    make_root_g(p, node);
+    add(node->g.d.size());
+    return;
+  }
+  make_children_g(p, parent);
+  for (int c = 0; c < 4; ++c) add(parent->child[c].g.d.size());
+}
+void Forest::tidy() {
+  if (limbs_ <= kKeptLimbs) return;
+  std::sort(live_.begin(), live_.end(),
+            [&](uint64_t a, uint64_t b) { return used_[a] < used_[b]; });
+  // Half of it goes, so that the sort is paid by what was made since the last one.
+  size_t first = live_.size();
+  for (limbs_ = 0; first > 0; --first) {
+    const uint64_t one = limbs_below(*roots_[live_[first - 1]]);
+    if (limbs_ + one > kKeptLimbs / 2) break;
+    limbs_ += one;
+  }
+  for (size_t i = 0; i < first; ++i) roots_[live_[i]].reset();
+  live_.erase(live_.begin(), live_.begin() + int64_t(first));
+}
+
+size_t Forest::build(uint64_t lo, uint64_t hi, const std::vector<int64_t>& hulls) {
+  const size_t node = ranges_.size();
+  ranges_.push_back(Range{lo, hi, 0});
+  bounds_.insert(bounds_.end(), 3, kFarthest);
+  bounds_.insert(bounds_.end(), 3, -kFarthest);
+  for (uint64_t i = lo; i < hi; ++i)
+    for (size_t k = 0; k < 3; ++k) {
+      const int64_t* const h = &hulls[6 * order_[i]];
+      bounds_[6 * node + k] = std::min(bounds_[6 * node + k], h[k]);
+      bounds_[6 * node + 3 + k] = std::max(bounds_[6 * node + 3 + k], h[3 + k]);
+    }
+  if (hi - lo == 1) return node;
+  size_t axis = 0;
+  const auto width = [&](size_t k) { return bounds_[6 * node + 3 + k] - bounds_[6 * node + k]; };
+  for (size_t k = 1; k < 3; ++k)
+    if (width(k) > width(axis)) axis = k;
+  const uint64_t middle = lo + (hi - lo) / 2;
+  std::nth_element(order_.begin() + int64_t(lo), order_.begin() + int64_t(middle),
+                   order_.begin() + int64_t(hi), [&](uint64_t a, uint64_t b) {
+                     return hulls[6 * a + axis] + hulls[6 * a + 3 + axis] <
+                            hulls[6 * b + axis] + hulls[6 * b + 3 + axis];
+                   });
+  build(lo, middle, hulls);
+  const size_t right = build(middle, hi, hulls);
+  ranges_[node].right = right;
+  return node;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_forest.h: the roots of all patches in a hierarchy of boxes, their nodes made when needed.
+#pragma once
+#include "star_node.h"
+
+class Forest {
+ public:
+  // C1, and the component of each box.
+  Forest(StarBody* body, Units* units);
+
+  // visit(patch, root) for every root whose hull may meet the box with corners lo, hi (some that do
+  // not may come, too), and to which all boxes on the way lead: leads(lo, hi).
+  template <class Leads, class Visit>
+  void descend(Leads leads, Visit visit) {
+    std::vector<size_t> open(1, 0);
+    for (Range r; !open.empty();) {
+      const size_t node = open.back();
+      open.pop_back();
+      r = ranges_[node];
+      if (!leads(&bounds_[6 * node], &bounds_[6 * node + 3])) continue;
+      if (r.hi - r.lo == 1) {
+        const uint64_t root = order_[r.lo];
+        visit((*patches_)[patch_of_[root]], use(root));
+        continue;
+      }
+      open.push_back(r.right);
+      open.push_back(node + 1);
+    }
+  }
+  Node* children(const Patch& p, Node* node) {
+    if (!node->child) {
+      make_children(p, node);
+      for (int c = 0; c < 4; ++c) add(node->child[c].limbs());
+    }
+    return node->child.get();
+  }
+  void need_g(const Patch& p, Node* node, Node* parent);
+  // Forgets what was used least lately if there is too much. Ends the use of all nodes.
+  void tidy();
+
+ private:
+  struct Range {
+    uint64_t lo, hi, right;
+  };
+  Node* use(uint64_t root);
+  void add(size_t limbs);
+  void cover(StarBody* body, Node* node, const Patch& p, uint64_t* symbol);
+  size_t build(uint64_t lo, uint64_t hi, const std::vector<int64_t>& hulls);
+
+  const std::vector<Patch>* patches_;
+  Units* units_;
+  std::vector<uint32_t> patch_of_;  // of each root
+  std::vector<std::unique_ptr<Node>> roots_;
+  std::vector<uint64_t> used_, order_, live_;  // used_: when last; live_: roots that are made
+  std::vector<Range> ranges_;                  // the hierarchy, in preorder
+  std::vector<int64_t> bounds_;
+  uint64_t time_ = 0, limbs_ = 0;
+};

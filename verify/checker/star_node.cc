@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_node.cc: halves and quarters in fixed widths, hulls, roots and children.
+#include "star_node.h"
+
+#include "star_limbs.h"
+
+namespace {
+
+__extension__ typedef __int128 i128;
+
+// All numbers with n limbs.
+Block widened(const Block& b, int n) {
+  Block r;
+  r.n = n;
+  r.d.resize(b.d.size() / size_t(b.n) * size_t(n));
+  uint64_t* out = r.d.data();
+  for (const uint64_t* in = b.d.data(); in != b.d.data() + b.d.size(); in += b.n) {
+    std::copy(in, in + std::min(n, b.n), out);
+    std::fill(out + std::min(n, b.n), out + n, 0 - (in[b.n - 1] >> 63));
+    out += n;
+  }
+  return r;
+}
+// The largest magnitude's bits, and how often 2 divides all.
+int bits_of(const Block& b, int* twos) {
+  std::vector<uint64_t> any(size_t(b.n)), low(size_t(b.n));
+  for (size_t i = 0; i < b.d.size(); i += size_t(b.n)) {
+    const uint64_t flip = 0 - (b.d[i + size_t(b.n) - 1] >> 63);
+    for (size_t k = 0; k < size_t(b.n); ++k) any[k] |= b.d[i + k] ^ flip, low[k] |= b.d[i + k];
+  }
+  int bits = 0;
+  *twos = 0;
+  for (int k = 0; k < b.n; ++k)
+    if (any[size_t(k)] != 0) bits = 64 * k + bit_length(any[size_t(k)]);
+  for (int k = 0; k < b.n; ++k) {
+    if (low[size_t(k)] == 0) continue;
+    *twos = 64 * k + __builtin_ctzll(low[size_t(k)]);
+    break;
+  }
+  return bits;
+}
+void shrink(Block* b) {
+  int twos = 0;
+  const int bits = bits_of(*b, &twos);
+  if (twos > 0) {
+    const int limbs = twos / 64, low = twos % 64;
+    for (size_t i = 0; i < b->d.size(); i += size_t(b->n)) {
+      uint64_t* const a = &b->d[i];
+      const uint64_t above = 0 - (a[b->n - 1] >> 63);
+      for (int k = 0; k < b->n; ++k) {
+        const uint64_t x = k + limbs < b->n ? a[k + limbs] : above;
+        const uint64_t y = k + limbs + 1 < b->n ? a[k + limbs + 1] : above;
+        a[k] = low == 0 ? x : x >> low | y << (64 - low);
+      }
+    }
+  }
+  const int n = std::max(1, (bits - twos) / 64 + 1);  // one bit more for the sign
+  if (n < b->n) *b = widened(*b, n);
+}
+// Halves along an axis; what stands behind the points (a common weight) is only scaled.
+void halves(const Shape& s, int axis, int numbers, const Block& b, Block* out) {
+  int twos;
+  const int p = axis == 0 ? s.p : s.q, n = (bits_of(b, &twos) + p) / 64 + 1;
+  out[0] = out[1] = widened(b, n);
+  WITH_LIMBS(n, halve_all(s, axis, numbers, n, out[0].d.data(), out[1].d.data()))
+  const size_t points = size_t(s.count()) * size_t(numbers) * size_t(n);
+  for (int i = 0; i < 2; ++i) {
+    for (size_t k = points; k < out[i].d.size(); k += size_t(n))
+      Limbs<0>::shift(&out[i].d[k], 1, n, p);
+  }
+}
+// floor(x / w), cut at +-kFarthest; w > 0.
+int64_t floor_ratio(const uint64_t* x, const uint64_t* w, int n, bool* exact) {
+  if (n == 1) {
+    const int64_t a = int64_t(*x), d = int64_t(*w), q = a / d - (a % d < 0);
+    *exact = a % d == 0;
+    return std::max(-kFarthest, std::min(kFarthest, q));
+  }
+  if (n == 2) {
+    const i128 a = i128(u128(x[1]) << 64 | x[0]), d = i128(u128(w[1]) << 64 | w[0]);
+    const i128 q = a / d - (a % d < 0);
+    *exact = a % d == 0;
+    return int64_t(std::max<i128>(-kFarthest, std::min<i128>(kFarthest, q)));
+  }
+  Big rest;
+  Big q = divide(Big::of(x, n), Big::of(w, n), &rest);
+  *exact = rest.sign() == 0;
+  if (rest.sign() < 0) q = q - Big(1);
+  if (q.bits() > 61) return q.sign() * kFarthest;
+  return q.sign() == 0 ? 0 : q.sign() * int64_t(q.m[0]);
+}
+bool is_less(const uint64_t* a, const uint64_t* b, int n) {
+  if (a[n - 1] != b[n - 1]) return int64_t(a[n - 1]) < int64_t(b[n - 1]);
+  for (int i = n - 1; i-- > 0;)
+    if (a[i] != b[i]) return a[i] < b[i];
+  return false;
+}
+void set_hull(const Patch& p, Node* node) {
+  Hull& h = node->hull;
+  const int n = node->net.n, count = p.shape.count();
+  for (int k = 0; k < 3; ++k) {
+    h.out_lo[k] = h.in_lo[k] = kFarthest;
+    h.out_hi[k] = h.in_hi[k] = -kFarthest;
+    int least = 0, most = 0;
+    for (int i = 1; i < count && !p.is_rational; ++i) {
+      const uint64_t* const x = node->coordinate(p, i, k);
+      if (is_less(x, node->coordinate(p, least, k), n)) least = i;
+      if (is_less(node->coordinate(p, most, k), x, n)) most = i;
+    }
+    for (int i = 0; i < count; ++i) {
+      if (!p.is_rational && i != least && i != most) continue;
+      bool exact;
+      const int64_t low = floor_ratio(node->coordinate(p, i, k), node->weight(p, i), n, &exact);
+      const int64_t high = exact ? low : std::min(low + 1, kFarthest);
+      h.out_lo[k] = std::min(h.out_lo[k], low);
+      h.in_lo[k] = std::min(h.in_lo[k], high);
+      h.in_hi[k] = std::max(h.in_hi[k], low);
+      h.out_hi[k] = std::max(h.out_hi[k], high);
+    }
+  }
+}
+
+}  // namespace
+
+Block packed(const std::vector<Big>& numbers) {
+  Block b;
+  int64_t bits = 0;
+  for (const Big& x : numbers) bits = std::max(bits, x.bits());
+  b.n = int(bits / 64 + 1);
+  b.d.resize(numbers.size() * size_t(b.n));
+  for (size_t i = 0; i < numbers.size(); ++i) numbers[i].store(&b.d[i * size_t(b.n)], b.n);
+  shrink(&b);
+  return b;
+}
+
+void quarters(const Shape& s, int numbers, const Block& b, Block* out) {
+  if (!s.is_triangle) {
+    Block half[2];
+    halves(s, 0, numbers, b, half);
+    for (int i = 0; i < 2; ++i) halves(s, 1, numbers, half[i], out + 2 * i);
+  } else {
+    int twos;
+    const int n = (bits_of(b, &twos) + s.p) / 64 + 1;
+    const size_t points = size_t(s.count()) * size_t(numbers) * size_t(n);
+    for (int c = 0; c < 4; ++c) {
+      out[c] = widened(b, n);
+      uint64_t* const d = out[c].d.data();
+      if (c < 3) WITH_LIMBS(n, corner(s, c, d, numbers, n))
+      if (c == 3) WITH_LIMBS(n, middle(s, out[2].d.data(), d, numbers, n))
+      for (size_t k = points; k < out[c].d.size(); k += size_t(n))
+        Limbs<0>::shift(d + k, 1, n, s.p);
+    }
+  }
+  for (int c = 0; c < 4; ++c) shrink(out + c);
+}
+
+bool Node::is_outer(const Patch& p, int e) const {
+  const int64_t whole = kWholeSide;
+  if (!p.shape.is_triangle)
+    return e == 0   ? at[0][1] == 0
+           : e == 1 ? at[1][0] == whole
+           : e == 2 ? at[2][1] == whole
+                    : at[3][0] == 0;
+  for (int i = 1; i < 3; ++i) {
+    const int64_t* const c = at[(e + i) % 3];
+    if ((e == 0 ? whole - c[0] - c[1] : c[e - 1]) != 0) return false;
+  }
+  return true;
+}
+
+Node make_root(const Patch& p, uint64_t root) {
+  Node r = Node();
+  std::vector<Big> numbers;
+  for (size_t i = 0; i < p.net.size(); ++i)
+    if (p.is_rational || i % 4 < 3 || i + 1 == p.net.size()) numbers.push_back(p.net[i]);
+  r.net = packed(numbers);
+  const int64_t ij[2] = {int64_t(root >> p.roots[1]),
+                         int64_t(root & ((uint64_t(1) << p.roots[1]) - 1))};
+  for (int axis = 0; axis < 2; ++axis)
+    for (int bit = p.roots[axis]; bit-- > 0;) {
+      Block half[2];
+      halves(p.shape, axis, p.is_rational ? 4 : 3, r.net, half);
+      r.net = half[ij[axis] >> bit & 1];
+      shrink(&r.net);
+    }
+  if (p.shape.is_triangle) {
+    r.at[1][0] = r.at[2][1] = kWholeSide;
+  } else {
+    for (int c = 0; c < 4; ++c)
+      for (int axis = 0; axis < 2; ++axis)
+        r.at[c][axis] =
+            (ij[axis] + int((axis == 0 ? c + 1 : c) % 4 >= 2)) * (kWholeSide >> p.roots[axis]);
+  }
+  set_hull(p, &r);
+  return r;
+}
+
+void make_children(const Patch& p, Node* node) {
+  node->child.reset(new Node[4]());
+  Block quarter[4];
+  quarters(p.shape, p.is_rational ? 4 : 3, node->net, quarter);
+  const auto& a = node->at;
+  for (int c = 0; c < 4; ++c) {
+    Node& to = node->child[c];
+    to.level = node->level + 1;
+    to.net = std::move(quarter[c]);
+    for (int i = 0; i < p.shape.sides(); ++i)
+      for (int k = 0; k < 2; ++k) {
+        // The midpoint with the corner that the quarter is at; of the middle triangle, of the two
+        // other corners.
+        const int own = p.shape.is_triangle ? c : (c == 0 ? 0 : c == 1 ? 3 : c == 2 ? 1 : 2);
+        to.at[i][k] =
+            (own < p.shape.sides() ? a[i][k] + a[own][k] : a[(i + 1) % 3][k] + a[(i + 2) % 3][k]) /
+            2;
+      }
+    set_hull(p, &to);
+  }
+}

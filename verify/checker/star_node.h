@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_node.h: nodes of docs/certificates/star-box.md, section 4: hulls, quarters, S1.
+//
+// Numbers are integers in two's complement, as many limbs each as the largest of a block needs.
+// Halving multiplies by 2^degree instead of dividing: p + q bits a quartering of a tensor product,
+// p bits of a triangle; common powers of two are divided out again. All values are controlled by
+// control points of the node they belong to, so limbs for B + p + q + 1 bits hold every result, and
+// sums that pass this range on the way are right modulo the width.
+#pragma once
+#include "star.h"
+
+struct Block {
+  int n = 0;  // limbs of a number
+  std::vector<uint64_t> d;
+  const uint64_t* number(size_t i) const { return &d[i * size_t(n)]; }
+};
+
+struct
+    Hull {  // in units 2^E: the exact one, rounded to integers outwards and inwards; farther ones
+  int64_t out_lo[3], out_hi[3], in_lo[3], in_hi[3];  // are cut at +-kFarthest
+  bool misses(const Box& b) const {                  // exact, as the box has integers and is nearer
+    for (int k = 0; k < 3; ++k)
+      if (in_hi[k] < b.lo[k] || in_lo[k] > b.hi[k]) return true;
+    return false;
+  }
+  bool is_inside(const Box& b) const {
+    for (int k = 0; k < 3; ++k)
+      if (out_lo[k] < b.lo[k] || out_hi[k] > b.hi[k]) return false;
+    return true;
+  }
+};
+
+struct Node {
+  int level;
+  int64_t at[4][2];  // corners: (u, v), or the second and third barycentric coordinate
+  Hull hull;
+  Block net;  // (X, Y, Z), and W for all behind the last; rational: (X, Y, Z, W)
+  Block g;    // G0, G1, G2, G3 of each coefficient of g_c = G0 + c.G, once needed
+  uint32_t last_fail;
+  std::unique_ptr<Node[]> child;  // four, once needed
+
+  size_t limbs() const { return net.d.size() + g.d.size(); }  // of this node alone
+  const uint64_t* weight(const Patch& p, int point) const {
+    return net.number(p.is_rational ? size_t(4 * point + 3) : size_t(3 * p.shape.count()));
+  }
+  const uint64_t* coordinate(const Patch& p, int point, int k) const {
+    return net.number(size_t((p.is_rational ? 4 : 3) * point + k));
+  }
+  // Is side e part of a side of the patch? Then it is of the side e.
+  bool is_outer(const Patch& p, int e) const;
+};
+
+Node make_root(const Patch& p, uint64_t root);   // v fastest
+void make_children(const Patch& p, Node* node);  // with nets and hulls
+void make_root_g(const Patch& p, Node* root);
+void make_children_g(const Patch& p, Node* node);          // REQUIRES the node's own, and children
+bool star_test(const Patch& p, Node* node, const Box& b);  // S1 on the node; REQUIRES its g
+
+Block packed(const std::vector<Big>& numbers);
+// The blocks of the children: of points of `numbers` numbers each, and what stands behind them (a
+// common weight), all times the same power of two.
+void quarters(const Shape& s, int numbers, const Block& b, Block* out);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_patches.cc: the patches of docs/certificates/star-box.md, section 3, that the breaks cut the
+// surfaces into, and the limits of B2 on their numbers.
+#include "star.h"
+
+namespace {
+
+// The numbers times a factor > 0, as integers without a common factor. B2: the least common
+// denominator and the numbers times it have at most so many bits.
+std::vector<Big> integers(const std::vector<Ratio>& v, int64_t most) {
+  Big factor = 1, common;
+  for (const Ratio& x : v) {
+    factor = factor * divide(x.d, gcd(factor, x.d), nullptr);
+    require(factor.bits() <= most, "B2", "a common denominator has more bits than", uint64_t(most));
+  }
+  std::vector<Big> r;
+  for (const Ratio& x : v) {
+    r.push_back(x.n * divide(factor, x.d, nullptr));
+    require(r.back().bits() <= most, "B2", "a number has more bits than", uint64_t(most));
+  }
+  for (size_t i = r.size(); i-- > 0 && !(common == Big(1));) common = gcd(common, r[i]);
+  for (Big& x : r)
+    if (!(common == Big(1)) && common.sign() != 0) x = divide(x, common, nullptr);
+  return r;
+}
+
+// The Bezier coefficients on [a, b] of a spline of degree p are matrix times the control points
+// first, ..., first + p, up to a common positive factor. By blossoms: coefficient j is the polar
+// form at p - j times a and j times b, evaluated with the knots around the interval (de Boor), the
+// steps of each level times the same factor.
+struct Extraction {
+  size_t first;
+  std::vector<std::vector<Big>> matrix;
+};
+Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a, const Ratio& b) {
+  size_t k = p;
+  while (compare(knots[k + 1], a) <= 0) ++k;  // knots[k] <= a < b <= knots[k + 1]
+  std::vector<Ratio> from_a;
+  for (size_t i = k - p + 1; i <= k + p; ++i) from_a.push_back(knots[i] - a);
+  from_a.push_back(b - a);
+  const std::vector<Big> t = integers(from_a, kMostKnotBits);
+  Extraction e = {k - p, {}};
+  for (size_t j = 0; j <= p; ++j) {
+    std::vector<std::vector<Big>> d(p + 1, std::vector<Big>(p + 1));
+    for (size_t i = 0; i <= p; ++i) d[i][i] = 1;
+    for (size_t r = 1; r <= p; ++r) {
+      Big common = 1;
+      for (size_t i = r; i <= p; ++i) {
+        const Big length = t[p + i - r] - t[i - 1];
+        common = common * divide(length, gcd(common, length), nullptr);
+      }
+      const Big at = r <= j ? t.back() : Big();
+      for (size_t i = p; i >= r; --i) {
+        const Big f = divide(common, t[p + i - r] - t[i - 1], nullptr);
+        const Big up = f * (at - t[i - 1]), down = f * (t[p + i - r] - at);
+        for (size_t c = 0; c <= p; ++c) d[i][c] = down * d[i - 1][c] + up * d[i][c];
+      }
+    }
+    e.matrix.push_back(d[p]);
+  }
+  return e;
+}
+
+// Control points i * row + j with i, j from first on, p times q of them, homogeneous.
+std::vector<Big> window(const Entity& e, const size_t* first, size_t p, size_t q, size_t row,
+                        int64_t unit) {
+  const size_t components = size_t(e.components);
+  std::vector<Ratio> r;
+  for (size_t i = 0; i < p; ++i)
+    for (size_t j = 0; j < q; ++j)
+      for (size_t c = 0; c < 4; ++c) {
+        const size_t at = ((first[0] + i) * row + first[1] + j) * components + c;
+        r.push_back(c < 3 ? scaled(e.points[at], -unit) : c < components ? e.points[at] : Ratio(1));
+      }
+  return integers(r, kMostBits);
+}
+std::vector<Big> extracted(const Entity& e, const Extraction& u, const Extraction& v,
+                           int64_t unit) {
+  const size_t p = u.matrix.size(), q = v.matrix.size();  // degrees + 1
+  const size_t first[2] = {u.first, v.first};
+  const std::vector<Big> net = window(e, first, p, q, e.knots[1].size() - q, unit);
+  std::vector<Big> half(4 * p * q), r(4 * p * q);
+  for (size_t i = 0; i < p; ++i)
+    for (size_t j = 0; j < q; ++j)
+      for (size_t c = 0; c < 4; ++c)
+        for (size_t k = 0; k < q; ++k) {
+          Big& to = half[(i * q + j) * 4 + c];
+          to = to + v.matrix[j][k] * net[(i * q + k) * 4 + c];
+        }
+  for (size_t i = 0; i < p; ++i)
+    for (size_t j = 0; j < 4 * q; ++j)
+      for (size_t k = 0; k < p; ++k)
+        r[i * 4 * q + j] = r[i * 4 * q + j] + u.matrix[i][k] * half[k * 4 * q + j];
+  Big common;
+  for (size_t i = r.size(); i-- > 0 && !(common == Big(1));) common = gcd(common, r[i]);
+  for (Big& x : r) x = divide(x, common, nullptr);
+  return r;
+}
+
+Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>& breaks,
+            std::vector<std::vector<Extraction>>* cache) {
+  const Entity& e = *at.entity;
+  Patch r = Patch();
+  r.is_rational = e.is_rational;
+  r.shape = Shape{e.kind == Entity::kTriangle, int(e.degrees[0]), int(e.degrees.back())};
+  if (r.shape.is_triangle) {
+    const size_t first[2] = {0, 0};
+    r.net = window(e, first, 1, size_t(r.shape.count()), 0, unit);
+    return r;
+  }
+  const Extraction* part[2];
+  for (size_t a = 0; a < 2; ++a) {
+    std::vector<Extraction>& known = (*cache)[2 * at.surface + a];
+    const std::vector<Ratio>& b = breaks[2 * at.surface + a];
+    while (known.size() <= at.interval[a])
+      known.push_back(
+          extraction(e.knots[a], size_t(e.degrees[a]), b[known.size()], b[known.size() + 1]));
+    part[a] = &known[at.interval[a]];
+  }
+  r.net = extracted(e, *part[0], *part[1], unit);
+  return r;
+}
+
+uint64_t cost(const Patch& p) {
+  int64_t bits = 0;
+  for (const Big& x : p.net) bits = std::max(bits, x.bits());
+  const int d = p.shape.p, c = p.shape.is_triangle ? 3 * d * (3 * d - 1) / 2 : 9 * d * p.shape.q;
+  require(c * bits <= kMostSize, "B2", "the coefficients are too long for their degree, bits",
+          uint64_t(bits));
+  return 1 + uint64_t(c * bits) / 16384;
+}
+
+}  // namespace
+
+std::vector<Patch> cut_patches(const std::vector<Place>& places, int64_t unit,
+                               const std::vector<std::vector<Ratio>>& breaks) {
+  std::vector<std::vector<Extraction>> cache(breaks.size());
+  std::vector<Patch> r;
+  for (const Place& at : places) {
+    r.push_back(patch(at, unit, breaks, &cache));
+    r.back().cost = cost(r.back());
+  }
+  return r;
+}

@@ -77,7 +77,8 @@ class CertifyPatches(Folder):
     def test_the_certificate_is_kept_and_both_checkers_accept_it(self):
         model, kept = self.file([surface(f) for f in UNIT]), self.folder / "model.cert"
         self.assertEqual(run("certify", model, "--certificate", kept).returncode, 0)
-        self.assertEqual(self.check(model, kept), ["ACCEPT star-box-1\n"] * 2)
+        for words in self.check(model, kept):
+            self.assertTrue(words.startswith("ACCEPT star-box-1"), words)
         damaged = bytearray(kept.read_bytes())
         damaged[-1] ^= 1
         kept.write_bytes(damaged)

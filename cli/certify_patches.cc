@@ -28,9 +28,12 @@ class PatchCertification : public Certification {
     report_.sha256 = file->sha256;
     report_.patches = std::move(patches);
     if (file->format != SplineFormat::kJson)
-      return undecided("not-covered", "certificates speak of .vjson files only: veritope convert writes this model as one");
+      return undecided(
+          "not-covered",
+          "certificates speak of .vjson files only: veritope convert writes this model as one");
     for (const LeftOut& l : file->left_out)
-      if (l.is_geometry) return undecided("not-covered", "the file has shapes that are not read: " + l.what);
+      if (l.is_geometry)
+        return undecided("not-covered", "the file has shapes that are not read: " + l.what);
     return take_patches(file->model);
   }
 
@@ -49,9 +52,11 @@ class PatchCertification : public Certification {
     Result<PatchSource> source = patch_source(model);
     if (!source) return refuse(fault_of(source.error()));
     if (!source->foreign.empty())
-      return undecided("not-covered", "patches are surfaces and triangles in space; this file has " +
-                                          to_string(source->foreign.front()));
-    if (source->patches.empty()) return refuse({"empty", {}, "there is no surface and no triangle in this file"});
+      return undecided("not-covered",
+                       "patches are surfaces and triangles in space; this file has " +
+                           to_string(source->foreign.front()));
+    if (source->patches.empty())
+      return refuse({"empty", {}, "there is no surface and no triangle in this file"});
     entities_ = std::move(source->entities);
     PatchInput input;
     input.patches = std::move(source->patches);
@@ -79,7 +84,8 @@ class PatchCertification : public Certification {
       reversed_[e] = first < last && is_flipped[first];
       for (std::size_t p = first; p < last; ++p)
         if (is_flipped[p] != reversed_[e])
-          return undecided("not-covered", "pieces of entity " + std::to_string(e) + " would have to be reversed one by one");
+          return undecided("not-covered", "pieces of entity " + std::to_string(e) +
+                                              " would have to be reversed one by one");
       if (reversed_[e]) report_.patches->flipped.push_back(e);
     }
     return true;
@@ -103,7 +109,8 @@ class PatchCertification : public Certification {
     r.bodies = decision_.bodies;
     r.boxes = decision_.cover.boxes.size();
     r.shell_facts = decision_.shells;
-    for (const PatchShellFacts& s : decision_.shells) r.genus += static_cast<std::uint64_t>(s.genus);
+    for (const PatchShellFacts& s : decision_.shells)
+      r.genus += static_cast<std::uint64_t>(s.genus);
     r.volume = decision_.volume;
     return true;
   }
@@ -112,13 +119,16 @@ class PatchCertification : public Certification {
     phase("certifying");
     std::vector<StarBoxEntity> entities;
     for (std::size_t e = 0; e < entities_.size(); ++e)
-      entities.push_back({is_surface_[e], reversed_[e], static_cast<std::uint32_t>(entities_[e].first_patch), entities_[e].breaks});
+      entities.push_back({is_surface_[e], reversed_[e],
+                          static_cast<std::uint32_t>(entities_[e].first_patch),
+                          entities_[e].breaks});
     certificate::Subject subject;
     subject.sha256 = report_.sha256;
     subject.bytes = report_.patches->bytes;
     subject.format = spline_format_name(report_.patches->format);
     subject.tool = tool_name();
-    bytes_ = make_star_box_certificate(*forest_, decision_.cover, decision_.walks, entities, subject);
+    bytes_ =
+        make_star_box_certificate(*forest_, decision_.cover, decision_.walks, entities, subject);
     report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
     report_.seconds.certify = watch_.lap();
     forest_.reset();  // memory for the checker
@@ -140,7 +150,9 @@ class PatchCertification : public Certification {
   }
 
   // Always false.
-  bool undecided(const char* code, std::string message) { return give_up(kExitUndecided, {code, {}, std::move(message)}); }
+  bool undecided(const char* code, std::string message) {
+    return give_up(kExitUndecided, {code, {}, std::move(message)});
+  }
 
   std::vector<PatchEntity> entities_;
   std::vector<bool> is_surface_, reversed_;

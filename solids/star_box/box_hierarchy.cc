@@ -6,7 +6,8 @@
 
 namespace veritope {
 
-BoxHierarchy::BoxHierarchy(std::vector<Box3d> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxHierarchy::BoxHierarchy(std::vector<Box3d> boxes)
+    : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
@@ -28,10 +29,9 @@ std::uint32_t BoxHierarchy::build(std::uint32_t lo, std::uint32_t hi) {
     if (centres.hi[k] - centres.lo[k] > centres.hi[axis] - centres.lo[axis]) axis = k;
   const std::uint32_t middle = lo + (hi - lo) / 2;
   const auto key = [&](std::uint32_t i) { return approx_centre(boxes_[i])[axis]; };
-  std::nth_element(order_.begin() + lo, order_.begin() + middle, order_.begin() + hi,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     return key(a) != key(b) ? key(a) < key(b) : a < b;
-                   });
+  std::nth_element(
+      order_.begin() + lo, order_.begin() + middle, order_.begin() + hi,
+      [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   const std::uint32_t left = build(lo, middle), right = build(middle, hi);
   nodes_[number].left = left, nodes_[number].right = right;
   return number;

@@ -40,7 +40,8 @@ inline double extent(const Box3d& b) {
 }
 /// About the middle.
 inline Point3d approx_centre(const Box3d& b) {
-  return {0.5 * b.lo[0] + 0.5 * b.hi[0], 0.5 * b.lo[1] + 0.5 * b.hi[1], 0.5 * b.lo[2] + 0.5 * b.hi[2]};
+  return {0.5 * b.lo[0] + 0.5 * b.hi[0], 0.5 * b.lo[1] + 0.5 * b.hi[1],
+          0.5 * b.lo[2] + 0.5 * b.hi[2]};
 }
 
 /// Boxes numbered from 0, halved at the median of the longest side of their centres' hull.
@@ -61,7 +62,7 @@ class BoxHierarchy {
  private:
   struct Node {
     Box3d box;
-    std::uint32_t lo, hi;          // positions in order_
+    std::uint32_t lo, hi;               // positions in order_
     std::uint32_t left = 0, right = 0;  // 0: a leaf
   };
   static constexpr std::uint32_t kLeafSize = 4;

@@ -147,7 +147,8 @@ class CrossingCounter {
     for (const PieceForest::Id id : tested) add_sides(id);
     std::sort(stretches_.begin(), stretches_.end());
     // Some half-lines pass through ends of curves on symmetric models: others are tried.
-    for (const auto& turn : {std::array<double, 2>{1, 0}, std::array<double, 2>{0.8125, 0.59375}, std::array<double, 2>{-0.375, 0.90625}}) {
+    for (const auto& turn : {std::array<double, 2>{1, 0}, std::array<double, 2>{0.8125, 0.59375},
+                             std::array<double, 2>{-0.375, 0.90625}}) {
       turn_ = turn;
       if (const auto sum = sum_of_windings()) return d_[k_] > 0 ? *sum : -*sum;
     }
@@ -160,7 +161,12 @@ class CrossingCounter {
     const PieceForest::Form& form = forest_.form(node.patch);
     for (std::uint32_t s = 0; s < (form.shape.is_triangle ? 3u : 4u); ++s) {
       const Location at = locate(form, node, s);
-      Stretch stretch{{(std::uint64_t{node.patch} << 2) + at.family, at.place}, at.begin, at.end, at.sign, id, s};
+      Stretch stretch{{(std::uint64_t{node.patch} << 2) + at.family, at.place},
+                      at.begin,
+                      at.end,
+                      at.sign,
+                      id,
+                      s};
       if (forest_.side_of_patch(node, s)) {
         const PatchComplex& complex = forest_.complex();
         const PatchSide side{node.patch, s};
@@ -197,7 +203,8 @@ class CrossingCounter {
   // What does not cancel of the stretches [first, last) of one line.
   std::optional<int> winding_on_line(std::size_t first, std::size_t last) {
     if (last - first == 2 && stretches_[first].begin == stretches_[first + 1].begin &&
-        stretches_[first].end == stretches_[first + 1].end && stretches_[first].sign == -stretches_[first + 1].sign)
+        stretches_[first].end == stretches_[first + 1].end &&
+        stretches_[first].sign == -stretches_[first + 1].sign)
       return 0;
     cuts_.clear();
     for (std::size_t k = first; k < last; ++k) {
@@ -257,7 +264,8 @@ class CrossingCounter {
       reach = std::max(reach, std::abs(d_[k]));
     }
     // Two products of p and d, with their own roundings, then two more: |turn| <= 1.
-    const double bound = (4 * e * reach + 24 * internal::kNetUnit * most * reach) * (1 + 0x1p-40) + internal::kNetTiny;
+    const double bound = (4 * e * reach + 24 * internal::kNetUnit * most * reach) * (1 + 0x1p-40) +
+                         internal::kNetTiny;
     curve.error_x = curve.error_y = bound;
     curve.begin = 0, curve.end = on.end - on.begin;
     // In the direction of travel: from on.begin on, or from on.end backwards.
@@ -276,7 +284,8 @@ class CrossingCounter {
 
 }  // namespace
 
-std::optional<int> crossing_number(PieceForest& forest, const std::vector<PieceForest::Id>& tested, const StarBox& star) {
+std::optional<int> crossing_number(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
+                                   const StarBox& star) {
   return CrossingCounter(forest, star).count(tested);
 }
 

@@ -38,7 +38,10 @@ class ForestBuilder {
     for (std::uint32_t p = 0; p < patches.size(); ++p) {
       PieceForest::Form form = form_of(p);
       if (!is_in_range(form))
-        return Error{Code::kOverLimit, {}, to_string(patches[p].origin()) + " has coordinates, weights or derivatives out of the range of binary64"};
+        return Error{Code::kOverLimit,
+                     {},
+                     to_string(patches[p].origin()) +
+                         " has coordinates, weights or derivatives out of the range of binary64"};
       forest_.forms_.push_back(std::move(form));
     }
     add_roots();
@@ -47,7 +50,9 @@ class ForestBuilder {
 
  private:
   static Error over_limit(const Patch& patch) {
-    return Error{Code::kOverLimit, {}, to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
+    return Error{Code::kOverLimit,
+                 {},
+                 to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
   }
   Status choose_scale() {
     double most = 0;
@@ -55,7 +60,8 @@ class ForestBuilder {
       for (std::size_t i = 0; i < patch.num_control(); ++i)
         for (int c = 0; c < 3; ++c) {
           const Rational& v = patch.component(c)[i];
-          const double x = std::abs(nearest_double(patch.is_rational() ? v / patch.component(3)[i] : v));
+          const double x =
+              std::abs(nearest_double(patch.is_rational() ? v / patch.component(3)[i] : v));
           if (!std::isfinite(x)) return over_limit(patch);
           most = std::max(most, x);
         }
@@ -71,7 +77,8 @@ class ForestBuilder {
     form.determinant = determinant_shape(form.shape);
     form.is_rational = patch.is_rational();
     for (std::uint32_t s = 0; s < patch.num_sides(); ++s)
-      if (forest_.complex_->is_collapsed({number, s})) form.collapsed |= static_cast<std::uint8_t>(1u << s);
+      if (forest_.complex_->is_collapsed({number, s}))
+        form.collapsed |= static_cast<std::uint8_t>(1u << s);
     const std::size_t n = form.shape.count();
     Rational factor(1);
     if (form.is_rational) {
@@ -83,29 +90,34 @@ class ForestBuilder {
     std::vector<Interval> control;
     for (int c = 0; c < 3; ++c) {
       const Rational first =
-          unit * (form.is_rational ? patch.component(c)[0] / patch.component(3)[0] : patch.component(c)[0]);
+          unit * (form.is_rational ? patch.component(c)[0] / patch.component(3)[0]
+                                   : patch.component(c)[0]);
       const double origin = nearest_double(first);
       form.origin[static_cast<std::size_t>(c)] = origin;
       const Rational shift = Rational::from_double(origin);
       for (std::size_t i = 0; i < n; ++i)
-        control.push_back(enclose(form.is_rational ? factor * (unit * patch.component(c)[i] - shift * patch.component(3)[i])
+        control.push_back(enclose(form.is_rational ? factor * (unit * patch.component(c)[i] -
+                                                               shift * patch.component(3)[i])
                                                    : unit * patch.component(c)[i] - shift));
     }
     if (form.is_rational)
       for (const Rational& w : patch.component(3)) control.push_back(enclose(factor * w));
-    const auto determinants = determinant_form<Interval>(form.shape, form.is_rational, control.data());
+    const auto determinants =
+        determinant_form<Interval>(form.shape, form.is_rational, control.data());
     fill_net(control, determinants, &form);
     choose_roots(&form);
     return form;
   }
 
   static void fill_net(const std::vector<Interval>& control,
-                       const std::array<std::vector<Interval>, 4>& determinants, PieceForest::Form* form) {
+                       const std::array<std::vector<Interval>, 4>& determinants,
+                       PieceForest::Form* form) {
     const auto layout = PieceForest::layout(*form);
     form->root_net.assign(layout.size(), 0);
     for (std::size_t c = 0; c < layout.components + 4; ++c) {
-      const Interval* const from =
-          c < layout.components ? control.data() + c * layout.control : determinants[c - layout.components].data();
+      const Interval* const from = c < layout.components
+                                       ? control.data() + c * layout.control
+                                       : determinants[c - layout.components].data();
       const std::size_t n = c < layout.components ? layout.control : layout.determinant;
       double error = 0, size = 0;
       for (std::size_t i = 0; i < n; ++i) {
@@ -149,12 +161,14 @@ class ForestBuilder {
     }
     for (std::size_t i = 0; i <= static_cast<std::size_t>(form->shape.p); ++i) {
       double sum = 0;
-      for (std::size_t j = 0; j + 1 < columns; ++j) sum += length(i * columns + j, i * columns + j + 1);
+      for (std::size_t j = 0; j + 1 < columns; ++j)
+        sum += length(i * columns + j, i * columns + j + 1);
       along_v = std::max(along_v, sum);
     }
     const double ratio = along_u / along_v;
     if (!(ratio > 0) || !std::isfinite(ratio)) return;
-    const int bits = std::min(kMaxRootBits, std::abs(static_cast<int>(std::lround(std::log2(ratio)))));
+    const int bits =
+        std::min(kMaxRootBits, std::abs(static_cast<int>(std::lround(std::log2(ratio)))));
     form->root_bits[ratio > 1 ? 0 : 1] = static_cast<std::uint8_t>(bits);
   }
 
@@ -163,7 +177,8 @@ class ForestBuilder {
     for (std::uint32_t p = 0; p < forest_.forms_.size(); ++p) {
       PieceForest::Form& form = forest_.forms_[p];
       form.first_root = static_cast<PieceForest::Id>(forest_.nodes_.size());
-      const std::uint64_t rows = std::uint64_t{1} << form.root_bits[0], columns = std::uint64_t{1} << form.root_bits[1];
+      const std::uint64_t rows = std::uint64_t{1} << form.root_bits[0],
+                          columns = std::uint64_t{1} << form.root_bits[1];
       form.num_roots = static_cast<std::uint32_t>(rows * columns);
       for (std::uint64_t i = 0; i < rows; ++i)
         for (std::uint64_t j = 0; j < columns; ++j) {
@@ -183,6 +198,8 @@ class ForestBuilder {
   PieceForest forest_;
 };
 
-Result<PieceForest> PieceForest::make(const PatchComplex& complex) { return ForestBuilder(complex).build(); }
+Result<PieceForest> PieceForest::make(const PatchComplex& complex) {
+  return ForestBuilder(complex).build();
+}
 
 }  // namespace veritope

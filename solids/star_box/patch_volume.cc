@@ -15,7 +15,7 @@ namespace {
 using Id = PieceForest::Id;
 using Form = internal::ScaledForm<Interval>;
 
-constexpr int kOrder = 5;      // of the polynomial for 1 / w^3
+constexpr int kOrder = 5;  // of the polynomial for 1 / w^3
 constexpr int kMaxLevel = 8;
 
 // Each coefficient within `error` of its number.
@@ -70,7 +70,8 @@ class Integrator {
     const double* const net = forest_.approx_determinants(id);
     std::vector<Interval> sum = enclosures(net, n, forest_.determinant_error(id, 0));
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::vector<Interval> g = enclosures(net + (k + 1) * n, n, forest_.determinant_error(id, k + 1));
+      const std::vector<Interval> g =
+          enclosures(net + (k + 1) * n, n, forest_.determinant_error(id, k + 1));
       const Interval c(-form.origin[k]);
       for (std::size_t i = 0; i < n; ++i) sum[i] += c * g[i];
     }
@@ -81,7 +82,8 @@ class Integrator {
   // C(K + 3, 2) d^(K + 1) / (1 - d)^3, since C(K + 3 + j, 2) <= C(K + 3, 2) C(j + 2, 2).
   Interval over_cubed_weight(const PieceForest::Form& form, const std::vector<Interval>& g, Id id) {
     const std::size_t n = form.shape.count();
-    std::vector<Interval> w = enclosures(forest_.control(id) + 3 * n, n, forest_.control_error(id, 3));
+    std::vector<Interval> w =
+        enclosures(forest_.control(id) + 3 * n, n, forest_.control_error(id, 3));
     Interval range = w[0];
     for (const Interval& v : w) range = hull(range, v);
     if (!(range.lo() > 0)) return Interval::entire();
@@ -123,7 +125,8 @@ std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance) {
   // Coordinates are about 1: n·S du dv over all patches is about 1, too.
   Integrator integrator(forest, tolerance / static_cast<double>(forest.num_patches()));
   std::vector<Interval> out(complex.shells().size());
-  for (std::uint32_t p = 0; p < forest.num_patches(); ++p) out[complex.shell(p)] += integrator.over_patch(p);
+  for (std::uint32_t p = 0; p < forest.num_patches(); ++p)
+    out[complex.shell(p)] += integrator.over_patch(p);
   const int scale = -3 * forest.scale();
   for (Interval& v : out) {
     v = v / Interval(3.0);

@@ -14,7 +14,8 @@ using internal::kNetTiny;
 using internal::kNetUnit;
 
 PieceForest::Layout PieceForest::layout(const Form& form) {
-  return {form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count(), form.determinant.count()};
+  return {form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count(),
+          form.determinant.count()};
 }
 
 const double* PieceForest::net(Id id) {
@@ -43,7 +44,8 @@ void PieceForest::make_net(Id id) {
           for (int i = 0; upper && i <= degree; ++i)
             line[static_cast<std::size_t>(i) * stride] = other[static_cast<std::size_t>(i)];
         }
-        net[at.error(c)] = internal::error_after_halving(net[at.error(c)], net[at.magnitude(c)], degree);
+        net[at.error(c)] =
+            internal::error_after_halving(net[at.error(c)], net[at.magnitude(c)], degree);
       }
     }
   nodes_[id].net = static_cast<std::int64_t>(form.nets.size());
@@ -62,13 +64,14 @@ void PieceForest::quarter(Id id) {
   double* to[4];
   for (std::size_t c = 0; c < at.components + 4; ++c) {
     const FormShape& s = c < at.components ? form.shape : form.determinant;
-    for (std::size_t k = 0; k < 4; ++k) to[k] = form.nets.data() + begin + k * at.size() + at.begin(c);
+    for (std::size_t k = 0; k < 4; ++k)
+      to[k] = form.nets.data() + begin + k * at.size() + at.begin(c);
     if (s.is_triangle)
       internal::quarter_triangle(s.p, scratch_.data() + at.begin(c), to);
     else
       internal::quarter_tensor(s, scratch_.data() + at.begin(c), to);
-    const double error = internal::error_after_halving(scratch_[at.error(c)], scratch_[at.magnitude(c)],
-                                                       internal::quarter_depth(s));
+    const double error = internal::error_after_halving(
+        scratch_[at.error(c)], scratch_[at.magnitude(c)], internal::quarter_depth(s));
     for (std::size_t k = 0; k < 4; ++k) {
       double* const child = form.nets.data() + begin + k * at.size();
       double size = 0;
@@ -124,14 +127,17 @@ Box3d PieceForest::hull_of(const Form& form, const double* net) const {
       double a = x - error, b = x + error;
       if (at.components == 4) {
         const double w_lo = net[at.begin(3) + i] - w_error, w_hi = net[at.begin(3) + i] + w_error;
-        if (!(w_lo > 0)) return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+        if (!(w_lo > 0))
+          return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
         a /= a < 0 ? w_lo : w_hi;
         b /= b < 0 ? w_hi : w_lo;
       }
       lo = std::min(lo, a), hi = std::max(hi, b);
     }
     // Differences, sums, quotients, and the sum with the origin: four roundings at most.
-    const double slack = 4 * kNetUnit * (std::max(std::abs(lo), std::abs(hi)) + std::abs(form.origin[c]) + error) + kNetTiny;
+    const double slack =
+        4 * kNetUnit * (std::max(std::abs(lo), std::abs(hi)) + std::abs(form.origin[c]) + error) +
+        kNetTiny;
     out.lo[c] = form.origin[c] + lo - slack;
     out.hi[c] = form.origin[c] + hi + slack;
   }
@@ -186,7 +192,8 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
   // docs/bounds/piece_net.md, 3: the difference, three products, three sums.
   bound = (bound + 8 * kNetUnit * size) * (1 + 0x1p-40) + kNetTiny;
   const double* const g0 = net + at.begin(at.components);
-  const double *const g1 = g0 + at.determinant, *const g2 = g1 + at.determinant, *const g3 = g2 + at.determinant;
+  const double *const g1 = g0 + at.determinant, *const g2 = g1 + at.determinant,
+                      *const g3 = g2 + at.determinant;
   double lo = std::numeric_limits<double>::infinity(), hi = -lo;
   if (collapsed == Collapsed::kNone) {
     for (std::size_t i = 0; i < at.determinant; ++i) {

@@ -88,7 +88,9 @@ class PieceForest {
   friend class ForestBuilder;
   struct Layout {
     std::size_t components, control, determinant;
-    std::size_t size() const { return components * control + 4 * determinant + 2 * (components + 4); }
+    std::size_t size() const {
+      return components * control + 4 * determinant + 2 * (components + 4);
+    }
     /// Of component c; the four determinants follow the control points.
     std::size_t begin(std::size_t c) const {
       return c < components ? c * control : components * control + (c - components) * determinant;

@@ -29,7 +29,8 @@ void keep_half(int degree, int keep, int move, double* net) {
 // One argument of the blossom becomes the midpoint of corners 1 and 2: degree to degree - 1, in place.
 void set_middle_of_side_0(int degree, double* net) {
   for_each_triangle_index(degree - 1, [&](int, int j, int k) {
-    net[triangle_index(j, k)] = 0.5 * (net[triangle_index(j + 1, k)] + net[triangle_index(j, k + 1)]);
+    net[triangle_index(j, k)] =
+        0.5 * (net[triangle_index(j + 1, k)] + net[triangle_index(j, k + 1)]);
   });
 }
 
@@ -40,7 +41,8 @@ void middle_quarter(int degree, const double* net, double* out) {
   for (int i = 0; i <= degree; ++i) {
     const int n = degree - i;
     // In the half (c0, m2, c2), then its half (c0, m2, m1), the side from m1 to m2 holds the blossom at m1 and m2.
-    work.assign(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(num_triangle_coefficients(n)));
+    work.assign(first.begin(),
+                first.begin() + static_cast<std::ptrdiff_t>(num_triangle_coefficients(n)));
     keep_half(n, 0, 1, work.data());
     keep_half(n, 0, 2, work.data());
     for (int k = 0; k <= n; ++k)  // j = n - k times m1, which is corner 2 now; m2 is corner 1

@@ -34,14 +34,14 @@ bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::siz
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held) {
   Descent descent{forest, box, longest, most, tested, held};
   bool is_done = true;
-  forest.roots().visit([&](const Box3d& b) { return is_done && meets(b, box); },
-                       [&](std::uint32_t number) {
-                         is_done = is_done && descent.visit(forest.root(number));
-                       });
+  forest.roots().visit(
+      [&](const Box3d& b) { return is_done && meets(b, box); },
+      [&](std::uint32_t number) { is_done = is_done && descent.visit(forest.root(number)); });
   return is_done;
 }
 
-bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested, const StarBox& star) {
+bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
+                    const StarBox& star) {
   for (const PieceForest::Id id : tested)
     if (forest.side_of(id, star.inside) != Sign3::kPositive ||
         forest.side_of(id, star.outside) != Sign3::kNegative)

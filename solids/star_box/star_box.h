@@ -22,11 +22,13 @@ bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::siz
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
 
 /// S1 on all of the pieces.
-bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested, const StarBox& star);
+bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
+                    const StarBox& star);
 
 /// The crossing number of the line through c- and c+ with the union of the pieces, from the winding of its boundary; nothing if the bounds of doubles
 /// do not decide, or the budget of halvings is spent.
 /// REQUIRES has_star_signs(forest, tested, star), and that `tested` are all pieces whose hulls meet the box.
-std::optional<int> crossing_number(PieceForest& forest, const std::vector<PieceForest::Id>& tested, const StarBox& star);
+std::optional<int> crossing_number(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
+                                   const StarBox& star);
 
 }  // namespace veritope

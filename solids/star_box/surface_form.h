@@ -45,8 +45,7 @@ class ScaledForm {
     ScaledForm out(shape);
     out.visit([&](int a, int b, std::size_t at) {
       const auto [m, n] = factors(shape, a, b);
-      out.at(a, b) =
-          RingNumbers<R>::ratio(m, 1) * (RingNumbers<R>::ratio(n, 1) * coefficients[at]);
+      out.at(a, b) = RingNumbers<R>::ratio(m, 1) * (RingNumbers<R>::ratio(n, 1) * coefficients[at]);
     });
     return out;
   }

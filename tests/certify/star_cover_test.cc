@@ -28,7 +28,9 @@ PatchComplex complex_of(Patches patches) {
 
 struct Model {
   explicit Model(Patches patches)
-      : complex(complex_of(std::move(patches))), forest(PieceForest::make(complex).value()), cover(find_star_cover(forest, {})) {}
+      : complex(complex_of(std::move(patches))),
+        forest(PieceForest::make(complex).value()),
+        cover(find_star_cover(forest, {})) {}
   PatchComplex complex;
   PieceForest forest;
   StarCover cover;
@@ -77,7 +79,8 @@ TEST(StarCover, CoversSoundModelsAndFindsTheirSides) {
 TEST(StarCover, DoesNotDependOnSize) {
   for (const int exponent : {-900, 0, 900}) {
     const Rational f = Rational::power_of_two(exponent);
-    const Model m(patch_shapes::placed(patch_shapes::torus(ratio(3), ratio(1)), f, {f * ratio(5), f, ratio(0)}));
+    const Model m(patch_shapes::placed(patch_shapes::torus(ratio(3), ratio(1)), f,
+                                       {f * ratio(5), f, ratio(0)}));
     EXPECT_TRUE(m.cover.is_complete()) << "2^" << exponent;
     EXPECT_LT(m.cover.boxes.size(), 2000u);
   }
@@ -88,9 +91,15 @@ TEST(StarCover, NeverCoversWhatTouchesOrCrossesItself) {
   const std::vector<std::pair<const char*, Patches>> models = {
       {"torus that touches itself in a point", patch_shapes::torus(ratio(1), ratio(1))},
       {"torus that crosses itself", patch_shapes::torus(ratio(1), ratio(5, 4))},
-      {"balls that cross", patch_shapes::joined({ball, patch_shapes::placed(ball, ratio(1), {ratio(1), ratio(0), ratio(0)})})},
-      {"balls that touch", patch_shapes::joined({ball, patch_shapes::placed(ball, ratio(1), {ratio(2), ratio(0), ratio(0)})})},
-      {"ball that touches its cavity", patch_shapes::joined({ball, patch_shapes::inside_out(patch_shapes::placed(ball, ratio(1, 2), {ratio(1, 2), ratio(0), ratio(0)}))})},
+      {"balls that cross",
+       patch_shapes::joined(
+           {ball, patch_shapes::placed(ball, ratio(1), {ratio(1), ratio(0), ratio(0)})})},
+      {"balls that touch",
+       patch_shapes::joined(
+           {ball, patch_shapes::placed(ball, ratio(1), {ratio(2), ratio(0), ratio(0)})})},
+      {"ball that touches its cavity",
+       patch_shapes::joined({ball, patch_shapes::inside_out(patch_shapes::placed(
+                                       ball, ratio(1, 2), {ratio(1, 2), ratio(0), ratio(0)}))})},
   };
   for (const auto& [name, patches] : models) {
     const Model m(patches);
@@ -100,7 +109,9 @@ TEST(StarCover, NeverCoversWhatTouchesOrCrossesItself) {
 
 // PROVES STAR-2
 TEST(ShellWalks, CountBodiesByDepthAndSeeReversedShells) {
-  const auto ball = [](int radius) { return patch_shapes::placed(patch_shapes::sphere(), ratio(radius), origin()); };
+  const auto ball = [](int radius) {
+    return patch_shapes::placed(patch_shapes::sphere(), ratio(radius), origin());
+  };
   Model nested(patch_shapes::joined({patch_shapes::inside_out(ball(2)), ball(3), ball(1)}));
   const ShellWalks walks = find_shell_walks(nested.forest, nested.cover);
   ASSERT_TRUE(walks.missing.empty());
@@ -120,16 +131,19 @@ TEST(ShellWalks, CountBodiesByDepthAndSeeReversedShells) {
 // PROVES STAR-1.S2
 TEST(CrossingNumber, CountsSheetsJointly) {
   const auto wedge = [](const Rational& slope, const Rational& height) {
-    Patches block = patch_shapes::box({ratio(-1), ratio(-1), ratio(-2)}, {ratio(1), ratio(1), ratio(0)});
+    Patches block =
+        patch_shapes::box({ratio(-1), ratio(-1), ratio(-2)}, {ratio(1), ratio(1), ratio(0)});
     for (Patch& p : block) {
       std::vector<Rational> c(p.coefficients().begin(), p.coefficients().end());
       const std::size_t n = p.num_control();
       for (std::size_t i = 0; i < n; ++i) c[2 * n + i] = c[2 * n + i] + slope * c[i] + height;
-      p = make_patch(BezierSurface<Rational>(p.tensor().degrees(), 3, false, c), p.origin()).value();
+      p = make_patch(BezierSurface<Rational>(p.tensor().degrees(), 3, false, c), p.origin())
+              .value();
     }
     return block;
   };
-  const StarBox star{{{-0.125, -0.125, -0.125}, {0.125, 0.125, 0.125}}, {0, 0, -0.1015625}, {0, 0, 0.1015625}};
+  const StarBox star{
+      {{-0.125, -0.125, -0.125}, {0.125, 0.125, 0.125}}, {0, 0, -0.1015625}, {0, 0, 0.1015625}};
   for (const bool both : {false, true}) {
     Patches patches = wedge(ratio(1, 10), ratio(0));
     if (both) patches = patch_shapes::joined({patches, wedge(ratio(-1, 10), ratio(1, 50))});
@@ -156,23 +170,29 @@ TEST(PieceForest, HullsHoldTheirPointsAndSignsAreExact) {
   for (int trial = 0; trial < 300; ++trial) {
     PieceForest::Id id = forest.root(static_cast<std::uint32_t>(random.below(forest.num_roots())));
     const int depth = static_cast<int>(random.below(6));
-    for (int level = 0; level < depth; ++level) id = forest.children(id) + static_cast<PieceForest::Id>(random.below(4));
+    for (int level = 0; level < depth; ++level)
+      id = forest.children(id) + static_cast<PieceForest::Id>(random.below(4));
     const PieceForest::Node node = forest.node(id);
     const PieceForest::Form& form = forest.form(node.patch);
     const auto place = [&](std::uint64_t k, int bits) {
-      return (Rational(static_cast<std::int64_t>(k)) + Rational::from_double(random.unit())) * Rational::power_of_two(-bits);
+      return (Rational(static_cast<std::int64_t>(k)) + Rational::from_double(random.unit())) *
+             Rational::power_of_two(-bits);
     };
-    const Rational u = place(node.i, form.root_bits[0] + node.level), v = place(node.j, form.root_bits[1] + node.level);
+    const Rational u = place(node.i, form.root_bits[0] + node.level),
+                   v = place(node.j, form.root_bits[1] + node.level);
     const auto& map = m.complex.patch(node.patch).tensor();
     const auto p = evaluate(map, {u, v});
     std::array<Rational, 3> point;
     for (std::size_t k = 0; k < 3; ++k) {
       point[k] = unit * p[k] / p[3];
-      EXPECT_TRUE(Rational::from_double(node.hull.lo[k]) <= point[k] && point[k] <= Rational::from_double(node.hull.hi[k])) << "trial " << trial;
+      EXPECT_TRUE(Rational::from_double(node.hull.lo[k]) <= point[k] &&
+                  point[k] <= Rational::from_double(node.hull.hi[k]))
+          << "trial " << trial;
     }
     // A centre near the point: at 0 to 3 extents.
     Point3d c;
-    for (std::size_t k = 0; k < 3; ++k) c[k] = nearest_double(point[k]) + 3 * extent(node.hull) * (random.unit() - 0.5);
+    for (std::size_t k = 0; k < 3; ++k)
+      c[k] = nearest_double(point[k]) + 3 * extent(node.hull) * (random.unit() - 0.5);
     const Sign3 side = forest.side_of(id, c);
     if (side == Sign3::kUncertain) continue;
     ++decided;
@@ -189,7 +209,8 @@ TEST(PieceForest, HullsHoldTheirPointsAndSignsAreExact) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       dot = dot + (su[i] * sv[j] - su[j] * sv[i]) * (point[k] - Rational::from_double(c[k]));
     }
-    EXPECT_EQ(dot.sign(), side == Sign3::kPositive ? Sign::kPositive : Sign::kNegative) << "trial " << trial;
+    EXPECT_EQ(dot.sign(), side == Sign3::kPositive ? Sign::kPositive : Sign::kNegative)
+        << "trial " << trial;
   }
   EXPECT_GT(decided, 50u);
 }

@@ -28,7 +28,8 @@ void expect_near(const Interval& volume, double expected, double relative) {
 }
 
 TEST(ShellVolumes, HoldTheExactVolumes) {
-  const patch_shapes::Point low{ratio(1), ratio(-2), ratio(1, 3)}, high{ratio(3), ratio(1), ratio(7, 3)};
+  const patch_shapes::Point low{ratio(1), ratio(-2), ratio(1, 3)},
+      high{ratio(3), ratio(1), ratio(7, 3)};
   const auto box = volumes(patch_shapes::box(low, high));
   ASSERT_EQ(box.size(), 1u);
   EXPECT_TRUE(contains(box[0], ratio(12)));
@@ -62,8 +63,9 @@ TEST(ShellVolumes, AreAsNarrowAsAskedFor) {
 TEST(ShellVolumes, ScaleWithTheModel) {
   for (const int exponent : {-300, 300}) {
     const Rational f = Rational::power_of_two(exponent);
-    const auto v = volumes(patch_shapes::placed(patch_shapes::box({ratio(0), ratio(0), ratio(0)}, {ratio(1), ratio(1), ratio(1)}), f,
-                                                {ratio(0), ratio(0), ratio(0)}));
+    const auto v = volumes(patch_shapes::placed(
+        patch_shapes::box({ratio(0), ratio(0), ratio(0)}, {ratio(1), ratio(1), ratio(1)}), f,
+        {ratio(0), ratio(0), ratio(0)}));
     EXPECT_TRUE(contains(v[0], f * f * f)) << exponent;
   }
 }

@@ -14,7 +14,9 @@ namespace {
 
 using Numbers = std::vector<Rational>;
 
-Rational draw(Random& random) { return Rational(random.between(-20, 20)) / Rational(random.between(1, 6)); }
+Rational draw(Random& random) {
+  return Rational(random.between(-20, 20)) / Rational(random.between(1, 6));
+}
 
 Rational determinant(std::vector<Numbers> m) {  // by the first row
   if (m.size() == 1) return m[0][0];
@@ -37,18 +39,24 @@ struct Jet {
   Numbers f, u, v;
 };
 
-Jet jet_of(const FormShape& s, const Numbers& control, std::size_t components, const Rational& a, const Rational& b) {
+Jet jet_of(const FormShape& s, const Numbers& control, std::size_t components, const Rational& a,
+           const Rational& b) {
   Jet jet;
   const std::size_t n = s.count();
   for (std::size_t c = 0; c < components; ++c) {
-    const Numbers own(control.begin() + static_cast<std::ptrdiff_t>(c * n), control.begin() + static_cast<std::ptrdiff_t>((c + 1) * n));
+    const Numbers own(control.begin() + static_cast<std::ptrdiff_t>(c * n),
+                      control.begin() + static_cast<std::ptrdiff_t>((c + 1) * n));
     const auto value = [&](const Rational& x, const Rational& y) {
-      if (s.is_triangle) return evaluate(BezierTriangle<Rational>(s.p, 1, false, own), {Rational(1) - x - y, x, y})[0];
+      if (s.is_triangle)
+        return evaluate(BezierTriangle<Rational>(s.p, 1, false, own),
+                        {Rational(1) - x - y, x, y})[0];
       return evaluate(Bezier<Rational, 2>({s.p, s.q}, 1, false, own), {x, y})[0];
     };
     // The derivative of a polynomial of degree <= 4 by five values, exactly.
     const auto slope = [&](bool along_u) {
-      const auto at = [&](int k) { return along_u ? value(a + Rational(k), b) : value(a, b + Rational(k)); };
+      const auto at = [&](int k) {
+        return along_u ? value(a + Rational(k), b) : value(a, b + Rational(k));
+      };
       return (at(-2) - Rational(8) * at(-1) + Rational(8) * at(1) - at(2)) / Rational(12);
     };
     jet.f.push_back(value(a, b));
@@ -77,11 +85,14 @@ void expect_determinant(const FormShape& shape, bool is_rational, std::uint64_t 
   rows.push_back(c);
   Rational sum(0);
   for (std::size_t k = 0; k < 4; ++k) {
-    const Rational value = d.is_triangle ? evaluate(BezierTriangle<Rational>(d.p, 1, false, g[k]), {Rational(1) - x - y, x, y})[0]
-                                         : evaluate(Bezier<Rational, 2>({d.p, d.q}, 1, false, g[k]), {x, y})[0];
+    const Rational value =
+        d.is_triangle ? evaluate(BezierTriangle<Rational>(d.p, 1, false, g[k]),
+                                 {Rational(1) - x - y, x, y})[0]
+                      : evaluate(Bezier<Rational, 2>({d.p, d.q}, 1, false, g[k]), {x, y})[0];
     sum = sum + (k == 0 ? value : value * c[k - 1]);
   }
-  EXPECT_EQ(sum, determinant(rows)) << "seed " << seed << ", degrees " << shape.p << " " << shape.q << (shape.is_triangle ? ", triangle" : "");
+  EXPECT_EQ(sum, determinant(rows)) << "seed " << seed << ", degrees " << shape.p << " " << shape.q
+                                    << (shape.is_triangle ? ", triangle" : "");
 }
 
 TEST(SurfaceForm, IsTheDeterminantAtEveryPoint) {
@@ -114,7 +125,8 @@ void expect_quarters(const FormShape& shape, std::uint64_t seed) {
   if (shape.is_triangle) {
     internal::quarter_triangle(shape.p, net.data(), to);
     const auto parts = split_in_four(BezierTriangle<Rational>(shape.p, 1, false, exact));
-    for (std::size_t k = 0; k < 4; ++k) expected[k].assign(parts[k].component(0).begin(), parts[k].component(0).end());
+    for (std::size_t k = 0; k < 4; ++k)
+      expected[k].assign(parts[k].component(0).begin(), parts[k].component(0).end());
   } else {
     internal::quarter_tensor(shape, net.data(), to);
     const Rational half = Rational(1) / Rational(2);
@@ -125,11 +137,13 @@ void expect_quarters(const FormShape& shape, std::uint64_t seed) {
       expected[k].assign(part.component(0).begin(), part.component(0).end());
     }
   }
-  const Rational bound = Rational::from_double(internal::error_after_halving(0, size, internal::quarter_depth(shape)));
+  const Rational bound =
+      Rational::from_double(internal::error_after_halving(0, size, internal::quarter_depth(shape)));
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t i = 0; i < n; ++i)
       EXPECT_TRUE(abs(Rational::from_double(children[k][i]) - expected[k][i]) <= bound)
-          << "seed " << seed << ", child " << k << ", coefficient " << i << " is " << children[k][i];
+          << "seed " << seed << ", child " << k << ", coefficient " << i << " is "
+          << children[k][i];
 }
 
 TEST(PieceNet, QuartersAreThoseOfRationalsUpToTheBound) {

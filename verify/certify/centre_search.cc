@@ -75,7 +75,8 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
 
 }  // namespace
 
-std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough) {
+std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
+                                          const Box3d& box, double enough) {
   constexpr int kMaxRounds = 40;
   Program program{kDimension, {0, 0, 0, 1, 0}, {}, {}};
   double size = 0;

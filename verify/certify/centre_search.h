@@ -22,6 +22,7 @@ struct DeepestPoint {
   Point3d point;
   double depth;
 };
-std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough);
+std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
+                                          const Box3d& box, double enough);
 
 }  // namespace veritope

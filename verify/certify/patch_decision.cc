@@ -14,10 +14,15 @@ using Kind = OpenQuestion::Kind;
 const char* text_of(UncoveredPiece::Why why) {
   switch (why) {
     case UncoveredPiece::Why::kNoCentres:
-      return "no point pair sees all patches near this piece from both sides: a fold, a contact, a cusp, or a vertex whose normals lie in no open half-space";
-    case UncoveredPiece::Why::kSigns: return "the sides of the patches near this piece are not decided in binary64";
-    case UncoveredPiece::Why::kCrossings: return "several sheets pass near this piece: a crossing, a contact, or a gap that is too small";
-    case UncoveredPiece::Why::kTooDeep: return "too many patches, or pieces of very different sizes, meet near this piece";
+      return "no point pair sees all patches near this piece from both sides: a fold, a contact, a "
+             "cusp, or a vertex whose normals lie in no open half-space";
+    case UncoveredPiece::Why::kSigns:
+      return "the sides of the patches near this piece are not decided in binary64";
+    case UncoveredPiece::Why::kCrossings:
+      return "several sheets pass near this piece: a crossing, a contact, or a gap that is too "
+             "small";
+    case UncoveredPiece::Why::kTooDeep:
+      return "too many patches, or pieces of very different sizes, meet near this piece";
     case UncoveredPiece::Why::kBudget: return "the number of boxes that may be tried is spent";
     case UncoveredPiece::Why::kStopped: return "stopped";
   }
@@ -41,7 +46,8 @@ Box3d in_model_units(Box3d box, int scale) {
 std::string finding_text(const PatchComplex& complex, const PatchFinding& finding) {
   std::string text = defect_name(finding.defect);
   for (const PatchSide& s : finding.sides)
-    text += (&s == finding.sides.data() ? ": " : ", ") + std::string("side ") + std::to_string(s.side) + " of " + to_string(complex.patch(s.patch).origin());
+    text += (&s == finding.sides.data() ? ": " : ", ") + std::string("side ") +
+            std::to_string(s.side) + " of " + to_string(complex.patch(s.patch).origin());
   return text;
 }
 
@@ -58,7 +64,8 @@ OpenQuestion complex_question(const PatchComplex& complex) {
 
 class Decider {
  public:
-  Decider(const PatchComplex& complex, const PatchDecisionOptions& options, std::optional<PieceForest>* forest)
+  Decider(const PatchComplex& complex, const PatchDecisionOptions& options,
+          std::optional<PieceForest>* forest)
       : complex_(complex), options_(options), forest_(*forest) {}
 
   PatchDecision run() {
@@ -72,7 +79,12 @@ class Decider {
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();
-      return open({Kind::kNoWalk, complex_.shells()[shell].first_patch, shell, {}, "no straight path from this shell to infinity or to the shell around it was found"});
+      return open(
+          {Kind::kNoWalk,
+           complex_.shells()[shell].first_patch,
+           shell,
+           {},
+           "no straight path from this shell to infinity or to the shell around it was found"});
     }
     for (const ShellWalk& w : out_.walks.walks)
       if (w.winding_inside != 1) return open(orientation_question(w));
@@ -88,19 +100,26 @@ class Decider {
   OpenQuestion cover_question() const {
     const UncoveredPiece& piece = out_.cover.uncovered.front();
     const PieceForest::Node& node = forest_->node(piece.piece);
-    return {kind_of(piece.why), node.patch, complex_.shell(node.patch), in_model_units(node.hull, forest_->scale()), text_of(piece.why)};
+    return {kind_of(piece.why), node.patch, complex_.shell(node.patch),
+            in_model_units(node.hull, forest_->scale()), text_of(piece.why)};
   }
   OpenQuestion orientation_question(const ShellWalk& walk) const {
-    return {Kind::kOrientation, complex_.shells()[walk.shell].first_patch, walk.shell, {},
-            "the winding number is " + std::to_string(walk.winding_inside) + " on the inner side of this shell and " +
-                std::to_string(walk.winding_outside) + " on the outer one, not 1 and 0: its normals point the wrong way, or it is wrongly nested"};
+    return {Kind::kOrientation,
+            complex_.shells()[walk.shell].first_patch,
+            walk.shell,
+            {},
+            "the winding number is " + std::to_string(walk.winding_inside) +
+                " on the inner side of this shell and " + std::to_string(walk.winding_outside) +
+                " on the outer one, not 1 and 0: its normals point the wrong way, or it is wrongly "
+                "nested"};
   }
   void conclude() {
     out_.is_valid = true;
     out_.bodies = out_.walks.num_bodies();
     const std::vector<Interval> volumes = shell_volumes(*forest_, options_.tolerance);
     for (std::size_t s = 0; s < volumes.size(); ++s)
-      out_.shells.push_back({complex_.shells()[s].euler(), complex_.shells()[s].genus().value(), true, volumes[s]});
+      out_.shells.push_back(
+          {complex_.shells()[s].euler(), complex_.shells()[s].genus().value(), true, volumes[s]});
     for (const ShellWalk& w : out_.walks.walks) out_.shells[w.shell].is_outward = w.starts_outside;
     const ScopedUpward upward;
     Interval sum;
@@ -116,7 +135,8 @@ class Decider {
 
 }  // namespace
 
-PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options, std::optional<PieceForest>* forest) {
+PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options,
+                             std::optional<PieceForest>* forest) {
   return Decider(complex, options, forest).run();
 }
 

@@ -20,12 +20,12 @@ struct PatchDecisionOptions {
 /// Where and why there is no proof.
 struct OpenQuestion {
   enum class Kind {
-    kComplex,      ///< the complex has findings: S0 does not hold, or what the theorem needs besides
-    kOutOfRange,   ///< coordinates beyond binary64
-    kNoStarBox,    ///< no star box of the least size tried
-    kBudget,       ///< too many boxes
-    kStopped,      ///< by the caller
-    kNoWalk,       ///< from a shell no free path outwards was found
+    kComplex,     ///< the complex has findings: S0 does not hold, or what the theorem needs besides
+    kOutOfRange,  ///< coordinates beyond binary64
+    kNoStarBox,   ///< no star box of the least size tried
+    kBudget,      ///< too many boxes
+    kStopped,     ///< by the caller
+    kNoWalk,      ///< from a shell no free path outwards was found
     kOrientation,  ///< the winding numbers beside a shell are not 1 inside and 0 outside
   };
   Kind kind;
@@ -42,7 +42,7 @@ struct PatchShellFacts {
 
 struct PatchDecision {
   bool is_valid = false;
-  std::optional<OpenQuestion> open;  ///< iff not valid
+  std::optional<OpenQuestion> open;     ///< iff not valid
   std::vector<PatchShellFacts> shells;  ///< of a valid complex
   std::uint64_t bodies = 0;
   std::optional<Interval> volume;
@@ -53,6 +53,7 @@ struct PatchDecision {
 };
 
 /// The forest of `complex` is made in *forest, where the decision's node numbers point to; it refers to the complex.
-PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options, std::optional<PieceForest>* forest);
+PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options,
+                             std::optional<PieceForest>* forest);
 
 }  // namespace veritope

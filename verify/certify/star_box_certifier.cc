@@ -18,7 +18,8 @@ using Id = PieceForest::Id;
 
 Natural to_natural(Integer n) {
   Natural out;
-  for (; !n.is_zero(); n.shift_right(8)) out.push_back(static_cast<unsigned char>(n.low_bits() & 0xffu));
+  for (; !n.is_zero(); n.shift_right(8))
+    out.push_back(static_cast<unsigned char>(n.low_bits() & 0xffu));
   return out;
 }
 
@@ -28,7 +29,8 @@ Fraction to_fraction(const Rational& v) {
 
 class BodyWriter {
  public:
-  BodyWriter(const PieceForest& forest, const StarCover& cover, const std::vector<StarBoxEntity>& entities)
+  BodyWriter(const PieceForest& forest, const StarCover& cover,
+             const std::vector<StarBoxEntity>& entities)
       : forest_(forest), cover_(cover), entities_(entities) {}
 
   StarBoxBody write(const ShellWalks& walks) {
@@ -50,9 +52,11 @@ class BodyWriter {
   // In the file's order: of a reversed patch the axes (of a triangle corners 1 and 2) are exchanged.
   void write_trees() {
     for (std::size_t e = 0; e < entities_.size(); ++e) {
-      const std::uint32_t last =
-          e + 1 < entities_.size() ? entities_[e + 1].first_patch : static_cast<std::uint32_t>(forest_.num_patches());
-      for (std::uint32_t p = entities_[e].first_patch; p < last; ++p) write_patch(p, entities_[e].is_reversed);
+      const std::uint32_t last = e + 1 < entities_.size()
+                                     ? entities_[e + 1].first_patch
+                                     : static_cast<std::uint32_t>(forest_.num_patches());
+      for (std::uint32_t p = entities_[e].first_patch; p < last; ++p)
+        write_patch(p, entities_[e].is_reversed);
     }
   }
   void write_patch(std::uint32_t patch, bool is_reversed) {
@@ -63,7 +67,8 @@ class BodyWriter {
     body_.roots.push_back(bits);
     for (std::uint32_t i = 0; i < std::uint32_t{1} << bits[0]; ++i)
       for (std::uint32_t j = 0; j < std::uint32_t{1} << bits[1]; ++j)
-        write_node(form.first_root + (is_reversed ? j * columns + i : i * columns + j), is_reversed);
+        write_node(form.first_root + (is_reversed ? j * columns + i : i * columns + j),
+                   is_reversed);
   }
   void write_node(Id id, bool is_reversed) {
     const std::uint32_t box = cover_.box_of_node[id];
@@ -73,7 +78,8 @@ class BodyWriter {
     }
     body_.trees.push_back(certificate::kSplit);
     const Id first = forest_.node(id).first_child;
-    for (const Id k : {0u, 1u, 2u, 3u}) write_node(first + (is_reversed && (k == 1 || k == 2) ? 3 - k : k), is_reversed);
+    for (const Id k : {0u, 1u, 2u, 3u})
+      write_node(first + (is_reversed && (k == 1 || k == 2) ? 3 - k : k), is_reversed);
   }
 
   void write_boxes() {
@@ -94,7 +100,9 @@ class BodyWriter {
     }
   }
   // Differences of multiples of the unit that are less than 2^53 units: exact.
-  static std::uint64_t steps(double length, double unit) { return static_cast<std::uint64_t>(length / unit); }
+  static std::uint64_t steps(double length, double unit) {
+    return static_cast<std::uint64_t>(length / unit);
+  }
 
   const PieceForest& forest_;
   const StarCover& cover_;
@@ -104,18 +112,22 @@ class BodyWriter {
 
 }  // namespace
 
-certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover, const ShellWalks& walks,
+certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
+                                             const ShellWalks& walks,
                                              const std::vector<StarBoxEntity>& entities,
                                              const certificate::Subject& subject) {
-  VT_CHECK(cover.is_complete() && walks.missing.empty(), "a certificate needs a whole cover and all walks");
-  for (const ShellWalk& w : walks.walks) VT_CHECK(w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
+  VT_CHECK(cover.is_complete() && walks.missing.empty(),
+           "a certificate needs a whole cover and all walks");
+  for (const ShellWalk& w : walks.walks)
+    VT_CHECK(w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
   certificate::StarBoxQuantities q;
   const PatchComplex& complex = forest.complex();
   q.patches = complex.patches().size();
   q.edges = complex.num_edges();
   q.vertices = complex.num_vertices();
   q.shells = complex.shells().size();
-  for (const PatchShell& shell : complex.shells()) q.genus += static_cast<std::uint64_t>(shell.genus().value());
+  for (const PatchShell& shell : complex.shells())
+    q.genus += static_cast<std::uint64_t>(shell.genus().value());
   q.bodies = walks.num_bodies();
   return certificate::encode(subject, q, BodyWriter(forest, cover, entities).write(walks));
 }

@@ -20,7 +20,8 @@ struct StarBoxEntity {
 };
 
 /// REQUIRES a complete cover, a walk for every shell, winding numbers 1 inside and 0 outside, and the entities of the complex in order.
-certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover, const ShellWalks& walks,
+certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
+                                             const ShellWalks& walks,
                                              const std::vector<StarBoxEntity>& entities,
                                              const certificate::Subject& subject);
 

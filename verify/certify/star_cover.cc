@@ -19,7 +19,8 @@ constexpr std::size_t kMostPieces = 4096;
 
 class CoverSearch {
  public:
-  CoverSearch(PieceForest& forest, const StarCoverOptions& options) : forest_(forest), options_(options) {}
+  CoverSearch(PieceForest& forest, const StarCoverOptions& options)
+      : forest_(forest), options_(options) {}
 
   StarCover run() {
     const auto& order = forest_.roots().order();
@@ -37,14 +38,16 @@ class CoverSearch {
 
  private:
   std::uint32_t& box_of(Id id) {
-    if (out_.box_of_node.size() <= id) out_.box_of_node.resize(std::max<std::size_t>(id + 1, forest_.num_nodes()), StarCover::kNone);
+    if (out_.box_of_node.size() <= id)
+      out_.box_of_node.resize(std::max<std::size_t>(id + 1, forest_.num_nodes()), StarCover::kNone);
     return out_.box_of_node[id];
   }
 
   void cover(Id id) {
     if (box_of(id) != StarCover::kNone || try_box(id)) return;
     if (forest_.node(id).level >= options_.max_level || out_.tried >= options_.max_boxes) {
-      out_.uncovered.push_back({id, out_.tried >= options_.max_boxes ? Why::kBudget : last_failure_});
+      out_.uncovered.push_back(
+          {id, out_.tried >= options_.max_boxes ? Why::kBudget : last_failure_});
       return;
     }
     const Id first = forest_.children(id);
@@ -53,7 +56,8 @@ class CoverSearch {
 
   // Boxes are numbered anew, in the order of the leaves; those that cover only parts of other leaves go.
   void keep_leaves() {
-    std::vector<std::uint32_t> leaf_box(forest_.num_nodes(), StarCover::kNone), number(out_.boxes.size(), StarCover::kNone);
+    std::vector<std::uint32_t> leaf_box(forest_.num_nodes(), StarCover::kNone),
+        number(out_.boxes.size(), StarCover::kNone);
     std::vector<CoverBox> boxes;
     const auto visit = [&](auto& self, Id id) -> void {
       const std::uint32_t box = out_.box_of_node[id];
@@ -93,10 +97,13 @@ class CoverSearch {
     CoverBox cover = box_around(hull);
     if (!is_promising(id, cover)) return fail(Why::kNoCentres);
     tested_.clear(), held_.clear();
-    if (!find_pieces(forest_, cover.star.box, 0.5 * extent(cover.star.box), kMostPieces, &tested_, &held_))
+    if (!find_pieces(forest_, cover.star.box, 0.5 * extent(cover.star.box), kMostPieces, &tested_,
+                     &held_))
       return fail(Why::kTooDeep);
     out_.tested_pieces += tested_.size();
-    const bool has_centres = (place_centres(&cover) && has_star_signs(forest_, tested_, cover.star)) || search_centres(&cover);
+    const bool has_centres =
+        (place_centres(&cover) && has_star_signs(forest_, tested_, cover.star)) ||
+        search_centres(&cover);
     if (!has_centres) return fail(Why::kNoCentres);
     const auto crossings = crossing_number(forest_, tested_, cover.star);
     if (crossings != 1) return fail(Why::kCrossings);
@@ -118,7 +125,8 @@ class CoverSearch {
   bool is_promising(Id id, const CoverBox& cover) {
     tested_.assign(1, id);
     CoverBox copy = cover;
-    return (place_centres(&copy) && has_star_signs(forest_, tested_, copy.star)) || search_centres(&copy);
+    return (place_centres(&copy) && has_star_signs(forest_, tested_, copy.star)) ||
+           search_centres(&copy);
   }
 
   // The mean normal of the tested pieces, not of unit length.
@@ -159,7 +167,8 @@ class CoverSearch {
     const Box3d& box = cover->star.box;
     const double size = extent(box), enough = 1e-3 * size;
     Box3d room = box;
-    for (std::size_t k = 0; k < 3; ++k) room.lo[k] += 2 * cover->unit, room.hi[k] -= 2 * cover->unit;
+    for (std::size_t k = 0; k < 3; ++k)
+      room.lo[k] += 2 * cover->unit, room.hi[k] -= 2 * cover->unit;
     half_spaces_.clear();
     for (const Id id : tested_) add_half_spaces(id);
     const auto inside = deepest_point(half_spaces_, room, enough);
@@ -206,6 +215,8 @@ class CoverSearch {
 
 }  // namespace
 
-StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options) { return CoverSearch(forest, options).run(); }
+StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options) {
+  return CoverSearch(forest, options).run();
+}
 
 }  // namespace veritope

@@ -38,11 +38,13 @@ Part part_in(const Box3d& box, const Point3d& a, const Point3d& b) {
 
 class SegmentDescent {
  public:
-  SegmentDescent(PieceForest& forest, const Point3d& a, const Point3d& b) : forest_(forest), a_(a), b_(b) {}
+  SegmentDescent(PieceForest& forest, const Point3d& a, const Point3d& b)
+      : forest_(forest), a_(a), b_(b) {}
   bool is_free() {
     bool free = true;
-    forest_.roots().visit([&](const Box3d& box) { return free && meets_segment(box); },
-                          [&](std::uint32_t number) { free = free && visit(forest_.root(number)); });
+    forest_.roots().visit(
+        [&](const Box3d& box) { return free && meets_segment(box); },
+        [&](std::uint32_t number) { free = free && visit(forest_.root(number)); });
     return free;
   }
 
@@ -53,7 +55,8 @@ class SegmentDescent {
   }
   bool visit(Id id) {
     if (!meets_segment(forest_.node(id).hull)) return true;
-    if (++visits_ > kMaxVisits || forest_.node(id).level >= PieceForest::kMaxLevel - 2) return false;
+    if (++visits_ > kMaxVisits || forest_.node(id).level >= PieceForest::kMaxLevel - 2)
+      return false;
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4; ++k)
       if (!visit(first + k)) return false;
@@ -68,7 +71,8 @@ class WalkSearch {
  public:
   WalkSearch(PieceForest& forest, const StarCover& cover) : forest_(forest), cover_(cover) {
     all_ = forest.node(0).hull;
-    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) all_ = hull(all_, forest.node(forest.root(r)).hull);
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r)
+      all_ = hull(all_, forest.node(forest.root(r)).hull);
     list_boxes();
   }
 
@@ -135,7 +139,8 @@ class WalkSearch {
   Point3d far_point(const Point3d& from, std::uint8_t direction) const {
     Point3d to = from;
     const std::size_t k = direction / 2;
-    to[k] = direction % 2 == 0 ? std::max(all_.hi[k], from[k]) + 1 : std::min(all_.lo[k], from[k]) - 1;
+    to[k] =
+        direction % 2 == 0 ? std::max(all_.hi[k], from[k]) + 1 : std::min(all_.lo[k], from[k]) - 1;
     return to;
   }
 
@@ -146,14 +151,17 @@ class WalkSearch {
     return true;
   }
 
-  bool to_other_shell(std::uint32_t shell, std::uint32_t box, bool outside, std::uint8_t direction) {
+  bool to_other_shell(std::uint32_t shell, std::uint32_t box, bool outside,
+                      std::uint8_t direction) {
     const Point3d& from = centre(box, outside);
     for (const std::uint32_t next : boxes_along(from, far_point(from, direction))) {
       const std::uint32_t other = shell_of_box_[next];
-      if (other == shell || !done_[other]) return false;  // the first shell that the ray meets decides
+      if (other == shell || !done_[other])
+        return false;  // the first shell that the ray meets decides
       for (const bool to_outside : {true, false})
         if (is_free_segment(forest_, from, centre(next, to_outside))) {
-          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0}, windings_[other][to_outside ? 1 : 0]);
+          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0},
+              windings_[other][to_outside ? 1 : 0]);
           return true;
         }
     }
@@ -173,12 +181,17 @@ class WalkSearch {
       const Id first = forest_.node(id).first_child;
       for (Id k = 0; first != PieceForest::kNone && k < 4; ++k) self(self, first + k);
     };
-    forest_.roots().visit([&](const Box3d& box) { const Part p = part_in(box, a, b); return p.t0 <= p.t1; },
-                          [&](std::uint32_t number) { visit(visit, forest_.root(number)); });
+    forest_.roots().visit(
+        [&](const Box3d& box) {
+          const Part p = part_in(box, a, b);
+          return p.t0 <= p.t1;
+        },
+        [&](std::uint32_t number) { visit(visit, forest_.root(number)); });
     std::sort(found.begin(), found.end());
     std::vector<std::uint32_t> out;
     for (const auto& [t, box] : found)
-      if (out.size() < 16 && std::find(out.begin(), out.end(), box) == out.end()) out.push_back(box);
+      if (out.size() < 16 && std::find(out.begin(), out.end(), box) == out.end())
+        out.push_back(box);
     return out;
   }
 
@@ -210,7 +223,9 @@ std::uint64_t ShellWalks::num_bodies() const {
   return n;
 }
 
-bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b) { return SegmentDescent(forest, a, b).is_free(); }
+bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b) {
+  return SegmentDescent(forest, a, b).is_free();
+}
 
 ShellWalks find_shell_walks(PieceForest& forest, const StarCover& cover) {
   VT_CHECK(cover.is_complete(), "walks start at boxes of a whole cover");

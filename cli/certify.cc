@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/certify.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
-#include <new>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "cli/checker_process.h"
+#include "cli/certification.h"
 #include "cli/defect_picture.h"
-#include "cli/scratch_file.h"
-#include "cli/text_style.h"
-#include "io/file_bytes.h"
 #include "io/reading_rule.h"
-#include "robust/base/check.h"
 #include "verify/certify/mesh_certifier.h"
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/sha256.h"
@@ -24,89 +15,12 @@
 namespace veritope::cli {
 namespace {
 
-class Stopwatch {
+class MeshCertification : public Certification {
  public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
+  using Certification::Certification;
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-std::string_view as_text(const certificate::Bytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-// A name as a shell takes it.
-std::string shell_word(const std::string& name) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/+-";
-  if (name.find_first_not_of(kPlain) == name.npos) return name;
-  std::string out = "'";
-  for (const char c : name) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
-// Names that mean another file in another process, or one that can be read once only.
-bool needs_copy(const std::string& path) {
-  return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
-}
-
-// The bytes of an input that the checker cannot open by its name.
-struct SpooledInput {
-  ByteBuffer bytes;
-  std::optional<ScratchFile> copy;  // for the checker
-};
-
-class Certification {
- public:
-  Certification(const std::string& path, const CertifySettings& settings,
-                const KeepCertificate& keep, Progress& progress)
-      : settings_(settings), keep_(keep), progress_(progress) {
-    report_.path = path;
-  }
-
-  FileReport run() {
-    try {
-      if (read() && decide() && certify() && check()) conclude();
-    } catch (const InternalError& error) {
-      give_up(kExitBug, {"internal", {}, std::string(error.what()) + "; " + how_to_report()});
-    } catch (const std::bad_alloc&) {
-      give_up(kExitUndecided, {"out-of-memory", {}, "not enough memory for this file"});
-    }
-    return std::move(report_);
-  }
-
- private:
-  // Always false.
-  bool refuse(Fault fault) {
-    report_.exit = kExitUnreadable;
-    report_.verdict = FileVerdict::kUnreadable;
-    report_.fault = std::move(fault);
-    return false;
-  }
-  // Always false. A verdict that nobody else confirmed is none, and its counts, defects and certificate are none.
-  bool give_up(ExitCode exit, Fault fault) {
-    report_.certificate.reset();
-    report_.decision.reset();
-    report_.defects.clear();
-    report_.picture.clear();
-    report_.exit = exit;
-    report_.verdict = FileVerdict::kUndecided;
-    report_.fault = std::move(fault);
-    return false;
-  }
-
-  void phase(const char* what) {
-    const std::string& path = report_.path;
-    const std::string name = harmless(path.substr(path.rfind('/') + 1));
-    progress_.phase(path == "-" ? "standard input" : name, what);
-    watch_.lap();
-  }
-
-  bool read() {
+  bool read() override {
     phase("reading");
     Result<MeshFile> file = read_mesh();
     report_.seconds.read = watch_.lap();
@@ -122,17 +36,15 @@ class Certification {
 
   Result<MeshFile> read_mesh() {
     const std::string& path = report_.path;
-    if (!needs_copy(path)) return read_mesh_file(path, settings_.reading);
-    const std::uint64_t max_bytes = settings_.reading.limits.max_bytes;
-    Result<ByteBuffer> bytes = path == "-" ? read_descriptor(STDIN_FILENO, path, 0, max_bytes)
-                                           : read_file_bytes(path, max_bytes);
+    if (!needs_copy()) return read_mesh_file(path, settings_.reading);
+    Result<ByteBuffer> bytes = read_once();
     if (!bytes) return bytes.error();
-    spooled_.bytes = std::move(*bytes);
-    const ByteBuffer& b = spooled_.bytes;
+    spooled_ = std::move(*bytes);
+    const ByteBuffer& b = spooled_;
     return read_mesh_bytes({b.data(), b.size()}, path, settings_.reading);
   }
 
-  bool decide() {
+  bool decide() override {
     phase("deciding");
     ValidityOptions options;
     options.jobs = settings_.jobs;
@@ -142,7 +54,7 @@ class Certification {
     return true;
   }
 
-  bool certify() {
+  bool certify() override {
     phase("certifying");
     ValidityReport& decision = *report_.decision;
     certificate::Subject subject;
@@ -175,110 +87,31 @@ class Certification {
     polygon_of_face_ = {};
   }
 
-  bool check() {
-    if (settings_.checker.empty()) return true;
-    phase("checking");
-    Result<ScratchFile> certificate = ScratchFile::with(as_text(bytes_));
-    if (!certificate) return give_up(kExitUnreadable, fault_of(certificate.error()));
-    std::vector<int> inherited = {certificate->descriptor()};
-    std::string model = report_.path;
-    if (needs_copy(model)) {
-      const ByteBuffer& b = spooled_.bytes;
-      Result<ScratchFile> copy =
-          ScratchFile::with({reinterpret_cast<const char*>(b.data()), b.size()});
-      if (!copy) return give_up(kExitUnreadable, fault_of(copy.error()));
-      spooled_.copy.emplace(std::move(*copy));
-      inherited.push_back(spooled_.copy->descriptor());
-      model = spooled_.copy->path();
-    }
-    const std::string claim(report_.decision->is_valid ? certificate::kValidClaim
-                                                       : certificate::kInvalidClaim);
-    const CheckerOutcome outcome =
-        run_checker(settings_.checker, model, certificate->path(), claim, inherited);
-    report_.seconds.check = watch_.lap();
-    report_.certificate->is_checked = outcome.is_accepted;
-    return outcome.is_accepted || judge_refusal(outcome);
+  bool is_valid() const override { return report_.decision->is_valid; }
+  std::string claim() const override {
+    return std::string(is_valid() ? certificate::kValidClaim : certificate::kInvalidClaim);
   }
-
-  // Always false.
-  bool judge_refusal(const CheckerOutcome& outcome) {
-    if (!outcome.is_started) {
-      return give_up(kExitUndecided, {"not-checked", {}, settings_.checker + " " + outcome.words});
-    }
-    if (outcome.lacks_resources) {
-      return give_up(
-          kExitUndecided,
-          {"out-of-memory", {}, "not enough memory for veritope-check (" + outcome.words + ")"});
-    }
-    if (outcome.exceeds_work) {
-      return give_up(kExitUndecided, {"over-budget",
-                                      {},
-                                      "the proof takes more work than checkers of this "
-                                      "certificate may spend (" +
-                                          outcome.words + ")"});
-    }
-    if (file_has_changed()) {
-      FileReport blank;  // what was found is about bytes that are gone
-      blank.path = report_.path;
-      blank.seconds = report_.seconds;
-      report_ = std::move(blank);
-      return refuse({"file-changed", {}, "the file changed while it was being certified"});
-    }
-    return give_up(kExitBug, {"internal",
-                              {},
-                              "veritope-check did not accept our certificate (" + outcome.words +
-                                  "); " + how_to_report()});
+  void forget() override {
+    report_.decision.reset();
+    report_.defects.clear();
   }
-
-  bool file_has_changed() const {
-    if (needs_copy(report_.path)) return false;
-    const Result<ByteBuffer> now =
-        read_file_bytes(report_.path, settings_.reading.limits.max_bytes);
-    return !now || to_hex(sha256({now->data(), now->size()})) != report_.sha256;
-  }
-
-  void conclude() {
-    const bool is_valid = report_.decision->is_valid;
-    report_.verdict = is_valid ? FileVerdict::kValid : FileVerdict::kInvalid;
-    report_.exit = is_valid ? kExitValid : kExitInvalid;
-    if (!keep_) return;
-    const Result<std::string> kept = keep_(as_text(bytes_));
-    if (kept) {
-      report_.certificate->path = *kept;
-      return;
-    }
-    report_.exit = first_of(report_.exit, kExitUnreadable);
-    report_.fault = fault_of(kept.error());
-  }
-
-  std::string how_to_report() const {
-    const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
-    std::string options = "--no-check --certificate bug.cert ";
+  std::string own_options() const override {
+    std::string options;
     if (settings_.reading.as_indexed) options += "--as-indexed ";
-    if (settings_.reading.format) {
+    if (settings_.reading.format)
       options += std::string("--format ") + mesh_format_name(*settings_.reading.format) + " ";
-    }
-    return "this is a bug of veritope, not of your file: please report it with the file, or with "
-           "what this prints: veritope certify " +
-           options + name + "; veritope-check " + name + " bug.cert; veritope --version";
+    return options;
   }
 
-  const CertifySettings& settings_;
-  const KeepCertificate& keep_;
-  Progress& progress_;
-  FileReport report_;
-  Stopwatch watch_;
   TriangleMesh mesh_;
   std::vector<std::uint32_t> polygon_of_face_;
-  SpooledInput spooled_;
-  certificate::Bytes bytes_;
 };
 
 }  // namespace
 
 FileReport certify_file(const std::string& path, const CertifySettings& settings,
                         const KeepCertificate& keep, Progress& progress) {
-  return Certification(path, settings, keep, progress).run();
+  return MeshCertification(path, settings, keep, progress).run();
 }
 
 std::string tool_name() { return "veritope " VERITOPE_VERSION; }

@@ -8,11 +8,15 @@
 #include "cli/file_report.h"
 #include "cli/progress.h"
 #include "io/read_mesh.h"
+#include "io/spline_format.h"
+#include "solids/patch_complex.h"
 
 namespace veritope::cli {
 
 struct CertifySettings {
   ReadOptions reading;
+  std::optional<SplineFormat> spline_format;  ///< of a spline file
+  PatchOrientation orientation = PatchOrientation::kKeep;
   unsigned jobs = 1;
   std::size_t max_defects = 20;
   std::string checker;  ///< its program; empty: --no-check

@@ -3,11 +3,13 @@
 #include <sys/stat.h>
 
 #include "cli/certify.h"
+#include "cli/certification.h"
 #include "cli/checker_process.h"
 #include "cli/commands.h"
 #include "cli/output_plan.h"
 #include "cli/report_json.h"
 #include "cli/report_text.h"
+#include "cli/spline_convert.h"
 
 namespace veritope::cli {
 namespace {
@@ -69,7 +71,13 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
       return fail(status.error());
     }
   }
-  CertifySettings settings{options.reading, options.jobs, options.max_defects, "", options.picture.has_value()};
+  CertifySettings settings;
+  settings.reading = options.reading;
+  settings.spline_format = options.spline_format;
+  settings.orientation = options.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep;
+  settings.jobs = options.jobs;
+  settings.max_defects = options.max_defects;
+  settings.with_picture = options.picture.has_value();
   if (!options.no_check) {
     const Result<std::string> checker = find_checker();
     if (!checker) return complain(checker.error().message), kExitUsage;
@@ -79,8 +87,9 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
   ExitCode exit = kExitValid;
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < options.files.size(); ++i) {
-    const FileReport report =
-        certify_file(options.files[i], settings, keeper(*plan, i, out), progress);
+    const std::string& file = options.files[i];
+    const auto certify = is_spline_input(file, options) ? certify_patch_file : certify_file;
+    const FileReport report = certify(file, settings, keeper(*plan, i, out), progress);
     progress.clear();
     exit = first_of(exit, report.exit);
     if (options.json) json.push_back(report_json(report));

@@ -23,6 +23,7 @@ Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& fil
     error.place.file = options.files[k];
     return error;
   }
+  for (const SplineFile& file : files) report.ignored_triangles += count_triangles(file.model);
   IntersectionOptions how;
   how.gap = options.gap;
   how.budget.pairs = options.max_pairs;

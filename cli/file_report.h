@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/patch_report.h"
 #include "io/read_mesh.h"
 #include "robust/base/result.h"
 #include "solids/polyhedron/validity.h"
@@ -32,7 +33,7 @@ struct PhaseSeconds {
 };
 
 /// What went wrong with a file. Code names are those of code_name, and "internal", "not-checked",
-/// "out-of-memory", "over-budget", "file-changed".
+/// "out-of-memory", "over-budget", "file-changed", "not-certified", "not-covered".
 struct Fault {
   std::string code;
   Place place;
@@ -54,6 +55,7 @@ struct FileReport {
   std::optional<ReadReport> reading;       ///< nothing: unreadable
   std::optional<ValidityReport> decision;  ///< without its defects, see `defects`
   std::vector<ListedDefect> defects;       ///< at most --max-defects
+  std::optional<PatchReport> patches;      ///< of a spline file that was read; then there is no reading, decision or defect
   std::optional<CertificateReport> certificate;
   std::string picture;  ///< PLY; empty: none was asked for, or there is no verdict
   PhaseSeconds seconds;

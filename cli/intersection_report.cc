@@ -187,6 +187,7 @@ std::string intersection_json(const IntersectionReport& report) {
       report, [](const SurfaceIntersection& s) { return s.unresolved; }, contact);
   out["pairs_of_surfaces"] = report.num_pairs;
   out["trimming_ignored"] = report.ignores_trimming;
+  out["triangles_ignored"] = report.ignored_triangles;
   out["complete"] = report.is_complete();
   return dump(out) + "\n";
 }
@@ -203,6 +204,9 @@ std::string intersection_text(const IntersectionReport& report) {
                     " tangencies and overlaps\n";
   if (report.ignores_trimming)
     out += "  Trimming curves were not looked at: these are the whole surfaces.\n";
+  if (report.ignored_triangles != 0)
+    out += "  Not looked at: " +
+           counted(report.ignored_triangles, "Bezier triangle", "Bezier triangles") + ".\n";
   for (const PairIntersection& p : report.pairs) out += lines_of(p);
   return out;
 }

@@ -29,6 +29,7 @@ struct IntersectionReport {
   std::vector<PairIntersection> pairs;  ///< those that have something to say
   std::size_t num_pairs = 0;            ///< looked at
   bool ignores_trimming = false;
+  std::uint64_t ignored_triangles = 0;  ///< Bezier triangles of both files
 
   bool is_complete() const;
   ExitCode exit() const { return is_complete() ? kExitValid : kExitUndecided; }

@@ -68,19 +68,6 @@ void add_file(CLI::App* app, const std::string& name, std::vector<std::string>& 
       ->type_name("");
 }
 
-void add_format(CLI::App* app, Options& o) {
-  app->add_option_function<std::string>(
-         "--format",
-         [&o](const std::string& name) {
-           o.reading.format = mesh_format_from_name(name);
-           if (!o.reading.format) {
-             throw CLI::ValidationError("--format", "must be stl, obj, ply or off, not " + name);
-           }
-         },
-         "stl, obj, ply or off, whatever the name says")
-      ->type_name("F");
-}
-
 void add_any_format(CLI::App* app, Options& o) {
   app->add_option_function<std::string>(
          "--format",
@@ -112,20 +99,33 @@ void add_jobs(CLI::App* app, Options& o) {
   add_number(app, "-j,--jobs", o.jobs, 1, kMostJobs, "threads (default: all of the machine)");
 }
 
+void add_orientation(CLI::App* app, Options& o) {
+  app->add_option_function<std::string>(
+         "--orient",
+         [&o](const std::string& how) {
+           if (how != "auto" && how != "keep")
+             throw CLI::ValidationError("--orient", "must be auto or keep, not " + how);
+           o.orient_auto = how == "auto";
+         },
+         "auto: reverse patches of a spline file that do not fit\ntheir neighbours, and list them")
+      ->type_name("HOW");
+}
+
 void add_certify(CLI::App& app, Options& o) {
   CLI::App* const c =
-      app.add_subcommand("certify", "decide whether meshes bound solids, and prove it");
+      app.add_subcommand("certify", "decide whether meshes and patches bound solids, and prove it");
   c->callback([&o] { o.command = Command::kCertify; });
-  add_files(c, o.files, "STL, OBJ, PLY or OFF; - is standard input (with --format)");
+  add_files(c, o.files, "STL, OBJ, PLY, OFF or VJSON; - is standard input (with --format)");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
   add_text(c, "--certificate", o.certificate, "F",
            "keep the certificate; of several files in folder F");
   add_text(c, "--picture", o.picture, "F", "write a coloured PLY that shows the defects");
   add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
   add_jobs(c, o);
+  add_orientation(c, o);
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
-  add_format(c, o);
+  add_any_format(c, o);
   add_reading(c, o);
 }
 

@@ -37,6 +37,7 @@ struct Options {
   std::uint64_t max_defects = 20;             ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
+  bool orient_auto = false;                      ///< certify, of spline files: --orient auto
   std::string output;                            ///< convert: OUT
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert

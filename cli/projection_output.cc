@@ -107,7 +107,8 @@ std::string projection_json(const ProjectionReport& report) {
   out["sha256"] = report.sha256;
   out["point"] = point;
   out["targets"] = targets;
-  out["skipped_volumes"] = report.skipped;
+  out["skipped_volumes"] = report.skipped_volumes;
+  out["skipped_triangles"] = report.skipped_triangles;
   out["distance"] = interval_json(report.distance());
   out["nearest"] =
       nearest ? Json({{"target", nearest->first}, {"point", nearest->second}}) : Json(nullptr);
@@ -120,6 +121,9 @@ std::string projection_text(const ProjectionReport& report) {
   std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
                     harmless(report.path) + "  distance " + range_text(report.distance()) +
                     (nearest ? "" : "  nearest point not decided") + "\n";
+  if (report.skipped_triangles != 0)
+    out += "  Not looked at: " +
+           counted(report.skipped_triangles, "Bezier triangle", "Bezier triangles") + ".\n";
   for (std::size_t t = 0; t < report.targets.size(); ++t) {
     const ProjectionTarget& target = report.targets[t];
     out += "  " + target.kind + " " + std::to_string(target.entity) +

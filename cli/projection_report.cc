@@ -30,7 +30,8 @@ class Targets {
           return status;
       return ok_status();
     }
-    ++report_.skipped;
+    ++(std::holds_alternative<ExactTriangle>(entity.shape) ? report_.skipped_triangles
+                                                           : report_.skipped_volumes);
     return ok_status();
   }
 

@@ -24,7 +24,7 @@ struct ProjectionReport {
   std::vector<Rational> point;
   std::string path, sha256;
   std::vector<ProjectionTarget> targets;
-  std::uint64_t skipped = 0;  ///< volumes
+  std::uint64_t skipped_volumes = 0, skipped_triangles = 0;
   ExitCode exit = kExitValid;
 
   /// Encloses the distance to all targets. REQUIRES targets.

@@ -134,6 +134,7 @@ Json certificate_json(const FileReport& report) {
 }  // namespace
 
 std::string report_json(const FileReport& report) {
+  if (report.patches) return patch_report_json(report);
   const ReadReport* const r = report.reading ? &*report.reading : nullptr;
   Json defects = Json::array();
   for (const ListedDefect& d : report.defects) defects.push_back(defect_json(d));

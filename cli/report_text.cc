@@ -63,8 +63,9 @@ std::string summary(const FileReport& report) {
   const bool is_verdict =
       report.verdict == FileVerdict::kValid || report.verdict == FileVerdict::kInvalid;
   if (!is_verdict) return report.fault ? harmless(fault_text(*report.fault)) : "";
-  const std::string what =
-      report.verdict == FileVerdict::kValid ? valid_summary(report) : invalid_summary(report);
+  const std::string what = report.patches                              ? patch_summary(*report.patches)
+                           : report.verdict == FileVerdict::kValid ? valid_summary(report)
+                                                                   : invalid_summary(report);
   const bool is_checked = report.certificate && report.certificate->is_checked;
   return what + (is_checked ? " (checked)" : " (not checked)");
 }
@@ -215,6 +216,7 @@ std::string verdict_line(const FileReport& report, const Style& style) {
 }
 
 std::string details_text(const FileReport& report, const Style& style) {
+  if (report.patches) return patch_details(report) + certificate_text(report);
   const bool is_verdict =
       report.verdict == FileVerdict::kValid || report.verdict == FileVerdict::kInvalid;
   if (!is_verdict || !report.decision) return "";

@@ -43,12 +43,19 @@ void describe(Json& out, const BSpline<Rational, N>& s) {
   out["axes"] = axes;
 }
 
+void describe(Json& out, const ExactTriangle& t) {
+  out["dimension"] = t.dimension();
+  out["rational"] = t.is_rational();
+  out["axes"] = nullptr;
+}
+
 Json entity_json(const SplineModel& model, const SplineEntity& entity) {
   Json out;
   out["kind"] = spline_kind_name(entity);
   out["name"] = name_of(model, entity);
   out["line"] = optional_json(entity.place.line);
   std::size_t loops = 0, surfaces = 0;
+  Json degree = nullptr;
   if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape)) {
     describe(out, t->surface);
     loops = t->loops.size();
@@ -64,9 +71,13 @@ Json entity_json(const SplineModel& model, const SplineEntity& entity) {
     out["rational"] = is_rational;
     out["axes"] = nullptr;
     surfaces = b->faces.size();
+  } else if (const auto* triangle = std::get_if<ExactTriangle>(&entity.shape)) {
+    describe(out, *triangle);
+    degree = triangle->degree();
   } else {
     for_each_spline(entity, [&](const auto& s) { describe(out, s); });
   }
+  out["degree"] = degree;
   out["loops"] = loops;
   out["surfaces"] = surfaces;
   out["bbox"] = box_json(control_box(entity));
@@ -92,6 +103,7 @@ Json counts_json(const SplineModel* model) {
   put("volumes", splines[2]);
   put("trimmed", trimmed);
   put("models", models);
+  put("triangles", model != nullptr ? count_triangles(*model) : 0);
   return out;
 }
 

@@ -9,9 +9,10 @@
 namespace veritope::cli {
 namespace {
 
-template <std::size_t N>
-void grow(ExactBox& box, const BSpline<Rational, N>& s) {
-  for (std::size_t i = 0; i < s.grid().count(); ++i)
+// By the control points of a spline or triangle.
+template <typename Map>
+void grow(ExactBox& box, const Map& s) {
+  for (std::size_t i = 0; i < s.component(0).size(); ++i)
     for (int c = 0; c < s.dimension(); ++c) {
       const auto k = static_cast<std::size_t>(c);
       Rational x = s.component(c)[i];
@@ -44,6 +45,8 @@ ExactBox control_box(const SplineEntity& entity) {
     grow(box, t->surface);
   } else if (const auto* b = std::get_if<SplineBrep>(&entity.shape)) {
     for (const BrepFace& face : b->faces) grow(box, face.surface);
+  } else if (const auto* triangle = std::get_if<ExactTriangle>(&entity.shape)) {
+    grow(box, *triangle);
   } else {
     for_each_spline(entity, [&](const auto& s) { grow(box, s); });
   }

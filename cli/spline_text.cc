@@ -40,25 +40,33 @@ std::string map_text(const BSpline<Rational, N>& s) {
          (is_periodic ? ", periodic" : "") + ", dimension " + std::to_string(s.dimension());
 }
 
+std::string triangle_text(const ExactTriangle& t) {
+  return "degree " + std::to_string(t.degree()) + ", " + std::to_string(t.count()) +
+         " control points" + (t.is_rational() ? ", rational" : "") + ", dimension " +
+         std::to_string(t.dimension());
+}
+
 std::string shape_text(const SplineEntity& e) {
   if (const auto* t = std::get_if<TrimmedSurface>(&e.shape))
     return map_text(t->surface) + ", " + counted(t->loops.size(), "loop", "loops");
   if (const auto* b = std::get_if<SplineBrep>(&e.shape))
     return counted(b->faces.size(), "surface", "surfaces") + ", " +
            counted(b->segments.size(), "segment", "segments");
+  if (const auto* t = std::get_if<ExactTriangle>(&e.shape)) return triangle_text(*t);
   std::string text;
   for_each_spline(e, [&](const auto& s) { text = map_text(s); });
   return text;
 }
 
 std::string counts_text(const SplineModel& model) {
-  constexpr std::array<std::array<const char*, 2>, 5> kNouns = {
+  constexpr std::array<std::array<const char*, 2>, 6> kNouns = {
       {{"curve", "curves"},
        {"surface", "surfaces"},
        {"volume", "volumes"},
        {"trimmed surface", "trimmed surfaces"},
-       {"model", "models"}}};
-  std::array<std::uint64_t, 5> counts{};
+       {"model", "models"},
+       {"Bezier triangle", "Bezier triangles"}}};
+  std::array<std::uint64_t, 6> counts{};
   for (const SplineEntity& e : model.entities) ++counts[e.shape.index()];
   std::string text;
   for (std::size_t i = 0; i < counts.size(); ++i)

@@ -11,6 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned seed) {
   static constexpr std::string_view kWords[] = {"[OBJECT",
+                                                "\"kind\": \"triangle\"",
+                                                "\"degree\": 2",
                                                 "[SURFACE BSPLINE",
                                                 "[CURVE BEZIER",
                                                 "[TRIVAR",

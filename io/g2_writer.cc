@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// GoTools' .g2. It has no groups, no periodic flag and no models: those axes are written unclamped, models as nothing.
+// GoTools' .g2. It has no groups, no periodic flag, no models and no triangles: those axes are written unclamped, the rest as nothing.
 #include "io/write_splines.h"
 
 namespace veritope {
@@ -77,6 +77,7 @@ class G2Writer {
     }
   }
   void object(const SplineBrep&) {}
+  void object(const ExactTriangle&) {}
 
   const ReadLimits& limits_;
   std::string out_, extra_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// IRIT's .itd. Bezier splines are written as BSPLINE, so that reading gives the same knots; periodic axes as KVP.
+// IRIT's .itd. Bezier splines are written as BSPLINE, so that reading gives the same knots; periodic axes as KVP. It
+// has no Bezier triangles: they are left out.
 #include <algorithm>
 
 #include "io/scan.h"
@@ -20,7 +21,7 @@ class ItdWriter {
   explicit ItdWriter(const ReadLimits& limits) : limits_(limits) {}
   std::string write(const SplineModel& model) {
     for (const SplineEntity& e : model.entities) {
-      bool fits = true;
+      bool fits = !std::holds_alternative<ExactTriangle>(e.shape);
       for_each_spline(e, [&](const auto& s) { fits = fits && has_type(s); });
       if (const auto* t = std::get_if<TrimmedSurface>(&e.shape))
         for (const TrimLoop& loop : t->loops)
@@ -107,6 +108,7 @@ class ItdWriter {
     }
   }
 
+  void shape(const ExactTriangle&, const std::vector<std::string>&) {}
   void shape(const ExactCurve& s, const std::vector<std::string>& a) { spline(s, a); }
   void shape(const ExactSurface& s, const std::vector<std::string>& a) { spline(s, a); }
   void shape(const ExactVolume& s, const std::vector<std::string>& a) { spline(s, a); }

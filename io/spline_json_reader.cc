@@ -21,21 +21,30 @@ class JsonReader : SplineJsonLexer {
   bool read_group();
   bool read_entity();
   bool read_shape(const std::string& kind, SplineEntity& entity);
-  struct RawMap {
+  struct RawNet {
     const char* at = nullptr;
-    std::vector<std::int64_t> degrees;
-    std::vector<bool> periodic;
-    std::vector<std::vector<Rational>> knots;
     bool is_rational = false;
     std::int64_t components = 0;
     std::uint64_t num_points = 0;
+    std::size_t per_point = 0;  // numbers in the first
+    bool is_even = true;        // and in all others
     std::vector<Rational> points;
   };
+  struct RawMap : RawNet {
+    std::vector<std::int64_t> degrees;
+    std::vector<bool> periodic;
+    std::vector<std::vector<Rational>> knots;
+  };
+  bool read_points(RawNet& raw);
+  bool check_components(const RawNet& raw);
+  std::vector<Rational> take_coefficients(RawNet& raw);
+  bool check_weights(const RawNet& raw, std::span<const Rational> weights);
   bool read_raw(RawMap& raw);
   template <std::size_t N>
   bool finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline);
   template <std::size_t N>
   bool read_map(std::optional<BSpline<Rational, N>>& spline);
+  bool read_triangle(std::optional<ExactTriangle>& triangle);
   bool read_optional_curve(std::optional<ExactCurve>& curve);
   bool read_loops(std::vector<TrimLoop>& loops);
   bool read_brep_face(SplineBrep& brep);
@@ -73,6 +82,47 @@ bool JsonReader::read_group() {
   return ok;
 }
 
+bool JsonReader::read_points(RawNet& raw) {
+  return read_list([&] {
+    const std::size_t before = raw.points.size();
+    if (!read_list([&] { return read_exact(raw.points.emplace_back()); })) return false;
+    const std::size_t numbers = raw.points.size() - before;
+    if (raw.num_points++ == 0) raw.per_point = numbers;
+    raw.is_even = raw.is_even && numbers == raw.per_point;
+    return true;
+  });
+}
+
+bool JsonReader::check_components(const RawNet& raw) {
+  const std::int64_t least = raw.is_rational ? 2 : 1;
+  const auto components = static_cast<std::uint64_t>(raw.components);
+  const bool fits = raw.num_points == 0 || (raw.is_even && raw.per_point == components);
+  if (raw.components >= least && raw.components <= 1001 && fits) return true;
+  return fail(raw.at, Code::kBadSpline,
+              "every point must have as many numbers as there are components, " +
+                  std::to_string(raw.components));
+}
+
+// Component by component. REQUIRES check_components(raw); leaves it without points.
+std::vector<Rational> JsonReader::take_coefficients(RawNet& raw) {
+  const auto components = static_cast<std::size_t>(raw.components);
+  std::vector<Rational> coefficients(raw.points.size());
+  for (std::size_t i = 0; i < raw.num_points; ++i)
+    for (std::size_t c = 0; c < components; ++c)
+      coefficients[c * raw.num_points + i] = std::move(raw.points[i * components + c]);
+  raw.points.clear();
+  return coefficients;
+}
+
+bool JsonReader::check_weights(const RawNet& raw, std::span<const Rational> weights) {
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i].sign() != Sign::kPositive)
+      return fail(raw.at, Code::kBadSpline,
+                  "the weight of control point " + std::to_string(i) + ", " +
+                      weights[i].to_string() + ", is not positive");
+  return true;
+}
+
 bool JsonReader::read_raw(RawMap& raw) {
   skip();
   raw.at = p_;
@@ -95,11 +145,7 @@ bool JsonReader::read_raw(RawMap& raw) {
             });
           case 3: return read_bool(raw.is_rational);
           case 4: return read_integer("a number of components", raw.components);
-          default:
-            return read_list([&] {
-              ++raw.num_points;
-              return read_list([&] { return read_exact(raw.points.emplace_back()); });
-            });
+          default: return read_points(raw);
         }
       });
 }
@@ -109,13 +155,7 @@ bool JsonReader::finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline
   if (raw.degrees.size() != N || raw.knots.size() != N || raw.periodic.size() != N)
     return fail(raw.at, Code::kBadSpline,
                 "degrees, periodic and knots must have " + std::to_string(N) + " entries");
-  const std::int64_t least = raw.is_rational ? 2 : 1;
-  const auto components = static_cast<std::uint64_t>(raw.components);
-  if (raw.components < least || raw.components > 1001 ||
-      raw.points.size() != raw.num_points * components)
-    return fail(raw.at, Code::kBadSpline,
-                "every point must have as many numbers as there are components, " +
-                    std::to_string(raw.components));
+  if (!check_components(raw)) return false;
   std::array<KnotAxis<Rational>, N> axes;
   Grid<N> grid;
   std::uint64_t total = 1;
@@ -135,19 +175,10 @@ bool JsonReader::finish(RawMap& raw, std::optional<BSpline<Rational, N>>& spline
   if (total != raw.num_points)
     return fail(raw.at, Code::kBadSpline,
                 std::to_string(raw.num_points) + " points do not fit the knots");
-  std::vector<Rational> coefficients(raw.points.size());
-  for (std::size_t i = 0; i < total; ++i)
-    for (std::size_t c = 0; c < components; ++c)
-      coefficients[c * total + i] = std::move(raw.points[i * components + c]);
-  BSpline<Rational, N> built(std::move(axes), static_cast<int>(components), raw.is_rational,
-                             std::move(coefficients));
-  if (raw.is_rational)
-    for (std::size_t i = 0; i < total; ++i)
-      if (const Rational& w = built.component(built.num_components() - 1)[i];
-          w.sign() != Sign::kPositive)
-        return fail(raw.at, Code::kBadSpline,
-                    "the weight of control point " + std::to_string(i) + ", " + w.to_string() +
-                        ", is not positive");
+  BSpline<Rational, N> built(std::move(axes), static_cast<int>(raw.components), raw.is_rational,
+                             take_coefficients(raw));
+  if (raw.is_rational && !check_weights(raw, built.component(built.num_components() - 1)))
+    return false;
   for (std::size_t a = 0; a < N; ++a) {
     if (!built.axis(a).is_periodic) continue;
     const std::size_t n = grid.size[a], p = static_cast<std::size_t>(built.axis(a).degree),
@@ -170,6 +201,37 @@ template <std::size_t N>
 bool JsonReader::read_map(std::optional<BSpline<Rational, N>>& spline) {
   RawMap raw;
   return read_raw(raw) && finish(raw, spline);
+}
+
+bool JsonReader::read_triangle(std::optional<ExactTriangle>& triangle) {
+  RawNet raw;
+  std::int64_t degree = 0;
+  skip();
+  raw.at = p_;
+  const bool ok = read_object({"degree", "rational", "components", "points"}, [&](std::size_t key) {
+    switch (key) {
+      case 0: return read_integer("a degree", degree);
+      case 1: return read_bool(raw.is_rational);
+      case 2: return read_integer("a number of components", raw.components);
+      default: return read_points(raw);
+    }
+  });
+  if (!ok || !check_components(raw)) return false;
+  if (degree < 1 || degree > kMaxSplineDegree)
+    return fail(raw.at, degree < 1 ? Code::kBadSpline : Code::kOverLimit,
+                "a triangle's degree must be from 1 to " + std::to_string(kMaxSplineDegree) +
+                    ", not " + std::to_string(degree));
+  const std::size_t needed = num_triangle_coefficients(static_cast<int>(degree));
+  if (raw.num_points != needed)
+    return fail(raw.at, Code::kBadSpline,
+                "a triangle of degree " + std::to_string(degree) + " has " +
+                    std::to_string(needed) + " points, not " + std::to_string(raw.num_points));
+  ExactTriangle built(static_cast<int>(degree), static_cast<int>(raw.components), raw.is_rational,
+                      take_coefficients(raw));
+  if (built.is_rational() && !check_weights(raw, built.component(built.num_components() - 1)))
+    return false;
+  triangle = std::move(built);
+  return true;
 }
 
 bool JsonReader::read_optional_curve(std::optional<ExactCurve>& curve) {
@@ -266,6 +328,10 @@ bool JsonReader::read_shape(const std::string& kind, SplineEntity& entity) {
     std::optional<ExactVolume> volume;
     return read_map(volume) && keep(std::move(volume));
   }
+  if (kind == "triangle") {
+    std::optional<ExactTriangle> triangle;
+    return read_triangle(triangle) && keep(std::move(triangle));
+  }
   if (kind == "trimmed") {
     std::optional<ExactSurface> surface;
     std::vector<TrimLoop> loops;
@@ -298,7 +364,7 @@ bool JsonReader::read_entity() {
       return read_shape(kind, entity);
     }
     if (!read_string(kind)) return false;
-    for (const char* known : {"curve", "surface", "volume", "trimmed", "model"})
+    for (const char* known : {"curve", "surface", "volume", "trimmed", "model", "triangle"})
       if (kind == known) return true;
     return fail(p_, Code::kSyntax, "unknown kind of entity " + quoted(kind));
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Our exact text form: docs/formats/spline-json.md. One entity's map a line; numbers in lowest terms.
+// Our exact text form: docs/formats/spline-json.md. One point a line; numbers in lowest terms.
 #include "io/write_splines.h"
 
 namespace veritope {
@@ -77,9 +77,15 @@ class JsonWriter {
               a.knots, [&](const Rational& k) { number(k); }, ", ");
         },
         ",\n   ");
-    out_ += std::string(",\n  \"rational\": ") + (s.is_rational() ? "true" : "false") +
+    out_ += ",\n  ";
+    points(s, s.grid().count());
+  }
+  // What maps of axes and triangles have in common.
+  template <typename Map>
+  void points(const Map& s, std::size_t count) {
+    out_ += std::string("\"rational\": ") + (s.is_rational() ? "true" : "false") +
             ", \"components\": " + std::to_string(s.num_components()) + ",\n  \"points\": [";
-    for (std::size_t i = 0; i < s.grid().count(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       out_ += i == 0 ? "[" : ",\n   [";
       for (int c = 0; c < s.num_components(); ++c) {
         if (c != 0) out_ += ", ";
@@ -110,6 +116,11 @@ class JsonWriter {
   void shape(const ExactCurve& s) { map(s); }
   void shape(const ExactSurface& s) { map(s); }
   void shape(const ExactVolume& s) { map(s); }
+  // Stored in the order that the format has.
+  void shape(const ExactTriangle& t) {
+    out_ += "{\"degree\": " + std::to_string(t.degree()) + ", ";
+    points(t, t.count());
+  }
   void shape(const TrimmedSurface& s) {
     map_and_loops(s, " ");
     list(s.loops, [&](const TrimLoop& loop) {

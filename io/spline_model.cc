@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/spline_model.h"
 
+#include <algorithm>
+
 namespace veritope {
 namespace {
 
@@ -12,7 +14,8 @@ constexpr std::size_t num_parameters(const BSpline<Rational, N>&) {
 }  // namespace
 
 const char* spline_kind_name(const SplineEntity& entity) {
-  constexpr std::array kNames = {"curve", "surface", "volume", "trimmed", "model"};
+  constexpr std::array kNames = {"curve", "surface", "volume", "trimmed", "model", "triangle"};
+  static_assert(kNames.size() == std::variant_size_v<decltype(entity.shape)>);
   return kNames[entity.shape.index()];
 }
 
@@ -21,6 +24,12 @@ std::array<std::uint64_t, 3> count_splines(const SplineModel& model) {
   for (const SplineEntity& entity : model.entities)
     for_each_spline(entity, [&](const auto& spline) { ++counts[num_parameters(spline) - 1]; });
   return counts;
+}
+
+std::uint64_t count_triangles(const SplineModel& model) {
+  return static_cast<std::uint64_t>(std::count_if(
+      model.entities.begin(), model.entities.end(),
+      [](const SplineEntity& e) { return std::holds_alternative<ExactTriangle>(e.shape); }));
 }
 
 }  // namespace veritope

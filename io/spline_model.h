@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/spline_model.h: what a spline file holds: exact curves, surfaces, trimmed surfaces, volumes and models of faces.
+// io/spline_model.h: what a spline file holds: exact curves, surfaces, trimmed surfaces, volumes, models of faces and Bezier triangles.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robust/base/result.h"
+#include "splines/bezier_triangle.h"
 #include "splines/bspline.h"
 
 namespace veritope {
@@ -17,6 +18,7 @@ namespace veritope {
 using ExactCurve = BSplineCurve<Rational>;
 using ExactSurface = BSplineSurface<Rational>;
 using ExactVolume = BSplineVolume<Rational>;
+using ExactTriangle = BezierTriangle<Rational>;
 
 /// A piece of a trimming loop. Either curve may be missing; the reason says why the file's was not taken over.
 struct TrimCurve {
@@ -65,7 +67,8 @@ struct SplineGroup {
 };
 
 struct SplineEntity {
-  std::variant<ExactCurve, ExactSurface, ExactVolume, TrimmedSurface, SplineBrep> shape;
+  std::variant<ExactCurve, ExactSurface, ExactVolume, TrimmedSurface, SplineBrep, ExactTriangle>
+      shape;
   std::vector<std::string> attributes;
   std::optional<std::size_t> group;
   Place place;  ///< where the file has it; no part of the model
@@ -74,22 +77,25 @@ struct SplineEntity {
   }
 };
 
-/// All splines are exact, weights > 0, and every index is in range.
+/// All splines and triangles are exact, of degree 1 to kMaxSplineDegree, weights > 0, and every index is in range.
 struct SplineModel {
   std::vector<SplineGroup> groups;
   std::vector<SplineEntity> entities;
   friend bool operator==(const SplineModel&, const SplineModel&) = default;
 };
 
-/// "curve", "surface", "volume", "trimmed", "model".
+/// "curve", "surface", "volume", "trimmed", "model", "triangle".
 const char* spline_kind_name(const SplineEntity& entity);
 
-/// Calls visit(spline) for every curve, surface and volume, those of trimming included, in file order.
+/// Calls visit(spline) for every curve, surface and volume, those of trimming included, in file order; not for triangles, which have no axes.
 template <typename Visit>
 void for_each_spline(const SplineEntity& entity, Visit visit);
 
 /// How many splines of each number of parameters there are, those of trimming included.
 std::array<std::uint64_t, 3> count_splines(const SplineModel& model);
+
+/// How many entities are Bezier triangles.
+std::uint64_t count_triangles(const SplineModel& model);
 
 // ---- bodies
 
@@ -110,8 +116,8 @@ void for_each_spline(const SplineEntity& entity, Visit visit) {
     visit(*curve);
   } else if (const auto* surface = std::get_if<ExactSurface>(&entity.shape)) {
     visit(*surface);
-  } else {
-    visit(std::get<ExactVolume>(entity.shape));
+  } else if (const auto* volume = std::get_if<ExactVolume>(&entity.shape)) {
+    visit(*volume);
   }
 }
 

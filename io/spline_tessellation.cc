@@ -84,8 +84,9 @@ Sample locate(const std::vector<double>& breaks, double u) {
 
 class Tessellator {
  public:
-  Tessellator(std::uint64_t entity, double chord, std::string name)
-      : entity_(entity), chord_(chord) {
+  /// @param divisions  of the sides of triangles
+  Tessellator(std::uint64_t entity, double chord, std::size_t divisions, std::string name)
+      : entity_(entity), chord_(chord), divisions_(divisions) {
     out_.name = std::move(name);
   }
 
@@ -166,6 +167,13 @@ class Tessellator {
     }
     return ok_status();
   }
+  Status add(const ExactTriangle& exact) {
+    const auto triangle = internal::rounded_triangle(exact, entity_);
+    if (!triangle) return triangle.error();
+    out_.points = internal::triangle_grid(*triangle, divisions_);
+    internal::append_triangle_grid(divisions_, 0, out_.triangles);
+    return ok_status();
+  }
   Tessellation take() { return std::move(out_); }
 
  private:
@@ -197,6 +205,7 @@ class Tessellator {
 
   std::uint64_t entity_;
   double chord_;
+  std::size_t divisions_;
   Tessellation out_;
 };
 
@@ -206,7 +215,7 @@ double default_chord(const SplineModel& model) {
   lo.fill(HUGE_VAL), hi.fill(-HUGE_VAL);
   for (const SplineEntity& e : model.entities) {
     const auto grow = [&](const auto& s) {
-      for (std::size_t i = 0; i < s.grid().count(); ++i) {
+      for (std::size_t i = 0; i < s.component(0).size(); ++i) {
         const double w = s.is_rational() ? nearest_double(s.component(s.dimension())[i]) : 1;
         for (int c = 0; c < 3 && c < s.dimension(); ++c) {
           const double x = nearest_double(s.component(c)[i]) / w;
@@ -219,6 +228,8 @@ double default_chord(const SplineModel& model) {
       grow(t->surface);
     } else if (const auto* b = std::get_if<SplineBrep>(&e.shape)) {
       for (const BrepFace& face : b->faces) grow(face.surface);
+    } else if (const auto* triangle = std::get_if<ExactTriangle>(&e.shape)) {
+      grow(*triangle);
     } else {
       for_each_spline(e, grow);
     }
@@ -228,6 +239,24 @@ double default_chord(const SplineModel& model) {
     if (hi[k] > lo[k]) square += (hi[k] - lo[k]) * (hi[k] - lo[k]);
   const double chord = std::sqrt(square) / 1000;
   return std::isfinite(chord) && chord > 0 ? chord : 1;
+}
+
+// What all triangles' sides are cut into, that they fit together.
+Result<std::size_t> common_divisions(const SplineModel& model, double chord) {
+  std::size_t most = 1, num_triangles = 0, last = 0;
+  for (std::size_t i = 0; i < model.entities.size(); ++i) {
+    const auto* exact = std::get_if<ExactTriangle>(&model.entities[i].shape);
+    if (exact == nullptr) continue;
+    const auto triangle = internal::rounded_triangle(*exact, i);
+    if (!triangle) return triangle.error();
+    most = std::max(most, internal::triangle_divisions(*triangle, chord));
+    ++num_triangles, last = i;
+  }
+  if (num_triangles * num_triangle_coefficients(static_cast<int>(most)) > internal::kMostViewPoints)
+    return internal::view_error(
+        Code::kOverLimit, last,
+        "the triangles up to this one give more than 33554432 points; a larger chord gives fewer");
+  return most;
 }
 
 std::string name_of(const SplineModel& model, const SplineEntity& entity) {
@@ -240,9 +269,11 @@ std::string name_of(const SplineModel& model, const SplineEntity& entity) {
 
 Result<std::vector<Tessellation>> tessellate(const SplineModel& model, const ViewOptions& options) {
   const double chord = options.chord.value_or(default_chord(model));
+  const auto divisions = common_divisions(model, chord);
+  if (!divisions) return divisions.error();
   std::vector<Tessellation> parts;
   for (std::size_t i = 0; i < model.entities.size(); ++i) {
-    Tessellator one(i, chord, name_of(model, model.entities[i]));
+    Tessellator one(i, chord, *divisions, name_of(model, model.entities[i]));
     const Status status =
         std::visit([&](const auto& s) { return one.add(s); }, model.entities[i].shape);
     if (!status) return status.error();

@@ -109,6 +109,26 @@ Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std:
   return rounded(bezier_pieces(with_wide_floats(spline)), entity);
 }
 
+/// With each coefficient rounded to nearest. @error kNotFinite as for pieces
+Result<BezierTriangle<double>> rounded_triangle(const ExactTriangle& triangle,
+                                                std::uint64_t entity);
+
+/// Into how many pieces each side of a triangle is cut, so that its small flat triangles are as near to it as `chord`; at most 256.
+/// Bound    f, a map of degree p, differs from its linear interpolant at the corners c_i of a triangle at most by
+///          1/2 sum l_i |second derivative along c_i - x| at x of barycentric coordinates l. Cut in n, c_i - x is 1/n times a
+///          combination of two edges with coefficients of sum 1 - l_i, and second derivatives along edges are averages of p (p - 1)
+///          second differences of control points, at most D: the sum is at most (4/9) p (p - 1) D / n^2, since l (1 - l)^2 <= 4/27.
+///          Up to rounding; of rational triangles an estimate.
+std::size_t triangle_divisions(const BezierTriangle<double>& triangle, double chord);
+
+/// The points at (i, j, k) / divisions in the order of triangle_index. Sides with the same control points give the same points, bit for
+/// bit, in either direction. REQUIRES divisions > 0.
+std::vector<std::array<double, 3>> triangle_grid(const BezierTriangle<double>& triangle,
+                                                 std::size_t divisions);
+/// The small triangles of such a grid, counterclockwise, numbered from `first` on.
+void append_triangle_grid(std::size_t divisions, std::uint32_t first,
+                          std::vector<std::array<std::uint32_t, 3>>& triangles);
+
 /// The first three coordinates of homogeneous values, 0 where there are fewer.
 inline std::array<double, 3> to_point(const std::vector<double>& values, bool is_rational) {
   std::array<double, 3> point{};
@@ -117,8 +137,9 @@ inline std::array<double, 3> to_point(const std::vector<double>& values, bool is
   for (std::size_t c = 0; c < 3 && c < dimension; ++c) point[c] = values[c] / w + 0.0;
   return point;
 }
-template <std::size_t N>
-std::array<double, 3> control_point(const Bezier<double, N>& piece, std::size_t i) {
+/// Of a Bezier map or triangle.
+template <typename Map>
+std::array<double, 3> control_point(const Map& piece, std::size_t i) {
   std::vector<double> values;
   for (int c = 0; c < piece.num_components(); ++c) values.push_back(piece.component(c)[i]);
   return to_point(values, piece.is_rational());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // VTK's unstructured grids with Bezier cells. Version 2.2 of the file format: the order of points within a hexahedron is that
 // of VTK 9.1 and later, which older versions of the format do not have.
+#include <algorithm>
+
 #include "io/spline_view_internal.h"
 
 namespace veritope {
@@ -10,6 +12,7 @@ template <std::size_t N>
 constexpr int kCellType = N == 1   ? 75
                           : N == 2 ? 77
                                    : 79;  // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
+constexpr int kTriangleType = 76;         // VTK_BEZIER_TRIANGLE
 
 class VtuWriter {
  public:
@@ -18,10 +21,20 @@ class VtuWriter {
     const auto s = internal::rounded_pieces(spline, entity);
     if (!s) return s.error();
     for (const auto& piece : s->pieces) {
-      if (num_points_ + piece.grid().count() > internal::kMostViewPoints)
-        return internal::view_error(Code::kOverLimit, entity, "more than 33554432 control points");
-      add_cell(piece, entity);
+      if (num_points_ + piece.grid().count() > internal::kMostViewPoints) return too_many(entity);
+      add_piece(piece, entity);
     }
+    return ok_status();
+  }
+  Status add(const ExactTriangle& exact, std::uint64_t entity) {
+    const auto triangle = internal::rounded_triangle(exact, entity);
+    if (!triangle) return triangle.error();
+    if (num_points_ + triangle->count() > internal::kMostViewPoints) return too_many(entity);
+    std::vector<std::size_t> order(triangle->count());
+    for_each_triangle_index(triangle->degree(), [&](int i, int j, int k) {
+      order[vtk_triangle_index(i, j, k)] = triangle_index(j, k);
+    });
+    add_cell(*triangle, order, {triangle->degree(), triangle->degree(), 1}, kTriangleType, entity);
     return ok_status();
   }
   std::string write() const {
@@ -43,6 +56,9 @@ class VtuWriter {
   }
 
  private:
+  static Error too_many(std::uint64_t entity) {
+    return internal::view_error(Code::kOverLimit, entity, "more than 33554432 control points");
+  }
   static std::string array(const char* type, const char* name, int components,
                            const std::string& values) {
     return std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
@@ -50,11 +66,19 @@ class VtuWriter {
            values + "</DataArray>\n";
   }
   template <std::size_t N>
-  void add_cell(const Bezier<double, N>& piece, std::uint64_t entity) {
+  void add_piece(const Bezier<double, N>& piece, std::uint64_t entity) {
     const Grid<N> grid = piece.grid();
-    std::vector<std::size_t> order(grid.count());  // order[VTK's number] = ours
+    std::vector<std::size_t> order(grid.count());
     for (std::size_t i = 0; i < grid.count(); ++i)
       order[vtk_point_index(internal::unflatten(i, grid), piece.degrees())] = i;
+    std::array<int, 3> degrees{1, 1, 1};
+    std::copy(piece.degrees().begin(), piece.degrees().end(), degrees.begin());
+    add_cell(piece, order, degrees, kCellType<N>, entity);
+  }
+  // order[VTK's number of a control point] = ours.
+  template <typename Map>
+  void add_cell(const Map& piece, const std::vector<std::size_t>& order,
+                const std::array<int, 3>& degrees, int type, std::uint64_t entity) {
     for (const std::size_t i : order) {
       const auto p = internal::control_point(piece, i);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -68,9 +92,9 @@ class VtuWriter {
     }
     connectivity_ += '\n';
     for (std::size_t a = 0; a < 3; ++a)
-      degrees_ += std::to_string(a < N ? piece.degree(a) : 1) + (a == 2 ? "\n" : " ");
+      degrees_ += std::to_string(degrees[a]) + (a == 2 ? "\n" : " ");
     offsets_ += std::to_string(num_points_) + '\n';
-    types_ += std::to_string(kCellType<N>) + '\n';
+    types_ += std::to_string(type) + '\n';
     entities_ += std::to_string(entity) + '\n';
     ++num_cells_;
   }
@@ -87,6 +111,7 @@ Status add_shape(VtuWriter& out, const SplineEntity& entity, std::uint64_t numbe
       if (Status status = out.add(face.surface, number); !status) return status;
     return ok_status();
   }
+  if (const auto* t = std::get_if<ExactTriangle>(&entity.shape)) return out.add(*t, number);
   Status status = ok_status();
   for_each_spline(entity, [&](const auto& s) { status = out.add(s, number); });
   return status;
@@ -120,6 +145,18 @@ std::size_t vtk_point_index(const std::array<std::size_t, 2>& index,
   if (j_edge) return 4 + (i - 1) + (j != 0 ? m - 1 + n - 1 : 0);
   if (i_edge) return 4 + (j - 1) + (i != 0 ? m - 1 : 2 * (m - 1) + n - 1);
   return 4 + 2 * (m - 1 + n - 1) + (i - 1) + (m - 1) * (j - 1);
+}
+
+std::size_t vtk_triangle_index(int i, int j, int k) {
+  const int ring = std::min({i, j, k});  // triangles around the one whose boundary it is on
+  std::size_t offset = 0;
+  for (int r = 0, n = i + j + k; r < ring; ++r, n -= 3) offset += static_cast<std::size_t>(3 * n);
+  i -= ring, j -= ring, k -= ring;
+  const int n = i + j + k;
+  const auto at = [&](int number) { return offset + static_cast<std::size_t>(number); };
+  if (i == n || j == n || k == n) return at(i == n ? 0 : j == n ? 1 : 2);
+  if (k == 0) return at(3 + j - 1);
+  return i == 0 ? at(3 + (n - 1) + k - 1) : at(3 + 2 * (n - 1) + i - 1);
 }
 
 std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,

@@ -48,6 +48,7 @@ std::string to_string(const PatchOrigin& origin) {
   const std::string number = std::to_string(origin.number);
   switch (origin.kind) {
     case PatchOrigin::Kind::kFacet: return "facet " + number;
+    case PatchOrigin::Kind::kTriangle: return "triangle " + number;
     case PatchOrigin::Kind::kSurface:
       return "surface " + number + ", span (" + std::to_string(origin.span[0]) + ", " +
              std::to_string(origin.span[1]) + ")";
@@ -90,25 +91,39 @@ std::span<const Rational> Patch::component(int c) const {
   return is_triangle() ? triangle().component(c) : tensor().component(c);
 }
 
-Patch::Curve Patch::side(std::uint32_t side) const {
+std::size_t Patch::side_length(std::uint32_t side) const {
   VT_CHECK(side < num_sides(), "a side that the patch does not have");
-  if (is_triangle()) return boundary_curve(triangle(), static_cast<int>((side + 2) % 3));
-  const bool along_u = side % 2 == 0;
-  Curve curve = boundary(tensor(), along_u ? 1 : 0, side == 1 || side == 2 ? 1 : 0);
-  return side < 2 ? curve : veritope::reversed(curve, 0);
+  const int degree = is_triangle() ? triangle().degree() : tensor().degree(side % 2);
+  return static_cast<std::size_t>(degree) + 1;
+}
+std::size_t Patch::side_index(std::uint32_t side, std::size_t i) const {
+  if (is_triangle()) {
+    const int n = triangle().degree(), t = static_cast<int>(i);
+    return side == 0   ? triangle_index(t, 0)
+           : side == 1 ? triangle_index(n - t, t)
+                       : triangle_index(0, n - t);
+  }
+  const std::size_t rows = static_cast<std::size_t>(tensor().degree(0)) + 1,
+                    columns = static_cast<std::size_t>(tensor().degree(1)) + 1;
+  switch (side) {
+    case 0: return i * columns;
+    case 1: return (rows - 1) * columns + i;
+    case 2: return (rows - i) * columns - 1;
+    default: return columns - 1 - i;
+  }
+}
+
+Patch::Curve Patch::side(std::uint32_t side) const {
+  const std::size_t length = side_length(side);
+  Curve curve({static_cast<int>(length) - 1}, is_rational() ? 4 : 3, is_rational());
+  for (int c = 0; c < curve.num_components(); ++c)
+    for (std::size_t i = 0; i < length; ++i)
+      curve.component(c)[i] = component(c)[side_index(side, i)];
+  return curve;
 }
 
 std::vector<Rational> Patch::corner(std::uint32_t corner) const {
-  VT_CHECK(corner < num_sides(), "a corner that the patch does not have");
-  std::size_t at = 0;
-  if (is_triangle()) {
-    const int n = triangle().degree();
-    at = corner == 0 ? 0 : corner == 1 ? triangle_index(n, 0) : triangle_index(0, n);
-  } else {
-    const auto grid = tensor().grid();
-    at = grid.at(
-        {corner == 1 || corner == 2 ? grid.size[0] - 1 : 0, corner >= 2 ? grid.size[1] - 1 : 0});
-  }
+  const std::size_t at = side_index(corner, 0);
   std::vector<Rational> out;
   for (int c = 0; c < (is_rational() ? 4 : 3); ++c) out.push_back(component(c)[at]);
   return out;
@@ -131,11 +146,11 @@ Patch turned(const Patch& patch, std::uint32_t by) {
   return made(make_patch(std::move(map), patch.origin()));
 }
 
-std::optional<RationalPoint> point_of(std::span<const Rational> h) {
+std::optional<PatchPoint> point_of(std::span<const Rational> h) {
   VT_CHECK(h.size() == 3 || h.size() == 4, "a point in space has 3 or 4 coefficients");
-  if (h.size() == 3) return RationalPoint{h[0], h[1], h[2]};
+  if (h.size() == 3) return PatchPoint{h[0], h[1], h[2]};
   if (h[3].sign() == Sign::kZero) return std::nullopt;
-  return RationalPoint{h[0] / h[3], h[1] / h[3], h[2] / h[3]};
+  return PatchPoint{h[0] / h[3], h[1] / h[3], h[2] / h[3]};
 }
 
 std::array<double, 3> approx_point(std::span<const Rational> homogeneous) {

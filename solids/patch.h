@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patch.h: one piece of a surface: a tensor-product Bezier piece or a Bezier triangle in space, polynomial or rational, with exact
 // coefficients; its sides and corners in the counterclockwise order of the domain.
-// Theory: docs/THEORY.md §4.
+// Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,7 +15,6 @@
 #include "robust/base/result.h"
 #include "splines/bezier.h"
 #include "splines/bezier_triangle.h"
-#include "splines/pn_triangle.h"
 
 namespace veritope {
 
@@ -23,16 +22,18 @@ namespace veritope {
 /// as a finding (PatchDefect::kDegree). Of more than kMaxSplineDegree it is refused.
 inline constexpr int kMaxPatchDegree = 15;
 
+using PatchPoint = std::array<Rational, 3>;
+
 /// Where a patch comes from, for messages.
 struct PatchOrigin {
-  enum class Kind { kBuilt, kSurface, kFacet };
+  enum class Kind { kBuilt, kSurface, kFacet, kTriangle };
   Kind kind = Kind::kBuilt;
-  std::uint64_t number = 0;  ///< of the surface or facet in its file, or of the built patch, from 0
+  std::uint64_t number = 0;  ///< of the surface, facet, triangle or built patch, from 0
   std::array<std::uint32_t, 2>
       span{};  ///< of a surface: which of its pieces, along each axis, from 0
   friend bool operator==(const PatchOrigin&, const PatchOrigin&) = default;
 };
-/// "surface 3, span (0, 2)", "facet 17", "patch 4".
+/// "surface 3, span (0, 2)", "facet 17", "triangle 2", "patch 4".
 std::string to_string(const PatchOrigin& origin);
 
 /// A map of [0,1]^2, S(u, v) with u = axis 0 and v = axis 1, or of the standard triangle, into space. Its normal is S_u x S_v; of a
@@ -61,6 +62,9 @@ class Patch {
   std::uint32_t num_sides() const { return is_triangle() ? 3 : 4; }
   /// In its direction of travel; homogeneous iff is_rational(). REQUIRES side < num_sides().
   Curve side(std::uint32_t side) const;
+  /// The number of its control points, and where in a component the i-th is.
+  std::size_t side_length(std::uint32_t side) const;
+  std::size_t side_index(std::uint32_t side, std::size_t i) const;
   /// The homogeneous coefficients of a corner: 3, or 4 with the weight last. REQUIRES corner < num_sides().
   std::vector<Rational> corner(std::uint32_t corner) const;
   /// All control points, one component after the other; see Bezier and BezierTriangle.
@@ -93,7 +97,7 @@ Patch reversed(const Patch& patch);
 Patch turned(const Patch& patch, std::uint32_t by);
 
 /// The point of homogeneous coefficients (three, or four with the weight last); nothing if the weight is 0.
-std::optional<RationalPoint> point_of(std::span<const Rational> homogeneous);
+std::optional<PatchPoint> point_of(std::span<const Rational> homogeneous);
 /// Each coordinate rounded to nearest: for messages and searches. NaN where there is no point.
 std::array<double, 3> approx_point(std::span<const Rational> homogeneous);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patch_complex.h: patches glued along equal boundary curves: edges, vertices, shells, orientation, Euler characteristic; and what
 // keeps them from being a closed oriented surface, named and placed.
-// Theory: docs/THEORY.md §4, S0.
+// Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -52,7 +52,8 @@ const char* defect_name(PatchDefect defect);
 struct PatchFinding {
   PatchDefect defect = PatchDefect::kOpenSide;
   std::vector<PatchSide> sides;
-  std::size_t control = 0;  ///< kWeight: the control point
+  std::size_t control =
+      0;  ///< kWeight: the first such control point of the patch, in the order of its components
   double distance =
       0;  ///< kNearMiss: the greatest difference of two coordinates of control points, rounded to nearest
   bool is_one_ulp =
@@ -89,7 +90,7 @@ struct PatchInput {
   std::vector<PatchFinding> findings;
 };
 
-/// The abstract surface X of THEORY section 4 with its map. Vertices are the classes of corners that paired sides and collapsed sides
+/// The abstract surface X that the patches are a map of. Vertices are the classes of corners that paired sides and collapsed sides
 /// generate, never corners in equal places; an edge is a class of equal sides that are not collapsed.
 class PatchComplex {
  public:
@@ -108,7 +109,8 @@ class PatchComplex {
     return std::span(sides_of_edges_)
         .subspan(first_side_[edge], first_side_[edge + 1] - first_side_[edge]);
   }
-  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the same patch.
+  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the same patch. Where
+  /// X is a closed oriented surface, the point at t of a side is that at 1 - t of its mate, exactly, for all t of [0,1].
   std::optional<PatchSide> mate(PatchSide side) const;
   /// How a side runs along the canonical form of its curve; two mates fit iff one runs forward and one backward, or both are kBoth.
   Travel travel(PatchSide side) const { return travel_[slot(side)]; }
@@ -128,7 +130,7 @@ class PatchComplex {
   std::uint64_t count(PatchDefect defect) const {
     return counts_[static_cast<std::size_t>(defect)];
   }
-  /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, and its map one that section 4 is about.
+  /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, its map as the certificates of star boxes ask.
   /// Says nothing about the image. kAdjacentPoles is allowed.
   bool is_closed_oriented_surface() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patch_complex_internal.h: the steps of make_patch_complex, for its parts and for tests.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,38 @@ class DisjointSets {
  private:
   std::vector<std::uint32_t> parent_;
 };
+
+/// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item) is called where a
+/// hash occurs again: the forms of one hash are held at a time. Items of a class ascend; the order of the classes is not fixed.
+/// @cost O(n log n) comparisons of hashes, and of forms where hashes are equal
+template <typename Item, typename FormOf>
+std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t, Item>> hashed,
+                                             FormOf form_of) {
+  using Form = decltype(form_of(hashed[0].second));
+  std::sort(hashed.begin(), hashed.end());
+  std::vector<std::vector<Item>> classes;
+  std::vector<Form> forms;
+  std::vector<std::size_t> run;
+  for (std::size_t i = 0; i < hashed.size();) {
+    std::size_t end = i + 1;
+    while (end < hashed.size() && hashed[end].first == hashed[i].first) ++end;
+    forms.clear();
+    if (end > i + 1)
+      for (std::size_t k = i; k < end; ++k) forms.push_back(form_of(hashed[k].second));
+    run.resize(end - i);
+    std::iota(run.begin(), run.end(), std::size_t{0});
+    std::sort(run.begin(), run.end(), [&](std::size_t a, std::size_t b) {
+      const auto order = forms[a] <=> forms[b];
+      return order != 0 ? order < 0 : a < b;
+    });
+    for (std::size_t k = 0; k < run.size(); ++k) {
+      if (k == 0 || (forms[run[k - 1]] <=> forms[run[k]]) != 0) classes.emplace_back();
+      classes.back().push_back(hashed[i + run[k]].second);
+    }
+    i = end;
+  }
+  return classes;
+}
 
 /// visit(PatchSide) for every side of every patch, in order.
 template <typename Visit>

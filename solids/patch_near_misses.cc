@@ -18,8 +18,11 @@ namespace {
 constexpr double kReach = 0x1p-16;        // of the largest coordinate
 constexpr std::size_t kMaxCompared = 32;  // sides after each in the order of the search
 
+constexpr double kDirection[] = {0.83, 0.47,
+                                 0.31};  // two ends within `reach` are within 2 `reach` along it
+
 struct OpenSide {
-  double key;  // along x, the same for both directions
+  double key;  // the middle of its ends along a direction that few models have
   PatchSide side;
   std::array<std::array<double, 3>, 2> ends;
 };
@@ -59,19 +62,21 @@ Difference difference(const Patch::Curve& a, const Patch::Curve& b) {
   return {nearest_double(most), is_one_ulp};
 }
 
-Difference least_difference(const Patch::Curve& a, const Patch::Curve& b) {
-  const int degree = std::max(a.degree(0), b.degree(0));
-  const Patch::Curve x = elevate(a, 0, degree - a.degree(0)),
-                     y = elevate(b, 0, degree - b.degree(0));
-  const Difference forward = difference(x, y), backward = difference(x, reversed(y, 0));
-  return backward.distance < forward.distance ? backward : forward;
-}
-
 bool has_points(const Patch::Curve& curve) {
   if (!curve.is_rational()) return true;
   const auto w = curve.component(3);
   return std::none_of(w.begin(), w.end(),
                       [](const Rational& v) { return v.sign() == Sign::kZero; });
+}
+
+Difference least_difference(const Patch::Curve& a, const Patch::Curve& b) {
+  const int degree = std::max(a.degree(0), b.degree(0));
+  const Patch::Curve x = elevate(a, 0, degree - a.degree(0)),
+                     y = elevate(b, 0, degree - b.degree(0));
+  if (!has_points(x) || !has_points(y))  // weights of both signs, 0 after elevation
+    return {std::numeric_limits<double>::infinity(), false};
+  const Difference forward = difference(x, y), backward = difference(x, reversed(y, 0));
+  return backward.distance < forward.distance ? backward : forward;
 }
 
 std::vector<OpenSide> with_ends(std::span<const Patch> patches, std::span<const PatchSide> open) {
@@ -81,7 +86,8 @@ std::vector<OpenSide> with_ends(std::span<const Patch> patches, std::span<const 
     if (!has_points(patch.side(s.side))) continue;
     const auto a = approx_point(patch.corner(s.side)),
                b = approx_point(patch.corner((s.side + 1) % patch.num_sides()));
-    const double key = a[0] / 2 + b[0] / 2;
+    double key = 0;
+    for (std::size_t c = 0; c < 3; ++c) key += kDirection[c] * (a[c] / 2 + b[c] / 2);
     if (veritope::is_finite(key)) out.push_back({key, s, {a, b}});
   }
   std::sort(out.begin(), out.end(), [](const OpenSide& a, const OpenSide& b) {
@@ -111,8 +117,8 @@ void find_near_misses(std::span<const Patch> patches, std::span<const PatchSide>
   };
   std::vector<Best> best(sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i)
-    for (std::size_t j = i + 1;
-         j < std::min(sides.size(), i + 1 + kMaxCompared) && sides[j].key - sides[i].key <= reach;
+    for (std::size_t j = i + 1; j < std::min(sides.size(), i + 1 + kMaxCompared) &&
+                                sides[j].key - sides[i].key <= 2 * reach;
          ++j) {
       if (!may_fit(sides[i], sides[j], reach)) continue;
       const auto curve = [&](std::size_t n) {

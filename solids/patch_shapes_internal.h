@@ -3,12 +3,14 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "solids/patch_shapes.h"
 #include "splines/bezier_components.h"
 #include "splines/bezier_degree.h"
+#include "splines/bezier_domain.h"
 #include "splines/bezier_product.h"
 
 namespace veritope::patch_shapes::internal {
@@ -80,5 +82,26 @@ PlaneCurve whole_circle();
 /// Profiles (rho, z) turned about the z axis, each by four quarters. The normals point to the right of the profile's direction of travel
 /// in the half-plane rho >= 0, z up: counterclockwise profiles give normals that point out. Points with rho = 0 become poles.
 void add_revolved(Patches& to, const std::vector<PlaneCurve>& profiles);
+
+/// An end of a turned solid: a circle at `height`, joined by four patches to a level square of half-diagonal radius / 2 around `centre`.
+struct EndDisk {
+  Rational radius, height;
+  Point centre;
+  bool faces_up;
+};
+void add_end(Patches& to, const EndDisk& disk);
+/// Five cubic spans from the lower pole to the upper one.
+std::vector<PlaneCurve> teapot_profile();
+
+using Cube = std::array<int, 3>;
+/// The corners of a face, counterclockwise from outside.
+std::array<Cube, 4> cube_face(const Cube& cube, std::size_t axis, bool at_high);
+/// The boundary of the cubes' union, its vertices moved.
+Patches block_faces(const std::vector<Cube>& cubes, const std::function<Point(const Cube&)>& place);
+Point at_integers(const Cube& p);
+std::vector<Cube> plate_cubes(int g);
+
+/// See knotted_tube; flat: around the projection of the trefoil to z = 0, which crosses itself in three points.
+Patches tube(const Rational& radius, int around, int along, bool is_flat);
 
 }  // namespace veritope::patch_shapes::internal

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "solids/patch_complex.h"
+#include "solids/patch_complex_internal.h"
 #include "splines/bezier_degree.h"
 #include "splines/bezier_domain.h"
 #include "splines/bezier_product.h"
@@ -83,17 +85,50 @@ Map sheared_map(const Map& map, const QuadraticShear& shear) {
   return assembled(parts, map.is_rational());
 }
 
-void add_quarters(const Patch& patch, std::vector<Patch>& out) {
-  const Rational half = Rational(1) / 2;
-  if (!patch.is_triangle()) {
-    const auto halves = split(patch.tensor(), 0, half);
-    for (const Patch::Tensor* part : {&halves.first, &halves.second}) {
-      auto quarters = split(*part, 1, half);
-      out.push_back(made(std::move(quarters.first), patch.origin()));
-      out.push_back(made(std::move(quarters.second), patch.origin()));
+// Which axes of tensor patches are cut: whole classes of those that mates tie.
+std::vector<bool> chosen_axes(std::span<const Patch> patches, Random& random) {
+  const PatchComplex complex =
+      make_patch_complex(std::vector<Patch>(patches.begin(), patches.end())).value();
+  internal::DisjointSets axes(2 * patches.size());
+  std::vector<bool> is_stopped(2 * patches.size(), false);
+  const auto axis_of = [](PatchSide s) { return 2 * s.patch + s.side % 2; };
+  internal::for_each_side(patches, [&](PatchSide s) {
+    if (patches[s.patch].is_triangle() || complex.is_collapsed(s)) return;
+    const auto mate = complex.mate(s);
+    if (mate && !patches[mate->patch].is_triangle()) {
+      axes.join(axis_of(s), axis_of(*mate));
+    } else {
+      is_stopped[axis_of(s)] = true;
     }
+  });
+  for (std::uint32_t a = 0; a < is_stopped.size(); ++a)
+    if (is_stopped[a]) is_stopped[axes.find(a)] = true;
+  std::vector<bool> chosen(2 * patches.size(), false);
+  for (std::uint32_t a = 0; a < chosen.size(); ++a) {
+    const std::uint32_t root = axes.find(a);
+    if (root == a) chosen[a] = random.below(2) == 1 && !is_stopped[a];
+    chosen[a] = chosen[root];
+  }
+  return chosen;
+}
+
+std::vector<Patch::Tensor> cut(std::vector<Patch::Tensor> maps, std::size_t axis) {
+  std::vector<Patch::Tensor> out;
+  for (const Patch::Tensor& map : maps) {
+    auto halves = split(map, axis, Rational(1) / 2);
+    out.push_back(std::move(halves.first));
+    out.push_back(std::move(halves.second));
+  }
+  return out;
+}
+
+void add_quarters(const Patch& patch, std::vector<Patch>& out) {
+  if (!patch.is_triangle()) {
+    for (Patch::Tensor& part : cut(cut({patch.tensor()}, 0), 1))
+      out.push_back(made(std::move(part), patch.origin()));
     return;
   }
+  const Rational half = Rational(1) / 2;
   using Corner = Barycentric<Rational>;
   const Corner a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1}, ab{half, half, 0}, bc{0, half, half},
       ca{half, 0, half};
@@ -146,6 +181,22 @@ std::vector<Patch> subdivided(std::span<const Patch> patches) {
   std::vector<Patch> out;
   out.reserve(4 * patches.size());
   for (const Patch& p : patches) add_quarters(p, out);
+  return out;
+}
+
+std::vector<Patch> cut_along_belts(std::span<const Patch> patches, Random& random) {
+  const std::vector<bool> chosen = chosen_axes(patches, random);
+  std::vector<Patch> out;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (patches[p].is_triangle()) {
+      out.push_back(patches[p]);
+      continue;
+    }
+    std::vector<Patch::Tensor> parts{patches[p].tensor()};
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
+      if (chosen[2 * p + axis]) parts = cut(std::move(parts), axis);
+    for (Patch::Tensor& part : parts) out.push_back(made(std::move(part), patches[p].origin()));
+  }
   return out;
 }
 

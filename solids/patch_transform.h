@@ -29,6 +29,9 @@ std::vector<Patch> sheared(std::span<const Patch> patches, const QuadraticShear&
 std::vector<Patch> relabelled(std::span<const Patch> patches, Random& random);
 /// Each patch cut into 4: a tensor at u, v = 1/2, a triangle at the middles of its sides.
 std::vector<Patch> subdivided(std::span<const Patch> patches);
+/// Tensor patches cut in the middle of u, of v, of both or of neither: along closed belts of patches, which opposite sides connect, each cut or
+/// left as `random` says. Belts that end at a triangle or at a defect are left.
+std::vector<Patch> cut_along_belts(std::span<const Patch> patches, Random& random);
 /// Every degree raised by `by`: the same maps. REQUIRES by >= 0.
 std::vector<Patch> elevated(std::span<const Patch> patches, int by);
 

@@ -15,7 +15,7 @@ using DyadicPoint = std::array<Dyadic, 3>;
 DyadicPoint exact(const Vec3d& v) {
   return {Dyadic::from_double(v.x), Dyadic::from_double(v.y), Dyadic::from_double(v.z)};
 }
-RationalPoint rational(const DyadicPoint& p) {
+PnPoint rational(const DyadicPoint& p) {
   return {p[0].to_rational(), p[1].to_rational(), p[2].to_rational()};
 }
 bool is_finite(const Vec3d& v) {
@@ -149,7 +149,7 @@ class PnMeshBuilder {
     }
   }
 
-  static std::array<double, 3> nearest(const RationalPoint& p) {
+  static std::array<double, 3> nearest(const PnPoint& p) {
     return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
   }
 };

@@ -57,20 +57,20 @@ Rational quotient(const Dyadic& a, const Dyadic& b) {
 }  // namespace
 
 template <typename S>
-RationalPoint pn_edge_point(const Vector<S>& p, const Vector<S>& q, const Vector<S>& n) {
+PnPoint pn_edge_point(const Vector<S>& p, const Vector<S>& q, const Vector<S>& n) {
   const S nn = dot(n, n), f = dot(q - p, n), denominator = S(3) * nn;
-  RationalPoint b;
+  PnPoint b;
   for (std::size_t c = 0; c < 3; ++c)
     b[c] = quotient((p[c] + p[c] + q[c]) * nn - f * n[c], denominator);
   return b;
 }
 
 template <typename S>
-RationalPoint pn_edge_normal(const Vector<S>& p, const Vector<S>& q, const Vector<S>& n,
-                             const Vector<S>& m) {
+PnPoint pn_edge_normal(const Vector<S>& p, const Vector<S>& q, const Vector<S>& n,
+                       const Vector<S>& m) {
   const Vector<S> d = q - p, sum = n + m;
   const S dd = dot(d, d), f = S(2) * dot(d, sum), denominator = S(2) * dd;
-  RationalPoint h;
+  PnPoint h;
   for (std::size_t c = 0; c < 3; ++c) h[c] = quotient(sum[c] * dd - f * d[c], denominator);
   return h;
 }
@@ -78,7 +78,7 @@ RationalPoint pn_edge_normal(const Vector<S>& p, const Vector<S>& q, const Vecto
 // The two edge points at corner i add up to ((4 p + a + b) (n.n) - ((a + b - 2p).n) n) / (3 n.n) for the other corners a, b: the sum over
 // the corners over a common denominator, less two thirds of the corners' sum, is four times the centre.
 template <typename S>
-RationalPoint pn_centre(const PnCorners<S>& corners) {
+PnPoint pn_centre(const PnCorners<S>& corners) {
   std::array<S, 3> nn;
   for (std::size_t i = 0; i < 3; ++i) nn[i] = dot(corners.normals[i], corners.normals[i]);
   const Vector<S> total = corners.points[0] + corners.points[1] + corners.points[2];
@@ -92,7 +92,7 @@ RationalPoint pn_centre(const PnCorners<S>& corners) {
     for (std::size_t c = 0; c < 3; ++c)
       numerator[c] = numerator[c] + ((S(3) * p[c] + total[c]) * nn[i] - f * n[c]) * others;
   }
-  RationalPoint b;
+  PnPoint b;
   for (std::size_t c = 0; c < 3; ++c) b[c] = quotient(numerator[c], S(12) * all);
   return b;
 }
@@ -120,22 +120,22 @@ Status check_pn_triangle(const PnCorners<S>& corners) {
   return ok_status();
 }
 
-#define VT_PN(S)                                                                              \
-  template Status check_pn_triangle(const PnCorners<S>&);                                     \
-  template RationalPoint pn_edge_point(const Vector<S>&, const Vector<S>&, const Vector<S>&); \
-  template RationalPoint pn_edge_normal(const Vector<S>&, const Vector<S>&, const Vector<S>&, \
-                                        const Vector<S>&);                                    \
-  template RationalPoint pn_centre(const PnCorners<S>&);
+#define VT_PN(S)                                                                        \
+  template Status check_pn_triangle(const PnCorners<S>&);                               \
+  template PnPoint pn_edge_point(const Vector<S>&, const Vector<S>&, const Vector<S>&); \
+  template PnPoint pn_edge_normal(const Vector<S>&, const Vector<S>&, const Vector<S>&, \
+                                  const Vector<S>&);                                    \
+  template PnPoint pn_centre(const PnCorners<S>&);
 VT_PN(Rational)
 VT_PN(Dyadic)
 #undef VT_PN
 
-Result<PnTriangle> make_pn_triangle(const std::array<RationalPoint, 3>& corners,
-                                    const std::array<RationalPoint, 3>& normals) {
+Result<PnTriangle> make_pn_triangle(const std::array<PnPoint, 3>& corners,
+                                    const std::array<PnPoint, 3>& normals) {
   const PnCorners<Rational> all{corners, normals};
   if (Status status = check_pn_triangle(all); !status) return status.error();
-  std::array<std::array<RationalPoint, 2>, 3> edge_points;
-  std::array<RationalPoint, 3> edge_normals;
+  std::array<std::array<PnPoint, 2>, 3> edge_points;
+  std::array<PnPoint, 3> edge_normals;
   for (std::size_t e = 0; e < 3; ++e) {
     const std::size_t a = (e + 1) % 3, b = (e + 2) % 3;
     edge_points[e] = {pn_edge_point(corners[a], corners[b], normals[a]),

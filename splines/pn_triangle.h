@@ -9,7 +9,7 @@
 
 namespace veritope {
 
-using RationalPoint = std::array<Rational, 3>;
+using PnPoint = std::array<Rational, 3>;
 
 /// points: degree 3. It interpolates the corners, where its tangent planes are orthogonal to the normals; its boundary over an edge
 /// depends on that edge's ends and their normals only. The lengths of the normals do not matter.
@@ -23,8 +23,8 @@ struct PnTriangle {
 
 /// @error kBadArgument: a degenerate triangle; a normal that is zero, or 90 degrees or more off the triangle's plane normal
 ///        (p1 - p0) x (p2 - p0), with the corner, from 0, as Place::vertex.
-Result<PnTriangle> make_pn_triangle(const std::array<RationalPoint, 3>& corners,
-                                    const std::array<RationalPoint, 3>& normals);
+Result<PnTriangle> make_pn_triangle(const std::array<PnPoint, 3>& corners,
+                                    const std::array<PnPoint, 3>& normals);
 
 /// Corners and normals in any exact numbers: Rational, or Dyadic, which is faster where the input is binary64.
 template <typename S>
@@ -36,16 +36,16 @@ template <typename S>
 Status check_pn_triangle(const PnCorners<S>& corners);
 /// The control point next to p of the edge from p to q: (2p + q - ((q - p).n) n / (n.n)) / 3. REQUIRES n not zero.
 template <typename S>
-RationalPoint pn_edge_point(const std::array<S, 3>& p, const std::array<S, 3>& q,
-                            const std::array<S, 3>& n);
+PnPoint pn_edge_point(const std::array<S, 3>& p, const std::array<S, 3>& q,
+                      const std::array<S, 3>& n);
 /// The normals' middle coefficient of an edge: half of n + m, reflected in the plane across the edge,
 /// (n + m) / 2 - (d.(n + m) / (d.d)) d for d = q - p. Symmetric. REQUIRES p != q.
 template <typename S>
-RationalPoint pn_edge_normal(const std::array<S, 3>& p, const std::array<S, 3>& q,
-                             const std::array<S, 3>& n, const std::array<S, 3>& m);
+PnPoint pn_edge_normal(const std::array<S, 3>& p, const std::array<S, 3>& q,
+                       const std::array<S, 3>& n, const std::array<S, 3>& m);
 /// The centre: E + (E - V) / 2 of the means E of the six edge points and V of the corners. REQUIRES no normal zero.
 template <typename S>
-RationalPoint pn_centre(const PnCorners<S>& corners);
+PnPoint pn_centre(const PnCorners<S>& corners);
 
 /// The forms from their coefficients, of any ring. edge_points[e]: of the edge opposite to corner e, the one next to corner e + 1, then the
 /// one next to corner e + 2 (modulo 3); edge_normals[e]: of that edge.

@@ -36,6 +36,7 @@ OUTSIDE = [  # kind, headers
     ("peers", r"(arb|tetgen)\.h"),
     ("eigen", r"Eigen/.*"),
     ("occt", r"\w+\.hxx"),
+    ("gudhi", r"gudhi/.*"),
 ]
 PUBLIC_OUTSIDE = {"intrinsics", "gmp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)

@@ -138,11 +138,18 @@ Box3d PieceForest::hull_of(const Form& form, const double* net) const {
   return out;
 }
 
-bool PieceForest::touches_collapsed_side(const Node& node, const Form& form) const {
-  if (form.collapsed == 0) return false;
-  for (std::uint32_t s = 0; s < 4; ++s)
-    if ((form.collapsed >> s & 1) != 0 && side_of_patch(node, s)) return true;
-  return false;
+PieceForest::Collapsed PieceForest::collapsed_sides(const Node& node, const Form& form) const {
+  if (form.collapsed == 0) return Collapsed::kNone;
+  const std::uint32_t n = form.shape.is_triangle ? 3 : 4;
+  bool is_in[4] = {};
+  Collapsed out = Collapsed::kNone;
+  for (std::uint32_t s = 0; s < n; ++s) {
+    is_in[s] = (form.collapsed >> s & 1) != 0 && side_of_patch(node, s);
+    if (is_in[s]) out = Collapsed::kApart;
+  }
+  for (std::uint32_t s = 0; s < n; ++s)
+    if (is_in[s] && is_in[(s + 1) % n]) return Collapsed::kAdjacent;
+  return out;
 }
 
 bool PieceForest::side_of_patch(const Node& node, std::uint32_t side) const {
@@ -167,6 +174,8 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
   const double* const net = this->net(id);
   const Node& node = nodes_[id];
   const Form& form = forms_[node.patch];
+  const Collapsed collapsed = collapsed_sides(node, form);
+  if (collapsed == Collapsed::kAdjacent) return Sign3::kUncertain;
   const Layout at = layout(form);
   double x[3], bound = net[at.error(at.components)], size = net[at.magnitude(at.components)];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -179,7 +188,7 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
   const double* const g0 = net + at.begin(at.components);
   const double *const g1 = g0 + at.determinant, *const g2 = g1 + at.determinant, *const g3 = g2 + at.determinant;
   double lo = std::numeric_limits<double>::infinity(), hi = -lo;
-  if (!touches_collapsed_side(node, form)) {
+  if (collapsed == Collapsed::kNone) {
     for (std::size_t i = 0; i < at.determinant; ++i) {
       const double g = g0[i] + (g1[i] * x[0] + g2[i] * x[1] + g3[i] * x[2]);
       lo = g < lo ? g : lo;
@@ -200,6 +209,10 @@ const double* PieceForest::control(Id id) { return net(id); }
 double PieceForest::control_error(Id id, std::size_t component) {
   const Layout at = layout(forms_[nodes_[id].patch]);
   return net(id)[at.error(component)];
+}
+double PieceForest::determinant_error(Id id, std::size_t k) {
+  const Layout at = layout(forms_[nodes_[id].patch]);
+  return net(id)[at.error(at.components + k)];
 }
 const double* PieceForest::approx_determinants(Id id) {
   const Layout at = layout(forms_[nodes_[id].patch]);

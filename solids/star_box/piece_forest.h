@@ -70,11 +70,14 @@ class PieceForest {
   template <typename Visit>
   void for_each_kept(const Node& node, Visit visit) const;
 
+  /// Uncertain if two sides of the piece lie in collapsed sides and share a corner: there g_c is 0 and the corner is never certified.
   /// The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides left out; uncertain if they differ or are too
   /// close to 0 for the bound.
   Sign3 side_of(Id id, const Point3d& c);
   /// Coefficients of G0 .. G3 relative to origin(), as approximate numbers: for searches.
   const double* approx_determinants(Id id);
+  /// The bound of their errors, of G_k.
+  double determinant_error(Id id, std::size_t k);
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);
@@ -98,7 +101,9 @@ class PieceForest {
   void make_net(Id id);
   void quarter(Id id);
   Box3d hull_of(const Form& form, const double* net) const;
-  bool touches_collapsed_side(const Node& node, const Form& form) const;
+  /// How many sides of the node lie in collapsed sides of the patch.
+  enum class Collapsed { kNone, kApart, kAdjacent };
+  Collapsed collapsed_sides(const Node& node, const Form& form) const;
 
   const PatchComplex* complex_ = nullptr;
   int scale_ = 0;

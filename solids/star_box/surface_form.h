@@ -33,7 +33,7 @@ inline FormShape determinant_shape(const FormShape& s) {
 
 namespace internal {
 
-/// A polynomial with its coefficients times the binomials (trinomials) that turn products into convolutions; a square array, of which a
+/// R: a ring with division by integers. A polynomial with its coefficients times the binomials (trinomials) that turn products into convolutions; a square array, of which a
 /// triangle uses the indices (j, k) with j + k <= p.
 template <Ring R>
 class ScaledForm {
@@ -54,7 +54,7 @@ class ScaledForm {
     std::vector<R> out(shape_.count());
     visit([&](int a, int b, std::size_t i) {
       const auto [m, n] = factors(shape_, a, b);
-      out[i] = at(a, b) * RingNumbers<R>::ratio(1, m) * RingNumbers<R>::ratio(1, n);
+      out[i] = at(a, b) / RingNumbers<R>::ratio(m, 1) / RingNumbers<R>::ratio(n, 1);
     });
     return out;
   }

@@ -17,6 +17,7 @@ except ImportError:
 
 SPLINES = MODELS / "splines"
 SAMPLES = sorted(SPLINES.iterdir())
+TRIANGLES = SPLINES / "triangles.vjson"
 SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
 
 
@@ -29,7 +30,7 @@ class Info(Folder):
     def test_entities_are_described(self):
         file = info(SPLINES / "groups.itd")[0]
         self.assertEqual(list(file), list(SCHEMA["$defs"]["info_spline_file"]["properties"]))
-        self.assertEqual(file["counts"], {"entities": 5, "curves": 3, "surfaces": 1, "volumes": 1, "trimmed": 0, "models": 0})
+        self.assertEqual(file["counts"], {"entities": 5, "curves": 3, "surfaces": 1, "volumes": 1, "trimmed": 0, "models": 0, "triangles": 0})
         self.assertEqual([e["kind"] for e in file["entities"]], ["curve", "surface", "curve", "curve", "volume"])
         for entity in file["entities"]:
             self.assertEqual(list(entity), list(SCHEMA["$defs"]["spline_entity"]["properties"]))
@@ -40,6 +41,17 @@ class Info(Folder):
         self.assertEqual(closed["axes"], [{"degree": 2, "control_points": 6, "spans": 4, "periodic": True, "domain": ["2/1", "6/1"]}])
         self.assertIn({"what": "polygons", "reason": "", "geometry": True, "count": 1}, file["left_out"])
         self.assertEqual(file["lossless"], ["itd", "vjson"])
+
+    def test_triangles_are_described(self):
+        file = info(TRIANGLES)[0]
+        self.assertEqual((file["counts"]["entities"], file["counts"]["triangles"], file["counts"]["surfaces"]), (4, 4, 0))
+        entities = [(e["kind"], e["name"], e["degree"], e["rational"], e["dimension"], e["axes"]) for e in file["entities"]]
+        self.assertEqual(entities, [("triangle", "FLAT", 1, False, 3, None), ("triangle", "BENT", 3, False, 3, None),
+                                    ("triangle", "BENT", 2, True, 3, None), ("triangle", "", 1, False, 2, None)])
+        self.assertEqual(file["entities"][2]["bbox"], {"min": [0, 0, 0], "max": [1, 1, 1]})  # divided by the weights
+        self.assertEqual(file["lossless"], ["vjson"])
+        self.assertIn("4 Bezier triangles", run("info", TRIANGLES).stdout)
+        self.assertIn("triangle, BENT, degree 2, 6 control points, rational, dimension 3", run("info", TRIANGLES).stdout)
 
     def test_text_names_every_entity(self):
         done = run("info", *SAMPLES)
@@ -70,9 +82,41 @@ class Info(Folder):
         self.assertEqual(run("info", "--max-digits", "1", SPLINES / "groups.itd").returncode, 4)
 
 
+class Ignored(Folder):
+    """intersect and project look at curves and surfaces, and say what else there was."""
+
+    def setUp(self):
+        super().setUp()
+        document = json.loads(TRIANGLES.read_text())
+        flat = {"degrees": [1, 1], "periodic": [False, False], "knots": [["0", "0", "1", "1"]] * 2, "rational": False, "components": 3,
+                "points": [["0", "0", "0"], ["0", "1", "0"], ["1", "0", "0"], ["1", "1", "0"]]}
+        document["entities"] = document["entities"][:2] + [{"kind": "surface", "group": None, "attributes": [], "shape": flat}]
+        self.mixed = self.folder / "mixed.vjson"
+        self.mixed.write_text(json.dumps(document))
+
+    def test_intersect_counts_the_triangles_of_both_files(self):
+        done = run("intersect", self.mixed, self.mixed)
+        self.assertIn("Not looked at: 4 Bezier triangles.", done.stdout)
+        report = json.loads(run("intersect", "--json", "-", self.mixed, self.mixed).stdout)
+        self.assertEqual((report["triangles_ignored"], report["pairs_of_surfaces"]), (4, 1))
+        done = run("intersect", TRIANGLES, self.mixed)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("there is no surface in it", done.stderr)
+
+    def test_project_counts_the_triangles(self):
+        done = run("project", "1/2,1/2,1", self.mixed)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Not looked at: 2 Bezier triangles.", done.stdout)
+        report = json.loads(run("project", "--json", "-", "1/2,1/2,1", self.mixed).stdout)
+        self.assertEqual((report["skipped_triangles"], report["skipped_volumes"], len(report["targets"])), (2, 0, 1))
+        self.assertEqual(run("project", "0,0,0", TRIANGLES).returncode, 4)
+
+
 class Convert(Folder):
     def test_json_is_canonical_and_comes_back_the_same_from_itd(self):
         for sample in SAMPLES:
+            if sample == TRIANGLES:  # .itd has none
+                continue
             first, itd, second = self.folder / "1.vjson", self.folder / "2.itd", self.folder / "3.vjson"
             for source, target in [(sample, first), (first, itd), (itd, second)]:
                 done = run("convert", "--lossy", source, target)
@@ -112,6 +156,18 @@ class Convert(Folder):
         run("convert", "--lossy", SPLINES / "groups.itd", third)
         third.write_text(third.read_text().replace('"1/4"', '"1/3"'))
         self.assertEqual(run("convert", third, self.folder / "third.itd").returncode, 1)
+        # Triangles: nothing is left of this file, of the next one a surface.
+        for target in ("x.itd", "x.g2"):
+            self.assertEqual(run("convert", "--lossy", TRIANGLES, self.folder / target).returncode, 4)
+        mixed, document = self.folder / "mixed.vjson", json.loads(TRIANGLES.read_text())
+        surface = json.loads(run("convert", "--lossy", SPLINES / "surface.xml", "--to", "vjson", "-").stdout)["entities"][0]
+        document["entities"].append({**surface, "group": None})
+        mixed.write_text(json.dumps(document))
+        done = run("convert", mixed, self.folder / "mixed.itd")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("4 of 5 entities are rounded or left out", done.stderr)
+        self.assertEqual(run("convert", "--lossy", mixed, self.folder / "mixed.itd").returncode, 0)
+        self.assertEqual(info(self.folder / "mixed.itd")[0]["counts"]["surfaces"], 1)
         # Polygons are geometry of the file that the model lacks.
         self.assertEqual(run("convert", SPLINES / "groups.itd", self.folder / "x.vjson").returncode, 1)
 
@@ -171,6 +227,10 @@ class Convert(Folder):
             start = 0
             for cell, end in enumerate(map(int, arrays["offsets"])):
                 degrees = list(map(int, arrays["HigherOrderDegrees"][3 * cell:3 * cell + 3]))
+                if arrays["types"][cell] == "76":
+                    self.assertEqual(end - start, (degrees[0] + 1) * (degrees[0] + 2) // 2)
+                    start = end
+                    continue
                 axes = {"75": 1, "77": 2, "79": 3}[arrays["types"][cell]]
                 count = 1
                 for degree in degrees[:axes]:

@@ -265,9 +265,88 @@ TEST(ReadSplines, BadFilesAreRefusedWithEntityAndLine) {
   }
 }
 
+// A file whose entity 0, in line 2, is a triangle.
+std::string triangle_file(const std::string& shape) {
+  return "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [\n{\"kind\": "
+         "\"triangle\", \"group\": null, \"attributes\": [], \"shape\": " +
+         shape + "}]}";
+}
+std::string triangle_shape(const char* degree, const char* rational, const char* components,
+                           const std::string& points) {
+  return std::string("{\"degree\": ") + degree + ", \"rational\": " + rational +
+         ", \"components\": " + components + ", \"points\": [" + points + "]}";
+}
+
+TEST(ReadSplines, TrianglesHaveTheirPointsInTheOrderOfTriangleIndex) {
+  // b_ijk = (i, j, k), of weight 1 + i + 2 j.
+  std::string points;
+  for (const char* p :
+       {"\"2\", \"0\", \"0\", \"3\"", "\"1\", \"1\", \"0\", \"4\"", "\"1\", \"0\", \"1\", \"2\"",
+        "\"0\", \"2\", \"0\", \"5\"", "\"0\", \"1\", \"1\", \"3\"", "\"0\", \"0\", \"2\", \"1\""})
+    points += std::string(points.empty() ? "" : ", ") + "[" + p + "]";
+  const SplineModel model = io_test::model_of(
+      SplineFormat::kJson, triangle_file(triangle_shape("2", "true", "4", points)));
+  ASSERT_EQ(model.entities.size(), 1u);
+  EXPECT_STREQ(spline_kind_name(model.entities[0]), "triangle");
+  EXPECT_EQ(count_triangles(model), 1u);
+  EXPECT_EQ(count_splines(model), (std::array<std::uint64_t, 3>{}));
+  const auto& t = std::get<ExactTriangle>(model.entities[0].shape);
+  EXPECT_TRUE(t.is_rational());
+  ASSERT_EQ(t.degree(), 2);
+  for_each_triangle_index(2, [&](int i, int j, int k) {
+    const int expected[] = {i, j, k, 1 + i + 2 * j};
+    for (int c = 0; c < 4; ++c)
+      EXPECT_EQ(t.component(c)[triangle_index(j, k)], Rational(expected[c])) << i << j << k << c;
+  });
+}
+
+TEST(ReadSplines, TrianglesThatAreNoneAreRefusedWithLineAndEntity) {
+  const std::string three = "[\"0\", \"0\", \"1\"], [\"1\", \"0\", \"1\"], [\"0\", \"1\", \"1\"]";
+  const auto refused = [&](const std::string& shape) {
+    return outcome(read_splines(SplineFormat::kJson, triangle_file(shape)));
+  };
+  EXPECT_EQ(refused(triangle_shape("1", "false", "3", three)), "ok");
+  EXPECT_EQ(refused(triangle_shape("1", "true", "3", three)), "ok");
+  for (const char* degree : {"0", "-1", "-9000000000000000000"})
+    EXPECT_NE(refused(triangle_shape(degree, "false", "3", three)), "ok") << degree;
+  EXPECT_EQ(refused(triangle_shape("0", "false", "3", three)), "bad-spline@2#0");
+  EXPECT_EQ(refused(triangle_shape("-1", "false", "3", three)), "bad-spline@2#0");
+  EXPECT_EQ(refused(triangle_shape("64", "false", "3", three)), "over-limit@2#0");
+  EXPECT_EQ(refused(triangle_shape("4000000000000", "false", "3", three)), "over-limit@2#0");
+  EXPECT_EQ(refused(triangle_shape("2", "false", "3", three)), "bad-spline@2#0");
+  EXPECT_EQ(refused(triangle_shape("1", "false", "2", three)), "bad-spline@2#0");
+  EXPECT_EQ(refused(triangle_shape("1", "false", "-3", three)), "bad-spline@2#0");
+  EXPECT_EQ(refused(triangle_shape("1", "true", "1", "[\"1\"], [\"1\"], [\"1\"]")),
+            "bad-spline@2#0");
+  EXPECT_EQ(refused(triangle_shape("1", "false", "3", "")), "bad-spline@2#0");
+  // Two and four numbers are not three each.
+  EXPECT_EQ(refused(triangle_shape("1", "false", "3",
+                                   "[\"0\", \"0\"], [\"1\", \"0\", \"1\", \"0\"], "
+                                   "[\"0\", \"1\", \"1\"]")),
+            "bad-spline@2#0");
+  for (const char* w : {"0", "-1/2"})
+    EXPECT_EQ(refused(triangle_shape("1", "true", "3",
+                                     "[\"0\", \"0\", \"1\"], [\"1\", \"0\", \"1\"], [\"0\", "
+                                     "\"1\", \"" +
+                                         std::string(w) + "\"]")),
+              "bad-spline@2#0");
+  EXPECT_EQ(refused("{\"degree\": 1, \"rational\": false, \"points\": []}"), "syntax@2#0");
+  EXPECT_EQ(refused("{\"degrees\": [1]}"), "syntax@2#0");
+}
+
+TEST(ReadSplines, RowsOfPointsMustHaveEqualLengths) {
+  EXPECT_EQ(outcome(read_splines(
+                SplineFormat::kJson,
+                "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [{\"kind\": "
+                "\"curve\", \"group\": null, \"attributes\": [], \"shape\": {\"degrees\": [1], "
+                "\"periodic\": [false], \"knots\": [[\"0\", \"0\", \"1\", \"1\"]], \"rational\": "
+                "false, \"components\": 2, \"points\": [[\"0\"], [\"1\", \"2\", \"3\"]]}}]}")),
+            "bad-spline@1#0");
+}
+
 TEST(ReadSplines, EveryPrefixOfASampleIsRefusedOrReadWithoutHarm) {
   for (const char* name : {"groups.itd", "trimmed.itd", "objects.g2", "two_cubes.mesh",
-                           "patches.mesh", "surface.xml"}) {
+                           "patches.mesh", "surface.xml", "triangles.vjson"}) {
     const std::string text = io_test::slurp(io_test::spline_folder() + name);
     const SplineFormat format = *spline_format_from_path(name);
     for (std::size_t size = 1; size < text.size(); ++size) {

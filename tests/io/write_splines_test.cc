@@ -15,7 +15,9 @@ const char* const kSamples[] = {"groups.itd",     "trimmed.itd",  "objects.g2",
                                 "two_cubes.mesh", "patches.mesh", "surface.xml"};
 
 TEST(WriteSplines, JsonHoldsEverySampleBitForBit) {
-  for (const char* name : kSamples) {
+  std::vector<std::string> names(std::begin(kSamples), std::end(kSamples));
+  names.push_back("triangles.vjson");
+  for (const std::string& name : names) {
     const SplineModel model = sample(name).model;
     const std::string json = spline_json_bytes(model);
     const SplineModel back = model_of(SplineFormat::kJson, json);
@@ -52,6 +54,26 @@ TEST(WriteSplines, WhatAFormatCannotHoldIsALoss) {
   EXPECT_FALSE(loss(sample("groups.itd").model, SplineFormat::kG2).shapes.empty());
   EXPECT_FALSE(loss(sample("surface.xml").model, SplineFormat::kG2).dropped.empty());
   EXPECT_TRUE(loss(sample("surface.xml").model, SplineFormat::kG2).shapes.empty());
+  // Bezier triangles are unknown to both; what is around them is written.
+  SplineModel mixed = sample("triangles.vjson").model;
+  for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2}) {
+    EXPECT_TRUE(loss(mixed, format).unreadable);  // nothing is left
+    EXPECT_TRUE(loss(mixed, SplineFormat::kJson).shapes.empty());
+  }
+  const SplineModel objects = sample("objects.g2").model;
+  mixed.entities.insert(mixed.entities.begin() + 1, objects.entities.begin(),
+                        objects.entities.end());
+  for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2}) {
+    const SplineModel back = model_of(format, spline_bytes(mixed, format));
+    ASSERT_EQ(back.entities.size(), objects.entities.size());
+    for (std::size_t i = 0; i < back.entities.size(); ++i)
+      EXPECT_TRUE(back.entities[i].shape == objects.entities[i].shape) << i;
+    const auto found = loss(mixed, format);
+    EXPECT_FALSE(found.unreadable);
+    ASSERT_EQ(found.shapes.size(), 1u);
+    EXPECT_EQ(found.shapes[0], "4 of " + std::to_string(mixed.entities.size()) +
+                                   " entities are rounded or left out");
+  }
   // A third is no decimal: rounded to the nearest binary64.
   SplineModel third = model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [3]]");
   std::get<ExactCurve>(third.entities[0].shape).component(0)[1] = Rational(Integer(1), Integer(3));

@@ -91,11 +91,11 @@ TEST(PnMesh, HasThePatchesOfItsTriangles) {
   const Model model = ball(2, 1);
   const auto pn = make_pn_mesh(model.mesh, model.normals);
   ASSERT_TRUE(pn);
-  const auto exact = [](const Vec3d& v) -> RationalPoint {
+  const auto exact = [](const Vec3d& v) -> PnPoint {
     return {Rational::from_double(v.x), Rational::from_double(v.y), Rational::from_double(v.z)};
   };
   for (std::size_t f = 0; f < pn->num_faces(); ++f) {
-    std::array<RationalPoint, 3> corners, normals;
+    std::array<PnPoint, 3> corners, normals;
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i] = exact(model.mesh.positions[model.mesh.faces[f][i]]);
       normals[i] = exact(model.normals[model.mesh.faces[f][i]]);

@@ -11,12 +11,12 @@
 namespace veritope {
 namespace {
 
-using Points = std::array<RationalPoint, 3>;
+using Points = std::array<PnPoint, 3>;
 
-Rational dot(const RationalPoint& a, const RationalPoint& b) {
+Rational dot(const PnPoint& a, const PnPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-RationalPoint draw_point(Random& random) {
+PnPoint draw_point(Random& random) {
   return {draw_rational(random), draw_rational(random), draw_rational(random)};
 }
 
@@ -32,7 +32,7 @@ Input draw_input(Random& random) {
   } while (!check_pn_triangle(PnCorners<Rational>{in.corners, in.normals}));
   return in;
 }
-RationalPoint at(const BezierTriangle<Rational>& map, const Barycentric<Rational>& p) {
+PnPoint at(const BezierTriangle<Rational>& map, const Barycentric<Rational>& p) {
   const auto v = evaluate(map, p);
   return {v[0], v[1], v[2]};
 }
@@ -60,7 +60,7 @@ TEST(PnTriangle, InterpolatesCornersAndNormals) {
 
 TEST(PnTriangle, OfAFlatTriangleIsFlat) {
   const Points corners{{{0, 0, 0}, {3, 0, 0}, {1, 5, 0}}};
-  const RationalPoint up{0, 0, 2};
+  const PnPoint up{0, 0, 2};
   const auto pn = make_pn_triangle(corners, {up, up, up});
   const BezierTriangle<Rational> linear(1, 3, false, {0, 3, 1, 0, 0, 5, 0, 0, 0});
   EXPECT_EQ(pn->points, elevated_to(linear, 3));
@@ -93,8 +93,8 @@ TEST(PnTriangle, TurnsWithItsCorners) {
 // Turned by an exact rotation, moved and doubled.
 TEST(PnTriangle, MovesWithItsCorners) {
   const Rational c = Rational(3) / Rational(5), s = Rational(4) / Rational(5);
-  const auto turn = [&](const RationalPoint& v) {
-    return RationalPoint{c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
+  const auto turn = [&](const PnPoint& v) {
+    return PnPoint{c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
   };
   Random random(3);
   const Input in = draw_input(random);
@@ -177,9 +177,9 @@ TEST(PnTriangle, HasItsCentreHalfAsFarOffTheEdgePointsAsTheseAreOffTheCorners) {
 
 TEST(PnTriangle, RefusesNormalsNinetyDegreesOffOrMore) {
   const Points corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-  const RationalPoint up{0, 0, 1}, across{1, 0, 0}, down{0, 1, -1};
+  const PnPoint up{0, 0, 1}, across{1, 0, 0}, down{0, 1, -1};
   const Rational tiny = Rational::power_of_two(-300);
-  EXPECT_TRUE(make_pn_triangle(corners, {up, RationalPoint{1, 0, tiny}, up}));
+  EXPECT_TRUE(make_pn_triangle(corners, {up, PnPoint{1, 0, tiny}, up}));
   const auto refused = make_pn_triangle(corners, {up, across, down});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place.vertex, 1u);
@@ -190,7 +190,7 @@ TEST(PnTriangle, RefusesNormalsNinetyDegreesOffOrMore) {
 }
 
 TEST(PnTriangle, RefusesZeroNormalsAndDegenerateTriangles) {
-  const RationalPoint up{0, 0, 1}, zero{0, 0, 0};
+  const PnPoint up{0, 0, 1}, zero{0, 0, 0};
   const auto no_normal = make_pn_triangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {zero, up, up});
   ASSERT_FALSE(no_normal);
   EXPECT_EQ(no_normal.error().message, "the normal of corner 0 is zero");

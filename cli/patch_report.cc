@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/patch_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/decimal_text.h"
+#include "cli/file_report.h"
+#include "cli/json_text.h"
+#include "cli/text_style.h"
+#include "interval/numeric.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr std::size_t kMostShells = 8;         // in text
+constexpr std::size_t kMostShellsListed = 100'000;
+
+Json bounds_json(const std::optional<Interval>& v) {
+  if (!v) return nullptr;
+  return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
+}
+
+Json place_json(const PatchReport& r) {
+  if (!r.open || !r.open->place) return nullptr;
+  const Box3d& box = *r.open->place;
+  const auto corner = [](const Point3d& p) { return Json::array({number_json(p[0]), number_json(p[1]), number_json(p[2])}); };
+  return {{"min", corner(box.lo)}, {"max", corner(box.hi)}};
+}
+
+// "4.18879, wide 3e-8": as many digits as both bounds share, at least two.
+std::string bounds_text(const Interval& v) {
+  return "between " + short_decimal(v.lo(), 10) + " and " + short_decimal(v.hi(), 10);
+}
+
+std::string line(std::string_view name, const std::string& value) {
+  constexpr std::size_t kWidth = 13;
+  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') + value + "\n";
+}
+
+std::string shells_text(const PatchReport& r) {
+  if (r.shell_facts.size() < 2) return "";
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kMostShells, r.shell_facts.size()); ++i) {
+    const PatchShellFacts& s = r.shell_facts[i];
+    out += line("shell " + std::to_string(i), std::string(s.is_outward ? "outward" : "inward") + ", genus " + std::to_string(s.genus) +
+                                                  ", volume " + bounds_text(s.volume));
+  }
+  if (r.shell_facts.size() > kMostShells)
+    out += line("...", std::to_string(r.shell_facts.size() - kMostShells) + " more shells (--json lists them)");
+  return out;
+}
+
+std::string place_text(const Box3d& box) {
+  const auto corner = [](const Point3d& p) {
+    return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) + ")";
+  };
+  return "in the box " + corner(box.lo) + " to " + corner(box.hi);
+}
+
+Json seconds(const std::optional<double>& value) { return value ? Json(std::round(*value * 1e6) / 1e6) : Json(nullptr); }
+
+}  // namespace
+
+std::string patch_report_json(const FileReport& report) {
+  const PatchReport& r = *report.patches;
+  const bool is_valid = report.verdict == FileVerdict::kValid;
+  const auto if_valid = [&](std::uint64_t n) { return is_valid ? Json(n) : Json(nullptr); };
+  Json out, shells = Json::array();
+  for (std::size_t i = 0; i < std::min(kMostShellsListed, r.shell_facts.size()); ++i) {
+    const PatchShellFacts& s = r.shell_facts[i];
+    shells.push_back({{"genus", s.genus}, {"euler", s.euler}, {"outward", s.is_outward}, {"volume", bounds_json(s.volume)}});
+  }
+  out["path"] = report.path;
+  out["sha256"] = report.sha256;
+  out["bytes"] = r.bytes;
+  out["format"] = spline_format_name(r.format);
+  out["verdict"] = verdict_name(report.verdict);
+  out["exit"] = static_cast<int>(report.exit);
+  out["error"] = fault_json(report.fault);
+  out["place"] = place_json(r);
+  out["counts"] = {{"entities", r.entities}, {"patches", r.patches}, {"edges", r.edges},   {"vertices", r.vertices},
+                   {"shells", r.shells},     {"bodies", if_valid(r.bodies)}, {"genus", if_valid(r.genus)},
+                   {"boxes", if_valid(r.boxes)}, {"boxes_tried", r.boxes_tried}};
+  out["flipped"] = r.flipped;
+  out["shells"] = std::move(shells);
+  out["volume"] = bounds_json(r.volume);
+  out["certificate"] = report.certificate ? Json{{"path", optional_json(report.certificate->path)},
+                                                 {"sha256", report.certificate->sha256},
+                                                 {"bytes", report.certificate->bytes},
+                                                 {"checked", report.certificate->is_checked}}
+                                          : Json(nullptr);
+  const PhaseSeconds& s = report.seconds;
+  out["seconds"] = {{"read", seconds(s.read)}, {"decide", seconds(s.decide)}, {"certify", seconds(s.certify)}, {"check", seconds(s.check)}};
+  return dump(out);
+}
+
+std::string patch_summary(const PatchReport& r) {
+  std::string text = counted(r.bodies, "body", "bodies") + ", genus " + std::to_string(r.genus);
+  if (r.volume) text += ", volume about " + short_decimal(mid(*r.volume));
+  return text;
+}
+
+std::string patch_details(const FileReport& report) {
+  const PatchReport& r = *report.patches;
+  std::string out = line("file", std::string(spline_format_name(r.format)) + ", " + counted(r.bytes, "byte", "bytes") + ", " +
+                                     counted(r.entities, "entity", "entities"));
+  if (r.patches != 0)
+    out += line("patches", counted(r.patches, "patch", "patches") + ", " + counted(r.vertices, "vertex", "vertices") + ", " +
+                               counted(r.edges, "edge", "edges") + ", " + counted(r.shells, "shell", "shells"));
+  if (!r.flipped.empty()) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min<std::size_t>(8, r.flipped.size()); ++i) list += (i == 0 ? "" : ", ") + std::to_string(r.flipped[i]);
+    out += line("reversed", counted(r.flipped.size(), "entity", "entities") + ": " + list + (r.flipped.size() > 8 ? ", ..." : ""));
+  }
+  if (report.verdict == FileVerdict::kValid) {
+    out += line("proof", counted(r.boxes, "star box", "star boxes") + " (" + std::to_string(r.boxes_tried) + " tried)");
+    if (r.volume) out += line("volume", bounds_text(*r.volume));
+    out += shells_text(r);
+  } else if (r.open && r.open->place) {
+    out += line("where", place_text(*r.open->place));
+  }
+  return out;
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/star_box/patch_volume.h: the volume that closed oriented patches enclose, in an interval. Theory: docs/THEORY.md §5.
+#pragma once
+#include <vector>
+
+#include "interval/interval.h"
+#include "solids/star_box/piece_forest.h"
+
+namespace veritope {
+
+/// Of each shell of the complex: a third of the integral of n·S over its patches (Gauss), in the model's units. A shell whose normals point out of what
+/// it bounds has a positive volume. Polynomial patches: the mean of Bernstein coefficients, as narrow as rounding allows. Rational ones: 1 / w^3 as a polynomial
+/// in w with a bound of the rest, on pieces that are split until the widths add up to at most `tolerance` times the largest coordinate cubed, or no
+/// deeper than eight levels. @cost polynomial: O(coefficients)
+std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance);
+
+}  // namespace veritope

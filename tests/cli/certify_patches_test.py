@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope certify on spline files: verdicts, reports against their schema, certificates, what is not covered."""
+import json
+import unittest
+
+from support import ROOT, Folder, run
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+
+def block(low, high, inward=False):
+    """Six bilinear faces; control points of (u, v) = (0, 0), (0, 1), (1, 0), (1, 1)."""
+    faces = []
+    for axis in range(3):
+        for end in (0, 1):
+            u, v = (axis + 1) % 3, (axis + 2) % 3
+            if (end == 0) != inward:
+                u, v = v, u
+            net = []
+            for at_u in (0, 1):
+                for at_v in (0, 1):
+                    p = [0, 0, 0]
+                    p[axis], p[u], p[v] = (low, high)[end][axis], (low, high)[at_u][u], (low, high)[at_v][v]
+                    net.append(p)
+            faces.append(net)
+    return faces
+
+
+def surface(net, degrees=(1, 1), rational=False):
+    knots = [["0"] * (n + 1) + ["1"] * (n + 1) for n in degrees]
+    return {"kind": "surface", "group": None, "attributes": [],
+            "shape": {"degrees": list(degrees), "periodic": [False, False], "knots": knots, "rational": rational,
+                      "components": 4 if rational else 3, "points": [[str(c) for c in p] for p in net]}}
+
+
+def triangle(corners):
+    return {"kind": "triangle", "group": None, "attributes": [],
+            "shape": {"degree": 1, "rational": False, "components": 3, "points": [[str(c) for c in p] for p in corners]}}
+
+
+def document(entities):
+    return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
+
+
+UNIT = block((0, 0, 0), (1, 1, 1))
+
+
+class CertifyPatches(Folder):
+    def file(self, entities, name="model.vjson"):
+        path = self.folder / name
+        path.write_text(document(entities))
+        return path
+
+    def certify(self, entities, *options):
+        done = run("certify", self.file(entities), "--json", "-", *options)
+        report = json.loads(done.stdout)
+        if jsonschema:
+            jsonschema.validate(report, json.loads((ROOT / "docs" / "report.schema.json").read_text()))
+        (one,) = report["files"]
+        self.assertEqual(done.returncode, one["exit"])
+        return one
+
+    def test_a_cube_is_valid_with_its_volume_and_a_checked_certificate(self):
+        one = self.certify([surface(f) for f in UNIT])
+        self.assertEqual((one["verdict"], one["exit"]), ("VALID", 0))
+        self.assertEqual([s["genus"] for s in one["shells"]], [0])
+        self.assertLessEqual(one["volume"]["lo"], 1)
+        self.assertGreaterEqual(one["volume"]["hi"], 1)
+        self.assertLess(one["volume"]["hi"] - one["volume"]["lo"], 1e-12)
+        self.assertTrue(one["certificate"]["checked"])
+        counts = one["counts"]
+        self.assertEqual((counts["patches"], counts["edges"], counts["vertices"], counts["bodies"]), (6, 12, 8, 1))
+
+    def test_the_certificate_is_kept_and_both_checkers_accept_it(self):
+        model, kept = self.file([surface(f) for f in UNIT]), self.folder / "model.cert"
+        self.assertEqual(run("certify", model, "--certificate", kept).returncode, 0)
+        self.assertEqual(self.check(model, kept), ["ACCEPT star-box-1\n"] * 2)
+        damaged = bytearray(kept.read_bytes())
+        damaged[-1] ^= 1
+        kept.write_bytes(damaged)
+        for words in self.check(model, kept):
+            self.assertTrue(words.startswith("REJECT S4"), words)
+
+    def check(self, model, certificate):
+        import subprocess
+        import sys
+        from support import BIN
+        programs = [[BIN / "veritope-check"], [sys.executable, ROOT / "verify" / "checker" / "veritope_check.py"]]
+        return [subprocess.run([*p, model, certificate], capture_output=True, text=True, timeout=120).stdout for p in programs]
+
+    def test_triangles_make_a_tetrahedron(self):
+        o, x, y, z = (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)
+        one = self.certify([triangle(t) for t in ((o, y, x), (o, x, z), (o, z, y), (x, y, z))])
+        self.assertEqual(one["verdict"], "VALID")
+        self.assertLess(abs(one["volume"]["lo"] - 1 / 6), 1e-12)
+
+    def test_a_cavity_is_a_shell_of_one_body(self):
+        faces = block((0, 0, 0), (4, 4, 4)) + block((1, 1, 1), (2, 2, 2), inward=True)
+        one = self.certify([surface(f) for f in faces])
+        self.assertEqual(one["verdict"], "VALID")
+        self.assertEqual((one["counts"]["shells"], one["counts"]["bodies"]), (2, 1))
+        self.assertEqual([s["outward"] for s in one["shells"]], [True, False])
+
+    def test_what_is_no_solid_is_not_certified_and_says_where(self):
+        cases = {
+            "an open side": [surface(f) for f in UNIT[:5]],
+            "normals that point inwards": [surface(f) for f in block((0, 0, 0), (1, 1, 1), inward=True)],
+            "blocks that cross": [surface(f) for f in UNIT + block((0.5, 0.25, 0.25), (1.5, 0.75, 0.75))],
+            "blocks that touch": [surface(f) for f in UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))],
+        }
+        for name, entities in cases.items():
+            with self.subTest(name):
+                one = self.certify(entities)
+                self.assertEqual((one["verdict"], one["exit"]), ("UNDECIDED", 3))
+                self.assertEqual(one["error"]["code"], "not-certified")
+                self.assertIsNone(one["certificate"])
+        self.assertIn("open-side", self.certify(cases["an open side"])["error"]["message"])
+        place = self.certify(cases["blocks that cross"])["place"]
+        self.assertIsNotNone(place)
+
+    def test_orient_auto_reverses_what_does_not_fit_and_lists_it(self):
+        faces = [list(f) for f in UNIT]
+        faces[2] = [faces[2][0], faces[2][2], faces[2][1], faces[2][3]]
+        self.assertEqual(self.certify([surface(f) for f in faces])["verdict"], "UNDECIDED")
+        one = self.certify([surface(f) for f in faces], "--orient", "auto")
+        self.assertEqual((one["verdict"], one["flipped"]), ("VALID", [2]))
+        self.assertTrue(one["certificate"]["checked"])
+
+    def test_what_certificates_do_not_cover_is_named(self):
+        curve = {"kind": "curve", "group": None, "attributes": [],
+                 "shape": {"degrees": [1], "periodic": [False], "knots": [["0", "0", "1", "1"]], "rational": False,
+                           "components": 3, "points": [["0", "0", "0"], ["1", "0", "0"]]}}
+        one = self.certify([surface(UNIT[0]), curve])
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-covered"))
+        self.assertIn("entity 1", one["error"]["message"])
+        self.assertEqual(self.certify([])["error"]["code"], "empty")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The truth of the example models against the mesh decision on tessellations, which shares no code with their construction.
+#include <gtest/gtest.h>
+
+#include "solids/patch_shapes.h"
+#include "solids/polyhedron/validity.h"
+#include "tests/solids/patch_support.h"
+
+namespace veritope {
+namespace {
+
+TEST(PatchShapesDiff, TessellationsOfSoundShapesAreValidWithTheirGenusAndBodies) {
+  for (const auto& shape : patch_shapes::sound_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const ValidityReport report = decide_validity(tessellated(shape.patches, 4), {});
+    EXPECT_TRUE(report.is_valid);
+    std::int64_t genus = 0;
+    for (const int g : shape.genus) genus += g;
+    EXPECT_EQ(report.counts.genus, std::optional(genus));
+    EXPECT_EQ(report.counts.bodies, std::optional(static_cast<std::uint64_t>(shape.bodies)));
+  }
+}
+// Of the tangent ones a tessellation need not touch itself; those at four points a side do.
+TEST(PatchShapesDiff, TessellationsOfBrokenShapesAreNot) {
+  for (const auto& shape : patch_shapes::broken_shapes())
+    EXPECT_FALSE(decide_validity(tessellated(shape.patches, 4), {}).is_valid) << shape.name;
+}
+
+}  // namespace
+}  // namespace veritope

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/star_box/patch_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "interval/numeric.h"
+#include "solids/patch_shapes.h"
+
+namespace veritope {
+namespace {
+
+Rational ratio(int p, int q = 1) { return Rational(p) / Rational(q); }
+
+std::vector<Interval> volumes(patch_shapes::Patches patches, double tolerance = 1e-5) {
+  PatchInput input;
+  input.patches = std::move(patches);
+  const PatchComplex complex = make_patch_complex(std::move(input)).value();
+  PieceForest forest = PieceForest::make(complex).value();
+  return shell_volumes(forest, tolerance);
+}
+
+void expect_near(const Interval& volume, double expected, double relative) {
+  EXPECT_LE(volume.lo(), expected * (1 + 1e-15)) << to_string(volume);
+  EXPECT_GE(volume.hi(), expected * (1 - 1e-15)) << to_string(volume);
+  EXPECT_LE(wid(volume), relative * expected) << to_string(volume);
+}
+
+TEST(ShellVolumes, HoldTheExactVolumes) {
+  const patch_shapes::Point low{ratio(1), ratio(-2), ratio(1, 3)}, high{ratio(3), ratio(1), ratio(7, 3)};
+  const auto box = volumes(patch_shapes::box(low, high));
+  ASSERT_EQ(box.size(), 1u);
+  EXPECT_TRUE(contains(box[0], ratio(12)));
+  EXPECT_LE(wid(box[0]), 1e-12);
+  constexpr double kPi = std::numbers::pi;
+  expect_near(volumes(patch_shapes::sphere())[0], 4 * kPi / 3, 1e-4);
+  expect_near(volumes(patch_shapes::octant_sphere())[0], 4 * kPi / 3, 1e-4);
+  expect_near(volumes(patch_shapes::torus(ratio(3), ratio(1)))[0], 6 * kPi * kPi, 1e-4);
+  expect_near(volumes(patch_shapes::frustum(ratio(2), ratio(0), ratio(5)))[0], 20 * kPi / 3, 1e-4);
+}
+
+TEST(ShellVolumes, AreSignedAndOneAShell) {
+  const auto shells = volumes(patch_shapes::thin_shell(ratio(1, 2)));
+  ASSERT_EQ(shells.size(), 2u);
+  constexpr double kPi = std::numbers::pi;
+  expect_near(shells[0], 4 * kPi / 3, 1e-4);
+  expect_near(-shells[1], kPi / 6, 1e-4);
+}
+
+TEST(ShellVolumes, AreAsNarrowAsAskedFor) {
+  double last = 1;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    const Interval v = volumes(patch_shapes::sphere(), tolerance)[0];
+    EXPECT_LE(wid(v), 8 * tolerance);  // coordinates are up to 1, so halved: 1/8 of the volume
+    EXPECT_LE(wid(v), last);
+    last = wid(v);
+  }
+}
+
+// Sizes far from 1: the interval is that of the unit model times a power of two.
+TEST(ShellVolumes, ScaleWithTheModel) {
+  for (const int exponent : {-300, 300}) {
+    const Rational f = Rational::power_of_two(exponent);
+    const auto v = volumes(patch_shapes::placed(patch_shapes::box({ratio(0), ratio(0), ratio(0)}, {ratio(1), ratio(1), ratio(1)}), f,
+                                                {ratio(0), ratio(0), ratio(0)}));
+    EXPECT_TRUE(contains(v[0], f * f * f)) << exponent;
+  }
+}
+
+}  // namespace
+}  // namespace veritope

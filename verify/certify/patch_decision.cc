@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/patch_decision.h"
+
+#include <cmath>
+
+#include "interval/upward.h"
+#include "solids/star_box/patch_volume.h"
+
+namespace veritope {
+namespace {
+
+using Kind = OpenQuestion::Kind;
+
+const char* text_of(UncoveredPiece::Why why) {
+  switch (why) {
+    case UncoveredPiece::Why::kNoCentres:
+      return "no point pair sees all patches near this piece from both sides: a fold, a contact, a cusp, or a vertex whose normals lie in no open half-space";
+    case UncoveredPiece::Why::kSigns: return "the sides of the patches near this piece are not decided in binary64";
+    case UncoveredPiece::Why::kCrossings: return "several sheets pass near this piece: a crossing, a contact, or a gap that is too small";
+    case UncoveredPiece::Why::kTooDeep: return "too many patches, or pieces of very different sizes, meet near this piece";
+    case UncoveredPiece::Why::kBudget: return "the number of boxes that may be tried is spent";
+    case UncoveredPiece::Why::kStopped: return "stopped";
+  }
+  return "";
+}
+
+Kind kind_of(UncoveredPiece::Why why) {
+  if (why == UncoveredPiece::Why::kBudget) return Kind::kBudget;
+  return why == UncoveredPiece::Why::kStopped ? Kind::kStopped : Kind::kNoStarBox;
+}
+
+// Times a power of two: exact, but for numbers near the ends of binary64, which go outward.
+Box3d in_model_units(Box3d box, int scale) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = std::nextafter(std::ldexp(box.lo[k], -scale), -HUGE_VAL);
+    box.hi[k] = std::nextafter(std::ldexp(box.hi[k], -scale), HUGE_VAL);
+  }
+  return box;
+}
+
+std::string finding_text(const PatchComplex& complex, const PatchFinding& finding) {
+  std::string text = defect_name(finding.defect);
+  for (const PatchSide& s : finding.sides)
+    text += (&s == finding.sides.data() ? ": " : ", ") + std::string("side ") + std::to_string(s.side) + " of " + to_string(complex.patch(s.patch).origin());
+  return text;
+}
+
+OpenQuestion complex_question(const PatchComplex& complex) {
+  OpenQuestion open{Kind::kComplex, {}, {}, {}, "the patches are no closed oriented surface"};
+  for (const PatchFinding& f : complex.findings()) {
+    if (f.defect == PatchDefect::kAdjacentPoles) continue;
+    open.message += "; " + finding_text(complex, f);
+    if (!f.sides.empty()) open.patch = f.sides[0].patch;
+    break;
+  }
+  return open;
+}
+
+class Decider {
+ public:
+  Decider(const PatchComplex& complex, const PatchDecisionOptions& options, std::optional<PieceForest>* forest)
+      : complex_(complex), options_(options), forest_(*forest) {}
+
+  PatchDecision run() {
+    if (!complex_.is_closed_oriented_surface()) return open(complex_question(complex_));
+    Result<PieceForest> forest = PieceForest::make(complex_);
+    if (!forest) return open({Kind::kOutOfRange, {}, {}, {}, forest.error().message});
+    forest_.emplace(std::move(*forest));
+    out_.cover = find_star_cover(*forest_, options_.cover);
+    out_.boxes_tried = out_.cover.tried;
+    if (!out_.cover.is_complete()) return open(cover_question());
+    out_.walks = find_shell_walks(*forest_, out_.cover);
+    if (!out_.walks.missing.empty()) {
+      const std::uint32_t shell = out_.walks.missing.front();
+      return open({Kind::kNoWalk, complex_.shells()[shell].first_patch, shell, {}, "no straight path from this shell to infinity or to the shell around it was found"});
+    }
+    for (const ShellWalk& w : out_.walks.walks)
+      if (w.winding_inside != 1) return open(orientation_question(w));
+    conclude();
+    return std::move(out_);
+  }
+
+ private:
+  PatchDecision open(OpenQuestion question) {
+    out_.open = std::move(question);
+    return std::move(out_);
+  }
+  OpenQuestion cover_question() const {
+    const UncoveredPiece& piece = out_.cover.uncovered.front();
+    const PieceForest::Node& node = forest_->node(piece.piece);
+    return {kind_of(piece.why), node.patch, complex_.shell(node.patch), in_model_units(node.hull, forest_->scale()), text_of(piece.why)};
+  }
+  OpenQuestion orientation_question(const ShellWalk& walk) const {
+    return {Kind::kOrientation, complex_.shells()[walk.shell].first_patch, walk.shell, {},
+            "the winding number is " + std::to_string(walk.winding_inside) + " on the inner side of this shell and " +
+                std::to_string(walk.winding_outside) + " on the outer one, not 1 and 0: its normals point the wrong way, or it is wrongly nested"};
+  }
+  void conclude() {
+    out_.is_valid = true;
+    out_.bodies = out_.walks.num_bodies();
+    const std::vector<Interval> volumes = shell_volumes(*forest_, options_.tolerance);
+    for (std::size_t s = 0; s < volumes.size(); ++s)
+      out_.shells.push_back({complex_.shells()[s].euler(), complex_.shells()[s].genus().value(), true, volumes[s]});
+    for (const ShellWalk& w : out_.walks.walks) out_.shells[w.shell].is_outward = w.starts_outside;
+    const ScopedUpward upward;
+    Interval sum;
+    for (const Interval& v : volumes) sum += v;
+    out_.volume = sum;
+  }
+
+  const PatchComplex& complex_;
+  const PatchDecisionOptions& options_;
+  std::optional<PieceForest>& forest_;
+  PatchDecision out_;
+};
+
+}  // namespace
+
+PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options, std::optional<PieceForest>* forest) {
+  return Decider(complex, options, forest).run();
+}
+
+}  // namespace veritope

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/patch_decision.h: whether the patches of a complex bound a solid: star boxes, walks, volumes.
+// Theory: docs/THEORY.md §4, §5. Design: docs/design/0016-star-boxes.md.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interval/interval.h"
+#include "verify/certify/star_walks.h"
+
+namespace veritope {
+
+struct PatchDecisionOptions {
+  StarCoverOptions cover;
+  double tolerance = 1e-6;  ///< of the volume, relative to the largest coordinate cubed
+};
+
+/// Where and why there is no proof.
+struct OpenQuestion {
+  enum class Kind {
+    kComplex,      ///< the complex has findings: S0 does not hold, or what the theorem needs besides
+    kOutOfRange,   ///< coordinates beyond binary64
+    kNoStarBox,    ///< no star box of the least size tried
+    kBudget,       ///< too many boxes
+    kStopped,      ///< by the caller
+    kNoWalk,       ///< from a shell no free path outwards was found
+    kOrientation,  ///< the winding numbers beside a shell are not 1 inside and 0 outside
+  };
+  Kind kind;
+  std::optional<std::uint32_t> patch, shell;
+  std::optional<Box3d> place;  ///< in the model's units, rounded outward; contains the piece
+  std::string message;
+};
+
+struct PatchShellFacts {
+  std::int64_t euler = 0, genus = 0;
+  bool is_outward = true;  ///< its unbounded side is its outside
+  Interval volume;
+};
+
+struct PatchDecision {
+  bool is_valid = false;
+  std::optional<OpenQuestion> open;  ///< iff not valid
+  std::vector<PatchShellFacts> shells;  ///< of a valid complex
+  std::uint64_t bodies = 0;
+  std::optional<Interval> volume;
+  std::size_t boxes_tried = 0;
+  /// What a certificate is made of, of a valid complex.
+  StarCover cover;
+  ShellWalks walks;
+};
+
+/// The forest of `complex` is made in *forest, where the decision's node numbers point to; it refers to the complex.
+PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options, std::optional<PieceForest>* forest);
+
+}  // namespace veritope

@@ -70,13 +70,13 @@ class Mutations(unittest.TestCase):
                 plan.body = original
 
     def test_cube(self):
-        self.mutated(forge.Prover(models.cube()).prove(), 61, 300 * SCALE)
+        self.mutated(forge.Prover(models.cube()).prove(), 61, 100 * SCALE)
 
     def test_tetrahedron(self):
-        self.mutated(forge.Prover(models.tetrahedron()).prove(), 62, 150 * SCALE)
+        self.mutated(forge.Prover(models.tetrahedron()).prove(), 62, 40 * SCALE)
 
     def test_octant_sphere(self):
-        self.mutated(forge.Prover(models.octant_sphere()).prove(), 63, 60 * SCALE)
+        self.mutated(forge.Prover(models.octant_sphere()).prove(), 63, 20 * SCALE)
 
 
 class Cpp(unittest.TestCase):

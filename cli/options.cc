@@ -107,15 +107,15 @@ void add_orientation(CLI::App* app, Options& o) {
              throw CLI::ValidationError("--orient", "must be auto or keep, not " + how);
            o.orient_auto = how == "auto";
          },
-         "auto: reverse patches of a spline file that do not fit\ntheir neighbours, and list them")
+         "auto: reverse patches that do not fit; keep: none")
       ->type_name("HOW");
 }
 
 void add_certify(CLI::App& app, Options& o) {
   CLI::App* const c =
-      app.add_subcommand("certify", "decide whether meshes and patches bound solids, and prove it");
+      app.add_subcommand("certify", "decide whether models bound solids, and prove it");
   c->callback([&o] { o.command = Command::kCertify; });
-  add_files(c, o.files, "STL, OBJ, PLY, OFF or VJSON; - is standard input (with --format)");
+  add_files(c, o.files, "meshes, VJSON; - is standard input (with --format)");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
   add_text(c, "--certificate", o.certificate, "F",
            "keep the certificate; of several files in folder F");

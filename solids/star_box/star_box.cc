@@ -12,9 +12,13 @@ struct Descent {
   std::vector<PieceForest::Id>* tested;
   std::vector<PieceForest::Id>* held;
 
+  std::size_t visits = 0;
+
   bool visit(PieceForest::Id id) {
     const Box3d hull = forest.node(id).hull;
     if (!meets(hull, box)) return true;
+    // Hulls may be unbounded, where weights are not known to be positive, and all pieces of such a patch meet every box.
+    if (++visits > 16 * most) return false;
     if (is_inside(hull, box)) held->push_back(id);
     if (extent(hull) <= longest) {
       tested->push_back(id);

@@ -86,6 +86,32 @@ TEST(StarCover, DoesNotDependOnSize) {
   }
 }
 
+// The weights of a box's corners differ by 2^200: flat faces all the same. What doubles cannot tell from weights <= 0 is not covered, but the search ends.
+TEST(StarCover, EndsForExtremeWeights) {
+  const auto zero = [](const Rational& v) { return v.sign() == Sign::kZero; };
+  for (const int exponent : {-2, -200}) {
+    Patches patches = patch_shapes::box(origin(), {ratio(1), ratio(1), ratio(1)});
+    const Rational light = Rational::power_of_two(exponent);
+    for (Patch& patch : patches) {
+      const std::size_t n = patch.num_control();
+      std::vector<Rational> c;
+      for (int k = 0; k < 4; ++k)
+        for (std::size_t i = 0; i < n; ++i) {
+          const bool is_origin = zero(patch.component(0)[i]) && zero(patch.component(1)[i]) &&
+                                 zero(patch.component(2)[i]);
+          const Rational w = is_origin ? light : Rational(1);
+          c.push_back(k == 3 ? w : w * patch.component(k)[i]);
+        }
+      patch =
+          make_patch(BezierSurface<Rational>(patch.tensor().degrees(), 4, true, c), patch.origin())
+              .value();
+    }
+    const Model m(patches);
+    if (exponent == -2) EXPECT_TRUE(m.cover.is_complete());
+    EXPECT_LT(m.cover.tried, 20000u);
+  }
+}
+
 TEST(StarCover, NeverCoversWhatTouchesOrCrossesItself) {
   const Patches ball = patch_shapes::sphere();
   const std::vector<std::pair<const char*, Patches>> models = {

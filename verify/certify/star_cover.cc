@@ -29,7 +29,6 @@ class CoverSearch {
         out_.uncovered.push_back({forest_.root(order[k]), Why::kStopped});
       else
         cover(forest_.root(order[k]));
-      forest_.limit_memory(options_.memory);
     }
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
     if (out_.is_complete()) keep_leaves();
@@ -44,6 +43,7 @@ class CoverSearch {
   }
 
   void cover(Id id) {
+    forest_.limit_memory(options_.memory);
     if (box_of(id) != StarCover::kNone || try_box(id)) return;
     if (forest_.node(id).level >= options_.max_level || out_.tried >= options_.max_boxes) {
       out_.uncovered.push_back(
@@ -93,7 +93,8 @@ class CoverSearch {
   bool try_box(Id id) {
     const Box3d hull = forest_.node(id).hull;
     ++out_.tried;
-    if (!(extent(hull) > 0)) return fail(Why::kNoCentres);
+    // Coordinates are at most 1; a hull is longer where weights are not known to be positive.
+    if (!(extent(hull) > 0) || !(extent(hull) < 8)) return fail(Why::kNoCentres);
     CoverBox cover = box_around(hull);
     if (!is_promising(id, cover)) return fail(Why::kNoCentres);
     tested_.clear(), held_.clear();

@@ -11,10 +11,10 @@
 namespace veritope {
 
 struct StarCoverOptions {
-  int max_level = 14;                 ///< pieces are not split deeper: undecided there
-  std::size_t max_boxes = 4'000'000;  ///< that are tried
-  double growth = 1.75;               ///< box to hull
-  std::size_t memory = std::size_t{1} << 30;
+  int max_level = 14;                         ///< pieces are not split deeper: undecided there
+  std::size_t max_boxes = 4'000'000;          ///< that are tried
+  double growth = 1.75;                       ///< box to hull
+  std::size_t memory = std::size_t{1} << 29;  ///< bytes, of the nets of pieces
   std::function<bool(std::size_t covered, std::size_t patches)> progress;  ///< false: stop
 };
 

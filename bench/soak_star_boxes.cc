@@ -84,7 +84,11 @@ void judge(const Shape& shape, const char* description, const Patches& patches, 
   std::optional<PieceForest> forest;
   const auto start = std::chrono::steady_clock::now();
   const PatchDecision decision = decide_patches(complex, options, &forest);
-  tally->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tally->seconds += seconds;
+  if (seconds > 10)
+    std::fprintf(stderr, "%s, %s: %.0f s\n", shape.name.c_str(), description, seconds);
   ++tally->models;
   const bool is_sound = shape.truth == Truth::kEmbedded;
   if (!decision.is_valid) {

@@ -32,8 +32,32 @@ double second_difference(const Bezier<double, N>& piece, std::size_t axis) {
   return most;
 }
 
+// The greatest length of b[i+1][j+1] - b[i+1][j] - b[i][j+1] + b[i][j] over neighbours along both axes.
+template <std::size_t N>
+double mixed_difference(const Bezier<double, N>& piece, std::size_t axis, std::size_t other) {
+  const Grid<N> grid = piece.grid();
+  const std::size_t along = grid.stride(axis), across = grid.stride(other);
+  double most = 0;
+  for (std::size_t i = 0; i < grid.count(); ++i) {
+    const auto index = grid.index_of(i);
+    if (index[axis] + 1 >= grid.size[axis] || index[other] + 1 >= grid.size[other]) continue;
+    double square = 0;
+    const Point p = internal::control_point(piece, i),
+                q = internal::control_point(piece, i + along),
+                r = internal::control_point(piece, i + across),
+                t = internal::control_point(piece, i + along + across);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = t[k] - q[k] - r[k] + p[k];
+      square += d * d;
+    }
+    most = std::max(most, std::sqrt(square));
+  }
+  return most;
+}
+
 // Pieces of each span of an axis. A chord over 1/n of a Bezier curve of degree p is off by at most
-// p (p - 1) max |second difference| / (8 n^2); surfaces add up their axes.
+// p (p - 1) max |second difference| / (8 n^2). A surface adds up both axes and the twist of its cells: two triangles are off the
+// bilinear cell by a quarter of it, p q max |mixed difference| / (4 n m). Each of the three terms gets a third of the chord.
 template <std::size_t N>
 std::vector<std::size_t> divisions(const RoundedPieces<N>& s, std::size_t axis, double chord) {
   const Grid<N> cells = s.grid();
@@ -41,10 +65,14 @@ std::vector<std::size_t> divisions(const RoundedPieces<N>& s, std::size_t axis, 
   for (std::size_t cell = 0; cell < s.pieces.size(); ++cell) {
     const int p = s.pieces[cell].degree(axis);
     const double bend =
-        p * (p - 1) * second_difference(s.pieces[cell], axis) * static_cast<double>(N) / 8;
+        p * (p - 1) * second_difference(s.pieces[cell], axis) * (N > 1 ? 3.0 : 1.0) / 8;
     double n = std::ceil(std::sqrt(bend / chord));
-    // Bilinear pieces twist: two pieces at least, unless all is straight.
-    if (N > 1 && p == 1) n = std::max(n, 2.0);
+    for (std::size_t other = 0; other < N; ++other) {
+      if (other == axis) continue;
+      const double twist =
+          p * s.pieces[cell].degree(other) * mixed_difference(s.pieces[cell], axis, other) * 3 / 4;
+      n = std::max(n, std::ceil(std::sqrt(twist / chord)));
+    }
     if (!(n >= 1)) n = 1;
     std::size_t& most = out[unflatten(cell, cells)[axis]];
     most = std::max(most, n > kMostPerSpan ? kMostPerSpan : static_cast<std::size_t>(n));

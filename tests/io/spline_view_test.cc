@@ -84,6 +84,41 @@ TEST(SplineView, ChordsStayAsCloseToACircleAsAskedFor) {
   }
 }
 
+// z = x y: straight along both axes, and yet no two triangles are near it. A triangle is farthest from it where two of its edges' middles lie.
+TEST(SplineView, TrianglesFollowTheTwistOfABilinearPatch) {
+  const SplineModel model = io_test::model_of(
+      SplineFormat::kItd, "[SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1 0] [1 1 1]]");
+  for (const double chord : {1e-2, 1e-3}) {
+    ViewOptions options;
+    options.chord = chord;
+    const auto obj = view_bytes(model, ViewFormat::kObj, options);
+    ASSERT_TRUE(obj);
+    std::istringstream lines(*obj);
+    std::vector<std::array<double, 3>> points;
+    std::size_t triangles = 0;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string kind;
+      words >> kind;
+      if (kind == "v") {
+        std::array<double, 3> p{};
+        words >> p[0] >> p[1] >> p[2];
+        points.push_back(p);
+      } else if (kind == "f") {
+        std::array<std::size_t, 3> f{};
+        words >> f[0] >> f[1] >> f[2];
+        ++triangles;
+        for (std::size_t e = 0; e < 3; ++e) {
+          const auto &a = points.at(f[e] - 1), &b = points.at(f[(e + 1) % 3] - 1);
+          EXPECT_LE(std::abs((a[2] + b[2]) / 2 - (a[0] + b[0]) * (a[1] + b[1]) / 4), chord);
+        }
+      }
+    }
+    EXPECT_GT(triangles, 8u);
+    EXPECT_LT(static_cast<double>(triangles), 4 / chord);
+  }
+}
+
 TEST(SplineView, TheBoundaryOfAVolumeIsClosedAndOutward) {
   const auto parts = tessellate(sample("two_cubes.mesh").model, {});
   ASSERT_TRUE(parts);

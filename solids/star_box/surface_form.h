@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "splines/bezier_triangle.h"
+#include "splines/binomial.h"
 #include "splines/ring.h"
 
 namespace veritope {
@@ -45,7 +46,7 @@ class ScaledForm {
     ScaledForm out(shape);
     out.visit([&](int a, int b, std::size_t at) {
       const auto [m, n] = factors(shape, a, b);
-      out.at(a, b) = RingNumbers<R>::ratio(m, 1) * (RingNumbers<R>::ratio(n, 1) * coefficients[at]);
+      out.at(a, b) = m * (n * coefficients[at]);
     });
     return out;
   }
@@ -53,7 +54,7 @@ class ScaledForm {
     std::vector<R> out(shape_.count());
     visit([&](int a, int b, std::size_t i) {
       const auto [m, n] = factors(shape_, a, b);
-      out[i] = at(a, b) / RingNumbers<R>::ratio(m, 1) / RingNumbers<R>::ratio(n, 1);
+      out[i] = at(a, b) / m / n;
     });
     return out;
   }
@@ -93,14 +94,9 @@ class ScaledForm {
   }
 
  private:
-  static std::int64_t binomial(int n, int k) {
-    std::int64_t out = 1;
-    for (int i = 1; i <= k; ++i) out = out * (n - k + i) / i;
-    return out;
-  }
-  /// Two factors of the product of binomials: it may exceed 64 bits, they do not.
-  static std::array<std::int64_t, 2> factors(const FormShape& s, int a, int b) {
-    return {binomial(s.p, a), binomial(s.is_triangle ? s.p - a : s.q, b)};
+  /// The product of binomials in two factors: each alone needs fewer digits.
+  static std::array<R, 2> factors(const FormShape& s, int a, int b) {
+    return {binomial_in<R>(s.p, a), binomial_in<R>(s.is_triangle ? s.p - a : s.q, b)};
   }
   FormShape shape_;
   int columns_;

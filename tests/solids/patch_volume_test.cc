@@ -7,6 +7,7 @@
 
 #include "interval/numeric.h"
 #include "solids/patch_shapes.h"
+#include "solids/patch_transform.h"
 
 namespace veritope {
 namespace {
@@ -39,6 +40,12 @@ TEST(ShellVolumes, HoldTheExactVolumes) {
   expect_near(volumes(patch_shapes::octant_sphere())[0], 4 * kPi / 3, 1e-4);
   expect_near(volumes(patch_shapes::torus(ratio(3), ratio(1)))[0], 6 * kPi * kPi, 1e-4);
   expect_near(volumes(patch_shapes::frustum(ratio(2), ratio(0), ratio(5)))[0], 20 * kPi / 3, 1e-4);
+}
+
+// Products of degree 71: binomials beyond 64 bits.
+TEST(ShellVolumes, HoldForHighRationalDegrees) {
+  const auto v = volumes(elevated(patch_shapes::octant_sphere(), 7), 1);
+  expect_near(v[0], 4 * std::numbers::pi / 3, 1);
 }
 
 TEST(ShellVolumes, AreSignedAndOneAShell) {

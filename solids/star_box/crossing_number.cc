@@ -115,24 +115,6 @@ std::optional<int> winding(Curve& curve, std::uint64_t from, std::uint64_t to, i
   return *a + *b;
 }
 
-// Of the control points of a side of a piece, number t in its direction of travel.
-std::size_t place_on_side(const FormShape& s, std::uint32_t side, int t) {
-  if (s.is_triangle) {
-    switch (side) {
-      case 0: return triangle_index(t, 0);
-      case 1: return triangle_index(s.p - t, t);
-      default: return triangle_index(0, s.p - t);
-    }
-  }
-  const auto at = [&](int i, int j) { return static_cast<std::size_t>(i * (s.q + 1) + j); };
-  switch (side) {
-    case 0: return at(t, 0);
-    case 1: return at(s.p, t);
-    case 2: return at(s.p - t, s.q);
-    default: return at(0, s.q - t);
-  }
-}
-
 class CrossingCounter {
  public:
   CrossingCounter(PieceForest& forest, const StarBox& star) : forest_(forest), star_(star) {
@@ -235,7 +217,8 @@ class CrossingCounter {
     const PieceForest::Form& form = forest_.form(forest_.node(on.node).patch);
     const double* const net = forest_.control(on.node);
     const std::size_t count = form.shape.count();
-    const int degree = form.shape.is_triangle || on.side % 2 == 0 ? form.shape.p : form.shape.q;
+    const Patch& patch = forest_.complex().patch(forest_.node(on.node).patch);
+    const std::size_t length = patch.side_length(on.side);
     double c[3], size[4], error[4];
     for (std::size_t k = 0; k < 3; ++k) {
       c[k] = star_.inside[k] - form.origin[k];
@@ -244,8 +227,8 @@ class CrossingCounter {
     error[3] = form.is_rational ? forest_.control_error(on.node, 3) : 0;
     Curve curve;
     size[0] = size[1] = size[2] = size[3] = 0;
-    for (int t = 0; t <= degree; ++t) {
-      const std::size_t at = place_on_side(form.shape, on.side, t);
+    for (std::size_t t = 0; t < length; ++t) {
+      const std::size_t at = patch.side_index(on.side, t);
       const double w = form.is_rational ? net[3 * count + at] : 1;
       double p[3];
       for (std::size_t k = 0; k < 3; ++k) {

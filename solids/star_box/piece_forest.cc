@@ -92,7 +92,7 @@ PieceForest::Id PieceForest::children(Id id) {
   const Id first = static_cast<Id>(nodes_.size());
   for (std::uint8_t k = 0; k < 4; ++k) {
     Node child;
-    child.patch = parent.patch, child.parent = id, child.child_number = k;
+    child.patch = parent.patch, child.parent = id;
     child.level = static_cast<std::uint8_t>(parent.level + 1);
     child.i = 2 * parent.i, child.j = 2 * parent.j;
     if (!form.shape.is_triangle) {

@@ -32,7 +32,7 @@ class PieceForest {
     Id parent = kNone;
     std::uint64_t i, j;
     std::int64_t net = -1;
-    std::uint8_t level = 0, child_number = 0;
+    std::uint8_t level = 0;
     bool is_upside_down = false;
   };
   /// What a patch's nodes have in common.

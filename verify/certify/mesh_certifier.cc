@@ -13,6 +13,7 @@
 #include "solids/polyhedron/defects.h"
 #include "solids/polyhedron/facet_signs.h"
 #include "solids/polyhedron/separator.h"
+#include "verify/certify/natural.h"
 #include "verify/certify/pair_codes.h"
 
 namespace veritope {
@@ -106,12 +107,6 @@ certificate::Quantities quantities(const ValidityReport& report) {
   const Rational& v = report.volume.value();
   q.volume = v.numerator().to_string() + "/" + v.denominator().to_string();
   return q;
-}
-
-Natural to_natural(Integer n) {
-  Natural out;
-  for (; !n.is_zero(); n.shift_right(8)) out.push_back(static_cast<unsigned char>(n.low_bits() & 0xffu));
-  return out;
 }
 
 IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {

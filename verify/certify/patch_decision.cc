@@ -16,22 +16,18 @@ const char* text_of(UncoveredPiece::Why why) {
     case UncoveredPiece::Why::kNoCentres:
       return "no point pair sees all patches near this piece from both sides: a fold, a contact, a "
              "cusp, or a vertex whose normals lie in no open half-space";
-    case UncoveredPiece::Why::kSigns:
-      return "the sides of the patches near this piece are not decided in binary64";
     case UncoveredPiece::Why::kCrossings:
       return "several sheets pass near this piece: a crossing, a contact, or a gap that is too "
              "small";
     case UncoveredPiece::Why::kTooDeep:
       return "too many patches, or pieces of very different sizes, meet near this piece";
     case UncoveredPiece::Why::kBudget: return "the number of boxes that may be tried is spent";
-    case UncoveredPiece::Why::kStopped: return "stopped";
   }
   return "";
 }
 
 Kind kind_of(UncoveredPiece::Why why) {
-  if (why == UncoveredPiece::Why::kBudget) return Kind::kBudget;
-  return why == UncoveredPiece::Why::kStopped ? Kind::kStopped : Kind::kNoStarBox;
+  return why == UncoveredPiece::Why::kBudget ? Kind::kBudget : Kind::kNoStarBox;
 }
 
 // Times a power of two: exact, but for numbers near the ends of binary64, which go outward.
@@ -43,19 +39,11 @@ Box3d in_model_units(Box3d box, int scale) {
   return box;
 }
 
-std::string finding_text(const PatchComplex& complex, const PatchFinding& finding) {
-  std::string text = defect_name(finding.defect);
-  for (const PatchSide& s : finding.sides)
-    text += (&s == finding.sides.data() ? ": " : ", ") + std::string("side ") +
-            std::to_string(s.side) + " of " + to_string(complex.patch(s.patch).origin());
-  return text;
-}
-
 OpenQuestion complex_question(const PatchComplex& complex) {
   OpenQuestion open{Kind::kComplex, {}, {}, {}, "the patches are no closed oriented surface"};
   for (const PatchFinding& f : complex.findings()) {
     if (f.defect == PatchDefect::kAdjacentPoles) continue;
-    open.message += "; " + finding_text(complex, f);
+    open.message += "; " + describe(complex, f);
     if (!f.sides.empty()) open.patch = f.sides[0].patch;
     break;
   }

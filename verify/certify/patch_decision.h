@@ -24,7 +24,6 @@ struct OpenQuestion {
     kOutOfRange,  ///< coordinates beyond binary64
     kNoStarBox,   ///< no star box of the least size tried
     kBudget,      ///< too many boxes
-    kStopped,     ///< by the caller
     kNoWalk,      ///< from a shell no free path outwards was found
     kOrientation,  ///< the winding numbers beside a shell are not 1 inside and 0 outside
   };

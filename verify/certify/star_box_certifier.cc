@@ -5,23 +5,16 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "verify/certify/natural.h"
 
 namespace veritope {
 namespace {
 
 using certificate::Fraction;
-using certificate::Natural;
 using certificate::PatchEntity;
 using certificate::StarBoxBody;
 using certificate::StarBoxItem;
 using Id = PieceForest::Id;
-
-Natural to_natural(Integer n) {
-  Natural out;
-  for (; !n.is_zero(); n.shift_right(8))
-    out.push_back(static_cast<unsigned char>(n.low_bits() & 0xffu));
-  return out;
-}
 
 Fraction to_fraction(const Rational& v) {
   return {v.sign() == Sign::kNegative, to_natural(abs(v).numerator()), to_natural(v.denominator())};

@@ -24,12 +24,8 @@ class CoverSearch {
 
   StarCover run() {
     const auto& order = forest_.roots().order();
-    for (std::size_t k = 0; k < order.size() && out_.uncovered.empty(); ++k) {
-      if (options_.progress && k % 64 == 0 && !options_.progress(k, order.size()))
-        out_.uncovered.push_back({forest_.root(order[k]), Why::kStopped});
-      else
-        cover(forest_.root(order[k]));
-    }
+    for (std::size_t k = 0; k < order.size() && out_.uncovered.empty(); ++k)
+      cover(forest_.root(order[k]));
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
     if (out_.is_complete()) keep_leaves();
     return std::move(out_);

@@ -3,7 +3,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "solids/star_box/star_box.h"
@@ -15,7 +14,6 @@ struct StarCoverOptions {
   std::size_t max_boxes = 4'000'000;          ///< that are tried
   double growth = 1.75;                       ///< box to hull
   std::size_t memory = std::size_t{1} << 29;  ///< bytes, of the nets of pieces
-  std::function<bool(std::size_t covered, std::size_t patches)> progress;  ///< false: stop
 };
 
 /// A box and centres on the grid of multiples of unit, a power of two.
@@ -27,7 +25,7 @@ struct CoverBox {
 /// Where no star box was found.
 struct UncoveredPiece {
   PieceForest::Id piece;
-  enum class Why { kNoCentres, kSigns, kCrossings, kTooDeep, kBudget, kStopped } why;
+  enum class Why { kNoCentres, kCrossings, kTooDeep, kBudget } why;
 };
 
 struct StarCover {

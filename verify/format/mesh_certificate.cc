@@ -19,13 +19,8 @@ constexpr std::size_t kMaxStatement = 64 << 10;
 constexpr unsigned char kValidMagic[] = {'V', 'T', 'M', 'V'};
 constexpr unsigned char kInvalidMagic[] = {'V', 'T', 'M', 'I'};
 
-void state_subject(StatementWriter& w, const Subject& s, std::string_view claim, const Bytes& body) {
-  w.text("certificate", kFormatName);
-  w.text("tool", s.tool);
-  w.text("claim", claim);
-  w.text("subject_sha256", s.sha256);
-  w.number("subject_bytes", s.bytes);
-  w.text("subject_format", s.format);
+void state_mesh(StatementWriter& w, const Subject& s, std::string_view claim, const Bytes& body) {
+  internal::state_subject(w, s, claim);
   w.text("reading_rule", s.reading_rule);
   w.boolean("as_indexed", s.as_indexed);
   w.text("body_sha256", to_hex(sha256(body)));
@@ -112,7 +107,8 @@ std::optional<InvalidBody> read_invalid(ByteReader r) {
   r.raw(4);
   b.num_faces = r.u32();
   b.num_vertex_ids = r.u32();
-  for (std::uint32_t i = 0, n = r.count(5); i < n && r.ok(); ++i) b.witnesses.push_back(read_witness(r));
+  for (std::uint32_t i = 0, n = r.count(5); i < n && r.ok(); ++i)
+    b.witnesses.push_back(read_witness(r));
   if (!r.at_end()) return std::nullopt;
   return b;
 }
@@ -156,7 +152,7 @@ Bytes encode(const InvalidBody& b) {
 Bytes encode(const Subject& subject, const Quantities& q, const ValidBody& body) {
   const Bytes bytes = encode(body);
   StatementWriter w;
-  state_subject(w, subject, kValidClaim, bytes);
+  state_mesh(w, subject, kValidClaim, bytes);
   w.number("vertices", q.vertices);
   w.number("edges", q.edges);
   w.number("faces", q.faces);
@@ -170,7 +166,7 @@ Bytes encode(const Subject& subject, const Quantities& q, const ValidBody& body)
 Bytes encode(const Subject& subject, const InvalidBody& body) {
   const Bytes bytes = encode(body);
   StatementWriter w;
-  state_subject(w, subject, kInvalidClaim, bytes);
+  state_mesh(w, subject, kInvalidClaim, bytes);
   w.text("rules", rules_of(body));
   return join(w.take(), bytes);
 }
@@ -185,7 +181,7 @@ std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::str
   Certificate out;
   out.statement.assign(head.begin(), end);
   const auto body = bytes.subspan(static_cast<std::size_t>(end - head.begin()) + 1);
-  const auto has_magic = [&](const unsigned char (&magic)[4]) {
+  const auto has_magic = [&](const unsigned char(&magic)[4]) {
     return body.size() >= 4 && std::equal(magic, magic + 4, body.begin());
   };
   if (has_magic(kValidMagic)) out.valid = read_valid(ByteReader(body));

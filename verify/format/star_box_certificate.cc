@@ -99,12 +99,7 @@ Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBo
   std::uint64_t flipped = 0;
   for (const PatchEntity& e : body.entities) flipped += e.is_reversed ? 1 : 0;
   internal::StatementWriter w;
-  w.text("certificate", kFormatName);
-  w.text("tool", subject.tool);
-  w.text("claim", kStarBoxClaim);
-  w.text("subject_sha256", subject.sha256);
-  w.number("subject_bytes", subject.bytes);
-  w.text("subject_format", subject.format);
+  internal::state_subject(w, subject, kStarBoxClaim);
   w.text("body_sha256", to_hex(sha256(bytes)));
   w.number("patches", q.patches);
   w.number("edges", q.edges);

@@ -37,6 +37,16 @@ class StatementWriter {
   std::string line_;
 };
 
+/// The keys with which every statement begins.
+inline void state_subject(StatementWriter& w, const Subject& s, std::string_view claim) {
+  w.text("certificate", kFormatName);
+  w.text("tool", s.tool);
+  w.text("claim", claim);
+  w.text("subject_sha256", s.sha256);
+  w.number("subject_bytes", s.bytes);
+  w.text("subject_format", s.format);
+}
+
 /// Statement, line feed, body.
 inline Bytes join(const std::string& statement, const Bytes& body) {
   Bytes out;

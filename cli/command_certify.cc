@@ -66,6 +66,8 @@ ExitCode write_json(const Options& options, const OutputPlan& plan,
 ExitCode run_certify(const Options& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.files, options.certificate, options.json);
   if (!plan) return fail(plan.error());
+  if (options.picture && is_spline_input(options.files.front(), options))
+    return fail({Code::kBadArgument, {}, "--picture shows the defects of meshes; " + options.files.front() + " is a spline file"});
   if (options.picture) {
     if (Status status = check_output("--picture", *options.picture, options.files, *plan, options.json); !status) {
       return fail(status.error());

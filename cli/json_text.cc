@@ -49,4 +49,23 @@ std::string dump(const Json& json) {
   return out;
 }
 
+Json seconds_json(const std::optional<double>& value) {
+  return value ? Json(std::round(*value * 1e6) / 1e6) : Json(nullptr);
+}
+
+Json phases_json(const PhaseSeconds& s) {
+  return {{"read", seconds_json(s.read)},
+          {"decide", seconds_json(s.decide)},
+          {"certify", seconds_json(s.certify)},
+          {"check", seconds_json(s.check)}};
+}
+
+Json certificate_json(const std::optional<CertificateReport>& certificate) {
+  if (!certificate) return nullptr;
+  return {{"path", optional_json(certificate->path)},
+          {"sha256", certificate->sha256},
+          {"bytes", certificate->bytes},
+          {"checked", certificate->is_checked}};
+}
+
 }  // namespace veritope::cli

@@ -21,6 +21,10 @@ Json optional_json(const std::optional<T>& value) {
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json fault_json(const std::optional<Fault>& fault);
+/// Microseconds are more than enough.
+Json seconds_json(const std::optional<double>& value);
+Json phases_json(const PhaseSeconds& seconds);
+Json certificate_json(const std::optional<CertificateReport>& certificate);
 
 /// One line; floating-point numbers are the shortest that read back as the same; what is no UTF-8 becomes U+FFFD.
 std::string dump(const Json& json);

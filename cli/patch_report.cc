@@ -30,15 +30,8 @@ Json place_json(const PatchReport& r) {
   return {{"min", corner(box.lo)}, {"max", corner(box.hi)}};
 }
 
-// "4.18879, wide 3e-8": as many digits as both bounds share, at least two.
 std::string bounds_text(const Interval& v) {
   return "between " + short_decimal(v.lo(), 10) + " and " + short_decimal(v.hi(), 10);
-}
-
-std::string line(std::string_view name, const std::string& value) {
-  constexpr std::size_t kWidth = 13;
-  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') +
-         value + "\n";
 }
 
 std::string shells_text(const PatchReport& r) {
@@ -46,13 +39,13 @@ std::string shells_text(const PatchReport& r) {
   std::string out;
   for (std::size_t i = 0; i < std::min(kMostShells, r.shell_facts.size()); ++i) {
     const PatchShellFacts& s = r.shell_facts[i];
-    out += line("shell " + std::to_string(i), std::string(s.is_outward ? "outward" : "inward") +
-                                                  ", genus " + std::to_string(s.genus) +
-                                                  ", volume " + bounds_text(s.volume));
+    out += detail_line("shell " + std::to_string(i),
+                       std::string(s.is_outward ? "outward" : "inward") + ", genus " +
+                           std::to_string(s.genus) + ", volume " + bounds_text(s.volume));
   }
   if (r.shell_facts.size() > kMostShells)
-    out += line("...", std::to_string(r.shell_facts.size() - kMostShells) +
-                           " more shells (--json lists them)");
+    out += detail_line("...", std::to_string(r.shell_facts.size() - kMostShells) +
+                                  " more shells (--json lists them)");
   return out;
 }
 
@@ -62,10 +55,6 @@ std::string place_text(const Box3d& box) {
            ")";
   };
   return "in the box " + corner(box.lo) + " to " + corner(box.hi);
-}
-
-Json seconds(const std::optional<double>& value) {
-  return value ? Json(std::round(*value * 1e6) / 1e6) : Json(nullptr);
 }
 
 }  // namespace
@@ -97,16 +86,8 @@ std::string patch_report_json(const FileReport& report) {
   out["flipped"] = r.flipped;
   out["shells"] = std::move(shells);
   out["volume"] = bounds_json(r.volume);
-  out["certificate"] = report.certificate ? Json{{"path", optional_json(report.certificate->path)},
-                                                 {"sha256", report.certificate->sha256},
-                                                 {"bytes", report.certificate->bytes},
-                                                 {"checked", report.certificate->is_checked}}
-                                          : Json(nullptr);
-  const PhaseSeconds& s = report.seconds;
-  out["seconds"] = {{"read", seconds(s.read)},
-                    {"decide", seconds(s.decide)},
-                    {"certify", seconds(s.certify)},
-                    {"check", seconds(s.check)}};
+  out["certificate"] = certificate_json(report.certificate);
+  out["seconds"] = phases_json(report.seconds);
   return dump(out);
 }
 
@@ -118,28 +99,28 @@ std::string patch_summary(const PatchReport& r) {
 
 std::string patch_details(const FileReport& report) {
   const PatchReport& r = *report.patches;
-  std::string out = line("file", std::string(spline_format_name(r.format)) + ", " +
-                                     counted(r.bytes, "byte", "bytes") + ", " +
-                                     counted(r.entities, "entity", "entities"));
+  std::string out = detail_line("file", std::string(spline_format_name(r.format)) + ", " +
+                                            counted(r.bytes, "byte", "bytes") + ", " +
+                                            counted(r.entities, "entity", "entities"));
   if (r.patches != 0)
-    out += line("patches", counted(r.patches, "patch", "patches") + ", " +
-                               counted(r.vertices, "vertex", "vertices") + ", " +
-                               counted(r.edges, "edge", "edges") + ", " +
-                               counted(r.shells, "shell", "shells"));
+    out += detail_line("patches", counted(r.patches, "patch", "patches") + ", " +
+                                      counted(r.vertices, "vertex", "vertices") + ", " +
+                                      counted(r.edges, "edge", "edges") + ", " +
+                                      counted(r.shells, "shell", "shells"));
   if (!r.flipped.empty()) {
     std::string list;
     for (std::size_t i = 0; i < std::min<std::size_t>(8, r.flipped.size()); ++i)
       list += (i == 0 ? "" : ", ") + std::to_string(r.flipped[i]);
-    out += line("reversed", counted(r.flipped.size(), "entity", "entities") + ": " + list +
-                                (r.flipped.size() > 8 ? ", ..." : ""));
+    out += detail_line("reversed", counted(r.flipped.size(), "entity", "entities") + ": " + list +
+                                       (r.flipped.size() > 8 ? ", ..." : ""));
   }
   if (report.verdict == FileVerdict::kValid) {
-    out += line("proof", counted(r.boxes, "star box", "star boxes") + " (" +
-                             std::to_string(r.boxes_tried) + " tried)");
-    if (r.volume) out += line("volume", bounds_text(*r.volume));
+    out += detail_line("proof", counted(r.boxes, "star box", "star boxes") + " (" +
+                                    std::to_string(r.boxes_tried) + " tried)");
+    if (r.volume) out += detail_line("volume", bounds_text(*r.volume));
     out += shells_text(r);
   } else if (r.open && r.open->place) {
-    out += line("where", place_text(*r.open->place));
+    out += detail_line("where", place_text(*r.open->place));
   }
   return out;
 }

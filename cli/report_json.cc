@@ -19,11 +19,6 @@ Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr)
 
 Json number(double value) { return number_json(value); }
 
-// Microseconds are more than enough.
-Json seconds(const std::optional<double>& value) {
-  return value ? Json(std::round(*value * 1e6) / 1e6) : Json(nullptr);
-}
-
 Json vector_json(const Vec3d& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json volume_json(const std::optional<Rational>& volume) {
@@ -122,15 +117,6 @@ Json defect_json(const ListedDefect& listed) {
           {"polygons", listed.polygons}};
 }
 
-Json certificate_json(const FileReport& report) {
-  if (!report.certificate) return nullptr;
-  const CertificateReport& c = *report.certificate;
-  return {{"path", optional_json(c.path)},
-          {"sha256", c.sha256},
-          {"bytes", c.bytes},
-          {"checked", c.is_checked}};
-}
-
 }  // namespace
 
 std::string report_json(const FileReport& report) {
@@ -138,7 +124,6 @@ std::string report_json(const FileReport& report) {
   const ReadReport* const r = report.reading ? &*report.reading : nullptr;
   Json defects = Json::array();
   for (const ListedDefect& d : report.defects) defects.push_back(defect_json(d));
-  const PhaseSeconds& s = report.seconds;
   Json out;
   out["path"] = report.path;
   out["sha256"] = text_or_null(report.sha256);
@@ -158,11 +143,8 @@ std::string report_json(const FileReport& report) {
   out["ignored"] = ignored_json(r);
   out["defects_total"] = optional_json(total_defects(report));
   out["defects"] = std::move(defects);
-  out["certificate"] = certificate_json(report);
-  out["seconds"] = {{"read", seconds(s.read)},
-                    {"decide", seconds(s.decide)},
-                    {"certify", seconds(s.certify)},
-                    {"check", seconds(s.check)}};
+  out["certificate"] = certificate_json(report.certificate);
+  out["seconds"] = phases_json(report.seconds);
   return dump(out);
 }
 
@@ -194,8 +176,8 @@ std::string info_json(const InfoReport& report) {
   out["bbox"] = file != nullptr ? box_json(box.lo, box.hi) : Json(nullptr);
   out["ignored"] = ignored_json(r);
   out["lossless"] = report.lossless;
-  out["seconds"] = {{"read", file != nullptr ? seconds(file->seconds_read) : Json(nullptr)},
-                    {"parse", file != nullptr ? seconds(file->seconds_parse) : Json(nullptr)}};
+  out["seconds"] = {{"read", file != nullptr ? seconds_json(file->seconds_read) : Json(nullptr)},
+                    {"parse", file != nullptr ? seconds_json(file->seconds_parse) : Json(nullptr)}};
   return dump(out);
 }
 

@@ -76,24 +76,18 @@ std::string coloured_verdict(FileVerdict verdict, const Style& style) {
   return verdict == FileVerdict::kInvalid ? style.red(name) : style.yellow(name);
 }
 
-std::string line(std::string_view name, const std::string& value) {
-  constexpr std::size_t kWidth = 13;
-  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') +
-         value + "\n";
-}
-
 std::string ignored_text(const ReadReport& reading) {
   std::string text;
   for (const auto& [what, count] : reading.ignored) {
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + harmless(what);
   }
-  return text.empty() ? text : line("ignored", text);
+  return text.empty() ? text : detail_line("ignored", text);
 }
 
 std::string file_text(const ReadReport& reading, bool as_indexed) {
   std::string text = reading.variant + ", " + counted(reading.bytes, "byte", "bytes");
   if (as_indexed) text += ", as indexed";
-  return line("file", text);
+  return detail_line("file", text);
 }
 
 std::string vertices_text(const ReadReport& r) {
@@ -116,12 +110,12 @@ std::string counts_text(const FileReport& report) {
     text += "; " + counted(report.reading->polygons_split, "polygon", "polygons") +
             " cut into triangles";
   }
-  return line("mesh", text);
+  return detail_line("mesh", text);
 }
 
 std::string volume_text(const Rational& volume) {
   const std::string exact = volume.to_string(), decimal = short_decimal(volume, 12);
-  return line("volume", exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
+  return detail_line("volume", exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
 }
 
 std::string shells_text(const ValidityReport& decision) {
@@ -129,13 +123,13 @@ std::string shells_text(const ValidityReport& decision) {
   std::string text;
   for (std::size_t i = 0; i < std::min(decision.shells.size(), kMostShells); ++i) {
     const ShellReport& s = decision.shells[i];
-    text += line("shell " + std::to_string(i), std::string(*s.outward ? "outward" : "inward") +
+    text += detail_line("shell " + std::to_string(i), std::string(*s.outward ? "outward" : "inward") +
                                                    ", depth " + std::to_string(*s.depth) +
                                                    ", genus " + std::to_string(*s.genus) +
                                                    ", volume " + short_decimal(*s.volume));
   }
   if (decision.shells.size() > kMostShells) {
-    text += line("...", std::to_string(decision.shells.size() - kMostShells) +
+    text += detail_line("...", std::to_string(decision.shells.size() - kMostShells) +
                             " more shells (--json lists them)");
   }
   return text;
@@ -205,7 +199,7 @@ std::string certificate_text(const FileReport& report) {
   std::string text = c.path ? harmless(*c.path) : "not kept (--certificate F keeps it)";
   text += ", " + counted(c.bytes, "byte", "bytes");
   text += c.is_checked ? ", accepted by veritope-check" : ", not checked (--no-check)";
-  return line("certificate", text);
+  return detail_line("certificate", text);
 }
 
 }  // namespace
@@ -224,7 +218,7 @@ std::string details_text(const FileReport& report, const Style& style) {
   std::string out = file_text(*report.reading, report.as_indexed);
   out += counts_text(report);
   out += ignored_text(*report.reading);
-  out += line("box", point_text(d.box_lo) + " to " + point_text(d.box_hi));
+  out += detail_line("box", point_text(d.box_lo) + " to " + point_text(d.box_hi));
   if (d.volume && report.verdict == FileVerdict::kValid) out += volume_text(*d.volume);
   out += shells_text(d);
   out += certificate_text(report);
@@ -241,19 +235,19 @@ std::string info_text(const InfoReport& report, const Style& style) {
   const ReadReport& r = report.file->report;
   const Box box = bounding_box(report.file->mesh);
   std::string out = path + "\n" + file_text(r, report.as_indexed);
-  out += line("sha256", report.file->sha256);
-  out += line("mesh",
+  out += detail_line("sha256", report.file->sha256);
+  out += detail_line("mesh",
               counted(report.file->mesh.faces.size(), "face", "faces") + ", " + vertices_text(r));
   if (r.polygons_split != 0) {
-    out += line("polygons", std::to_string(r.polygons_split) + " cut into triangles");
+    out += detail_line("polygons", std::to_string(r.polygons_split) + " cut into triangles");
   }
   if (r.strip_joints != 0)
-    out += line("strips", std::to_string(r.strip_joints) + " joints dropped");
+    out += detail_line("strips", std::to_string(r.strip_joints) + " joints dropped");
   out += ignored_text(r);
-  out += line("box", point_text(box.lo) + " to " + point_text(box.hi));
+  out += detail_line("box", point_text(box.lo) + " to " + point_text(box.hi));
   std::string names;
   for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;
-  out += line("lossless as", report.holds_everywhere ? "every format" : names);
+  out += detail_line("lossless as", report.holds_everywhere ? "every format" : names);
   return out + style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
 }
 

@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::size_t kMostListed = 20;
 
-std::string line(std::string_view name, const std::string& value) {
-  constexpr std::size_t kWidth = 13;
-  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') +
-         value + "\n";
-}
-
 std::string box_text(const ExactBox& box) {
   const auto corner = [](const std::vector<Rational>& at) {
     std::string text;
@@ -91,28 +85,28 @@ std::string spline_text(const SplineReport& report, const Style& style) {
            (report.fault ? harmless(fault_text(*report.fault)) : "") + "\n";
   const SplineFile& file = *report.file;
   std::string out = path + "\n";
-  out += line("file", std::string(spline_format_name(file.format)) + ", " +
+  out += detail_line("file", std::string(spline_format_name(file.format)) + ", " +
                           counted(file.bytes, "byte", "bytes"));
-  out += line("sha256", file.sha256);
-  out += line("splines", counts_text(file.model));
+  out += detail_line("sha256", file.sha256);
+  out += detail_line("splines", counts_text(file.model));
   for (const LeftOut& l : file.left_out)
-    out += line("left out", std::to_string(l.count) + " " + harmless(l.what) +
+    out += detail_line("left out", std::to_string(l.count) + " " + harmless(l.what) +
                                 (l.reason.empty() ? "" : ": " + harmless(l.reason)));
   ExactBox all;
   for (const SplineEntity& e : file.model.entities) unite(all, control_box(e));
-  out += line("box", box_text(all));
+  out += detail_line("box", box_text(all));
   std::string names;
   for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;
-  out += line("lossless as", names.empty() ? "no format" : names);
+  out += detail_line("lossless as", names.empty() ? "no format" : names);
   const auto& entities = file.model.entities;
   for (std::size_t i = 0; i < std::min(entities.size(), kMostListed); ++i) {
     const SplineEntity& e = entities[i];
     out +=
-        line(std::to_string(i), std::string(spline_kind_name(e)) + ", " + name_text(file.model, e) +
+        detail_line(std::to_string(i), std::string(spline_kind_name(e)) + ", " + name_text(file.model, e) +
                                     shape_text(e) + ", box " + box_text(control_box(e)));
   }
   if (entities.size() > kMostListed)
-    out += line("...", std::to_string(entities.size() - kMostListed) + " more (--json lists them)");
+    out += detail_line("...", std::to_string(entities.size() - kMostListed) + " more (--json lists them)");
   return out;
 }
 

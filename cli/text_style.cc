@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/text_style.h"
 
+#include <algorithm>
+
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -51,6 +53,12 @@ std::string harmless(std::string_view text) {
 
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
   return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
+std::string detail_line(std::string_view name, const std::string& value) {
+  constexpr std::size_t kWidth = 13;
+  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') +
+         value + "\n";
 }
 
 }  // namespace veritope::cli

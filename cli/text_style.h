@@ -34,4 +34,7 @@ std::string harmless(std::string_view text);
 /// "1 face", "2 faces".
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 
+/// A line of a report: indented, the name in a column of its own.
+std::string detail_line(std::string_view name, const std::string& value);
+
 }  // namespace veritope::cli

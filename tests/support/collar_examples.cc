@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "tests/support/collar_examples.h"
 
+#include "robust/base/check.h"
+
 #include <utility>
 
 namespace veritope::octree_shapes {
@@ -110,6 +112,19 @@ std::vector<CollarExample> collar_examples() {
       {"torus collar with a local knot", tube_in_torus(true), CollarOutcome::kUndecided, {}});
   out.push_back({"the same without the knot", tube_in_torus(false), CollarOutcome::kCollar, {1}});
   return out;
+}
+
+CommonSubdivision build(const Cells& cells) {
+  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
+      .value();
+}
+
+oracle::GridPoint grid(const CommonSubdivision& complex, std::uint32_t vertex) {
+  const unsigned up = OctreeKey::kMaxLevel - complex.cells().finest_level();
+  const auto p = complex.point(vertex);
+  for (const std::uint32_t x : p)
+    VT_CHECK(x >> up << up == x, "a vertex is a corner of cells of the finest level");
+  return {static_cast<int>(p[0] >> up), static_cast<int>(p[1] >> up), static_cast<int>(p[2] >> up)};
 }
 
 }  // namespace veritope::octree_shapes

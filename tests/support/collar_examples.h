@@ -4,10 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/complex_oracle.h"
 #include "tests/support/octree_shapes.h"
 #include "topology/collar.h"
 
 namespace veritope::octree_shapes {
+
+/// REQUIRES cells of which none contains another.
+CommonSubdivision build(const Cells& cells);
+/// A vertex in cells of the finest level that occurs.
+oracle::GridPoint grid(const CommonSubdivision& complex, std::uint32_t vertex);
 
 struct CollarExample {
   std::string name;

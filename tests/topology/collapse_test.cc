@@ -14,12 +14,8 @@
 namespace veritope {
 namespace {
 
+using octree_shapes::build;
 using octree_shapes::Cells;
-
-CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
-      .value();
-}
 
 // A wall of 26 cells around one, some in eight: small, with all kinds of incidence.
 Cells small_wall() {

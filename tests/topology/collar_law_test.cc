@@ -14,18 +14,9 @@
 namespace veritope {
 namespace {
 
+using octree_shapes::build;
 using octree_shapes::Cells;
-
-CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
-      .value();
-}
-
-oracle::GridPoint grid(const CommonSubdivision& c, std::uint32_t vertex) {
-  const unsigned up = OctreeKey::kMaxLevel - c.cells().finest_level();
-  const auto p = c.point(vertex);
-  return {static_cast<int>(p[0] >> up), static_cast<int>(p[1] >> up), static_cast<int>(p[2] >> up)};
-}
+using octree_shapes::grid;
 
 // Bad edges as unit edges of the finest grid, bad vertices off them: what the oracle lists.
 oracle::VoxelLinks links(const CommonSubdivision& c, const ComplexBoundary& boundary) {

@@ -11,12 +11,8 @@
 namespace veritope {
 namespace {
 
+using octree_shapes::build;
 using octree_shapes::Cells;
-
-CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
-      .value();
-}
 
 void expect_replays(const CommonSubdivision& complex, const Collar& collar) {
   const CollapseCheck check = replay_collapse(complex, collar.d_plus_faces(), collar.collapses);

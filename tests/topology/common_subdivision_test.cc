@@ -14,19 +14,9 @@
 namespace veritope {
 namespace {
 
+using octree_shapes::build;
 using octree_shapes::Cells;
-
-CommonSubdivision build(const Cells& cells) {
-  return CommonSubdivision::build(OctreeKeySet::make(std::span<const OctreeCell>(cells)).value())
-      .value();
-}
-
-oracle::GridPoint grid(const CommonSubdivision& c, std::uint32_t vertex) {
-  const unsigned up = OctreeKey::kMaxLevel - c.cells().finest_level();
-  const auto p = c.point(vertex);
-  for (const std::uint32_t x : p) EXPECT_EQ(x >> up << up, x);
-  return {static_cast<int>(p[0] >> up), static_cast<int>(p[1] >> up), static_cast<int>(p[2] >> up)};
-}
+using octree_shapes::grid;
 
 using Segment = std::pair<oracle::GridPoint, oracle::GridPoint>;
 Segment segment(const CommonSubdivision& c, std::uint32_t e) {

@@ -12,6 +12,8 @@ namespace {
 // rows of `bounds`, from which each recursion starts. Few rows: deepest_point adds them one by one.
 constexpr int kDimension = 4;
 using Row = std::array<double, kDimension + 1>;  // coefficients, then the constant
+// A search: a tolerance that is off loses a candidate, and what is found is proved elsewhere (has_star_signs).
+constexpr double kFlat = 1e-12, kSlack = 1e-13;
 
 struct Program {
   int dimension;
@@ -32,12 +34,12 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
       value += rows[k][i] * x[i];
       scale = std::max(scale, std::abs(rows[k][i] * x[i]));
     }
-    if (value >= -1e-13 * scale) continue;
+    if (value >= -kSlack * scale) continue;
     // The optimum lies in the plane of row k: its variable of greatest coefficient is expressed by the others.
     int pivot = 0;
     for (int i = 1; i < d; ++i)
       if (std::abs(rows[k][i]) > std::abs(rows[k][pivot])) pivot = i;
-    if (std::abs(rows[k][pivot]) < 1e-12) return false;
+    if (std::abs(rows[k][pivot]) < kFlat) return false;
     const auto substituted = [&](const Row& r) {
       Row out{};
       const double f = r[pivot] / rows[k][pivot];
@@ -61,7 +63,7 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
     if (d == 1) {
       x[0] = -rows[k][kDimension] / rows[k][0];
       for (const Row& r : reduced)
-        if (r[kDimension] < -1e-12) return false;
+        if (r[kDimension] < -kFlat) return false;
       continue;
     }
     if (!solve(less, reduced, reduced.size(), y)) return false;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The Python checker of star-box certificates: models that are solids, a lie for every condition, the traps of THEORY, hostile bytes."""
 import copy
+import hashlib
 import json
 import os
 import random
@@ -236,6 +237,16 @@ class Lies(StarBoxTest):
             plan = self.plan()
             plan.body = lambda n=n: body[:n]
             self.says("B1", self.cube, plan=plan)
+
+    def test_a_model_without_entities_bounds_nothing(self):
+        nothing = json.dumps({"format": "veritope-spline-1", "groups": [], "entities": []}).encode()
+        body = b"VTSB" + bytes(4) + bytes(1) + bytes(4) + bytes(4)      # no entity, E = 0, no box, no walk
+        statement = {"certificate": "veritope-certificate-1", "tool": "test", "claim": "star-box-1",
+                     "subject_sha256": hashlib.sha256(nothing).hexdigest(), "subject_bytes": len(nothing),
+                     "subject_format": "vjson", "body_sha256": hashlib.sha256(body).hexdigest()}
+        statement.update(dict.fromkeys(("patches", "edges", "vertices", "shells", "bodies", "genus", "boxes", "flipped"), 0))
+        code, line = vc.check(nothing, json.dumps(statement, separators=(",", ":")).encode() + b"\n" + body)
+        self.assertEqual((code, line.split(":")[0]), (1, "REJECT B1"))
 
     def test_a_knot_must_be_a_break(self):
         rows = [[(i, j, 0) for j in range(2)] for i in range(3)]

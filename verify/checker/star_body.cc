@@ -165,6 +165,7 @@ StarBody read_star_body(const std::vector<Entity>& entities, Body bytes) {
   Reader r = {bytes, &out};
   require(r.body.natural(4) == 0x42535456, "B1", "another magic number");
   require(r.body.natural(4) == entities.size(), "B1", "the model's entities are", entities.size());
+  require(!entities.empty(), "B1", "a model without entities bounds nothing");
   std::vector<bool> flipped;
   for (size_t i = 0; i < entities.size(); ++i) {
     flipped.push_back(r.at_most(r.body.natural(1), 1, "a flag is") == 1);

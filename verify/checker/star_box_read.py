@@ -258,6 +258,8 @@ class Certificate:
         body = Body(data)
         if body.bytes(4) != b"VTSB" or body.count(1) != len(entities):
             raise Reject("B1", "magic, or another number of entities")
+        if not entities:
+            raise Reject("B1", "a model without entities bounds nothing")
         self.flags = [body.u8(1) for _ in entities]
         self.breaks = [read_breaks(body, e) if e and e.kind == "surface" else None for e in entities]
         cells = [1 if e.kind == "triangle" else (len(b[0]) - 1) * (len(b[1]) - 1) if e else 0

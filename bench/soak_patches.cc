@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/soak_patches.cc: --count N --unknown M --seed S [--only embedded|opposed|crossing|touching|unknown]. Random patch models of known truth (random_solids.h), N of each
+// kind, and M of which nothing is known, cross-checked by the mesh certifier on tessellations of three densities. One JSON line a figure; wrong and undecided models in full on standard error.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "random_solids.h"
+#include "solids/polyhedron/validity.h"
+#include "splines/de_casteljau.h"
+#include "verify/certify/patch_decision.h"
+
+namespace {
+
+using namespace veritope;
+using random_solids::Model;
+using random_solids::Patches;
+
+enum class Verdict { kValid, kInvalid, kUndecided };
+
+struct Judged {
+  Verdict verdict = Verdict::kUndecided;
+  std::string why;
+  PatchDecision decision;
+  double seconds = 0;
+};
+
+Judged judge(const Patches& patches) {
+  PatchInput input;
+  input.patches = patches;
+  const PatchComplex complex = make_patch_complex(std::move(input)).value();
+  PatchDecisionOptions options;
+  options.tolerance = 1e-2;
+  std::optional<PieceForest> forest;
+  const auto start = std::chrono::steady_clock::now();
+  Judged out;
+  out.decision = decide_patches(complex, options, &forest);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (out.decision.is_valid) {
+    out.verdict = Verdict::kValid;
+  } else if (out.decision.open) {
+    out.why = out.decision.open->message;
+  } else {
+    out.verdict = Verdict::kInvalid;
+  }
+  return out;
+}
+
+struct Tally {
+  std::size_t models = 0, valid = 0, invalid = 0, undecided = 0, wrong = 0;
+  double seconds = 0, slowest = 0;
+
+  void add(const Judged& j) {
+    ++models;
+    seconds += j.seconds;
+    slowest = std::max(slowest, j.seconds);
+    ++(j.verdict == Verdict::kValid ? valid : j.verdict == Verdict::kInvalid ? invalid : undecided);
+  }
+};
+
+void tell(const char* what, const char* kind, std::uint64_t seed, const Model& model,
+          const std::string& why) {
+  std::fprintf(stderr, "%s: %s %llu: %s: %s\n", what, kind, static_cast<unsigned long long>(seed),
+               model.description.c_str(), why.c_str());
+}
+
+void print(const char* name, const Tally& t, const char* goal) {
+  std::printf(
+      "{\"name\":\"%s\",\"value\":%zu,\"goal\":\"%s\",\"models\":%zu,\"valid\":%zu,\"invalid\":%zu,"
+      "\"undecided\":%zu,\"seconds\":%.1f,\"slowest\":%.2f}\n",
+      name, t.wrong, goal, t.models, t.valid, t.invalid, t.undecided, t.seconds, t.slowest);
+  std::fflush(stdout);
+}
+
+bool has_known_numbers(const PatchDecision& decision, const Model& model) {
+  std::vector<std::int64_t> genus;
+  for (const PatchShellFacts& s : decision.shells) genus.push_back(s.genus);
+  std::sort(genus.begin(), genus.end());
+  return genus == model.genus && decision.bodies == model.bodies;
+}
+
+using Make = Model (*)(Random&);
+
+/// Wrong: VALID unless `is_embedded`, then INVALID, or another genus or number of bodies.
+Tally run(const char* kind, Make make, bool is_embedded, std::size_t count, std::uint64_t seed,
+          bool tells_undecided) {
+  Tally t;
+  for (std::uint64_t i = seed; i < seed + count; ++i) {
+    Random random(i);
+    const Model model = make(random);
+    const Judged j = judge(model.patches);
+    t.add(j);
+    if (j.verdict == Verdict::kUndecided) {
+      if (tells_undecided) tell("undecided", kind, i, model, j.why);
+      continue;
+    }
+    const bool is_right = is_embedded
+                              ? j.verdict == Verdict::kValid && has_known_numbers(j.decision, model)
+                              : j.verdict == Verdict::kInvalid;
+    if (is_right) continue;
+    ++t.wrong;
+    tell("WRONG", kind, i, model, j.verdict == Verdict::kValid ? "valid" : "invalid");
+  }
+  return t;
+}
+
+// Each patch as a grid of m x m quadrangles, or m x m triangles; vertices are one where their exact points round to the same doubles.
+TriangleMesh tessellated(const Patches& patches, int m) {
+  TriangleMesh mesh;
+  std::map<std::array<double, 3>, std::uint32_t> known;
+  const auto vertex = [&](const Patch& patch, int i, int j) {
+    const Rational u = Rational(i) / Rational(m), v = Rational(j) / Rational(m);
+    const auto value = patch.is_triangle()
+                           ? evaluate<Rational>(patch.triangle(), {Rational(1) - u - v, u, v})
+                           : evaluate<Rational, 2>(patch.tensor(), {u, v});
+    std::array<double, 3> p = approx_point(value);
+    const auto [found, is_new] =
+        known.try_emplace(p, static_cast<std::uint32_t>(mesh.positions.size()));
+    if (is_new) mesh.positions.push_back({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0});
+    return found->second;
+  };
+  for (const Patch& patch : patches)
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < (patch.is_triangle() ? m - i : m); ++j) {
+        const std::uint32_t a = vertex(patch, i, j), b = vertex(patch, i + 1, j),
+                            c = vertex(patch, i, j + 1);
+        mesh.faces.push_back({a, b, c});
+        if (patch.is_triangle() && i + j + 1 >= m) continue;
+        mesh.faces.push_back({b, vertex(patch, i + 1, j + 1), c});
+      }
+  return mesh;
+}
+
+/// Wrong: the finest tessellation is no solid's boundary though the patches are VALID, or is one though they are INVALID: to be looked at, as a
+/// tessellation is another surface.
+Tally run_unknown(std::size_t count, std::uint64_t seed) {
+  static constexpr int kDensities[] = {4, 8, 16};
+  Tally t;
+  std::array<std::size_t, 3> agree{};
+  for (std::uint64_t i = seed; i < seed + count; ++i) {
+    Random random(i);
+    const Model model = random_solids::unknown(random);
+    const Judged j = judge(model.patches);
+    t.add(j);
+    if (j.verdict == Verdict::kUndecided) {
+      tell("undecided", "unknown", i, model, j.why);
+      continue;
+    }
+    bool agrees = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ValidityReport report = decide_validity(tessellated(model.patches, kDensities[k]), {});
+      agrees = report.is_valid == (j.verdict == Verdict::kValid);
+      agree[k] += agrees ? 1 : 0;
+    }
+    if (agrees) continue;
+    ++t.wrong;
+    tell("DISAGREES", "unknown", i, model, j.verdict == Verdict::kValid ? "valid" : "invalid");
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    std::printf("{\"name\":\"patches_unknown_density_%d\",\"value\":%zu,\"goal\":\"as decided\"}\n",
+                kDensities[k], agree[k]);
+  return t;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::size_t count = 1500, unknown = 500;
+  std::uint64_t seed = 1;
+  std::string only;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (std::strcmp(argv[i], "--count") == 0) count = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--unknown") == 0) unknown = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--only") == 0) only = argv[i + 1];
+  }
+  const auto wanted = [&](const char* kind) { return only.empty() || only == kind; };
+  std::size_t wrong = 0;
+  const auto one = [&](const char* kind, Make make, bool is_embedded, bool tells,
+                       const char* goal) {
+    if (!wanted(kind)) return;
+    const Tally t = run(kind, make, is_embedded, count, seed, tells);
+    print((std::string("patches_") + kind).c_str(), t, goal);
+    wrong += t.wrong;
+  };
+  one("embedded", random_solids::embedded, true, true, "0 wrong, 2 % undecided");
+  one("opposed", random_solids::opposed, true, false,
+      "0 wrong; undecided where normals lie in no half-space");
+  one("crossing", random_solids::crossing, false, true, "0 wrong, 2 % undecided");
+  one("touching", random_solids::touching, false, false, "0 wrong");
+  if (wanted("unknown")) {
+    const Tally t = run_unknown(unknown, seed);
+    print("patches_unknown", t, "0 disagreements with the finest tessellation");
+  }
+  return wrong == 0 ? 0 : 1;
+}

@@ -58,6 +58,8 @@ def sides(entities, arcs, same, opposite, axis=0, t0=Fraction(1, 2), flags=None)
     finding = Finding(entities, flags, 1)
     k, a, _ = interval((t0, t0))
     finding.arcs, finding.axis, finding.t0, finding.values = arcs, axis, (k, a), {"same": same, "opposite": opposite}
+    if flags:
+        finding.values["flipped"] = sum(flags)
     return finding
 
 

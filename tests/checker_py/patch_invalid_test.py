@@ -109,9 +109,12 @@ class Sides(PatchInvalidTest):
         finding = forge.side(entities, 0, 2)
         self.assertEqual(finding.values, {"same": 2, "opposite": 0})
         self.says("ACCEPT", finding)
-        flagged = forge.side(models.cube(), 0, 2, [1] + [0] * 5)
-        self.assertEqual(flagged.values, {"same": 2, "opposite": 0})
-        self.says("ACCEPT", flagged)
+        flagged = forge.side(models.cube(), 0, 2, [1] + [0] * 5)               # the model is sound: it is the flag that is wrong
+        self.assertEqual(flagged.values, {"same": 2, "opposite": 0, "flipped": 1})
+        self.alone("D2", flagged)
+        flags = [1, 1, 0, 0, 1]
+        finding = next(f for n in range(5) for s in range(4) for f in [forge.side(models.cube()[1:], n, s, flags)] if not f.arcs[1:])
+        self.says("ACCEPT", finding)                      # an open border is one whatever the flags say
         mended = forge.side(entities, 0, 2, [1] + [0] * 5)
         self.assertEqual(mended.values, {"same": 1, "opposite": 1})
         self.says("D2", mended)

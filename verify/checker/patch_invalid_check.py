@@ -286,6 +286,8 @@ class Checker:
                 self.fail("D2", "arc %d is another curve than the first" % i)
         if (same, opposite) == (1, 1):
             self.fail("D2", "one arc in each direction: an edge")
+        if (same, opposite) == (2, 0) and any(self.flags):
+            self.fail("D2", "two arcs in one direction, but with flags that are not the model's")
         if (self.statement["same"], self.statement["opposite"]) != (same, opposite):
             self.fail("D2", "%d the same and %d opposite, the statement says %d and %d" %
                       (same, opposite, self.statement["same"], self.statement["opposite"]))

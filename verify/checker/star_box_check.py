@@ -483,6 +483,8 @@ class Checker:
             last = self.inner[self.cert.boxes[self.cert.walks[-1][0][0]].component] if self.cert.walks else 1
             if last == 1:
                 self.fail("W2", "w is 1 at c- of the last component")
+            if any(self.cert.flags):
+                self.fail("W3", "a flag is 1: it is not the model that is turned")
             return {"bodies": 0, "winding": 2 * last if last >= 0 else -2 * last - 1}
         if any(w != 1 for w in self.inner.values()):
             self.fail("W2", "w is not 1 at c- and 0 at c+ of all components")

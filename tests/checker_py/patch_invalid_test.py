@@ -116,7 +116,7 @@ class Sides(PatchInvalidTest):
         finding = next(f for n in range(5) for s in range(4) for f in [forge.side(models.cube()[1:], n, s, flags)] if not f.arcs[1:])
         self.says("ACCEPT", finding)                      # an open border is one whatever the flags say
         mended = forge.side(entities, 0, 2, [1] + [0] * 5)
-        self.assertEqual(mended.values, {"same": 1, "opposite": 1})
+        self.assertEqual((mended.values["same"], mended.values["opposite"]), (1, 1))
         self.says("D2", mended)
 
     def test_three_and_four_sheets_at_an_edge(self):

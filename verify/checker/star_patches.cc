@@ -132,13 +132,13 @@ uint64_t cost(const Patch& p) {
 
 }  // namespace
 
-std::vector<Patch> cut_patches(const std::vector<Place>& places, int64_t unit,
-                               const std::vector<std::vector<Ratio>>& breaks) {
+void cut_patches(const std::vector<Place>& places, int64_t unit,
+                 const std::vector<std::vector<Ratio>>& breaks,
+                 const std::function<void(Patch&&)>& use) {
   std::vector<std::vector<Extraction>> cache(breaks.size());
-  std::vector<Patch> r;
   for (const Place& at : places) {
-    r.push_back(patch(at, unit, breaks, &cache));
-    r.back().cost = cost(r.back());
+    Patch made = patch(at, unit, breaks, &cache);
+    made.cost = cost(made);
+    use(std::move(made));
   }
-  return r;
 }

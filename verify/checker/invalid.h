@@ -39,4 +39,4 @@ inline int compare_dyadic(int64_t a, int k, int64_t c, int l) {
 void check_crossing(const Crossing& x, const Patch& a, const Patch& b);  // X1 to X3
 // D1 to D4. outer: by patch and side; num_outer: with those that are collapsed.
 void check_sides(const Sides& s, const std::vector<OuterSide>& outer, uint64_t num_outer,
-                 uint64_t same, uint64_t opposite);
+                 bool has_flags, uint64_t same, uint64_t opposite);

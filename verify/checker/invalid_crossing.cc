@@ -59,7 +59,7 @@ Range control_values(const Net& net, const Big* y) {
 bool are_apart(const Part& s, const Part& t) {
   return compare_dyadic(s.b, s.k, t.a, t.k) < 0 || compare_dyadic(t.b, t.k, s.a, s.k) < 0;
 }
-void check_parts(const Crossing& x) {
+void check_parts(const Crossing& x, bool b_is_triangle) {
   int points = 0;
   for (const Sheet& s : x.sheet)
     for (const Part& t : s.t) points += t.is_point();
@@ -69,12 +69,13 @@ void check_parts(const Crossing& x) {
           "A and B are not disjoint");
   for (const Part& t : a.t)
     require(t.a > 0 && t.b < int64_t(1) << t.k, "X1", "A is not in the open domain");
+  require(!b_is_triangle || b.t[0].a > 0, "X1", "the interval of s in B contains 0");
 }
 
 }  // namespace
 
 void check_crossing(const Crossing& x, const Patch& a, const Patch& b) {
-  check_parts(x);
+  check_parts(x, b.shape.is_triangle);
   Big det;
   for (int i = 0; i < 3; ++i)
     det = det + x.y[0][i] * (x.y[1][(i + 1) % 3] * x.y[2][(i + 2) % 3] -

@@ -19,8 +19,8 @@ struct Reader : Bytes {
   }
   uint64_t patch(bool* is_triangle) {
     const uint64_t i = varint();
-    require(i < cuts->places.size(), "B1", "there is no patch", i);
-    *is_triangle = cuts->places[i].entity->kind == Entity::kTriangle;
+    require(i < cuts->patches(), "B1", "there is no patch", i);
+    *is_triangle = (*cuts->entities)[cuts->entity_of(i)].kind == Entity::kTriangle;
     return i;
   }
   Crossing crossing() {
@@ -29,7 +29,6 @@ struct Reader : Bytes {
       bool is_triangle;
       s.patch = patch(&is_triangle);
       for (Part& t : s.t) t = part();
-      require(!is_triangle || s.t[0].a > 0, "B1", "an interval of s of a triangle contains 0");
     }
     for (auto& row : r.y)
       for (Big& y : row) y = Big(zigzag());
@@ -64,10 +63,52 @@ void check_knots(const Entity& e) {
               "B2", "an inner knot occurs more often than the degree");
   }
 }
-bool is_outer(const Cuts& cuts, const Place& at, int e) {
+bool is_outer(const Cuts& cuts, size_t entity, const Place& at, int e) {
   if (at.entity->kind == Entity::kTriangle) return true;
   const size_t axis = e % 2 == 0 ? 1 : 0, i = at.interval[axis];
-  return e == 0 || e == 3 ? i == 0 : i + 2 == cuts.breaks[2 * at.surface + axis].size();
+  return e == 0 || e == 3 ? i == 0 : i + 1 == cuts.intervals(entity, axis);
+}
+// The patches with an outer side, in order.
+std::vector<uint64_t> outer_patches(const Cuts& cuts) {
+  std::vector<uint64_t> r;
+  for (size_t i = 0; i < cuts.entities->size(); ++i) {
+    const bool is_surface = (*cuts.entities)[i].kind == Entity::kSurface;
+    const uint64_t v = is_surface ? cuts.intervals(i, 1) : 1;
+    for (uint64_t k = cuts.first[i], u = 0; k < cuts.first[i + 1]; k += v, ++u) {
+      const bool is_end = u == 0 || k + v == cuts.first[i + 1];
+      for (uint64_t j = 0; j < v; j += is_end || v == 1 ? 1 : v - 1) r.push_back(k + j);
+    }
+  }
+  return r;
+}
+// use(patch, number, place) for the patches with these numbers; B2 for their coefficients.
+template <class Use>
+void each_patch(const Cuts& cuts, const std::vector<uint64_t>& numbers, Use use) {
+  std::vector<Place> places;
+  for (uint64_t i : numbers) places.push_back(cuts.place(cuts.entity_of(i), i));
+  size_t at = 0;
+  cut_patches(places, 0, cuts.breaks, [&](Patch&& p) {
+    use(std::move(p), numbers[at], places[at]);
+    ++at;
+  });
+}
+struct Outer {
+  std::vector<OuterSide> sides;
+  uint64_t number = 0;  // with those that are collapsed
+};
+Outer outer_sides(const Cuts& cuts) {
+  Outer r;
+  each_patch(cuts, outer_patches(cuts), [&](Patch&& p, uint64_t number, const Place& at) {
+    const size_t entity = cuts.entity_of(number);
+    for (int e = 0; e < p.shape.sides(); ++e) {
+      if (!is_outer(cuts, entity, at, e)) continue;
+      ++r.number;
+      const Curve c = side_curve(p, e, false);
+      if (!is_point(c))
+        r.sides.push_back(OuterSide{number, e, cuts.flipped[entity], p.is_rational, c});
+    }
+  });
+  return r;
 }
 
 }  // namespace
@@ -75,8 +116,7 @@ bool is_outer(const Cuts& cuts, const Place& at, int e) {
 std::string check_patch_invalid(const Statement& s, const std::string& model, const Body& bytes) {
   const std::vector<Entity> entities = read_spline_model(model);
   Reader r(bytes);
-  // A surface has a control point for each patch between knots, so more than a byte of the model.
-  const Cuts cuts = read_cuts(entities, 0x49505456, 0, model.size(), &r);
+  const Cuts cuts = read_cuts(entities, 0x49505456, false, &r);
   r.cuts = &cuts;
   const bool is_side = r.at_most(r.body.natural(1), 1, "there is no kind") == 1;
   Crossing crossing;
@@ -89,35 +129,27 @@ std::string check_patch_invalid(const Statement& s, const std::string& model, co
 
   check_kinds(entities);
   for (const Entity& e : entities) check_knots(e);
-  std::vector<OuterSide> outer;
-  Patch sheet[2];
-  uint64_t patch = 0, num_outer = 0;
-  cut_patches(cuts.places, 0, cuts.breaks, [&](Patch&& p) {
-    const Place& at = cuts.places[patch];
-    for (int e = 0; e < p.shape.sides() && is_side; ++e) {
-      if (!is_outer(cuts, at, e)) continue;
-      ++num_outer;
-      const Curve c = side_curve(p, e, false);
-      if (!is_point(c))
-        outer.push_back(OuterSide{patch, e, cuts.is_flipped(entities, at), p.is_rational, c});
-    }
-    for (int i = 0; i < 2 && !is_side; ++i)
-      if (crossing.sheet[i].patch == patch) sheet[i] = p;
-    ++patch;
-  });
+  Outer outer;
+  std::vector<Patch> ab;
+  if (is_side)
+    outer = outer_sides(cuts);
+  else
+    for (const Sheet& sheet : crossing.sheet)
+      each_patch(cuts, {sheet.patch}, [&](Patch&& p, uint64_t, const Place&) { ab.push_back(p); });
   const uint64_t same = s.number.at("same"), opposite = s.number.at("opposite");
   require((s.text.at("finding") == "side") == is_side, "B3", "the body has another finding");
-  require(s.number.at("patches") == patch, "B3", "the number of patches is", patch);
+  require(s.number.at("patches") == cuts.patches(), "B3", "the number of patches is",
+          cuts.patches());
   require(s.number.at("flipped") == cuts.num_flipped, "B3", "the number of flipped is",
           cuts.num_flipped);
   require(is_side || (same == 0 && opposite == 0), "B3", "a crossing has same or opposite sides");
-  const std::string text = std::to_string(patch) + " patches, ";
+  const std::string text = std::to_string(cuts.patches()) + " patches, ";
   if (!is_side) {
-    check_crossing(crossing, sheet[0], sheet[1]);
+    check_crossing(crossing, ab[0], ab[1]);
     return text + "a crossing of patches " + std::to_string(crossing.sheet[0].patch) + " and " +
            std::to_string(crossing.sheet[1].patch);
   }
-  check_sides(sides, outer, num_outer, same, opposite);
+  check_sides(sides, outer.sides, outer.number, cuts.num_flipped > 0, same, opposite);
   return text + "an arc passed " + std::to_string(same) + " and, the other way, " +
          std::to_string(opposite) + " times";
 }

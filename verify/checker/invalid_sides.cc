@@ -43,8 +43,8 @@ void check_arcs(const Sides& s, const std::vector<Arc>& sorted,
 Curve curve_of(const Arc& a, const OuterSide& side) {  // not reversed by the flag
   return restricted(side.curve, side.curve.size() / 4, a.t);
 }
-void check_curves(const Sides& s, const std::vector<OuterSide>& outer, uint64_t same,
-                  uint64_t opposite) {
+void check_curves(const Sides& s, const std::vector<OuterSide>& outer, bool has_flags,
+                  uint64_t same, uint64_t opposite) {
   std::string forward, backward;
   uint64_t count[2] = {0, 0};
   for (size_t i = 0; i < s.arcs.size(); ++i) {
@@ -58,6 +58,8 @@ void check_curves(const Sides& s, const std::vector<OuterSide>& outer, uint64_t 
   require(count[0] == same, "D2", "arcs with the first's curve:", count[0]);
   require(count[1] == opposite, "D2", "arcs with the opposite curve:", count[1]);
   require(count[0] != 1 || count[1] != 1, "D2", "once in each direction is right");
+  require(!has_flags || count[0] != 2 || count[1] != 0, "D2",
+          "flags may have turned one of the two");
 }
 
 // D3: the coefficients of X' w - X w', up to binomials and a positive factor: of X' = p times the
@@ -126,11 +128,11 @@ struct Descent {  // D4
 }  // namespace
 
 void check_sides(const Sides& s, const std::vector<OuterSide>& outer, uint64_t num_outer,
-                 uint64_t same, uint64_t opposite) {
+                 bool has_flags, uint64_t same, uint64_t opposite) {
   std::vector<Arc> sorted = s.arcs;
   std::sort(sorted.begin(), sorted.end(), before);
   check_arcs(s, sorted, outer);
-  check_curves(s, outer, same, opposite);
+  check_curves(s, outer, has_flags, same, opposite);
   const OuterSide& first = *side_of(s.arcs[0], outer);
   require(is_monotone(curve_of(s.arcs[0], first), s.axis, first.is_rational), "D3",
           "the first arc is not monotone along axis", uint64_t(s.axis));

@@ -143,19 +143,23 @@ struct Reader : Bytes {
 StarBody read_star_body(const std::vector<Entity>& entities, Body bytes, CollarBody* collar) {
   StarBody out;
   Reader r(bytes, &out);
-  const Cuts cuts = read_cuts(entities, 0x42535456, 3, 0, &r);
+  const Cuts cuts = read_cuts(entities, 0x42535456, true, &r);
   out.flipped = cuts.num_flipped;
+  std::vector<Place> places;
   std::vector<uint8_t> roots;
-  for (const Place& at : cuts.places)
+  for (uint64_t i = 0; i < cuts.patches(); ++i) {
+    const size_t entity = cuts.entity_of(i);
+    places.push_back(cuts.place(entity, i));
+    const bool is_triangle = entities[entity].kind == Entity::kTriangle;
     for (int a = 0; a < 2; ++a)
-      roots.push_back(
-          uint8_t(r.at_most(r.body.natural(1), at.entity->kind == Entity::kTriangle ? 0 : 12,
-                            "a patch is cut into too many roots:")));
+      roots.push_back(uint8_t(r.at_most(r.body.natural(1), is_triangle ? 0 : 12,
+                                        "a patch is cut into too many roots:")));
+  }
   const int64_t unit = r.zigzag();
   require(unit >= -kMostUnit && unit <= kMostUnit, "B1", "E is out of range");
   for (uint64_t n = r.body.count(8); n > 0; --n) out.boxes.push_back(r.box());
   int64_t last = 0;
-  for (size_t i = 0; i < cuts.places.size(); ++i)
+  for (size_t i = 0; i < places.size(); ++i)
     for (uint64_t n = uint64_t(1) << (roots[2 * i] + roots[2 * i + 1]); n > 0; --n)
       last = r.tree(last);
   for (uint64_t n = r.body.count(7); n > 0; --n) out.walks.push_back(r.walk());
@@ -163,11 +167,11 @@ StarBody read_star_body(const std::vector<Entity>& entities, Body bytes, CollarB
   r.end();
 
   check_kinds(entities);
-  cut_patches(cuts.places, unit, cuts.breaks,
+  cut_patches(places, unit, cuts.breaks,
               [&](Patch&& patch) { out.patches.push_back(std::move(patch)); });
-  for (size_t i = 0; i < cuts.places.size(); ++i) {
+  for (size_t i = 0; i < places.size(); ++i) {
     Patch& made = out.patches[i];
-    made.is_flipped = cuts.is_flipped(entities, cuts.places[i]);
+    made.is_flipped = cuts.flipped[cuts.entity_of(i)];
     std::copy(&roots[2 * i], &roots[2 * i] + 2, made.roots);
     made.first_root = out.num_roots;
     out.num_roots += made.num_roots();

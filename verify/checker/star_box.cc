@@ -117,6 +117,8 @@ std::string check_star_box(const Statement& s, const std::string& model, const B
                                              {"genus", x.genus},
                                              {"boxes", body.boxes.size()},
                                              {"flipped", body.flipped}};
+  require(!is_turned || body.flipped == 0, "W3",
+          "flags, by which any solid could be turned:", body.flipped);
   if (is_turned) numbers["winding"] = 2 * magnitude(walks.last) - (walks.last < 0);
   std::string text;
   for (const auto& n : numbers) {

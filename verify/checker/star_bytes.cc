@@ -78,9 +78,16 @@ std::vector<Ratio> breaks(const Entity& e, size_t a, Bytes* bytes) {  // of one 
 
 }  // namespace
 
-Cuts read_cuts(const std::vector<Entity>& entities, uint32_t magic, uint64_t bytes_each,
-               uint64_t most_patches, Bytes* bytes) {
+Place Cuts::place(size_t entity, uint64_t patch) const {
+  const Entity& e = (*entities)[entity];
+  if (e.kind != Entity::kSurface) return Place{&e, 0, {0, 0}};
+  const uint64_t i = patch - first[entity], v = intervals(entity, 1);
+  return Place{&e, surface[entity], {size_t(i / v), size_t(i % v)}};
+}
+
+Cuts read_cuts(const std::vector<Entity>& entities, uint32_t magic, bool take_bytes, Bytes* bytes) {
   Cuts r;
+  r.entities = &entities;
   require(bytes->body.natural(4) == magic, "B1", "another magic number");
   require(bytes->body.natural(4) == entities.size(), "B1", "the model's entities are",
           entities.size());
@@ -89,18 +96,18 @@ Cuts read_cuts(const std::vector<Entity>& entities, uint32_t magic, uint64_t byt
     r.flipped.push_back(bytes->at_most(bytes->body.natural(1), 1, "a flag is") == 1);
     r.num_flipped += r.flipped.back();
   }
-  for (const Entity& e : entities) {
-    if (e.kind == Entity::kTriangle) r.places.push_back(Place{&e, 0, {0, 0}});
-    if (e.kind != Entity::kSurface) continue;
-    for (size_t a = 0; a < 2; ++a) r.breaks.push_back(breaks(e, a, bytes));
-    const size_t v = r.breaks.back().size() - 1, n = (r.breaks[r.breaks.size() - 2].size() - 1) * v;
-    const auto most = [&] {
-      return bytes_each == 0 ? most_patches : bytes->body.left() / bytes_each;
-    };
-    require(n <= most(), "B1", "too many patches of a surface", n);
-    for (size_t i = 0; i < n; ++i)
-      r.places.push_back(Place{&e, r.breaks.size() / 2 - 1, {i / v, i % v}});
-    require(r.places.size() <= most(), "B1", "too many patches");
+  r.first.push_back(0);
+  for (size_t i = 0; i < entities.size(); ++i) {
+    uint64_t n = entities[i].kind == Entity::kTriangle;
+    r.surface.push_back(r.breaks.size() / 2);
+    if (entities[i].kind == Entity::kSurface) {
+      for (size_t a = 0; a < 2; ++a) r.breaks.push_back(breaks(entities[i], a, bytes));
+      n = r.intervals(i, 0) * r.intervals(i, 1);  // below 2^64, but their sum may not be
+    }
+    require(n < uint64_t(1) << 62 && r.patches() < uint64_t(1) << 62, "B1", "too many patches", n);
+    r.first.push_back(r.patches() + n);
+    require(!take_bytes || r.patches() <= bytes->body.left() / 3, "B1",
+            "too few bytes for the patches", r.patches());
   }
   return r;
 }

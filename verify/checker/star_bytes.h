@@ -27,17 +27,24 @@ struct Bytes {
 };
 
 struct Cuts {  // how a body cuts the model into patches
+  const std::vector<Entity>* entities;
   std::vector<bool> flipped;
   std::vector<std::vector<Ratio>> breaks;  // two for each surface
-  std::vector<Place> places;
+  std::vector<uint64_t> first;             // patch of each entity, and the number of all
+  std::vector<size_t> surface;             // of each entity: how many stand before it
   uint64_t num_flipped = 0;
-  bool is_flipped(const std::vector<Entity>& entities, const Place& at) const {
-    return flipped[size_t(at.entity - entities.data())];
+
+  uint64_t patches() const { return first.back(); }
+  uint64_t intervals(size_t entity, size_t axis) const {
+    return breaks[2 * surface[entity] + axis].size() - 1;
   }
+  size_t entity_of(uint64_t patch) const {
+    return size_t(std::upper_bound(first.begin(), first.end(), patch) - first.begin()) - 1;
+  }
+  Place place(size_t entity, uint64_t patch) const;  // of this entity
 };
-// Magic, N, flags and breaks. A patch takes `bytes_each` of the bytes left; if that is 0, there may
-// be `most_patches`.
-Cuts read_cuts(const std::vector<Entity>& entities, uint32_t magic, uint64_t bytes_each,
-               uint64_t most_patches, Bytes* bytes);
+// Magic, N, flags and breaks. If patches take bytes, their number is compared with the bytes left,
+// three for each.
+Cuts read_cuts(const std::vector<Entity>& entities, uint32_t magic, bool take_bytes, Bytes* bytes);
 // B2: what needs no coefficients.
 void check_kinds(const std::vector<Entity>& entities);

@@ -327,7 +327,7 @@ class Knot(CollarTest):
         self.alone("K3", collar)
 
     def test_its_unknotted_twin(self):
-        self.says("ACCEPT", self.collar(solids.unknotted(), True))
+        self.says("ACCEPT", self.collar(solids.UNKNOTTED, True))
 
 
 class Subdivision(unittest.TestCase):

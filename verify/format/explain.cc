@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // The text form of a certificate.
-#include <algorithm>
-#include <functional>
 #include <string>
 
 #include "verify/format/mesh_certificate.h"
+#include "verify/format/text_parts.h"
 
 namespace veritope::certificate {
 namespace {
+
+using internal::append_list;
+using internal::statement_text;
 
 std::string vector_text(const std::array<std::int32_t, 3>& d) {
   return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) + ")";
@@ -30,32 +32,6 @@ std::string pair_code_text(std::uint8_t code) {
   else if (axis <= 16) text += "n(b) x " + edge(axis - 14, 'b');
   else text += "unknown axis " + std::to_string(axis);
   return text + ((code & 64) != 0 ? ", then" : "");
-}
-
-// Values of the flat object in its own order, one a line. Statements hold no escapes and no blanks outside strings; what is not
-// printable, in the statement of a file that is no certificate, becomes '?'.
-std::string statement_text(const std::string& line) {
-  std::string out;
-  bool in_string = false;
-  for (char c : line) {
-    if (c == '"') in_string = !in_string;
-    if (!in_string && (c == '{' || c == '}')) continue;
-    if (!in_string && c == ',') {
-      out += '\n';
-    } else if (c == ':' && !in_string) {
-      out += ": ";
-    } else if (c != '"') {
-      out += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
-  return out + "\n";
-}
-
-void append_list(std::string& out, const std::string& name, std::size_t size, std::size_t max_items,
-                 const std::function<std::string(std::size_t)>& item) {
-  out += name + ": " + std::to_string(size) + "\n";
-  for (std::size_t i = 0; i < std::min(size, max_items); ++i) out += "  " + std::to_string(i) + ": " + item(i) + "\n";
-  if (size > max_items) out += "  ... and " + std::to_string(size - max_items) + " more\n";
 }
 
 std::string explain_valid(const ValidBody& b, std::size_t max_items) {

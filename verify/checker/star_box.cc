@@ -97,7 +97,7 @@ void check_boxes(const StarBody& body, Forest* forest, Units* units) {
 }  // namespace
 
 std::string check_star_box(const Statement& s, const std::string& model, const Body& bytes) {
-  StarBody body = read_star_body(read_spline_model(model), bytes);
+  StarBody body = read_star_body(read_spline_model(model, s.text.at("subject_format")), bytes);
   const Gluing x(&body.patches);
   Units units = {0, 2000 * (body.leaves + body.boxes.size() + 100), "C2"};
   Forest forest(&body, &units);

@@ -97,7 +97,7 @@ void check_form(Statement s) {
   require(is_hash(s.text["subject_sha256"]) && is_hash(s.text["body_sha256"]), "S1", "no hash");
   const std::string format = s.text["subject_format"], volume = s.text["volume"];
   require(is_mesh ? format == "stl" || format == "obj" || format == "ply" || format == "off"
-                  : format == "vjson",
+                  : format == "vjson" || format == "itd",
           "S1", "unknown subject_format");
   const size_t slash = std::min(volume.find('/'), volume.size());
   require(!valid || (is_natural(volume.substr(0, slash)) && slash < volume.size() &&

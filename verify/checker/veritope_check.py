@@ -325,7 +325,7 @@ CLAIM_KEYS = {
     "mesh-valid-1": {**MESH_KEYS, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int,
                      "genus": int, "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"},   # lowest terms: V11
     "mesh-invalid-1": {**MESH_KEYS, "rules": r"M[1-9]( M[1-9])*"},
-    "star-box-1": {"claim": ".*", "subject_format": "vjson", "patches": int, "edges": int, "vertices": int,
+    "star-box-1": {"claim": ".*", "subject_format": "vjson|itd", "patches": int, "edges": int, "vertices": int,
                    "shells": int, "bodies": int, "genus": int, "boxes": int, "flipped": int}}
 
 def parse_statement(cert):

@@ -15,6 +15,7 @@ from fractions import Fraction as Q
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "checker_py"))
 import star_box_forge as forge                            # noqa: E402
+import star_box_itd_test as itd_tests                     # noqa: E402
 import star_box_models as models                          # noqa: E402
 import star_box_test as python_tests                      # noqa: E402
 
@@ -49,6 +50,7 @@ def both(model, certificate, skip=frozenset()):
 
 vc._check = both                                          # check() calls it, too
 SoundModels, Lies, Traps, Hostile = python_tests.SoundModels, python_tests.Lies, python_tests.Traps, python_tests.Hostile
+Meaning, Refusals, ItdCertificates = itd_tests.Meaning, itd_tests.Refusals, itd_tests.Certificates
 
 
 class Mutations(unittest.TestCase):

@@ -126,6 +126,44 @@ class CertifyItd(Folder):
         self.assertEqual((done.returncode, done.stdout[:5]), (0, "VALID"), done)
 
 
+def box(x, left_handed=False):
+    """The box from (x, 0, 0) to (x + 1, 1, 1) as a volume."""
+    corners = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
+    corners = [(x + j, i, k) if left_handed else (x + i, j, k) for i, j, k in corners]
+    return "[TRIVAR BEZIER 2 2 2 E3 %s]" % " ".join("[%d %d %d]" % c for c in corners)
+
+
+class Faces(Folder):
+    """convert --faces, then certify."""
+
+    def convert(self, text, *options, to="faces.itd"):
+        (self.folder / "volumes.itd").write_text(text)
+        return run("convert", "--faces", *options, self.folder / "volumes.itd", self.folder / to)
+
+    def test_boxes_in_a_row_are_one_solid(self):
+        done = self.convert(box(0) + box(1, left_handed=True) + box(2))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("14 entities", "the inside of 3 volumes", "1 volume", "left-handed"):
+            self.assertIn(words, done.stdout)
+        (one,) = json.loads(run("certify", self.folder / "faces.itd", "--json", "-").stdout)["files"]
+        self.assertEqual((one["verdict"], one["counts"]["bodies"]), ("VALID", 1))
+        self.assertTrue(one["volume"]["lo"] <= 3 <= one["volume"]["hi"])
+
+    def test_a_gap_of_one_digit_is_no_wall(self):
+        done = self.convert(box(0) + box(1).replace("[1 0 0]", "[1.00000001 0 0]"))
+        self.assertEqual((done.returncode, "12 entities" in done.stdout), (0, True), done)
+        self.assertNotEqual(run("certify", self.folder / "faces.itd").returncode, 0)
+
+    def test_what_else_there_is_is_lost(self):
+        text = box(0) + bezier(UNIT[0])
+        done = self.convert(text)
+        self.assertEqual((done.returncode, "1 entity besides the volumes" in done.stderr), (1, True), done)
+        self.assertEqual(self.convert(text, "--lossy").returncode, 0)
+        self.assertEqual(self.convert(bezier(UNIT[0])).returncode, 4)              # no volume at all
+        (self.folder / "mesh.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertEqual(run("convert", "--faces", self.folder / "mesh.off", self.folder / "x.stl").returncode, 2)
+
+
 @unittest.skipUnless((DATA / "cad").is_dir(), "no real .itd files (VERITOPE_DATA)")
 class RealFiles(Folder):
     def test_each_has_a_verdict_and_nothing_open_is_valid(self):
@@ -136,6 +174,18 @@ class RealFiles(Folder):
                 continue
             expected = "not-certified" if path.stem in COVERED else "bad-spline" if path.stem.startswith("bad__") else "not-covered"
             self.assertEqual((one["error"]["code"], done.returncode), (expected, 4 if expected == "bad-spline" else 3), path.name)
+
+    def test_faces_of_real_volumes(self):
+        """IRIT's and MFEM's balls, cylinders, cubes: VALID with the genus and volume that they have."""
+        expected = {"iritprim__ns_sphere_rational.itd": (0, 4 * math.pi / 3), "iritprim__ns_cylinder_rational.itd": (0, 2 * math.pi),
+                    "mfem__ball-nurbs.mesh": (0, 4 * math.pi / 3), "mfem__two-cubes-nurbs-rot.mesh": (0, 2), "gismo__fichera.xml": (0, 7),
+                    "gismo__cylinder.xml": (1, 3 * math.pi)}
+        for name, (genus, volume) in expected.items():
+            faces = self.folder / "faces.vjson"
+            self.assertEqual(run("convert", "--faces", DATA / "cad" / name, faces).returncode, 0, name)
+            (one,) = json.loads(run("certify", faces, "--json", "-").stdout)["files"]
+            self.assertEqual((one["verdict"], [s["genus"] for s in one["shells"]]), ("VALID", [genus]), name)
+            self.assertAlmostEqual((one["volume"]["lo"] + one["volume"]["hi"]) / 2, volume, delta=1e-3, msg=name)
 
     def test_the_python_checker_reads_what_the_kernel_reads(self):
         for name in sorted(COVERED):

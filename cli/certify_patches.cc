@@ -27,10 +27,10 @@ class PatchCertification : public Certification {
     patches.entities = file->model.entities.size();
     report_.sha256 = file->sha256;
     report_.patches = std::move(patches);
-    if (file->format != SplineFormat::kJson)
-      return undecided(
-          "not-covered",
-          "certificates speak of .vjson files only: veritope convert writes this model as one");
+    if (file->format != SplineFormat::kJson && file->format != SplineFormat::kItd)
+      return undecided("not-covered",
+                       "certificates speak of .vjson and .itd files only: veritope convert writes "
+                       "this model as one");
     for (const LeftOut& l : file->left_out)
       if (l.is_geometry)
         return undecided("not-covered", "the file has shapes that are not read: " + l.what);

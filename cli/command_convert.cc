@@ -144,6 +144,7 @@ void report(const Options& o, const MeshFile& file, const std::string& loss,
 ExitCode run_convert(const Options& options, StandardOutput& out) {
   if (is_spline_input(options.files[0], options)) return convert_splines(options, out);
   if (options.chord) return fail(bad_argument("--chord is for splines"));
+  if (options.faces) return fail(bad_argument("--faces is for splines"));
   const Result<WriteOptions> target = target_of(options);
   if (!target) return fail(target.error());
   if (const Status status = refuse_same(options.files, options.output); !status) {

@@ -172,6 +172,7 @@ void add_convert(CLI::App& app, Options& o) {
            "look at: vtu, obj, gltf");
   add_length(c, "--chord", o.chord, "H", "of splines in obj, gltf: distance of chords aimed at");
   c->add_flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
+  c->add_flag("--faces", o.faces, "of spline volumes: their boundary, as surfaces");
   c->add_flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
   add_jobs(c, o);
   add_any_format(c, o);

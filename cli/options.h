@@ -41,6 +41,7 @@ struct Options {
   std::string output;                            ///< convert: OUT
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert
+  bool faces = false;                            ///< convert, of volumes
   std::optional<double> chord;                   ///< convert, of splines to obj or gltf
   double gap = 0;                                ///< intersect; 0: chosen by the model's size
   std::uint64_t max_pairs = 200000000;           ///< intersect

@@ -10,9 +10,11 @@
 #include "cli/text_style.h"
 #include "io/byte_buffer.h"
 #include "io/mesh_format.h"
+#include "io/patch_model.h"
 #include "io/read_splines.h"
 #include "io/sniff.h"
 #include "io/spline_view.h"
+#include "io/volume_faces.h"
 #include "io/write_splines.h"
 
 namespace veritope::cli {
@@ -54,6 +56,28 @@ std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
     if (l.reason != "kept as text")
       out[l.is_geometry ? 0 : 1].push_back(std::to_string(l.count) + " " + harmless(l.what));
   return out;
+}
+
+// Instead of the volumes, their faces. What else there is, is lost; what was done to them stands with what is dropped.
+Status take_faces(SplineFile& file, const std::string& path, std::vector<std::string>& lost,
+                  std::vector<std::string>& dropped) {
+  Result<VolumeFaces> faces = volume_faces(file.model);
+  if (!faces) {
+    Error error = faces.error();
+    error.place.file = path;
+    return error;
+  }
+  if (faces->num_others != 0)
+    lost.push_back(counted(faces->num_others, "entity", "entities") + " besides the volumes");
+  dropped.push_back("the inside of " + counted(faces->num_volumes, "volume", "volumes"));
+  if (faces->num_flat != 0)
+    dropped.push_back(counted(faces->num_flat, "face", "faces") + " without area");
+  if (!file.model.groups.empty()) dropped.push_back("names and attributes");
+  if (!faces->mirrored.empty())
+    dropped.push_back("the left-handed parametrisation of " +
+                      counted(faces->mirrored.size(), "volume", "volumes"));
+  file.model = model_of(faces->patches);
+  return ok_status();
 }
 
 ExitCode finish(const Options& o, const SplineFile& file, const std::string& bytes,
@@ -103,10 +127,13 @@ ExitCode convert_splines(const Options& options, StandardOutput& out) {
   if (const Status status = refuse_same(options.files, options.output); !status)
     return fail(status.error());
   if (const Status status = try_output(options.output); !status) return fail(status.error());
-  const Result<SplineFile> file =
+  Result<SplineFile> file =
       read_spline_file(options.files[0], {options.spline_format, options.reading.limits});
   if (!file) return fail(file.error());
   auto [lost, dropped] = left_out(*file);
+  if (options.faces)
+    if (const Status status = take_faces(*file, options.files[0], lost, dropped); !status)
+      return fail(status.error());
   if (view != nullptr) {
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());

@@ -43,7 +43,7 @@ install(TARGETS veritope_all veritope_interop ${veritope_layers} EXPORT veritope
 install(TARGETS ${veritope_executables} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(PROGRAMS "${PROJECT_SOURCE_DIR}/verify/checker/veritope_check.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
 install(FILES "${PROJECT_SOURCE_DIR}/verify/checker/star_box_check.py" "${PROJECT_SOURCE_DIR}/verify/checker/star_box_patches.py"
-              "${PROJECT_SOURCE_DIR}/verify/checker/star_box_read.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
+              "${PROJECT_SOURCE_DIR}/verify/checker/star_box_read.py" "${PROJECT_SOURCE_DIR}/verify/checker/star_box_itd.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
 
 set(veritope_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/veritope")
 install(EXPORT veritopeTargets NAMESPACE veritope:: DESTINATION "${veritope_cmake_dir}")

@@ -78,7 +78,7 @@ class Info(Folder):
         plain.write_text(text)
         self.assertEqual(info(plain)[0]["spline_format"], "g2")
         self.assertEqual(run("info", "--format", "step", plain).returncode, 2)
-        self.assertEqual(run("certify", "--format", "g2", plain).returncode, 3)  # certificates speak of .vjson
+        self.assertEqual(run("certify", "--format", "g2", plain).returncode, 3)  # certificates do not speak of .g2
         self.assertEqual(run("certify", "--format", "step", plain).returncode, 2)
         self.assertEqual(run("info", "--max-digits", "1", SPLINES / "groups.itd").returncode, 4)
 

@@ -51,7 +51,7 @@ void check_form(Statement s) {
   require(is_hash(s.text["subject_sha256"]) && is_hash(s.text["body_sha256"]), "S1", "no hash");
   const std::string format = s.text["subject_format"], volume = s.text["volume"];
   require(is_mesh ? format == "stl" || format == "obj" || format == "ply" || format == "off"
-                  : format == "vjson",
+                  : format == "vjson" || format == "itd",
           "S1", "unknown subject_format");
   const std::string finding = s.text["finding"];
   require(finding.empty() == (c + 1 != kEnd) &&
@@ -70,7 +70,7 @@ void check_form(Statement s) {
 std::string check_claim(const Statement& s, std::string model, const Body& body) {
   const std::string &claim = s.text.at("claim"), &format = s.text.at("subject_format");
   if (claim == "patch-invalid-1") return check_patch_invalid(s, model, body);
-  if (format == "vjson") return check_star_box(s, model, body);
+  if (format == "vjson" || format == "itd") return check_star_box(s, model, body);
   const Model mesh = read_model(std::move(model), format, s.flag.at("as_indexed"));
   return (claim == "mesh-valid-1" ? check_mesh_valid : check_mesh_invalid)(s, mesh, body);
 }

@@ -114,7 +114,7 @@ Outer outer_sides(const Cuts& cuts) {
 }  // namespace
 
 std::string check_patch_invalid(const Statement& s, const std::string& model, const Body& bytes) {
-  const std::vector<Entity> entities = read_spline_model(model);
+  const std::vector<Entity> entities = read_spline_model(model, s.text.at("subject_format"));
   Reader r(bytes);
   const Cuts cuts = read_cuts(entities, 0x49505456, false, &r);
   r.cuts = &cuts;

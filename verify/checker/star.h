@@ -23,7 +23,8 @@ struct Entity {
   std::vector<std::vector<Ratio>> knots;  // of a surface: two axes
   std::vector<Ratio> points;              // `components` numbers each, v fastest
 };
-std::vector<Entity> read_spline_model(const std::string& file);
+// format: "vjson", docs/formats/spline-json.md; "itd", docs/certificates/reading-rule-itd.md
+std::vector<Entity> read_spline_model(const std::string& file, const std::string& format);
 
 // Control points or Bernstein coefficients: of a tensor product of degrees p, q, v fastest; or of a
 // triangle of degree p (= q), first index falling, then the second.

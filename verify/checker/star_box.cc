@@ -99,7 +99,7 @@ void check_boxes(const StarBody& body, Forest* forest, Units* units) {
 std::string check_star_box(const Statement& s, const std::string& model, const Body& bytes) {
   const bool is_turned = s.number.count("winding") != 0, is_collar = s.number.count("cells") != 0;
   CollarBody collar;
-  StarBody body = read_star_body(read_spline_model(model), bytes, is_collar ? &collar : nullptr);
+  StarBody body = read_star_body(read_spline_model(model, s.text.at("subject_format")), bytes, is_collar ? &collar : nullptr);
   const Gluing x(&body.patches);
   Units units = {0, 2000 * (body.leaves + body.boxes.size() + 100), "C2"};
   Forest forest(&body, &units);

@@ -9,7 +9,8 @@ from fractions import Fraction
 from itertools import compress
 
 from star_box_patches import FULL, glue, halves, patches_of
-from star_box_read import MAX_DEPTH, Certificate, Refused, Reject, read_model
+from star_box_itd import read_subject
+from star_box_read import MAX_DEPTH, Certificate, Refused, Reject
 
 MAX_DEGREE = 15
 MAX_HALVINGS = 64                       # of one curve in the crossing number
@@ -22,7 +23,7 @@ def check(statement, body, model, skip=frozenset()):
 def decided(checker, statement, body, model, skip):
     """(exit code, line to print) of a claim's checker.  skip: conditions that are not tested, for tests only."""
     try:
-        checker(statement, body, read_model(model), skip).run()
+        checker(statement, body, read_subject(model, statement["subject_format"]), skip).run()
     except Refused as e:
         return 4, "ERROR: the model is refused: %s" % e
     except Reject as e:

@@ -146,19 +146,22 @@ def read_triangle(shape):
     entity.rows = [flat[r * (r + 1) // 2:(r + 1) * (r + 2) // 2] for r in range(n + 1)]
     return entity
 
+def axis_size(p, t):
+    """The number of control points of an axis of degree p with the knots t."""
+    n = len(t) - p - 1
+    if n <= p or any(a > b for a, b in zip(t, t[1:])) or t[p] >= t[n] or any(a == b for a, b in zip(t, t[p + 1:])):
+        raise Refused("the knots are too few, decrease, are too often the same or have no domain")
+    return n
+
 def read_surface(shape):
     degrees, periodic, knots, rational, components, points = members(
         shape, "degrees", "periodic", "knots", "rational", "components", "points")
     if not len(typed(degrees, list)) == len(typed(periodic, list)) == len(typed(knots, list)) == 2:
         raise Refused("a surface has two axes")
-    entity, sizes = Entity("surface"), []
+    entity = Entity("surface")
     entity.degrees = tuple(whole(p, 1, MAX_FILE_DEGREE) for p in degrees)
     entity.knots = [[number(t) for t in typed(axis, list)] for axis in knots]
-    for p, t in zip(entity.degrees, entity.knots):
-        n = len(t) - p - 1
-        if n <= p or any(a > b for a, b in zip(t, t[1:])) or t[p] >= t[n] or any(a == b for a, b in zip(t, t[p + 1:])):
-            raise Refused("the knots are too few, decrease, are too often the same or have no domain")
-        sizes.append(n)
+    sizes = [axis_size(p, t) for p, t in zip(entity.degrees, entity.knots)]
     flat = read_points(entity, points, components, rational, sizes[0] * sizes[1])
     entity.rows = [flat[i * sizes[1]:(i + 1) * sizes[1]] for i in range(sizes[0])]
     for axis, is_periodic in enumerate(periodic):

@@ -324,7 +324,7 @@ HEX64 = r"[0-9a-f]{64}"
 COMMON_KEYS = {"certificate": "veritope-certificate-1", "tool": r".{0,200}",
                "subject_sha256": HEX64, "subject_bytes": int, "body_sha256": HEX64}
 MESH_KEYS = {"claim": ".*", "subject_format": "stl|obj|ply|off", "reading_rule": r".*", "as_indexed": bool}
-PATCH_KEYS = {"claim": ".*", "subject_format": "vjson", "patches": int, "flipped": int}
+PATCH_KEYS = {"claim": ".*", "subject_format": "vjson|itd", "patches": int, "flipped": int}
 STAR_KEYS = {**PATCH_KEYS, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 CLAIM_KEYS = {
     "mesh-valid-1": {**MESH_KEYS, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int,

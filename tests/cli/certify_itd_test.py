@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope certify on IRIT's .itd: models written by convert and by hand, both checkers, what is not covered, real files."""
+import json
+import math
+import subprocess
+import sys
+import unittest
+
+from certify_patches_test import UNIT, block, document, surface
+from support import BIN, CHECKER_PY, DATA, ROOT, Folder, run
+
+sys.path.insert(0, str(ROOT / "verify" / "checker"))
+import star_box_itd as itd                                # noqa: E402
+import star_box_read as read                              # noqa: E402
+
+COVERED = {"irit__ai_b58", "irit__ai_wiggl", "irit__ih_alpha", "irit__il_dish", "irit__ir1eggs", "irit__ir2eggs", "irit__ir_b58", "irit__ir_eggs",
+           "irit__ir_tpot1", "irit__ir_tpot3", "irit__ir_wiggl", "irit__pl_saddl"}   # surfaces only; all of them are open
+
+
+def bezier(net):
+    """A bilinear surface of four points, (u, v) = (0, 0), (0, 1), (1, 0), (1, 1)."""
+    return "[SURFACE BEZIER 2 2 E3 %s]" % " ".join("[%s %s %s]" % tuple(net[i]) for i in (0, 2, 1, 3))
+
+
+def ring(n, around, up=1.0):
+    """A polynomial torus: one biquadratic surface that closes on itself along both axes; decimals of six digits. up = -1: inside out."""
+    points = []
+    for j in range(around):
+        for i in range(n):
+            a, b = 2 * math.pi * i / n, 2 * math.pi * j / around
+            r = 3 + math.cos(b)
+            points.append("[%.6f %.6f %.6f]" % (r * math.cos(a), r * math.sin(a), up * math.sin(b)))
+    knots = " ".join("[KVP %s]" % " ".join(map(str, range(k + 5))) for k in (n, around))
+    return "[SURFACE BSPLINE %d %d 3 3 E3 %s\n%s]\n" % (n, around, knots, "\n".join(points))
+
+
+class CertifyItd(Folder):
+    def certify(self, text, *options, name="model.itd"):
+        path = self.folder / name
+        path.write_text(text)
+        done = run("certify", path, "--json", "-", *options)
+        (one,) = json.loads(done.stdout)["files"]
+        self.assertEqual(done.returncode, one["exit"])
+        return one
+
+    def valid(self, text, *options):
+        """VALID, and both checkers accept the certificate that is kept."""
+        kept = self.folder / "model.cert"
+        one = self.certify(text, "--certificate", kept, *options)
+        self.assertEqual((one["verdict"], one["format"], one["certificate"] and one["certificate"]["checked"]), ("VALID", "itd", True), one["error"])
+        for program in ([BIN / "veritope-check"], [sys.executable, CHECKER_PY]):
+            done = subprocess.run([*program, self.folder / "model.itd", kept], capture_output=True, text=True, timeout=300)
+            self.assertTrue(done.stdout.startswith("ACCEPT star-box-1"), done)
+        return one
+
+    def not_valid(self, one, word=""):
+        """INVALID, or undecided with a sentence."""
+        if one["verdict"] != "INVALID":
+            self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-certified"))
+            self.assertIn(word, one["error"]["message"])
+
+    def test_what_convert_writes_is_certified_like_its_source(self):
+        models = {"cube": UNIT, "cavity": block((0, 0, 0), (4, 4, 4)) + block((1, 1, 1), (2, 2, 2), inward=True)}
+        for name, faces in models.items():
+            source, target = self.folder / (name + ".vjson"), self.folder / (name + ".itd")
+            source.write_text(document([surface(f) for f in faces]))
+            self.assertEqual(run("convert", source, target).returncode, 0)
+            expected = json.loads(run("certify", source, "--json", "-").stdout)["files"][0]
+            one = self.valid(target.read_text())
+            for key in ("verdict", "counts", "shells", "volume"):
+                self.assertEqual(one[key], expected[key], (name, key))
+
+    def test_objects_attributes_bases_and_kinds(self):
+        faces = [bezier(f) for f in UNIT]
+        faces[1] = faces[1].replace("SURFACE BEZIER", "MULTIVAR BEZIER 2")
+        faces[2] = faces[2].replace("BEZIER 2 2", "BSPLINE [rgb \"1,2\"] 2 2 2 2").replace("E3", "E3 [KV 0 0 1 1] [KV 0 0 1 1]")
+        o, b, c, d = UNIT[3]                                                       # the same face as powers of u and v
+        powers = [o, [x - y for x, y in zip(c, o)], [x - y for x, y in zip(b, o)], [w - x - y + z for w, x, y, z in zip(d, b, c, o)]]
+        faces[3] = "[SURFACE POWER 2 2 E3 %s]" % " ".join("[%g %g %g]" % tuple(p) for p in powers)
+        text = "A cube\n[OBJECT [color 4] CUBE [OBJECT [MATRIX 2 0 0 0] SIDES %s] %s [NUMBER 3]]\nthe end" % (" ".join(faces[:4]), "\n".join(faces[4:]))
+        one = self.valid(text)
+        self.assertEqual((one["counts"]["entities"], one["counts"]["edges"], one["counts"]["vertices"]), (6, 12, 8))
+        self.assertTrue(one["volume"]["lo"] <= 1 <= one["volume"]["hi"])            # the matrix moves nothing
+
+    def test_a_periodic_surface_closes_on_itself(self):
+        one = self.valid(ring(6, 5))
+        self.assertEqual((one["counts"]["entities"], one["counts"]["patches"], [s["genus"] for s in one["shells"]]), (1, 30, [1]))
+        self.not_valid(self.certify(ring(6, 5, up=-1.0)))
+
+    def test_orient_auto_reverses_entities_of_an_itd_file(self):
+        faces = [list(f) for f in UNIT]
+        faces[2] = [faces[2][0], faces[2][2], faces[2][1], faces[2][3]]
+        self.assertEqual(self.valid("\n".join(map(bezier, faces)), "--orient", "auto")["flipped"], [2])
+
+    def test_what_is_no_solid_says_where(self):
+        self.not_valid(self.certify("".join(map(bezier, UNIT[:5]))), "open-side")
+        touching = UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))
+        self.not_valid(self.certify("".join(map(bezier, touching))))
+
+    def test_what_is_not_covered_is_named(self):
+        cube = "".join(map(bezier, UNIT))
+        for other, word in (("[POLYGON 3 [0 0 0] [1 0 0] [0 1 0]]", "polygons"), ("[CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]", "curve"),
+                            ("[TRIVAR BEZIER 2 2 2 E3 %s]" % ("[0 0 0]" * 8), "volume"), ("[OBJECT A [INSTANCE B]]", "instances"),
+                            ("[SURFACE BEZIER 2 2 E2 [0 0] [1 0] [0 1] [1 1]]", "2 coordinates")):
+            one = self.certify(cube + other)
+            self.assertEqual((one["verdict"], one["exit"], one["error"]["code"]), ("UNDECIDED", 3, "not-covered"), other)
+            self.assertIn(word, one["error"]["message"])
+        g2 = self.folder / "model.g2"
+        (self.folder / "cube.itd").write_text(cube)
+        self.assertEqual(run("convert", self.folder / "cube.itd", g2).returncode, 0)
+        done = run("certify", g2)
+        self.assertEqual((done.returncode, ".itd" in done.stdout), (3, True), done)
+
+    def test_what_is_malformed_is_refused_with_its_line(self):
+        cube = "\n".join(map(bezier, UNIT))
+        cases = {cube[:-1]: "truncated", cube.replace("[0 1 1]", "[0 1 x]", 1): "syntax", cube.replace("2 2", "2 3", 1): "syntax", "no group": "syntax",
+                 "[OBJECT NONE]": "empty", cube.replace("[1 1 0]", "[1 1 nan]", 1): "not-finite", cube + "[COLOR 4]": "syntax"}
+        for text, code in cases.items():
+            one = self.certify(text)
+            self.assertEqual((one["verdict"], one["exit"], one["error"]["code"]), ("UNREADABLE", 4, code), text[-60:])
+
+    def test_the_name_may_say_nothing(self):
+        cube = "".join(map(bezier, UNIT))
+        self.assertEqual(self.certify(cube, "--format", "itd", name="cube.txt")["verdict"], "VALID")
+        done = run("certify", "--format", "itd", "-", input=cube)
+        self.assertEqual((done.returncode, done.stdout[:5]), (0, "VALID"), done)
+
+
+def box(x, left_handed=False):
+    """The box from (x, 0, 0) to (x + 1, 1, 1) as a volume."""
+    corners = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
+    corners = [(x + j, i, k) if left_handed else (x + i, j, k) for i, j, k in corners]
+    return "[TRIVAR BEZIER 2 2 2 E3 %s]" % " ".join("[%d %d %d]" % c for c in corners)
+
+
+class Faces(Folder):
+    """convert --faces, then certify."""
+
+    def convert(self, text, *options, to="faces.itd"):
+        (self.folder / "volumes.itd").write_text(text)
+        return run("convert", "--faces", *options, self.folder / "volumes.itd", self.folder / to)
+
+    def test_boxes_in_a_row_are_one_solid(self):
+        done = self.convert(box(0) + box(1, left_handed=True) + box(2))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("14 entities", "the inside of 3 volumes", "1 volume", "left-handed"):
+            self.assertIn(words, done.stdout)
+        (one,) = json.loads(run("certify", self.folder / "faces.itd", "--json", "-").stdout)["files"]
+        self.assertEqual((one["verdict"], one["counts"]["bodies"]), ("VALID", 1))
+        self.assertTrue(one["volume"]["lo"] <= 3 <= one["volume"]["hi"])
+
+    def test_a_gap_of_one_digit_is_no_wall(self):
+        done = self.convert(box(0) + box(1).replace("[1 0 0]", "[1.00000001 0 0]"))
+        self.assertEqual((done.returncode, "12 entities" in done.stdout), (0, True), done)
+        self.assertNotEqual(run("certify", self.folder / "faces.itd").returncode, 0)
+
+    def test_what_else_there_is_is_lost(self):
+        text = box(0) + bezier(UNIT[0])
+        done = self.convert(text)
+        self.assertEqual((done.returncode, "1 entity besides the volumes" in done.stderr), (1, True), done)
+        self.assertEqual(self.convert(text, "--lossy").returncode, 0)
+        self.assertEqual(self.convert(bezier(UNIT[0])).returncode, 4)              # no volume at all
+        (self.folder / "mesh.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertEqual(run("convert", "--faces", self.folder / "mesh.off", self.folder / "x.stl").returncode, 2)
+
+
+@unittest.skipUnless((DATA / "cad").is_dir(), "no real .itd files (VERITOPE_DATA)")
+class RealFiles(Folder):
+    def test_each_has_a_verdict_and_nothing_open_is_valid(self):
+        for path in sorted((DATA / "cad").glob("*.itd")):
+            done = run("certify", path, "--json", "-")
+            (one,) = json.loads(done.stdout)["files"]
+            if path.stem in COVERED and one["verdict"] == "INVALID":
+                continue
+            expected = "not-certified" if path.stem in COVERED else "bad-spline" if path.stem.startswith("bad__") else "not-covered"
+            self.assertEqual((one["error"]["code"], done.returncode), (expected, 4 if expected == "bad-spline" else 3), path.name)
+
+    def test_faces_of_real_volumes(self):
+        """IRIT's and MFEM's balls, cylinders, cubes: VALID with the genus and volume that they have."""
+        expected = {"iritprim__ns_sphere_rational.itd": (0, 4 * math.pi / 3), "iritprim__ns_cylinder_rational.itd": (0, 2 * math.pi),
+                    "mfem__ball-nurbs.mesh": (0, 4 * math.pi / 3), "mfem__two-cubes-nurbs-rot.mesh": (0, 2), "gismo__fichera.xml": (0, 7),
+                    "gismo__cylinder.xml": (1, 3 * math.pi)}
+        for name, (genus, volume) in expected.items():
+            faces = self.folder / "faces.vjson"
+            self.assertEqual(run("convert", "--faces", DATA / "cad" / name, faces).returncode, 0, name)
+            (one,) = json.loads(run("certify", faces, "--json", "-").stdout)["files"]
+            self.assertEqual((one["verdict"], [s["genus"] for s in one["shells"]]), ("VALID", [genus]), name)
+            self.assertAlmostEqual((one["volume"]["lo"] + one["volume"]["hi"]) / 2, volume, delta=1e-3, msg=name)
+
+    def test_the_python_checker_reads_what_the_kernel_reads(self):
+        for name in sorted(COVERED):
+            path, converted = DATA / "cad" / (name + ".itd"), self.folder / "model.vjson"
+            self.assertEqual(run("convert", path, converted).returncode, 0)
+            pairs = list(zip(itd.Reader(path.read_bytes()).model(), read.read_model(converted.read_bytes()), strict=True))
+            self.assertTrue(pairs)
+            for mine, kernels in pairs:
+                for key in ("kind", "degrees", "knots", "rational", "dimension"):
+                    self.assertEqual(getattr(mine, key), getattr(kernels, key), (name, key))
+                self.assertEqual(*[[list(map(list, row)) for row in e.rows] for e in (mine, kernels)], name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/volume_faces.h"
+
+#include "solids/patch_complex.h"
+#include "tests/io/spline_test_util.h"
+
+namespace veritope {
+namespace {
+
+VolumeFaces faces_of_text(const std::string& itd) {
+  auto faces = volume_faces(io_test::model_of(SplineFormat::kItd, itd));
+  EXPECT_TRUE(faces) << (faces ? "" : to_string(faces.error()));
+  return faces ? std::move(*faces) : VolumeFaces{};
+}
+
+bool is_closed(const VolumeFaces& faces) {
+  PatchInput input;
+  input.patches = faces.patches;
+  return make_patch_complex(std::move(input)).value().is_closed_oriented_surface();
+}
+
+// The normal of a bilinear face in its corner (0, 0), as signs.
+std::array<int, 3> normal(const Patch& face) {
+  const auto at = [&](std::size_t i, int c) { return Rational(face.tensor().component(c)[i]); };
+  std::array<int, 3> out{};
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const Rational n = (at(2, i) - at(0, i)) * (at(1, j) - at(0, j)) -
+                       (at(2, j) - at(0, j)) * (at(1, i) - at(0, i));
+    out[static_cast<std::size_t>(k)] = static_cast<int>(n.sign());
+  }
+  return out;
+}
+
+/// The box from (x, 0, 0) to (x + 1, 1, 1), u along x.
+std::string box(int x) {
+  std::string text = "[TRIVAR BEZIER 2 2 2 E3";
+  for (const char* const z : {" 0]", " 1]"})
+    for (const char* const y : {" 0", " 1"})
+      for (const int i : {x, x + 1}) text += " [" + std::to_string(i) + y + z;
+  return text + "]\n";
+}
+/// The same with u and v exchanged: left-handed.
+std::string mirrored_box(int x) {
+  std::string text = "[TRIVAR BEZIER 2 2 2 E3";
+  for (const char* const z : {" 0]", " 1]"})
+    for (const int i : {x, x + 1})
+      for (const char* const y : {" 0", " 1"}) text += " [" + std::to_string(i) + y + z;
+  return text + "]\n";
+}
+
+TEST(VolumeFaces, OfABoxPointOut) {
+  for (const std::string& text : {box(0), mirrored_box(0)}) {
+    const VolumeFaces faces = faces_of_text(text);
+    EXPECT_EQ(faces.patches.size(), 6u);
+    EXPECT_TRUE(is_closed(faces));
+    for (const Patch& face : faces.patches) {
+      const auto n = normal(face);
+      // Outward from the middle (1/2, 1/2, 1/2): the face lies at 1 on the axis of a positive normal.
+      for (std::size_t k = 0; k < 3; ++k)
+        if (n[k] != 0) {
+          EXPECT_EQ(face.tensor().component(static_cast<int>(k))[0], Rational(n[k] > 0 ? 1 : 0));
+        }
+    }
+  }
+  EXPECT_TRUE(faces_of_text(box(0)).mirrored.empty());
+  EXPECT_EQ(faces_of_text(mirrored_box(0)).mirrored, std::vector<std::uint64_t>{0});
+}
+
+TEST(VolumeFaces, WallsBetweenVolumesAndPiecesAreLeftOut) {
+  const VolumeFaces row = faces_of_text(box(0) + mirrored_box(1) + box(2));
+  EXPECT_EQ(row.num_volumes, 3u);
+  EXPECT_EQ(row.mirrored, std::vector<std::uint64_t>{1});
+  EXPECT_EQ(row.patches.size(), 14u);
+  EXPECT_TRUE(is_closed(row));
+  // Two spans along u, in one volume.
+  const VolumeFaces bar = faces_of_text(
+      "[TRIVAR BSPLINE 3 2 2 2 2 2 E3 [KV 0 0 1 2 2] [KV 0 0 1 1] [KV 0 0 1 1] [0 0 0][1 0 0][2 0 "
+      "0]"
+      "[0 1 0][1 1 0][2 1 0] [0 0 1][1 0 1][2 0 1][0 1 1][1 1 1][2 1 1]]");
+  EXPECT_EQ(bar.patches.size(), 10u);
+  EXPECT_TRUE(is_closed(bar));
+}
+
+// A wedge of a cone, rational in u; v = 0 is its axis, w = 1 its apex. Where it is collapsed, a face is a curve or a point.
+TEST(VolumeFaces, FacesWithoutAreaAreLeftOut) {
+  const auto wedge = [](const std::string& a, const std::string& b, const std::string& c) {
+    const std::string apex = " [1 0 0 2] [.5 0 0 1] [1 0 0 2]";
+    return "[TRIVAR BEZIER 3 2 2 P3 [1 0 0 0] [.5 0 0 0] [1 0 0 0] [1 " + a + " 0] [.5 " + b +
+           " 0] [1 " + c + " 0]" + apex + apex + "]\n";
+  };
+  const VolumeFaces one = faces_of_text(wedge("1 0", "1 1", "0 1"));
+  EXPECT_EQ(one.num_flat, 2u);  // the axis and the apex
+  EXPECT_EQ(one.patches.size(), 4u);
+  const VolumeFaces all =
+      faces_of_text(wedge("1 0", "1 1", "0 1") + wedge("0 1", "-1 1", "-1 0") +
+                    wedge("-1 0", "-1 -1", "0 -1") + wedge("0 -1", "1 -1", "1 0"));
+  EXPECT_EQ(all.num_flat, 8u);
+  EXPECT_EQ(all.patches.size(), 8u);
+  EXPECT_TRUE(is_closed(all));
+}
+
+TEST(VolumeFaces, WhatIsNoVolumeIsCountedAndWhatIsNotInSpaceIsRefused) {
+  const std::string flat = "[SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1 0] [1 1 0]]\n";
+  EXPECT_EQ(faces_of_text(flat + box(0)).num_others, 1u);
+  const auto none = volume_faces(io_test::model_of(SplineFormat::kItd, flat));
+  EXPECT_EQ(none.error().code, Code::kEmpty);
+  const auto scalar = volume_faces(io_test::model_of(
+      SplineFormat::kItd, flat + "[TRIVAR BEZIER 2 2 2 E1 [0][1][2][3][4][5][6][7]]"));
+  EXPECT_EQ(scalar.error().code, Code::kBadArgument);
+  EXPECT_EQ(scalar.error().place.entity, 1u);
+}
+
+}  // namespace
+}  // namespace veritope

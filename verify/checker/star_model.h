@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_model.h: what the readers of spline models share. Their functions say only why they refuse;
+// read_spline_model adds where.
+#pragma once
+#include "star.h"
+
+const size_t kMostDigits = 1000, kMostExponent = 4096;  // of a number of the file
+
+inline void expect(bool holds, const char* why) {
+  if (!holds) throw Refused{why};
+}
+Ratio read_number(std::string text);  // of docs/formats/spline-json.md: decimals and more
+// Degrees, knots, numbers of points, weights; `count` points were read.
+void check_entity(const Entity& e, const std::vector<bool>& periodic, uint64_t count);
+
+// From *at, which stays where the reader is.
+std::vector<Entity> read_json_model(const std::string& file, size_t* at);
+std::vector<Entity> read_itd_model(const std::string& file, size_t* at);

@@ -222,6 +222,7 @@ class Tracer {
 }  // namespace
 
 BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions& options) {
+  model.forest().limit_memory(options.memory);
   return Tracer(model, options).run(forest_box);
 }
 

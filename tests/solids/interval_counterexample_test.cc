@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solids/interval_boxes/conditions.h"
+#include "solids/interval_boxes/plane_shapes.h"
 #include "solids/patch_shapes.h"
 
 namespace veritope {
@@ -38,6 +39,38 @@ TEST(CounterexampleC3, Corollary26TheThreeBoxesHoldTheWholeBall) {
     EXPECT_EQ(o.boxes, (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(o.euler, 2) << "two disks at the poles";
   }
+}
+
+// M = [-4,4]^3 without the open unit ball: the union of M and the nine boxes has no cavity any more.
+TEST(CounterexampleC3, Theorem25WithTheSixSlabs) {
+  auto boxes = three_boxes();
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double at : {-4.0, 4.0}) {
+      Box3d slab{{-4.5, -4.5, -4.5}, {4.5, 4.5, 4.5}};
+      slab.lo[k] = at - 0.5, slab.hi[k] = at + 0.5;
+      boxes.push_back(slab);
+    }
+  BoundaryModel model =
+      model_of(patch_shapes::joined({patch_shapes::box({-4, -4, -4}, {4, 4, 4}),
+                                     patch_shapes::inside_out(patch_shapes::sphere())}));
+  const auto all = decide_conditions(model, boxes).value();
+  for (const PaperCondition c : {PaperCondition::kA, PaperCondition::kB1, PaperCondition::kB2,
+                                 PaperCondition::kC1, PaperCondition::kC2, PaperCondition::kC3})
+    expect(all, c, Answer::kTrue);
+  expect(all, PaperCondition::kC3Star, Answer::kFalse);
+  EXPECT_EQ(all[PaperCondition::kC3Star].num_false, 1u);
+}
+
+// The unit circle and the same rectangles: their common part misses the circle altogether.
+TEST(CounterexampleC3, InThePlaneTheTripleMissesTheCircle) {
+  BoundaryModel model = BoundaryModel::make_planar({plane_shapes::circle()}).value();
+  const auto all = decide_conditions(model, three_boxes()).value();
+  for (const PaperCondition c : {PaperCondition::kA, PaperCondition::kB1, PaperCondition::kB2,
+                                 PaperCondition::kC1, PaperCondition::kC2, PaperCondition::kC3})
+    expect(all, c, Answer::kTrue);
+  expect(all, PaperCondition::kC3Star, Answer::kFalse);
+  ASSERT_EQ(all[PaperCondition::kC3Star].num_false, 1u);
+  EXPECT_EQ(all[PaperCondition::kC3Star].offences[0].why, BoxOffence::Why::kMissed);
 }
 
 }  // namespace

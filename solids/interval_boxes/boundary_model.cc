@@ -92,7 +92,7 @@ Result<BoundaryModel> BoundaryModel::make_planar(const std::vector<std::vector<C
   auto out = make(std::move(*complex));
   if (!out) return out.error();
   out->dimension_ = 2;
-  out->window_ = std::ldexp(nearest_double(size), out->forest_->scale());
+  out->window_ = std::ldexp(nearest_double(size), out->forest_->scale() - 20);
   return out;
 }
 

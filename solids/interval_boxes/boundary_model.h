@@ -16,7 +16,7 @@ namespace veritope {
 /// V with pieces that can be asked for. Boxes of the callers are in the model's units; forest() has its own (times 2^scale).
 ///
 /// A plane curve C is the wall C x [-2, 2] (times the size of C) with two cones that close it; a box of the plane is its product with [-1, 1] (times
-/// that size). What lies in such a box is (C in the box) x [-1, 1]: an arc is a disk, two half-boxes are two balls, components and Euler
+/// 2^-20 of that size: few pieces are near it). What lies in such a box is (C in the box) x [-1, 1]: an arc is a disk, two half-boxes are two balls, components and Euler
 /// characteristics are the same. The cones never meet a box; they may cross each other or the wall's rim.
 ///
 /// Says nothing about whether V is embedded: the conditions are decided from what the abstract surface does in a box, and a box into which two

@@ -18,6 +18,7 @@ struct Search {
   const Box3d& box;
   std::size_t left;
   bool wants_inside;  // else: stops only where a hull cannot be told from the box
+  int dimension;      // axes along which a hull is to be inside
 
   // True: found what was looked for (a hull inside), or the budget ended while looking for the absence of one.
   bool visit(PieceForest::Id id) {
@@ -25,7 +26,7 @@ struct Search {
     if (!meets(hull, box)) return false;
     if (left == 0) return !wants_inside;
     --left;
-    if (is_inside(hull, box)) return true;
+    if (is_inside_along(hull, box)) return true;
     if (forest.node(id).level == PieceForest::kMaxLevel) return !wants_inside;
     const PieceForest::Id first = forest.children(id);
     std::array<std::pair<double, PieceForest::Id>, 4> order;
@@ -40,6 +41,11 @@ struct Search {
     for (const auto& [distance, child] : order)
       if (visit(child)) return true;
     return false;
+  }
+  bool is_inside_along(const Box3d& hull, const Box3d& b) const {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+      if (hull.lo[k] < b.lo[k] || b.hi[k] < hull.hi[k]) return false;
+    return true;
   }
   bool run() {
     bool found = false;
@@ -116,19 +122,42 @@ class Tracer {
 
   // As one: missed, a disk, or nothing said.
   std::optional<BoxTrace> decide(const Box3d& box) {
-    Ids tested, held;
-    double longest = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension()); ++k)
-      longest = std::max(longest, box.hi[k] - box.lo[k]);
-    if (model_.is_planar()) longest = std::max(longest, wall_height(box));
-    if (!find_pieces(forest_, box, 0.5 * longest, options_.max_pieces, &tested, &held))
-      return std::nullopt;
+    Ids tested;
+    std::size_t visits = 16 * options_.max_pieces;
+    bool fits = true;
+    const double longest = 0.5 * size_of(box);
+    forest_.roots().visit([&](const Box3d& b) { return fits && meets(b, box); },
+                          [&](std::uint32_t n) {
+                            fits = fits && collect(forest_.root(n), box, longest, &visits, &tested);
+                          });
+    if (!fits) return std::nullopt;
     if (tested.empty()) return missed();
     if (const auto answer = by_monotone_axes(box, tested)) return answer;
     return by_star(box, tested);
   }
-  // Pieces of a wall are as high as the wall until they are cut: no reason to cut the plane's box.
-  static double wall_height(const Box3d& box) { return 0.25 * (box.hi[2] - box.lo[2]); }
+  double size_of(const Box3d& box) const {
+    double e = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension()); ++k)
+      e = std::max(e, box.hi[k] - box.lo[k]);
+    return e;
+  }
+  // Condition T of THEORY 4: the pieces whose closed hulls meet the box, none longer than `longest` (of a wall: in the plane).
+  bool collect(PieceForest::Id id, const Box3d& box, double longest, std::size_t* visits,
+               Ids* tested) {
+    const Box3d hull = forest_.node(id).hull;
+    if (!meets(hull, box)) return true;
+    if (*visits == 0) return false;
+    --*visits;
+    if (size_of(hull) <= longest) {
+      tested->push_back(id);
+      return tested->size() <= options_.max_pieces;
+    }
+    if (forest_.node(id).level == PieceForest::kMaxLevel) return false;
+    const PieceForest::Id first = forest_.children(id);
+    for (PieceForest::Id k = 0; k < 4; ++k)
+      if (!collect(first + k, box, longest, visits, tested)) return false;
+    return true;
+  }
 
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
     std::array<int, 3> signs = normal_signs(forest_, tested.front());
@@ -153,7 +182,7 @@ class Tracer {
       if (!crossings) continue;
       // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be met.
       if (*crossings == 0) return missed();
-      if (*crossings == 1 && is_met(forest_, box)) return disk();
+      if (*crossings == 1 && is_met(model_, box)) return disk();
     }
     return std::nullopt;
   }
@@ -206,7 +235,7 @@ class Tracer {
     for (std::size_t i = 0; i < disks.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         if (!meets(disks[i], disks[j]) || find(i) == find(j)) continue;
-        if (!is_met(forest_, intersection(disks[i], disks[j]))) continue;
+        if (!is_met(model_, intersection(disks[i], disks[j]))) continue;
         root[find(i)] = find(j);
         --components;
       }
@@ -227,11 +256,11 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 }
 
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  return !Search{forest, box, max_visits, false}.run();
+  return !Search{forest, box, max_visits, false, 3}.run();
 }
 
-bool is_met(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  return Search{forest, box, max_visits, true}.run();
+bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
+  return Search{model.forest(), box, max_visits, true, model.dimension()}.run();
 }
 
 std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {

@@ -35,7 +35,7 @@ class Explainer {
       if (!out.resized) out.resized = resized(out.j, out.i);
       return out;
     }
-    const BoxTrace around = trace_of(hull(boxes_[out.i], boxes_[out.j]));
+    const BoxTrace around = trace_of(surroundings(out.i, out.j));
     out.exception = around.kind == BoxTrace::Kind::kSurface && !around.is_connected
                         ? C3Exception::kSelfDistance
                     : would_meet(out.i, out.j) ? C3Exception::kSmallFeature
@@ -46,6 +46,16 @@ class Explainer {
 
  private:
   BoxTrace trace_of(const Box3d& box) { return trace(model_, box, options_.conditions.trace); }
+
+  // Half the size of the smaller box around both, so that V may leave a flat box and come back.
+  Box3d surroundings(std::uint32_t i, std::uint32_t j) const {
+    const int n = model_.dimension();
+    const double margin = 0.5 * std::min(size_of(boxes_[i], n), size_of(boxes_[j], n));
+    Box3d out = hull(boxes_[i], boxes_[j]);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+      out.lo[k] -= margin, out.hi[k] += margin;
+    return out;
+  }
 
   // Cubes of the smaller box's size around both middles.
   bool would_meet(std::uint32_t i, std::uint32_t j) const {
@@ -198,17 +208,49 @@ std::vector<C3Failure> explain_c3(BoundaryModel& model, std::span<const Box3d> b
 
 bool is_ball_with_c2(BoundaryModel& model, std::span<const Box3d> boxes,
                      const TraceOptions& options) {
-  constexpr std::size_t kMostIntersections = 4096;
+  if (boxes.size() > kMaxBallBoxes) return false;
   for (const Box3d& b : boxes)
     if (!is_solid(b, model.dimension())) return false;
   const auto topology = union_topology(boxes, model.dimension());
   if (!topology || !topology->is_ball()) return false;
-  const auto all = distinct_intersections(boxes, kMostIntersections);
-  if (!all.is_complete) return false;
-  for (const auto& item : all.items)
-    if (!is_solid(item.box, model.dimension()) || !trace(model, item.box, options).is_disk())
-      return false;
-  return true;
+  // chi of V in the union, by inclusion and exclusion; and whether the parts in single boxes hang together.
+  int euler = 0;
+  const std::size_t n = boxes.size();
+  std::vector<std::size_t> part(n);
+  std::vector<bool> is_met(n, false);
+  for (std::size_t k = 0; k < n; ++k) part[k] = k;
+  for (unsigned set = 1; set < 1u << n; ++set) {
+    std::optional<Box3d> common;
+    std::vector<std::size_t> members;
+    for (std::size_t k = 0; k < n; ++k) {
+      if ((set >> k & 1) == 0) continue;
+      members.push_back(k);
+      if (members.size() > 1 && (!common || !meets(*common, boxes[k])))
+        common = std::nullopt;
+      else
+        common = members.size() == 1 ? boxes[k] : common_part(*common, boxes[k]);
+      if (!common) break;
+    }
+    if (!common) continue;
+    if (!is_solid(*common, model.dimension())) return false;
+    const BoxTrace t = trace(model, *common, options);
+    if (t.kind == BoxTrace::Kind::kUndecided) return false;
+    if (t.is_missed()) continue;
+    euler += members.size() % 2 == 1 ? t.euler : -t.euler;
+    if (members.size() == 1 && !t.is_connected) return false;
+    if (members.size() == 1) is_met[members[0]] = true;
+    if (members.size() == 2) {
+      const std::size_t from = part[members[1]], to = part[members[0]];
+      std::replace(part.begin(), part.end(), from, to);
+    }
+  }
+  std::optional<std::size_t> only;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!is_met[k]) continue;
+    if (only && *only != part[k]) return false;
+    only = part[k];
+  }
+  return only.has_value() && euler == 1;
 }
 
 }  // namespace veritope

@@ -13,7 +13,7 @@ namespace veritope {
 
 /// The four exceptions to C3, with the paper's numbers.
 enum class C3Exception {
-  kSelfDistance = 1,  ///< inside the box around both, V is not (proved to be) connected: two parts of it come near each other
+  kSelfDistance = 1,  ///< in the surroundings of both (half the smaller one's size around them), V is not (proved to be) connected: two parts of it come near each other
   kVaryingSize = 2,   ///< one part of V; boxes as small as the smaller one around the same middles would not meet (figure 5a)
   kSmallFeature = 3,  ///< one part of V, and they would (figure 5b)
   kContact = 4,       ///< they meet in a face, an edge or a point only
@@ -49,8 +49,10 @@ struct ExceptionOptions {
 std::vector<C3Failure> explain_c3(BoundaryModel& model, std::span<const Box3d> boxes,
                                   const ConditionResult& c3, const ExceptionOptions& options = {});
 
-/// Whether the union of a few boxes (forest's coordinates) is a closed ball that V cuts in a disk: the link test says it is a ball, and every
-/// intersection of the boxes has C2 (then V in the union is homotopy equivalent to the union, so a disk). False: not proved.
+inline constexpr std::size_t kMaxBallBoxes = 10;
+/// Whether the union of a few boxes (forest's coordinates) is a closed ball that V cuts in a disk: the link test says it is a ball; V in it is a
+/// surface, connected, with the Euler characteristic 1 (by inclusion and exclusion over the intersections, each traced). False: not proved, or more
+/// than kMaxBallBoxes boxes.
 bool is_ball_with_c2(BoundaryModel& model, std::span<const Box3d> boxes,
                      const TraceOptions& options = {});
 

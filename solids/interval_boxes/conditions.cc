@@ -106,7 +106,7 @@ class Decider {
     Findings out(options_.max_listed);
     for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
       out.count();
-      if (is_met(model_.forest(), boxes_[i])) continue;
+      if (is_met(model_, boxes_[i])) continue;
       const BoxTrace t = trace_of(boxes_[i]);
       if (t.kind == BoxTrace::Kind::kSurface) continue;
       out.add({t.is_missed() ? Why::kMissed : Why::kUndecided, {i}, model_.from_forest(boxes_[i]), 0});

@@ -64,18 +64,21 @@ Point3d BoxGrid::approx_middle(std::uint32_t i, std::uint32_t j, std::uint32_t k
 }
 
 std::optional<BoxGrid> BoxGrid::filled_where(
-    const std::function<std::optional<bool>(const Point3d&)>& is_inside) const {
+    const std::function<std::optional<bool>(const Point3d&)>& is_inside, int dimension) const {
+  const auto axes = static_cast<std::size_t>(dimension);
+  const std::uint32_t first_layer = dimension == 2 ? 1 : 0;  // the margin would join all
   BoxGrid out = *this;
   std::vector<bool> seen = filled_;
   std::vector<std::array<std::uint32_t, 3>> component;
-  for (std::uint32_t z = 0; z < size_[2]; ++z)
+  const std::uint32_t last_layer = dimension == 2 ? 2 : size_[2];
+  for (std::uint32_t z = first_layer; z < last_layer; ++z)
     for (std::uint32_t y = 0; y < size_[1]; ++y)
       for (std::uint32_t x = 0; x < size_[0]; ++x) {
         if (seen[index(x, y, z)]) continue;
         component.assign(1, {x, y, z});
         seen[index(x, y, z)] = true;
         for (std::size_t n = 0; n < component.size(); ++n)
-          for (std::size_t a = 0; a < 3; ++a)
+          for (std::size_t a = 0; a < axes; ++a)
             for (const bool up : {false, true}) {
               auto c = component[n];
               if (up ? c[a] + 1 == size_[a] : c[a] == 0) continue;
@@ -86,7 +89,7 @@ std::optional<BoxGrid> BoxGrid::filled_where(
               component.push_back(c);
             }
         // The first cell of all is in the margin, and the margin is connected.
-        if (x == 0 && y == 0 && z == 0) continue;
+        if (x == 0 && y == 0 && z == first_layer) continue;
         const auto inside = is_inside(approx_middle(x, y, z));
         if (!inside) return std::nullopt;
         if (!*inside) continue;

@@ -32,8 +32,9 @@ class BoxGrid {
   Point3d approx_middle(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
   /// Fills the components of the complement that `is_inside` says yes of, for one point of each. The component that reaches to infinity stays empty.
   /// Nothing if some answer was nothing: not decided. These are V_I∪|B| if V lies in |B| and is_inside says which points lie inside V.
+  /// dimension 2: of boxes of the plane, all with the same third side: components in the plane.
   std::optional<BoxGrid> filled_where(
-      const std::function<std::optional<bool>(const Point3d&)>& is_inside) const;
+      const std::function<std::optional<bool>(const Point3d&)>& is_inside, int dimension = 3) const;
 
   /// The filled cells as cells of an octree, one level, with the same incidences. @error kOverLimit as CommonSubdivision::build
   Result<CommonSubdivision> subdivision() const;

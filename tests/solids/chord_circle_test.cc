@@ -140,6 +140,23 @@ TEST(LeastCurvatureRadius, OfAParabolaAQuarterCircleAndAPlane) {
   EXPECT_EQ(least_curvature_radius(bezier<1>({1}, 1, false, {0, 1})).error().code, Code::kBadArgument);
 }
 
+// Figure 8: in space, for a surface that is nearly level along z. z = x^2 + y^2 has the curvature 2 at the origin.
+TEST(Equation4, InSpaceForAParaboloid) {
+  const Rational half = Rational(1) / 2;
+  const auto bowl = bezier<2>({2, 2}, 3, false,
+                              {0, 0, 0, half, half, half, 1, 1, 1, 0, half, 1, 0, half, 1, 0, half, 1, 0, 0, 1, 0, 0, 1, 1, 1, 2});
+  RadiusOptions options;
+  options.relative_width = 0.25;
+  const auto r_kappa = least_curvature_radius(bowl, options).value();
+  EXPECT_LE(r_kappa.radius.lo(), 0.5);
+  EXPECT_GE(r_kappa.radius.hi(), 0.5);
+  const auto of = [&](double e) {
+    return satisfies_eq4(greatest_chord_radius({Interval(e), Interval(e), Interval(e)}, 2).value(), r_kappa);
+  };
+  EXPECT_EQ(of(1.0 / 64), true);
+  EXPECT_EQ(of(4), false);
+}
+
 // Eq. 4 holds for boxes that are small against the radius of curvature, and fails for large ones.
 TEST(Equation4, ComparesBoxesWithTheCurve) {
   const auto quarter = bezier<1>({2}, 3, true, {1, 1, 0, 0, 1, 2, 1, 1, 2});

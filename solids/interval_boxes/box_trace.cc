@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/interval_boxes/box_trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "solids/star_box/star_box.h"
+
+namespace veritope {
+namespace {
+
+using Ids = std::vector<PieceForest::Id>;
+
+// Depth first, children near the middle of the box first.
+struct Search {
+  PieceForest& forest;
+  const Box3d& box;
+  std::size_t left;
+  bool wants_inside;  // else: stops only where a hull cannot be told from the box
+  int dimension;      // axes along which a hull is to be inside
+
+  // True: found what was looked for (a hull inside), or the budget ended while looking for the absence of one.
+  bool visit(PieceForest::Id id) {
+    const Box3d hull = forest.node(id).hull;
+    if (!meets(hull, box)) return false;
+    if (left == 0) return !wants_inside;
+    --left;
+    if (is_inside_along(hull, box)) return true;
+    if (forest.node(id).level == PieceForest::kMaxLevel) return !wants_inside;
+    const PieceForest::Id first = forest.children(id);
+    std::array<std::pair<double, PieceForest::Id>, 4> order;
+    const Point3d middle = approx_centre(box);
+    for (PieceForest::Id k = 0; k < 4; ++k) {
+      const Point3d c = approx_centre(forest.node(first + k).hull);
+      double d = 0;
+      for (std::size_t a = 0; a < 3; ++a) d = std::max(d, std::abs(c[a] - middle[a]));
+      order[k] = {d, first + k};
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [distance, child] : order)
+      if (visit(child)) return true;
+    return false;
+  }
+  bool is_inside_along(const Box3d& hull, const Box3d& b) const {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+      if (hull.lo[k] < b.lo[k] || b.hi[k] < hull.hi[k]) return false;
+    return true;
+  }
+  bool run() {
+    bool found = false;
+    forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
+                         [&](std::uint32_t n) { found = found || visit(forest.root(n)); });
+    return found;
+  }
+};
+
+Box3d intersection(const Box3d& a, const Box3d& b) {
+  Box3d out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.lo[k] = std::max(a.lo[k], b.lo[k]);
+    out.hi[k] = std::min(a.hi[k], b.hi[k]);
+  }
+  return out;
+}
+
+class Tracer {
+ public:
+  Tracer(BoundaryModel& model, const TraceOptions& options)
+      : model_(model), forest_(model.forest()), options_(options), left_(options.max_cells) {}
+
+  BoxTrace run(const Box3d& box) {
+    std::vector<Box3d> disks;
+    BoxTrace out = cut(box, 0, &disks);
+    if (out.kind == BoxTrace::Kind::kSurface) out.is_connected = hang_together(disks);
+    return out;
+  }
+
+ private:
+  static BoxTrace missed() { return {BoxTrace::Kind::kMissed, 0, false, {}}; }
+  static BoxTrace disk() { return {BoxTrace::Kind::kSurface, 1, true, {}}; }
+  static BoxTrace undecided(const Box3d& place) {
+    return {BoxTrace::Kind::kUndecided, 0, false, place};
+  }
+
+  // disks: collects the boxes decided as one that V meets, unless null.
+  BoxTrace cut(const Box3d& box, int splits, std::vector<Box3d>* disks) {
+    if (left_ == 0) return undecided(box);
+    --left_;
+    if (const auto whole = decide(box)) {
+      if (disks != nullptr && !whole->is_missed()) disks->push_back(box);
+      return *whole;
+    }
+    const std::size_t axis = longest_axis(box);
+    if (splits == options_.max_splits) return undecided(box);
+    // Not in the middle: symmetric models have their poles and tangencies there.
+    const double length = box.hi[axis] - box.lo[axis];
+    const double at = box.lo[axis] + length * (splits % 2 == 0 ? 0x1.0ap-1 : 0x1.f1p-2);
+    Box3d low = box, high = box, slab = box;
+    low.hi[axis] = slab.hi[axis] = at + length * 0x1.1p-4;
+    high.lo[axis] = slab.lo[axis] = at - length * 0x1.1p-4;
+    if (!(box.lo[axis] < slab.lo[axis] && slab.lo[axis] < slab.hi[axis] &&
+          slab.hi[axis] < box.hi[axis]))
+      return undecided(box);
+    const BoxTrace a = cut(low, splits + 1, disks);
+    if (a.kind == BoxTrace::Kind::kUndecided) return a;
+    const BoxTrace b = cut(high, splits + 1, disks);
+    if (b.kind == BoxTrace::Kind::kUndecided) return b;
+    if (a.is_missed()) return b;
+    if (b.is_missed()) return a;
+    const BoxTrace c = cut(slab, splits + 1, nullptr);
+    if (c.kind == BoxTrace::Kind::kUndecided) return c;
+    return {BoxTrace::Kind::kSurface, a.euler + b.euler - c.euler, false, {}};
+  }
+
+  std::size_t longest_axis(const Box3d& box) const {
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < static_cast<std::size_t>(model_.dimension()); ++k)
+      if (box.hi[axis] - box.lo[axis] < box.hi[k] - box.lo[k]) axis = k;
+    return axis;
+  }
+
+  // As one: missed, a disk, or nothing said.
+  std::optional<BoxTrace> decide(const Box3d& box) {
+    Ids tested;
+    std::size_t visits = 16 * options_.max_pieces;
+    bool fits = true;
+    const double longest = 0.5 * size_of(box);
+    forest_.roots().visit([&](const Box3d& b) { return fits && meets(b, box); },
+                          [&](std::uint32_t n) {
+                            fits = fits && collect(forest_.root(n), box, longest, &visits, &tested);
+                          });
+    if (!fits) return std::nullopt;
+    if (tested.empty()) return missed();
+    if (const auto answer = by_monotone_axes(box, tested)) return answer;
+    return by_star(box, tested);
+  }
+  double size_of(const Box3d& box) const {
+    double e = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension()); ++k)
+      e = std::max(e, box.hi[k] - box.lo[k]);
+    return e;
+  }
+  // Condition T of THEORY 4: the pieces whose closed hulls meet the box, none longer than `longest` (of a wall: in the plane).
+  bool collect(PieceForest::Id id, const Box3d& box, double longest, std::size_t* visits,
+               Ids* tested) {
+    const Box3d hull = forest_.node(id).hull;
+    if (!meets(hull, box)) return true;
+    if (*visits == 0) return false;
+    --*visits;
+    if (size_of(hull) <= longest) {
+      tested->push_back(id);
+      return tested->size() <= options_.max_pieces;
+    }
+    if (forest_.node(id).level == PieceForest::kMaxLevel) return false;
+    const PieceForest::Id first = forest_.children(id);
+    for (PieceForest::Id k = 0; k < 4; ++k)
+      if (!collect(first + k, box, longest, visits, tested)) return false;
+    return true;
+  }
+
+  std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
+    std::array<int, 3> signs = normal_signs(forest_, tested.front());
+    for (const PieceForest::Id id : tested) {
+      const auto s = normal_signs(forest_, id);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (s[k] != signs[k]) signs[k] = 0;
+    }
+    // More axes make L and H smaller.
+    for (const unsigned axes : {7u, 3u, 5u, 6u, 1u, 2u, 4u}) {
+      Box3d low = box, high = box;
+      bool fits = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if ((axes >> k & 1) == 0) continue;
+        fits = fits && signs[k] != 0;
+        const double bottom = signs[k] > 0 ? box.lo[k] : box.hi[k];
+        const double top = signs[k] > 0 ? box.hi[k] : box.lo[k];
+        low.lo[k] = low.hi[k] = bottom, high.lo[k] = high.hi[k] = top;
+      }
+      if (!fits || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
+      const auto crossings = crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
+      if (!crossings) continue;
+      // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be met.
+      if (*crossings == 0) return missed();
+      if (*crossings == 1 && is_met(model_, box)) return disk();
+    }
+    return std::nullopt;
+  }
+
+  std::optional<BoxTrace> by_star(const Box3d& box, const Ids& tested) {
+    Point3d n = mean_normal(tested);
+    double t = 1e300;  // from the middle along n to the boundary of the box
+    for (std::size_t k = 0; k < 3; ++k)
+      if (n[k] != 0) t = std::min(t, 0.5 * (box.hi[k] - box.lo[k]) / std::abs(n[k]));
+    if (!(t < 1e300)) return std::nullopt;
+    const Point3d middle = approx_centre(box);
+    for (const double part : {0.5, 0.9}) {
+      StarBox star{box, middle, middle};
+      bool is_interior = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        star.inside[k] -= part * t * n[k], star.outside[k] += part * t * n[k];
+        for (const double c : {star.inside[k], star.outside[k]})
+          is_interior = is_interior && box.lo[k] < c && c < box.hi[k];
+      }
+      if (!is_interior || !has_star_signs(forest_, tested, star)) continue;
+      if (crossing_number(forest_, tested, star) == 1) return disk();
+    }
+    return std::nullopt;
+  }
+
+  // About, and not normalised: it only says where to look for centres.
+  Point3d mean_normal(const Ids& tested) {
+    Point3d sum{};
+    for (const PieceForest::Id id : tested) {
+      const std::size_t n = forest_.form(forest_.node(id).patch).determinant.count();
+      const double* const g = forest_.approx_determinants(id);
+      Point3d m{};
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < n; ++i) m[k] -= g[(k + 1) * n + i];
+      const double size = std::hypot(m[0], m[1], m[2]);
+      for (std::size_t k = 0; k < 3 && size > 0; ++k) sum[k] += m[k] / size;
+    }
+    return sum;
+  }
+
+  // The boxes as nodes, joined where a part of V lies in both.
+  bool hang_together(const std::vector<Box3d>& disks) {
+    std::vector<std::size_t> root(disks.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&](std::size_t i) {
+      while (root[i] != i) i = root[i] = root[root[i]];
+      return i;
+    };
+    std::size_t components = disks.size();
+    for (std::size_t i = 0; i < disks.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!meets(disks[i], disks[j]) || find(i) == find(j)) continue;
+        if (!is_met(model_, intersection(disks[i], disks[j]))) continue;
+        root[find(i)] = find(j);
+        --components;
+      }
+    return components == 1;
+  }
+
+  BoundaryModel& model_;
+  PieceForest& forest_;
+  const TraceOptions& options_;
+  std::size_t left_;
+};
+
+}  // namespace
+
+BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions& options) {
+  model.forest().limit_memory(options.memory);
+  return Tracer(model, options).run(forest_box);
+}
+
+bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
+  return !Search{forest, box, max_visits, false, 3}.run();
+}
+
+bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
+  return Search{model.forest(), box, max_visits, true, model.dimension()}.run();
+}
+
+std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {
+  const PieceForest::Node node = forest.node(piece);
+  const PieceForest::Form& form = forest.form(node.patch);
+  const std::uint32_t sides = form.shape.is_triangle ? 3 : 4;
+  const auto is_collapsed = [&](std::uint32_t s) {
+    return (form.collapsed >> s & 1) != 0 && forest.side_of_patch(node, s);
+  };
+  for (std::uint32_t s = 0; s < sides; ++s)
+    if (is_collapsed(s) && is_collapsed((s + 1) % sides)) return {};
+  const double* const g = forest.approx_determinants(piece);
+  const std::size_t n = form.determinant.count();
+  std::array<int, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double error = forest.determinant_error(piece, k + 1);
+    bool positive = true, negative = true;
+    forest.for_each_kept(node, [&](std::size_t i) {
+      positive = positive && g[(k + 1) * n + i] < -error;  // G_k+1 = -w^3 n_k
+      negative = negative && g[(k + 1) * n + i] > error;
+    });
+    out[k] = positive == negative ? 0 : positive ? 1 : -1;
+  }
+  return out;
+}
+
+}  // namespace veritope

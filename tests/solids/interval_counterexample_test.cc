@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// THEORY 1: boxes that satisfy C1, C2 and C3 of the paper, and not its theorem.
+#include <gtest/gtest.h>
+
+#include "solids/interval_boxes/conditions.h"
+#include "solids/interval_boxes/plane_shapes.h"
+#include "solids/patch_shapes.h"
+
+namespace veritope {
+namespace {
+
+BoundaryModel model_of(patch_shapes::Patches patches) {
+  return BoundaryModel::make(make_patch_complex(std::move(patches)).value()).value();
+}
+std::vector<Box3d> three_boxes() {
+  return {{{-1.5, -1.5, -1.5}, {0.1, 1.5, 1.5}},
+          {{-0.1, -0.1, -1.5}, {1.5, 1.5, 1.5}},
+          {{-0.1, -1.5, -1.5}, {1.5, 0.1, 1.5}}};
+}
+std::string offences(const ConditionResult& r) {
+  std::string out = to_string(r.answer);
+  for (const BoxOffence& o : r.offences) out += "\n  " + to_string(o);
+  return out;
+}
+void expect(const PaperConditions& all, PaperCondition c, Answer answer) {
+  EXPECT_EQ(all[c].answer, answer) << name_of(c) << ": " << offences(all[c]);
+}
+
+TEST(CounterexampleC3, Corollary26TheThreeBoxesHoldTheWholeBall) {
+  for (auto sphere : {patch_shapes::sphere(), patch_shapes::octant_sphere()}) {
+    BoundaryModel model = model_of(std::move(sphere));
+    const auto all = decide_conditions(model, three_boxes()).value();
+    for (const PaperCondition c : {PaperCondition::kA, PaperCondition::kB1, PaperCondition::kB2,
+                                   PaperCondition::kC1, PaperCondition::kC2, PaperCondition::kC3})
+      expect(all, c, Answer::kTrue);
+    expect(all, PaperCondition::kC3Star, Answer::kFalse);
+    ASSERT_EQ(all[PaperCondition::kC3Star].num_false, 1u);
+    const BoxOffence& o = all[PaperCondition::kC3Star].offences[0];
+    EXPECT_EQ(o.boxes, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(o.euler, 2) << "two disks at the poles";
+  }
+}
+
+// M = [-4,4]^3 without the open unit ball: the union of M and the nine boxes has no cavity any more.
+TEST(CounterexampleC3, Theorem25WithTheSixSlabs) {
+  auto boxes = three_boxes();
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double at : {-4.0, 4.0}) {
+      Box3d slab{{-4.5, -4.5, -4.5}, {4.5, 4.5, 4.5}};
+      slab.lo[k] = at - 0.5, slab.hi[k] = at + 0.5;
+      boxes.push_back(slab);
+    }
+  BoundaryModel model =
+      model_of(patch_shapes::joined({patch_shapes::box({-4, -4, -4}, {4, 4, 4}),
+                                     patch_shapes::inside_out(patch_shapes::sphere())}));
+  const auto all = decide_conditions(model, boxes).value();
+  for (const PaperCondition c : {PaperCondition::kA, PaperCondition::kB1, PaperCondition::kB2,
+                                 PaperCondition::kC1, PaperCondition::kC2, PaperCondition::kC3})
+    expect(all, c, Answer::kTrue);
+  expect(all, PaperCondition::kC3Star, Answer::kFalse);
+  EXPECT_EQ(all[PaperCondition::kC3Star].num_false, 1u);
+}
+
+// The unit circle and the same rectangles: their common part misses the circle altogether.
+TEST(CounterexampleC3, InThePlaneTheTripleMissesTheCircle) {
+  BoundaryModel model = BoundaryModel::make_planar({plane_shapes::circle()}).value();
+  const auto all = decide_conditions(model, three_boxes()).value();
+  for (const PaperCondition c : {PaperCondition::kA, PaperCondition::kB1, PaperCondition::kB2,
+                                 PaperCondition::kC1, PaperCondition::kC2, PaperCondition::kC3})
+    expect(all, c, Answer::kTrue);
+  expect(all, PaperCondition::kC3Star, Answer::kFalse);
+  ASSERT_EQ(all[PaperCondition::kC3Star].num_false, 1u);
+  EXPECT_EQ(all[PaperCondition::kC3Star].offences[0].why, BoxOffence::Why::kMissed);
+}
+
+}  // namespace
+}  // namespace veritope

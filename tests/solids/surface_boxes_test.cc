@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/interval_boxes/surface_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+#include "solids/interval_boxes/box_sets_internal.h"
+#include "solids/interval_boxes/box_union.h"
+#include "solids/interval_boxes/condition_sweep.h"
+#include "solids/patch_shapes.h"
+
+namespace veritope {
+namespace {
+
+BoundaryModel model_of(patch_shapes::Patches patches) {
+  return BoundaryModel::make(make_patch_complex(std::move(patches)).value()).value();
+}
+
+std::vector<patch_shapes::Patches> shapes() {
+  return {patch_shapes::box({0, 0, 0}, {1, 1, 1}), patch_shapes::octant_sphere(),
+          patch_shapes::torus(Rational(3), Rational(1)), patch_shapes::pn_torus(12, 8)};
+}
+
+TEST(SurfaceBoxes, HoldTheirPiecesAndAreNoLargerThanEps) {
+  for (const auto& shape : shapes()) {
+    BoundaryModel model = model_of(shape);
+    for (const double eps : {1.0, 0.75}) {
+      const auto cover = make_surface_cover(model, eps).value();
+      EXPECT_LE(cover.largest, eps);
+      std::set<PieceForest::Id> leaves;
+      for (const SurfaceBox& b : cover.boxes) {
+        const Box3d box = *model.to_forest(b.box);
+        for (const auto id : b.pieces) {
+          leaves.insert(id);
+          EXPECT_TRUE(is_in_interior(model.forest().node(id).hull, box, 3));
+        }
+      }
+      // The pieces are a complete subdivision: each root is a leaf or all four of its children are covered.
+      const std::function<bool(PieceForest::Id)> is_whole = [&](PieceForest::Id id) {
+        if (leaves.contains(id)) return true;
+        const auto first = model.forest().node(id).first_child;
+        if (first == PieceForest::kNone) return false;
+        for (PieceForest::Id k = 0; k < 4; ++k)
+          if (!is_whole(first + k)) return false;
+        return true;
+      };
+      for (std::uint32_t r = 0; r < model.forest().num_roots(); ++r)
+        EXPECT_TRUE(is_whole(model.forest().root(r)));
+    }
+  }
+}
+
+// [SSP01] 3: face boxes stand for pieces without a point on an edge, and every vertex has its cluster.
+TEST(SurfaceBoxes, ACubeHasFaceEdgeAndVertexBoxesAndEightClusters) {
+  BoundaryModel model = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
+  const auto cover = make_surface_cover(model, 0.25).value();
+  std::array<std::size_t, 3> kinds{};
+  for (const SurfaceBox& b : cover.boxes) {
+    ++kinds[static_cast<std::size_t>(b.kind)];
+    // Eighths of the unit square: a face box is off all edges.
+    int on_planes = 0;
+    for (std::size_t k = 0; k < 3; ++k) on_planes += (b.box.lo[k] < 0) + (b.box.hi[k] > 1);
+    EXPECT_EQ(on_planes >= 2, b.kind != SurfaceBox::Kind::kFace);
+  }
+  EXPECT_EQ(kinds, (std::array<std::size_t, 3>{216, 48, 48}));
+  ASSERT_EQ(cover.clusters.size(), 8u);
+  for (const VertexCluster& c : cover.clusters) EXPECT_EQ(c.boxes.size(), 6u) << "two of each of three edges";
+}
+
+TEST(SurfaceBoxes, BadResolutionsAreRefused) {
+  BoundaryModel model = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
+  for (const double eps : {0.0, -1.0, 1.0 / 0.0, 1e-30})
+    EXPECT_EQ(make_surface_cover(model, eps).error().code, Code::kBadArgument) << eps;
+  SurfaceBoxOptions options;
+  options.margin = 0.5;
+  EXPECT_EQ(make_surface_cover(model, 1, options).error().code, Code::kBadArgument);
+  options.margin = 0.125, options.max_boxes = 10;
+  EXPECT_EQ(make_surface_cover(model, 0.1, options).error().code, Code::kOverLimit);
+}
+
+TEST(ConditionSweep, TheCubesBoxesSatisfyThePaperAndNotC3Star) {
+  BoundaryModel model = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
+  const auto rows = sweep_conditions(model, 0.5, 1).value();
+  ASSERT_EQ(rows.size(), 2u);
+  for (const SweepRow& r : rows) {
+    for (std::size_t c = 0; c < kNumPaperConditions; ++c)
+      EXPECT_EQ(r.conditions[c].answer,
+                static_cast<PaperCondition>(c) == PaperCondition::kC3Star ? Answer::kFalse : Answer::kTrue)
+          << name_of(static_cast<PaperCondition>(c)) << " at " << r.eps;
+  }
+  EXPECT_EQ(rows[1].collar, (std::array{Answer::kTrue, Answer::kTrue, Answer::kTrue}));
+  EXPECT_NE(to_table(rows).find("C3*"), std::string::npos);
+}
+
+TEST(ConditionSweep, CoarseCellsFillTheModelAndAreNoCollar) {
+  BoundaryModel model = model_of(patch_shapes::octant_sphere());
+  const auto rows = sweep_conditions(model, 2, 0).value();
+  EXPECT_NE(rows[0].collar[1], Answer::kTrue);
+}
+
+TEST(ConditionSweep, BadArgumentsAreRefusedAndLimitsEndARow) {
+  BoundaryModel model = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
+  EXPECT_EQ(sweep_conditions(model, 0, 1).error().code, Code::kBadArgument);
+  EXPECT_EQ(sweep_conditions(model, 1, -1).error().code, Code::kBadArgument);
+  EXPECT_EQ(sweep_conditions(model, 1, kMaxSweep + 1).error().code, Code::kBadArgument);
+  SweepOptions options;
+  options.boxes.max_boxes = 4;
+  const auto rows = sweep_conditions(model, 0.25, 0, options).value();
+  EXPECT_FALSE(rows[0].why_not.empty());
+  EXPECT_EQ(rows[0].conditions[0].answer, Answer::kUndecided);
+}
+
+}  // namespace
+}  // namespace veritope

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "cli/commands.h"
@@ -11,6 +13,7 @@
 #include "io/file_bytes.h"
 #include "solids/polyhedron/rules.h"
 #include "verify/format/mesh_certificate.h"
+#include "verify/format/patch_certificate_text.h"
 
 namespace veritope::cli {
 namespace {
@@ -86,18 +89,24 @@ ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
     complain(harmless(to_string(bytes.error())));
     return kExitUnreadable;
   }
+  const std::span<const unsigned char> file(bytes->data(), bytes->size());
   std::string why;
-  const auto certificate = certificate::decode({bytes->data(), bytes->size()}, why);
-  if (!certificate) {
-    complain(harmless(path + ": not a certificate (those that certify --certificate writes are): " + why));
+  std::optional<std::string> text;
+  if (certificate::is_patch_certificate(file)) {
+    text = certificate::explain_patch_certificate(file, options.max_items, why);
+  } else if (const auto certificate = certificate::decode(file, why)) {
+    text = certificate::explain(*certificate, options.max_items);
+  }
+  if (!text) {
+    complain(harmless(path +
+                      ": not a certificate (those that certify --certificate writes are): " + why));
     return kExitUnreadable;
   }
-  std::string text = certificate::explain(*certificate, options.max_items);
   // A certificate may come from anywhere: its strings must not drive the terminal.
-  for (char& c : text) {
+  for (char& c : *text) {
     if (static_cast<unsigned char>(c) < 32 && c != '\n') c = '?';
   }
-  out.write(text);
+  out.write(*text);
   return kExitValid;
 }
 

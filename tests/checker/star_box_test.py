@@ -4,50 +4,18 @@
 judge (sound models, a lie for each condition, the traps of THEORY, hostile bytes) both must give the same exit code and name the
 same condition. VERITOPE_CHECK names the program."""
 import os
-import pathlib
 import random
-import subprocess
-import sys
-import tempfile
 import unittest
 from fractions import Fraction as Q
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "checker_py"))
-import star_box_forge as forge                            # noqa: E402
-import star_box_models as models                          # noqa: E402
-import star_box_test as python_tests                      # noqa: E402
+import judges
+import star_box_forge as forge
+import star_box_models as models
+import star_box_test as python_tests
 
-vc = python_tests.vc
-CHECK = os.environ["VERITOPE_CHECK"]
-FOLDER = tempfile.TemporaryDirectory()                    # gone at exit
 SCALE = int(os.environ.get("VT_TEST_SCALE", "1"))
-in_python = vc._check
-
-
-def in_cpp(model, certificate):
-    """(exit code, condition)."""
-    paths = [os.path.join(FOLDER.name, name) for name in ("model", "certificate")]
-    for path, data in zip(paths, (model, certificate)):
-        with open(path, "wb") as file:
-            file.write(data)
-    r = subprocess.run([CHECK, *paths], capture_output=True, text=True, timeout=300, check=False)
-    return r.returncode, r.stdout.split(":")[0].replace("ACCEPT star-box-1", "ACCEPT").replace("REJECT ", "").strip(), r.stdout + r.stderr
-
-
-def both(model, certificate, skip=frozenset()):
-    code, line = in_python(model, certificate, skip)
-    if not skip:
-        condition = "" if code == 4 else line.split(":")[0].replace("ACCEPT star-box-1", "ACCEPT").replace("REJECT ", "")
-        other = in_cpp(model, certificate)
-        if "too far away" in other[2]:                    # the limit of the C++ checker (star-box.md, section 8)
-            assert other[:2] == (1, "B1"), other
-        elif (code, condition) != other[:2]:
-            raise AssertionError("Python: %d, %s; C++: %s" % (code, line, other))
-    return code, line
-
-
-vc._check = both                                          # check() calls it, too
+both, in_cpp = judges.both, judges.in_cpp
+judges.judge(python_tests.vc)
 SoundModels, Lies, Traps, Hostile = python_tests.SoundModels, python_tests.Lies, python_tests.Traps, python_tests.Hostile
 
 

@@ -14,10 +14,7 @@ inline std::string check_in_process(const std::string& model_file, const std::st
   try {
     ::Body body = {nullptr, nullptr};
     const ::Statement s = ::read_statement(certificate, model_file, &body);
-    const std::string &claim = s.text.at("claim"), &format = s.text.at("subject_format");
-    const ::Model model = ::read_model(model_file, format, s.flag.at("as_indexed"));
-    const auto check = claim == "mesh-valid-1" ? ::check_mesh_valid : ::check_mesh_invalid;
-    return "ACCEPT " + claim + ": " + check(s, model, body);
+    return "ACCEPT " + s.text.at("claim") + ": " + ::check_claim(s, model_file, body);
   } catch (const ::Rejected& r) {
     return "REJECT " + r.id + ": " + r.why;
   } catch (const ::Refused& r) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// checker.h: what all parts share. The pages: docs/certificates/reading-rule-1.md and mesh.md.
+// checker.h: what all parts share. The pages: docs/certificates.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -56,9 +56,17 @@ struct Work {  // what section 5 of mesh.md counts and bounds; units: 1000 (F + 
     require(done <= limit, "B1", "more work than allowed, units", limit);
   }
 };
+inline bool is_natural(const std::string& s) {  // in shortest form
+  return !s.empty() && s.find_first_not_of("0123456789") == s.npos && (s[0] != '0' || s == "0");
+}
+void check_form(Statement statement);  // S1, behind its syntax
 Statement read_statement(const std::string& certificate, const std::string& model, Body* body);
 
 // The conditions behind S4. The result is what ACCEPT prints behind the claim.
 std::string check_mesh_valid(const Statement& statement, const Model& model, const Body& body);
 std::string check_mesh_invalid(const Statement& statement, const Model& model, const Body& body);
 std::string check_star_box(const Statement& statement, const std::string& model, const Body& body);
+std::string check_patch_invalid(const Statement& statement, const std::string& model,
+                                const Body& body);
+// The one of them that the statement's claim asks for.
+std::string check_claim(const Statement& statement, std::string model, const Body& body);

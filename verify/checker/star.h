@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // star.h: what the parts of star-box-1 share. The page: docs/certificates/star-box.md.
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "big.h"
@@ -45,7 +46,7 @@ struct Patch {
   Shape shape;
   bool is_rational, is_flipped;
   uint8_t roots[2];
-  uint64_t first_root, first_symbol;
+  uint64_t first_root;
   std::vector<Big> net;  // of shape.count() points (X, Y, Z, W), in units 2^E, no common factor
   uint64_t cost;         // units of work for a node
   uint32_t pair[4];      // of each side; collapsed: kNoPair
@@ -66,6 +67,14 @@ struct Walk {
   uint64_t box, end_box;
   int sign, end, end_sign;
   std::vector<int64_t> points;  // three coordinates each
+  // The polyline from `first`, without the ray of an end at infinity.
+  std::vector<int64_t> polyline(const int64_t* first, const std::vector<Box>& boxes) const {
+    std::vector<int64_t> r(first, first + 3);
+    r.insert(r.end(), points.begin(), points.end());
+    const int64_t* const last = end < 6 ? first : boxes[end_box].c[end_sign];
+    if (end == 6) r.insert(r.end(), last, last + 3);
+    return r;
+  }
 };
 struct StarBody {
   std::vector<Patch> patches;
@@ -74,19 +83,32 @@ struct StarBody {
   std::vector<Walk> walks;
   uint64_t flipped = 0, leaves = 0, num_roots = 0;
 };
-StarBody read_star_body(const std::vector<Entity>& entities, Body body);  // B1, B2
+struct CollarBody {  // what docs/certificates/collar.md adds
+  uint64_t shift = 0, leaves = 0;
+  int64_t low[3];                     // corner of the root cube, in units 2^E
+  std::vector<uint64_t> differences;  // of the cells' codes
+  std::vector<uint8_t> sides, symbols;
+  std::vector<int64_t> collapses;  // differences of faces' numbers
+  std::vector<Walk> shores;        // from the components' least vertices
+};
+const int64_t kRootEdge = 1 << 20;  // in units 2^(E + shift); with both ends in range shift <= 41
+// B1, B2. collar: null unless the claim is collar-1.
+StarBody read_star_body(const std::vector<Entity>& entities, Body body, CollarBody* collar);
 
 struct Place {  // of a patch: its entity, and the numbers of its intervals along u and v
   const Entity* entity;
   size_t surface, interval[2];  // surface: breaks 2 surface and 2 surface + 1 are its axes'
 };
-std::vector<Patch> cut_patches(const std::vector<Place>& places, int64_t unit,
-                               const std::vector<std::vector<Ratio>>& breaks);
+// B2 for the coefficients; use(patch) for each patch, in order.
+void cut_patches(const std::vector<Place>& places, int64_t unit,
+                 const std::vector<std::vector<Ratio>>& breaks,
+                 const std::function<void(Patch&&)>& use);
 
 struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
   explicit Gluing(std::vector<Patch>* patches);
   uint64_t edges = 0, vertices = 0, genus = 0;
   uint32_t components = 0;
+  std::vector<int64_t> chi;  // of each component
 };
 
 struct Units {  // the work of the page's last paragraph

@@ -1,74 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // star_body.cc: B1 of docs/certificates/star-box.md, and what of B2 needs no coefficients.
-#include "star.h"
+#include "star_bytes.h"
 
 namespace {
 
-struct Reader {
-  Body body;
+struct Reader : Bytes {
   StarBody* out;
 
-  uint64_t any_varint() {  // below 2^64, in shortest form
-    uint64_t v = 0;
-    for (unsigned i = 0;; ++i) {
-      const uint64_t byte = body.natural(1);
-      require(i < 9 || byte <= 1, "B1", "a varint is 2^64 or more");
-      require(i == 0 || byte != 0, "B1", "a varint is not in shortest form");
-      v |= (byte & 127) << 7 * i;
-      if (byte < 128) return v;
-    }
-  }
-  uint64_t varint() {
-    const uint64_t v = any_varint();
-    require(v >> 63 == 0, "B1", "a varint is 2^63 or more");
-    return v;
-  }
-  int64_t zigzag() {  // above -2^63
-    const uint64_t v = any_varint();
-    require(v != ~uint64_t(0), "B1", "a number is -2^63");
-    return v % 2 == 0 ? int64_t(v / 2) : -int64_t(v / 2) - 1;
-  }
-  uint64_t at_most(uint64_t v, uint64_t most, const char* why) const {
-    require(v <= most, "B1", why, v);
-    return v;
-  }
-  Big magnitude(uint64_t size) {  // of so many bytes
-    require(size <= body.left(), "B1", "the body ends too early");
-    Big r;
-    for (uint64_t i = 0; i < size; ++i) {
-      if (i % 8 == 0) r.m.push_back(0);
-      r.m.back() |= body.natural(1) << 8 * (i % 8);
-    }
-    require(size == 0 || body.p[-1] != 0, "B1", "the last byte of a number is 0");
-    return r;
-  }
-  Ratio rational() {
-    Ratio r;
-    r.n = Big(zigzag());
-    r.d = Big(int64_t(varint()));
-    if (r.d.sign() == 0) {
-      require(r.n.sign() == 0, "B1", "a long rational has a short numerator");
-      const uint64_t size = at_most(varint(), 257, "the size of a numerator is");
-      require(size >= 1, "B1", "a numerator has no sign");
-      const uint64_t minus = at_most(body.natural(1), 1, "a numerator's sign is");
-      r.n = magnitude(size - 1);
-      r.d = magnitude(at_most(varint(), 256, "the size of a denominator is"));
-      require(r.n.bits() > 63 || r.d.bits() > 63, "B1", "a short rational has the long form");
-      require(r.n.sign() != 0, "B1", "a long rational is 0");
-      r.n.neg = minus == 1;
-    }
-    require(r.d.sign() > 0, "B1", "a denominator is 0");
-    require(gcd(r.n, r.d) == Big(1), "B1", "a rational is not in lowest terms");
-    return r;
-  }
-  // v 2^s, in units 2^E.
-  int64_t scaled(int64_t v, uint64_t s) const {
-    require(s < 62 || v == 0, "B1", "a coordinate is too far away, s =", s);
-    const int64_t far = v == 0 ? 0 : kFarthest >> s;
-    require(v == 0 || (v < far && v > -far), "B1", "a coordinate is too far away");
-    return v == 0 ? 0 : v * (int64_t(1) << s);
-  }
-  uint64_t shift() { return at_most(varint(), kMostUnit, "s is over 4096:"); }
+  Reader(const Body& bytes, StarBody* to) : Bytes(bytes), out(to) {}
 
   Box box() {
     Box b = Box();
@@ -104,15 +43,18 @@ struct Reader {
     Walk w = Walk();
     w.box = box_index();
     w.sign = int(at_most(body.natural(1), 1, "a walk starts at sign"));
+    points_and_end(&w);
+    return w;
+  }
+  void points_and_end(Walk* w) {
     for (uint64_t n = body.count(4); n > 0; --n) {
       const uint64_t s = shift();
-      for (int k = 0; k < 3; ++k) w.points.push_back(scaled(zigzag(), s));
+      for (int k = 0; k < 3; ++k) w->points.push_back(scaled(zigzag(), s));
     }
-    w.end = int(at_most(body.natural(1), 6, "a walk has the end"));
-    if (w.end < 6) return w;
-    w.end_box = box_index();
-    w.end_sign = int(at_most(body.natural(1), 1, "a walk ends at sign"));
-    return w;
+    w->end = int(at_most(body.natural(1), 6, "a walk has the end"));
+    if (w->end < 6) return;
+    w->end_box = box_index();
+    w->end_sign = int(at_most(body.natural(1), 1, "a walk ends at sign"));
   }
   // Of one root, in preorder; returns the last leaf's box.
   int64_t tree(int64_t last) {
@@ -139,81 +81,98 @@ struct Reader {
     return last;
   }
 
-  // The breaks of one axis.
-  std::vector<Ratio> breaks(const Entity& e, size_t a) {
-    const std::vector<Ratio>& t = e.knots[a];
-    const size_t p = size_t(e.degrees[a]), n = t.size() - p - 1;
-    std::vector<Ratio> r;
-    for (uint64_t left = body.count(2); left > 0; --left) {
-      r.push_back(rational());
-      require(r.size() < 2 || compare(r[r.size() - 2], r.back()) < 0, "B1", "breaks do not rise");
+  // Behind the walks: docs/certificates/collar.md, section 2.
+  void collar(CollarBody* c) {
+    c->shift = shift();
+    for (int k = 0; k < 3; ++k) {
+      const int64_t v = zigzag();
+      c->low[k] = scaled(v, c->shift);
+      require(v < kFarthest - kRootEdge, "B1", "a coordinate is too far away");
+      scaled(v + kRootEdge, c->shift);
     }
-    require(r.size() >= 2 && compare(r[0], t[p]) == 0 && compare(r.back(), t[n]) == 0, "B1",
-            "breaks do not begin and end with the domain");
-    for (size_t i = p, k = 0; i <= n; ++i) {
-      while (k < r.size() && compare(r[k], t[i]) < 0) ++k;
-      require(k < r.size() && compare(r[k], t[i]) == 0, "B1", "a knot is no break");
+    const uint64_t cells = body.count(2);  // a collapse is another byte
+    require(cells >= 1, "B1", "there are no cells");
+    for (uint64_t i = 0; i < cells; ++i) {
+      c->differences.push_back(varint());
+      require(c->differences[i] >= 1, "B1", "the codes of the cells do not rise at cell", i);
     }
-    return r;
+    for (uint64_t n = body.count(1); n > 0; --n) c->sides.push_back(uint8_t(body.natural(1)));
+    require(cells <= body.left(), "B1", "too few bytes for the collapses of the cells", cells);
+    for (uint64_t i = 0; i < cells; ++i) c->collapses.push_back(zigzag());
+    leaves(c);
+    for (size_t i = 0; i < c->sides.size(); ++i) {
+      c->shores.push_back(Walk());
+      points_and_end(&c->shores.back());
+    }
+  }
+  // A tree for each leaf of the body's trees, which have one root in the last level that is open.
+  void leaves(CollarBody* c) {
+    uint64_t open[kLevels + 1] = {};
+    int level = 0;
+    for (uint32_t symbol : out->symbols) {
+      while (level > 0 && open[level] == 0) --level;
+      if (level > 0) --open[level];
+      if (symbol != 0)
+        leaf(level, c);
+      else
+        open[++level] = 4;
+    }
+  }
+  void leaf(int root, CollarBody* c) {
+    uint64_t open[kLevels + 1] = {};
+    open[root] = 1;
+    for (int level = root; level >= root;) {
+      if (open[level] == 0) {
+        --level;
+        continue;
+      }
+      --open[level];
+      c->symbols.push_back(uint8_t(at_most(body.natural(1), 1, "a symbol of a leaf's tree is")));
+      if (c->symbols.back() != 0) {
+        ++c->leaves;
+        continue;
+      }
+      require(level < kLevels, "B1", "a leaf's tree is deeper than 24 levels in all");
+      open[++level] = 4;
+    }
   }
 };
 
 }  // namespace
 
-StarBody read_star_body(const std::vector<Entity>& entities, Body bytes) {
+StarBody read_star_body(const std::vector<Entity>& entities, Body bytes, CollarBody* collar) {
   StarBody out;
-  Reader r = {bytes, &out};
-  require(r.body.natural(4) == 0x42535456, "B1", "another magic number");
-  require(r.body.natural(4) == entities.size(), "B1", "the model's entities are", entities.size());
-  require(!entities.empty(), "B1", "a model without entities bounds nothing");
-  std::vector<bool> flipped;
-  for (size_t i = 0; i < entities.size(); ++i) {
-    flipped.push_back(r.at_most(r.body.natural(1), 1, "a flag is") == 1);
-    out.flipped += flipped.back();
-  }
-  std::vector<std::vector<Ratio>> breaks;  // two for each surface
+  Reader r(bytes, &out);
+  const Cuts cuts = read_cuts(entities, 0x42535456, true, &r);
+  out.flipped = cuts.num_flipped;
   std::vector<Place> places;
-  for (const Entity& e : entities) {
-    if (e.kind == Entity::kTriangle) places.push_back(Place{&e, 0, {0, 0}});
-    if (e.kind != Entity::kSurface) continue;
-    for (size_t a = 0; a < 2; ++a) breaks.push_back(r.breaks(e, a));
-    const size_t v = breaks.back().size() - 1, n = (breaks[breaks.size() - 2].size() - 1) * v;
-    require(n <= r.body.left() / 3, "B1", "too few bytes for the patches of a surface", n);
-    for (size_t i = 0; i < n; ++i)
-      places.push_back(Place{&e, breaks.size() / 2 - 1, {i / v, i % v}});
-    require(places.size() <= r.body.left() / 3, "B1", "too few bytes for the patches");
-  }
   std::vector<uint8_t> roots;
-  for (const Place& at : places)
+  for (uint64_t i = 0; i < cuts.patches(); ++i) {
+    const size_t entity = cuts.entity_of(i);
+    places.push_back(cuts.place(entity, i));
+    const bool is_triangle = entities[entity].kind == Entity::kTriangle;
     for (int a = 0; a < 2; ++a)
-      roots.push_back(
-          uint8_t(r.at_most(r.body.natural(1), at.entity->kind == Entity::kTriangle ? 0 : 12,
-                            "a patch is cut into too many roots:")));
+      roots.push_back(uint8_t(r.at_most(r.body.natural(1), is_triangle ? 0 : 12,
+                                        "a patch is cut into too many roots:")));
+  }
   const int64_t unit = r.zigzag();
   require(unit >= -kMostUnit && unit <= kMostUnit, "B1", "E is out of range");
   for (uint64_t n = r.body.count(8); n > 0; --n) out.boxes.push_back(r.box());
-  std::vector<uint64_t> symbols;
   int64_t last = 0;
-  for (size_t i = 0; i < places.size(); ++i) {
-    symbols.push_back(out.symbols.size());
+  for (size_t i = 0; i < places.size(); ++i)
     for (uint64_t n = uint64_t(1) << (roots[2 * i] + roots[2 * i + 1]); n > 0; --n)
       last = r.tree(last);
-  }
   for (uint64_t n = r.body.count(7); n > 0; --n) out.walks.push_back(r.walk());
-  require(r.body.left() == 0, "B1", "bytes behind the body's end:", r.body.left());
+  if (collar != nullptr) r.collar(collar);
+  r.end();
 
-  for (const Entity& e : entities) {
-    require(e.kind != Entity::kOther, "B2", "an entity is neither surface nor triangle");
-    require(e.components - e.is_rational == 3, "B2", "a patch has not three coordinates");
-    require(e.degrees[0] <= kMostDegree && e.degrees.back() <= kMostDegree, "B2",
-            "a degree is over 15");
-  }
-  out.patches = cut_patches(places, unit, breaks);
+  check_kinds(entities);
+  cut_patches(places, unit, cuts.breaks,
+              [&](Patch&& patch) { out.patches.push_back(std::move(patch)); });
   for (size_t i = 0; i < places.size(); ++i) {
     Patch& made = out.patches[i];
-    made.is_flipped = flipped[size_t(places[i].entity - entities.data())];
+    made.is_flipped = cuts.flipped[cuts.entity_of(i)];
     std::copy(&roots[2 * i], &roots[2 * i] + 2, made.roots);
-    made.first_symbol = symbols[i];
     made.first_root = out.num_roots;
     out.num_roots += made.num_roots();
   }

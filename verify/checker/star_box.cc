@@ -97,22 +97,34 @@ void check_boxes(const StarBody& body, Forest* forest, Units* units) {
 }  // namespace
 
 std::string check_star_box(const Statement& s, const std::string& model, const Body& bytes) {
-  StarBody body = read_star_body(read_spline_model(model), bytes);
+  const bool is_turned = s.number.count("winding") != 0, is_collar = s.number.count("cells") != 0;
+  CollarBody collar;
+  StarBody body = read_star_body(read_spline_model(model), bytes, is_collar ? &collar : nullptr);
   const Gluing x(&body.patches);
   Units units = {0, 2000 * (body.leaves + body.boxes.size() + 100), "C2"};
   Forest forest(&body, &units);
   check_boxes(body, &forest, &units);
   units.id = "W1";
-  const uint64_t bodies = check_walks(body, x.components, &forest, &units);
-  const std::map<std::string, uint64_t> numbers = {
-      {"patches", body.patches.size()}, {"edges", x.edges},       {"vertices", x.vertices},
-      {"shells", x.components},         {"bodies", bodies},       {"genus", x.genus},
-      {"boxes", body.boxes.size()},     {"flipped", body.flipped}};
+  const Walks walks = check_walks(body, x.components, &forest, &units);
+  require(is_turned || walks.wrong == ~uint64_t(0), "W2", "w is wrong at the start of walk",
+          walks.wrong);
+  require(!is_turned || walks.last != 1, "W2", "w(c-) is 1 on the component of the last walk");
+  std::map<std::string, uint64_t> numbers = {{"patches", body.patches.size()},
+                                             {"edges", x.edges},
+                                             {"vertices", x.vertices},
+                                             {"shells", x.components},
+                                             {"bodies", is_turned ? 0 : walks.bodies},
+                                             {"genus", x.genus},
+                                             {"boxes", body.boxes.size()},
+                                             {"flipped", body.flipped}};
+  require(!is_turned || body.flipped == 0, "W3",
+          "flags, by which any solid could be turned:", body.flipped);
+  if (is_turned) numbers["winding"] = 2 * magnitude(walks.last) - (walks.last < 0);
   std::string text;
   for (const auto& n : numbers) {
     require(s.number.at(n.first) == n.second, "W3", ("the number of " + n.first + " is").c_str(),
             n.second);
     text += (text.empty() ? "" : ", ") + std::to_string(n.second) + ' ' + n.first;
   }
-  return text;
+  return is_collar ? text + ", " + check_collar(s, body, collar, x, &forest, &units) : text;
 }

@@ -13,5 +13,15 @@ int64_t crossing_number(const std::vector<Piece>& pieces, const Box& b, Units* u
 bool triangle_misses(const Patch& p, const Node& node, const Box& b);
 // C4: no normal is 0, and any two triangles meet exactly in their common face in X.
 bool meet_properly(const std::vector<Piece>& pieces, Units* units);
-// W1 and W2; the number of bodies.
-uint64_t check_walks(const StarBody& body, uint32_t components, Forest* forest, Units* units);
+struct Walks {
+  uint64_t bodies;  // if W2 holds
+  int64_t last;     // w(c-) on the last walk's component
+  uint64_t wrong;   // the first walk on whose component w(c-) is not 1; none: 2^64 - 1
+};
+Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Units* units);  // W1
+// The descents of a walk, or shore, with this number drop everything; else units->id fails.
+void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
+                    Units* units);
+// docs/certificates/collar.md: what is checked after W3; what ACCEPT prints of it.
+std::string check_collar(const Statement& s, const StarBody& star, const CollarBody& body,
+                         const Gluing& x, Forest* forest, Units* units);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The claim star-box-1 of veritope_check.py, which reads the statement and the hashes and then calls check().
+"""The claims star-box-1 and star-box-turned-1 of veritope_check.py, which reads the statement and the hashes and then calls check().
 
 Written from docs/certificates/star-box.md and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only; with
 star_box_read.py and star_box_patches.py.  All numbers are integers or fractions.  Lengths are in units of 2^E, so that all boxes
@@ -17,14 +17,17 @@ UNITS = 2000                            # of work for each leaf and box
 MAX_CACHED = 4 * 10 ** 6                # integers kept for later boxes
 
 def check(statement, body, model, skip=frozenset()):
-    """(exit code, line to print).  skip: conditions that are not tested, for tests only."""
+    return decided(Checker, statement, body, model, skip)
+
+def decided(checker, statement, body, model, skip):
+    """(exit code, line to print) of a claim's checker.  skip: conditions that are not tested, for tests only."""
     try:
-        Checker(statement, body, read_model(model), skip).run()
+        checker(statement, body, read_model(model), skip).run()
     except Refused as e:
         return 4, "ERROR: the model is refused: %s" % e
     except Reject as e:
         return 1, "REJECT %s: %s" % (e.condition, e.why)
-    return 0, "ACCEPT star-box-1"
+    return 0, "ACCEPT " + statement["claim"]
 
 
 # ---------------------------------------------------------------- section 4: nodes, descents, S1
@@ -365,10 +368,12 @@ def meet_properly(s, t, common, num_edges):
 # ---------------------------------------------------------------- the conditions in the order of the page
 
 class Checker:
+    certificate = Certificate                               # the reader of the body
+
     def __init__(self, statement, body, entities, skip):
         self.statement, self.entities, self.skip = statement, entities, skip
-        self.cert = Certificate(body, entities)
-        self.patches, self.vertex_of, self.forest = [], [], None
+        self.cert = self.certificate(body, entities)
+        self.patches, self.vertex_of, self.forest, self.chi, self.inner = [], [], None, [], {}
 
     def fail(self, condition, why):
         if condition not in self.skip:
@@ -377,9 +382,9 @@ class Checker:
     def run(self):
         cert = self.cert
         self.make_patches()
-        edges, vertices, chi, self.vertex_of = glue(self.patches, self.fail)
-        counts = {"patches": len(self.patches), "edges": edges, "vertices": vertices, "shells": len(chi),
-                  "bodies": sum(sign for (_, sign), _, _, _ in cert.walks), "genus": sum(1 - c // 2 for c in chi),
+        edges, vertices, self.chi, self.vertex_of = glue(self.patches, self.fail)
+        counts = {"patches": len(self.patches), "edges": edges, "vertices": vertices, "shells": len(self.chi),
+                  "bodies": sum(sign for (_, sign), _, _, _ in cert.walks), "genus": sum(1 - c // 2 for c in self.chi),
                   "boxes": len(cert.boxes), "flipped": sum(cert.flags)}
         for i, patch in enumerate(self.patches):
             self.check_leaves(i, patch)
@@ -389,7 +394,8 @@ class Checker:
         self.forest = Forest(self.patches, UNITS * (cert.num_leaves + len(cert.boxes) + 100))
         for i, box in enumerate(cert.boxes):
             (self.check_mesh_box if box.kind else self.check_star_box)(i, box)
-        self.check_walks(len(chi))
+        self.check_walks()
+        counts.update(self.check_values())
         for key, value in counts.items():
             if self.statement[key] != value:
                 self.fail("W3", "%s are %d, the statement says %d" % (key, value, self.statement[key]))
@@ -445,27 +451,41 @@ class Checker:
                 if not meet_properly(s, t, common, edges):
                     self.fail("C4", "triangles %d and %d in box %d do not meet properly" % (other.index, patch.index, i))
 
-    def check_walks(self, num_components):
-        """W1 for the walks, then W2."""
-        done, boxes, inside = set(), self.cert.boxes, True
+    def check_walks(self):
+        """W1 for the walks; inner: w(c-) of each component."""
+        boxes = self.cert.boxes
         for i, (start, points, end, direction) in enumerate(self.cert.walks):
             component = boxes[start[0]].component
-            if any(boxes[box].kind for box, _ in [start, end or start]) or component in done:
+            if any(boxes[box].kind for box, _ in [start, end or start]) or component in self.inner:
                 self.fail("W1", "walk %d starts or ends at a mesh box, or its component has another walk" % i)
-            if end and boxes[end[0]].component not in done:
+            if end and boxes[end[0]].component not in self.inner:
                 self.fail("W1", "walk %d ends at a component without an earlier walk" % i)
-            done.add(component)
-            points = [boxes[box].c[sign] if box is not None else sign for box, sign in
-                      [start, *[(None, p) for p in points], *([end] if end else [])]]
-            segments = [(p, sub(q, p), False) for p, q in zip(points, points[1:])]
-            if not end:
-                ray = [0, 0, 0]
-                ray[direction // 2] = 1 - 2 * (direction % 2)
-                segments.append((points[-1], ray, True))
-            for segment in segments:
-                self.forest.descend(misses_segment(*segment), "W1", lambda node: "W1" in self.skip)
-            inside = inside and start[1] == (end[1] if end else 1)
-        if len(done) != num_components:
-            self.fail("W1", "%d walks for %d components" % (len(done), num_components))
-        if not inside:
+            self.follow(boxes[start[0]].c[start[1]], points, end, direction, "W1")
+            w = self.inner.get(boxes[end[0]].component, 1) - end[1] if end else 0
+            self.inner[component] = w + start[1]
+        if len(self.inner) != len(self.chi):
+            self.fail("W1", "%d walks for %d components" % (len(self.inner), len(self.chi)))
+
+    def follow(self, start, points, end, direction, condition):
+        """The hull descents of a polyline's segments."""
+        points = [start, *points, *([self.cert.boxes[end[0]].c[end[1]]] if end else [])]
+        segments = [(p, sub(q, p), False) for p, q in zip(points, points[1:])]
+        if not end:
+            ray = [0, 0, 0]
+            ray[direction // 2] = 1 - 2 * (direction % 2)
+            segments.append((points[-1], ray, True))
+        for segment in segments:
+            self.forest.descend(misses_segment(*segment), condition, lambda node: condition in self.skip)
+
+    def check_values(self):
+        """W2; the numbers of the statement that this claim has otherwise, or alone."""
+        if self.statement["claim"] == "star-box-turned-1":
+            last = self.inner[self.cert.boxes[self.cert.walks[-1][0][0]].component] if self.cert.walks else 1
+            if last == 1:
+                self.fail("W2", "w is 1 at c- of the last component")
+            if any(self.cert.flags):
+                self.fail("W3", "a flag is 1: it is not the model that is turned")
+            return {"bodies": 0, "winding": 2 * last if last >= 0 else -2 * last - 1}
+        if any(w != 1 for w in self.inner.values()):
             self.fail("W2", "w is not 1 at c- and 0 at c+ of all components")
+        return {}

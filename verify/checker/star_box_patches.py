@@ -5,6 +5,7 @@ An *array* holds the coefficients of one polynomial as a list of rows.  Tensor: 
 j + k, entry k of the coefficient of corner 0^i corner 1^j corner 2^k.  A *net* is the arrays of x, y, z, w.  A factor > 0 that all
 coefficients of a net share is dropped or multiplied in at will: all are integers.
 """
+from bisect import bisect_right
 from fractions import Fraction
 from math import comb, gcd, lcm
 from operator import add
@@ -119,26 +120,31 @@ def bezier_matrix(knots, p, k, a, b):
 def apply(matrix, rows):
     return [[sum(m * x for m, x in zip(line, column)) for column in zip(*rows)] for line in matrix]
 
+def axis_matrix(entity, axis, lo, hi):
+    """(least control point, matrix) of the Bezier coefficients between two breaks without a knot between them."""
+    p, knots = entity.degrees[axis], entity.knots[axis]
+    k = bisect_right(knots, lo, p, len(knots) - p) - 1
+    return k, bezier_matrix(knots, p, k, lo, hi)
+
+def triangle_patch(entity, flag, unit):
+    scale = Fraction(2) ** -unit
+    return Patch(entity, flag, [[[p[0] * scale, p[1] * scale, p[2] * scale, p[3]] for p in row] for row in entity.rows])
+
+def surface_patch(entity, flag, unit, u, v):
+    """u, v: of axis_matrix."""
+    scale, (p, q), (ku, mu), (kv, mv) = Fraction(2) ** -unit, entity.degrees, u, v
+    rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]] for row in entity.rows[ku - p:ku + 1]]
+    return Patch(entity, flag, rows, (mu, mv))
+
 def patches_of(entity, breaks, flag, unit):
     """The patches of one entity, v fastest."""
-    scale = Fraction(2) ** -unit
     if entity.kind == "triangle":
-        yield Patch(entity, flag, [[[p[0] * scale, p[1] * scale, p[2] * scale, p[3]] for p in row] for row in entity.rows])
+        yield triangle_patch(entity, flag, unit)
         return
-    spans = []
-    for p, knots, b in zip(entity.degrees, entity.knots, breaks):
-        k, axis = p, []
-        for lo, hi in zip(b, b[1:]):
-            while knots[k + 1] <= lo:
-                k += 1
-            axis.append((k, bezier_matrix(knots, p, k, lo, hi)))
-        spans.append(axis)
-    p, q = entity.degrees
-    for ku, mu in spans[0]:
-        for kv, mv in spans[1]:
-            rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]]
-                    for row in entity.rows[ku - p:ku + 1]]
-            yield Patch(entity, flag, rows, (mu, mv))
+    us, vs = [[axis_matrix(entity, axis, lo, hi) for lo, hi in zip(b, b[1:])] for axis, b in enumerate(breaks)]
+    for u in us:
+        for v in vs:
+            yield surface_patch(entity, flag, unit, u, v)
 
 class Patch:
     """net: integers.  sides[s]: None collapsed, else (edge, first of the two?).  component: number."""
@@ -257,6 +263,9 @@ class Groups:
         numbers = {}
         return [numbers.setdefault(self.find(x), len(numbers)) for x in range(len(self.parent))]
 
+def is_collapsed(curve):
+    return all(p[c] * curve[0][3] == curve[0][c] * p[3] for p in curve for c in range(3))
+
 def curve_key(points):
     """Equal for homogeneous curves that agree, in any degree, up to a positive factor.  Text: its hash is keyed."""
     powers, n = [], len(points) - 1
@@ -275,7 +284,7 @@ def glue(patches, fail):
         for s in range(patch.num_sides):
             curve = patch.side(s)
             x, y = 4 * i + patch.corner(s, 0), 4 * i + patch.corner(s, 1)
-            if all(p[c] * curve[0][3] == curve[0][c] * p[3] for p in curve for c in range(3)):
+            if is_collapsed(curve):
                 corners.unite(x, y)
             else:
                 curve = curve[::-1] if patch.flag else curve

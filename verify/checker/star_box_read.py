@@ -199,6 +199,10 @@ class Body:
             raise Reject("B1", "a count is larger than the body")
         return n
 
+    def end(self):
+        if self.left():
+            raise Reject("B1", "bytes after the end of the body")
+
     def varint(self, limit=1 << 63):
         value = shift = 0
         while shift < 70:
@@ -251,17 +255,21 @@ class Box:
         self.c = [[x + o << shift for x, o in zip(lo, c)] for c in centres]
         self.component = None           # of the leaves that name it
 
+def read_entities(body, magic, entities):
+    """(flags, breaks) after the magic and the number of entities."""
+    if body.bytes(4) != magic or body.count(1) != len(entities):
+        raise Reject("B1", "magic, or another number of entities")
+    if not entities:
+        raise Reject("B1", "a model without entities bounds nothing")
+    flags = [body.u8(1) for _ in entities]
+    return flags, [read_breaks(body, e) if e and e.kind == "surface" else None for e in entities]
+
 class Certificate:
     """The body for these entities: B1."""
 
     def __init__(self, data, entities):
         body = Body(data)
-        if body.bytes(4) != b"VTSB" or body.count(1) != len(entities):
-            raise Reject("B1", "magic, or another number of entities")
-        if not entities:
-            raise Reject("B1", "a model without entities bounds nothing")
-        self.flags = [body.u8(1) for _ in entities]
-        self.breaks = [read_breaks(body, e) if e and e.kind == "surface" else None for e in entities]
+        self.flags, self.breaks = read_entities(body, b"VTSB", entities)
         cells = [1 if e.kind == "triangle" else (len(b[0]) - 1) * (len(b[1]) - 1) if e else 0
                  for e, b in zip(entities, self.breaks) if e]
         if 3 * sum(cells) > body.left():
@@ -277,8 +285,11 @@ class Certificate:
             raise Reject("B1", "more roots than the body has room for")
         self.trees = [[self.tree(body) for _ in range(1 << a + b)] for a, b in self.roots]
         self.walks = [self.walk(body) for _ in range(body.count(7))]
-        if body.left():
-            raise Reject("B1", "bytes after the end of the body")
+        self.read_rest(body)
+        body.end()
+
+    def read_rest(self, body):
+        """What other claims have behind the walks."""
 
     def tree(self, body):
         """Preorder: None for a node with children, else the leaf's box."""
@@ -305,12 +316,16 @@ class Certificate:
 
     def walk(self, body):
         """(start, points, None or the box it ends at, the direction to infinity)."""
-        start, points = self.end_of_walk(body), []
+        return (self.end_of_walk(body), *self.way(body))
+
+    def way(self, body):
+        """A walk without its start."""
+        points = []
         for _ in range(body.count(4)):
             shift = body.shift()
             points.append([body.zigzag() << shift for _ in range(3)])
         direction = body.u8(6)
-        return start, points, self.end_of_walk(body) if direction == 6 else None, direction
+        return points, self.end_of_walk(body) if direction == 6 else None, direction
 
 def read_breaks(body, entity):
     result = []

@@ -17,37 +17,31 @@ uint64_t limbs_below(const Node& n) {  // itself included
 Forest::Forest(StarBody* body, Units* units)
     : patches_(&body->patches), units_(units), roots_(body->num_roots), used_(body->num_roots) {
   std::vector<int64_t> hulls;
-  for (uint32_t i = 0; i < body->patches.size(); ++i) {
-    const Patch& p = body->patches[i];
-    uint64_t symbol = p.first_symbol;
-    for (uint64_t root = p.first_root; root < p.first_root + p.num_roots(); ++root) {
+  const uint32_t* symbol = body->symbols.data();
+  for (uint32_t i = 0; i < body->patches.size(); ++i)
+    for (uint64_t n = body->patches[i].num_roots(); n > 0; --n) {
+      order_.push_back(patch_of_.size());
       patch_of_.push_back(i);
-      order_.push_back(root);
-      const Hull& h = use(root)->hull;
+      const Hull& h = use(order_.back())->hull;
       hulls.insert(hulls.end(), h.out_lo, h.out_lo + 3);
       hulls.insert(hulls.end(), h.out_hi, h.out_hi + 3);
-      cover(body, roots_[root].get(), p, &symbol);
       tidy();
     }
-  }
+  each_leaf([&] { return *symbol++ != 0; },
+            [&](const Patch& p, const Node& leaf) {
+              const uint32_t number = symbol[-1] - 1;
+              Box& b = body->boxes[number];
+              require(leaf.hull.is_inside(b), "C1", "the hull of a leaf is not in its box", number);
+              require(b.component == kNoPair || b.component == p.component, "C1",
+                      "leaves of two components name the box", number);
+              b.component = p.component;
+            });
   for (size_t i = 0; i < body->boxes.size(); ++i)
     require(body->boxes[i].component != kNoPair, "C1", "no leaf names the box", i);
   if (body->num_roots > 0) build(0, body->num_roots, hulls);
 }
 
-// The tree of a node: every leaf's hull in its box.
-void Forest::cover(StarBody* body, Node* node, const Patch& p, uint64_t* symbol) {
-  const uint32_t s = body->symbols[(*symbol)++];
-  if (s != 0) {
-    Box& b = body->boxes[s - 1];
-    require(node->hull.is_inside(b), "C1", "the hull of a leaf is not in its box", s - 1);
-    require(b.component == kNoPair || b.component == p.component, "C1",
-            "leaves of two components name the box", s - 1);
-    b.component = p.component;
-    return;
-  }
-  Node* const child = children(p, node);
-  for (int c = 0; c < 4; ++c) cover(body, child + c, p, symbol);
+void Forest::drop_children(Node* node) {
   if (limbs_ <= kKeptLimbs) return;
   limbs_ -= limbs_below(*node) - node->limbs() - kNodeLimbs;
   node->child.reset();

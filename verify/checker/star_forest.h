@@ -35,6 +35,15 @@ class Forest {
     return node->child.get();
   }
   void need_g(const Patch& p, Node* node, Node* parent);
+  // visit(patch, node) for the leaves of trees that are read in preorder, one for each root;
+  // is_leaf() reads a symbol.
+  template <class IsLeaf, class Visit>
+  void each_leaf(IsLeaf is_leaf, Visit visit) {
+    for (uint64_t root = 0; root < patch_of_.size(); ++root) {
+      each_leaf(use(root), (*patches_)[patch_of_[root]], is_leaf, visit);
+      tidy();
+    }
+  }
   // Forgets what was used least lately if there is too much. Ends the use of all nodes.
   void tidy();
 
@@ -44,7 +53,14 @@ class Forest {
   };
   Node* use(uint64_t root);
   void add(size_t limbs);
-  void cover(StarBody* body, Node* node, const Patch& p, uint64_t* symbol);
+  template <class IsLeaf, class Visit>
+  void each_leaf(Node* node, const Patch& p, IsLeaf& is_leaf, Visit& visit) {
+    if (is_leaf()) return visit(p, *node);
+    Node* const child = children(p, node);
+    for (int c = 0; c < 4; ++c) each_leaf(child + c, p, is_leaf, visit);
+    drop_children(node);
+  }
+  void drop_children(Node* node);  // if there is too much
   size_t build(uint64_t lo, uint64_t hi, const std::vector<int64_t>& hulls);
 
   const std::vector<Patch>* patches_;

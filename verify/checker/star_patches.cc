@@ -98,7 +98,7 @@ std::vector<Big> extracted(const Entity& e, const Extraction& u, const Extractio
 }
 
 Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>& breaks,
-            std::vector<std::vector<Extraction>>* cache) {
+            std::vector<std::map<size_t, Extraction>>* cache) {
   const Entity& e = *at.entity;
   Patch r = Patch();
   r.is_rational = e.is_rational;
@@ -110,11 +110,10 @@ Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>
   }
   const Extraction* part[2];
   for (size_t a = 0; a < 2; ++a) {
-    std::vector<Extraction>& known = (*cache)[2 * at.surface + a];
-    const std::vector<Ratio>& b = breaks[2 * at.surface + a];
-    while (known.size() <= at.interval[a])
-      known.push_back(
-          extraction(e.knots[a], size_t(e.degrees[a]), b[known.size()], b[known.size() + 1]));
+    std::map<size_t, Extraction>& known = (*cache)[2 * at.surface + a];
+    const Ratio* const b = &breaks[2 * at.surface + a][at.interval[a]];
+    if (known.count(at.interval[a]) == 0)
+      known[at.interval[a]] = extraction(e.knots[a], size_t(e.degrees[a]), b[0], b[1]);
     part[a] = &known[at.interval[a]];
   }
   r.net = extracted(e, *part[0], *part[1], unit);
@@ -132,13 +131,13 @@ uint64_t cost(const Patch& p) {
 
 }  // namespace
 
-std::vector<Patch> cut_patches(const std::vector<Place>& places, int64_t unit,
-                               const std::vector<std::vector<Ratio>>& breaks) {
-  std::vector<std::vector<Extraction>> cache(breaks.size());
-  std::vector<Patch> r;
+void cut_patches(const std::vector<Place>& places, int64_t unit,
+                 const std::vector<std::vector<Ratio>>& breaks,
+                 const std::function<void(Patch&&)>& use) {
+  std::vector<std::map<size_t, Extraction>> cache(breaks.size());
   for (const Place& at : places) {
-    r.push_back(patch(at, unit, breaks, &cache));
-    r.back().cost = cost(r.back());
+    Patch made = patch(at, unit, breaks, &cache);
+    made.cost = cost(made);
+    use(std::move(made));
   }
-  return r;
 }

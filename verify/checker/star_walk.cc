@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_walk.cc: walks, docs/certificates/star-box.md, section 6.
+// star_walk.cc: walks, docs/certificates/star-box.md, section 6 (and W1), and shores of collars.
 #include "star_box.h"
 
 namespace {
@@ -66,7 +66,7 @@ struct Descent {
   void visit(const Patch& p, Node* node) {
     units.add(p.cost);
     if (!meets(p, *node)) return;
-    require(node->level < kLevels, "W1", "a node of level 24 is not off the walk", walk);
+    require(node->level < kLevels, units.id, "a node of level 24 is not off the walk", walk);
     Node* const child = forest.children(p, node);
     for (int c = 0; c < 4; ++c) visit(p, child + c);
   }
@@ -81,9 +81,21 @@ void check_line(const Line& line, uint64_t walk, Forest* forest, Units* units) {
 
 }  // namespace
 
-uint64_t check_walks(const StarBody& body, uint32_t components, Forest* forest, Units* units) {
+void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
+                    Units* units) {
+  for (size_t at = 0; at < points.size(); at += 3) {
+    Line line = {{points[at], points[at + 1], points[at + 2]}, {0, 0, 0}, at + 3 == points.size()};
+    if (line.is_ray && end == 6) break;
+    for (size_t k = 0; k < 3 && !line.is_ray; ++k) line.d[k] = points[at + 3 + k] - line.a[k];
+    if (line.is_ray) line.d[end / 2] = end % 2 == 0 ? 1 : -1;
+    check_line(line, walk, forest, units);
+  }
+}
+
+Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Units* units) {
   std::vector<bool> seen(components);
-  uint64_t bodies = 0, bad = ~uint64_t(0);
+  std::vector<int64_t> inside(components);  // w(c-)
+  Walks r = {0, 0, ~uint64_t(0)};
   require(body.walks.size() == components, "W1",
           "components and walks differ; components:", components);
   for (uint64_t i = 0; i < body.walks.size(); ++i) {
@@ -93,22 +105,11 @@ uint64_t check_walks(const StarBody& body, uint32_t components, Forest* forest, 
     require(!seen[from.component], "W1", "a component has two walks, one is", i);
     require(w.end < 6 || seen[to.component], "W1", "no earlier walk is where this ends:", i);
     seen[from.component] = true;
-    std::vector<int64_t> points(from.c[w.sign], from.c[w.sign] + 3);
-    points.insert(points.end(), w.points.begin(), w.points.end());
-    if (w.end == 6) points.insert(points.end(), to.c[w.end_sign], to.c[w.end_sign] + 3);
-    for (size_t at = 0; at < points.size(); at += 3) {
-      Line line = {
-          {points[at], points[at + 1], points[at + 2]}, {0, 0, 0}, at + 3 == points.size()};
-      if (line.is_ray && w.end == 6) break;
-      for (size_t k = 0; k < 3 && !line.is_ray; ++k) line.d[k] = points[at + 3 + k] - line.a[k];
-      if (line.is_ray) line.d[w.end / 2] = w.end % 2 == 0 ? 1 : -1;
-      check_line(line, i, forest, units);
-    }
-    // By W2 for the walks before, w = 1 at c- and 0 at c+ of their components.
-    const int value = w.end < 6 ? 0 : 1 - w.end_sign;
-    if (value != 1 - w.sign) bad = std::min(bad, i);
-    bodies += uint64_t(w.sign);
+    check_polyline(w.polyline(from.c[w.sign], body.boxes), w.end, i, forest, units);
+    const int64_t at_end = w.end < 6 ? 0 : inside[to.component] - w.end_sign;
+    r.last = inside[from.component] = at_end + w.sign;
+    if (r.last != 1) r.wrong = std::min(r.wrong, i);
+    r.bodies += uint64_t(w.sign);
   }
-  require(bad == ~uint64_t(0), "W2", "w is wrong at the start of walk", bad);
-  return bodies;
+  return r;
 }

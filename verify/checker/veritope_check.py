@@ -3,8 +3,9 @@
 """veritope_check.py MODEL CERT: does this certificate prove its claim about this model?
 
 Written from docs/certificates/reading-rule-1.md and docs/certificates/mesh.md (version 1) alone.
-Python 3.9 or later, standard library only, one file: copy it where you need it. The claim star-box-1
-(docs/certificates/star-box.md) needs star_box_*.py beside it; the claims about meshes do not.
+Python 3.9 or later, standard library only, one file: copy it where you need it. The claims about patches
+(docs/certificates/star-box.md, patch-invalid.md, collar.md) need star_box_*.py, patch_invalid_check.py and
+collar_*.py beside it; the claims about meshes do not.
 
 Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
 memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
@@ -13,6 +14,7 @@ All decisions are taken on Python integers.  A float only ever holds a coordinat
 compared and turned into its exact ratio, never added or multiplied.
 """
 import hashlib
+import importlib
 import math
 import os
 import re
@@ -20,7 +22,8 @@ import struct
 import sys
 from fractions import Fraction
 
-VERSION = "veritope_check.py 1 (mesh-valid-1, mesh-invalid-1, star-box-1; reading rule v1)"
+VERSION = ("veritope_check.py 1 (mesh-valid-1, mesh-invalid-1, star-box-1, star-box-turned-1, patch-invalid-1, collar-1;"
+           " reading rule v1)")
 READING_RULE = (
     "Reading rule v1: vertices with equal coordinates are one vertex, -0 equals +0, unless"
     " as_indexed is true (STL: always one); vertex ids count first occurrences in file order;"
@@ -321,12 +324,18 @@ HEX64 = r"[0-9a-f]{64}"
 COMMON_KEYS = {"certificate": "veritope-certificate-1", "tool": r".{0,200}",
                "subject_sha256": HEX64, "subject_bytes": int, "body_sha256": HEX64}
 MESH_KEYS = {"claim": ".*", "subject_format": "stl|obj|ply|off", "reading_rule": r".*", "as_indexed": bool}
+PATCH_KEYS = {"claim": ".*", "subject_format": "vjson", "patches": int, "flipped": int}
+STAR_KEYS = {**PATCH_KEYS, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 CLAIM_KEYS = {
     "mesh-valid-1": {**MESH_KEYS, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int,
                      "genus": int, "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"},   # lowest terms: V11
     "mesh-invalid-1": {**MESH_KEYS, "rules": r"M[1-9]( M[1-9])*"},
-    "star-box-1": {"claim": ".*", "subject_format": "vjson", "patches": int, "edges": int, "vertices": int,
-                   "shells": int, "bodies": int, "genus": int, "boxes": int, "flipped": int}}
+    "star-box-1": STAR_KEYS,
+    "star-box-turned-1": {**STAR_KEYS, "winding": int},
+    "collar-1": {**STAR_KEYS, "cells": int},
+    "patch-invalid-1": {**PATCH_KEYS, "finding": "crossing|side", "same": int, "opposite": int}}
+PATCH_MODULES = {"star-box-1": "star_box_check", "star-box-turned-1": "star_box_check", "collar-1": "collar_check",
+                 "patch-invalid-1": "patch_invalid_check"}
 
 def parse_statement(cert):
     """(statement, body): S1."""
@@ -385,8 +394,8 @@ def _check(model_bytes, cert_bytes, skip):
             raise Reject("S3", "the certificate is about another file")
         if statement["body_sha256"] != hashlib.sha256(body).hexdigest():
             raise Reject("S4", "the body is not the one that the statement names")
-        if statement["claim"] == "star-box-1":
-            return check_star_box(statement, body, model_bytes, skip)
+        if statement["claim"] in PATCH_MODULES:
+            return check_patches(statement, body, model_bytes, skip)
         mesh = Mesh(*read_model(model_bytes, statement["subject_format"], statement["as_indexed"]))
         decide = check_valid if statement["claim"] == "mesh-valid-1" else check_invalid
         decide(statement, Body(body), mesh, skip)
@@ -400,15 +409,16 @@ def _check(model_bytes, cert_bytes, skip):
         return 5, "BUG: %s: %s" % (type(e).__name__, e)
     return 0, "ACCEPT " + statement["claim"]
 
-def check_star_box(statement, body, model_bytes, skip):
+def check_patches(statement, body, model_bytes, skip):
+    name = PATCH_MODULES[statement["claim"]]
     sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
     try:
-        import star_box_check
+        module = importlib.import_module(name)
     except ImportError as e:
-        return 4, "ERROR: star_box_*.py are not beside veritope_check.py: %s" % e
+        return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (name, e)
     finally:
         del sys.path[0]
-    return star_box_check.check(statement, body, model_bytes, skip)
+    return module.check(statement, body, model_bytes, skip)
 
 class Body:
     """A cursor over the body; running out of bytes is B1."""

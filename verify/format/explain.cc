@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // The text form of a certificate.
-#include <algorithm>
-#include <functional>
 #include <string>
 
 #include "verify/format/mesh_certificate.h"
+#include "verify/format/text_parts.h"
 
 namespace veritope::certificate {
 namespace {
 
+using internal::append_list;
+using internal::statement_text;
+
 std::string vector_text(const std::array<std::int32_t, 3>& d) {
-  return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) + ")";
+  return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) +
+         ")";
 }
 
 std::string axis_text(std::uint8_t code) {
@@ -23,39 +26,19 @@ std::string pair_code_text(std::uint8_t code) {
   const int axis = code & 31;
   const auto edge = [](int i, char of) { return "e" + std::to_string(i) + "(" + of + ")"; };
   std::string text = (code & 32) != 0 ? "-" : "";
-  if (axis == 0) text += "n(a)";
-  else if (axis == 1) text += "n(b)";
-  else if (axis <= 10) text += edge((axis - 2) / 3, 'a') + " x " + edge((axis - 2) % 3, 'b');
-  else if (axis <= 13) text += "n(a) x " + edge(axis - 11, 'a');
-  else if (axis <= 16) text += "n(b) x " + edge(axis - 14, 'b');
-  else text += "unknown axis " + std::to_string(axis);
+  if (axis == 0)
+    text += "n(a)";
+  else if (axis == 1)
+    text += "n(b)";
+  else if (axis <= 10)
+    text += edge((axis - 2) / 3, 'a') + " x " + edge((axis - 2) % 3, 'b');
+  else if (axis <= 13)
+    text += "n(a) x " + edge(axis - 11, 'a');
+  else if (axis <= 16)
+    text += "n(b) x " + edge(axis - 14, 'b');
+  else
+    text += "unknown axis " + std::to_string(axis);
   return text + ((code & 64) != 0 ? ", then" : "");
-}
-
-// Values of the flat object in its own order, one a line. Statements hold no escapes and no blanks outside strings; what is not
-// printable, in the statement of a file that is no certificate, becomes '?'.
-std::string statement_text(const std::string& line) {
-  std::string out;
-  bool in_string = false;
-  for (char c : line) {
-    if (c == '"') in_string = !in_string;
-    if (!in_string && (c == '{' || c == '}')) continue;
-    if (!in_string && c == ',') {
-      out += '\n';
-    } else if (c == ':' && !in_string) {
-      out += ": ";
-    } else if (c != '"') {
-      out += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
-  return out + "\n";
-}
-
-void append_list(std::string& out, const std::string& name, std::size_t size, std::size_t max_items,
-                 const std::function<std::string(std::size_t)>& item) {
-  out += name + ": " + std::to_string(size) + "\n";
-  for (std::size_t i = 0; i < std::min(size, max_items); ++i) out += "  " + std::to_string(i) + ": " + item(i) + "\n";
-  if (size > max_items) out += "  ... and " + std::to_string(size - max_items) + " more\n";
 }
 
 std::string explain_valid(const ValidBody& b, std::size_t max_items) {
@@ -65,14 +48,18 @@ std::string explain_valid(const ValidBody& b, std::size_t max_items) {
               [&](std::size_t i) { return std::to_string(b.order[i]); });
   std::vector<std::size_t> by_code(256);
   for (std::uint8_t c : b.stars) ++by_code[c];
-  out += "stars: " + std::to_string(b.stars.size() - by_code[0]) + " of " + std::to_string(b.stars.size()) + "\n";
+  out += "stars: " + std::to_string(b.stars.size() - by_code[0]) + " of " +
+         std::to_string(b.stars.size()) + "\n";
   for (std::size_t c = 1; c < by_code.size(); ++c)
-    if (by_code[c] != 0) out += "  direction " + std::to_string(c) + ": " + std::to_string(by_code[c]) + " vertices\n";
+    if (by_code[c] != 0)
+      out += "  direction " + std::to_string(c) + ": " + std::to_string(by_code[c]) + " vertices\n";
   append_list(out, "star vectors", b.star_vectors.size(), max_items,
               [&](std::size_t i) { return vector_text(b.star_vectors[i]); });
-  append_list(out, "separators (pair of nodes, direction)", b.separators.size(), max_items, [&](std::size_t i) {
-    return "pair " + std::to_string(b.separators[i].index) + ", " + vector_text(b.separators[i].direction);
-  });
+  append_list(out, "separators (pair of nodes, direction)", b.separators.size(), max_items,
+              [&](std::size_t i) {
+                return "pair " + std::to_string(b.separators[i].index) + ", " +
+                       vector_text(b.separators[i].direction);
+              });
   append_list(out, "codes of leaf pairs", b.codes.size(), max_items,
               [&](std::size_t i) { return pair_code_text(b.codes[i]); });
   append_list(out, "nesting rays", b.nesting.size(), max_items,
@@ -106,8 +93,8 @@ std::string witness_text(const Witness& w) {
       return text;
     }
     default:
-      return "M" + std::to_string(w.rule) + ": just outside face " + a + " the winding number is not 0 (ray along " +
-             std::string(1, "xyz"[w.axis % 3]) + ")";
+      return "M" + std::to_string(w.rule) + ": just outside face " + a +
+             " the winding number is not 0 (ray along " + std::string(1, "xyz"[w.axis % 3]) + ")";
   }
 }
 

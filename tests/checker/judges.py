@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""The C++ checker beside the Python one: after judge(), all that the Python tests ask is asked of both, and exit code and condition must
+agree. VERITOPE_CHECK names the program."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests" / "checker_py"), str(ROOT / "verify" / "checker")]
+import veritope_check as vc                               # noqa: E402
+
+CHECK = os.environ["VERITOPE_CHECK"]
+FOLDER = tempfile.TemporaryDirectory()                    # gone at exit
+in_python = vc._check
+
+
+def condition(line):
+    return line.split(":")[0].split(" ")[0 if line.startswith("ACCEPT") else -1].strip()
+
+
+def in_cpp(model, certificate):
+    """(exit code, condition or ACCEPT, all that was printed)."""
+    paths = [os.path.join(FOLDER.name, name) for name in ("model", "certificate")]
+    for path, data in zip(paths, (model, certificate)):
+        with open(path, "wb") as file:
+            file.write(data)
+    r = subprocess.run([CHECK, *paths], capture_output=True, text=True, timeout=300, check=False)
+    return r.returncode, condition(r.stdout), r.stdout + r.stderr
+
+
+def both(model, certificate, skip=frozenset()):
+    code, line = in_python(model, certificate, skip)
+    if not skip:
+        other = in_cpp(model, certificate)
+        if "too far away" in other[2]:                    # the limit of the C++ checker (star-box.md, section 8)
+            assert other[:2] == (1, "B1"), other
+        elif (code, "" if code == 4 else condition(line)) != other[:2]:
+            raise AssertionError("Python: %d, %s; C++: %s" % (code, line, other))
+    return code, line
+
+
+def judge(module):
+    """module: veritope_check, as the tests know it."""
+    module._check = both                                  # check() calls it, too

@@ -306,3 +306,286 @@ def false_case(rng):
         found = make(rng)
         if found and found[0] and found[0].plan.boxes:
             return make.__name__, Case(*found)
+
+
+# ---------------------------------------------------------------- lies about false models
+
+def plain(case, rng):
+    """Boxes and walks as they are right for the parts."""
+    yield case.plan
+
+
+def changed(case):
+    return case.proof.copy().plan
+
+
+def boxes_of(plan, kind=0):
+    return [i for i, box in enumerate(plan.boxes) if box.kind == kind]
+
+
+def hot_and_cool(case):
+    """Star boxes that fail among all patches, and those that hold."""
+    prover = ps.reader(case.plan)
+    holds = {i for i in boxes_of(case.plan) if prover.holds(case.plan.boxes[i])}
+    return [i for i in boxes_of(case.plan) if i not in holds], sorted(holds), prover
+
+
+def swapped_centres(case, rng):
+    """c- and c+ exchanged: everywhere, at random, at one box."""
+    stars = boxes_of(case.plan)
+    for chosen in (stars, rng.sample(stars, len(stars) // 2), rng.sample(stars, min(1, len(stars)))):
+        plan = changed(case)
+        for i in chosen:
+            box = plan.boxes[i]
+            box.minus, box.plus = box.plus, box.minus
+        yield plan
+
+
+def forged_centres(case, rng):
+    """Centres of the prover's choice, so that the line between them misses or meets the sheets that it should not."""
+    stars = boxes_of(case.plan)
+    for _ in range(6 if stars else 0):
+        plan, way = changed(case), rng.randrange(4)
+        for i in rng.sample(stars, rng.choice((1, len(stars)))):
+            box = plan.boxes[i]
+            if any(s < 3 for s in box.size):
+                continue
+            if way == 0:
+                box.plus = list(box.minus)
+            elif way == 1:
+                box.minus, box.plus = [[rng.randint(1, s - 1) for s in box.size] for _ in range(2)]
+            elif way == 2:                                # both on one side of everything
+                box.minus, box.plus = [1, 1, 1], [min(2, s - 1) for s in box.size]
+            else:
+                box.minus, box.plus = [1, 1, 1], [s - 1 for s in box.size]
+        yield plan
+
+
+def grown_boxes(case, rng):
+    """Boxes that reach over more of the surface; one for everything, of either kind."""
+    for factor in (2, 4):
+        plan = changed(case)
+        for box in plan.boxes:
+            box.lo = [l - s * (factor - 1) // 2 for l, s in zip(box.lo, box.size)]
+            shift = [s * (factor - 1) // 2 for s in box.size]
+            box.size = [s * factor for s in box.size]
+            if box.kind == 0:
+                box.minus, box.plus = [[o + d for o, d in zip(c, shift)] for c in (box.minus, box.plus)]
+        yield plan
+    for kind in (0, 1):
+        plan = changed(case)
+        lo = [min(b.lo[k] for b in plan.boxes) for k in range(3)]
+        size = [max(b.lo[k] + b.size[k] for b in plan.boxes) - lo[k] for k in range(3)]
+        star = boxes_of(plan)[:1]
+        keep = [plan.boxes[i] for i in star]
+        plan.boxes = keep + [forge.Box(kind, lo, size, *([None] * 2 if kind else [[rng.randint(1, s - 1) for s in size] for _ in range(2)]))]
+        plan.trees = [[renamed(t, lambda n: 0 if [n] == star else len(keep)) for t in trees] for trees in plan.trees]
+        plan.walks = [(0, 1, [], rng.randrange(6))] * (1 if keep else 0)
+        yield plan
+
+
+def renamed(tree, name):
+    return name(tree) if isinstance(tree, int) else [renamed(t, name) for t in tree]
+
+
+def truncated_cover(case, rng):
+    """Leaves of boxes that fail name boxes that hold: the fullest cover of the rest. Then the walks are looked for anew."""
+    hot, cool, prover = hot_and_cool(case)
+    mine = named_by(case.proof, prover)
+    if not hot or not cool:
+        return
+    for nearest in (True, False):
+        proof = case.proof.copy()
+
+        def name(n):
+            if n not in hot:
+                return n
+            same = [m for m in cool if mine[m] == mine[n]] or cool
+            return min(same, key=lambda m: sum(abs(a - b) for a, b in zip(case.plan.boxes[m].lo, case.plan.boxes[n].lo))) if nearest else rng.choice(same)
+        proof.plan.trees = [[renamed(t, name) for t in trees] for trees in proof.plan.trees]
+        used = sorted({n for trees in proof.plan.trees for t in trees for n in leaves(t)})
+        keep_boxes(proof, used)
+        yield walk(proof).settle().plan
+
+
+def shrunk_boxes(case, rng):
+    """Boxes that fail, cut down around their centres until nothing else is near."""
+    hot, _, prover = hot_and_cool(case)
+    proof = case.proof.copy()
+    for i in hot:
+        for _ in range(12):
+            box = proof.plan.boxes[i]
+            if prover.holds(box):
+                break
+            lo = [max(min(a, b) - max(1, min(a, b) // 2), 0) for a, b in zip(box.minus, box.plus)]
+            hi = [max(a, b) + max(1, (s - max(a, b)) // 2) for a, b, s in zip(box.minus, box.plus, box.size)]
+            box.lo, box.size = [l + d for l, d in zip(box.lo, lo)], [h - d for h, d in zip(hi, lo)]
+            box.minus, box.plus = [[o - d for o, d in zip(c, lo)] for c in (box.minus, box.plus)]
+    if hot:
+        yield walk(proof).settle().plan
+
+
+def cut_trees(case, rng):
+    """Trees that end too early, or go on too long, and leaves in another order."""
+    for way in range(5):
+        plan = changed(case)
+        if way == 0:
+            plan.trees = [[leaves(t)[0] for t in trees] for trees in plan.trees]
+        elif way == 1:
+            plan.trees = plan.trees[1:] + plan.trees[:1]
+        elif way == 2:
+            plan.trees = [[renamed(t, lambda n: [n] * 4) for t in trees] for trees in plan.trees]
+        else:
+            target = rng.randrange(len(plan.boxes))
+            plan.trees = [[renamed(t, lambda n: target if rng.random() < .3 else n) for t in trees] for trees in plan.trees]
+        used = sorted({n for trees in plan.trees for t in trees for n in leaves(t)})
+        if rng.random() < .7:
+            keep_boxes(ps.Proof(plan), used)
+        yield plan
+
+
+def mesh_boxes_everywhere(case, rng):
+    """The boxes that fail, or all but the walks' first ones, are called mesh boxes; flat ones get one around each triangle."""
+    starts = {w[0] for w in case.plan.walks}
+    hot, _, _ = hot_and_cool(case)
+    for chosen in (hot, [i for i in boxes_of(case.plan) if i not in starts]):
+        plan = changed(case)
+        for i in chosen:
+            plan.boxes[i].kind, plan.boxes[i].minus, plan.boxes[i].plus = 1, None, None
+        yield plan
+    if all(e["kind"] == "triangle" and e["shape"]["degree"] == 1 for e in case.proof.entities):
+        proof = with_mesh_boxes(case.proof.entities)
+        if proof.plan.walks:
+            proof.plan.flags = list(case.plan.flags)
+            yield proof.plan
+
+
+def wrong_components(case, rng):
+    """Boxes of one component named by leaves of another."""
+    plan = changed(case)
+    n = len(plan.trees)
+    for _ in range(3):
+        plan = changed(case)
+        i, j = rng.randrange(n), rng.randrange(n)
+        other = leaves(plan.trees[j][0])
+        plan.trees[i] = [renamed(t, lambda n: rng.choice(other)) for t in plan.trees[i]]
+        yield plan
+
+
+def forged_walks(case, rng):
+    """Walks that jump through the surface, start or end on the wrong side, come twice, not at all, or in a circle."""
+    plan, stars = case.plan, boxes_of(case.plan)
+    for way in range(10 if stars and plan.walks else 0):
+        new = changed(case)
+        box, sign, points, end = new.walks[-1]
+        if way == 0:
+            new.walks = [(b, 1, [], rng.randrange(6)) for b, _, _, _ in new.walks]
+        elif way == 1:
+            new.walks = [(b, rng.randint(0, 1), [[rng.randint(-50, 50) * UNIT for _ in range(3)] for _ in range(rng.randint(0, 3))],
+                          rng.randrange(6)) for b, _, _, _ in new.walks]
+        elif way == 2:
+            new.walks[-1] = (box, 1 - sign, points, end)
+        elif way == 3:
+            new.walks[-1] = (box, sign, points, (rng.choice(stars), rng.randint(0, 1)))
+        elif way == 4:
+            new.walks = new.walks[:-1]
+        elif way == 5:
+            new.walks = new.walks + [new.walks[0]]
+        elif way == 6:
+            new.walks = new.walks[::-1]
+        elif way == 7:                                    # each ends at the next one
+            first = [w[0] for w in new.walks]
+            new.walks = [(b, s, [], (first[(i + 1) % len(first)], s)) for i, (b, s, _, _) in enumerate(new.walks)]
+        elif way == 8:
+            new.walks[0] = (new.walks[0][0], 1, [], (new.walks[0][0], 1))
+        else:
+            meshes = boxes_of(plan, 1)
+            new.walks[0] = (rng.choice(meshes or stars), 1, points, end)
+        if rng.random() < .7:
+            new.values["bodies"] = sum(s for _, s, _, _ in new.walks)
+        yield new
+
+
+def forged_numbers(case, rng):
+    """One number of the statement is another."""
+    for key in ("patches", "edges", "vertices", "shells", "bodies", "genus", "boxes", "flipped"):
+        plan = changed(case)
+        plan.values.update({"boxes": len(plan.boxes), "flipped": sum(plan.flags)}, **plan.values)
+        value = plan.values[key] + rng.choice((1, -1, 2, 1 << 62))
+        plan.values[key] = abs(value)
+        if abs(value) != case.plan.values.get(key, -1):
+            yield plan
+
+
+def forged_flags(case, rng):
+    for share in (1, .5, .1):
+        plan = changed(case)
+        plan.flags = [1 - f if rng.random() < share else f for f in plan.flags]
+        if share < 1 and len(set(plan.flags)) == 2 or case.why and len(set(plan.flags)) == 2:
+            yield plan
+
+
+def hidden_pieces(case, rng):
+    """Breaks that leave out a part of the domain, roots of another number or shape."""
+    for i in range(min(3, len(case.proof.entities))):
+        plan = changed(case)
+        if case.proof.entities[i]["kind"] == "surface":
+            plan.breaks[i] = rng.choice(([[Q(0), Q(1, 2)], [Q(0), Q(1)]], [[Q(0), Q(1)], [Q(1, 2), Q(1)]], [[Q(0), Q(2)], [Q(0), Q(1)]]))
+            yield plan
+            plan = changed(case)
+            plan.roots[i], tree = rng.choice(([0, 1], [1, 0], [1, 1], [2, 0])), plan.trees[i][0]
+            count = 1 << sum(plan.roots[i])
+            plan.trees[i] = ([tree] * 4)[:count] if isinstance(tree, int) else tree[:count]
+            yield plan
+
+
+LIES = (plain, swapped_centres, forged_centres, grown_boxes, truncated_cover, shrunk_boxes, cut_trees, mesh_boxes_everywhere,
+        wrong_components, forged_walks, forged_numbers, forged_flags, hidden_pieces)
+
+
+# ---------------------------------------------------------------- lies about sound models
+
+def three_sheets(rng):
+    """A hollow box of thin walls, and a star box through two walls and a third: one crossing, counted with signs."""
+    outer, inner = (Q(8), Q(6))
+    p = ps.box_solid(rng, [-outer] * 3, [outer] * 3)
+    q = ps.turned(ps.box_solid(rng, [-inner] * 3, [inner] * 3))
+    proof = walk(ps.joined(p, q)).settle()
+    plan = proof.plan
+    for _ in range(12):
+        new, k = proof.copy().plan, rng.randrange(3)
+        sheets = rng.choice((2, 3, 3, 4))
+        i = rng.choice(boxes_of(plan))
+        box = new.boxes[i]
+        lo, hi = [l for l in box.lo], [l + s for l, s in zip(box.lo, box.size)]
+        places = [-9, -7, 0, 7, 9]
+        a = rng.randrange(5 - min(sheets, 4))
+        ends = [places[a], places[a + min(sheets, 4)]]
+        lo[k], hi[k] = min(lo[k], ends[0] * UNIT - UNIT // 2), max(hi[k], ends[1] * UNIT + UNIT // 2)
+        middle = [(x + y) // 2 for x, y in zip(lo, hi)]
+        centres = [[*middle[:k], e * UNIT, *middle[k + 1:]] for e in ends]
+        rng.shuffle(centres)
+        box.lo, box.size = lo, [y - x for x, y in zip(lo, hi)]
+        box.minus, box.plus = [[c - l for c, l in zip(p, lo)] for p in centres]
+        yield Case(proof, None), new
+
+
+def overstated(rng):
+    """A solid with another number of shells, bodies, handles, vertices."""
+    case = Case(ps.solid(rng, .001), None)
+    yield from ((case, plan) for plan in forged_numbers(case, rng))
+
+
+def star_attacks(rng):
+    """(strategy, model, certificate)."""
+    r = rng.random()
+    if r < .06:
+        yield from (("three_sheets", case.bytes, case.certificate(plan)) for case, plan in three_sheets(rng))
+    elif r < .1:
+        yield from (("overstated", case.bytes, case.certificate(plan)) for case, plan in overstated(rng))
+    else:
+        name, case = false_case(rng)
+        for lie in LIES:
+            if lie in (plain, truncated_cover, shrunk_boxes, forged_walks) or rng.random() < .5:
+                for plan in lie(case, rng):
+                    yield "%s/%s" % (name, lie.__name__), case.bytes, case.certificate(plan)

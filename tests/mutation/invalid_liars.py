@@ -206,11 +206,18 @@ def invalid_attacks(rng):
         yield strategy.__name__, model, finding.certificate(model)
 
 
+def moved_finding(finding, rng):
+    """Rows of Y take back the map, up to a factor."""
+    axes, signs, scales, shift = ps.random_map(rng)
+    rows = [[6 // scales[k] * signs[k] * row[axes[k]] for k in range(3)] for row in finding.y]
+    return changed(finding, entities=[ps.mapped_entity(e, axes, signs, scales, shift) for e in finding.entities], y=rows)
+
+
 def honest(rng):
     """Crossing boxes and open ones."""
     boxes = [ps.box_solid(NoChoice, *c).entities for c in (((0, 0, 0), (4, 4, 4)), ((1, 1, 3), (3, 3, 6)))]
     finding = crossing_of_boxes(boxes[0] + boxes[1])
-    yield "crossing", finding
+    yield "crossing", moved_finding(finding, rng)
     entities = at_random(MODELS.cube()[:rng.randint(1, 5)], rng)
     border = rng.choice([(n, s) for n in range(len(entities)) for s in range(4) if forge.passing(entities, n, s)[1:] == (1, 0)])
     yield "side", forge.side(entities, *border)

@@ -475,7 +475,7 @@ def wrong_components(case, rng):
 def forged_walks(case, rng):
     """Walks that jump through the surface, start or end on the wrong side, come twice, not at all, or in a circle."""
     plan, stars = case.plan, boxes_of(case.plan)
-    for way in range(10 if stars and plan.walks else 0):
+    for way in rng.sample(range(10), 5 if stars and plan.walks else 0):
         new = changed(case)
         box, sign, points, end = new.walks[-1]
         if way == 0:
@@ -576,12 +576,58 @@ def overstated(rng):
     yield from ((case, plan) for plan in forged_numbers(case, rng))
 
 
+def as_turned(plan, winding):
+    plan.values = dict(plan.values, claim="star-box-turned-1", winding=forge.zigzag_code(winding), bodies=0)
+    return plan
+
+
+def told_as_turned(rng):
+    """A solid said to be turned; flags that turn it; a surface that is turned, with another winding number."""
+    p = ps.solid(rng, .001)
+    if any(p.plan.flags):                                 # without them the model is turned indeed
+        return
+    sound = Case(p, None)
+    yield sound, as_turned(changed(sound), rng.choice((0, 1, 2, -1)))
+    turned = Case(ps.turned(p), None)
+    yield turned, as_turned(changed(turned), 0)
+    for new in forged_walks(sound, rng):
+        yield sound, as_turned(new, rng.choice((0, 1, -1)))
+
+
+def really_turned(rng):
+    """Boxes whose faces point inwards, without a flag."""
+    def make():
+        return ps.Proof(known.AnySign([models.reversed_surface(e) for e in models.cube()]).prove().plan, ((0, 0, 0), 1))
+    proof = ps.made("turned", make)
+    axes, signs, scales, shift = ps.random_map(rng)
+    if ps.is_odd(axes, signs):
+        signs = tuple(-s for s in signs)
+    proof = ps.moved(proof, axes, signs, scales, shift)
+    as_turned(proof.plan, 0)
+    return Case(proof, "turned")
+
+
+def wrong_windings(rng):
+    case = really_turned(rng)
+    for winding in (1, 2, -1, -(1 << 62)):
+        yield case, as_turned(changed(case), winding)
+    for new in forged_numbers(case, rng):
+        yield case, new
+    for i in range(2):
+        new = changed(case)
+        new.flags = [1] * 6
+        yield case, new
+
+
 def star_attacks(rng):
     """(strategy, model, certificate)."""
     r = rng.random()
     if r < .06:
         yield from (("three_sheets", case.bytes, case.certificate(plan)) for case, plan in three_sheets(rng))
-    elif r < .1:
+    elif r < .12:
+        for told in (told_as_turned, wrong_windings):
+            yield from ((told.__name__, case.bytes, case.certificate(plan)) for case, plan in told(rng))
+    elif r < .16:
         yield from (("overstated", case.bytes, case.certificate(plan)) for case, plan in overstated(rng))
     else:
         name, case = false_case(rng)
@@ -589,3 +635,30 @@ def star_attacks(rng):
             if lie in (plain, truncated_cover, shrunk_boxes, forged_walks) or rng.random() < .5:
                 for plan in lie(case, rng):
                     yield "%s/%s" % (name, lie.__name__), case.bytes, case.certificate(plan)
+
+
+def honest(rng):
+    """(name, model, certificate): a solid, several side by side or in each other, a turned one."""
+    r = rng.random()
+    if r < .6:
+        p = ps.solid(rng, .02)
+    elif r < .75:
+        p = nested_rightly(rng)
+    else:
+        case = really_turned(rng)
+        yield "turned", case.bytes, case.certificate()
+        return
+    yield "star", forge.encode_model(p.entities), p.plan.certificate()
+    finer = ps.refined(p)
+    if finer:
+        yield "finer", forge.encode_model(p.entities), finer.plan.certificate()
+
+
+def nested_rightly(rng):
+    parts = []
+    for depth in range(rng.choice((2, 3))):
+        half = 54 // 3 ** depth
+        p = ps.box_solid(rng, [-half + rng.randint(0, half // 8) for _ in range(3)], [half - rng.randint(0, half // 8) for _ in range(3)])
+        parts.append(ps.turned(p) if depth % 2 else p)
+    rng.shuffle(parts)
+    return walk(ps.moved(ps.joined(*parts), *ps.random_map(rng))).settle()

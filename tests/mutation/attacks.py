@@ -660,9 +660,9 @@ class Run:
 
 def worker(kind, options, first, count, honest, queue):
     run = kind(options)
-    done = seed = 0
+    done, seed, end = 0, 0, time.monotonic() + (options.seconds or float("inf"))
     try:
-        while done < count and not len(run.failures) >= 20:
+        while done < count and time.monotonic() < end and not len(run.failures) >= 20:
             seed = first + options.jobs
             first = seed
             for name, case, cert in run.attacks(random.Random(seed)):
@@ -745,6 +745,7 @@ def parse(argv):
     a.add_argument("--python-checker", default=str(CHECKER_PY), help=argparse.SUPPRESS)
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     a.add_argument("--honest", type=int, default=1000)
+    a.add_argument("--seconds", type=float, default=0, help="stop after so long, if not 0")
     a.add_argument("--save", default="mutation-failures")
     return a.parse_args(argv)
 

@@ -38,7 +38,7 @@ def subjects(found):
 
 def draw(rng):
     r = rng.random()
-    return patch_liars.star_attacks if r < .45 else invalid_liars.invalid_attacks if r < .92 else collar_liars.collar_attacks
+    return patch_liars.star_attacks if r < .4 else invalid_liars.invalid_attacks if r < .95 else collar_liars.collar_attacks
 
 
 def honest(rng):

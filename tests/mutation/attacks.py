@@ -598,6 +598,9 @@ def honest_certificates(rng):
 class Run:
     """Counts of one worker; plain data, so that workers can send them back."""
 
+    conditions, implied = CONDITIONS, IMPLIED
+    attacks, honest_certificates = staticmethod(attacks), staticmethod(honest_certificates)
+
     def __init__(self, options):
         self.options = options
         self.py = load_checker(options.python_checker)
@@ -627,13 +630,13 @@ class Run:
             self.fail("FALSE CLAIM ACCEPTED", case.bytes, cert, seed, name)
         self.table[name, found] += 1
         seen = self.table[name, found]
-        if found in CONDITIONS and (seen < 20 or seen % 16 == 0):
+        if found in self.conditions and (seen < 20 or seen % 16 == 0):
             self.try_alone(case, cert, found)
 
     def try_alone(self, case, cert, found):
         if self.py._check(case.bytes, cert, frozenset((found,)))[0] == 0:
             self.alone[found] += 1
-        for partner in IMPLIED.get(found, ()):
+        for partner in self.implied.get(found, ()):
             if (self.py._check(case.bytes, cert, frozenset((found, partner)))[0] == 0 and
                     self.py._check(case.bytes, cert, frozenset((partner,)))[0] == 1):
                 self.alone[found + " with " + partner] += 1
@@ -655,14 +658,14 @@ class Run:
         self.failures.append("seed %d, %s: %s; saved %s.*" % (seed, name, why, stem))
 
 
-def worker(options, first, count, honest, queue):
-    run = Run(options)
-    done = seed = 0
+def worker(kind, options, first, count, honest, queue):
+    run = kind(options)
+    done, seed, end = 0, 0, time.monotonic() + (options.seconds or float("inf"))
     try:
-        while done < count and not len(run.failures) >= 20:
+        while done < count and time.monotonic() < end and not len(run.failures) >= 20:
             seed = first + options.jobs
             first = seed
-            for name, case, cert in attacks(random.Random(seed)):
+            for name, case, cert in run.attacks(random.Random(seed)):
                 run.attack(name, case, cert, seed)
                 done += 1
                 if done >= count:
@@ -671,7 +674,7 @@ def worker(options, first, count, honest, queue):
         while accepted < honest and not len(run.failures) >= 20:
             seed = first + options.jobs
             first = seed
-            for name, case, cert in honest_certificates(random.Random(seed)):
+            for name, case, cert in run.honest_certificates(random.Random(seed)):
                 run.accept(name, case, cert, seed)
                 accepted += 1
     except Exception as e:                                # a bug here must not look like a success
@@ -681,13 +684,13 @@ def worker(options, first, count, honest, queue):
     queue.put((run.table, run.alone, run.honest, run.failures))
 
 
-def run_all(options):
+def run_all(options, kind=Run):
     """(table, alone, honest, failures) of all workers together."""
     queue, totals = multiprocessing.Queue(), None
     share = [options.count // options.jobs + (j < options.count % options.jobs) for j in range(options.jobs)]
     honest = [options.honest // options.jobs + (j < options.honest % options.jobs) for j in range(options.jobs)]
     first = options.seed * 10 ** 8
-    processes = [multiprocessing.Process(target=worker, args=(options, first + j, share[j], honest[j], queue))
+    processes = [multiprocessing.Process(target=worker, args=(kind, options, first + j, share[j], honest[j], queue))
                  for j in range(options.jobs)]
     for p in processes:
         p.start()
@@ -699,9 +702,9 @@ def run_all(options):
     return totals
 
 
-def print_table(table, alone):
+def print_table(table, alone, all_conditions=CONDITIONS):
     names = sorted({n for n, _ in table})
-    conditions = [c for c in ["S1", "S2", "S3", "S4", "B1"] + CONDITIONS if any((n, c) in table for n in names)]
+    conditions = [c for c in ["S1", "S2", "S3", "S4", "B1"] + all_conditions if any((n, c) in table for n in names)]
     conditions += sorted({c for _, c in table} - set(conditions))
     print("%-22s" % "strategy" + "".join("%7s" % c for c in conditions))
     for n in names:
@@ -711,10 +714,10 @@ def print_table(table, alone):
         print("%-22s %d" % (name, alone[name]))
 
 
-def missing_conditions(alone):
+def missing_conditions(alone, conditions=CONDITIONS, implied=IMPLIED):
     """Condition ids that no attack needed (V3 and V5: that none needed next to the one that implies them)."""
-    return [c for c in CONDITIONS if not alone.get(c) and
-            not (c in IMPLIED and any(alone.get("%s with %s" % (c, p)) for p in IMPLIED[c]))]
+    return [c for c in conditions if not alone.get(c) and
+            not (c in implied and any(alone.get("%s with %s" % (c, p)) for p in implied[c]))]
 
 
 def figures(table, alone, honest, failures, seconds, options):
@@ -742,6 +745,7 @@ def parse(argv):
     a.add_argument("--python-checker", default=str(CHECKER_PY), help=argparse.SUPPRESS)
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     a.add_argument("--honest", type=int, default=1000)
+    a.add_argument("--seconds", type=float, default=0, help="stop after so long, if not 0")
     a.add_argument("--save", default="mutation-failures")
     return a.parse_args(argv)
 

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Lying provers against both checkers of the claims about patches: star-box-1, star-box-turned-1, patch-invalid-1, collar-1.
+
+As attacks.py, whose harness it uses: a model of known truth, a false claim, and a certificate in which everything but that claim is
+right for some part of the model.  Every attack must be rejected, by both checkers, for the same condition; honest certificates must be
+accepted.  Run
+
+    python3 tests/mutation/patch_attacks.py --count 100000 --seed 1 --checker PATH_TO_veritope-check
+"""
+import json
+import sys
+import time
+
+import attacks
+import collar_liars
+import invalid_liars
+import patch_liars
+
+CONDITIONS = ["B2", "B3", "P1", "C1", "C2", "C3", "C4", "W1", "W2", "W3", "K0", "K1E", "K1V", "K2", "K3", "I1", "I2", "I3", "I4",
+              "X1", "X2", "X3", "D1", "D2", "D3", "D4"]
+# X3 implies X2 (patch-invalid.md, section 4); sides that are not one and one for each component get stuck (referee-2, 2.3).
+IMPLIED = {"X2": ("X3",), "K2": ("K3",)}
+
+
+class Subject:
+    def __init__(self, data):
+        self.bytes = data
+
+
+def subjects(found):
+    last = None
+    for name, model, cert in found:
+        if last is None or last.bytes is not model:
+            last = Subject(model)
+        yield name, last, cert
+
+
+def draw(rng):
+    r = rng.random()
+    return patch_liars.star_attacks if r < .4 else invalid_liars.invalid_attacks if r < .95 else collar_liars.collar_attacks
+
+
+def honest(rng):
+    r = rng.random()
+    if r < .6:
+        yield from patch_liars.honest(rng)
+    elif r < .85:
+        for name, finding in invalid_liars.honest(rng):
+            model = patch_liars.forge.encode_model(finding.entities)
+            yield name, model, finding.certificate(model)
+    else:
+        made = collar_liars.honest(rng)
+        yield "collar", made.model, made.certificate()
+
+
+class Run(attacks.Run):
+    conditions, implied = CONDITIONS, IMPLIED
+
+    @staticmethod
+    def attacks(rng):
+        return subjects(draw(rng)(rng))
+
+    @staticmethod
+    def honest_certificates(rng):
+        return subjects(honest(rng))
+
+
+def missing_conditions(alone):
+    return attacks.missing_conditions(alone, CONDITIONS, IMPLIED)
+
+
+def by_lie(table):
+    """(what was bent, condition): the false models are summed up."""
+    short = {}
+    for (name, condition), n in table.items():
+        key = name.split("/")[-1], condition
+        short[key] = short.get(key, 0) + n
+    return short
+
+
+def figures(table, alone, honest_found, failures, seconds, options):
+    yield "patch_attacks", sum(table.values()), options.count
+    yield "patch_attacks_stopped_by_S_or_B1", sum(n for (_, c), n in table.items() if c in attacks.UNCOUNTED), None
+    yield "patch_attack_strategies", len({n for n, _ in table}), 100
+    yield "patch_attacks_accepted", sum(n for (_, c), n in table.items() if c == "ACCEPT"), 0
+    yield "patch_checker_disagreements", sum("disagree" in f for f in failures), 0
+    yield "patch_conditions_needed_alone", sum(1 for c in CONDITIONS if alone.get(c)), len(CONDITIONS) - len(IMPLIED)
+    yield "patch_conditions_not_needed", len(missing_conditions(alone)), 0
+    yield "honest_patch_certificates", sum(honest_found.values()), options.honest
+    yield "honest_patch_certificates_rejected", sum(n for (_, c), n in honest_found.items() if c != "ACCEPT"), 0
+    yield "checkers_compared", 2 if options.checker else 1, 2
+    yield "seconds", round(seconds, 1), None
+
+
+def main(argv):
+    options, start = attacks.parse(argv), time.monotonic()
+    table, alone, honest_found, failures = attacks.run_all(options, Run)
+    attacks.print_table(by_lie(table), alone, CONDITIONS)
+    for c in missing_conditions(alone) if options.count >= 20000 else ():
+        failures.append("no attack needs condition %s" % c)
+    for f in failures:
+        print("FAILURE:", f)
+    for name, value, goal in figures(table, alone, honest_found, failures, time.monotonic() - start, options):
+        print(json.dumps({"name": name, "value": value, "goal": goal}))
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -123,6 +123,7 @@ void add_certify(CLI::App& app, Options& o) {
   add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
   add_jobs(c, o);
   add_orientation(c, o);
+  c->add_flag("--collar", o.collar, "of patches: find a collar, certify it, too");
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
   add_any_format(c, o);

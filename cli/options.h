@@ -37,7 +37,8 @@ struct Options {
   std::uint64_t max_defects = 20;             ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
-  bool orient_auto = false;                      ///< certify, of spline files: --orient auto
+  bool orient_auto = false;                      ///< certify, cover, of spline files: --orient auto
+  bool collar = false;                           ///< certify, of spline files
   std::string output;                            ///< convert: OUT
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert

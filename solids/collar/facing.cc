@@ -7,7 +7,7 @@
 namespace veritope {
 namespace {
 
-constexpr double kLeastCosine = 0.02;
+constexpr double kLeastCosine = 0.02, kLongestPart = 0.5;
 
 std::array<Point3d, 26> make_directions() {
   std::array<Point3d, 26> out{};
@@ -26,6 +26,16 @@ Facing FacingOfPieces::of(PieceForest::Id id) {
   if (known_.size() <= id) known_.resize(forest_.num_nodes(), kUnknown);
   if (known_[id] == kUnknown) known_[id] = compute(id);
   return known_[id];
+}
+
+Facing FacingOfPieces::of_part(PieceForest::Id id, const Box3d& box) {
+  const PieceForest::Node node = forest_.node(id);
+  if (!meets(node.hull, box)) return kAllDirections;
+  if (extent(node.hull) <= kLongestPart * extent(box) || node.level >= PieceForest::kMaxLevel) return of(id);
+  const PieceForest::Id first = forest_.children(id);
+  Facing out = kAllDirections;
+  for (PieceForest::Id k = 0; k < 4 && out != 0; ++k) out &= of_part(first + k, box);
+  return out;
 }
 
 Facing FacingOfPieces::compute(PieceForest::Id id) {

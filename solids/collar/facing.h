@@ -18,6 +18,8 @@ class FacingOfPieces {
  public:
   explicit FacingOfPieces(PieceForest& forest) : forest_(forest) {}
   Facing of(PieceForest::Id id);
+  /// Of the parts of the piece that meet the box, none much longer than half of it.
+  Facing of_part(PieceForest::Id id, const Box3d& box);
 
  private:
   Facing compute(PieceForest::Id id);

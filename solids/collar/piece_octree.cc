@@ -12,8 +12,7 @@ using Id = PieceForest::Id;
 PieceOctree::PieceOctree(PieceForest& forest, const OctreeRoot& root, std::size_t memory)
     : forest_(forest), root_(root), memory_(memory) {
   Cell all;
-  for (std::uint32_t r = 0; r < forest.num_roots(); ++r)
-    gather(forest.root(r), root.box(), kPiece * root.edge(), &all.pieces);
+  for (std::uint32_t r = 0; r < forest.num_roots(); ++r) all.pieces.push_back(forest.root(r));
   cells_.push_back(std::move(all));
 }
 
@@ -24,16 +23,28 @@ std::vector<OctreeKey> PieceOctree::keys() const {
   return out;
 }
 
-void PieceOctree::gather(Id id, const Box3d& box, double longest, std::vector<Id>* out) {
+// Whether the surface comes as near as kPiece says.
+bool PieceOctree::is_met(Id id, const Box3d& box) {
   const Box3d hull = forest_.node(id).hull;
-  if (!meets(hull, box)) return;
-  if (extent(hull) <= longest || is_inside(hull, box) ||
-      forest_.node(id).level >= PieceForest::kMaxLevel) {
+  if (!meets(hull, box)) return false;
+  if (extent(hull) <= kPiece * extent(box) || is_inside(hull, box) ||
+      forest_.node(id).level >= PieceForest::kMaxLevel)
+    return true;
+  const Id first = forest_.children(id);
+  for (Id k = 0; k < 4; ++k)
+    if (is_met(first + k, box)) return true;
+  return false;
+}
+
+// The parts of a piece that meet the box: as far as they are known, and not much longer than it.
+void PieceOctree::gather(Id id, const Box3d& box, std::vector<Id>* out) {
+  const PieceForest::Node& node = forest_.node(id);
+  if (!meets(node.hull, box)) return;
+  if (node.first_child == PieceForest::kNone || extent(node.hull) <= extent(box)) {
     out->push_back(id);
     return;
   }
-  const Id first = forest_.children(id);
-  for (Id k = 0; k < 4; ++k) gather(first + k, box, longest, out);
+  for (Id k = 0; k < 4; ++k) gather(forest_.node(id).first_child + k, box, out);
 }
 
 void PieceOctree::split(const std::vector<bool>& which) {
@@ -48,7 +59,8 @@ void PieceOctree::split(const std::vector<bool>& which) {
     for (unsigned octant = 0; octant < 8; ++octant) {
       Cell child{cells_[i].key.child(octant), {}};
       const Box3d box = root_.box(child.key);
-      for (const Id id : cells_[i].pieces) gather(id, box, kPiece * extent(box), &child.pieces);
+      for (const Id id : cells_[i].pieces) gather(id, box, &child.pieces);
+      std::erase_if(child.pieces, [&](Id id) { return !is_met(id, box); });
       if (!child.pieces.empty()) out.push_back(std::move(child));
     }
     cells_[i].pieces = {};

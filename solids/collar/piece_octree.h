@@ -10,19 +10,21 @@
 namespace veritope {
 
 /// Cells that cover the surface: the hull of every piece that is small enough lies in their union, and its interior. At first the root alone.
-/// Pieces are refined with the cells that they meet: until they are at most kPiece times as long as the cell, or lie in it. So the union keeps close to the surface.
+/// A cell is dropped when all pieces that meet it are so small that their hulls miss it; it stays for good once a hull lies in it, or a piece that meets it
+/// is at most kPiece times as long as it. So the union keeps close to the surface, and pieces are split near the walls of cells only.
 class PieceOctree {
  public:
   static constexpr double kPiece = 0.25;
 
   struct Cell {
     OctreeKey key;
-    std::vector<PieceForest::Id> pieces;  ///< whose hulls meet the closed cell
+    std::vector<PieceForest::Id> pieces;  ///< all pieces that meet the closed cell are parts of these, whose hulls meet it
   };
 
   /// `memory`: bytes that the nets of the forest may take.
   PieceOctree(PieceForest& forest, const OctreeRoot& root, std::size_t memory);
 
+  const OctreeRoot& root() const { return root_; }
   /// Ascending.
   const std::vector<Cell>& cells() const { return cells_; }
   std::vector<OctreeKey> keys() const;
@@ -31,8 +33,8 @@ class PieceOctree {
   void split(const std::vector<bool>& which);
 
  private:
-  void gather(PieceForest::Id id, const Box3d& box, double longest,
-              std::vector<PieceForest::Id>* out);
+  bool is_met(PieceForest::Id id, const Box3d& box);
+  void gather(PieceForest::Id id, const Box3d& box, std::vector<PieceForest::Id>* out);
 
   PieceForest& forest_;
   OctreeRoot root_;

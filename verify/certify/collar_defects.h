@@ -23,6 +23,7 @@ struct LocalSheets {
 
 struct BodyDefect {
   std::uint32_t body = 0;
+  bool has_one_shell = true;
   std::string message;
 };
 
@@ -39,8 +40,8 @@ std::vector<BodyDefect> find_body_defects(
     const PatchComplex& patches, const std::vector<std::vector<std::uint32_t>>& shells_of_body,
     const ComplexBoundary& boundary);
 
-/// For each cell of the cover whether it is to be split: those of the bodies where several shells, or sheets that face in all directions, come
-/// together around a vertex; all of a body's cells if there are none.
+/// For each cell of the cover whether it is to be split: those of the bodies where several shells come together around a vertex, or in a body of one shell
+/// sheets that face in all directions; all of a body's cells if there are none.
 std::vector<bool> cells_to_split(PieceForest& forest, FacingOfPieces& facing,
                                  const PieceOctree& cover, const CommonSubdivision& complex,
                                  const ComplexBoundary& boundary,

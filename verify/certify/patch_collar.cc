@@ -63,7 +63,7 @@ class Search {
     for (std::uint32_t body = 0; body < collar_.bodies.size(); ++body)
       if (!collar_.bodies[body].is_product)
         out.push_back(
-            {body, "around shell " + std::to_string(shells[body][0]) + ": " + collar_.message});
+            {body, true, "around shell " + std::to_string(shells[body][0]) + ": " + collar_.message});
     return out;
   }
 

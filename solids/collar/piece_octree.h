@@ -18,7 +18,8 @@ class PieceOctree {
 
   struct Cell {
     OctreeKey key;
-    std::vector<PieceForest::Id> pieces;  ///< all pieces that meet the closed cell are parts of these, whose hulls meet it
+    std::vector<PieceForest::Id>
+        pieces;  ///< all pieces that meet the closed cell are parts of these, whose hulls meet it
   };
 
   /// `memory`: bytes that the nets of the forest may take.

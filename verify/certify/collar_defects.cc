@@ -26,7 +26,8 @@ class Splitter {
         cover_(cover),
         c_(complex),
         b_(boundary),
-        is_defect_(boundary.bodies.size()), has_one_shell_(boundary.bodies.size()) {
+        is_defect_(boundary.bodies.size()),
+        has_one_shell_(boundary.bodies.size()) {
     for (const BodyDefect& d : bodies) {
       is_defect_[d.body] = true;
       has_one_shell_[d.body] = d.has_one_shell;
@@ -38,7 +39,7 @@ class Splitter {
     std::vector<bool> is_filler(c_.num_cells(), true);
     for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
       is_filler[cell] = false;
-      if (is_defect_[b_.body_of_cell[cell]]) 
+      if (is_defect_[b_.body_of_cell[cell]])
         cells[cell] = sheets_of(cover_.cells()[i], has_one_shell_[b_.body_of_cell[cell]]);
     });
     // Cells that only fill gaps join what they touch.
@@ -54,7 +55,9 @@ class Splitter {
     LocalSheets out;
     for (const PieceForest::Id id : cell.pieces) {
       const std::uint32_t shell = forest_.complex().shell(forest_.node(id).patch);
-      out.add({with_facing && out.facing != 0 ? facing_.of_part(id, cover_.root().box(cell.key)) : out.facing, shell, shell});
+      out.add({with_facing && out.facing != 0 ? facing_.of_part(id, cover_.root().box(cell.key))
+                                              : out.facing,
+               shell, shell});
     }
     return out;
   }
@@ -129,7 +132,9 @@ std::vector<BodyDefect> find_body_defects(
   std::vector<BodyDefect> out;
   for (std::uint32_t body = 0; body < boundary.bodies.size(); ++body) {
     const std::vector<std::uint32_t>& shells = shells_of_body[body];
-    const auto complain = [&](std::string message) { out.push_back({body, shells.size() == 1, std::move(message)}); };
+    const auto complain = [&](std::string message) {
+      out.push_back({body, shells.size() == 1, std::move(message)});
+    };
     if (shells.size() != 1) {
       complain("the cells around shell " +
                (shells.empty() ? std::string("none") : std::to_string(shells[0])) + " hold " +

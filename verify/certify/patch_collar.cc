@@ -30,27 +30,33 @@ class Search {
 
   PatchCollarSearch run() {
     const Result<OctreeRoot> root = root_around(hull_of_leaves(forest_, cover_));
-    if (!root) return fail(root.error().message);
+    if (!root) {
+      fail(root.error().message);
+      return std::move(out_);
+    }
     root_ = *root;
     octree_.emplace(forest_, root_, options_.memory);
     for (int level = 0; level < 2; ++level)
       octree_->split(std::vector<bool>(octree_->cells().size(), true));
-    while (true) {
-      ++out_.rounds;
-      out_.cells_tried += octree_->cells().size();
-      Result<CommonSubdivision> complex =
-          thicken_to_manifold(OctreeKeySet::make(octree_->keys()).value());
-      if (!complex) return fail(complex.error().message);
-      const std::vector<BodyDefect> defects = find_defects(*complex);
-      if (defects.empty()) return conclude(std::move(*complex));
-      if (!split_at(*complex, defects)) return std::move(out_);
-    }
+    while (!is_done_) try_cells();
+    return std::move(out_);
   }
 
  private:
-  PatchCollarSearch fail(std::string message, std::optional<Box3d> place = {}) {
+  void fail(std::string message, std::optional<Box3d> place = {}) {
     out_.open = {place, std::move(message)};
-    return std::move(out_);
+    is_done_ = true;
+  }
+
+  void try_cells() {
+    ++out_.rounds;
+    out_.cells_tried += octree_->cells().size();
+    Result<CommonSubdivision> complex =
+        thicken_to_manifold(OctreeKeySet::make(octree_->keys()).value());
+    if (!complex) return fail(complex.error().message);
+    const std::vector<BodyDefect> defects = find_defects(*complex);
+    if (!defects.empty()) return split_at(*complex, defects);
+    conclude(std::move(*complex));
   }
 
   // Counts first: they are cheap, and refuse most covers that are too coarse.
@@ -62,13 +68,12 @@ class Search {
     collar_ = find_collar(complex).value();
     for (std::uint32_t body = 0; body < collar_.bodies.size(); ++body)
       if (!collar_.bodies[body].is_product)
-        out.push_back(
-            {body, true, "around shell " + std::to_string(shells[body][0]) + ": " + collar_.message});
+        out.push_back({body, true,
+                       "around shell " + std::to_string(shells[body][0]) + ": " + collar_.message});
     return out;
   }
 
-  // False, with the reason in out_, if the limits forbid it.
-  bool split_at(const CommonSubdivision& complex, const std::vector<BodyDefect>& defects) {
+  void split_at(const CommonSubdivision& complex, const std::vector<BodyDefect>& defects) {
     const std::vector<bool> which =
         cells_to_split(forest_, facing_, *octree_, complex, boundary_, defects);
     std::size_t more = 0;
@@ -76,24 +81,21 @@ class Search {
       if (!which[i]) continue;
       const OctreeKey key = octree_->cells()[i].key;
       more += 3;  // a surface meets about 4 of 8 children
-      if (key.level() < options_.max_level) continue;
-      fail(defects.front().message + "; cells of the least size come together here",
-           root_.box(key));
-      return false;
+      if (key.level() >= options_.max_level)
+        return fail(defects.front().message + "; cells of the least size come together here",
+                    root_.box(key));
     }
     if (which.size() + more > options_.max_cells) {
       const std::uint32_t cell = boundary_.bodies[defects.front().body].first_cell;
-      fail(defects.front().message + "; more than " + std::to_string(options_.max_cells) +
-               " cells would be needed",
-           root_.box(complex.cells()[cell]));
-      return false;
+      return fail(defects.front().message + "; more than " + std::to_string(options_.max_cells) +
+                      " cells would be needed",
+                  root_.box(complex.cells()[cell]));
     }
     octree_->split(which);
-    return true;
   }
 
-  PatchCollarSearch conclude(CommonSubdivision complex) {
-    octree_.reset();
+  // The cells are a collar around each shell; whether the shells lie in it as they should is left.
+  void conclude(CommonSubdivision complex) {
     Misplaced why;
     std::optional<CollarPlace> place =
         place_surface(forest_, cover_, root_, complex, collar_.boundary, &why);
@@ -108,21 +110,21 @@ class Search {
             "no free path from the collar's boundary to a star box or to infinity was found");
       shores.push_back(std::move(*s));
     }
-    if (const std::uint32_t body = twisted_body(shores); body != CommonSubdivision::kNone)
-      return fail("the winding numbers on both sides of the cells are equal",
-                  root_.box(complex.cells()[collar_.boundary.bodies[body].first_cell]));
+    if (const auto twisted = twisted_bodies(shores); !twisted.empty())
+      return split_at(complex, twisted);
     const CollapseCheck check = replay_collapse(complex, collar_.d_plus_faces(), collar_.collapses);
     VT_CHECK(check.fault == CollapseFault::kNone, "a collapse that was found cannot be replayed");
     out_.collar.emplace(PatchCollar{root_, std::move(complex), std::move(collar_),
                                     std::move(*place), std::move(shores)});
-    return std::move(out_);
+    is_done_ = true;
   }
-  // A body whose two sides have not the winding numbers 0 and 1.
-  std::uint32_t twisted_body(const std::vector<Shore>& shores) const {
+  // Bodies whose two sides have not the winding numbers 0 and 1.
+  std::vector<BodyDefect> twisted_bodies(const std::vector<Shore>& shores) const {
+    std::vector<BodyDefect> out;
     for (std::uint32_t k = 0; k < collar_.bodies.size(); ++k)
       if (shores[collar_.bodies[k].d_plus].winding == shores[collar_.bodies[k].d_minus].winding)
-        return k;
-    return CommonSubdivision::kNone;
+        out.push_back({k, true, "the winding numbers on both sides of the cells are equal"});
+    return out;
   }
 
   PieceForest& forest_;
@@ -134,6 +136,7 @@ class Search {
   ComplexBoundary boundary_;
   Collar collar_;
   PatchCollarSearch out_;
+  bool is_done_ = false;
 };
 
 }  // namespace

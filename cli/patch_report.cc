@@ -72,6 +72,8 @@ std::string place_text(const Box3d& box) {
   return "in the box " + corner(box.lo) + " to " + corner(box.hi);
 }
 
+}  // namespace
+
 std::string collar_text(const CollarReport& c) {
   if (!c.is_found) {
     std::string out = detail_line("collar", "none found: " + c.message);
@@ -85,8 +87,6 @@ std::string collar_text(const CollarReport& c) {
                          (is_even ? ", level " : ", levels ") + std::to_string(c.coarsest_level) +
                          (is_even ? "" : " to " + std::to_string(c.finest_level)));
 }
-
-}  // namespace
 
 CollarReport collar_report(const PatchCollarSearch& search, int scale) {
   CollarReport out;

@@ -22,6 +22,8 @@ struct CollarReport {
   unsigned coarsest_level = 0, finest_level = 0;
   double longest_edge = 0, shortest_edge = 0;
 };
+/// Lines of a report in text.
+std::string collar_text(const CollarReport& collar);
 CollarReport collar_report(const PatchCollarSearch& search, int scale);
 
 struct PatchReport {

@@ -4,6 +4,7 @@
 #include "cli/patch_report.h"
 #include "io/patch_model.h"
 #include "io/read_splines.h"
+#include "verify/certify/collar_certifier.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/certify/star_box_certifier.h"
 #include "verify/format/sha256.h"
@@ -112,7 +113,15 @@ class PatchCertification : public Certification {
     for (const PatchShellFacts& s : decision_.shells)
       r.genus += static_cast<std::uint64_t>(s.genus);
     r.volume = decision_.volume;
+    if (settings_.with_collar) seek_collar();
     return true;
+  }
+
+  void seek_collar() {
+    phase("looking for a collar");
+    collar_ = find_patch_collar(*forest_, decision_.cover);
+    report_.patches->collar = collar_report(collar_, forest_->scale());
+    report_.seconds.collar = watch_.lap();
   }
 
   bool certify() override {
@@ -127,26 +136,34 @@ class PatchCertification : public Certification {
     subject.bytes = report_.patches->bytes;
     subject.format = spline_format_name(report_.patches->format);
     subject.tool = tool_name();
-    bytes_ =
-        make_star_box_certificate(*forest_, decision_.cover, decision_.walks, entities, subject);
+    bytes_ = collar_.collar ? make_collar_certificate(*forest_, decision_.cover, decision_.walks,
+                                                      *collar_.collar, entities, subject)
+                            : make_star_box_certificate(*forest_, decision_.cover, decision_.walks,
+                                                        entities, subject);
     report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
     report_.seconds.certify = watch_.lap();
     forest_.reset();  // memory for the checker
     decision_.cover = {};
+    has_collar_ = collar_.collar.has_value();
+    collar_ = {};
     return true;
   }
 
   bool is_valid() const override { return decision_.is_valid; }
-  std::string claim() const override { return std::string(certificate::kStarBoxClaim); }
+  std::string claim() const override {
+    return std::string(has_collar_ ? certificate::kCollarClaim : certificate::kStarBoxClaim);
+  }
   void forget() override {
     if (!report_.patches) return;
     PatchReport& r = *report_.patches;
     r.bodies = r.genus = r.boxes = 0;
     r.shell_facts.clear();
     r.volume.reset();
+    r.collar.reset();
   }
   std::string own_options() const override {
-    return settings_.orientation == PatchOrientation::kAuto ? "--orient auto " : "";
+    return std::string(settings_.orientation == PatchOrientation::kAuto ? "--orient auto " : "") +
+           (settings_.with_collar ? "--collar " : "");
   }
 
   // Always false.
@@ -159,6 +176,8 @@ class PatchCertification : public Certification {
   std::optional<PatchComplex> complex_;
   std::optional<PieceForest> forest_;
   PatchDecision decision_;
+  PatchCollarSearch collar_;
+  bool has_collar_ = false;  ///< the certificate says so
 };
 
 }  // namespace

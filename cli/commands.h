@@ -12,6 +12,7 @@ ExitCode run_info(const Options& options, StandardOutput& out);
 ExitCode run_convert(const Options& options, StandardOutput& out);
 ExitCode run_intersect(const Options& options, StandardOutput& out);
 ExitCode run_project(const Options& options, StandardOutput& out);
+ExitCode run_cover(const Options& options, StandardOutput& out);
 ExitCode run_explain(const Options& options, StandardOutput& out);
 ExitCode run_explain_certificate(const Options& options, StandardOutput& out);
 ExitCode run_predicate(const Options& options, StandardOutput& out);

@@ -30,6 +30,7 @@ struct CertificateReport {
 /// Wall-clock seconds of the phases that took place.
 struct PhaseSeconds {
   std::optional<double> read, decide, certify, check;
+  std::optional<double> collar;  ///< of patches, beside decide
 };
 
 /// What went wrong with a file. Code names are those of code_name, and "internal", "not-checked",

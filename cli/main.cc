@@ -33,6 +33,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
     case Command::kConvert: return run_convert(options, out);
     case Command::kIntersect: return run_intersect(options, out);
     case Command::kProject: return run_project(options, out);
+    case Command::kCover: return run_cover(options, out);
     case Command::kExplain: return run_explain(options, out);
     case Command::kExplainCertificate: return run_explain_certificate(options, out);
     case Command::kPredicate: return run_predicate(options, out);

@@ -123,6 +123,7 @@ void add_certify(CLI::App& app, Options& o) {
   add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
   add_jobs(c, o);
   add_orientation(c, o);
+  c->add_flag("--collar", o.collar, "of patches: find a collar, certify it, too");
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
   add_any_format(c, o);
@@ -212,6 +213,30 @@ void add_project(CLI::App& app, Options& o) {
   add_any_format(c, o);
 }
 
+void add_cover(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("cover", "the boxes and cells of a proof, to look at");
+  c->callback([&o] { o.command = Command::kCover; });
+  add_file(c, "MODEL", o.files, "a file of patches (itd, g2, mfem, gismo, vjson)");
+  c->add_option("-o,--output", o.output, "the new file: .vtu, .obj, .ply, .off or .stl")
+      ->required()
+      ->type_name("F");
+  c->add_option_function<std::string>(
+       "--what",
+       [&o](const std::string& name) {
+         const auto part = cover_part_from_name(name);
+         if (!part)
+           throw CLI::ValidationError("--what",
+                                      "must be boxes, collar, outer or inner, not " + name);
+         o.cover_part = *part;
+       },
+       "boxes: star boxes; collar: octree cells around the\nsurface (default); outer, inner: the "
+       "solid with the\ncells, and without them")
+      ->type_name("W");
+  add_orientation(c, o);
+  c->add_flag("-q,--quiet", o.quiet, "nothing on standard output, no progress");
+  add_any_format(c, o);
+}
+
 void add_explain(CLI::App& app, Options& o) {
   CLI::App* const c = app.add_subcommand("explain", "what a rule means; without RULE: the list");
   c->callback([&o] { o.command = Command::kExplain; });
@@ -266,7 +291,7 @@ std::string contradiction(const Options& o) {
   const auto inputs = std::count(o.files.begin(), o.files.end(), "-");
   const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
                      o.command == Command::kConvert || o.command == Command::kIntersect ||
-                     o.command == Command::kProject;
+                     o.command == Command::kProject || o.command == Command::kCover;
   if (reads && inputs > 0 && !o.reading.format && !o.spline_format)
     return "- is standard input and needs --format";
   if (inputs > 1) return "standard input can be read once only";
@@ -276,6 +301,7 @@ std::string contradiction(const Options& o) {
   if (o.command == Command::kConvert && o.output == "-" && !o.to) {
     return "- is standard output and needs --to";
   }
+  if (o.command == Command::kCover && o.output == "-") return "--output needs a file name, not -";
   if (o.picture == "-") return "--picture needs a file name, not -";
   if (o.picture && o.files.size() > 1) return "--picture shows one file, not several";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
@@ -301,6 +327,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_convert(app, o);
   add_intersect(app, o);
   add_project(app, o);
+  add_cover(app, o);
   add_explain(app, o);
   add_predicate(app, o);
   add_selftest(app, o);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/cover_picture.h"
 #include "cli/named_predicate.h"
 #include "io/read_mesh.h"
 #include "io/spline_format.h"
@@ -18,6 +19,7 @@ enum class Command {
   kConvert,
   kIntersect,
   kProject,
+  kCover,
   kExplain,
   kExplainCertificate,
   kPredicate,
@@ -37,8 +39,10 @@ struct Options {
   std::uint64_t max_defects = 20;             ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
-  bool orient_auto = false;                      ///< certify, of spline files: --orient auto
-  std::string output;                            ///< convert: OUT
+  bool orient_auto = false;                      ///< certify, cover, of spline files: --orient auto
+  bool collar = false;                           ///< certify, of spline files
+  std::string output;                            ///< convert: OUT; cover: -o
+  CoverPart cover_part = CoverPart::kCollar;     ///< cover: --what
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert
   bool faces = false;                            ///< convert, of volumes

@@ -21,13 +21,28 @@ Json bounds_json(const std::optional<Interval>& v) {
   return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
 }
 
-Json place_json(const PatchReport& r) {
-  if (!r.open || !r.open->place) return nullptr;
-  const Box3d& box = *r.open->place;
+Json place_json(const std::optional<Box3d>& place) {
+  if (!place) return nullptr;
+  const Box3d& box = *place;
   const auto corner = [](const Point3d& p) {
     return Json::array({number_json(p[0]), number_json(p[1]), number_json(p[2])});
   };
   return {{"min", corner(box.lo)}, {"max", corner(box.hi)}};
+}
+
+Json collar_json(const std::optional<CollarReport>& c) {
+  if (!c) return nullptr;
+  Json out = {{"found", c->is_found}};
+  if (!c->is_found) {
+    out["message"] = c->message;
+    out["place"] = place_json(c->place);
+    return out;
+  }
+  out["cells"] = c->cells;
+  out["levels"] = {{"coarsest", c->coarsest_level}, {"finest", c->finest_level}};
+  out["edges"] = {{"longest", number_json(c->longest_edge)},
+                  {"shortest", number_json(c->shortest_edge)}};
+  return out;
 }
 
 std::string bounds_text(const Interval& v) {
@@ -59,6 +74,40 @@ std::string place_text(const Box3d& box) {
 
 }  // namespace
 
+std::string collar_text(const CollarReport& c) {
+  if (!c.is_found) {
+    std::string out = detail_line("collar", "none found: " + c.message);
+    return c.place ? out + detail_line("where", place_text(*c.place)) : out;
+  }
+  const bool is_even = c.coarsest_level == c.finest_level;
+  return detail_line("coarsest collar",
+                     counted(c.cells, "cell", "cells") + ", edge " +
+                         short_decimal(c.shortest_edge) +
+                         (is_even ? "" : " to " + short_decimal(c.longest_edge)) +
+                         (is_even ? ", level " : ", levels ") + std::to_string(c.coarsest_level) +
+                         (is_even ? "" : " to " + std::to_string(c.finest_level)));
+}
+
+CollarReport collar_report(const PatchCollarSearch& search, int scale) {
+  CollarReport out;
+  if (!search.collar) {
+    out.message = search.open.message;
+    if (search.open.place) out.place = in_model_units(*search.open.place, scale);
+    return out;
+  }
+  const OctreeKeySet& cells = search.collar->complex.cells();
+  out.is_found = true;
+  out.cells = cells.size();
+  out.finest_level = cells.finest_level();
+  out.coarsest_level = out.finest_level;
+  for (const OctreeKey key : cells.keys())
+    out.coarsest_level = std::min(out.coarsest_level, key.level());
+  const double edge = std::ldexp(search.collar->root.edge(), -scale);
+  out.longest_edge = std::ldexp(edge, -static_cast<int>(out.coarsest_level));
+  out.shortest_edge = std::ldexp(edge, -static_cast<int>(out.finest_level));
+  return out;
+}
+
 std::string patch_report_json(const FileReport& report) {
   const PatchReport& r = *report.patches;
   const bool is_valid = report.verdict == FileVerdict::kValid;
@@ -78,7 +127,7 @@ std::string patch_report_json(const FileReport& report) {
   out["verdict"] = verdict_name(report.verdict);
   out["exit"] = static_cast<int>(report.exit);
   out["error"] = fault_json(report.fault);
-  out["place"] = place_json(r);
+  out["place"] = place_json(r.open ? r.open->place : std::nullopt);
   out["counts"] = {
       {"entities", r.entities},     {"patches", r.patches},       {"edges", r.edges},
       {"vertices", r.vertices},     {"shells", r.shells},         {"bodies", if_valid(r.bodies)},
@@ -86,8 +135,10 @@ std::string patch_report_json(const FileReport& report) {
   out["flipped"] = r.flipped;
   out["shells"] = std::move(shells);
   out["volume"] = bounds_json(r.volume);
+  out["collar"] = collar_json(r.collar);
   out["certificate"] = certificate_json(report.certificate);
   out["seconds"] = phases_json(report.seconds);
+  out["seconds"]["collar"] = seconds_json(report.seconds.collar);
   return dump(out);
 }
 
@@ -119,6 +170,7 @@ std::string patch_details(const FileReport& report) {
                                     std::to_string(r.boxes_tried) + " tried)");
     if (r.volume) out += detail_line("volume", bounds_text(*r.volume));
     out += shells_text(r);
+    if (r.collar) out += collar_text(*r.collar);
   } else if (r.open && r.open->place) {
     out += detail_line("where", place_text(*r.open->place));
   }

@@ -7,9 +7,24 @@
 #include <vector>
 
 #include "io/spline_format.h"
+#include "verify/certify/patch_collar.h"
 #include "verify/certify/patch_decision.h"
 
 namespace veritope::cli {
+
+/// The coarsest collar that was found around the surface, or why none was.
+struct CollarReport {
+  bool is_found = false;
+  std::string message;         ///< if not
+  std::optional<Box3d> place;  ///< if known; in the model's units, rounded outward
+  std::uint64_t cells = 0;
+  /// Of the cells: 2^-level of the root's edge; lengths in the model's units.
+  unsigned coarsest_level = 0, finest_level = 0;
+  double longest_edge = 0, shortest_edge = 0;
+};
+/// Lines of a report in text.
+std::string collar_text(const CollarReport& collar);
+CollarReport collar_report(const PatchCollarSearch& search, int scale);
 
 struct PatchReport {
   SplineFormat format = SplineFormat::kJson;
@@ -22,6 +37,7 @@ struct PatchReport {
   std::uint64_t bodies = 0, genus = 0, boxes = 0;
   std::vector<PatchShellFacts> shell_facts;
   std::optional<Interval> volume;
+  std::optional<CollarReport> collar;  ///< if it was asked for
 };
 
 struct FileReport;

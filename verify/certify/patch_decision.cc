@@ -30,15 +30,6 @@ Kind kind_of(UncoveredPiece::Why why) {
   return why == UncoveredPiece::Why::kBudget ? Kind::kBudget : Kind::kNoStarBox;
 }
 
-// Times a power of two: exact, but for numbers near the ends of binary64, which go outward.
-Box3d in_model_units(Box3d box, int scale) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.lo[k] = std::nextafter(std::ldexp(box.lo[k], -scale), -HUGE_VAL);
-    box.hi[k] = std::nextafter(std::ldexp(box.hi[k], -scale), HUGE_VAL);
-  }
-  return box;
-}
-
 OpenQuestion complex_question(const PatchComplex& complex) {
   OpenQuestion open{Kind::kComplex, {}, {}, {}, "the patches are no closed oriented surface"};
   for (const PatchFinding& f : complex.findings()) {
@@ -122,6 +113,15 @@ class Decider {
 };
 
 }  // namespace
+
+// Times a power of two: exact, but for numbers near the ends of binary64.
+Box3d in_model_units(Box3d box, int scale) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = std::nextafter(std::ldexp(box.lo[k], -scale), -HUGE_VAL);
+    box.hi[k] = std::nextafter(std::ldexp(box.hi[k], -scale), HUGE_VAL);
+  }
+  return box;
+}
 
 PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options,
                              std::optional<PieceForest>* forest) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "verify/certify/file_order.h"
 #include "verify/certify/natural.h"
 
 namespace veritope {
@@ -23,8 +24,8 @@ Fraction to_fraction(const Rational& v) {
 class BodyWriter {
  public:
   BodyWriter(const PieceForest& forest, const StarCover& cover,
-             const std::vector<StarBoxEntity>& entities)
-      : forest_(forest), cover_(cover), entities_(entities) {}
+             const std::vector<StarBoxEntity>& entities, int most_exponent)
+      : forest_(forest), cover_(cover), entities_(entities), most_exponent_(most_exponent) {}
 
   StarBoxBody write(const ShellWalks& walks) {
     for (const StarBoxEntity& e : entities_) {
@@ -53,15 +54,9 @@ class BodyWriter {
     }
   }
   void write_patch(std::uint32_t patch, bool is_reversed) {
-    const PieceForest::Form& form = forest_.form(patch);
-    std::array<std::uint8_t, 2> bits{form.root_bits[0], form.root_bits[1]};
-    const std::uint32_t columns = std::uint32_t{1} << bits[1];
-    if (is_reversed) std::swap(bits[0], bits[1]);
-    body_.roots.push_back(bits);
-    for (std::uint32_t i = 0; i < std::uint32_t{1} << bits[0]; ++i)
-      for (std::uint32_t j = 0; j < std::uint32_t{1} << bits[1]; ++j)
-        write_node(form.first_root + (is_reversed ? j * columns + i : i * columns + j),
-                   is_reversed);
+    FileOrder(forest_).for_each_root(
+        patch, is_reversed, [&](const auto& bits) { body_.roots.push_back(bits); },
+        [&](Id root) { write_node(root, is_reversed); });
   }
   void write_node(Id id, bool is_reversed) {
     const std::uint32_t box = cover_.box_of_node[id];
@@ -70,13 +65,12 @@ class BodyWriter {
       return;
     }
     body_.trees.push_back(certificate::kSplit);
-    const Id first = forest_.node(id).first_child;
-    for (const Id k : {0u, 1u, 2u, 3u})
-      write_node(first + (is_reversed && (k == 1 || k == 2) ? 3 - k : k), is_reversed);
+    FileOrder(forest_).for_each_child(id, is_reversed,
+                                      [&](Id child) { write_node(child, is_reversed); });
   }
 
   void write_boxes() {
-    int least = 0;
+    int least = most_exponent_;
     for (const CoverBox& b : cover_.boxes) least = std::min(least, std::ilogb(b.unit));
     body_.exponent = least - forest_.scale();
     for (const CoverBox& b : cover_.boxes) {
@@ -100,21 +94,26 @@ class BodyWriter {
   const PieceForest& forest_;
   const StarCover& cover_;
   const std::vector<StarBoxEntity>& entities_;
+  int most_exponent_;
   StarBoxBody body_;
 };
 
 }  // namespace
 
-certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
-                                             const ShellWalks& walks,
-                                             const std::vector<StarBoxEntity>& entities,
-                                             const certificate::Subject& subject) {
+certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const StarCover& cover,
+                                            const ShellWalks& walks,
+                                            const std::vector<StarBoxEntity>& entities,
+                                            int most_exponent) {
   VT_CHECK(cover.is_complete() && walks.missing.empty(),
            "a certificate needs a whole cover and all walks");
   for (const ShellWalk& w : walks.walks)
     VT_CHECK(w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
+  return BodyWriter(forest, cover, entities, most_exponent).write(walks);
+}
+
+certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
+                                                   const ShellWalks& walks) {
   certificate::StarBoxQuantities q;
-  const PatchComplex& complex = forest.complex();
   q.patches = complex.patches().size();
   q.edges = complex.num_edges();
   q.vertices = complex.num_vertices();
@@ -122,7 +121,15 @@ certificate::Bytes make_star_box_certificate(const PieceForest& forest, const St
   for (const PatchShell& shell : complex.shells())
     q.genus += static_cast<std::uint64_t>(shell.genus().value());
   q.bodies = walks.num_bodies();
-  return certificate::encode(subject, q, BodyWriter(forest, cover, entities).write(walks));
+  return q;
+}
+
+certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
+                                             const ShellWalks& walks,
+                                             const std::vector<StarBoxEntity>& entities,
+                                             const certificate::Subject& subject) {
+  return certificate::encode(subject, star_box_quantities(forest.complex(), walks),
+                             make_star_box_body(forest, cover, walks, entities, 0));
 }
 
 }  // namespace veritope

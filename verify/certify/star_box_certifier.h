@@ -19,6 +19,15 @@ struct StarBoxEntity {
   std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes
 };
 
+/// What all claims that build on star boxes begin with. The unit of its coordinates is 2^exponent in the forest's coordinates times 2^-scale(), where
+/// exponent is at most `most_exponent` and that of every box. REQUIRES as make_star_box_certificate.
+certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const StarCover& cover,
+                                            const ShellWalks& walks,
+                                            const std::vector<StarBoxEntity>& entities,
+                                            int most_exponent);
+certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
+                                                   const ShellWalks& walks);
+
 /// REQUIRES a complete cover, a walk for every shell, winding numbers 1 inside and 0 outside, and the entities of the complex in order.
 certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
                                              const ShellWalks& walks,

@@ -3,7 +3,7 @@
 
 #include "verify/format/byte_stream.h"
 #include "verify/format/sha256.h"
-#include "verify/format/statement_writer.h"
+#include "verify/format/star_box_statement.h"
 
 namespace veritope::certificate {
 namespace {
@@ -48,10 +48,7 @@ void write(ByteWriter& w, const StarWalk& walk) {
   w.varint(walk.box);
   w.u8(walk.starts_outside ? 1 : 0);
   w.u32(static_cast<std::uint32_t>(walk.points.size()));
-  for (const WalkPoint& p : walk.points) {
-    w.varint(p.shift);
-    for (const std::int64_t v : p.at) w.zigzag(v);
-  }
+  for (const WalkPoint& p : walk.points) internal::write_point(w, p);
   w.u8(walk.end);
   if (walk.end != 6) return;
   w.varint(walk.end_box);
@@ -96,10 +93,19 @@ Bytes encode(const StarBoxBody& body) {
 
 Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBody& body) {
   const Bytes bytes = encode(body);
+  return internal::join(internal::state_star_boxes(subject, kStarBoxClaim, q, body, bytes).take(),
+                        bytes);
+}
+
+namespace internal {
+
+StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,
+                                 const StarBoxQuantities& q, const StarBoxBody& body,
+                                 const Bytes& bytes) {
   std::uint64_t flipped = 0;
   for (const PatchEntity& e : body.entities) flipped += e.is_reversed ? 1 : 0;
-  internal::StatementWriter w;
-  internal::state_subject(w, subject, kStarBoxClaim);
+  StatementWriter w;
+  state_subject(w, subject, claim);
   w.text("body_sha256", to_hex(sha256(bytes)));
   w.number("patches", q.patches);
   w.number("edges", q.edges);
@@ -109,7 +115,9 @@ Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBo
   w.number("genus", q.genus);
   w.number("boxes", body.boxes.size());
   w.number("flipped", flipped);
-  return internal::join(w.take(), bytes);
+  return w;
 }
+
+}  // namespace internal
 
 }  // namespace veritope::certificate

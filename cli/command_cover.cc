@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope cover.
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/cover_picture.h"
+#include "cli/output_plan.h"
+#include "cli/patch_report.h"
+#include "cli/progress.h"
+#include "cli/text_style.h"
+#include "io/patch_model.h"
+#include "io/read_splines.h"
+
+namespace veritope::cli {
+namespace {
+
+class CoverRun {
+ public:
+  CoverRun(const Options& options, StandardOutput& out)
+      : options_(options), out_(out), progress_(!options.quiet) {}
+
+  ExitCode run() {
+    const ExitCode exit = look();
+    progress_.clear();
+    if (!words_.empty()) complain(harmless(options_.files[0] + ": " + words_));
+    if (!said_.empty() && !options_.quiet) out_.write(said_);
+    return exit;
+  }
+
+ private:
+  ExitCode look() {
+    phase("reading");
+    const Result<SplineFile> file =
+        read_spline_file(options_.files[0], {options_.spline_format, options_.reading.limits});
+    if (!file) return fail(kExitUnreadable, to_string(file.error()));
+    Result<PatchSource> source = patch_source(file->model);
+    if (!source) return fail(kExitUnreadable, to_string(source.error()));
+    if (!source->foreign.empty())
+      return fail(kExitUndecided, "patches are surfaces and triangles in space; this file has " +
+                                      to_string(source->foreign.front()));
+    if (source->patches.empty())
+      return fail(kExitUnreadable, "there is no surface and no triangle in this file");
+    const Result<PatchComplex> complex = make_patch_complex(
+        std::move(source->patches),
+        options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
+    if (!complex) return fail(kExitUnreadable, to_string(complex.error()));
+    return cover(*complex);
+  }
+
+  ExitCode cover(const PatchComplex& complex) {
+    phase("looking for star boxes");
+    std::optional<PieceForest> forest;
+    const PatchDecision decision = decide_patches(complex, {}, &forest);
+    if (!decision.is_valid) return fail(kExitUndecided, decision.open->message);
+    said_ = detail_line("star boxes", std::to_string(decision.cover.boxes.size()));
+    PatchCollarSearch search;
+    if (options_.cover_part != CoverPart::kBoxes) {
+      phase("looking for a collar");
+      search = find_patch_collar(*forest, decision.cover);
+      said_ += collar_text(collar_report(search, forest->scale()));
+      if (!search.collar)
+        return fail(kExitUndecided, "no collar was found, and nothing is written");
+    }
+    phase("writing");
+    const Result<std::string> bytes =
+        cover_picture(options_.cover_part, options_.output, *forest, decision.cover,
+                      search.collar ? &*search.collar : nullptr);
+    if (!bytes) return fail(kExitUnreadable, to_string(bytes.error()));
+    const Status status = write_output(options_.output, *bytes, out_);
+    return status ? kExitValid : fail(kExitUnreadable, to_string(status.error()));
+  }
+
+  ExitCode fail(ExitCode exit, std::string words) {
+    words_ = std::move(words);
+    return exit;
+  }
+  void phase(const char* what) { progress_.phase(harmless(options_.files[0]), what); }
+
+  const Options& options_;
+  StandardOutput& out_;
+  Progress progress_;
+  std::string words_, said_;
+};
+
+}  // namespace
+
+ExitCode run_cover(const Options& options, StandardOutput& out) {
+  Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, std::nullopt);
+  if (plan)
+    if (const Status apart =
+            check_output("--output", options.output, options.files, *plan, std::nullopt);
+        !apart)
+      plan = apart.error();
+  if (!plan) {
+    complain(harmless(to_string(plan.error())));
+    return plan.error().code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
+  }
+  if (!is_cover_file(options.output)) {
+    complain(harmless(options.output + ": the name must end in .vtu, .obj, .ply, .off or .stl"));
+    return kExitUsage;
+  }
+  return CoverRun(options, out).run();
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope cover, and certify --collar: files, reports, solids that certify accepts, refusals."""
+import json
+import unittest
+import xml.etree.ElementTree
+
+from certify_patches_test import UNIT, block, document, surface
+from support import ROOT, Folder, only_file, run
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+
+class Cover(Folder):
+    def model(self, faces=UNIT, name="model.vjson"):
+        path = self.folder / name
+        path.write_text(document([surface(f) for f in faces]))
+        return path
+
+    def test_certify_reports_the_collar_and_certifies_it(self):
+        kept = self.folder / "model.cert"
+        done = run("certify", self.model(), "--collar", "--no-check", "--json", "-", "--certificate", kept)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(done.stdout)
+        if jsonschema:
+            jsonschema.validate(report, json.loads((ROOT / "docs" / "report.schema.json").read_text()))
+        (one,) = report["files"]
+        collar = one["collar"]
+        self.assertTrue(collar["found"])
+        # Smaller than the cube, so that something is left inside.
+        self.assertLess(collar["edges"]["longest"], 1)
+        statement = json.loads(kept.read_bytes().split(b"\n", 1)[0])
+        self.assertEqual((statement["claim"], statement["cells"]), ("collar-1", collar["cells"]))
+        text = run("certify", self.model(), "--collar", "--no-check").stdout
+        self.assertIn(f"coarsest collar {collar['cells']} cells", " ".join(text.split()))
+
+    def test_without_the_option_there_is_none(self):
+        self.assertIsNone(only_file(self.model(), "--no-check")["collar"])
+
+    def test_both_solids_are_valid_and_hold_each_other(self):
+        faces = block((0, 0, 0), (8, 8, 8)) + block((3, 3, 3), (5, 5, 5), inward=True)
+        volumes = {}
+        for part in ("outer", "inner"):
+            for end in ("obj", "ply", "off"):
+                out = self.folder / f"{part}.{end}"
+                done = run("cover", self.model(faces), "-o", out, "--what", part)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                one = only_file(out)
+                self.assertEqual(one["verdict"], "VALID")
+                self.assertEqual((one["counts"]["genus"], one["counts"]["bodies"], one["counts"]["shells"]), (0, 1, 2))
+                volumes[part] = sum(s["volume"]["approx"] for s in one["shells"])
+        self.assertLess(volumes["inner"], 8**3 - 2**3)
+        self.assertGreater(volumes["outer"], 8**3 - 2**3)
+
+    def test_boxes_and_cells_are_grids_of_hexahedra(self):
+        for part, values in (("boxes", {"shell"}), ("collar", {"level", "shell"})):
+            out = self.folder / f"{part}.vtu"
+            done = run("cover", self.model(), "--output", out, "--what", part)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            piece = xml.etree.ElementTree.parse(out).getroot().find("UnstructuredGrid/Piece")
+            n = int(piece.get("NumberOfCells"))
+            self.assertEqual(int(piece.get("NumberOfPoints")), 8 * n)
+            self.assertEqual({a.get("Name") for a in piece.findall("CellData/DataArray")}, values)
+            arrays = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
+            self.assertEqual(set(arrays["types"]), {"12"})
+            self.assertEqual(arrays["connectivity"], [str(i) for i in range(8 * n)])
+            points = [float(x) for x in arrays["Points"]]
+            self.assertEqual(len(points), 24 * n)
+            # The cells reach out of the cube, and all of them near its surface.
+            self.assertLess(min(points), 0)
+            self.assertGreater(max(points), 1)
+
+    def test_boxes_are_closed_meshes_one_by_one(self):
+        out = self.folder / "boxes.off"
+        self.assertEqual(run("cover", self.model(), "-o", out, "--what", "boxes").returncode, 0)
+        _, counts, *rest = out.read_text().split("\n")
+        vertices, faces, _ = map(int, counts.split())
+        self.assertEqual((vertices % 8, faces * 8), (0, vertices * 12))
+
+    def test_an_undecided_model_writes_nothing(self):
+        out = self.folder / "x.vtu"
+        done = run("cover", self.model(block((0, 0, 0), (1, 1, 1), inward=True)), "-o", out)
+        self.assertEqual(done.returncode, 3)
+        self.assertFalse(out.exists())
+        out.write_text("old")
+        self.assertEqual(run("cover", self.model(UNIT[:5]), "-o", out).returncode, 3)
+        self.assertEqual(out.read_text(), "old")
+
+    def test_wrong_usage_is_found_before_any_work(self):
+        model = self.model()
+        for words in (["cover", model], ["cover", model, "-o", "x.png"], ["cover", model, "-o", model], ["cover", model, "-o", "-"],
+                      ["cover", model, "-o", "x.vtu", "--what", "all"]):
+            self.assertEqual(run(*words, cwd=self.folder).returncode, 2, words)
+        self.assertEqual(run("cover", self.folder / "none.vjson", "-o", self.folder / "x.vtu").returncode, 4)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/collar_certifier.h"
+
+#include <cmath>
+#include <utility>
+
+#include "robust/base/check.h"
+#include "verify/certify/file_order.h"
+
+namespace veritope {
+namespace {
+
+using certificate::CollarBody;
+using certificate::WalkPoint;
+using Id = PieceForest::Id;
+
+class BodyWriter {
+ public:
+  BodyWriter(const PieceForest& forest, const StarCover& cover, const PatchCollar& collar,
+             const std::vector<StarBoxEntity>& entities)
+      : forest_(forest), cover_(cover), collar_(collar), entities_(entities) {}
+
+  CollarBody write(const ShellWalks& walks) {
+    const int unit = std::ilogb(collar_.root.unit);
+    body_.star = make_star_box_body(forest_, cover_, walks, entities_, unit);
+    body_.shift = static_cast<std::uint64_t>(unit - forest_.scale() - body_.star.exponent);
+    // Multiples of the unit of less than 2^52 units: exact.
+    for (std::size_t k = 0; k < 3; ++k)
+      body_.corner[k] = static_cast<std::int64_t>(collar_.root.corner[k] / collar_.root.unit);
+    for (const OctreeKey key : collar_.complex.cells().keys()) body_.cells.push_back(key.code());
+    const ComplexBoundary& boundary = collar_.collar.boundary;
+    for (std::uint32_t k = 0; k < boundary.components.size(); ++k)
+      body_.sides.push_back(collar_.collar.bodies[boundary.components[k].body].d_plus == k ? 1 : 0);
+    for (const Collapse& step : collar_.collar.collapses.cells)
+      body_.collapses.push_back(step.face);
+    VT_CHECK(body_.collapses.size() == body_.cells.size(), "every cell of a collar is collapsed");
+    write_leaves();
+    for (const Shore& shore : collar_.shores) write_shore(shore);
+    return std::move(body_);
+  }
+
+ private:
+  void write_leaves() {
+    for (std::size_t e = 0; e < entities_.size(); ++e) {
+      const std::uint32_t last = e + 1 < entities_.size()
+                                     ? entities_[e + 1].first_patch
+                                     : static_cast<std::uint32_t>(forest_.num_patches());
+      for (std::uint32_t p = entities_[e].first_patch; p < last; ++p)
+        FileOrder(forest_).for_each_root(
+            p, entities_[e].is_reversed, [](const auto&) {},
+            [&](Id root) { visit(root, false, entities_[e].is_reversed); });
+    }
+  }
+  void visit(Id id, bool is_below_leaf, bool is_reversed) {
+    is_below_leaf = is_below_leaf || cover_.box_of_node[id] != StarCover::kNone;
+    const bool is_leaf = is_below_leaf && collar_.place.is_leaf[id];
+    if (is_below_leaf) body_.leaves.push_back(is_leaf ? 1 : 0);
+    if (!is_leaf)
+      FileOrder(forest_).for_each_child(
+          id, is_reversed, [&](Id child) { visit(child, is_below_leaf, is_reversed); });
+  }
+  void write_shore(const Shore& shore) {
+    certificate::ShoreWalk out{{}, shore.direction, shore.end_box, shore.ends_outside};
+    for (const std::uint32_t v : shore.vertices) {
+      WalkPoint point{body_.shift, body_.corner};
+      const auto at = collar_.complex.point(v);
+      for (std::size_t k = 0; k < 3; ++k) point.at[k] += at[k];
+      out.points.push_back(point);
+    }
+    body_.shores.push_back(std::move(out));
+  }
+
+  const PieceForest& forest_;
+  const StarCover& cover_;
+  const PatchCollar& collar_;
+  const std::vector<StarBoxEntity>& entities_;
+  CollarBody body_;
+};
+
+}  // namespace
+
+certificate::Bytes make_collar_certificate(const PieceForest& forest, const StarCover& cover,
+                                           const ShellWalks& walks, const PatchCollar& collar,
+                                           const std::vector<StarBoxEntity>& entities,
+                                           const certificate::Subject& subject) {
+  return certificate::encode(subject, star_box_quantities(forest.complex(), walks),
+                             BodyWriter(forest, cover, collar, entities).write(walks));
+}
+
+}  // namespace veritope

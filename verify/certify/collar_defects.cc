@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/collar_defects.h"
+
+#include <algorithm>
+
+namespace veritope {
+namespace {
+
+// visit(number in the cover, number in the complex): both ascend by code, and the complex has them all.
+template <typename Visit>
+void for_each_cell(const PieceOctree& cover, const CommonSubdivision& complex, Visit visit) {
+  std::uint32_t at = 0;
+  for (std::size_t i = 0; i < cover.cells().size(); ++i) {
+    while (complex.cells()[at] != cover.cells()[i].key) ++at;
+    visit(i, at);
+  }
+}
+
+class Splitter {
+ public:
+  Splitter(PieceForest& forest, FacingOfPieces& facing, const PieceOctree& cover,
+           const CommonSubdivision& complex, const ComplexBoundary& boundary,
+           const std::vector<BodyDefect>& bodies)
+      : forest_(forest),
+        facing_(facing),
+        cover_(cover),
+        c_(complex),
+        b_(boundary),
+        is_defect_(boundary.bodies.size()),
+        has_one_shell_(boundary.bodies.size()) {
+    for (const BodyDefect& d : bodies) {
+      is_defect_[d.body] = true;
+      has_one_shell_[d.body] = d.has_one_shell;
+    }
+  }
+
+  std::vector<bool> run() {
+    std::vector<LocalSheets> cells(c_.num_cells());
+    std::vector<bool> is_filler(c_.num_cells(), true);
+    for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
+      is_filler[cell] = false;
+      if (is_defect_[b_.body_of_cell[cell]])
+        cells[cell] = sheets_of(cover_.cells()[i], has_one_shell_[b_.body_of_cell[cell]]);
+    });
+    // Cells that only fill gaps join what they touch.
+    const std::vector<LocalSheets> around = at_vertices(cells);
+    for (std::uint32_t cell = 0; cell < c_.num_cells(); ++cell)
+      if (is_filler[cell])
+        for_each_vertex(cell, [&](std::uint32_t v) { cells[cell].add(around[v]); });
+    return choose(at_vertices(cells));
+  }
+
+ private:
+  LocalSheets sheets_of(const PieceOctree::Cell& cell, bool with_facing) {
+    LocalSheets out;
+    for (const PieceForest::Id id : cell.pieces) {
+      const std::uint32_t shell = forest_.complex().shell(forest_.node(id).patch);
+      out.add({with_facing && out.facing != 0 ? facing_.of_part(id, cover_.root().box(cell.key))
+                                              : out.facing,
+               shell, shell});
+    }
+    return out;
+  }
+  template <typename Visit>
+  void for_each_vertex(std::uint32_t cell, Visit visit) const {
+    for (const std::uint32_t f : c_.faces_of_cell(cell))
+      for (const std::uint32_t e : c_.edges_of_face(f))
+        visit(c_.edges()[e].lower), visit(c_.edges()[e].upper);
+  }
+  std::vector<LocalSheets> at_vertices(const std::vector<LocalSheets>& cells) const {
+    std::vector<LocalSheets> out(c_.num_vertices());
+    for (std::uint32_t cell = 0; cell < c_.num_cells(); ++cell)
+      if (is_defect_[b_.body_of_cell[cell]])
+        for_each_vertex(cell, [&](std::uint32_t v) { out[v].add(cells[cell]); });
+    return out;
+  }
+  std::vector<bool> choose(const std::vector<LocalSheets>& around) const {
+    std::vector<bool> out(cover_.cells().size()), has_one(b_.bodies.size());
+    for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
+      const std::uint32_t body = b_.body_of_cell[cell];
+      if (!is_defect_[body]) return;
+      for_each_vertex(cell, [&](std::uint32_t v) { out[i] = out[i] || around[v].is_suspicious(); });
+      if (out[i]) has_one[body] = true;
+    });
+    for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
+      const std::uint32_t body = b_.body_of_cell[cell];
+      if (is_defect_[body] && !has_one[body]) out[i] = true;
+    });
+    return out;
+  }
+
+  PieceForest& forest_;
+  FacingOfPieces& facing_;
+  const PieceOctree& cover_;
+  const CommonSubdivision& c_;
+  const ComplexBoundary& b_;
+  std::vector<bool> is_defect_, has_one_shell_;
+};
+
+}  // namespace
+
+void LocalSheets::add(const LocalSheets& other) {
+  facing &= other.facing;
+  least_shell = std::min(least_shell, other.least_shell);
+  greatest_shell = std::max(greatest_shell, other.greatest_shell);
+}
+
+std::vector<std::vector<std::uint32_t>> shells_of_bodies(const PatchComplex& patches,
+                                                         const PieceForest& forest,
+                                                         const PieceOctree& cover,
+                                                         const CommonSubdivision& complex,
+                                                         const ComplexBoundary& boundary) {
+  std::vector<std::vector<std::uint32_t>> out(boundary.bodies.size());
+  for_each_cell(cover, complex, [&](std::size_t i, std::uint32_t cell) {
+    std::vector<std::uint32_t>& shells = out[boundary.body_of_cell[cell]];
+    for (const PieceForest::Id id : cover.cells()[i].pieces) {
+      const std::uint32_t shell = patches.shell(forest.node(id).patch);
+      if (!shells.empty() && shells.back() == shell) continue;
+      const auto at = std::lower_bound(shells.begin(), shells.end(), shell);
+      if (at == shells.end() || *at != shell) shells.insert(at, shell);
+    }
+  });
+  return out;
+}
+
+std::vector<BodyDefect> find_body_defects(
+    const PatchComplex& patches, const std::vector<std::vector<std::uint32_t>>& shells_of_body,
+    const ComplexBoundary& boundary) {
+  std::vector<std::vector<std::uint32_t>> sides(boundary.bodies.size());
+  for (std::uint32_t k = 0; k < boundary.components.size(); ++k)
+    sides[boundary.components[k].body].push_back(k);
+  std::vector<BodyDefect> out;
+  for (std::uint32_t body = 0; body < boundary.bodies.size(); ++body) {
+    const std::vector<std::uint32_t>& shells = shells_of_body[body];
+    const auto complain = [&](std::string message) {
+      out.push_back({body, shells.size() == 1, std::move(message)});
+    };
+    if (shells.size() != 1) {
+      complain("the cells around shell " +
+               (shells.empty() ? std::string("none") : std::to_string(shells[0])) + " hold " +
+               std::to_string(shells.size()) + " shells");
+      continue;
+    }
+    const std::string name = "the cells around shell " + std::to_string(shells[0]);
+    if (sides[body].size() != 2) {
+      complain(name + " have " + std::to_string(sides[body].size()) +
+               " boundary components, not 2");
+      continue;
+    }
+    const std::int64_t euler = patches.shells()[shells[0]].euler();
+    for (const std::uint32_t side : sides[body])
+      if (boundary.components[side].euler() != euler) {
+        complain(name + ", of genus " + std::to_string(1 - euler / 2) +
+                 ", have a boundary component of genus " +
+                 std::to_string(boundary.components[side].genus()));
+        break;
+      }
+  }
+  return out;
+}
+
+std::vector<bool> cells_to_split(PieceForest& forest, FacingOfPieces& facing,
+                                 const PieceOctree& cover, const CommonSubdivision& complex,
+                                 const ComplexBoundary& boundary,
+                                 const std::vector<BodyDefect>& bodies) {
+  return Splitter(forest, facing, cover, complex, boundary, bodies).run();
+}
+
+}  // namespace veritope

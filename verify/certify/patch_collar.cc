@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/patch_collar.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robust/base/check.h"
+#include "topology/thicken.h"
+#include "verify/certify/collar_defects.h"
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+
+// Of the leaves of the cover: they lie in boxes.
+Box3d hull_of_leaves(const PieceForest& forest, const StarCover& cover) {
+  std::optional<Box3d> out;
+  for (Id id = 0; id < cover.box_of_node.size(); ++id)
+    if (cover.box_of_node[id] != StarCover::kNone)
+      out = out ? hull(*out, forest.node(id).hull) : forest.node(id).hull;
+  VT_CHECK(out.has_value(), "a complete cover has leaves");
+  return *out;
+}
+
+class Search {
+ public:
+  Search(PieceForest& forest, const StarCover& cover, const CollarSearchOptions& options)
+      : forest_(forest), cover_(cover), options_(options), facing_(forest) {}
+
+  PatchCollarSearch run() {
+    const Result<OctreeRoot> root = root_around(hull_of_leaves(forest_, cover_));
+    if (!root) {
+      fail(root.error().message);
+      return std::move(out_);
+    }
+    root_ = *root;
+    octree_.emplace(forest_, root_, options_.memory);
+    for (int level = 0; level < 2; ++level)
+      octree_->split(std::vector<bool>(octree_->cells().size(), true));
+    while (!is_done_) try_cells();
+    return std::move(out_);
+  }
+
+ private:
+  void fail(std::string message, std::optional<Box3d> place = {}) {
+    out_.open = {place, std::move(message)};
+    is_done_ = true;
+  }
+
+  void try_cells() {
+    ++out_.rounds;
+    out_.cells_tried += octree_->cells().size();
+    Result<CommonSubdivision> complex =
+        thicken_to_manifold(OctreeKeySet::make(octree_->keys()).value());
+    if (!complex) return fail(complex.error().message);
+    const std::vector<BodyDefect> defects = find_defects(*complex);
+    if (!defects.empty()) return split_at(*complex, defects);
+    conclude(std::move(*complex));
+  }
+
+  // Counts first: they are cheap, and refuse most covers that are too coarse.
+  std::vector<BodyDefect> find_defects(const CommonSubdivision& complex) {
+    boundary_ = analyse_boundary(complex);
+    const auto shells = shells_of_bodies(forest_.complex(), forest_, *octree_, complex, boundary_);
+    std::vector<BodyDefect> out = find_body_defects(forest_.complex(), shells, boundary_);
+    if (!out.empty()) return out;
+    collar_ = find_collar(complex).value();
+    for (std::uint32_t body = 0; body < collar_.bodies.size(); ++body)
+      if (!collar_.bodies[body].is_product)
+        out.push_back({body, true,
+                       "around shell " + std::to_string(shells[body][0]) + ": " + collar_.message});
+    return out;
+  }
+
+  void split_at(const CommonSubdivision& complex, const std::vector<BodyDefect>& defects) {
+    const std::vector<bool> which =
+        cells_to_split(forest_, facing_, *octree_, complex, boundary_, defects);
+    std::size_t more = 0;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      if (!which[i]) continue;
+      const OctreeKey key = octree_->cells()[i].key;
+      more += 3;  // a surface meets about 4 of 8 children
+      if (key.level() >= options_.max_level)
+        return fail(defects.front().message + "; cells of the least size come together here",
+                    root_.box(key));
+    }
+    if (which.size() + more > options_.max_cells) {
+      const std::uint32_t cell = boundary_.bodies[defects.front().body].first_cell;
+      return fail(defects.front().message + "; more than " + std::to_string(options_.max_cells) +
+                      " cells would be needed",
+                  root_.box(complex.cells()[cell]));
+    }
+    octree_->split(which);
+  }
+
+  // The cells are a collar around each shell; whether the shells lie in it as they should is left.
+  void conclude(CommonSubdivision complex) {
+    Misplaced why;
+    std::optional<CollarPlace> place =
+        place_surface(forest_, cover_, root_, complex, collar_.boundary, &why);
+    if (!place)
+      return fail(why.message, why.piece == PieceForest::kNone
+                                   ? std::nullopt
+                                   : std::optional(forest_.node(why.piece).hull));
+    std::vector<Shore> shores;
+    for (std::optional<Shore>& s : find_shores(forest_, cover_, root_, complex, collar_.boundary)) {
+      if (!s)
+        return fail(
+            "no free path from the collar's boundary to a star box or to infinity was found");
+      shores.push_back(std::move(*s));
+    }
+    if (const auto twisted = twisted_bodies(shores); !twisted.empty())
+      return split_at(complex, twisted);
+    const CollapseCheck check = replay_collapse(complex, collar_.d_plus_faces(), collar_.collapses);
+    VT_CHECK(check.fault == CollapseFault::kNone, "a collapse that was found cannot be replayed");
+    out_.collar.emplace(PatchCollar{root_, std::move(complex), std::move(collar_),
+                                    std::move(*place), std::move(shores)});
+    is_done_ = true;
+  }
+  // Bodies whose two sides have not the winding numbers 0 and 1.
+  std::vector<BodyDefect> twisted_bodies(const std::vector<Shore>& shores) const {
+    std::vector<BodyDefect> out;
+    for (std::uint32_t k = 0; k < collar_.bodies.size(); ++k)
+      if (shores[collar_.bodies[k].d_plus].winding == shores[collar_.bodies[k].d_minus].winding)
+        out.push_back({k, true, "the winding numbers on both sides of the cells are equal"});
+    return out;
+  }
+
+  PieceForest& forest_;
+  const StarCover& cover_;
+  const CollarSearchOptions& options_;
+  FacingOfPieces facing_;
+  OctreeRoot root_;
+  std::optional<PieceOctree> octree_;
+  ComplexBoundary boundary_;
+  Collar collar_;
+  PatchCollarSearch out_;
+  bool is_done_ = false;
+};
+
+}  // namespace
+
+PatchCollarSearch find_patch_collar(PieceForest& forest, const StarCover& cover,
+                                    const CollarSearchOptions& options) {
+  VT_CHECK(cover.is_complete(), "a collar is sought around a surface that is covered");
+  return Search(forest, cover, options).run();
+}
+
+}  // namespace veritope

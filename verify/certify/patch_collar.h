@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/patch_collar.h: the search for a collar around the surface of a patch complex, as coarse as can be.
+// Theory: docs/THEORY.md §2, §3. Design: docs/design/0018-patch-collars.md. Certificate: docs/certificates/collar.md.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solids/collar/octree_root.h"
+#include "topology/collar.h"
+#include "verify/certify/collar_place.h"
+#include "verify/certify/collar_shores.h"
+
+namespace veritope {
+
+struct CollarSearchOptions {
+  unsigned max_level = 16;                       ///< at most OctreeKey::kMaxLevel
+  std::size_t max_cells = std::size_t{1} << 21;  ///< about 0.6 kB each
+  std::size_t memory = std::size_t{1} << 29;     ///< bytes, of the nets of pieces
+};
+
+/// Octree cells K, a proof that each component of |K| is a product with one shell inside, and where these lie. All conditions of
+/// docs/certificates/collar.md hold.
+struct PatchCollar {
+  OctreeRoot root;  ///< in the coordinates of the forest
+  CommonSubdivision complex;
+  Collar collar;
+  CollarPlace place;
+  std::vector<Shore> shores;  ///< beside collar.boundary.components
+};
+
+/// Why there is none, as far as is known.
+struct NoCollar {
+  std::optional<Box3d> place;  ///< in the coordinates of the forest
+  std::string message;
+};
+
+struct PatchCollarSearch {
+  std::optional<PatchCollar> collar;
+  NoCollar open;  ///< iff there is no collar
+  unsigned rounds = 0;
+  std::uint64_t cells_tried = 0;  ///< sum over the rounds
+};
+
+/// Starts with 64 cells and splits where the cover is no collar.
+/// REQUIRES a complete cover and winding numbers 1 inside and 0 outside of every shell.
+/// @cost near-linear in the pieces and cells, times the number of levels
+PatchCollarSearch find_patch_collar(PieceForest& forest, const StarCover& cover,
+                                    const CollarSearchOptions& options = {});
+
+}  // namespace veritope

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// verify/format/collar_certificate.h: the collar certificate, version 1, as plain data, and its encoding.
+// The page: docs/certificates/collar.md. Integers and bytes only; nothing here decides anything.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "verify/format/star_box_certificate.h"
+
+namespace veritope::certificate {
+
+inline constexpr std::string_view kCollarClaim = "collar-1";
+
+/// A polyline from the least vertex of a component of the boundary; its end as that of a StarWalk.
+struct ShoreWalk {
+  std::vector<WalkPoint> points;
+  std::uint8_t end = 0;
+  std::uint64_t end_box = 0;
+  bool ends_outside = false;
+};
+
+struct CollarBody {
+  StarBoxBody star;
+  /// The least corner of the root, in units of 2^(star.exponent + shift); its edge is 2^20 of them.
+  std::uint64_t shift = 0;
+  std::array<std::int64_t, 3> corner{};
+  std::vector<std::uint64_t> cells;      ///< codes, ascending
+  std::vector<std::uint8_t> sides;       ///< 1: the component of the boundary belongs to d+
+  std::vector<std::uint32_t> collapses;  ///< a face for each cell
+  std::vector<std::uint8_t>
+      leaves;  ///< preorder, for each leaf of star.trees: 0 = four children, 1 = leaf
+  std::vector<ShoreWalk> shores;
+};
+
+Bytes encode(const CollarBody& body);
+/// The whole certificate. REQUIRES collapses.size() == cells.size().
+Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const CollarBody& body);
+
+}  // namespace veritope::certificate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/crossing_search.h: the search for two different points of a patch complex with the same image. What is found is proved; what is not found says nothing.
+// Theory: docs/THEORY.md §4. Certificate: docs/certificates/patch-invalid.md.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "verify/certify/crossing_solver.h"
+
+namespace veritope {
+
+/// Refers to the forest, in which it makes nodes.
+class CrossingSearch {
+ public:
+  explicit CrossingSearch(PieceForest& forest) : forest_(forest), solver_(forest) {}
+
+  /// Among patches that have no point in common and whose hulls meet, split a few times.
+  /// @cost at most about 64 pairs of pieces a root, and 256 calls of the solver at each of three levels
+  std::optional<CrossingWitness> among_patches();
+
+  /// Among the pieces, a quarter of this one's size, that are near it, neighbours left out. @cost at most 400 pieces, 32 calls of the solver
+  std::optional<CrossingWitness> near(PieceForest::Id piece);
+
+  std::size_t num_pairs = 0;  ///< of which the hulls were compared
+  const CrossingSolver& solver() const { return solver_; }
+
+ private:
+  using Id = PieceForest::Id;
+  struct Pair {
+    Id a, b;
+  };
+  std::vector<Pair> root_pairs();
+  std::vector<Pair> split(const std::vector<Pair>& pairs, std::size_t most);
+  std::optional<CrossingWitness> solve_some(const std::vector<Pair>& pairs, std::size_t most);
+  std::optional<CrossingWitness> solve(const Pair& pair);
+  SheetPlace middle(const PieceForest::Node& node) const;
+  double reach(const PieceForest::Node& node) const;
+
+  PieceForest& forest_;
+  CrossingSolver solver_;
+};
+
+}  // namespace veritope

@@ -18,7 +18,7 @@ constexpr double kLastStep = 0x1p-28;
 constexpr double kSingular = 0x1p-40;
 // The fixed parameter gets as many bits as these, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
 constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
-constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 6;
+constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
 constexpr double kRowSize = 0x1p40;
 constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
 

@@ -5,20 +5,13 @@
 #include <cmath>
 
 #include "robust/base/check.h"
-#include "verify/certify/natural.h"
 
 namespace veritope {
 namespace {
 
-using certificate::Fraction;
-using certificate::PatchEntity;
 using certificate::StarBoxBody;
 using certificate::StarBoxItem;
 using Id = PieceForest::Id;
-
-Fraction to_fraction(const Rational& v) {
-  return {v.sign() == Sign::kNegative, to_natural(abs(v).numerator()), to_natural(v.denominator())};
-}
 
 class BodyWriter {
  public:
@@ -27,13 +20,7 @@ class BodyWriter {
       : forest_(forest), cover_(cover), entities_(entities) {}
 
   StarBoxBody write(const ShellWalks& walks) {
-    for (const StarBoxEntity& e : entities_) {
-      PatchEntity out;
-      out.is_reversed = e.is_reversed, out.is_surface = e.is_surface;
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        for (const Rational& b : e.breaks[axis]) out.breaks[axis].push_back(to_fraction(b));
-      body_.entities.push_back(std::move(out));
-    }
+    body_.entities = to_certificate(entities_);
     write_trees();
     write_boxes();
     for (const ShellWalk& w : walks.walks)
@@ -111,8 +98,9 @@ certificate::Bytes make_star_box_certificate(const PieceForest& forest, const St
                                              const certificate::Subject& subject) {
   VT_CHECK(cover.is_complete() && walks.missing.empty(),
            "a certificate needs a whole cover and all walks");
+  const int last = walks.walks.back().winding_inside;
   for (const ShellWalk& w : walks.walks)
-    VT_CHECK(w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
+    VT_CHECK(last != 1 || w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
   certificate::StarBoxQuantities q;
   const PatchComplex& complex = forest.complex();
   q.patches = complex.patches().size();
@@ -121,8 +109,10 @@ certificate::Bytes make_star_box_certificate(const PieceForest& forest, const St
   q.shells = complex.shells().size();
   for (const PatchShell& shell : complex.shells())
     q.genus += static_cast<std::uint64_t>(shell.genus().value());
+  const StarBoxBody body = BodyWriter(forest, cover, entities).write(walks);
+  if (last != 1) return certificate::encode(subject, q, body, last);
   q.bodies = walks.num_bodies();
-  return certificate::encode(subject, q, BodyWriter(forest, cover, entities).write(walks));
+  return certificate::encode(subject, q, body);
 }
 
 }  // namespace veritope

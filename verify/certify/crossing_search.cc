@@ -10,9 +10,8 @@
 namespace veritope {
 namespace {
 
-constexpr int kLevels = 3;  // by which pairs of patches are split
-constexpr std::size_t kMostRootPairs = 16, kMostPairs = 64;  // a root
-constexpr std::size_t kMostSolved = 256, kMostSolvedNear = 32;
+constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
+constexpr std::size_t kMostSolvedNear = 32;
 constexpr std::size_t kMostPiecesNear = 400;
 constexpr double kGrowth = 1.75, kPart = 0.3;  // of a piece's hull: the box around it; of that, the longest piece
 constexpr double kReach = 4;                   // in sizes of a piece
@@ -20,46 +19,70 @@ constexpr double kReach = 4;                   // in sizes of a piece
 }  // namespace
 
 std::optional<CrossingWitness> CrossingSearch::among_patches() {
-  std::vector<Pair> pairs = root_pairs();
-  for (int level = 0; level < kLevels && !pairs.empty(); ++level) {
-    pairs = split(pairs, 1024 + kMostPairs * forest_.num_roots());
-    if (auto witness = solve_some(pairs, kMostSolved)) return witness;
+  const std::size_t n = forest_.num_roots();
+  if (n <= kFewRoots) return by_level({true, 3, 16384, 256});
+  if (n <= kManyRoots) return by_level({true, 2, 128 * n, 256});
+  return by_level({false, 3, 64 * n, 256});
+}
+
+std::optional<CrossingWitness> CrossingSearch::everywhere() {
+  return by_level({true, 7, 16384 + 32 * forest_.num_roots(), 1024});
+}
+
+std::optional<CrossingWitness> CrossingSearch::by_level(const Effort& effort) {
+  std::vector<Pair> pairs = root_pairs(effort);
+  for (int level = 0; level < effort.levels && !pairs.empty(); ++level) {
+    pairs = split(pairs, effort.most_pairs);
+    std::vector<Pair> apart;
+    for (const Pair& p : pairs)
+      if (!are_neighbours(forest_, p.a, p.b)) apart.push_back(p);
+    if (auto witness = solve_some(apart, effort.most_solved)) return witness;
   }
   return std::nullopt;
 }
 
-std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs() {
+std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effort) {
   std::vector<Pair> out;
-  const std::size_t most = 1024 + kMostRootPairs * forest_.num_roots();
-  for (std::uint32_t r = 0; r < forest_.num_roots() && out.size() < most; ++r) {
+  for (std::uint32_t r = 0; r < forest_.num_roots() && out.size() < effort.most_pairs; ++r) {
     const Id a = forest_.root(r);
     const Box3d hull = forest_.node(a).hull;
-    forest_.roots().visit([&](const Box3d& box) { return out.size() < most && meets(box, hull); },
-                          [&](std::uint32_t number) {
-                            const Id b = forest_.root(number);
-                            ++num_pairs;
-                            if (number > r && !are_neighbours(forest_, a, b)) out.push_back({a, b});
-                          });
+    forest_.roots().visit(
+        [&](const Box3d& box) { return out.size() < effort.most_pairs && meets(box, hull); },
+        [&](std::uint32_t number) {
+          const Id b = forest_.root(number);
+          ++num_pairs;
+          if (number >= r && (effort.with_neighbours || !are_neighbours(forest_, a, b)))
+            out.push_back({a, b});
+        });
   }
   return out;
 }
 
+// The longer piece of each pair, or both; if there are too many pairs, some of them, evenly spread.
 std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>& pairs,
                                                         std::size_t most) {
   std::vector<Pair> out;
+  const auto parts = [&](Id id, bool is_split, Id* first) -> Id {
+    *first = is_split ? forest_.children(id) : id;
+    return is_split ? 4 : 1;
+  };
   for (const Pair& pair : pairs) {
-    if (out.size() >= most) break;
-    if (forest_.node(pair.a).level >= PieceForest::kMaxLevel ||
-        forest_.node(pair.b).level >= PieceForest::kMaxLevel)
-      continue;
-    const Id a = forest_.children(pair.a), b = forest_.children(pair.b);
-    for (Id i = 0; i < 4; ++i)
-      for (Id k = 0; k < 4; ++k) {
+    const PieceForest::Node &x = forest_.node(pair.a), &y = forest_.node(pair.b);
+    if (x.level >= PieceForest::kMaxLevel || y.level >= PieceForest::kMaxLevel) continue;
+    const double size_a = extent(x.hull), size_b = extent(y.hull);
+    Id a, b;
+    const Id num_a = parts(pair.a, !(2 * size_a < size_b), &a),
+             num_b = parts(pair.b, !(2 * size_b < size_a), &b);
+    for (Id i = 0; i < num_a; ++i)
+      for (Id k = pair.a == pair.b ? i : 0; k < num_b; ++k) {
         ++num_pairs;
         if (meets(forest_.node(a + i).hull, forest_.node(b + k).hull))
           out.push_back({a + i, b + k});
       }
   }
+  if (out.size() <= most) return out;
+  for (std::size_t i = 0; i < most; ++i) out[i] = out[i * out.size() / most];
+  out.resize(most);
   return out;
 }
 

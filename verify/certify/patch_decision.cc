@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "interval/upward.h"
 #include "solids/star_box/patch_volume.h"
@@ -14,8 +15,9 @@ namespace {
 using Kind = OpenQuestion::Kind;
 
 // Crossings are looked for near pieces of at least this level; some searches are free, the others are one for so many boxes tried.
-constexpr int kFirstSearchLevel = 2;
-constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 32;
+// A piece of kTroubleLevel without a box is rare in sound models: then all patches are looked at, once.
+constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
+constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64;
 
 const char* text_of(UncoveredPiece::Why why) {
   switch (why) {
@@ -93,9 +95,17 @@ class Decider {
     if (auto crossing = search.among_patches()) return crossing;
     std::optional<CrossingWitness> found;
     std::size_t searches = 0;
+    bool is_everywhere = false;
+    const auto look_everywhere = [&] {
+      if (std::exchange(is_everywhere, true)) return;
+      found = search.everywhere();
+      forest_->limit_memory(options_.cover.memory);
+    };
     StarCoverOptions options = options_.cover;
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
       if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
+      if (forest_->node(piece).level >= kTroubleLevel) look_everywhere();
+      if (found) return true;
       if (forest_->node(piece).level < kFirstSearchLevel ||
           searches * kBoxesPerSearch > tried + kFreeSearches * kBoxesPerSearch)
         return false;
@@ -108,7 +118,8 @@ class Decider {
     if (found || out_.cover.is_complete()) return found;
     for (PieceForest::Id id = out_.cover.uncovered.front().piece; id != PieceForest::kNone;
          id = forest_->node(id).parent)
-      if ((found = search.near(id))) break;
+      if ((found = search.near(id))) return found;
+    look_everywhere();
     return found;
   }
 

@@ -6,11 +6,26 @@
 #include "io/read_splines.h"
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/patch_decision.h"
+#include "verify/certify/patch_invalid_certifier.h"
+#include "verify/certify/refutation_facts.h"
 #include "verify/certify/star_box_certifier.h"
 #include "verify/format/sha256.h"
 
 namespace veritope::cli {
 namespace {
+
+// Whether the surface may be in pieces inside of its domain.
+bool has_torn_knot(const ExactSurface& surface) {
+  for (const auto& axis : surface.axes()) {
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < axis.knots.size(); ++i) {
+      run = i > 0 && axis.knots[i] == axis.knots[i - 1] ? run + 1 : 1;
+      const bool is_inner = axis.domain_begin() < axis.knots[i] && axis.knots[i] < axis.domain_end();
+      if (is_inner && run > static_cast<std::size_t>(axis.degree)) return true;
+    }
+  }
+  return false;
+}
 
 class PatchCertification : public Certification {
  public:
@@ -64,8 +79,11 @@ class PatchCertification : public Certification {
     Result<PatchComplex> complex = make_patch_complex(std::move(input), settings_.orientation);
     if (!complex) return refuse(fault_of(complex.error()));
     complex_.emplace(std::move(*complex));
-    for (std::size_t e = 0; e < model.entities.size(); ++e)
-      is_surface_.push_back(std::holds_alternative<ExactSurface>(model.entities[e].shape));
+    for (const SplineEntity& e : model.entities) {
+      const auto* const surface = std::get_if<ExactSurface>(&e.shape);
+      is_surface_.push_back(surface != nullptr);
+      is_torn_ = is_torn_ || (surface != nullptr && has_torn_knot(*surface));
+    }
     PatchReport& r = *report_.patches;
     r.patches = complex_->patches().size();
     r.edges = complex_->num_edges();
@@ -94,10 +112,21 @@ class PatchCertification : public Certification {
 
   bool decide() override {
     phase("deciding");
-    decision_ = decide_patches(*complex_, {}, &forest_);
+    list_entities();
+    PatchDecisionOptions options;
+    options.outer = outer_sides(described_, complex_->patches().size());
+    decision_ = decide_patches(*complex_, options, &forest_);
     report_.seconds.decide = watch_.lap();
     PatchReport& r = *report_.patches;
     r.boxes_tried = decision_.boxes_tried;
+    if (decision_.refutation && !is_torn_) {
+      r.defects.push_back(facts_of(*complex_, described_, *decision_.refutation));
+      return true;
+    }
+    if (decision_.refutation)
+      return undecided("not-covered",
+                       "a surface has an inner knot of a multiplicity above its degree; " +
+                           facts_of(*complex_, described_, *decision_.refutation).message);
     if (!decision_.is_valid) {
       r.open = decision_.open;
       Place place;
@@ -126,20 +155,12 @@ class PatchCertification : public Certification {
 
   bool certify() override {
     phase("certifying");
-    std::vector<StarBoxEntity> entities;
-    for (std::size_t e = 0; e < entities_.size(); ++e)
-      entities.push_back({is_surface_[e], reversed_[e],
-                          static_cast<std::uint32_t>(entities_[e].first_patch),
-                          entities_[e].breaks});
     certificate::Subject subject;
     subject.sha256 = report_.sha256;
     subject.bytes = report_.patches->bytes;
     subject.format = spline_format_name(report_.patches->format);
     subject.tool = tool_name();
-    bytes_ = collar_.collar ? make_collar_certificate(*forest_, decision_.cover, decision_.walks,
-                                                      *collar_.collar, entities, subject)
-                            : make_star_box_certificate(*forest_, decision_.cover, decision_.walks,
-                                                        entities, subject);
+    bytes_ = certificate_of(subject);
     report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
     report_.seconds.certify = watch_.lap();
     forest_.reset();  // memory for the checker
@@ -149,8 +170,33 @@ class PatchCertification : public Certification {
     return true;
   }
 
+  certificate::Bytes certificate_of(const certificate::Subject& subject) const {
+    if (decision_.refutation) {
+      if (const auto* const crossing = std::get_if<CrossingWitness>(&*decision_.refutation))
+        return make_patch_invalid_certificate(*complex_, *crossing, described_, subject);
+      if (const auto* const sides = std::get_if<SideWitness>(&*decision_.refutation))
+        return make_patch_invalid_certificate(*complex_, *sides, described_, subject);
+    }
+    if (collar_.collar)
+      return make_collar_certificate(*forest_, decision_.cover, decision_.walks, *collar_.collar,
+                                     described_, subject);
+    return make_star_box_certificate(*forest_, decision_.cover, decision_.walks, described_,
+                                     subject);
+  }
+  void list_entities() {
+    for (std::size_t e = 0; e < entities_.size(); ++e)
+      described_.push_back({is_surface_[e], reversed_[e],
+                            static_cast<std::uint32_t>(entities_[e].first_patch),
+                            entities_[e].breaks});
+  }
+
   bool is_valid() const override { return decision_.is_valid; }
   std::string claim() const override {
+    if (decision_.refutation) {
+      const bool is_turned = std::holds_alternative<TurnedShell>(*decision_.refutation);
+      return std::string(is_turned ? certificate::kTurnedShellClaim
+                                   : certificate::kPatchInvalidClaim);
+    }
     return std::string(has_collar_ ? certificate::kCollarClaim : certificate::kStarBoxClaim);
   }
   void forget() override {
@@ -158,6 +204,7 @@ class PatchCertification : public Certification {
     PatchReport& r = *report_.patches;
     r.bodies = r.genus = r.boxes = 0;
     r.shell_facts.clear();
+    r.defects.clear();
     r.volume.reset();
     r.collar.reset();
   }
@@ -173,6 +220,8 @@ class PatchCertification : public Certification {
 
   std::vector<PatchEntity> entities_;
   std::vector<bool> is_surface_, reversed_;
+  std::vector<StarBoxEntity> described_;  ///< what certificates say of entities_
+  bool is_torn_ = false;                  ///< a surface has an inner knot of too great a multiplicity: no refutation is certified
   std::optional<PatchComplex> complex_;
   std::optional<PieceForest> forest_;
   PatchDecision decision_;

@@ -21,13 +21,56 @@ Json bounds_json(const std::optional<Interval>& v) {
   return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
 }
 
-Json place_json(const std::optional<Box3d>& place) {
-  if (!place) return nullptr;
-  const Box3d& box = *place;
+Json box_json(const std::optional<Box3d>& box) {
+  if (!box) return nullptr;
   const auto corner = [](const Point3d& p) {
     return Json::array({number_json(p[0]), number_json(p[1]), number_json(p[2])});
   };
-  return {{"min", corner(box.lo)}, {"max", corner(box.hi)}};
+  return {{"min", corner(box->lo)}, {"max", corner(box->hi)}};
+}
+
+Json part_json(const RefutedPart& part) {
+  Json parameters = Json::array();
+  for (const auto& [lo, hi] : part.parameters)
+    parameters.push_back({{"lo", number_json(lo)}, {"hi", number_json(hi)}});
+  return {{"entity", part.entity},
+          {"side", optional_json(part.side)},
+          {"parameters", std::move(parameters)}};
+}
+
+Json defect_json(const RefutationFacts& f) {
+  Json parts = Json::array(), point = nullptr;
+  for (const RefutedPart& part : f.parts) parts.push_back(part_json(part));
+  if (f.point)
+    point = {number_json((*f.point)[0]), number_json((*f.point)[1]), number_json((*f.point)[2])};
+  return {{"code", f.code},
+          {"message", f.message},
+          {"parts", std::move(parts)},
+          {"point", std::move(point)},
+          {"box", box_json(f.box)},
+          {"shell", optional_json(f.shell)},
+          {"winding", optional_json(f.winding)}};
+}
+
+std::string parameters_text(const RefutedPart& part) {
+  const bool is_triangle = part.parameters.size() == 3;
+  std::string out = "entity " + std::to_string(part.entity);
+  if (part.side) out += ", side " + std::to_string(*part.side);
+  constexpr const char* kNames[] = {"u", "v"};
+  for (std::size_t i = 0; i < part.parameters.size(); ++i) {
+    const auto& [lo, hi] = part.parameters[i];
+    out += std::string(i == 0 ? ": " : ", ") +
+           (is_triangle ? "b" + std::to_string(i) : std::string(kNames[i])) +
+           (lo == hi ? " = " + short_decimal(lo, 10)
+                     : " in [" + short_decimal(lo, 10) + ", " + short_decimal(hi, 10) + "]");
+  }
+  return out;
+}
+
+std::string defect_details(const RefutationFacts& f) {
+  std::string out = detail_line("defect", f.code + ": " + f.message);
+  for (const RefutedPart& part : f.parts) out += detail_line("", parameters_text(part));
+  return out;
 }
 
 Json collar_json(const std::optional<CollarReport>& c) {
@@ -35,7 +78,7 @@ Json collar_json(const std::optional<CollarReport>& c) {
   Json out = {{"found", c->is_found}};
   if (!c->is_found) {
     out["message"] = c->message;
-    out["place"] = place_json(c->place);
+    out["place"] = box_json(c->place);
     return out;
   }
   out["cells"] = c->cells;
@@ -127,11 +170,13 @@ std::string patch_report_json(const FileReport& report) {
   out["verdict"] = verdict_name(report.verdict);
   out["exit"] = static_cast<int>(report.exit);
   out["error"] = fault_json(report.fault);
-  out["place"] = place_json(r.open ? r.open->place : std::nullopt);
+  out["place"] = box_json(r.open ? r.open->place : std::nullopt);
   out["counts"] = {
       {"entities", r.entities},     {"patches", r.patches},       {"edges", r.edges},
       {"vertices", r.vertices},     {"shells", r.shells},         {"bodies", if_valid(r.bodies)},
       {"genus", if_valid(r.genus)}, {"boxes", if_valid(r.boxes)}, {"boxes_tried", r.boxes_tried}};
+  out["defects"] = Json::array();
+  for (const RefutationFacts& f : r.defects) out["defects"].push_back(defect_json(f));
   out["flipped"] = r.flipped;
   out["shells"] = std::move(shells);
   out["volume"] = bounds_json(r.volume);
@@ -143,6 +188,7 @@ std::string patch_report_json(const FileReport& report) {
 }
 
 std::string patch_summary(const PatchReport& r) {
+  if (!r.defects.empty()) return r.defects.front().message;
   std::string text = counted(r.bodies, "body", "bodies") + ", genus " + std::to_string(r.genus);
   if (r.volume) text += ", volume about " + short_decimal(mid(*r.volume));
   return text;
@@ -171,6 +217,8 @@ std::string patch_details(const FileReport& report) {
     if (r.volume) out += detail_line("volume", bounds_text(*r.volume));
     out += shells_text(r);
     if (r.collar) out += collar_text(*r.collar);
+  } else if (!r.defects.empty()) {
+    for (const RefutationFacts& f : r.defects) out += defect_details(f);
   } else if (r.open && r.open->place) {
     out += detail_line("where", place_text(*r.open->place));
   }

@@ -9,6 +9,7 @@
 #include "io/spline_format.h"
 #include "verify/certify/patch_collar.h"
 #include "verify/certify/patch_decision.h"
+#include "verify/certify/refutation_facts.h"
 
 namespace veritope::cli {
 
@@ -33,6 +34,7 @@ struct PatchReport {
   std::vector<std::uint64_t> flipped;  ///< entities whose orientation --orient auto reversed
   std::uint64_t boxes_tried = 0;
   std::optional<OpenQuestion> open;  ///< why there is no proof
+  std::vector<RefutationFacts> defects;  ///< of an invalid model: what was proved
   // Of a valid model.
   std::uint64_t bodies = 0, genus = 0, boxes = 0;
   std::vector<PatchShellFacts> shell_facts;

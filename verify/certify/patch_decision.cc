@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/patch_decision.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "interval/upward.h"
 #include "solids/star_box/patch_volume.h"
+#include "verify/certify/crossing_search.h"
 
 namespace veritope {
 namespace {
 
 using Kind = OpenQuestion::Kind;
+
+// Crossings are looked for near pieces of at least this level; some searches are free, the others are one for so many boxes tried.
+// A piece of kTroubleLevel without a box is rare in sound models: then all patches are looked at, once.
+constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
+constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64;
 
 const char* text_of(UncoveredPiece::Why why) {
   switch (why) {
@@ -22,6 +30,7 @@ const char* text_of(UncoveredPiece::Why why) {
     case UncoveredPiece::Why::kTooDeep:
       return "too many patches, or pieces of very different sizes, meet near this piece";
     case UncoveredPiece::Why::kBudget: return "the number of boxes that may be tried is spent";
+    case UncoveredPiece::Why::kStopped: return "the search was stopped";
   }
   return "";
 }
@@ -48,13 +57,64 @@ class Decider {
       : complex_(complex), options_(options), forest_(*forest) {}
 
   PatchDecision run() {
-    if (!complex_.is_closed_oriented_surface()) return open(complex_question(complex_));
+    if (!complex_.is_closed_oriented_surface()) {
+      if (auto witness = find_side_witness(complex_, options_.outer))
+        return refuted(std::move(*witness));
+      return open(complex_question(complex_));
+    }
     Result<PieceForest> forest = PieceForest::make(complex_);
     if (!forest) return open({Kind::kOutOfRange, {}, {}, {}, forest.error().message});
     forest_.emplace(std::move(*forest));
-    out_.cover = find_star_cover(*forest_, options_.cover);
-    out_.boxes_tried = out_.cover.tried;
+    if (auto crossing = cover_or_cross()) return refuted(*crossing);
     if (!out_.cover.is_complete()) return open(cover_question());
+    return decide_sides();
+  }
+
+ private:
+  PatchDecision open(OpenQuestion question) {
+    out_.open = std::move(question);
+    return std::move(out_);
+  }
+  PatchDecision refuted(PatchRefutation refutation) {
+    out_.refutation = std::move(refutation);
+    return std::move(out_);
+  }
+
+  // A crossing, found before the cover, at a piece without a star box on the way, or where it ended.
+  std::optional<CrossingWitness> cover_or_cross() {
+    CrossingSearch search(*forest_);
+    if (auto crossing = search.among_patches()) return crossing;
+    std::optional<CrossingWitness> found;
+    std::size_t searches = 0;
+    bool is_everywhere = false;
+    const auto look_everywhere = [&] {
+      if (std::exchange(is_everywhere, true)) return;
+      found = search.everywhere();
+      forest_->limit_memory(options_.cover.memory);
+    };
+    StarCoverOptions options = options_.cover;
+    options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
+      if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
+      if (forest_->node(piece).level >= kTroubleLevel) look_everywhere();
+      if (found) return true;
+      if (forest_->node(piece).level < kFirstSearchLevel ||
+          searches * kBoxesPerSearch > tried + kFreeSearches * kBoxesPerSearch)
+        return false;
+      ++searches;
+      found = search.near(piece);
+      return found.has_value();
+    };
+    out_.cover = find_star_cover(*forest_, options);
+    out_.boxes_tried = out_.cover.tried;
+    if (found || out_.cover.is_complete()) return found;
+    for (PieceForest::Id id = out_.cover.uncovered.front().piece; id != PieceForest::kNone;
+         id = forest_->node(id).parent)
+      if ((found = search.near(id))) return found;
+    look_everywhere();
+    return found;
+  }
+
+  PatchDecision decide_sides() {
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();
@@ -65,17 +125,37 @@ class Decider {
            {},
            "no straight path from this shell to infinity or to the shell around it was found"});
     }
-    for (const ShellWalk& w : out_.walks.walks)
-      if (w.winding_inside != 1) return open(orientation_question(w));
-    conclude();
-    return std::move(out_);
+    const auto& walks = out_.walks.walks;
+    const auto wrong = std::find_if(walks.begin(), walks.end(), is_wrong);
+    if (wrong == walks.end()) {
+      conclude();
+      return std::move(out_);
+    }
+    OpenQuestion question = orientation_question(*wrong);
+    if (!put_wrong_walk_last()) return open(std::move(question));
+    const ShellWalk& last = out_.walks.walks.back();
+    return refuted(TurnedShell{last.shell, last.winding_inside});
+  }
+  static bool is_wrong(const ShellWalk& w) { return w.winding_inside != 1; }
+
+  // False if at each wrong shell another walk ends.
+  bool put_wrong_walk_last() {
+    auto& walks = out_.walks.walks;
+    std::vector<std::uint32_t> shell_of_box(out_.cover.boxes.size());
+    for (PieceForest::Id id = 0; id < out_.cover.box_of_node.size(); ++id)
+      if (out_.cover.box_of_node[id] != StarCover::kNone)
+        shell_of_box[out_.cover.box_of_node[id]] = complex_.shell(forest_->node(id).patch);
+    std::vector<bool> is_end(complex_.shells().size());
+    for (const ShellWalk& w : walks)
+      if (w.direction == 6) is_end[shell_of_box[w.end_box]] = true;
+    const auto last = std::find_if(walks.begin(), walks.end(), [&](const ShellWalk& w) {
+      return is_wrong(w) && !is_end[w.shell];
+    });
+    if (last == walks.end()) return false;
+    std::rotate(last, last + 1, walks.end());
+    return true;
   }
 
- private:
-  PatchDecision open(OpenQuestion question) {
-    out_.open = std::move(question);
-    return std::move(out_);
-  }
   OpenQuestion cover_question() const {
     const UncoveredPiece& piece = out_.cover.uncovered.front();
     const PieceForest::Node& node = forest_->node(piece.piece);

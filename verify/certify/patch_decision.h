@@ -5,15 +5,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "interval/interval.h"
+#include "verify/certify/crossing_witness.h"
+#include "verify/certify/side_witness.h"
 #include "verify/certify/star_walks.h"
 
 namespace veritope {
 
 struct PatchDecisionOptions {
   StarCoverOptions cover;
+  OuterSides outer;  ///< which sides may be named as open, or passed in a wrong way
   double tolerance = 1e-5;  ///< of the volume, relative to the largest coordinate cubed
 };
 
@@ -25,13 +29,21 @@ struct OpenQuestion {
     kNoStarBox,   ///< no star box of the least size tried
     kBudget,      ///< too many boxes
     kNoWalk,      ///< from a shell no free path outwards was found
-    kOrientation,  ///< the winding numbers beside a shell are not 1 inside and 0 outside
+    kOrientation,  ///< the winding numbers beside a shell are not 1 inside and 0 outside, and the walks have no order that a certificate needs
   };
   Kind kind;
   std::optional<std::uint32_t> patch, shell;
   std::optional<Box3d> place;  ///< in the model's units, rounded outward; contains the piece
   std::string message;
 };
+
+/// The winding number on the inner side of the shell of the last walk is not 1.
+struct TurnedShell {
+  std::uint32_t shell = 0;
+  int winding = 0;
+};
+/// A proof that the patches do not bound a solid.
+using PatchRefutation = std::variant<CrossingWitness, SideWitness, TurnedShell>;
 
 struct PatchShellFacts {
   std::int64_t euler = 0, genus = 0;
@@ -41,12 +53,13 @@ struct PatchShellFacts {
 
 struct PatchDecision {
   bool is_valid = false;
-  std::optional<OpenQuestion> open;     ///< iff not valid
+  std::optional<PatchRefutation> refutation;
+  std::optional<OpenQuestion> open;     ///< iff neither
   std::vector<PatchShellFacts> shells;  ///< of a valid complex
   std::uint64_t bodies = 0;
   std::optional<Interval> volume;
   std::size_t boxes_tried = 0;
-  /// What a certificate is made of, of a valid complex.
+  /// What a certificate is made of, of a valid complex or one with a turned shell.
   StarCover cover;
   ShellWalks walks;
 };

@@ -6,20 +6,13 @@
 
 #include "robust/base/check.h"
 #include "verify/certify/file_order.h"
-#include "verify/certify/natural.h"
 
 namespace veritope {
 namespace {
 
-using certificate::Fraction;
-using certificate::PatchEntity;
 using certificate::StarBoxBody;
 using certificate::StarBoxItem;
 using Id = PieceForest::Id;
-
-Fraction to_fraction(const Rational& v) {
-  return {v.sign() == Sign::kNegative, to_natural(abs(v).numerator()), to_natural(v.denominator())};
-}
 
 class BodyWriter {
  public:
@@ -28,13 +21,7 @@ class BodyWriter {
       : forest_(forest), cover_(cover), entities_(entities), most_exponent_(most_exponent) {}
 
   StarBoxBody write(const ShellWalks& walks) {
-    for (const StarBoxEntity& e : entities_) {
-      PatchEntity out;
-      out.is_reversed = e.is_reversed, out.is_surface = e.is_surface;
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        for (const Rational& b : e.breaks[axis]) out.breaks[axis].push_back(to_fraction(b));
-      body_.entities.push_back(std::move(out));
-    }
+    body_.entities = to_certificate(entities_);
     write_trees();
     write_boxes();
     for (const ShellWalk& w : walks.walks)
@@ -106,8 +93,9 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
                                             int most_exponent) {
   VT_CHECK(cover.is_complete() && walks.missing.empty(),
            "a certificate needs a whole cover and all walks");
+  const int last = walks.walks.back().winding_inside;
   for (const ShellWalk& w : walks.walks)
-    VT_CHECK(w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
+    VT_CHECK(last != 1 || w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
   return BodyWriter(forest, cover, entities, most_exponent).write(walks);
 }
 
@@ -120,7 +108,7 @@ certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
   q.shells = complex.shells().size();
   for (const PatchShell& shell : complex.shells())
     q.genus += static_cast<std::uint64_t>(shell.genus().value());
-  q.bodies = walks.num_bodies();
+  if (walks.walks.back().winding_inside == 1) q.bodies = walks.num_bodies();
   return q;
 }
 
@@ -128,8 +116,11 @@ certificate::Bytes make_star_box_certificate(const PieceForest& forest, const St
                                              const ShellWalks& walks,
                                              const std::vector<StarBoxEntity>& entities,
                                              const certificate::Subject& subject) {
-  return certificate::encode(subject, star_box_quantities(forest.complex(), walks),
-                             make_star_box_body(forest, cover, walks, entities, 0));
+  const certificate::StarBoxQuantities q = star_box_quantities(forest.complex(), walks);
+  const certificate::StarBoxBody body = make_star_box_body(forest, cover, walks, entities, 0);
+  const int last = walks.walks.back().winding_inside;
+  return last == 1 ? certificate::encode(subject, q, body)
+                   : certificate::encode(subject, q, body, last);
 }
 
 }  // namespace veritope

@@ -46,6 +46,10 @@ class CoverSearch {
           {id, out_.tried >= options_.max_boxes ? Why::kBudget : last_failure_});
       return;
     }
+    if (options_.stops_at && options_.stops_at(id, out_.tried)) {
+      out_.uncovered.push_back({id, Why::kStopped});
+      return;
+    }
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4 && out_.uncovered.empty(); ++k) cover(first + k);
   }

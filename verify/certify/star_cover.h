@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "solids/star_box/star_box.h"
@@ -14,6 +15,8 @@ struct StarCoverOptions {
   std::size_t max_boxes = 4'000'000;          ///< that are tried
   double growth = 1.75;                       ///< box to hull
   std::size_t memory = std::size_t{1} << 29;  ///< bytes, of the nets of pieces
+  /// Asked for each piece without a star box of its own size; if it says so the search stops there.
+  std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };
 
 /// A box and centres on the grid of multiples of unit, a power of two.
@@ -25,7 +28,7 @@ struct CoverBox {
 /// Where no star box was found.
 struct UncoveredPiece {
   PieceForest::Id piece;
-  enum class Why { kNoCentres, kCrossings, kTooDeep, kBudget } why;
+  enum class Why { kNoCentres, kCrossings, kTooDeep, kBudget, kStopped } why;
 };
 
 struct StarCover {

@@ -12,30 +12,6 @@ using internal::ByteWriter;
 
 constexpr unsigned char kMagic[] = {'V', 'T', 'S', 'B'};
 
-// Nothing if it does not fit 63 bits.
-std::optional<std::uint64_t> small(const Natural& n) {
-  if (n.size() > 8 || (n.size() == 8 && n.back() >= 128)) return std::nullopt;
-  std::uint64_t v = 0;
-  for (std::size_t i = n.size(); i-- > 0;) v = v << 8 | n[i];
-  return v;
-}
-
-void write(ByteWriter& w, const Fraction& f) {
-  const auto p = small(f.numerator), q = small(f.denominator);
-  if (p && q) {
-    w.zigzag(f.is_negative ? -static_cast<std::int64_t>(*p) : static_cast<std::int64_t>(*p));
-    w.varint(*q);
-    return;
-  }
-  w.zigzag(0);
-  w.varint(0);
-  w.varint(f.numerator.size() + 1);
-  w.u8(f.is_negative ? 1 : 0);
-  w.raw(f.numerator);
-  w.varint(f.denominator.size());
-  w.raw(f.denominator);
-}
-
 void write(ByteWriter& w, const StarBoxItem& b) {
   w.u8(0);
   w.varint(b.shift);
@@ -63,16 +39,8 @@ std::uint64_t zigzag_code(std::int64_t z) {
 
 Bytes encode(const StarBoxBody& body) {
   ByteWriter w;
-  w.raw(kMagic);
-  w.u32(static_cast<std::uint32_t>(body.entities.size()));
-  for (const PatchEntity& e : body.entities) w.u8(e.is_reversed ? 1 : 0);
-  for (const PatchEntity& e : body.entities) {
-    if (!e.is_surface) continue;
-    for (const auto& axis : e.breaks) {
-      w.u32(static_cast<std::uint32_t>(axis.size()));
-      for (const Fraction& f : axis) write(w, f);
-    }
-  }
+  for (const unsigned char c : kMagic) w.u8(c);
+  internal::write(w, body.entities);
   for (const auto& ab : body.roots) w.raw(ab);
   w.zigzag(body.exponent);
   w.u32(static_cast<std::uint32_t>(body.boxes.size()));
@@ -91,10 +59,13 @@ Bytes encode(const StarBoxBody& body) {
   return w.take();
 }
 
-Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBody& body) {
+Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBody& body,
+             std::optional<std::int64_t> turned) {
   const Bytes bytes = encode(body);
-  return internal::join(internal::state_star_boxes(subject, kStarBoxClaim, q, body, bytes).take(),
-                        bytes);
+  internal::StatementWriter w =
+      internal::state_star_boxes(subject, turned ? kTurnedShellClaim : kStarBoxClaim, q, body, bytes);
+  if (turned) w.number("winding", zigzag_code(*turned));
+  return internal::join(w.take(), bytes);
 }
 
 namespace internal {
@@ -102,8 +73,6 @@ namespace internal {
 StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,
                                  const StarBoxQuantities& q, const StarBoxBody& body,
                                  const Bytes& bytes) {
-  std::uint64_t flipped = 0;
-  for (const PatchEntity& e : body.entities) flipped += e.is_reversed ? 1 : 0;
   StatementWriter w;
   state_subject(w, subject, claim);
   w.text("body_sha256", to_hex(sha256(bytes)));
@@ -114,7 +83,7 @@ StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,
   w.number("bodies", q.bodies);
   w.number("genus", q.genus);
   w.number("boxes", body.boxes.size());
-  w.number("flipped", flipped);
+  w.number("flipped", num_flipped(body.entities));
   return w;
 }
 

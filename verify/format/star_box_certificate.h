@@ -4,29 +4,18 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "verify/format/mesh_certificate.h"
+#include "verify/format/patch_entities.h"
 
 namespace veritope::certificate {
 
 inline constexpr std::string_view kStarBoxClaim = "star-box-1";
-
-/// A fraction in lowest terms; denominator > 0.
-struct Fraction {
-  bool is_negative = false;
-  Natural numerator, denominator;
-};
-
-/// One entity of the model: a surface with its breaks along u and v, or a triangle without.
-struct PatchEntity {
-  bool is_reversed = false;
-  bool is_surface = true;
-  std::array<std::vector<Fraction>, 2> breaks;
-};
+inline constexpr std::string_view kTurnedShellClaim = "star-box-turned-1";
 
 /// In units of 2^(exponent + shift); the exponent is the body's.
 struct StarBoxItem {
@@ -68,6 +57,8 @@ struct StarBoxQuantities {
 
 Bytes encode(const StarBoxBody& body);
 /// The whole certificate. `subject.reading_rule` and `as_indexed` are not used.
-Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const StarBoxBody& body);
+/// @param turned  nothing: the claim is kStarBoxClaim; else kTurnedShellClaim, and this is the winding number of the last walk's inner side
+Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const StarBoxBody& body,
+             std::optional<std::int64_t> turned = {});
 
 }  // namespace veritope::certificate

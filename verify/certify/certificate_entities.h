@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/certificate_entities.h: how the patches of a complex come from the entities of the model file that a certificate speaks of.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "robust/rational.h"
+#include "verify/certify/side_witness.h"
+#include "verify/format/patch_entities.h"
+
+namespace veritope {
+
+/// An entity of the model file whose patches are numbered from first_patch on: of a surface (u pieces) x (v pieces), v fastest.
+struct StarBoxEntity {
+  bool is_surface = true;
+  /// The patches of the complex are those of the file with their normals turned: axes exchanged, or corners 1 and 2 of a triangle.
+  bool is_reversed = false;
+  std::uint32_t first_patch = 0;
+  std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes
+};
+
+std::vector<certificate::PatchEntity> to_certificate(const std::vector<StarBoxEntity>& entities);
+
+/// Of each of so many patches: whether its entity is reversed.
+std::vector<bool> reversed_patches(const std::vector<StarBoxEntity>& entities,
+                                   std::size_t num_patches);
+
+/// As OuterSides, of the complex's patches. REQUIRES entities in order.
+OuterSides outer_sides(const std::vector<StarBoxEntity>& entities, std::size_t num_patches);
+
+}  // namespace veritope

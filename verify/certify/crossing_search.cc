@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/crossing_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solids/star_box/star_box.h"
+#include "verify/certify/piece_neighbours.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
+constexpr std::size_t kMostSolvedNear = 32;
+constexpr std::size_t kMostPiecesNear = 400;
+constexpr double kGrowth = 1.75, kPart = 0.3;  // of a piece's hull: the box around it; of that, the longest piece
+constexpr double kReach = 4;                   // in sizes of a piece
+
+}  // namespace
+
+std::optional<CrossingWitness> CrossingSearch::among_patches() {
+  const std::size_t n = forest_.num_roots();
+  if (n <= kFewRoots) return by_level({true, 3, 16384, 256});
+  if (n <= kManyRoots) return by_level({true, 2, 128 * n, 256});
+  return by_level({false, 3, 64 * n, 256});
+}
+
+std::optional<CrossingWitness> CrossingSearch::everywhere() {
+  return by_level({true, 7, 16384 + 32 * forest_.num_roots(), 1024});
+}
+
+std::optional<CrossingWitness> CrossingSearch::by_level(const Effort& effort) {
+  std::vector<Pair> pairs = root_pairs(effort);
+  for (int level = 0; level < effort.levels && !pairs.empty(); ++level) {
+    pairs = split(pairs, effort.most_pairs);
+    std::vector<Pair> apart;
+    for (const Pair& p : pairs)
+      if (!are_neighbours(forest_, p.a, p.b)) apart.push_back(p);
+    if (auto witness = solve_some(apart, effort.most_solved)) return witness;
+  }
+  return std::nullopt;
+}
+
+std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effort) {
+  std::vector<Pair> out;
+  for (std::uint32_t r = 0; r < forest_.num_roots() && out.size() < effort.most_pairs; ++r) {
+    const Id a = forest_.root(r);
+    const Box3d hull = forest_.node(a).hull;
+    forest_.roots().visit(
+        [&](const Box3d& box) { return out.size() < effort.most_pairs && meets(box, hull); },
+        [&](std::uint32_t number) {
+          const Id b = forest_.root(number);
+          ++num_pairs;
+          if (number >= r && (effort.with_neighbours || !are_neighbours(forest_, a, b)))
+            out.push_back({a, b});
+        });
+  }
+  return out;
+}
+
+// The longer piece of each pair, or both; if there are too many pairs, some of them, evenly spread.
+std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>& pairs,
+                                                        std::size_t most) {
+  std::vector<Pair> out;
+  const auto parts = [&](Id id, bool is_split, Id* first) -> Id {
+    *first = is_split ? forest_.children(id) : id;
+    return is_split ? 4 : 1;
+  };
+  for (const Pair& pair : pairs) {
+    const PieceForest::Node &x = forest_.node(pair.a), &y = forest_.node(pair.b);
+    if (x.level >= PieceForest::kMaxLevel || y.level >= PieceForest::kMaxLevel) continue;
+    const double size_a = extent(x.hull), size_b = extent(y.hull);
+    Id a, b;
+    const Id num_a = parts(pair.a, !(2 * size_a < size_b), &a),
+             num_b = parts(pair.b, !(2 * size_b < size_a), &b);
+    for (Id i = 0; i < num_a; ++i)
+      for (Id k = pair.a == pair.b ? i : 0; k < num_b; ++k) {
+        ++num_pairs;
+        if (meets(forest_.node(a + i).hull, forest_.node(b + k).hull))
+          out.push_back({a + i, b + k});
+      }
+  }
+  if (out.size() <= most) return out;
+  for (std::size_t i = 0; i < most; ++i) out[i] = out[i * out.size() / most];
+  out.resize(most);
+  return out;
+}
+
+std::optional<CrossingWitness> CrossingSearch::near(Id piece) {
+  const Box3d hull = forest_.node(piece).hull;
+  const double half = 0.5 * kGrowth * extent(hull);
+  if (!(half > 0) || !std::isfinite(half)) return std::nullopt;
+  const Point3d middle = approx_centre(hull);
+  Box3d box;
+  for (std::size_t k = 0; k < 3; ++k) box.lo[k] = middle[k] - half, box.hi[k] = middle[k] + half;
+  std::vector<Id> pieces, held;
+  find_pieces(forest_, box, kPart * extent(hull), kMostPiecesNear, &pieces, &held);
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t k = i + 1; k < pieces.size(); ++k) {
+      ++num_pairs;
+      if (meets(forest_.node(pieces[i]).hull, forest_.node(pieces[k]).hull) &&
+          !are_neighbours(forest_, pieces[i], pieces[k]))
+        pairs.push_back({pieces[i], pieces[k]});
+    }
+  return solve_some(pairs, kMostSolvedNear);
+}
+
+// Evenly spread among the pairs.
+std::optional<CrossingWitness> CrossingSearch::solve_some(const std::vector<Pair>& pairs,
+                                                          std::size_t most) {
+  const std::size_t n = std::min(most, pairs.size());
+  for (std::size_t i = 0; i < n; ++i)
+    if (auto witness = solve(pairs[i * pairs.size() / n])) return witness;
+  return std::nullopt;
+}
+
+std::optional<CrossingWitness> CrossingSearch::solve(const Pair& pair) {
+  const PieceForest::Node &a = forest_.node(pair.a), &b = forest_.node(pair.b);
+  const auto solution = solver_.solve({middle(a), middle(b)}, std::max(reach(a), reach(b)));
+  if (!solution) return std::nullopt;
+  return solver_.prove(*solution);
+}
+
+SheetPlace CrossingSearch::middle(const PieceForest::Node& node) const {
+  const PieceForest::Form& form = forest_.form(node.patch);
+  const auto part = [](double k, int bits) { return std::ldexp(k, -bits); };
+  const auto i = static_cast<double>(node.i), j = static_cast<double>(node.j);
+  if (!form.shape.is_triangle)
+    return {node.patch,
+            {part(i + 0.5, form.root_bits[0] + node.level),
+             part(j + 0.5, form.root_bits[1] + node.level)}};
+  const double third = node.is_upside_down ? -1.0 / 3 : 1.0 / 3;
+  const double b = part(i + third, node.level), c = part(j + third, node.level);
+  return {node.patch, {b + c, c / (b + c)}};
+}
+
+double CrossingSearch::reach(const PieceForest::Node& node) const {
+  const PieceForest::Form& form = forest_.form(node.patch);
+  const int bits = node.level + std::min(form.root_bits[0], form.root_bits[1]);
+  const double size = std::ldexp(kReach, -bits);
+  if (!form.shape.is_triangle) return size;
+  return size / std::max(middle(node).at[0], 0x1p-10);  // t turns once around corner 0
+}
+
+}  // namespace veritope

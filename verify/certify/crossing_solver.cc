@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/crossing_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "verify/certify/miranda_internal.h"
+
+namespace veritope {
+namespace {
+
+constexpr int kMaxSteps = 24;
+// A step that is shorter is the last one: quadratic convergence makes the next one as short as rounding allows. Near a tangency steps are only halved, and
+// kMaxSteps of them are not enough.
+constexpr double kLastStep = 0x1p-28;
+// Determinants of matrices with columns and rows of length one, about.
+constexpr double kSingular = 0x1p-40;
+// The fixed parameter gets as many bits as these, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
+constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
+constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
+constexpr double kRowSize = 0x1p40;
+constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double largest(const Vector& a) {
+  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+}
+
+// Of degree n at t: values and derivatives of the Bernstein polynomials. REQUIRES n >= 1.
+struct Basis {
+  std::array<double, 64> value, slope;
+};
+void fill_basis(int n, double t, Basis* basis) {
+  auto& b = basis->value;
+  b[0] = 1;
+  for (int degree = 1; degree <= n; ++degree) {
+    const auto d = static_cast<std::size_t>(degree);
+    if (degree == n)
+      for (std::size_t i = 0; i <= d; ++i)
+        basis->slope[i] = n * ((i > 0 ? b[i - 1] : 0) - (i < d ? b[i] : 0));
+    b[d] = t * b[d - 1];
+    for (std::size_t i = d - 1; i > 0; --i) b[i] = t * b[i - 1] + (1 - t) * b[i];
+    b[0] *= 1 - t;
+  }
+}
+
+// Image and derivatives.
+struct Tangents {
+  Vector at, along[2];
+};
+Tangents tangents(const BezierSurface<double>& map, const std::array<double, 2>& at) {
+  Basis u, v;
+  fill_basis(map.degree(0), at[0], &u);
+  fill_basis(map.degree(1), at[1], &v);
+  double f[4] = {0, 0, 0, 1}, fu[4] = {}, fv[4] = {};
+  const auto rows = static_cast<std::size_t>(map.degree(0)) + 1,
+             columns = static_cast<std::size_t>(map.degree(1)) + 1;
+  for (int c = 0; c < map.num_components(); ++c) {
+    double x = 0, xu = 0, xv = 0;
+    const double* p = map.component(c).data();
+    for (std::size_t i = 0; i < rows; ++i, p += columns) {
+      double row = 0, slope = 0;
+      for (std::size_t j = 0; j < columns; ++j) {
+        row += v.value[j] * p[j];
+        slope += v.slope[j] * p[j];
+      }
+      x += u.value[i] * row, xu += u.slope[i] * row, xv += u.value[i] * slope;
+    }
+    f[c] = x, fu[c] = xu, fv[c] = xv;
+  }
+  Tangents out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.at[k] = f[k] / f[3];
+    out.along[0][k] = (fu[k] - out.at[k] * fu[3]) / f[3];
+    out.along[1][k] = (fv[k] - out.at[k] * fv[3]) / f[3];
+  }
+  return out;
+}
+
+// The inverse of the matrix with these columns; false if it is singular, about, whatever the units of the coordinates and of the columns.
+using Matrix = std::array<Vector, 3>;
+bool invert(const std::array<Vector, 3>& columns, Matrix* inverse) {
+  std::array<Vector, 3> c = columns;
+  Vector unit{};  // of a coordinate
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const Vector& v : columns) unit[k] = std::max(unit[k], std::abs(v[k]));
+    if (!(unit[k] > 0)) return false;
+    for (Vector& v : c) v[k] /= unit[k];
+  }
+  const Matrix r{cross(c[1], c[2]), cross(c[2], c[0]), cross(c[0], c[1])};
+  const double d = dot(c[0], r[0]);
+  if (!(std::abs(d) > kSingular * largest(c[0]) * largest(c[1]) * largest(c[2]))) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) (*inverse)[i][k] = r[i][k] / d / unit[k];
+  return true;
+}
+
+std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse) {
+  std::array<std::array<std::int64_t, 3>, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      rows[i][k] = static_cast<std::int64_t>(
+          std::nearbyint(inverse[i][k] * (kRowSize / largest(inverse[i]))));
+  return rows;
+}
+
+// With a middle near t that is a multiple of 2^-bits, of which the radius is a number; nothing if it does not lie in [0,1].
+std::optional<DyadicInterval> interval_around(double t, unsigned bits, double radius) {
+  const double all = std::ldexp(1.0, static_cast<int>(bits)), middle = std::nearbyint(t * all);
+  if (!(middle - radius >= 0 && middle + radius <= all)) return std::nullopt;
+  return DyadicInterval{bits, static_cast<std::uint64_t>(middle - radius),
+                        static_cast<std::uint64_t>(middle + radius)};
+}
+
+Matrix columns_without(const std::array<Vector, 4>& columns, std::size_t fixed) {
+  Matrix out{};
+  for (std::size_t i = 0, n = 0; i < 4; ++i)
+    if (i != fixed) out[n++] = columns[i];
+  return out;
+}
+
+double& parameter(std::array<SheetPlace, 2>* places, std::size_t i) {
+  return (*places)[i / 2].at[i % 2];
+}
+double parameter(const std::array<SheetPlace, 2>& places, std::size_t i) {
+  return places[i / 2].at[i % 2];
+}
+
+}  // namespace
+
+/// A - B and its derivatives by the four parameters.
+struct CrossingSolver::Linear {
+  Vector difference;
+  std::array<Vector, 4> columns;
+};
+
+// J^T y with J J^T y = difference: the shortest step that solves J step = difference. Rows of J are scaled to length one, about, which changes nothing
+// but rounding.
+std::optional<std::array<double, 4>> CrossingSolver::shortest_step(Linear l) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    double unit = 0;
+    for (const Vector& c : l.columns) unit = std::max(unit, std::abs(c[k]));
+    if (!(unit > 0) || !std::isfinite(unit)) return std::nullopt;
+    l.difference[k] /= unit;
+    for (Vector& c : l.columns) c[k] /= unit;
+  }
+  Matrix gram{}, inverse;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const Vector& c : l.columns) gram[i][k] += c[i] * c[k];
+  if (!invert(gram, &inverse)) return std::nullopt;
+  const Vector y{dot(inverse[0], l.difference), dot(inverse[1], l.difference),
+                 dot(inverse[2], l.difference)};
+  return std::array<double, 4>{dot(l.columns[0], y), dot(l.columns[1], y), dot(l.columns[2], y),
+                               dot(l.columns[3], y)};
+}
+
+const CrossingSolver::Sheet& CrossingSolver::sheet(std::uint32_t patch) {
+  const auto known = sheets_.find(patch);
+  if (known != sheets_.end()) return known->second;
+  const PieceForest::Form& form = forest_.form(patch);
+  const int components = form.is_rational ? 4 : 3;
+  const std::size_t n = form.shape.count() * static_cast<std::size_t>(components);
+  std::vector<double> control(form.root_net.begin(),
+                              form.root_net.begin() + static_cast<std::ptrdiff_t>(n));
+  BezierSurface<double> map =
+      form.shape.is_triangle
+          ? tensor_of_triangle(BezierTriangle<double>(form.shape.p, components, form.is_rational,
+                                                      std::move(control)))
+          : BezierSurface<double>({form.shape.p, form.shape.q}, components, form.is_rational,
+                                  std::move(control));
+  return sheets_.emplace(patch, Sheet{std::move(map), form.origin}).first->second;
+}
+
+CrossingSolver::Linear CrossingSolver::linearised(const std::array<SheetPlace, 2>& at) {
+  const Sheet &a = sheet(at[0].patch), &b = sheet(at[1].patch);
+  const Tangents ta = tangents(a.map, at[0].at), tb = tangents(b.map, at[1].at);
+  Linear out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.difference[k] = (a.origin[k] - b.origin[k]) + (ta.at[k] - tb.at[k]);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      out.columns[axis][k] = ta.along[axis][k];
+      out.columns[2 + axis][k] = -tb.along[axis][k];
+    }
+  }
+  return out;
+}
+
+std::optional<std::array<SheetPlace, 2>> CrossingSolver::solve(
+    const std::array<SheetPlace, 2>& guess, double reach) {
+  ++num_solved;
+  std::array<SheetPlace, 2> x = guess;
+  double last = HUGE_VAL;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const std::optional<std::array<double, 4>> d = shortest_step(linearised(x));
+    if (!d) return std::nullopt;
+    double length = 0;
+    bool is_clamped = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      double& t = parameter(&x, i);
+      const double wanted = t - (*d)[i];
+      length = std::max(length, std::abs((*d)[i]));
+      t = std::clamp(wanted, 0.0, 1.0);
+      is_clamped = is_clamped || t != wanted;
+      if (!(std::abs(t - parameter(guess, i)) <= reach)) return std::nullopt;
+    }
+    if (length < kLastStep) return x;
+    if (step >= 8 && !is_clamped && length > 0.3 * last) return std::nullopt;
+    last = length;
+  }
+  return std::nullopt;
+}
+
+std::optional<CrossingWitness> CrossingSolver::prove(const std::array<SheetPlace, 2>& solution) {
+  const auto depth = [](const SheetPlace& p) {
+    return std::min({p.at[0], 1 - p.at[0], p.at[1], 1 - p.at[1]});
+  };
+  std::array<SheetPlace, 2> s = solution;
+  if (depth(s[0]) < depth(s[1])) std::swap(s[0], s[1]);
+  if (!(depth(s[0]) > std::ldexp(1.0, -static_cast<int>(kLast)))) return std::nullopt;
+  if (auto witness = prove_in_order(s)) return witness;
+  std::swap(s[0], s[1]);
+  if (!(depth(s[0]) > 0)) return std::nullopt;
+  return prove_in_order(s);
+}
+
+// The parameter that is fixed: without it the equations should be conditioned best. A parameter of B on the border must be the fixed one.
+std::optional<CrossingWitness> CrossingSolver::prove_in_order(
+    const std::array<SheetPlace, 2>& solution) {
+  const Linear l = linearised(solution);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t fixed = 0; fixed < 4; ++fixed) {
+    Matrix inverse;
+    if (!invert(columns_without(l.columns, fixed), &inverse)) continue;
+    double size = 0;
+    for (const Vector& row : inverse) size = std::max(size, largest(row));
+    for (std::size_t i = 2; i < 4; ++i) {
+      const double t = parameter(solution, i);
+      if (i != fixed && (t < 0x1p-30 || t > 1 - 0x1p-30)) size *= 0x1p40;
+    }
+    order.push_back({size, fixed});
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [size, fixed] : order)
+    if (auto witness = prove_with(solution, fixed)) return witness;
+  return std::nullopt;
+}
+
+std::optional<CrossingWitness> CrossingSolver::prove_with(
+    const std::array<SheetPlace, 2>& solution, std::size_t fixed) {
+  const double wanted = parameter(solution, fixed);
+  for (const unsigned bits : kFixedBits) {
+    std::array<SheetPlace, 2> s = solution;
+    double& t = parameter(&s, fixed);
+    t = std::ldexp(std::nearbyint(std::ldexp(wanted, static_cast<int>(bits))),
+                   -static_cast<int>(bits));
+    if (fixed < 2 && (t <= 0 || t >= 1)) continue;
+    const std::optional<Rows> rows = settle(&s, fixed);
+    if (!rows) continue;
+    if (auto witness = boxed(s, fixed, bits, *rows)) return witness;
+  }
+  return std::nullopt;
+}
+
+// Newton with the parameter fixed; the rows of the last inverse, each as integers of about 40 bits.
+std::optional<CrossingSolver::Rows> CrossingSolver::settle(std::array<SheetPlace, 2>* solution,
+                                                           std::size_t fixed) {
+  double last = HUGE_VAL;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Linear l = linearised(*solution);
+    Matrix inverse;
+    if (!invert(columns_without(l.columns, fixed), &inverse)) return std::nullopt;
+    double length = 0;
+    for (std::size_t i = 0, n = 0; i < 4; ++i) {
+      if (i == fixed) continue;
+      const double d = dot(inverse[n++], l.difference);
+      double& t = parameter(solution, i);
+      length = std::max(length, std::abs(d));
+      t -= d;
+      if (!(t >= 0 && t <= 1)) return std::nullopt;
+    }
+    if (length < kLastStep && length >= 0.25 * last) return integer_rows(inverse);
+    if (length == 0) return integer_rows(inverse);
+    last = length;
+  }
+  return std::nullopt;
+}
+
+std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace, 2>& solution,
+                                                     std::size_t fixed, unsigned fixed_bits,
+                                                     const Rows& rows) {
+  const PatchComplex& complex = forest_.complex();
+  std::size_t exact = 0;
+  for (unsigned m = kFirst; m <= kLast && exact < kMostExact; ++m) {
+    CrossingWitness w;
+    w.rows = rows;
+    bool fits = true;
+    for (std::size_t i = 0; i < 4 && fits; ++i) {
+      PatchRectangle& sheet = w.sheets[i / 2];
+      sheet.patch = solution[i / 2].patch;
+      const bool is_open = i < 2 || (i == 2 && forest_.form(sheet.patch).shape.is_triangle);
+      const auto around = i == fixed
+                              ? interval_around(parameter(solution, i), fixed_bits, 0)
+                              : interval_around(parameter(solution, i), m + kCentreBits,
+                                                std::ldexp(1.0, static_cast<int>(kCentreBits)));
+      fits = around && !(is_open && (around->lo == 0 || (i < 2 && around->hi == std::uint64_t{1} << around->bits)));
+      if (fits) sheet.at[i % 2] = *around;
+    }
+    if (!fits || !are_apart(w.sheets[0], w.sheets[1]) || !is_forecast(w)) continue;
+    ++exact, ++num_exact;
+    if (!broken_condition(complex.patch(w.sheets[0].patch), complex.patch(w.sheets[1].patch), w))
+      return w;
+  }
+  return std::nullopt;
+}
+
+// X3 in doubles, relative to the second sheet's origin.
+bool CrossingSolver::is_forecast(const CrossingWitness& w) {
+  const Sheet &a = sheet(w.sheets[0].patch), &b = sheet(w.sheets[1].patch);
+  std::array<BezierSurface<double>, 2> maps{a.map, b.map};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double shift = a.origin[c] - b.origin[c];
+    const std::size_t n = maps[0].component(0).size();
+    for (std::size_t i = 0; i < n; ++i)
+      maps[0].component(static_cast<int>(c))[i] +=
+          shift * (a.map.is_rational() ? a.map.component(3)[i] : 1);
+  }
+  std::array<internal::FreeParameter, 3> parameters{};
+  std::size_t n = 0;
+  for (std::size_t s = 0; s < 2; ++s)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const DyadicInterval& t = w.sheets[s].at[axis];
+      if (!t.is_point()) parameters[n++] = {s, axis};
+      const int bits = -static_cast<int>(t.bits);
+      maps[s] = internal::part_along(std::move(maps[s]), axis,
+                                     std::ldexp(static_cast<double>(t.lo), bits),
+                                     std::ldexp(static_cast<double>(t.hi), bits));
+    }
+  std::array<std::array<double, 3>, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) rows[i][k] = static_cast<double>(w.rows[i][k]);
+  return internal::has_opposite_signs(maps, rows, parameters);
+}
+
+}  // namespace veritope

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/crossing_solver.h: from two places of patches that lie near each other to a proved common point: Newton in doubles, then a box around the
+// solution that is verified exactly.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include "solids/star_box/piece_forest.h"
+#include "verify/certify/crossing_witness.h"
+
+namespace veritope {
+
+/// A place in the tensor form of a patch.
+struct SheetPlace {
+  std::uint32_t patch = 0;
+  std::array<double, 2> at{};
+};
+
+/// Refers to the forest.
+class CrossingSolver {
+ public:
+  explicit CrossingSolver(const PieceForest& forest) : forest_(forest) {}
+
+  /// Parameters near the guess where the two sheets have about the same image: Gauss-Newton, each step the shortest that solves the linear equations.
+  /// Nothing if it does not converge within `reach`, relative to the parameters' unit, of each coordinate of the guess.
+  std::optional<std::array<SheetPlace, 2>> solve(const std::array<SheetPlace, 2>& guess,
+                                                 double reach);
+
+  /// A box around about a solution that is a proof, its first sheet in the open domain: tried with either sheet first, from large boxes to small
+  /// ones; broken_condition said that all conditions hold.
+  std::optional<CrossingWitness> prove(const std::array<SheetPlace, 2>& solution);
+
+  std::size_t num_solved = 0, num_exact = 0;  ///< calls of solve, exact tests
+
+ private:
+  /// Of one patch in its tensor form, coordinates as PieceForest has them relative to the origin.
+  struct Sheet {
+    BezierSurface<double> map;
+    Point3d origin;
+  };
+  struct Linear;
+  using Rows = std::array<std::array<std::int64_t, 3>, 3>;
+  const Sheet& sheet(std::uint32_t patch);
+  Linear linearised(const std::array<SheetPlace, 2>& at);
+  static std::optional<std::array<double, 4>> shortest_step(Linear equations);
+  std::optional<CrossingWitness> prove_in_order(const std::array<SheetPlace, 2>& solution);
+  std::optional<CrossingWitness> prove_with(const std::array<SheetPlace, 2>& solution,
+                                            std::size_t fixed);
+  std::optional<Rows> settle(std::array<SheetPlace, 2>* solution, std::size_t fixed);
+  std::optional<CrossingWitness> boxed(const std::array<SheetPlace, 2>& solution,
+                                       std::size_t fixed, unsigned fixed_bits, const Rows& rows);
+  bool is_forecast(const CrossingWitness& witness);
+
+  const PieceForest& forest_;
+  std::unordered_map<std::uint32_t, Sheet> sheets_;
+};
+
+}  // namespace veritope

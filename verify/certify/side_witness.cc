@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/side_witness.h"
+
+#include <algorithm>
+#include <array>
+
+#include "solids/patch_sides.h"
+#include "splines/bezier_calculus.h"
+#include "splines/bezier_components.h"
+#include "splines/de_casteljau.h"
+
+namespace veritope {
+namespace {
+
+using Curve = Patch::Curve;
+
+constexpr int kMaxHalvings = 200;
+constexpr std::uint64_t kWorkPerSide = 2000;  // of the certificate's page
+
+Curve part_of(const PatchComplex& complex, const SideArc& arc) {
+  Curve curve = complex.patch(arc.side.patch).side(arc.side.side);
+  const Rational lo = arc.at.lower(), hi = arc.at.upper();
+  if (lo.sign() != Sign::kZero) curve = right_part(std::move(curve), 0, lo);
+  if (hi == Rational(1)) return curve;
+  return left_part(std::move(curve), 0, (hi - lo) / (Rational(1) - lo));
+}
+
+bool have_common_interior(const DyadicInterval& a, const DyadicInterval& b) {
+  return a.lower() < b.upper() && b.lower() < a.upper();
+}
+
+bool holds_d1(const PatchComplex& complex, const OuterSides& outer, const SideWitness& w) {
+  if (w.arcs.empty() || w.axis > 2 || w.point_bits > 62) return false;
+  for (std::size_t i = 0; i < w.arcs.size(); ++i) {
+    const SideArc& arc = w.arcs[i];
+    if (arc.side.patch >= complex.patches().size() ||
+        arc.side.side >= complex.patch(arc.side.patch).num_sides() ||
+        !is_outer(outer, arc.side) || complex.is_collapsed(arc.side))
+      return false;
+    if (!arc.at.is_part_of_unit() || arc.at.is_point()) return false;
+    for (std::size_t k = 0; k < i; ++k)
+      if (w.arcs[k].side == arc.side && have_common_interior(w.arcs[k].at, arc.at)) return false;
+  }
+  const Rational t = DyadicInterval{w.point_bits, w.point, w.point}.lower();
+  return w.arcs[0].at.lower() < t && t < w.arcs[0].at.upper();
+}
+
+bool holds_d2(const PatchComplex& complex, const SideWitness& w) {
+  const CanonicalCurve first = directed_form(part_of(complex, w.arcs[0])),
+                       back = run_backwards(first);
+  std::uint32_t same = 0, opposite = 0;
+  for (const SideArc& arc : w.arcs) {
+    const CanonicalCurve curve = directed_form(part_of(complex, arc));
+    if (curve == first) {
+      ++same;
+    } else if (curve == back) {
+      ++opposite;
+    } else {
+      return false;
+    }
+  }
+  return same == w.same && opposite == w.opposite && !(same == 1 && opposite == 1);
+}
+
+bool holds_d3(const PatchComplex& complex, const SideWitness& w) {
+  const Curve curve = part_of(complex, w.arcs[0]);
+  const Curve points = numerators(curve);
+  Curve slope = derivative(points, 0);
+  if (curve.is_rational()) {
+    const Curve weights = weight(curve);
+    slope = difference(multiplied(weights, slope), multiplied(derivative(weights, 0), points));
+  }
+  const auto along = slope.component(w.axis);
+  return std::all_of(along.begin(), along.end(),
+                     [&](const Rational& v) { return v.sign() != Sign::kZero && v.sign() == along[0].sign(); });
+}
+
+// The parts of sides that come near a point, halved until they do not.
+class PassSearch {
+ public:
+  PassSearch(const PatchComplex& complex, const SideWitness& witness, const PatchPoint& point,
+             std::uint64_t most)
+      : complex_(complex), witness_(witness), point_(point), most_(most) {}
+
+  // Whether some part of the side outside of all arcs cannot be kept away from the point.
+  bool may_pass(PatchSide side) {
+    const Patch& patch = complex_.patch(side.patch);
+    const auto at = [&](int c, std::size_t i) -> const Rational& {
+      return patch.component(c)[patch.side_index(side.side, i)];
+    };
+    // As a whole first, without a copy of its coefficients.
+    if (is_away(patch.side_length(side.side), patch.is_rational(), at)) return ++visits_ > most_;
+    return may_pass(side, patch.side(side.side), {0, 0, 1}, 0);
+  }
+
+ private:
+  bool may_pass(PatchSide side, const Curve& curve, const DyadicInterval& at, int halvings) {
+    if (++visits_ > most_) return true;
+    for (const SideArc& arc : witness_.arcs)
+      if (arc.side == side && arc.at.lower() <= at.lower() && at.upper() <= arc.at.upper())
+        return false;
+    const auto coefficient = [&](int c, std::size_t i) -> const Rational& {
+      return curve.component(c)[i];
+    };
+    if (is_away(static_cast<std::size_t>(curve.degree(0)) + 1, curve.is_rational(), coefficient))
+      return false;
+    // Dyadic intervals have at most 62 bits; a certificate's checker may go to kMaxHalvings.
+    if (halvings >= std::min(kMaxHalvings, 62)) return true;
+    const auto [left, right] = split(curve, 0, Rational(1) / Rational(2));
+    const std::uint64_t middle = at.lo + at.hi;
+    return may_pass(side, left, {at.bits + 1, 2 * at.lo, middle}, halvings + 1) ||
+           may_pass(side, right, {at.bits + 1, middle, 2 * at.hi}, halvings + 1);
+  }
+
+  // Whether the closed hull of the control points does not contain the point.
+  template <typename Coefficient>
+  bool is_away(std::size_t n, bool is_rational, Coefficient coefficient) const {
+    for (int c = 0; c < 3; ++c) {
+      const Rational& x = point_[static_cast<std::size_t>(c)];
+      std::size_t below = 0, above = 0;
+      for (std::size_t i = 0; i < n && (below == 0 || above == 0); ++i) {
+        const auto order =
+            coefficient(c, i) <=> (is_rational ? x * coefficient(3, i) : Rational(x));
+        below += order <= 0 ? 1 : 0;
+        above += order >= 0 ? 1 : 0;
+      }
+      if (below == 0 || above == 0) return true;
+    }
+    return false;
+  }
+
+  const PatchComplex& complex_;
+  const SideWitness& witness_;
+  const PatchPoint& point_;
+  std::uint64_t most_, visits_ = 0;
+};
+
+bool holds_d4(const PatchComplex& complex, const OuterSides& outer, const SideWitness& w) {
+  std::uint64_t num_outer = 0;
+  const auto for_each_side = [&](auto visit) {
+    for (std::uint32_t p = 0; p < complex.patches().size(); ++p)
+      for (std::uint32_t s = 0; s < complex.patch(p).num_sides(); ++s)
+        if (is_outer(outer, {p, s})) visit(PatchSide{p, s});
+  };
+  for_each_side([&](PatchSide) { ++num_outer; });
+  const PatchPoint point = point_of(complex, w);
+  PassSearch search(complex, w, point, kWorkPerSide * (num_outer + 100));
+  bool is_alone = true;
+  for_each_side([&](PatchSide side) {
+    is_alone = is_alone && (complex.is_collapsed(side) || !search.may_pass(side));
+  });
+  return is_alone;
+}
+
+}  // namespace
+
+std::optional<SideCondition> broken_condition(const PatchComplex& complex, const OuterSides& outer,
+                                              const SideWitness& w) {
+  if (!holds_d1(complex, outer, w)) return SideCondition::kD1;
+  if (!holds_d2(complex, w)) return SideCondition::kD2;
+  if (!holds_d3(complex, w)) return SideCondition::kD3;
+  if (!holds_d4(complex, outer, w)) return SideCondition::kD4;
+  return std::nullopt;
+}
+
+PatchPoint point_of(const PatchComplex& complex, const SideWitness& w) {
+  const PatchSide side = w.arcs.front().side;
+  const Rational t = DyadicInterval{w.point_bits, w.point, w.point}.lower();
+  const std::vector<Rational> at =
+      evaluate<Rational, 1>(complex.patch(side.patch).side(side.side), {t});
+  return point_of(std::span<const Rational>(at)).value();
+}
+
+SideWitness with_reversed(const PatchComplex& complex, const std::vector<bool>& is_reversed,
+                          SideWitness w) {
+  if (is_reversed[w.arcs.front().side.patch])
+    w.point = (std::uint64_t{1} << w.point_bits) - w.point;
+  for (SideArc& arc : w.arcs) {
+    if (!is_reversed[arc.side.patch]) continue;
+    arc.side.side = complex.patch(arc.side.patch).num_sides() - 1 - arc.side.side;
+    arc.at = arc.at.mirrored();
+  }
+  return w;
+}
+
+}  // namespace veritope

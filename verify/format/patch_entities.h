@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// verify/format/patch_entities.h: how certificates of patch models describe the entities of the file: as plain data, and its encoding.
+// The page: docs/certificates/star-box.md, section 2.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope::certificate {
+
+/// A fraction in lowest terms; denominator > 0.
+struct Fraction {
+  bool is_negative = false;
+  Natural numerator, denominator;
+};
+
+/// One entity of the model: a surface with its breaks along u and v, or a triangle without.
+struct PatchEntity {
+  bool is_reversed = false;
+  bool is_surface = true;
+  std::array<std::vector<Fraction>, 2> breaks;
+};
+
+/// How many are reversed.
+std::uint64_t num_flipped(const std::vector<PatchEntity>& entities);
+
+namespace internal {
+class ByteWriter;
+/// Their number, all flags, then the breaks of the surfaces.
+void write(ByteWriter& w, const std::vector<PatchEntity>& entities);
+}  // namespace internal
+
+}  // namespace veritope::certificate

@@ -223,10 +223,11 @@ TEST(PieceNeighbours, AreThoseWithACommonPointOfTheSurface) {
 TEST(PieceNeighbours, AcrossTheSeamOfOnePatch) {
   const PatchComplex complex = complex_of(patch_shapes::one_patch_torus(3, 1));
   PieceForest forest = PieceForest::make(complex).value();
-  const PieceForest::Id a = forest.children(forest.root(0)), b = forest.children(a),
-                        c = forest.children(a + 3);
-  EXPECT_TRUE(are_neighbours(forest, b, c + 3));  // through the vertex
-  EXPECT_FALSE(are_neighbours(forest, b, c));     // (0, 0) and (1/2, 1/2), both quarters
+  const auto last = static_cast<std::uint32_t>(forest.num_roots() - 1);
+  const PieceForest::Id first = forest.children(forest.children(forest.root(0))),
+                        end = forest.children(forest.children(forest.root(last)) + 3);
+  EXPECT_TRUE(are_neighbours(forest, first, end + 3));  // (0, 0) and (1, 1): one vertex
+  EXPECT_FALSE(are_neighbours(forest, first, end));     // a quarter of the domain away from it
 }
 
 }  // namespace

@@ -79,8 +79,10 @@ TEST(PatchInvalidCertificate, OfACrossingHasTheWitness) {
   for (int i = 0; i < 12; ++i) EXPECT_EQ(r.u8(), 0u);
   for (int i = 0; i < 24; ++i) {  // breaks 0, 1
     EXPECT_EQ(r.u32(), 2u);
-    EXPECT_EQ(r.zigzag(), 0), EXPECT_EQ(r.varint(), 1u);
-    EXPECT_EQ(r.zigzag(), 1), EXPECT_EQ(r.varint(), 1u);
+    EXPECT_EQ(r.zigzag(), 0);
+    EXPECT_EQ(r.varint(), 1u);
+    EXPECT_EQ(r.zigzag(), 1);
+    EXPECT_EQ(r.varint(), 1u);
   }
   EXPECT_EQ(r.u8(), 0u);
   for (const PatchRectangle& sheet : w.sheets) {
@@ -111,7 +113,7 @@ TEST(PatchInvalidCertificate, OfSidesHasTheArcs) {
   EXPECT_EQ(r.u32(), 1u);
   EXPECT_EQ(r.varint(), w.arcs[0].side.patch);
   EXPECT_EQ(r.u8(), w.arcs[0].side.side);
-  EXPECT_EQ(r.varint(), 0u), EXPECT_EQ(r.varint(), 0u), EXPECT_EQ(r.varint(), 1u);
+  for (const std::uint64_t v : {0u, 0u, 1u}) EXPECT_EQ(r.varint(), v);
   EXPECT_EQ(r.u8(), w.axis);
   EXPECT_EQ(r.varint(), w.point_bits);
   EXPECT_EQ(r.varint(), w.point);

@@ -20,7 +20,8 @@ bool has_torn_knot(const ExactSurface& surface) {
     std::size_t run = 0;
     for (std::size_t i = 0; i < axis.knots.size(); ++i) {
       run = i > 0 && axis.knots[i] == axis.knots[i - 1] ? run + 1 : 1;
-      const bool is_inner = axis.domain_begin() < axis.knots[i] && axis.knots[i] < axis.domain_end();
+      const bool is_inner =
+          axis.domain_begin() < axis.knots[i] && axis.knots[i] < axis.domain_end();
       if (is_inner && run > static_cast<std::size_t>(axis.degree)) return true;
     }
   }
@@ -221,7 +222,8 @@ class PatchCertification : public Certification {
   std::vector<PatchEntity> entities_;
   std::vector<bool> is_surface_, reversed_;
   std::vector<StarBoxEntity> described_;  ///< what certificates say of entities_
-  bool is_torn_ = false;                  ///< a surface has an inner knot of too great a multiplicity: no refutation is certified
+  bool is_torn_ =
+      false;  ///< a surface has an inner knot of too great a multiplicity: no refutation is certified
   std::optional<PatchComplex> complex_;
   std::optional<PieceForest> forest_;
   PatchDecision decision_;

@@ -138,10 +138,10 @@ inline PlantedModel one_shell(Random& random) {
     const std::size_t columns =
         is_triangle ? 0 : static_cast<std::size_t>(patch.tensor().degree(1)) + 1;
     const std::size_t inner =
-        is_triangle ? triangle_index(1, 1)
-                    : static_cast<std::size_t>(random.between(1, patch.tensor().degree(0) - 1)) *
-                              columns +
-                          static_cast<std::size_t>(random.between(1, patch.tensor().degree(1) - 1));
+        is_triangle
+            ? triangle_index(1, 1)
+            : static_cast<std::size_t>(random.between(1, patch.tensor().degree(0) - 1)) * columns +
+                  static_cast<std::size_t>(random.between(1, patch.tensor().degree(1) - 1));
     std::vector<Rational> c(patch.coefficients().begin(), patch.coefficients().end());
     const std::size_t n = patch.num_control();
     std::vector<Rational> bump = c;

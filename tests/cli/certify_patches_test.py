@@ -105,22 +105,70 @@ class CertifyPatches(Folder):
         self.assertEqual((one["counts"]["shells"], one["counts"]["bodies"]), (2, 1))
         self.assertEqual([s["outward"] for s in one["shells"]], [True, False])
 
-    def test_what_is_no_solid_is_not_certified_and_says_where(self):
+    def test_what_is_proved_wrong_is_invalid_and_says_where(self):
+        moved = [list(map(list, f)) for f in UNIT]
+        moved[5] = [[x, y, "4503599627370497/4503599627370496"] for x, y, _ in moved[5]]
+        turned = list(UNIT)
+        turned[2] = [turned[2][0], turned[2][2], turned[2][1], turned[2][3]]
         cases = {
-            "an open side": [surface(f) for f in UNIT[:5]],
-            "normals that point inwards": [surface(f) for f in block((0, 0, 0), (1, 1, 1), inward=True)],
-            "blocks that cross": [surface(f) for f in UNIT + block((0.5, 0.25, 0.25), (1.5, 0.75, 0.75))],
-            "blocks that touch": [surface(f) for f in UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))],
+            "side-open": UNIT[:5],
+            "side-direction": turned,
+            "side-overused": UNIT + block((1, 1, 0), (2, 2, 1)),
+            "shell-turned": block((0, 0, 0), (1, 1, 1), inward=True),
+            "patches-crossing": UNIT + block((0.5, 0.25, 0.25), (1.5, 0.75, 0.75)),
         }
-        for name, entities in cases.items():
-            with self.subTest(name):
-                one = self.certify(entities)
-                self.assertEqual((one["verdict"], one["exit"]), ("UNDECIDED", 3))
-                self.assertEqual(one["error"]["code"], "not-certified")
-                self.assertIsNone(one["certificate"])
-        self.assertIn("open-side", self.certify(cases["an open side"])["error"]["message"])
-        place = self.certify(cases["blocks that cross"])["place"]
-        self.assertIsNotNone(place)
+        for code, faces in [*cases.items(), ("side-open", moved)]:
+            with self.subTest(code):
+                one = self.certify([surface(f) for f in faces], "--no-check")
+                self.assertEqual((one["verdict"], one["exit"], one["error"]), ("INVALID", 1, None))
+                (defect,) = one["defects"]
+                self.assertEqual(defect["code"], code)
+                self.assertIsNotNone(one["certificate"])
+        self.assertEqual(self.certify([surface(f) for f in cases["shell-turned"]], "--no-check")["defects"][0]["winding"], 0)
+        (crossing,) = self.certify([surface(f) for f in cases["patches-crossing"]], "--no-check")["defects"]
+        x, y, z = crossing["point"]
+        self.assertTrue(abs(x - 1) < 1e-4 and min(abs(y - 0.25), abs(y - 0.75), abs(z - 0.25), abs(z - 0.75)) < 1e-4)
+        for low, value, high in zip(crossing["box"]["min"], (x, y, z), crossing["box"]["max"]):
+            self.assertTrue(low - 1e-4 <= value <= high + 1e-4)
+        done = run("certify", self.file([surface(f) for f in cases["side-open"]]), "--no-check")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("INVALID", done.stdout)
+        self.assertIn("side-open", done.stdout)
+
+    def test_parameters_are_those_of_the_entity(self):
+        # The lower face as one surface of two spans over [0, 2] x [0, 1]; its neighbours are cut as it is.
+        faces = [surface(f) for f in UNIT if any(p[2] == 1 for p in f)]
+        wide = {"kind": "surface", "group": None, "attributes": [],
+                "shape": {"degrees": [1, 1], "periodic": [False, False], "knots": [["0", "0", "1", "2", "2"], ["3", "3", "4", "4"]],
+                          "rational": False, "components": 3,
+                          "points": [["0", "0", "0"], ["1", "0", "0"], ["0", "1/2", "0"], ["1", "1/2", "0"], ["0", "1", "0"], ["1", "1", "0"]]}}
+        one = self.certify([wide, *faces[:-1]], "--no-check")
+        self.assertEqual(one["verdict"], "INVALID")
+        for part in one["defects"][0]["parts"]:
+            if part["entity"] == 0:
+                (u, v) = part["parameters"]
+                self.assertTrue(0 <= u["lo"] <= u["hi"] <= 2 and 3 <= v["lo"] <= v["hi"] <= 4)
+
+    def test_crossings_of_reversed_entities_are_certified_too(self):
+        for reversed_face in (0, 7):
+            faces = [list(f) for f in UNIT + block((0.5, 0.25, 0.25), (1.5, 0.75, 0.75))]
+            faces[reversed_face] = [faces[reversed_face][i] for i in (0, 2, 1, 3)]
+            one = self.certify([surface(f) for f in faces], "--orient", "auto", "--no-check")
+            self.assertEqual((one["verdict"], one["flipped"]), ("INVALID", [reversed_face]))
+            self.assertEqual(one["defects"][0]["code"], "patches-crossing")
+
+    def test_what_touches_is_undecided_with_its_place(self):
+        one = self.certify([surface(f) for f in UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))])
+        self.assertEqual((one["verdict"], one["exit"]), ("UNDECIDED", 3))
+        self.assertEqual((one["error"]["code"], one["defects"]), ("not-certified", []))
+        self.assertIsNone(one["certificate"])
+        self.assertIsNotNone(one["place"])
+
+    def test_sides_that_agree_as_point_sets_only_are_undecided(self):
+        halves = [[(0, 0, 1), (0, 1, 1), (0.5, 0, 1), (0.5, 1, 1)], [(0.5, 0, 1), (0.5, 1, 1), (1, 0, 1), (1, 1, 1)]]
+        faces = [f for f in UNIT if any(p[2] != 1 for p in f)] + halves
+        one = self.certify([surface(f) for f in faces])
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-certified"))
 
     def test_a_picture_is_refused(self):
         done = run("certify", self.file([surface(f) for f in UNIT]), "--picture", self.folder / "p.ply")
@@ -130,7 +178,7 @@ class CertifyPatches(Folder):
     def test_orient_auto_reverses_what_does_not_fit_and_lists_it(self):
         faces = [list(f) for f in UNIT]
         faces[2] = [faces[2][0], faces[2][2], faces[2][1], faces[2][3]]
-        self.assertEqual(self.certify([surface(f) for f in faces])["verdict"], "UNDECIDED")
+        self.assertEqual(self.certify([surface(f) for f in faces], "--no-check")["verdict"], "INVALID")
         one = self.certify([surface(f) for f in faces], "--orient", "auto")
         self.assertEqual((one["verdict"], one["flipped"]), ("VALID", [2]))
         self.assertTrue(one["certificate"]["checked"])

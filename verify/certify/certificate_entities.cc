@@ -12,8 +12,8 @@ certificate::Fraction to_fraction(const Rational& v) {
 
 // Bits of the sides of piece (i, j) of m x n that lie on the domain's border, in the file's numbers.
 std::uint8_t border_bits(std::size_t i, std::size_t j, std::size_t m, std::size_t n) {
-  const unsigned bits = (j == 0 ? 1u : 0u) | (i + 1 == m ? 2u : 0u) | (j + 1 == n ? 4u : 0u) |
-                        (i == 0 ? 8u : 0u);
+  const unsigned bits =
+      (j == 0 ? 1u : 0u) | (i + 1 == m ? 2u : 0u) | (j + 1 == n ? 4u : 0u) | (i == 0 ? 8u : 0u);
   return static_cast<std::uint8_t>(bits);
 }
 // Side s of the reversed patch is side 3 - s of the file's.
@@ -40,8 +40,7 @@ std::vector<bool> reversed_patches(const std::vector<StarBoxEntity>& entities,
                                    std::size_t num_patches) {
   std::vector<bool> out(num_patches);
   for (std::size_t e = 0; e < entities.size(); ++e) {
-    const std::size_t last =
-        e + 1 < entities.size() ? entities[e + 1].first_patch : num_patches;
+    const std::size_t last = e + 1 < entities.size() ? entities[e + 1].first_patch : num_patches;
     for (std::size_t p = entities[e].first_patch; p < last; ++p) out[p] = entities[e].is_reversed;
   }
   return out;

@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
 constexpr std::size_t kMostSolvedNear = 32;
 constexpr std::size_t kMostPiecesNear = 400;
-constexpr double kGrowth = 1.75, kPart = 0.3;  // of a piece's hull: the box around it; of that, the longest piece
-constexpr double kReach = 4;                   // in sizes of a piece
+constexpr double kGrowth = 1.75,
+                 kPart = 0.3;  // of a piece's hull: the box around it; of that, the longest piece
+constexpr double kReach = 4;   // in sizes of a piece
 
 }  // namespace
 

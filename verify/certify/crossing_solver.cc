@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "verify/certify/miranda_internal.h"
+#include "verify/certify/sheet_tangents_internal.h"
 
 namespace veritope {
 namespace {
@@ -14,92 +15,20 @@ constexpr int kMaxSteps = 24;
 // A step that is shorter is the last one: quadratic convergence makes the next one as short as rounding allows. Near a tangency steps are only halved, and
 // kMaxSteps of them are not enough.
 constexpr double kLastStep = 0x1p-28;
-// Determinants of matrices with columns and rows of length one, about.
-constexpr double kSingular = 0x1p-40;
 // The fixed parameter gets as many bits as these, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
 constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
 constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
 constexpr double kRowSize = 0x1p40;
 constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double largest(const Vector& a) {
-  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-}
-
-// Of degree n at t: values and derivatives of the Bernstein polynomials. REQUIRES n >= 1.
-struct Basis {
-  std::array<double, 64> value, slope;
-};
-void fill_basis(int n, double t, Basis* basis) {
-  auto& b = basis->value;
-  b[0] = 1;
-  for (int degree = 1; degree <= n; ++degree) {
-    const auto d = static_cast<std::size_t>(degree);
-    if (degree == n)
-      for (std::size_t i = 0; i <= d; ++i)
-        basis->slope[i] = n * ((i > 0 ? b[i - 1] : 0) - (i < d ? b[i] : 0));
-    b[d] = t * b[d - 1];
-    for (std::size_t i = d - 1; i > 0; --i) b[i] = t * b[i - 1] + (1 - t) * b[i];
-    b[0] *= 1 - t;
-  }
-}
-
-// Image and derivatives.
-struct Tangents {
-  Vector at, along[2];
-};
-Tangents tangents(const BezierSurface<double>& map, const std::array<double, 2>& at) {
-  Basis u, v;
-  fill_basis(map.degree(0), at[0], &u);
-  fill_basis(map.degree(1), at[1], &v);
-  double f[4] = {0, 0, 0, 1}, fu[4] = {}, fv[4] = {};
-  const auto rows = static_cast<std::size_t>(map.degree(0)) + 1,
-             columns = static_cast<std::size_t>(map.degree(1)) + 1;
-  for (int c = 0; c < map.num_components(); ++c) {
-    double x = 0, xu = 0, xv = 0;
-    const double* p = map.component(c).data();
-    for (std::size_t i = 0; i < rows; ++i, p += columns) {
-      double row = 0, slope = 0;
-      for (std::size_t j = 0; j < columns; ++j) {
-        row += v.value[j] * p[j];
-        slope += v.slope[j] * p[j];
-      }
-      x += u.value[i] * row, xu += u.slope[i] * row, xv += u.value[i] * slope;
-    }
-    f[c] = x, fu[c] = xu, fv[c] = xv;
-  }
-  Tangents out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    out.at[k] = f[k] / f[3];
-    out.along[0][k] = (fu[k] - out.at[k] * fu[3]) / f[3];
-    out.along[1][k] = (fv[k] - out.at[k] * fv[3]) / f[3];
-  }
-  return out;
-}
-
-// The inverse of the matrix with these columns; false if it is singular, about, whatever the units of the coordinates and of the columns.
-using Matrix = std::array<Vector, 3>;
-bool invert(const std::array<Vector, 3>& columns, Matrix* inverse) {
-  std::array<Vector, 3> c = columns;
-  Vector unit{};  // of a coordinate
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (const Vector& v : columns) unit[k] = std::max(unit[k], std::abs(v[k]));
-    if (!(unit[k] > 0)) return false;
-    for (Vector& v : c) v[k] /= unit[k];
-  }
-  const Matrix r{cross(c[1], c[2]), cross(c[2], c[0]), cross(c[0], c[1])};
-  const double d = dot(c[0], r[0]);
-  if (!(std::abs(d) > kSingular * largest(c[0]) * largest(c[1]) * largest(c[2]))) return false;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) (*inverse)[i][k] = r[i][k] / d / unit[k];
-  return true;
-}
+using internal::columns_without;
+using internal::dot;
+using internal::invert;
+using internal::largest;
+using internal::tangents;
+using internal::Tangents;
+using Vector = internal::Vector3;
+using Matrix = internal::Matrix3;
 
 std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse) {
   std::array<std::array<std::int64_t, 3>, 3> rows;
@@ -116,13 +45,6 @@ std::optional<DyadicInterval> interval_around(double t, unsigned bits, double ra
   if (!(middle - radius >= 0 && middle + radius <= all)) return std::nullopt;
   return DyadicInterval{bits, static_cast<std::uint64_t>(middle - radius),
                         static_cast<std::uint64_t>(middle + radius)};
-}
-
-Matrix columns_without(const std::array<Vector, 4>& columns, std::size_t fixed) {
-  Matrix out{};
-  for (std::size_t i = 0, n = 0; i < 4; ++i)
-    if (i != fixed) out[n++] = columns[i];
-  return out;
 }
 
 double& parameter(std::array<SheetPlace, 2>* places, std::size_t i) {
@@ -170,11 +92,10 @@ const CrossingSolver::Sheet& CrossingSolver::sheet(std::uint32_t patch) {
   std::vector<double> control(form.root_net.begin(),
                               form.root_net.begin() + static_cast<std::ptrdiff_t>(n));
   BezierSurface<double> map =
-      form.shape.is_triangle
-          ? tensor_of_triangle(BezierTriangle<double>(form.shape.p, components, form.is_rational,
-                                                      std::move(control)))
-          : BezierSurface<double>({form.shape.p, form.shape.q}, components, form.is_rational,
-                                  std::move(control));
+      form.shape.is_triangle ? tensor_of_triangle(BezierTriangle<double>(
+                                   form.shape.p, components, form.is_rational, std::move(control)))
+                             : BezierSurface<double>({form.shape.p, form.shape.q}, components,
+                                                     form.is_rational, std::move(control));
   return sheets_.emplace(patch, Sheet{std::move(map), form.origin}).first->second;
 }
 
@@ -252,8 +173,8 @@ std::optional<CrossingWitness> CrossingSolver::prove_in_order(
   return std::nullopt;
 }
 
-std::optional<CrossingWitness> CrossingSolver::prove_with(
-    const std::array<SheetPlace, 2>& solution, std::size_t fixed) {
+std::optional<CrossingWitness> CrossingSolver::prove_with(const std::array<SheetPlace, 2>& solution,
+                                                          std::size_t fixed) {
   const double wanted = parameter(solution, fixed);
   for (const unsigned bits : kFixedBits) {
     std::array<SheetPlace, 2> s = solution;
@@ -309,7 +230,8 @@ std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace
                               ? interval_around(parameter(solution, i), fixed_bits, 0)
                               : interval_around(parameter(solution, i), m + kCentreBits,
                                                 std::ldexp(1.0, static_cast<int>(kCentreBits)));
-      fits = around && !(is_open && (around->lo == 0 || (i < 2 && around->hi == std::uint64_t{1} << around->bits)));
+      fits = around && !(is_open && (around->lo == 0 ||
+                                     (i < 2 && around->hi == std::uint64_t{1} << around->bits)));
       if (fits) sheet.at[i % 2] = *around;
     }
     if (!fits || !are_apart(w.sheets[0], w.sheets[1]) || !is_forecast(w)) continue;

@@ -49,8 +49,8 @@ class CrossingSolver {
   std::optional<CrossingWitness> prove_with(const std::array<SheetPlace, 2>& solution,
                                             std::size_t fixed);
   std::optional<Rows> settle(std::array<SheetPlace, 2>* solution, std::size_t fixed);
-  std::optional<CrossingWitness> boxed(const std::array<SheetPlace, 2>& solution,
-                                       std::size_t fixed, unsigned fixed_bits, const Rows& rows);
+  std::optional<CrossingWitness> boxed(const std::array<SheetPlace, 2>& solution, std::size_t fixed,
+                                       unsigned fixed_bits, const Rows& rows);
   bool is_forecast(const CrossingWitness& witness);
 
   const PieceForest& forest_;

@@ -18,9 +18,7 @@ bool has_gap(const DyadicInterval& a, const DyadicInterval& b) {
   return a.upper() < b.lower() || b.upper() < a.lower();
 }
 
-bool is_open_part(const DyadicInterval& t) {
-  return t.lo > 0 && t.hi < std::uint64_t{1} << t.bits;
-}
+bool is_open_part(const DyadicInterval& t) { return t.lo > 0 && t.hi < std::uint64_t{1} << t.bits; }
 
 // X1; if it holds, the three parameters that are not fixed.
 std::optional<std::array<internal::FreeParameter, 3>> free_parameters(const Patch& a,
@@ -48,8 +46,8 @@ std::optional<std::array<internal::FreeParameter, 3>> free_parameters(const Patc
 BezierSurface<Rational> restricted_to(const Patch& patch, const PatchRectangle& where) {
   BezierSurface<Rational> map = tensor_form(patch);
   for (std::size_t axis = 0; axis < 2; ++axis)
-    map = internal::part_along(std::move(map), axis, where.at[axis].lower(),
-                               where.at[axis].upper());
+    map =
+        internal::part_along(std::move(map), axis, where.at[axis].lower(), where.at[axis].upper());
   return map;
 }
 
@@ -75,8 +73,8 @@ std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b
     for (std::size_t k = 0; k < 3; ++k) y[i][k] = Rational(w.rows[i][k]);
   Rational determinant(0);
   for (std::size_t k = 0; k < 3; ++k)
-    determinant += y[0][k] * (y[1][(k + 1) % 3] * y[2][(k + 2) % 3] -
-                              y[1][(k + 2) % 3] * y[2][(k + 1) % 3]);
+    determinant +=
+        y[0][k] * (y[1][(k + 1) % 3] * y[2][(k + 2) % 3] - y[1][(k + 2) % 3] * y[2][(k + 1) % 3]);
   if (determinant.sign() == Sign::kZero) return CrossingCondition::kX2;
   const std::array<BezierSurface<Rational>, 2> maps{restricted_to(a, w.sheets[0]),
                                                     restricted_to(b, w.sheets[1])};

@@ -14,8 +14,7 @@ namespace veritope::internal {
 template <Ring R>
 BezierSurface<R> part_along(BezierSurface<R> map, std::size_t axis, const R& lo, const R& hi) {
   if (!(lo < hi)) return left_part(right_part(std::move(map), axis, lo), axis, R());
-  return left_part(right_part(std::move(map), axis, lo), axis,
-                   R((hi - lo) / (one<R>() - lo)));
+  return left_part(right_part(std::move(map), axis, lo), axis, R((hi - lo) / (one<R>() - lo)));
 }
 
 template <typename R>

@@ -17,7 +17,7 @@ namespace veritope {
 
 struct PatchDecisionOptions {
   StarCoverOptions cover;
-  OuterSides outer;  ///< which sides may be named as open, or passed in a wrong way
+  OuterSides outer;         ///< which sides may be named as open, or passed in a wrong way
   double tolerance = 1e-5;  ///< of the volume, relative to the largest coordinate cubed
 };
 

@@ -29,8 +29,8 @@ certificate::SideFinding finding_of(const PatchComplex& complex, const SideWitne
   const SideWitness w = with_reversed(complex, is_reversed, found);
   certificate::SideFinding out;
   for (const SideArc& arc : w.arcs)
-    out.arcs.push_back({arc.side.patch, static_cast<std::uint8_t>(arc.side.side),
-                        interval_of(arc.at)});
+    out.arcs.push_back(
+        {arc.side.patch, static_cast<std::uint8_t>(arc.side.side), interval_of(arc.at)});
   out.axis = w.axis;
   out.point_bits = w.point_bits, out.point = w.point;
   out.same = w.same, out.opposite = w.opposite;

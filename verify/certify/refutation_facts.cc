@@ -41,10 +41,10 @@ class FactFinder {
     out.point = middle_of(patches[0], w.sheets[0]);
     out.box = common(hull_of(patches[0], w.sheets[0]), hull_of(patches[1], w.sheets[1]));
     const std::uint64_t a = out.parts[0].entity, b = out.parts[1].entity;
-    out.message = (a == b ? "entity " + std::to_string(a) + " crosses itself"
-                          : "entities " + std::to_string(a) + " and " + std::to_string(b) +
-                                " cross") +
-                  " near " + point_text(*out.point);
+    out.message =
+        (a == b ? "entity " + std::to_string(a) + " crosses itself"
+                : "entities " + std::to_string(a) + " and " + std::to_string(b) + " cross") +
+        " near " + point_text(*out.point);
     return out;
   }
 
@@ -78,22 +78,22 @@ class FactFinder {
     out.shell = turned.shell;
     out.winding = turned.winding;
     const std::uint32_t patch = complex_.shells()[turned.shell].first_patch;
-    out.parts.push_back(part_of(PatchRectangle{
-        patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
-    out.message = "the winding number is " + std::to_string(turned.winding) +
-                  " on the inner side of shell " + std::to_string(turned.shell) + " (entity " +
-                  std::to_string(out.parts[0].entity) + ") and " +
-                  std::to_string(turned.winding - 1) +
-                  " on its outer side, not 1 and 0: its normals point the wrong way, or it is wrongly "
-                  "nested";
+    out.parts.push_back(
+        part_of(PatchRectangle{patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
+    out.message =
+        "the winding number is " + std::to_string(turned.winding) + " on the inner side of shell " +
+        std::to_string(turned.shell) + " (entity " + std::to_string(out.parts[0].entity) +
+        ") and " + std::to_string(turned.winding - 1) +
+        " on its outer side, not 1 and 0: its normals point the wrong way, or it is wrongly "
+        "nested";
     return out;
   }
 
  private:
   std::size_t entity_of(std::uint32_t patch) const {
-    const auto next = std::upper_bound(
-        entities_.begin(), entities_.end(), patch,
-        [](std::uint32_t p, const StarBoxEntity& e) { return p < e.first_patch; });
+    const auto next =
+        std::upper_bound(entities_.begin(), entities_.end(), patch,
+                         [](std::uint32_t p, const StarBoxEntity& e) { return p < e.first_patch; });
     return static_cast<std::size_t>(next - entities_.begin()) - 1;
   }
   bool is_reversed(std::uint32_t patch) const { return entities_[entity_of(patch)].is_reversed; }
@@ -135,8 +135,7 @@ class FactFinder {
     }
     const Bounds rising = side < 2 ? along : mirrored(along);
     const Bounds end = side == 0 || side == 3 ? Bounds{zero, zero} : Bounds{one, one};
-    out.parameters =
-        side % 2 == 0 ? in_entity(e, p, rising, end) : in_entity(e, p, end, rising);
+    out.parameters = side % 2 == 0 ? in_entity(e, p, rising, end) : in_entity(e, p, end, rising);
     return out;
   }
   // From [0,1]^2 to the parameters of the surface.

@@ -15,16 +15,19 @@ namespace veritope {
 /// A part of an entity: bounds of its parameters, rounded outward: u and v of a surface, the three barycentric coordinates of a triangle.
 struct RefutedPart {
   std::uint64_t entity = 0;
-  std::optional<std::uint8_t> side;  ///< of the entity, in its own direction, if the part lies in a side
+  std::optional<std::uint8_t>
+      side;  ///< of the entity, in its own direction, if the part lies in a side
   std::vector<std::array<double, 2>> parameters;
 };
 
 struct RefutationFacts {
-  std::string code;     ///< "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned"
+  std::string
+      code;  ///< "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned"
   std::string message;  ///< one sentence
   std::vector<RefutedPart> parts;
-  std::optional<std::array<double, 3>> point;  ///< about the common point; a point of the sides, rounded
-  std::optional<Box3d> box;                    ///< of a crossing: contains the proved common point
+  std::optional<std::array<double, 3>>
+      point;                 ///< about the common point; a point of the sides, rounded
+  std::optional<Box3d> box;  ///< of a crossing: contains the proved common point
   std::optional<std::uint32_t> shell;
   std::optional<int> winding;
 };

@@ -6,7 +6,7 @@ namespace veritope {
 namespace {
 
 constexpr std::size_t kMostFindings = 16;
-constexpr unsigned kPointBits = 4;   // points at k / 16
+constexpr unsigned kPointBits = 4;     // points at k / 16
 constexpr unsigned kMostShrinks = 16;  // halvings of an arc until a coordinate is monotone
 
 class WitnessSearch {
@@ -78,8 +78,7 @@ class WitnessSearch {
 
 }  // namespace
 
-std::optional<SideWitness> find_side_witness(const PatchComplex& complex,
-                                             const OuterSides& outer) {
+std::optional<SideWitness> find_side_witness(const PatchComplex& complex, const OuterSides& outer) {
   if (complex.count(PatchDefect::kWeight) != 0 || complex.count(PatchDefect::kDegree) != 0)
     return std::nullopt;
   return WitnessSearch(complex, outer).run();

@@ -34,8 +34,8 @@ bool holds_d1(const PatchComplex& complex, const OuterSides& outer, const SideWi
   for (std::size_t i = 0; i < w.arcs.size(); ++i) {
     const SideArc& arc = w.arcs[i];
     if (arc.side.patch >= complex.patches().size() ||
-        arc.side.side >= complex.patch(arc.side.patch).num_sides() ||
-        !is_outer(outer, arc.side) || complex.is_collapsed(arc.side))
+        arc.side.side >= complex.patch(arc.side.patch).num_sides() || !is_outer(outer, arc.side) ||
+        complex.is_collapsed(arc.side))
       return false;
     if (!arc.at.is_part_of_unit() || arc.at.is_point()) return false;
     for (std::size_t k = 0; k < i; ++k)
@@ -71,8 +71,9 @@ bool holds_d3(const PatchComplex& complex, const SideWitness& w) {
     slope = difference(multiplied(weights, slope), multiplied(derivative(weights, 0), points));
   }
   const auto along = slope.component(w.axis);
-  return std::all_of(along.begin(), along.end(),
-                     [&](const Rational& v) { return v.sign() != Sign::kZero && v.sign() == along[0].sign(); });
+  return std::all_of(along.begin(), along.end(), [&](const Rational& v) {
+    return v.sign() != Sign::kZero && v.sign() == along[0].sign();
+  });
 }
 
 // The parts of sides that come near a point, halved until they do not.

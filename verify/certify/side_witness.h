@@ -20,8 +20,8 @@ struct SideArc {
 
 struct SideWitness {
   std::vector<SideArc> arcs;
-  std::uint8_t axis = 0;     ///< the coordinate that is monotone along the first arc
-  unsigned point_bits = 0;   ///< the point is that at point / 2^point_bits of the first arc's side
+  std::uint8_t axis = 0;    ///< the coordinate that is monotone along the first arc
+  unsigned point_bits = 0;  ///< the point is that at point / 2^point_bits of the first arc's side
   std::uint64_t point = 0;
   std::uint32_t same = 0, opposite = 0;  ///< arcs that run as the first one, and against it
   friend bool operator==(const SideWitness&, const SideWitness&) = default;

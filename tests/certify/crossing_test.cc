@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/crossing_search.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/certify/planted_crossings.h"
+#include "verify/certify/patch_decision.h"
+#include "verify/certify/piece_neighbours.h"
+
+namespace veritope {
+namespace {
+
+using patch_shapes::Patches;
+using patch_shapes::Truth;
+using planted::image;
+using planted::ratio;
+
+PatchComplex complex_of(Patches patches) {
+  PatchInput input;
+  input.patches = std::move(patches);
+  return make_patch_complex(std::move(input)).value();
+}
+
+PatchDecision decide(const PatchComplex& complex, int max_level) {
+  PatchDecisionOptions options;
+  options.cover.max_level = max_level;
+  options.tolerance = 1e-2;
+  std::optional<PieceForest> forest;
+  return decide_patches(complex, options, &forest);
+}
+
+std::optional<CrossingCondition> broken(const PatchComplex& complex, const CrossingWitness& w) {
+  return broken_condition(complex.patch(w.sheets[0].patch), complex.patch(w.sheets[1].patch), w);
+}
+
+// z = 0 on [-1,1]^2, and x = slope * z: bilinear, as polynomials of u, v in [0,1].
+Patch flat(const PatchPoint& corner, const PatchPoint& u, const PatchPoint& v) {
+  std::vector<Rational> c;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const int a : {0, 1})
+      for (const int b : {0, 1})
+        c.push_back(corner[k] + (a == 1 ? u[k] : Rational(0)) + (b == 1 ? v[k] : Rational(0)));
+  return make_patch(BezierSurface<Rational>({1, 1}, 3, false, c)).value();
+}
+Patch floor_patch() { return flat({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
+Patch wall_patch() { return flat({0, -1, -1}, {0, 2, 0}, {0, 0, 2}); }
+
+// A = (2u - 1, 2v - 1, 0), B = (0, 2s - 1, 2t - 1): equal where u = t = 1/2, v = s. v is fixed.
+CrossingWitness plane_witness() {
+  CrossingWitness w;
+  const DyadicInterval around{3, 3, 5};  // 1/2 -+ 1/8
+  w.sheets[0] = {0, {around, {1, 1, 1}}};
+  w.sheets[1] = {1, {around, around}};
+  w.rows = {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+  return w;
+}
+
+// PROVES STAR-2
+TEST(CrossingWitness, OfTwoPlanesIsAProof) {
+  EXPECT_EQ(broken_condition(floor_patch(), wall_patch(), plane_witness()), std::nullopt);
+}
+
+TEST(CrossingWitness, EachConditionIsNeeded) {
+  const Patch a = floor_patch(), b = wall_patch();
+  const auto expect = [&](const CrossingWitness& w, CrossingCondition condition) {
+    EXPECT_EQ(broken_condition(a, b, w), condition);
+  };
+  CrossingWitness w = plane_witness();
+  w.sheets[0].at[1] = {0, 0, 0};  // A on the border, v = 0
+  w.sheets[1].at[0] = {3, 0, 2};
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.sheets[0].at[0] = {1, 0, 1};
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.sheets[0].at[0] = {1, 1, 2};
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.sheets[0].at[1] = {3, 3, 5};  // none is fixed
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.sheets[0].at[0] = {1, 1, 1};  // two are
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.sheets[1].at[0] = {3, 5, 3};  // no interval
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.sheets[1].at[0] = {63, 1, 2};
+  expect(w, CrossingCondition::kX1);
+  w = plane_witness();
+  w.rows[2] = {0, -2, 0};  // singular
+  expect(w, CrossingCondition::kX2);
+  w = plane_witness();
+  w.rows[0] = {-1, 0, 0};  // wrong sign
+  expect(w, CrossingCondition::kX3);
+  w = plane_witness();
+  w.sheets[0].at[0] = {3, 1, 3};  // the common point has u = 1/2, only touched
+  expect(w, CrossingCondition::kX3);
+  w = plane_witness();
+  w.sheets[1].at[1] = {3, 5, 7};  // above the floor
+  expect(w, CrossingCondition::kX3);
+}
+
+// Of one patch the rectangles must have no common place: otherwise every sheet crosses itself.
+TEST(CrossingWitness, OverlappingRectanglesOfOnePatchAreNoProof) {
+  // The same map twice, once under another number: A = B has solutions, along the diagonal.
+  const Patch a = flat({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  CrossingWitness w;
+  const DyadicInterval around{3, 3, 5};
+  w.sheets[0] = {0, {around, around}};
+  w.sheets[1] = {0, {around, {1, 1, 1}}};
+  w.rows = {{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}};
+  EXPECT_EQ(broken_condition(a, a, w), CrossingCondition::kX1);
+  EXPECT_FALSE(are_apart(w.sheets[0], w.sheets[1]));
+  w.sheets[1].at[1] = {3, 6, 6};
+  EXPECT_TRUE(are_apart(w.sheets[0], w.sheets[1]));
+  w.sheets[1].at[1] = {3, 5, 5};  // closed intervals: one common number
+  EXPECT_FALSE(are_apart(w.sheets[0], w.sheets[1]));
+}
+
+// A triangle's tensor form is the same map, and where its first parameter is 0 nothing is proved.
+TEST(CrossingWitness, TrianglesInTensorForm) {
+  const Patches torus = patch_shapes::pn_torus(12, 8);
+  const Patch& patch = torus[7];
+  for (const auto& [s, t] :
+       {std::pair(ratio(1, 3), ratio(2, 5)), std::pair(ratio(1, 1), ratio(1, 7))}) {
+    const Barycentric<Rational> at{Rational(1) - s, s * (Rational(1) - t), s * t};
+    EXPECT_EQ(evaluate(patch.triangle(), at), (evaluate<Rational, 2>(tensor_form(patch), {s, t})));
+  }
+  CrossingWitness w = plane_witness();
+  w.sheets[1].at[0] = {1, 0, 1};
+  EXPECT_NE(broken_condition(floor_patch(), wall_patch(), w), CrossingCondition::kX1);
+  EXPECT_EQ(broken_condition(floor_patch(), patch, w), CrossingCondition::kX1);
+}
+
+// What holds for patches holds for their reversed forms, in other parameters.
+TEST(CrossingWitness, SurvivesReversedPatches) {
+  Random random(11);
+  for (int trial = 0; trial < 12; ++trial) {
+    const planted::PlantedModel m = planted::two_shells(random);
+    const PatchComplex complex = complex_of(m.patches);
+    const PatchDecision decision = decide(complex, 8);
+    ASSERT_TRUE(decision.refutation) << "trial " << trial << ": " << m.name;
+    const auto& w = std::get<CrossingWitness>(*decision.refutation);
+    const Patch &a = complex.patch(w.sheets[0].patch), &b = complex.patch(w.sheets[1].patch);
+    EXPECT_EQ(broken_condition(a, b, w), std::nullopt);
+    for (const bool first : {false, true})
+      for (const bool second : {false, true}) {
+        const CrossingWitness r = with_reversed(a, b, {first, second}, w);
+        EXPECT_EQ(broken_condition(first ? reversed(a) : a, second ? reversed(b) : b, r),
+                  std::nullopt)
+            << m.name;
+        EXPECT_EQ(
+            with_reversed(first ? reversed(a) : a, second ? reversed(b) : b, {first, second}, r),
+            w);
+      }
+  }
+}
+
+// Law: no witness for an embedded model; all that the solver finds there are common points of neighbours.
+TEST(CrossingSearch, FindsNothingInSoundModels) {
+  for (const auto& shape : patch_shapes::sound_shapes()) {
+    const PatchComplex complex = complex_of(shape.patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    CrossingSearch search(forest);
+    EXPECT_FALSE(search.among_patches()) << shape.name;
+    for (std::uint32_t r = 0; r < std::min<std::size_t>(forest.num_roots(), 8); ++r)
+      EXPECT_FALSE(search.near(forest.root(r))) << shape.name;
+  }
+}
+
+TEST(CrossingSearch, FindsEveryCrossingShapeAndNoContact) {
+  for (const auto& shape : patch_shapes::broken_shapes()) {
+    const PatchComplex complex = complex_of(shape.patches);
+    const PatchDecision decision = decide(complex, 5);
+    EXPECT_FALSE(decision.is_valid) << shape.name;
+    if (shape.truth == Truth::kTouching) {
+      EXPECT_FALSE(decision.refutation) << shape.name;
+      continue;
+    }
+    ASSERT_TRUE(decision.refutation) << shape.name;
+    EXPECT_EQ(broken(complex, std::get<CrossingWitness>(*decision.refutation)), std::nullopt);
+  }
+}
+
+TEST(CrossingSearch, FindsPlantedCrossings) {
+  constexpr int kModels = 60;
+  Random random(5);
+  int missed = 0;
+  for (int i = 0; i < kModels; ++i) {
+    const planted::PlantedModel m = planted::two_shells(random);
+    ASSERT_EQ(image(m.patches[m.places[0].patch], m.places[0].at),
+              image(m.patches[m.places[1].patch], m.places[1].at));
+    const PatchComplex complex = complex_of(m.patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    CrossingSearch search(forest);
+    const auto w = search.everywhere();
+    missed += w ? 0 : 1;
+    if (!w) continue;
+    EXPECT_EQ(broken(complex, *w), std::nullopt) << i << ": " << m.name;
+  }
+  EXPECT_LE(50 * missed, kModels);
+}
+
+TEST(PieceNeighbours, AreThoseWithACommonPointOfTheSurface) {
+  const PatchComplex complex = complex_of(patch_shapes::octant_sphere());
+  PieceForest forest = PieceForest::make(complex).value();
+  ASSERT_EQ(forest.num_roots(), 8u);
+  // Octants on one side of the equator have the pole in common; an octant has no point in common with the opposite one.
+  int apart = 0;
+  for (std::uint32_t a = 0; a < 8; ++a)
+    for (std::uint32_t b = 0; b < 8; ++b)
+      if (!are_neighbours(forest, a, b)) ++apart;
+  EXPECT_EQ(apart, 8);
+  const PieceForest::Id child = forest.children(forest.root(0));
+  for (PieceForest::Id k = 0; k < 4; ++k) EXPECT_TRUE(are_neighbours(forest, child, child + k));
+  const PieceForest::Id corner = forest.children(child), other = forest.children(child + 3);
+  EXPECT_TRUE(are_neighbours(forest, corner + 3, other));
+  EXPECT_FALSE(are_neighbours(forest, corner, other + 3));
+}
+
+// Points of one patch that is glued to itself: pieces at opposite borders are neighbours.
+TEST(PieceNeighbours, AcrossTheSeamOfOnePatch) {
+  const PatchComplex complex = complex_of(patch_shapes::one_patch_torus(3, 1));
+  PieceForest forest = PieceForest::make(complex).value();
+  const auto last = static_cast<std::uint32_t>(forest.num_roots() - 1);
+  const PieceForest::Id first = forest.children(forest.children(forest.root(0))),
+                        end = forest.children(forest.children(forest.root(last)) + 3);
+  EXPECT_TRUE(are_neighbours(forest, first, end + 3));  // (0, 0) and (1, 1): one vertex
+  EXPECT_FALSE(are_neighbours(forest, first, end));     // a quarter of the domain away from it
+}
+
+}  // namespace
+}  // namespace veritope

@@ -178,7 +178,8 @@ class Tracer {
         low.lo[k] = low.hi[k] = bottom, high.lo[k] = high.hi[k] = top;
       }
       if (!fits || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
-      const auto crossings = crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
+      const auto crossings =
+          crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
       if (!crossings) continue;
       // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be met.
       if (*crossings == 0) return missed();

@@ -42,7 +42,6 @@ TEST(BoxTrace, KnowsDisksRingsPairsOfDisksAndWholeSpheres) {
 
 TEST(BoxTrace, ATorusAcrossItsHoleAndACubesCorners) {
   BoundaryModel torus = model_of(patch_shapes::torus(Rational(3), Rational(1)));
-  EXPECT_EQ(trace_in(torus, {{-5, -5, -2}, {5, 5, 2}}).euler, 0) << "all of it";
   EXPECT_EQ(trace_in(torus, {{1.5, -0.6, -2}, {5, 0.5, 2}}).euler, 0) << "a tube";
   BoundaryModel cube = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
   EXPECT_TRUE(trace_in(cube, {{-0.5, -0.5, -0.5}, {0.5, 0.25, 0.125}}).is_disk()) << "a corner";

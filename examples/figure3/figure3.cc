@@ -18,9 +18,9 @@ Box3d rectangle(double x0, double x1, double y0, double y1) { return {{x0, y0, 0
 
 // Around the boundary of [-4,8] x [-6,6] without the notch |y| < x/4; the boxes at the notch's apex have the size s.
 std::vector<Box3d> boxes_at_scale(double s) {
-  std::vector<Box3d> out{
-      rectangle(-4.5, -3.5, -6.5, 6.5), rectangle(-4.5, 8.5, -6.5, -5.5), rectangle(-4.5, 8.5, 5.5, 6.5),
-      rectangle(7.5, 8.5, -6.5, -1.5),  rectangle(7.5, 8.5, 1.5, 6.5),    rectangle(-s, s, -s, s)};
+  std::vector<Box3d> out{rectangle(-4.5, -3.5, -6.5, 6.5), rectangle(-4.5, 8.5, -6.5, -5.5),
+                         rectangle(-4.5, 8.5, 5.5, 6.5),   rectangle(7.5, 8.5, -6.5, -1.5),
+                         rectangle(7.5, 8.5, 1.5, 6.5),    rectangle(-s, s, -s, s)};
   const auto mirrored = [&](double x0, double x1, double y0, double y1) {
     out.push_back(rectangle(x0, x1, y0, y1));
     out.push_back(rectangle(x0, x1, -y1, -y0));
@@ -61,8 +61,8 @@ int main() {
     std::printf(" %-9s", name_of(static_cast<PaperCondition>(c)));
   std::printf(" boundaries of M and boxes\n");
   BoundaryModel notch =
-      BoundaryModel::make_planar({plane_shapes::polygon(
-                                     {{-4, -6}, {8, -6}, {8, -2}, {0, 0}, {8, 2}, {8, 6}, {-4, 6}})})
+      BoundaryModel::make_planar(
+          {plane_shapes::polygon({{-4, -6}, {8, -6}, {8, -2}, {0, 0}, {8, 2}, {8, 6}, {-4, 6}})})
           .value();
   for (int k = 1; k <= 8; ++k) {
     const std::string name = "(a) 2^-" + std::to_string(k);
@@ -70,7 +70,8 @@ int main() {
   }
   BoundaryModel circle = BoundaryModel::make_planar({plane_shapes::circle()}).value();
   std::vector<Box3d> around;
-  const std::array<std::array<double, 2>, 4> eighth{{{1, 0}, {0.921875, 0.3828125}, {0.703125, 0.703125}, {0.3828125, 0.921875}}};
+  const std::array<std::array<double, 2>, 4> eighth{
+      {{1, 0}, {0.921875, 0.3828125}, {0.703125, 0.703125}, {0.3828125, 0.921875}}};
   for (int quarter = 0; quarter < 4; ++quarter)
     for (auto p : eighth) {
       for (int q = 0; q < quarter; ++q) p = {-p[1], p[0]};

@@ -30,7 +30,9 @@ void report(const char* title, const std::vector<Box3d>& boxes) {
 
 int main() {
   const Box3d large = rectangle(-0.9, 0.06, 0.3, 0.97), small = rectangle(0.04, 0.3, 0.9, 0.99);
-  report("(a) a large box reaches over a small one", {large, rectangle(-0.3, 0.2, 0.93, 1.1), small});
-  report("(b) the top is a small feature", {rectangle(-0.8, 0.02, 0.5, 0.97), rectangle(-0.02, 0.8, 0.5, 0.97)});
+  report("(a) a large box reaches over a small one",
+         {large, rectangle(-0.3, 0.2, 0.93, 1.1), small});
+  report("(b) the top is a small feature",
+         {rectangle(-0.8, 0.02, 0.5, 0.97), rectangle(-0.02, 0.8, 0.5, 0.97)});
   report("contact", {rectangle(-0.5, 0.125, 0.75, 1.25), rectangle(0.125, 0.5, 0.75, 1.25)});
 }

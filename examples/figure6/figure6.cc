@@ -22,7 +22,8 @@ void remark() {
   const ConditionResult c3 = decide_conditions(model, boxes).value()[PaperCondition::kC3];
   std::printf("C3 %s\n", to_string(c3.answer));
   for (const C3Failure& f : explain_c3(model, boxes, c3)) {
-    std::printf("  boxes %u and %u: %s; sub-collection of Remark 3.1:", f.i, f.j, to_string(f.exception));
+    std::printf("  boxes %u and %u: %s; sub-collection of Remark 3.1:", f.i, f.j,
+                to_string(f.exception));
     for (const auto k : f.sub_collection) std::printf(" %u", k);
     std::printf("\n");
   }
@@ -39,8 +40,11 @@ void equation4() {
     const Interval e(half);
     const auto r_max = greatest_chord_radius(HalfWidths{{e, e}}).value();
     const auto holds = satisfies_eq4(r_max, r_kappa);
-    std::printf("half-width %-6g R_max %.3f to %.3f: R_max <= R_kappa %s\n", half, r_max.radius.lo(), r_max.radius.hi(),
-                !holds ? "undecided" : *holds ? "holds" : "fails");
+    std::printf("half-width %-6g R_max %.3f to %.3f: R_max <= R_kappa %s\n", half,
+                r_max.radius.lo(), r_max.radius.hi(),
+                !holds   ? "undecided"
+                : *holds ? "holds"
+                         : "fails");
   }
 }
 

@@ -23,7 +23,8 @@ Rational reach(const std::vector<std::vector<Curve>>& loops) {
     for (const Curve& c : loop)
       for (std::size_t i = 0; i < c.component(0).size(); ++i)
         for (int k = 0; k < 2; ++k)
-          while (out * abs(weight(c, i)) < abs(c.component(k)[i]) && weight(c, i).sign() != Sign::kZero)
+          while (out * abs(weight(c, i)) < abs(c.component(k)[i]) &&
+                 weight(c, i).sign() != Sign::kZero)
             out *= Rational(2);
   return out;
 }
@@ -154,8 +155,9 @@ std::optional<int> winding_number(PieceForest& forest, const Point3d& at) {
     ray.hi[axis] = std::numeric_limits<double>::infinity();
     RayDescent descent{forest, ray, {at, at}};
     bool is_done = true;
-    forest.roots().visit([&](const Box3d& b) { return is_done && meets(b, ray); },
-                         [&](std::uint32_t n) { is_done = is_done && descent.visit(forest.root(n)); });
+    forest.roots().visit(
+        [&](const Box3d& b) { return is_done && meets(b, ray); },
+        [&](std::uint32_t n) { is_done = is_done && descent.visit(forest.root(n)); });
     if (!is_done) continue;
     StarBox line{ray, at, at};
     line.outside[axis] += 1;

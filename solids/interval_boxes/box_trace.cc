@@ -67,16 +67,27 @@ Box3d intersection(const Box3d& a, const Box3d& b) {
 class Tracer {
  public:
   Tracer(BoundaryModel& model, const TraceOptions& options)
-      : model_(model), forest_(model.forest()), options_(options), left_(options.max_cells) {}
+      : model_(model), forest_(model.forest()), options_(options) {}
 
+  // Other places of the cuts, where one may lie almost tangent to V.
   BoxTrace run(const Box3d& box) {
+    BoxTrace out;
+    for (const double shift : {0.0, 0x1.9p-5, -0x1.3p-4}) {
+      cut_shift_ = shift;
+      left_ = options_.max_cells;
+      out = run_once(box);
+      if (out.kind != BoxTrace::Kind::kUndecided) break;
+    }
+    return out;
+  }
+
+ private:
+  BoxTrace run_once(const Box3d& box) {
     std::vector<Box3d> disks;
     BoxTrace out = cut(box, 0, &disks);
     if (out.kind == BoxTrace::Kind::kSurface) out.is_connected = hang_together(disks);
     return out;
   }
-
- private:
   static BoxTrace missed() { return {BoxTrace::Kind::kMissed, 0, false, {}}; }
   static BoxTrace disk() { return {BoxTrace::Kind::kSurface, 1, true, {}}; }
   static BoxTrace undecided(const Box3d& place) {
@@ -95,7 +106,8 @@ class Tracer {
     if (splits == options_.max_splits) return undecided(box);
     // Not in the middle: symmetric models have their poles and tangencies there.
     const double length = box.hi[axis] - box.lo[axis];
-    const double at = box.lo[axis] + length * (splits % 2 == 0 ? 0x1.0ap-1 : 0x1.f1p-2);
+    const double at =
+        box.lo[axis] + length * ((splits % 2 == 0 ? 0x1.0ap-1 : 0x1.f1p-2) + cut_shift_);
     Box3d low = box, high = box, slab = box;
     low.hi[axis] = slab.hi[axis] = at + length * 0x1.1p-4;
     high.lo[axis] = slab.lo[axis] = at - length * 0x1.1p-4;
@@ -178,7 +190,8 @@ class Tracer {
         low.lo[k] = low.hi[k] = bottom, high.lo[k] = high.hi[k] = top;
       }
       if (!fits || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
-      const auto crossings = crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
+      const auto crossings =
+          crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
       if (!crossings) continue;
       // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be met.
       if (*crossings == 0) return missed();
@@ -245,7 +258,8 @@ class Tracer {
   BoundaryModel& model_;
   PieceForest& forest_;
   const TraceOptions& options_;
-  std::size_t left_;
+  std::size_t left_ = 0;
+  double cut_shift_ = 0;
 };
 
 }  // namespace

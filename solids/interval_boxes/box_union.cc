@@ -16,7 +16,10 @@ Result<BoxGrid> BoxGrid::make(std::span<const Box3d> boxes) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double lo = boxes[n].lo[k], hi = boxes[n].hi[k];
       if (!std::isfinite(lo) || !std::isfinite(hi) || !(lo < hi))
-        return Error{Code::kBadArgument, {}, "box " + std::to_string(n) + ": a side is not finite or has no positive length"};
+        return Error{
+            Code::kBadArgument,
+            {},
+            "box " + std::to_string(n) + ": a side is not finite or has no positive length"};
       out.at_[k].push_back(lo);
       out.at_[k].push_back(hi);
     }
@@ -28,7 +31,10 @@ Result<BoxGrid> BoxGrid::make(std::span<const Box3d> boxes) {
     out.size_[k] = static_cast<std::uint32_t>(at.size() + 1);
     cells *= out.size_[k];
     if (cells > kMaxCells)
-      return Error{Code::kOverLimit, {}, "the grid of the boxes' coordinates has over " + std::to_string(kMaxCells) + " cells"};
+      return Error{
+          Code::kOverLimit,
+          {},
+          "the grid of the boxes' coordinates has over " + std::to_string(kMaxCells) + " cells"};
   }
   out.filled_.assign(cells, false);
   for (const Box3d& b : boxes) {
@@ -123,7 +129,8 @@ Result<UnionTopology> topology_of(const BoxGrid& grid) {
   if (!boundary.bad_edges.empty())
     out.defect = "in the grid of coordinates: " + name_of(*complex, 1, boundary.bad_edges[0].edge);
   else if (!boundary.bad_vertices.empty())
-    out.defect = "in the grid of coordinates: " + name_of(*complex, 0, boundary.bad_vertices[0].vertex);
+    out.defect =
+        "in the grid of coordinates: " + name_of(*complex, 0, boundary.bad_vertices[0].vertex);
   if (out.is_manifold)
     for (const BoundaryComponent& c : boundary.components) out.boundary_euler.push_back(c.euler());
   return out;

@@ -138,7 +138,8 @@ class Explainer {
       for (const double by : {step, -step}) {
         const auto box = moved(i, j, by);
         if (!box || !is_solid(*box, n) || !keeps_relations(i, j, *box)) continue;
-        return C3Failure::Resized{model_.from_forest(*box), std::ldexp(by, -model_.forest().scale())};
+        return C3Failure::Resized{model_.from_forest(*box),
+                                  std::ldexp(by, -model_.forest().scale())};
       }
     }
     return std::nullopt;

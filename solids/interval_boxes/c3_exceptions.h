@@ -13,8 +13,10 @@ namespace veritope {
 
 /// The four exceptions to C3, with the paper's numbers.
 enum class C3Exception {
-  kSelfDistance = 1,  ///< in the surroundings of both (half the smaller one's size around them), V is not (proved to be) connected: two parts of it come near each other
-  kVaryingSize = 2,   ///< one part of V; boxes as small as the smaller one around the same middles would not meet (figure 5a)
+  kSelfDistance =
+      1,  ///< in the surroundings of both (half the smaller one's size around them), V is not (proved to be) connected: two parts of it come near each other
+  kVaryingSize =
+      2,  ///< one part of V; boxes as small as the smaller one around the same middles would not meet (figure 5a)
   kSmallFeature = 3,  ///< one part of V, and they would (figure 5b)
   kContact = 4,       ///< they meet in a face, an edge or a point only
 };
@@ -39,9 +41,10 @@ struct C3Failure {
 
 struct ExceptionOptions {
   ConditionOptions conditions;
-  std::size_t max_candidates = 12;      ///< boxes that a sub-collection is chosen from, the nearest ones
-  std::size_t max_sub_collection = 3;   ///< its size
-  int max_halvings = 20;                ///< steps from 1/4 of the box down
+  std::size_t max_candidates =
+      12;  ///< boxes that a sub-collection is chosen from, the nearest ones
+  std::size_t max_sub_collection = 3;  ///< its size
+  int max_halvings = 20;               ///< steps from 1/4 of the box down
   std::size_t max_failures = 1000;
 };
 
@@ -65,6 +68,7 @@ struct SelfDistance {
   double box_bound() const;
 };
 /// Nothing if all patches are neighbours. @cost branch and bound over pairs of pieces
-std::optional<SelfDistance> self_distance(BoundaryModel& model, std::uint64_t max_pairs = 1'000'000);
+std::optional<SelfDistance> self_distance(BoundaryModel& model,
+                                          std::uint64_t max_pairs = 1'000'000);
 
 }  // namespace veritope

@@ -71,8 +71,8 @@ struct Maximiser {
         queue.push(top);
         break;
       }
-      for (const Interval& half : {Interval::from_bounds(side.lo(), middle),
-                                   Interval::from_bounds(middle, side.hi())}) {
+      for (const Interval& half :
+           {Interval::from_bounds(side.lo(), middle), Interval::from_bounds(middle, side.hi())}) {
         auto sides = top.sides;
         sides[axis] = half;
         push(std::move(sides));
@@ -174,20 +174,21 @@ Result<RadiusEnclosure> greatest_chord_radius(const std::array<Interval, 3>& hal
     if (!are_half_widths(e)) return bad_half_widths();
   const ScopedUpward upward;
   const Interval two(2.0), e = half_widths[up];
-  const Interval across = two * sqrt(sqr(half_widths[(up + 1) % 3]) + sqr(half_widths[(up + 2) % 3]));
+  const Interval across =
+      two * sqrt(sqr(half_widths[(up + 1) % 3]) + sqr(half_widths[(up + 2) % 3]));
   Maximiser search;
   search.range = [](const std::vector<Interval>& v) {
     return tangent_radius({v[0], v[1]}, v[2] + v[3] - v[1]);
   };
   search.at = [](const std::vector<Interval>& v) {
     const double a = mid(v[2]), b = mid(v[3]), y = std::min(mid(v[1]), sum_down(a, b));
-    const Interval r = tangent_radius({Interval(mid(v[0])), Interval(y)},
-                                      Interval(a) + Interval(b) - Interval(y));
+    const Interval r =
+        tangent_radius({Interval(mid(v[0])), Interval(y)}, Interval(a) + Interval(b) - Interval(y));
     return r.is_empty() ? -kInfinity : r.lo();
   };
-  return search.run({Interval::from_bounds(0, across.hi()),
-                     Interval::from_bounds(0, (two * e).hi()), e, e},
-                    options);
+  return search.run(
+      {Interval::from_bounds(0, across.hi()), Interval::from_bounds(0, (two * e).hi()), e, e},
+      options);
 }
 
 namespace {
@@ -196,13 +197,16 @@ namespace {
 RadiusEnclosure radius_of(RadiusEnclosure curvature) {
   const Interval k = curvature.radius;
   curvature.radius = k.is_empty() ? Interval::from_bounds(0, kInfinity)
-                     : k.hi() == 0 ? Interval::from_bounds(std::numeric_limits<double>::max(), kInfinity)
-                                   : recip(k);
+                     : k.hi() == 0
+                         ? Interval::from_bounds(std::numeric_limits<double>::max(), kInfinity)
+                         : recip(k);
   return curvature;
 }
 
 Error unbounded() {
-  return {Code::kBadArgument, {}, "the curvature is not bounded within the budget: a point without a tangent or normal?"};
+  return {Code::kBadArgument,
+          {},
+          "the curvature is not bounded within the budget: a point without a tangent or normal?"};
 }
 
 template <std::size_t N>
@@ -223,7 +227,8 @@ Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 1>& curve
                                                const RadiusOptions& options) {
   auto prepared = SplineEnclosure<1>::prepare(curve, 3);
   if (!prepared) return prepared.error();
-  if (prepared->dimension() != 2) return Error{Code::kBadArgument, {}, "a curve that is not in the plane"};
+  if (prepared->dimension() != 2)
+    return Error{Code::kBadArgument, {}, "a curve that is not in the plane"};
   const ScopedUpward upward;
   const auto curvature = [&](const Interval& t) {
     const auto d = prepared->derivative({1}, Box<1>(t)).value();
@@ -241,7 +246,8 @@ Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 2>& surfa
                                                const RadiusOptions& options) {
   auto prepared = SplineEnclosure<2>::prepare(surface, 3);
   if (!prepared) return prepared.error();
-  if (prepared->dimension() != 3) return Error{Code::kBadArgument, {}, "a surface that is not in space"};
+  if (prepared->dimension() != 3)
+    return Error{Code::kBadArgument, {}, "a surface that is not in space"};
   const ScopedUpward upward;
   const auto curvature = [&](const Interval& u, const Interval& v) {
     const auto k = enclose_curvatures(*prepared, Box2(u, v)).value();
@@ -249,7 +255,9 @@ Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 2>& surfa
   };
   Maximiser search;
   search.range = [&](const std::vector<Interval>& v) { return curvature(v[0], v[1]); };
-  search.at = [&](const std::vector<Interval>& v) { return curvature(thin(v[0]), thin(v[1])).lo(); };
+  search.at = [&](const std::vector<Interval>& v) {
+    return curvature(thin(v[0]), thin(v[1])).lo();
+  };
   return finished(search.run(sides_of(prepared->domain()), options));
 }
 

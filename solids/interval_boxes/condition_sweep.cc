@@ -19,7 +19,9 @@ class CellCover {
       all = hull(all, forest.node(forest.root(r)).hull);
     // The root holds V with two cells to spare, and its cells' planes are no round numbers: models like those.
     const double whole = extent(all);
-    while (level_ < OctreeKey::kMaxLevel && std::ldexp(size, static_cast<int>(level_)) < whole + 5 * size) ++level_;
+    while (level_ < OctreeKey::kMaxLevel &&
+           std::ldexp(size, static_cast<int>(level_)) < whole + 5 * size)
+      ++level_;
     cell_ = size;
     for (std::size_t k = 0; k < 3; ++k) low_[k] = all.lo[k] - (2 + 0x1.5p-2) * size;
     fits_ = std::ldexp(size, static_cast<int>(level_)) >= whole + 5 * size;
@@ -50,7 +52,8 @@ class CellCover {
     }
     std::array<std::uint32_t, 3> from, to;
     for (std::size_t k = 0; k < 3; ++k) {
-      from[k] = static_cast<std::uint32_t>(std::floor((node.hull.lo[k] - low_[k]) / cell_ - 0x1p-20));
+      from[k] =
+          static_cast<std::uint32_t>(std::floor((node.hull.lo[k] - low_[k]) / cell_ - 0x1p-20));
       to[k] = static_cast<std::uint32_t>(std::floor((node.hull.hi[k] - low_[k]) / cell_ + 0x1p-20));
     }
     for (std::uint32_t x = from[0]; x <= to[0]; ++x)
@@ -110,7 +113,10 @@ Result<std::vector<SweepRow>> sweep_conditions(BoundaryModel& model, double eps,
   if (!std::isfinite(eps) || !(eps > 0))
     return Error{Code::kBadArgument, {}, "eps = " + std::to_string(eps) + " is not positive"};
   if (halvings < 0 || halvings > kMaxSweep)
-    return Error{Code::kBadArgument, {}, std::to_string(halvings) + " halvings: 0 to " + std::to_string(kMaxSweep) + " are possible"};
+    return Error{Code::kBadArgument,
+                 {},
+                 std::to_string(halvings) + " halvings: 0 to " + std::to_string(kMaxSweep) +
+                     " are possible"};
   std::vector<SweepRow> rows;
   for (int k = 0; k <= halvings; ++k) {
     SweepRow row;

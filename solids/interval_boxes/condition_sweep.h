@@ -21,7 +21,8 @@ struct SweepRow {
   /// K1, K2, K3 of the cells: |K| is a manifold; each body lies between two components of one genus (K2 with its d+); it collapses (K3). A condition
   /// that is not asked because one before it fails is undecided.
   std::array<Answer, 3> collar{Answer::kUndecided, Answer::kUndecided, Answer::kUndecided};
-  std::string why_not;  ///< the eps was not done: the limit that was met; conditions are then undecided
+  std::string
+      why_not;  ///< the eps was not done: the limit that was met; conditions are then undecided
 };
 
 struct SweepOptions {

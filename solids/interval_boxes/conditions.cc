@@ -83,7 +83,8 @@ class Decider {
     const auto at = [&](PaperCondition c) -> ConditionResult& {
       return out.results[static_cast<std::size_t>(c)];
     };
-    at(PaperCondition::kA) = in_model_units(decide_a(boxes_, model_.dimension(), options_.max_listed));
+    at(PaperCondition::kA) =
+        in_model_units(decide_a(boxes_, model_.dimension(), options_.max_listed));
     const internal::CoverOptions cover{options_.max_pieces, options_.max_listed};
     at(PaperCondition::kB1) = in_model_units(internal::decide_b1(model_, boxes_, cover));
     at(PaperCondition::kC1) = in_model_units(internal::decide_c1(model_, boxes_, cover));
@@ -109,7 +110,8 @@ class Decider {
       if (is_met(model_, boxes_[i])) continue;
       const BoxTrace t = trace_of(boxes_[i]);
       if (t.kind == BoxTrace::Kind::kSurface) continue;
-      out.add({t.is_missed() ? Why::kMissed : Why::kUndecided, {i}, model_.from_forest(boxes_[i]), 0});
+      out.add(
+          {t.is_missed() ? Why::kMissed : Why::kUndecided, {i}, model_.from_forest(boxes_[i]), 0});
     }
     return out.finish();
   }
@@ -123,9 +125,7 @@ class Decider {
     }
     const BoxTrace t = trace_of(box);
     if (t.is_disk()) return;
-    const Why why = t.is_missed()    ? Why::kMissed
-                    : t.is_no_disk() ? Why::kEuler
-                                     : Why::kUndecided;
+    const Why why = t.is_missed() ? Why::kMissed : t.is_no_disk() ? Why::kEuler : Why::kUndecided;
     out->add({why, set, place, t.euler});
   }
 
@@ -183,7 +183,8 @@ Result<PaperConditions> decide_conditions(BoundaryModel& model, std::span<const 
   for (const Box3d& b : boxes) {
     const auto box = model.to_forest(b);
     const std::string name = "box " + std::to_string(scaled.size());
-    if (!box) return Error{Code::kBadArgument, {}, name + ": a coordinate is not finite or out of range"};
+    if (!box)
+      return Error{Code::kBadArgument, {}, name + ": a coordinate is not finite or out of range"};
     if (!is_solid(*box, model.dimension()))
       return Error{Code::kBadArgument, {}, name + ": a side has no positive length"};
     scaled.push_back(*box);

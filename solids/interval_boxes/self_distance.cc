@@ -73,7 +73,8 @@ std::optional<SelfDistance> self_distance(BoundaryModel& model, std::uint64_t ma
   for (;;) {
     const Pair top = queue.top();
     const double lower = std::min(top.bound, upper);
-    out = {std::ldexp(lower, -forest.scale()), std::ldexp(upper, -forest.scale()), upper <= kWanted * lower};
+    out = {std::ldexp(lower, -forest.scale()), std::ldexp(upper, -forest.scale()),
+           upper <= kWanted * lower};
     if (out.is_as_asked || ++pairs > max_pairs) return out;
     queue.pop();
     const bool first = extent(forest.node(top.a).hull) >= extent(forest.node(top.b).hull);

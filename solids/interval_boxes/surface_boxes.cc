@@ -13,7 +13,8 @@ namespace veritope {
 namespace {
 
 using Id = PieceForest::Id;
-constexpr std::uint64_t kWhole = std::uint64_t{1} << 48;  // parameters of edges: integers times 2^-48
+constexpr std::uint64_t kWhole = std::uint64_t{1}
+                                 << 48;  // parameters of edges: integers times 2^-48
 
 // A stretch of an edge, in the direction of travel of its first side, and a piece that has it as a side (or a point of it).
 struct Contact {
@@ -249,8 +250,7 @@ class CoverMaker {
       if (members->contains(first + pairs[p][0]) && members->contains(first + pairs[p][1])) add(p);
     for (std::size_t n = 0; n < component.size(); ++n)
       for (std::size_t p = 0; p < pairs.size(); ++p)
-        if (!is_in[p] &&
-            meets(component[n], common_part(chain[pairs[p][0]], chain[pairs[p][1]])))
+        if (!is_in[p] && meets(component[n], common_part(chain[pairs[p][0]], chain[pairs[p][1]])))
           add(p);
   }
 
@@ -283,9 +283,13 @@ Result<SurfaceCover> make_surface_cover(BoundaryModel& model, double eps,
                                         const SurfaceBoxOptions& options) {
   const double scaled = std::ldexp(eps, model.forest().scale());
   if (!(eps > 0) || !std::isfinite(eps) || !(scaled > 0x1p-30))
-    return Error{Code::kBadArgument, {}, "eps = " + std::to_string(eps) + " is not positive, or too small for the model"};
+    return Error{Code::kBadArgument,
+                 {},
+                 "eps = " + std::to_string(eps) + " is not positive, or too small for the model"};
   if (!(options.margin > 0 && options.margin < 0.5))
-    return Error{Code::kBadArgument, {}, "margin = " + std::to_string(options.margin) + " is not between 0 and 1/2"};
+    return Error{Code::kBadArgument,
+                 {},
+                 "margin = " + std::to_string(options.margin) + " is not between 0 and 1/2"};
   return CoverMaker(model, eps, options).run();
 }
 

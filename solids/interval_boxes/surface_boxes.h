@@ -44,7 +44,7 @@ struct SurfaceCover {
   double eps = 0;
   std::vector<SurfaceBox> boxes;
   std::vector<VertexCluster> clusters;  ///< by vertex, those with an edge
-  double largest = 0;                   ///< the greatest size of a box ([SSP01] 2: its longest edge), at most eps
+  double largest = 0;  ///< the greatest size of a box ([SSP01] 2: its longest edge), at most eps
 
   std::vector<Box3d> plain_boxes() const;
 };

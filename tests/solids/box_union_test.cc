@@ -18,8 +18,10 @@ using Boxes = std::vector<Box3d>;
 std::string text(const Boxes& boxes) {
   std::string out;
   for (const Box3d& b : boxes) {
-    out += "{{" + std::to_string(b.lo[0]) + "," + std::to_string(b.lo[1]) + "," + std::to_string(b.lo[2]) + "},{";
-    out += std::to_string(b.hi[0]) + "," + std::to_string(b.hi[1]) + "," + std::to_string(b.hi[2]) + "}} ";
+    out += "{{" + std::to_string(b.lo[0]) + "," + std::to_string(b.lo[1]) + "," +
+           std::to_string(b.lo[2]) + "},{";
+    out += std::to_string(b.hi[0]) + "," + std::to_string(b.hi[1]) + "," + std::to_string(b.hi[2]) +
+           "}} ";
   }
   return out;
 }

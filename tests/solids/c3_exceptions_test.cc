@@ -61,7 +61,8 @@ TEST(C3Exceptions, ALargeBoxNextToASmallOneIsVaryingSize) {
 
 // The walls of a notch, bridged.
 TEST(C3Exceptions, TwoPartsOfTheCurveAreSelfDistance) {
-  const auto notch = plane_shapes::polygon({{-4, -6}, {8, -6}, {8, -2}, {0, 0}, {8, 2}, {8, 6}, {-4, 6}});
+  const auto notch =
+      plane_shapes::polygon({{-4, -6}, {8, -6}, {8, -2}, {0, 0}, {8, 2}, {8, 6}, {-4, 6}});
   Case c{BoundaryModel::make_planar({notch}).value(),
          {rectangle(2, 3.25, -0.0625, 1), rectangle(2, 3.25, -1, 0.0625)}};
   const auto failures = c.failures();
@@ -91,7 +92,8 @@ TEST(C3Exceptions, AContactIsEliminatedByADyadicStep) {
 
 TEST(SelfDistance, OfACubeIsItsSideAndBoundsTheBoxes) {
   BoundaryModel model =
-      BoundaryModel::make(make_patch_complex(patch_shapes::box({0, 0, 0}, {1, 1, 1})).value()).value();
+      BoundaryModel::make(make_patch_complex(patch_shapes::box({0, 0, 0}, {1, 1, 1})).value())
+          .value();
   const auto d = self_distance(model);
   ASSERT_TRUE(d.has_value());
   EXPECT_TRUE(d->is_as_asked);
@@ -102,7 +104,9 @@ TEST(SelfDistance, OfACubeIsItsSideAndBoundsTheBoxes) {
 }
 
 TEST(SelfDistance, OfAThinShellIsItsWall) {
-  BoundaryModel model = BoundaryModel::make(make_patch_complex(patch_shapes::thin_shell(Rational(1) / 8)).value()).value();
+  BoundaryModel model =
+      BoundaryModel::make(make_patch_complex(patch_shapes::thin_shell(Rational(1) / 8)).value())
+          .value();
   const auto d = self_distance(model, 30'000).value();
   EXPECT_FALSE(d.is_as_asked) << "the same distance everywhere: the budget ends the search";
   EXPECT_GT(d.lo, 0);
@@ -111,9 +115,11 @@ TEST(SelfDistance, OfAThinShellIsItsWall) {
 }
 
 TEST(BallWithC2, TwoBoxesOverADiskAndNotTheCounterexample) {
-  BoundaryModel model = BoundaryModel::make(make_patch_complex(patch_shapes::octant_sphere()).value()).value();
+  BoundaryModel model =
+      BoundaryModel::make(make_patch_complex(patch_shapes::octant_sphere()).value()).value();
   std::vector<Box3d> pair;
-  for (const Box3d& b : {Box3d{{0.5, -0.4, -0.3}, {1.3, 0.1, 0.3}}, Box3d{{0.5, -0.1, -0.3}, {1.3, 0.4, 0.3}}})
+  for (const Box3d& b :
+       {Box3d{{0.5, -0.4, -0.3}, {1.3, 0.1, 0.3}}, Box3d{{0.5, -0.1, -0.3}, {1.3, 0.4, 0.3}}})
     pair.push_back(model.to_forest(b).value());
   EXPECT_TRUE(is_ball_with_c2(model, pair));
   pair[1].lo[0] = -2;

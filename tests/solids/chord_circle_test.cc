@@ -17,7 +17,9 @@ struct Numbers {
   double cx, cy, e1x, e1y, e2x, e2y;
 };
 BoxPair pair_of(const Numbers& n) {
-  return {{Interval(n.cx), Interval(n.cy)}, {Interval(n.e1x), Interval(n.e1y)}, {Interval(n.e2x), Interval(n.e2y)}};
+  return {{Interval(n.cx), Interval(n.cy)},
+          {Interval(n.e1x), Interval(n.e1y)},
+          {Interval(n.e2x), Interval(n.e2y)}};
 }
 Numbers random_numbers(Random& random) {
   Numbers n;
@@ -57,12 +59,14 @@ TEST(Psi, TheCircleIsTangentToTheLineOrMeetsItInPAtItsRight) {
         is_right = true, ++tangent;
         break;
       }
-      if (h <= n.e1y && std::abs(std::hypot(n.e1x - c.x, -h - c.y) - c.r) <= 1e-7 * (1 + c.r) && c.x <= n.e1x + 1e-9) {
+      if (h <= n.e1y && std::abs(std::hypot(n.e1x - c.x, -h - c.y) - c.r) <= 1e-7 * (1 + c.r) &&
+          c.x <= n.e1x + 1e-9) {
         is_right = true, ++through;
         break;
       }
     }
-    ASSERT_TRUE(is_right) << "seed " << seed << ": c2 (" << n.cx << ", " << n.cy << "), e1 (" << n.e1x << ", " << n.e1y << "), e2y " << n.e2y << ", r " << r.hi();
+    ASSERT_TRUE(is_right) << "seed " << seed << ": c2 (" << n.cx << ", " << n.cy << "), e1 ("
+                          << n.e1x << ", " << n.e1y << "), e2y " << n.e2y << ", r " << r.hi();
   }
   EXPECT_GE(tangent, 300);
   EXPECT_GE(through, 300);
@@ -71,18 +75,27 @@ TEST(Psi, TheCircleIsTangentToTheLineOrMeetsItInPAtItsRight) {
 TEST(Psi, LevelCentresHaveTheTextbookRadius) {
   const ScopedUpward upward;
   // Chord 2 a, sagitta h: r = (a^2 + h^2) / (2 h).
-  const Interval r = psi({{Interval(2.0), Interval(0.0)}, {Interval(1.0), Interval(0.5)}, {Interval(1.0), Interval(0.5)}});
+  const Interval r = psi({{Interval(2.0), Interval(0.0)},
+                          {Interval(1.0), Interval(0.5)},
+                          {Interval(1.0), Interval(0.5)}});
   EXPECT_TRUE(is_member(1.0, r)) << to_string(r);
   // c2 = c1: the tangent circle through one point is no smaller than h / 2, whatever its direction.
-  const Interval at_zero = psi({{Interval(0.0), Interval(0.0)}, {Interval(1.0), Interval(0.5)}, {Interval(1.0), Interval(0.5)}});
+  const Interval at_zero = psi({{Interval(0.0), Interval(0.0)},
+                                {Interval(1.0), Interval(0.5)},
+                                {Interval(1.0), Interval(0.5)}});
   EXPECT_LE(at_zero.lo(), 0.5);
   EXPECT_GE(at_zero.hi(), 1.0);
   EXPECT_TRUE(std::isfinite(at_zero.hi()));
-  EXPECT_TRUE(psi({{Interval(0.0), Interval(9.0)}, {Interval(1.0), Interval(0.5)}, {Interval(1.0), Interval(0.5)}}).is_empty()) << "boxes apart";
+  EXPECT_TRUE(psi({{Interval(0.0), Interval(9.0)},
+                   {Interval(1.0), Interval(0.5)},
+                   {Interval(1.0), Interval(0.5)}})
+                  .is_empty())
+      << "boxes apart";
 }
 
 TEST(GreatestChordRadius, EnclosesWhatRandomPairsReach) {
-  const HalfWidths widths{{Interval::from_bounds(0.25, 0.375), Interval::from_bounds(0.25, 0.3125)}};
+  const HalfWidths widths{
+      {Interval::from_bounds(0.25, 0.375), Interval::from_bounds(0.25, 0.3125)}};
   const auto r = greatest_chord_radius(widths, {0x1p-4, 100'000}).value();
   double most = 0;
   const ScopedUpward upward;
@@ -110,17 +123,21 @@ TEST(GreatestChordRadius, EqualBoxesAreDoneToTheWidthAskedFor) {
 }
 
 TEST(GreatestChordRadius, BadHalfWidthsAreRefused) {
-  EXPECT_EQ(greatest_chord_radius(HalfWidths{{Interval(0.0), Interval(1.0)}}).error().code, Code::kBadArgument);
-  EXPECT_EQ(greatest_chord_radius({Interval(1.0), Interval(1.0), Interval(1.0)}, 3).error().code, Code::kBadArgument);
+  EXPECT_EQ(greatest_chord_radius(HalfWidths{{Interval(0.0), Interval(1.0)}}).error().code,
+            Code::kBadArgument);
+  EXPECT_EQ(greatest_chord_radius({Interval(1.0), Interval(1.0), Interval(1.0)}, 3).error().code,
+            Code::kBadArgument);
 }
 
 template <std::size_t N>
-BSpline<Rational, N> bezier(std::array<int, N> degrees, int components, bool rational, std::vector<Rational> c) {
+BSpline<Rational, N> bezier(std::array<int, N> degrees, int components, bool rational,
+                            std::vector<Rational> c) {
   std::array<KnotAxis<Rational>, N> axes;
   for (std::size_t a = 0; a < N; ++a) {
     axes[a].degree = degrees[a];
     axes[a].knots.assign(static_cast<std::size_t>(degrees[a]) + 1, Rational(0));
-    axes[a].knots.insert(axes[a].knots.end(), static_cast<std::size_t>(degrees[a]) + 1, Rational(1));
+    axes[a].knots.insert(axes[a].knots.end(), static_cast<std::size_t>(degrees[a]) + 1,
+                         Rational(1));
   }
   return make_bspline<N>(axes, components, rational, std::move(c)).value();
 }
@@ -137,21 +154,24 @@ TEST(LeastCurvatureRadius, OfAParabolaAQuarterCircleAndAPlane) {
   EXPECT_TRUE(is_member(1.0, one.radius)) << to_string(one.radius);
   const auto plane = bezier<2>({1, 1}, 3, false, {0, 0, 1, 1, 0, 1, 0, 1, 0, 0, 0, 0});
   EXPECT_GT(least_curvature_radius(plane).value().radius.lo(), 1e6);
-  EXPECT_EQ(least_curvature_radius(bezier<1>({1}, 1, false, {0, 1})).error().code, Code::kBadArgument);
+  EXPECT_EQ(least_curvature_radius(bezier<1>({1}, 1, false, {0, 1})).error().code,
+            Code::kBadArgument);
 }
 
 // Figure 8: in space, for a surface that is nearly level along z. z = x^2 + y^2 has the curvature 2 at the origin.
 TEST(Equation4, InSpaceForAParaboloid) {
   const Rational half = Rational(1) / 2;
-  const auto bowl = bezier<2>({2, 2}, 3, false,
-                              {0, 0, 0, half, half, half, 1, 1, 1, 0, half, 1, 0, half, 1, 0, half, 1, 0, 0, 1, 0, 0, 1, 1, 1, 2});
+  const auto bowl =
+      bezier<2>({2, 2}, 3, false, {0, 0, 0,    half, half, half, 1, 1, 1, 0, half, 1, 0, half,
+                                   1, 0, half, 1,    0,    0,    1, 0, 0, 1, 1,    1, 2});
   RadiusOptions options;
   options.relative_width = 0.25;
   const auto r_kappa = least_curvature_radius(bowl, options).value();
   EXPECT_LE(r_kappa.radius.lo(), 0.5);
   EXPECT_GE(r_kappa.radius.hi(), 0.5);
   const auto of = [&](double e) {
-    return satisfies_eq4(greatest_chord_radius({Interval(e), Interval(e), Interval(e)}, 2).value(), r_kappa);
+    return satisfies_eq4(greatest_chord_radius({Interval(e), Interval(e), Interval(e)}, 2).value(),
+                         r_kappa);
   };
   EXPECT_EQ(of(1.0 / 64), true);
   EXPECT_EQ(of(4), false);
@@ -162,7 +182,8 @@ TEST(Equation4, ComparesBoxesWithTheCurve) {
   const auto quarter = bezier<1>({2}, 3, true, {1, 1, 0, 0, 1, 2, 1, 1, 2});
   const auto r_kappa = least_curvature_radius(quarter).value();
   const auto of = [&](double e) {
-    return satisfies_eq4(greatest_chord_radius(HalfWidths{{Interval(e), Interval(e)}}).value(), r_kappa);
+    return satisfies_eq4(greatest_chord_radius(HalfWidths{{Interval(e), Interval(e)}}).value(),
+                         r_kappa);
   };
   EXPECT_EQ(of(0.125), true);
   EXPECT_EQ(of(4), false);

@@ -66,7 +66,8 @@ TEST(SurfaceBoxes, ACubeHasFaceEdgeAndVertexBoxesAndEightClusters) {
   }
   EXPECT_EQ(kinds, (std::array<std::size_t, 3>{216, 48, 48}));
   ASSERT_EQ(cover.clusters.size(), 8u);
-  for (const VertexCluster& c : cover.clusters) EXPECT_EQ(c.boxes.size(), 6u) << "two of each of three edges";
+  for (const VertexCluster& c : cover.clusters)
+    EXPECT_EQ(c.boxes.size(), 6u) << "two of each of three edges";
 }
 
 TEST(SurfaceBoxes, BadResolutionsAreRefused) {
@@ -86,8 +87,9 @@ TEST(ConditionSweep, TheCubesBoxesSatisfyThePaperAndNotC3Star) {
   ASSERT_EQ(rows.size(), 2u);
   for (const SweepRow& r : rows) {
     for (std::size_t c = 0; c < kNumPaperConditions; ++c)
-      EXPECT_EQ(r.conditions[c].answer,
-                static_cast<PaperCondition>(c) == PaperCondition::kC3Star ? Answer::kFalse : Answer::kTrue)
+      EXPECT_EQ(r.conditions[c].answer, static_cast<PaperCondition>(c) == PaperCondition::kC3Star
+                                            ? Answer::kFalse
+                                            : Answer::kTrue)
           << name_of(static_cast<PaperCondition>(c)) << " at " << r.eps;
   }
   EXPECT_EQ(rows[1].collar, (std::array{Answer::kTrue, Answer::kTrue, Answer::kTrue}));

@@ -178,6 +178,7 @@ class RealFiles(Folder):
     def test_faces_of_real_volumes(self):
         """IRIT's and MFEM's balls, cylinders, cubes: VALID with the genus and volume that they have."""
         expected = {"iritprim__ns_sphere_rational.itd": (0, 4 * math.pi / 3), "iritprim__ns_cylinder_rational.itd": (0, 2 * math.pi),
+                    "iritprim__ns_cone_rational.itd": (0, 2 * math.pi / 3),
                     "mfem__ball-nurbs.mesh": (0, 4 * math.pi / 3), "mfem__two-cubes-nurbs-rot.mesh": (0, 2), "gismo__fichera.xml": (0, 7),
                     "gismo__cylinder.xml": (1, 3 * math.pi)}
         for name, (genus, volume) in expected.items():

@@ -652,7 +652,7 @@ class Run:
             return
         folder = pathlib.Path(self.options.save)
         folder.mkdir(parents=True, exist_ok=True)
-        stem = folder / ("seed%d-%s-%d" % (seed, name, len(self.failures)))
+        stem = folder / ("seed%d-%s-%d" % (seed, name.replace("/", "-"), len(self.failures)))
         stem.with_suffix(".model").write_bytes(model)
         stem.with_suffix(".cert").write_bytes(cert)
         self.failures.append("seed %d, %s: %s; saved %s.*" % (seed, name, why, stem))

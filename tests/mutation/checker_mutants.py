@@ -10,9 +10,14 @@ that is killed, or that no line of the checker gives any more, ends the run with
 
     python3 tests/mutation/checker_mutants.py python [--sample N] [--jobs J]
     python3 tests/mutation/checker_mutants.py cpp    [--sample N] [--jobs J] [--show]
+    python3 tests/mutation/checker_mutants.py python_patches|cpp_patches [--sample N] [--jobs J] [--corpus-only]
+
+The first two are about the claims about meshes, the last two about those about patches. --corpus-only: survivors of the corpus are not
+tried with the unit tests.
 """
 import argparse
 import collections
+import hashlib
 import json
 import os
 import pathlib
@@ -29,6 +34,8 @@ import types
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import attacks                                            # noqa: E402
+import patch_attacks                                      # noqa: E402
+import patch_mutation_test                                # noqa: E402
 import differential                                       # noqa: E402
 
 CHECKER = attacks.CHECKER_PY.parent
@@ -36,6 +43,8 @@ NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h")   # C++ headers without 
 # Together these attacks hit every pair of strategy and condition that 500 seeds hit.
 SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
          192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
+PATCH_MODULES = ("star_box_read", "star_box_patches", "star_box_check", "patch_invalid_check", "collar_complex", "collar_check")
+PATCH_TESTS = ("star_box_test", "star_box_turned_test", "patch_invalid_test", "collar_test")
 CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
 
 # (name, what to look for, replacements); applied to one occurrence at a time, outside of strings
@@ -148,7 +157,75 @@ def corpus():
     return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
 
 
+def damaged(cert, rng):
+    """Bytes of the body changed, with its hash mended."""
+    head, body = cert.split(b"\n", 1)
+    lie = bytearray(body)
+    for _ in range(rng.randint(1, 2)):
+        at = rng.randrange(len(lie))
+        if rng.random() < .7:
+            lie[at] = rng.choice((0, 1, 127, 128, 255, lie[at] ^ 1 << rng.randrange(8)))
+        else:
+            del lie[at:at + rng.randint(1, 3)]
+    old, new = [hashlib.sha256(bytes(b)).hexdigest().encode() for b in (body, lie)]
+    return head.replace(old, new) + b"\n" + bytes(lie)
+
+
+def patch_corpus():
+    """As corpus(), of the claims about patches."""
+    py, rng, cases = attacks.load_checker(), random.Random(1), []
+    for source, seeds in patch_mutation_test.SEEDS:
+        for seed in seeds:
+            cases += [(model, cert) for _, model, cert in source(random.Random(seed))]
+    for seed in range(24):
+        cases += [(c.bytes, cert) for _, c, cert in patch_attacks.Run.honest_certificates(random.Random(seed))]
+    cases = [c for c in dict.fromkeys(cases) if len(c[0]) + len(c[1]) < 40000]
+    cases += [(model, damaged(cert, rng)) for model, cert in rng.sample(cases, len(cases) // 3)]
+    cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
+    return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
+
+
 # ---------------------------------------------------------------- running
+
+def tree_with(mutant):
+    """A folder with the checkers in Python and their tests, one file of them mutated."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="mutant", dir="/dev/shm" if os.path.isdir("/dev/shm") else None))
+    shutil.copytree(HERE.parent / "checker_py", folder / "tests" / "checker_py")
+    (folder / "verify" / "checker").mkdir(parents=True)
+    for f in CHECKER.glob("*.py"):
+        shutil.copy(f, folder / "verify" / "checker")
+    (folder / "verify" / "checker" / mutant[0].name).write_text(mutant[4])
+    return folder
+
+
+def judge_python_patches(mutant, cases, options):
+    """As judge_python, in a process of its own, which may lose the modules that it has loaded."""
+    folder = tree_with(mutant)
+    try:
+        for name in PATCH_MODULES:
+            sys.modules.pop(name, None)
+        sys.path[:] = [p for p in sys.path if pathlib.Path(p).resolve() != CHECKER.resolve()]
+        sys.dont_write_bytecode = True
+        try:
+            module = attacks.load_checker(folder / "verify" / "checker" / "veritope_check.py", "mutant")
+            for i, (model, cert, expected) in enumerate(cases):
+                if attacks.condition_of(*module.check(model, cert)) != expected:
+                    return i
+        except Exception:
+            return 0
+        return 0 if not options.corpus_only and patch_tests_fail(folder / "tests" / "checker_py", {}) else None
+    finally:
+        shutil.rmtree(folder)
+
+
+def patch_tests_fail(tests, env):
+    return any(subprocess.run([sys.executable, str(tests / (name + ".py")), "--failfast"], env=dict(os.environ, **env),
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode for name in PATCH_TESTS if (tests / (name + ".py")).exists())
+
+
+def unit_tests_of_patches_fail(program):
+    return patch_tests_fail(HERE.parent / "checker", {"VERITOPE_CHECK": str(program)})
+
 
 def judge_python(text, cases):
     """The number of the first case with another verdict, or None."""
@@ -187,7 +264,7 @@ def fails_unchanged(objects, options):
     with tempfile.TemporaryDirectory() as d:
         program = pathlib.Path(d) / "check"
         subprocess.run([options.compiler, *objects, "-o", str(program)], check=True)
-        return unit_tests_of_cpp_fail(program)
+        return options.unit_tests_fail(program)
 
 
 def judge_cpp(mutant, objects, cases, options):
@@ -218,7 +295,7 @@ def judge_cpp(mutant, objects, cases, options):
             found = attacks.condition_of(r.returncode, r.stdout.decode("latin-1")) if r.returncode in (0, 1) and r.stdout else "exit %d" % r.returncode
             if found != expected:
                 return i
-        return 0 if unit_tests_of_cpp_fail(folder / "check") else None
+        return 0 if options.unit_tests_fail(folder / "check") else None
     except (subprocess.TimeoutExpired, ValueError, IndexError):
         return "time"
     finally:
@@ -241,8 +318,10 @@ def in_child(job):
 
 
 def run(kind, options):
-    cases = corpus()
+    patches = kind.endswith("_patches")
+    cases = patch_corpus() if patches else corpus()
     print("%d cases" % len(cases))
+    options.unit_tests_fail = (lambda program: False) if options.corpus_only else unit_tests_of_patches_fail if patches else unit_tests_of_cpp_fail
     # Else every mutant would count as killed.
     if kind == "python" and unit_tests_fail(attacks.CHECKER_PY.read_text()):
         sys.exit("checker_mutants: the unit tests fail on the checker itself")
@@ -251,12 +330,18 @@ def run(kind, options):
         def job(m):
             first = judge_python(m[4], cases)
             return 0 if first is None and unit_tests_fail(m[4]) else first
+    elif kind == "python_patches":
+        found = [m for name in PATCH_MODULES for m in mutants(CHECKER / (name + ".py"), "import ")]
+        def job(m):
+            return judge_python_patches(m, cases, options)
     else:
-        files = sorted(CHECKER.glob("mesh_*.cc")) + [h for h in sorted(CHECKER.glob("*.h")) if h.name not in NOT_CONDITIONS]
+        files = [f for f in sorted(CHECKER.glob("*.cc")) + sorted(CHECKER.glob("*.h")) if is_about(f, patches)]
         found = [m for f in files for m in mutants(f)]
         objects = build_objects(options, files)
         if fails_unchanged(objects, options):
             sys.exit("checker_mutants: the unit tests fail on the checker itself")
+        if patches:
+            cases = agreed(cases, objects, options)
         def job(m):
             return judge_cpp(m, objects, cases, options)
     known, keys = equivalents(), {key_of(m) for m in found}
@@ -266,6 +351,24 @@ def run(kind, options):
     if options.sample and options.sample < len(found):
         found = random.Random(options.seed).sample(found, options.sample)
     return execute(found, job, options.jobs)
+
+
+def is_about(f, patches):
+    """Does a C++ file hold conditions of the claims about patches, or of those about meshes?"""
+    if f.suffix == ".cc":
+        return f.name.startswith(("star_", "collar_", "invalid_") if patches else "mesh_")
+    return f.name not in NOT_CONDITIONS and any(is_about(CHECKER / user, patches) for user in users_of(f.name))
+
+
+def agreed(cases, objects, options):
+    """The cases without those that only the C++ checker has a limit for."""
+    with tempfile.TemporaryDirectory() as d:
+        subprocess.run([options.compiler, *objects, "-o", os.path.join(d, "check")], check=True)
+        native = attacks.Native(os.path.join(d, "check"))
+        same = [c for c in cases if attacks.condition_of(*native.check(*c[:2])) == c[2]]
+        native.close()
+    print("%d cases in which the checkers agree" % len(same))
+    return same
 
 
 def build_objects(options, files):
@@ -309,11 +412,12 @@ def execute(found, job, jobs):
 
 def main(argv):
     a = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    a.add_argument("kind", choices=("python", "cpp"))
+    a.add_argument("kind", choices=("python", "cpp", "python_patches", "cpp_patches"))
     a.add_argument("--sample", type=int, default=0)
     a.add_argument("--seed", type=int, default=1)
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     a.add_argument("--compiler", default="g++")
+    a.add_argument("--corpus-only", action="store_true")
     a.add_argument("--show", action="store_true", help="print the text of surviving lines")
     options, start = a.parse_args(argv), time.monotonic()
     results = run(options.kind, options)

@@ -99,9 +99,9 @@ def coarse_hulls(rng):
 
 def several_shells(rng):
     """Two, three or four in one collar, with orientations that fit or do not."""
-    n = rng.choice((2, 3, 3, 4))
+    n, alternate = rng.choice((2, 3, 3, 4)), rng.random() < .7
     far = (Q(1), Q(2), Q(11, 4), Q(7, 2))[:n]
-    turned = [(i + rng.choice((0, 0, 1))) % 2 == 1 for i in range(n)]
+    turned = [alternate and i % 2 == 1 for i in range(n)]
     bricks = tuple(((4 - f,) * 3, (8 + f,) * 3, t) for f, t in zip(far[::-1], turned))
     return collar(surface(*bricks), WALL)
 

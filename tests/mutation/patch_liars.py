@@ -120,6 +120,11 @@ def flat_defect(rng):
     return with_mesh_boxes(entities), "a mesh that breaks %s" % sorted(case.broken)
 
 
+def wrinkled(rng):
+    """The flat Z-fold, three sheets deep, of referee-2, 4.6."""
+    return ps.moved(ps.made("z-fold", lambda: with_mesh_boxes(known.Traps.z_fold(None))), *ps.random_map(rng)), "three sheets in one plane"
+
+
 def with_mesh_boxes(entities):
     proof, prover = ps.flat_proof(entities)
     return walk(proof, prover).settle()
@@ -295,7 +300,7 @@ def recount_only(proof):
     return proof.settle()
 
 
-FALSE_MODELS = ((crossing_copies, 4), (crossing_boxes, 3), (touching_boxes, 3), (touching_poles, .02), (double_cover, 3), (looped, 2),
+FALSE_MODELS = ((crossing_copies, 4), (crossing_boxes, 3), (touching_boxes, 3), (touching_poles, .02), (double_cover, 3), (looped, 2), (wrinkled, .5),
                 (flat_defect, 4), (opened, 1), (doubled_patch, 1), (gap, 2), (wrong_flag, 1), (inside_out, 2), (nested_wrongly, 2),
                 (points_and_needles, 2))
 
@@ -547,22 +552,25 @@ LIES = (plain, swapped_centres, forged_centres, grown_boxes, truncated_cover, sh
 
 # ---------------------------------------------------------------- lies about sound models
 
+def hollow():
+    """Of thin walls, cut so fine that a box away from the edges meets no side wall."""
+    cubes = [ps.proved(ps.cube_faces(1, (1,) * 8), roots=2) for _ in range(2)]
+    outer, inner = [ps.moved(c, (0, 1, 2), (1, 1, 1), (h, h, h), (-h, -h, -h)) for c, h in zip(cubes, (8, 6))]
+    return walk(ps.joined(outer, ps.turned(inner))).settle()
+
+
 def three_sheets(rng):
-    """A hollow box of thin walls, and a star box through two walls and a third: one crossing, counted with signs."""
-    outer, inner = (Q(8), Q(6))
-    p = ps.box_solid(rng, [-outer] * 3, [outer] * 3)
-    q = ps.turned(ps.box_solid(rng, [-inner] * 3, [inner] * 3))
-    proof = walk(ps.joined(p, q)).settle()
-    plan = proof.plan
-    for _ in range(12):
-        new, k = proof.copy().plan, rng.randrange(3)
-        sheets = rng.choice((2, 3, 3, 4))
-        i = rng.choice(boxes_of(plan))
-        box = new.boxes[i]
-        lo, hi = [l for l in box.lo], [l + s for l, s in zip(box.lo, box.size)]
-        places = [-9, -7, 0, 7, 9]
-        a = rng.randrange(5 - min(sheets, 4))
-        ends = [places[a], places[a + min(sheets, 4)]]
+    """A star box through two, three or four walls of a hollow box: of three, one crossing is left if it is counted with signs."""
+    proof = ps.made("hollow", hollow)
+    places = [-9, -7, 0, 7, 9]
+    for _ in range(8):
+        new, k, sheets = proof.copy().plan, rng.randrange(3), rng.choice((2, 3, 3, 4))
+        box = rng.choice(new.boxes)
+        lo, hi = list(box.lo), [l + s for l, s in zip(box.lo, box.size)]
+        if any(l < -5.8 * UNIT or h > 5.8 * UNIT for j, (l, h) in enumerate(zip(lo, hi)) if j != k):
+            continue
+        a = rng.randrange(5 - sheets)
+        ends = [places[a], places[a + sheets]]
         lo[k], hi[k] = min(lo[k], ends[0] * UNIT - UNIT // 2), max(hi[k], ends[1] * UNIT + UNIT // 2)
         middle = [(x + y) // 2 for x, y in zip(lo, hi)]
         centres = [[*middle[:k], e * UNIT, *middle[k + 1:]] for e in ends]

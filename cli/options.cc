@@ -347,6 +347,8 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
     out.text = chosen.empty() ? app.help() : chosen[0]->help("veritope");
+    // Options without a group leave an empty one.
+    if (const auto at = out.text.find("\n\n\n"); at != out.text.npos) out.text.erase(at, 1);
   } catch (const CLI::CallForVersion&) {
     out.text = tool_name() + "\n";
   } catch (const CLI::ParseError& error) {

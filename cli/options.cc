@@ -90,9 +90,10 @@ void add_reading(CLI::App* app, Options& o) {
   add_number(app, "--max-bytes", limits.max_bytes, 0, kMost64, "limit: size of a file (4 GiB)");
   add_number(app, "--max-faces", limits.max_faces, 0, kMostFaces, "limit: triangles (200000000)");
   add_number(app, "--max-digits", limits.max_digits, 1, kMost32,
-             "limit: digits of a number (1000)");
+             "limit: digits (1000); --max-exponent N: exponent (4096)");
   add_number(app, "--max-exponent", limits.max_exponent, 0, kMost32,
              "limit: exponent of a number (4096)");
+  app->get_option("--max-exponent")->group("");  // in the line above
 }
 
 void add_jobs(CLI::App* app, Options& o) {
@@ -347,6 +348,8 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
     out.text = chosen.empty() ? app.help() : chosen[0]->help("veritope");
+    // Options without a group leave an empty one.
+    if (const auto at = out.text.find("\n\n\n"); at != out.text.npos) out.text.erase(at, 1);
   } catch (const CLI::CallForVersion&) {
     out.text = tool_name() + "\n";
   } catch (const CLI::ParseError& error) {

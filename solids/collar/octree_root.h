@@ -32,8 +32,8 @@ struct OctreeRoot {
   }
 };
 
-/// A root with `inner` in its interior, its edge at most 2.3 times the longest side. On each axis the planes between cells of a level from 3 to 16 stay a
-/// tenth of such a cell away from all multiples of half a cell's edge, and a fifteenth from these planes on another axis, mirrored at the diagonal: flat
+/// A root with `inner` in its interior, its edge at most 2.3 times the longest side. On each axis the planes between cells of a level from 3 to 12 stay more
+/// than 0.09 of such a cell away from all multiples of half a cell's edge, and 0.06 from these planes on another axis, mirrored at the diagonal: flat
 /// faces, which like few bits and diagonals, do not lie on the walls of cells.
 /// @error kOverLimit if `inner` is so small, or so far from the origin, that doubles cannot hold the grid.
 Result<OctreeRoot> root_around(const Box3d& inner);

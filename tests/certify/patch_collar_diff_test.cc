@@ -66,6 +66,8 @@ TEST(PatchCollarDiff, EverySoundShapeHasOneOfItsGenusHomologyAndNesting) {
       EXPECT_EQ(report.counts.bodies, std::optional(static_cast<std::uint64_t>(shape.bodies)));
     }
 #ifdef VT_HAVE_GUDHI
+    // GUDHI's complex has eight cells a voxel of the finest level: the thin shell would take gigabytes.
+    if (collar.complex.cells().finest_level() > 7) continue;
     const auto shells = static_cast<int>(shape.genus.size());
     EXPECT_EQ(betti_numbers(cells_of(collar.complex)),
               (Betti{shells, 2 * static_cast<int>(genus), shells}));

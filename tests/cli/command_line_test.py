@@ -11,7 +11,7 @@ from pathlib import Path
 import support
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 
-COMMANDS = ["certify", "info", "convert", "intersect", "project", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
+COMMANDS = ["certify", "info", "convert", "intersect", "project", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
 
 
 def read_terminal(ours):

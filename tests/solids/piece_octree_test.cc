@@ -39,7 +39,8 @@ TEST(PieceOctree, CoversTheSurfaceHoweverItIsSplit) {
     for (std::size_t i = 0; i < which.size(); ++i)
       which[i] = octree.cells()[i].key.level() < 3 || random.below(2) == 0;
     octree.split(which);
-    EXPECT_TRUE(std::is_sorted(octree.keys().begin(), octree.keys().end()));
+    const std::vector<OctreeKey> keys = octree.keys();
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
     for (int trial = 0; trial < 200; ++trial) {
       const auto p = static_cast<std::uint32_t>(random.below(m.complex.patches().size()));
       const auto q = evaluate(m.complex.patch(p).tensor(), {Rational::from_double(random.unit()),

@@ -26,6 +26,8 @@ struct CoverBox {
 struct UncoveredPiece {
   PieceForest::Id piece;
   enum class Why { kNoCentres, kCrossings, kTooDeep, kBudget } why;
+  /// About, in the forest's coordinates: see Obstacle.
+  double gap = 0, least_cosine = 1;
 };
 
 struct StarCover {
@@ -38,7 +40,7 @@ struct StarCover {
   bool is_complete() const { return uncovered.empty(); }
 };
 
-/// Stops at the first piece that stays uncovered at the greatest level.
+/// Stops at the first piece that stays uncovered at the greatest level. Where sheets face each other, the nearest ones are taken first.
 StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options);
 
 }  // namespace veritope

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "robust/base/result.h"
@@ -31,7 +32,8 @@ class PieceForest {
     Id first_child = kNone;
     Id parent = kNone;
     std::uint64_t i, j;
-    std::int64_t net = -1;
+    double* net = nullptr;
+    std::uint32_t net_age = 0;  // the net is there iff this is the age of the store
     std::uint8_t level = 0;
     bool is_upside_down = false;
   };
@@ -45,7 +47,6 @@ class PieceForest {
     Id first_root = 0;
     std::uint32_t num_roots = 1;
     std::vector<double> root_net;  ///< of the whole patch
-    std::vector<double> nets;
   };
 
   /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can stand for.
@@ -81,7 +82,7 @@ class PieceForest {
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);
-  /// Frees nets if they take more than this; nodes stay.
+  /// Drops all nets if they take more than this; nodes stay.
   void limit_memory(std::size_t bytes);
 
  private:
@@ -101,20 +102,45 @@ class PieceForest {
   static Layout layout(const Form& form);
   const double* net(Id id);
   void make_net(Id id);
+  void keep_net(Id id, double* net) {
+    nodes_[id].net = net;
+    nodes_[id].net_age = store_.age();
+  }
   void quarter(Id id);
   Box3d hull_of(const Form& form, const double* net) const;
   /// How many sides of the node lie in collapsed sides of the patch.
   enum class Collapsed { kNone, kApart, kAdjacent };
   Collapsed collapsed_sides(const Node& node, const Form& form) const;
 
+  // Room for nets. What was handed out stays where it is until all of it is taken back; then the same memory is handed out again, warm.
+  class NetStore {
+   public:
+    double* take(std::size_t n) {
+      if (used_ + n > kBlock) next_block(n);
+      double* const out = blocks_[block_ - 1].get() + used_;
+      used_ += n;
+      return out;
+    }
+    void take_back() { block_ = 0, used_ = kBlock, ++age_; }
+    std::uint32_t age() const { return age_; }
+    std::size_t bytes() const { return block_ * kBlock * sizeof(double); }
+
+   private:
+    // Four nets of the greatest degrees, rational, take 38,000 doubles.
+    static constexpr std::size_t kBlock = std::size_t{1} << 16;
+    void next_block(std::size_t n);
+    std::vector<std::unique_ptr<double[]>> blocks_;
+    std::size_t block_ = 0, used_ = kBlock;
+    std::uint32_t age_ = 1;
+  };
+
   const PatchComplex* complex_ = nullptr;
   int scale_ = 0;
   std::vector<Form> forms_;
   std::vector<Node> nodes_;
   std::size_t num_roots_ = 0;
-  std::size_t net_doubles_ = 0;
+  NetStore store_;
   BoxHierarchy roots_;
-  std::vector<double> scratch_;
 };
 
 template <typename Visit>

@@ -14,6 +14,12 @@ using Why = UncoveredPiece::Why;
 constexpr double kGrid = 64;
 constexpr std::size_t kMostPieces = 4096;
 
+// std::hypot is slow, and right where squares leave the range.
+double length_of(const Point3d& a) {
+  const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+  return square > 1e-200 && square < 1e200 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+}
+
 double on_grid(double v, double unit) { return std::nearbyint(v / unit) * unit; }
 
 // A cube with this middle, on a grid of a power of two, that holds the cube of half the size `half`.
@@ -46,11 +52,22 @@ bool BoxSearch::try_star() {
   const Box3d& box = box_.star.box;
   tested_.clear();
   if (!find_pieces(forest_, box, 0.5 * extent(box), kMostPieces, &tested_, &held_))
-    return fail(Why::kTooDeep);
+    return try_crowded_star();
   tested_pieces_ += tested_.size();
   const bool has_centres =
       (place_centres() && has_star_signs(forest_, tested_, box_.star)) || search_centres();
   if (!has_centres) return fail(Why::kNoCentres);
+  return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
+}
+
+// Near a pole of many slivers: the centres of the piece alone, and no piece smaller than S1 asks for.
+bool BoxSearch::try_crowded_star() {
+  tested_.assign(1, piece_);
+  if (!is_promising()) return fail(Why::kTooDeep);
+  tested_.clear(), held_.clear();
+  if (!find_star_pieces(forest_, box_.star, kMostPieces, &tested_, &held_))
+    return fail(Why::kTooDeep);
+  tested_pieces_ += tested_.size();
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
 
@@ -113,7 +130,7 @@ void BoxSearch::add_half_spaces(Id id) {
   const double* const g = forest_.approx_determinants(id);
   forest_.for_each_kept(node, [&](std::size_t i) {
     HalfSpace h{{g[n + i], g[2 * n + i], g[3 * n + i]}, g[i]};
-    const double length = std::hypot(h.a[0], h.a[1], h.a[2]);
+    const double length = length_of(h.a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
       return;

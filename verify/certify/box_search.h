@@ -35,6 +35,7 @@ class BoxSearch {
     return false;
   }
   bool try_star();
+  bool try_crowded_star();
   bool is_promising();
   bool place_centres();
   bool search_centres();

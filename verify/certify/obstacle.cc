@@ -47,8 +47,15 @@ Point3d approx_normal(PieceForest& forest, Id piece) {
   Point3d sum{};
   const std::size_t n = forest.form(forest.node(piece).patch).determinant.count();
   const double* const g = forest.approx_determinants(piece);
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < n; ++i) sum[k] -= g[(k + 1) * n + i];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* const row = g + (k + 1) * n;
+    double part[4] = {};  // four sums that do not wait for each other
+    std::size_t i = 0;
+    for (; i + 4 <= n; i += 4)
+      for (std::size_t j = 0; j < 4; ++j) part[j] += row[i + j];
+    for (; i < n; ++i) part[0] += row[i];
+    sum[k] = -(part[0] + part[1] + part[2] + part[3]);
+  }
   return sum;
 }
 

@@ -10,10 +10,10 @@
 namespace veritope {
 
 struct StarCoverOptions {
-  int max_level = 14;                         ///< pieces are not split deeper: undecided there
+  int max_level = 20;                         ///< pieces are not split deeper: undecided there
   std::size_t max_boxes = 4'000'000;          ///< that are tried
   double growth = 1.75;                       ///< box to hull
-  std::size_t memory = std::size_t{1} << 29;  ///< bytes, of the nets of pieces
+  std::size_t memory = std::size_t{1} << 26;  ///< bytes, of the nets of pieces
 };
 
 /// A box and centres on the grid of multiples of unit, a power of two.

@@ -18,6 +18,31 @@ PieceForest::Layout PieceForest::layout(const Form& form) {
           form.determinant.count()};
 }
 
+bool PieceForest::Frame::is_plain() const {
+  const Rational zero;
+  return scale[0] == scale[1] && scale[1] == scale[2] && shift[0] == zero && shift[1] == zero &&
+         shift[2] == zero;
+}
+int PieceForest::scale() const {
+  VT_CHECK(frame_.is_plain(), "one scale is asked of a frame that has several, or a shift");
+  return frame_.scale[0];
+}
+Rational PieceForest::in_frame(std::size_t axis, const Rational& model) const {
+  return (model - frame_.shift[axis]) * Rational::power_of_two(frame_.scale[axis]);
+}
+Rational PieceForest::in_model(std::size_t axis, double framed) const {
+  return Rational::from_double(framed) * Rational::power_of_two(-frame_.scale[axis]) +
+         frame_.shift[axis];
+}
+Box3d PieceForest::in_model(const Box3d& box) const {
+  Box3d out = box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::isfinite(box.lo[k])) out.lo[k] = round_down(in_model(k, box.lo[k]));
+    if (std::isfinite(box.hi[k])) out.hi[k] = round_up(in_model(k, box.hi[k]));
+  }
+  return out;
+}
+
 const double* PieceForest::net(Id id) {
   if (nodes_[id].net_age != store_.age()) make_net(id);
   return nodes_[id].net;

@@ -16,7 +16,7 @@
 
 namespace veritope {
 
-/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model times 2^scale(), so
+/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model in a frame, so
 /// that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped and are made again.
 class PieceForest {
  public:
@@ -49,10 +49,23 @@ class PieceForest {
     std::vector<double> root_net;  ///< of the whole patch
   };
 
+  /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no shift) unless the model lies far from the
+  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine.
+  struct Frame {
+    std::array<int, 3> scale{};
+    std::array<Rational, 3> shift;  ///< a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
+    bool is_plain() const;
+  };
   /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can stand for.
   static Result<PieceForest> make(const PatchComplex& complex);
 
-  int scale() const { return scale_; }
+  const Frame& frame() const { return frame_; }
+  /// REQUIRES frame().is_plain().
+  int scale() const;
+  Rational in_frame(std::size_t axis, const Rational& model) const;
+  Rational in_model(std::size_t axis, double framed) const;
+  /// Contains the box in model units; infinite where binary64 ends.
+  Box3d in_model(const Box3d& box) const;
   const PatchComplex& complex() const { return *complex_; }
   std::size_t num_patches() const { return forms_.size(); }
   const Form& form(std::uint32_t patch) const { return forms_[patch]; }
@@ -135,7 +148,7 @@ class PieceForest {
   };
 
   const PatchComplex* complex_ = nullptr;
-  int scale_ = 0;
+  Frame frame_;
   std::vector<Form> forms_;
   std::vector<Node> nodes_;
   std::size_t num_roots_ = 0;

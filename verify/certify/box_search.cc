@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solids/star_box/mesh_box.h"
+
 namespace veritope {
 namespace {
 
@@ -13,6 +15,8 @@ using Why = UncoveredPiece::Why;
 // Boxes and centres are multiples of their box's size divided by about this.
 constexpr double kGrid = 64;
 constexpr std::size_t kMostPieces = 4096;
+// Of a mesh box: it is tried at vertices, and pairs are tested.
+constexpr std::size_t kMostTriangles = 48;
 
 // std::hypot is slow, and right where squares leave the range.
 double length_of(const Point3d& a) {
@@ -44,7 +48,43 @@ bool BoxSearch::try_piece(Id id) {
   // Coordinates are at most 1; a hull is longer where weights are not known to be positive.
   if (!(extent(hull) > 0) || !(extent(hull) < 8)) return fail(Why::kNoCentres);
   box_ = cube_around(approx_centre(hull), 0.5 * options_.growth * extent(hull));
-  return try_star();
+  return try_star() || try_mesh();
+}
+
+// At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks begin.
+bool BoxSearch::try_mesh() {
+  const PieceForest::Node& node = forest_.node(piece_);
+  if (why_ == Why::kTooDeep || node.level == 0 || node.is_upside_down) return false;
+  const PatchComplex& complex = forest_.complex();
+  if (!complex.patch(node.patch).is_flat_triangle()) return false;
+  const std::uint64_t last = (std::uint64_t{1} << node.level) - 1;
+  const std::uint32_t corner = node.i == last ? 1 : node.j == last ? 2 : 0;
+  if (corner == 0 && (node.i != 0 || node.j != 0)) return false;
+  const PieceForest::Form& form = forest_.form(node.patch);
+  const std::size_t at = complex.patch(node.patch).side_index(corner, 0), n = form.shape.count();
+  Point3d vertex;
+  for (std::size_t k = 0; k < 3; ++k)
+    vertex[k] = form.origin[k] + forest_.control(piece_)[k * n + at];
+  const Box3d hull = node.hull;
+  CoverBox mesh = cube_around(vertex, 1.125 * extent(hull));
+  mesh.is_mesh = true;
+  if (!is_inside(hull, mesh.star.box)) return false;
+  const auto triangles = mesh_box_triangles(forest_, mesh.star.box, kMostTriangles);
+  if (!triangles) return false;
+  box_ = mesh;
+  held_.clear();
+  const std::uint32_t common = complex.vertex({forest_.node(piece_).patch, corner});
+  for (const std::uint32_t patch : *triangles)
+    for (const std::uint32_t c : {0u, 1u, 2u})
+      if (complex.vertex({patch, c}) == common) hold_corner(patch, c);
+  return true;
+}
+
+// The parts at a corner that exist and lie in the box.
+void BoxSearch::hold_corner(std::uint32_t patch, std::uint32_t corner) {
+  Id id = forest_.node(forest_.form(patch).first_root).first_child;
+  for (; id != PieceForest::kNone; id = forest_.node(id + corner).first_child)
+    if (is_inside(forest_.node(id + corner).hull, box_.star.box)) held_.push_back(id + corner);
 }
 
 bool BoxSearch::try_star() {

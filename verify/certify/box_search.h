@@ -36,6 +36,8 @@ class BoxSearch {
   }
   bool try_star();
   bool try_crowded_star();
+  bool try_mesh();
+  void hold_corner(std::uint32_t patch, std::uint32_t corner);
   bool is_promising();
   bool place_centres();
   bool search_centres();

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/patch_decision.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "interval/upward.h"
 #include "solids/star_box/patch_volume.h"
+#include "verify/certify/star_box_certifier.h"
 
 namespace veritope {
 namespace {
 
 using Kind = OpenQuestion::Kind;
 
-const char* text_of(UncoveredPiece::Why why) {
+std::string text_of(UncoveredPiece::Why why) {
   switch (why) {
     case UncoveredPiece::Why::kNoCentres:
       return "no point pair sees all patches near this piece from both sides: a fold, a contact, a "
@@ -30,13 +33,22 @@ Kind kind_of(UncoveredPiece::Why why) {
   return why == UncoveredPiece::Why::kBudget ? Kind::kBudget : Kind::kNoStarBox;
 }
 
-// Times a power of two: exact, but for numbers near the ends of binary64, which go outward.
-Box3d in_model_units(Box3d box, int scale) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.lo[k] = std::nextafter(std::ldexp(box.lo[k], -scale), -HUGE_VAL);
-    box.hi[k] = std::nextafter(std::ldexp(box.hi[k], -scale), HUGE_VAL);
+// About: a gap in the frame, along its axis of the greatest unit; see Obstacle.
+std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame& frame) {
+  char text[160];
+  std::string out;
+  if (std::isfinite(piece.gap)) {
+    const int scale = *std::min_element(frame.scale.begin(), frame.scale.end());
+    std::snprintf(text, sizeof text, "; sheets that face each other pass at about %.3g",
+                  std::ldexp(piece.gap, -scale));
+    out += text;
   }
-  return box;
+  if (piece.least_cosine < 0.99) {
+    std::snprintf(text, sizeof text, "; normals near it differ by up to %.0f degrees",
+                  std::acos(std::clamp(piece.least_cosine, -1.0, 1.0)) * 57.29577951308232);
+    out += text;
+  }
+  return out;
 }
 
 OpenQuestion complex_question(const PatchComplex& complex) {
@@ -64,6 +76,10 @@ class Decider {
     out_.cover = find_star_cover(*forest_, options_.cover);
     out_.boxes_tried = out_.cover.tried;
     if (!out_.cover.is_complete()) return open(cover_question());
+    if (!fits_certificate(*forest_, out_.cover))
+      return open({Kind::kOutOfRange, {}, {}, {},
+                   "the model lies too far from the origin for its size, or has parts of too different sizes: coordinates of "
+                   "boxes, in units of the least one, would have over 60 bits"});
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();
@@ -89,7 +105,8 @@ class Decider {
     const UncoveredPiece& piece = out_.cover.uncovered.front();
     const PieceForest::Node& node = forest_->node(piece.piece);
     return {kind_of(piece.why), node.patch, complex_.shell(node.patch),
-            in_model_units(node.hull, forest_->scale()), text_of(piece.why)};
+            forest_->in_model(node.hull),
+            text_of(piece.why) + obstacle_text(piece, forest_->frame())};
   }
   OpenQuestion orientation_question(const ShellWalk& walk) const {
     return {Kind::kOrientation,

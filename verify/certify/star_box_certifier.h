@@ -19,7 +19,10 @@ struct StarBoxEntity {
   std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes
 };
 
-/// REQUIRES a complete cover, a walk for every shell, winding numbers 1 inside and 0 outside, and the entities of the complex in order.
+/// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate.
+bool fits_certificate(const PieceForest& forest, const StarCover& cover);
+
+/// REQUIRES fits_certificate, a complete cover, a walk for every shell, winding numbers 1 inside and 0 outside, and the entities of the complex in order.
 certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
                                              const ShellWalks& walks,
                                              const std::vector<StarBoxEntity>& entities,

@@ -20,6 +20,7 @@ struct StarCoverOptions {
 struct CoverBox {
   StarBox star;
   double unit;
+  bool is_mesh = false;  ///< a mesh box: it has no centres
 };
 
 /// Where no star box was found.

@@ -14,7 +14,7 @@ using Id = PieceForest::Id;
 
 constexpr int kMaxVisits = 200'000;
 // Added to boxes on all sides, relative to the largest coordinate, 1: pays for all roundings of the slab test.
-constexpr double kPad = 0x1p-40;
+constexpr double kPad = 0x1p-48;
 
 // The part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the padded box; t0 > t1 if there is none.
 struct Part {
@@ -103,6 +103,7 @@ class WalkSearch {
       const std::uint32_t box = cover_.box_of_node[id];
       if (box == StarCover::kNone || seen[box]) continue;
       seen[box] = true;
+      if (cover_.boxes[box].is_mesh) continue;  // no centres
       shell_of_box_[box] = forest_.complex().shell(forest_.node(id).patch);
       boxes_of_shell_[shell_of_box_[box]].push_back(box);
     }
@@ -175,6 +176,7 @@ class WalkSearch {
       const Part p = part_in(forest_.node(id).hull, a, b);
       if (p.t0 > p.t1) return;
       if (cover_.box_of_node[id] != StarCover::kNone) {
+        if (cover_.boxes[cover_.box_of_node[id]].is_mesh) return;
         found.push_back({p.t0, cover_.box_of_node[id]});
         return;
       }

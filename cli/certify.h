@@ -17,6 +17,7 @@ struct CertifySettings {
   ReadOptions reading;
   std::optional<SplineFormat> spline_format;  ///< of a spline file
   PatchOrientation orientation = PatchOrientation::kKeep;
+  std::optional<double> tolerance;  ///< of the volume of a spline file: see PatchDecisionOptions
   unsigned jobs = 1;
   std::size_t max_defects = 20;
   std::string checker;  ///< its program; empty: --no-check

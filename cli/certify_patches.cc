@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope certify of spline files: their surfaces and triangles as patches.
+#include <algorithm>
+
 #include "cli/certification.h"
+#include "cli/decimal_text.h"
 #include "cli/patch_report.h"
 #include "io/patch_model.h"
 #include "io/read_splines.h"
@@ -93,7 +96,9 @@ class PatchCertification : public Certification {
 
   bool decide() override {
     phase("deciding");
-    decision_ = decide_patches(*complex_, {}, &forest_);
+    decision_ = decide_patches(*complex_, decision_options(), &forest_);
+    if (settings_.orientation == PatchOrientation::kAuto && turn_shells())
+      decision_ = decide_patches(*complex_, decision_options(), &forest_);
     report_.seconds.decide = watch_.lap();
     PatchReport& r = *report_.patches;
     r.boxes_tried = decision_.boxes_tried;
@@ -112,6 +117,33 @@ class PatchCertification : public Certification {
     for (const PatchShellFacts& s : decision_.shells)
       r.genus += static_cast<std::uint64_t>(s.genus);
     r.volume = decision_.volume;
+    return true;
+  }
+
+  PatchDecisionOptions decision_options() const {
+    PatchDecisionOptions options;
+    if (settings_.tolerance) options.tolerance = *settings_.tolerance;
+    return options;
+  }
+
+  // Shells that are wrongly oriented as a whole, which takes winding numbers to see. Each entity lies in one shell.
+  bool turn_shells() {
+    if (decision_.walks.walks.empty() || !decision_.walks.missing.empty()) return false;
+    const std::vector<std::uint32_t> shells = shells_to_turn(decision_.walks);
+    if (shells.empty()) return false;
+    std::vector<Patch> patches(complex_->patches().begin(), complex_->patches().end());
+    report_.patches->flipped.clear();
+    for (std::size_t e = 0; e < entities_.size(); ++e) {
+      const std::size_t first = entities_[e].first_patch, last = first + entities_[e].num_patches;
+      const std::uint32_t shell = complex_->shell(static_cast<std::uint32_t>(first));
+      if (first < last && std::binary_search(shells.begin(), shells.end(), shell)) {
+        reversed_[e] = !reversed_[e];
+        for (std::size_t p = first; p < last; ++p) patches[p] = reversed(patches[p]);
+      }
+      if (reversed_[e]) report_.patches->flipped.push_back(e);
+    }
+    forest_.reset();
+    complex_.emplace(make_patch_complex(std::move(patches)).value());
     return true;
   }
 
@@ -146,7 +178,11 @@ class PatchCertification : public Certification {
     r.volume.reset();
   }
   std::string own_options() const override {
-    return settings_.orientation == PatchOrientation::kAuto ? "--orient auto " : "";
+    std::string options;
+    if (settings_.orientation == PatchOrientation::kAuto) options += "--orient auto ";
+    if (settings_.tolerance)
+      options += "--tolerance " + short_decimal(*settings_.tolerance, 17) + " ";
+    return options;
   }
 
   // Always false.

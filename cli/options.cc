@@ -99,48 +99,6 @@ void add_jobs(CLI::App* app, Options& o) {
   add_number(app, "-j,--jobs", o.jobs, 1, kMostJobs, "threads (default: all of the machine)");
 }
 
-void add_orientation(CLI::App* app, Options& o) {
-  app->add_option_function<std::string>(
-         "--orient",
-         [&o](const std::string& how) {
-           if (how != "auto" && how != "keep")
-             throw CLI::ValidationError("--orient", "must be auto or keep, not " + how);
-           o.orient_auto = how == "auto";
-         },
-         "auto: reverse patches that do not fit; keep: none")
-      ->type_name("HOW");
-}
-
-void add_certify(CLI::App& app, Options& o) {
-  CLI::App* const c =
-      app.add_subcommand("certify", "decide whether models bound solids, and prove it");
-  c->callback([&o] { o.command = Command::kCertify; });
-  add_files(c, o.files, "meshes, VJSON; - is standard input (with --format)");
-  add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
-  add_text(c, "--certificate", o.certificate, "F",
-           "keep the certificate; of several files in folder F");
-  add_text(c, "--picture", o.picture, "F", "write a coloured PLY that shows the defects");
-  add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
-  add_jobs(c, o);
-  add_orientation(c, o);
-  c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
-  c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
-  add_any_format(c, o);
-  add_reading(c, o);
-}
-
-void add_info(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("info", "what is in mesh and spline files");
-  c->callback([&o] { o.command = Command::kInfo; });
-  add_files(c, o.files,
-            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input "
-            "(with --format)");
-  add_text(c, "--json", o.json, "F", "write it as JSON; - is standard output");
-  add_jobs(c, o);
-  add_any_format(c, o);
-  add_reading(c, o);
-}
-
 // A decimal number from 1e-300 to 1e300, so that a few roundings of its products stay finite.
 template <typename T>
 void add_length(CLI::App* app, const std::string& name, T& target, const char* type,
@@ -157,6 +115,50 @@ void add_length(CLI::App* app, const std::string& name, T& target, const char* t
          },
          help)
       ->type_name(type);
+}
+
+void add_orientation(CLI::App* app, Options& o) {
+  app->add_option_function<std::string>(
+         "--orient",
+         [&o](const std::string& how) {
+           if (how != "auto" && how != "keep")
+             throw CLI::ValidationError("--orient", "must be auto or keep, not " + how);
+           o.orient_auto = how == "auto";
+         },
+         "auto: reverse patches and shells that do not fit; keep: none")
+      ->type_name("HOW");
+}
+
+void add_certify(CLI::App& app, Options& o) {
+  CLI::App* const c =
+      app.add_subcommand("certify", "decide whether models bound solids, and prove it");
+  c->callback([&o] { o.command = Command::kCertify; });
+  add_files(c, o.files, "meshes, VJSON; - is standard input (with --format)");
+  add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
+  add_text(c, "--certificate", o.certificate, "F",
+           "keep the certificate; of several files in folder F");
+  add_text(c, "--picture", o.picture, "F", "write a coloured PLY that shows the defects");
+  add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
+  add_jobs(c, o);
+  add_orientation(c, o);
+  add_length(c, "--tolerance", o.tolerance, "EPS",
+             "of the volume of patches, in units of the model's size cubed (1e-5)");
+  c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
+  c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
+  add_any_format(c, o);
+  add_reading(c, o);
+}
+
+void add_info(CLI::App& app, Options& o) {
+  CLI::App* const c = app.add_subcommand("info", "what is in mesh and spline files");
+  c->callback([&o] { o.command = Command::kInfo; });
+  add_files(c, o.files,
+            "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input "
+            "(with --format)");
+  add_text(c, "--json", o.json, "F", "write it as JSON; - is standard output");
+  add_jobs(c, o);
+  add_any_format(c, o);
+  add_reading(c, o);
 }
 
 void add_convert(CLI::App& app, Options& o) {

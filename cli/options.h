@@ -38,6 +38,7 @@ struct Options {
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
   bool orient_auto = false;                      ///< certify, of spline files: --orient auto
+  std::optional<double> tolerance;               ///< certify, of spline files: --tolerance
   std::string output;                            ///< convert: OUT
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert

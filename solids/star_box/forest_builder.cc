@@ -90,7 +90,8 @@ class ForestBuilder {
   // REQUIRES v > 0. 2^(result - 2) < v < 2^result.
   static int exponent(const Rational& v) {
     return static_cast<int>(static_cast<std::int64_t>(v.numerator().bit_length()) -
-                            static_cast<std::int64_t>(v.denominator().bit_length())) + 1;
+                            static_cast<std::int64_t>(v.denominator().bit_length())) +
+           1;
   }
 
   // Coordinates in the frame, relative to a point near the patch; weights of about 1.

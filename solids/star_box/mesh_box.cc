@@ -89,8 +89,9 @@ class MeshBox {
 
   std::optional<std::vector<std::uint32_t>> run() {
     bool is_good = true;
-    forest_.roots().visit([&](const Box3d& b) { return is_good && meets(b, box_); },
-                          [&](std::uint32_t number) { is_good = is_good && visit(forest_.root(number)); });
+    forest_.roots().visit(
+        [&](const Box3d& b) { return is_good && meets(b, box_); },
+        [&](std::uint32_t number) { is_good = is_good && visit(forest_.root(number)); });
     if (!is_good) return std::nullopt;
     if (!decide<Interval>() && !decide<Rational>()) return std::nullopt;
     return std::move(tested_);
@@ -120,7 +121,8 @@ class MeshBox {
     for (std::size_t i = 0; i < 3; ++i) {
       typename Separation<K>::Vec v;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Rational x = forest_.in_frame(k, forest_.complex().patch(patch).component(static_cast<int>(k))[i]);
+        const Rational x =
+            forest_.in_frame(k, forest_.complex().patch(patch).component(static_cast<int>(k))[i]);
         if constexpr (std::is_same_v<K, Rational>)
           v[k] = x;
         else

@@ -86,14 +86,13 @@ void PieceForest::quarter(Id id) {
   double* to[4];
   for (std::size_t c = 0; c < at.components + 4; ++c) {
     const FormShape& s = c < at.components ? form.shape : form.determinant;
-    for (std::size_t k = 0; k < 4; ++k)
-      to[k] = begin + k * at.size() + at.begin(c);
+    for (std::size_t k = 0; k < 4; ++k) to[k] = begin + k * at.size() + at.begin(c);
     if (s.is_triangle)
       internal::quarter_triangle(s.p, from + at.begin(c), to);
     else
       internal::quarter_tensor(s, from + at.begin(c), to);
-    const double error = internal::error_after_halving(
-        from[at.error(c)], from[at.magnitude(c)], internal::quarter_depth(s));
+    const double error = internal::error_after_halving(from[at.error(c)], from[at.magnitude(c)],
+                                                       internal::quarter_depth(s));
     for (std::size_t k = 0; k < 4; ++k) {
       double* const child = begin + k * at.size();
       double size = 0;

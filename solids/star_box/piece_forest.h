@@ -53,7 +53,8 @@ class PieceForest {
   /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine.
   struct Frame {
     std::array<int, 3> scale{};
-    std::array<Rational, 3> shift;  ///< a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
+    std::array<Rational, 3>
+        shift;  ///< a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
     bool is_plain() const;
   };
   /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can stand for.

@@ -108,6 +108,7 @@ bool BoxSearch::try_crowded_star() {
   if (!find_star_pieces(forest_, box_.star, kMostPieces, &tested_, &held_))
     return fail(Why::kTooDeep);
   tested_pieces_ += tested_.size();
+  held_.push_back(piece_);  // it may be a part of a piece that was taken
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
 

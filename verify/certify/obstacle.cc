@@ -10,7 +10,8 @@ namespace {
 using Id = PieceForest::Id;
 
 constexpr std::size_t kMostOwn = 64;  // parts of the piece that are looked at
-constexpr double kFacing = -0.25;     // cosine of normals that face each other: sheets of a wedge of less than 75 degrees do
+constexpr double kFacing =
+    -0.25;  // cosine of normals that face each other: sheets of a wedge of less than 75 degrees do
 
 struct Facet {
   Point3d at, normal;
@@ -75,8 +76,7 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
       out.least_cosine = std::min(out.least_cosine, cosine);
       if (cosine >= kFacing) continue;
       const Point3d d{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
-      out.gap =
-          std::min(out.gap, std::max(std::abs(dot(d, a.normal)), std::abs(dot(d, b.normal))));
+      out.gap = std::min(out.gap, std::max(std::abs(dot(d, a.normal)), std::abs(dot(d, b.normal))));
     }
   }
   return out;

@@ -77,8 +77,12 @@ class Decider {
     out_.boxes_tried = out_.cover.tried;
     if (!out_.cover.is_complete()) return open(cover_question());
     if (!fits_certificate(*forest_, out_.cover))
-      return open({Kind::kOutOfRange, {}, {}, {},
-                   "the model lies too far from the origin for its size, or has parts of too different sizes: coordinates of "
+      return open({Kind::kOutOfRange,
+                   {},
+                   {},
+                   {},
+                   "the model lies too far from the origin for its size, or has parts of too "
+                   "different sizes: coordinates of "
                    "boxes, in units of the least one, would have over 60 bits"});
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {

@@ -14,7 +14,7 @@ namespace veritope {
 
 struct PatchDecisionOptions {
   StarCoverOptions cover;
-  double tolerance = 1e-5;  ///< of the volume, relative to the largest coordinate cubed
+  double tolerance = 1e-5;  ///< of the volume, in units of the model's size cubed (of its frame)
 };
 
 /// Where and why there is no proof.

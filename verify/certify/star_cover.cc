@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "robust/base/check.h"
 #include "verify/certify/box_search.h"
 
 namespace veritope {
@@ -48,9 +49,7 @@ class CoverSearch {
   // Where features are small, boxes meet a quarter of the pieces at each level; at a contact near a pole as many at all levels.
   static constexpr int kMostCrowded = 6;
 
-  void push(Id id, int scale, int crowded = 0) {
-    open_.push({scale, next_number_++, id, crowded});
-  }
+  void push(Id id, int scale, int crowded = 0) { open_.push({scale, next_number_++, id, crowded}); }
 
   std::uint32_t& box_of(Id id) {
     if (out_.box_of_node.size() <= id)
@@ -67,7 +66,11 @@ class CoverSearch {
     const Id id = open.id;
     forest_.limit_memory(options_.memory);
     ++out_.tried;
-    if (search_.try_piece(id)) return accept();
+    if (search_.try_piece(id)) {
+      accept();
+      VT_CHECK(box_of(id) != StarCover::kNone, "a box does not cover the piece it was made for");
+      return;
+    }
     const bool is_crowded = search_.why() == Why::kTooDeep;
     const int crowded = is_crowded ? open.crowded + 1 : 0;
     const bool is_spent = out_.tried >= options_.max_boxes;

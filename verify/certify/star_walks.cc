@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "robust/base/check.h"
 
@@ -161,7 +162,7 @@ class WalkSearch {
         return false;  // the first shell that the ray meets decides
       for (const bool to_outside : {true, false})
         if (is_free_segment(forest_, from, centre(next, to_outside))) {
-          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0},
+          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0, other},
               windings_[other][to_outside ? 1 : 0]);
           return true;
         }
@@ -223,6 +224,27 @@ std::uint64_t ShellWalks::num_bodies() const {
   std::uint64_t n = 0;
   for (const ShellWalk& w : walks) n += w.starts_outside ? 1 : 0;
   return n;
+}
+
+std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks) {
+  VT_CHECK(walks.missing.empty(), "depths are known when every shell has a walk");
+  struct Place {
+    int depth = 0;
+    bool is_outward = true;  // the unbounded side is the outer one
+  };
+  std::map<std::uint32_t, Place> of_shell;
+  std::vector<std::uint32_t> out;
+  for (const ShellWalk& w : walks.walks) {
+    Place place{0, w.starts_outside};
+    if (w.direction == 6) {
+      const Place& other = of_shell.at(w.end_shell);
+      place.depth = other.depth + (w.ends_outside == other.is_outward ? 0 : 1);
+    }
+    of_shell[w.shell] = place;
+    if (place.is_outward != (place.depth % 2 == 0)) out.push_back(w.shell);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b) {

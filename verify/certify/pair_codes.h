@@ -14,7 +14,6 @@ namespace veritope {
 /// share a vertex or an edge see docs/design/0002-mesh-certificate.md.
 /// REQUIRES neither facet degenerate; they meet exactly in their common simplex.
 /// @cost a few orient3d for most pairs; integers of any size for the rest.
-std::vector<std::uint8_t> find_pair_codes(const TriangleMesh& mesh, std::uint32_t a,
-                                          std::uint32_t b);
+std::vector<std::uint8_t> find_pair_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b);
 
 }  // namespace veritope

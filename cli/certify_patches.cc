@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope certify of spline files: their surfaces and triangles as patches.
+#include <algorithm>
+
 #include "cli/certification.h"
+#include "cli/decimal_text.h"
 #include "cli/patch_report.h"
 #include "io/patch_model.h"
 #include "io/read_splines.h"
@@ -113,10 +116,8 @@ class PatchCertification : public Certification {
 
   bool decide() override {
     phase("deciding");
-    list_entities();
-    PatchDecisionOptions options;
-    options.outer = outer_sides(described_, complex_->patches().size());
-    decision_ = decide_patches(*complex_, options, &forest_);
+    decision_ = decided();
+    if (settings_.orientation == PatchOrientation::kAuto && turn_shells()) decision_ = decided();
     report_.seconds.decide = watch_.lap();
     PatchReport& r = *report_.patches;
     r.boxes_tried = decision_.boxes_tried;
@@ -154,6 +155,39 @@ class PatchCertification : public Certification {
     report_.seconds.collar = watch_.lap();
   }
 
+  PatchDecision decided() {
+    list_entities();
+    PatchDecisionOptions options;
+    options.outer = outer_sides(described_, complex_->patches().size());
+    if (settings_.tolerance) options.tolerance = *settings_.tolerance;
+    options.in_plain_frame = settings_.with_collar;
+    PatchDecision decision = decide_patches(*complex_, options, &forest_);
+    if (!settings_.with_collar || !decision.open) return decision;
+    options.in_plain_frame = false;  // then without a collar
+    return decide_patches(*complex_, options, &forest_);
+  }
+
+  // Shells that are wrongly oriented as a whole, which takes winding numbers to see. Each entity lies in one shell.
+  bool turn_shells() {
+    if (decision_.walks.walks.empty() || !decision_.walks.missing.empty()) return false;
+    const std::vector<std::uint32_t> shells = shells_to_turn(decision_.walks);
+    if (shells.empty()) return false;
+    std::vector<Patch> patches(complex_->patches().begin(), complex_->patches().end());
+    report_.patches->flipped.clear();
+    for (std::size_t e = 0; e < entities_.size(); ++e) {
+      const std::size_t first = entities_[e].first_patch, last = first + entities_[e].num_patches;
+      const std::uint32_t shell = complex_->shell(static_cast<std::uint32_t>(first));
+      if (first < last && std::binary_search(shells.begin(), shells.end(), shell)) {
+        reversed_[e] = !reversed_[e];
+        for (std::size_t p = first; p < last; ++p) patches[p] = reversed(patches[p]);
+      }
+      if (reversed_[e]) report_.patches->flipped.push_back(e);
+    }
+    forest_.reset();
+    complex_.emplace(make_patch_complex(std::move(patches)).value());
+    return true;
+  }
+
   bool certify() override {
     phase("certifying");
     certificate::Subject subject;
@@ -185,6 +219,7 @@ class PatchCertification : public Certification {
                                      subject);
   }
   void list_entities() {
+    described_.clear();
     for (std::size_t e = 0; e < entities_.size(); ++e)
       described_.push_back({is_surface_[e], reversed_[e],
                             static_cast<std::uint32_t>(entities_[e].first_patch),
@@ -210,8 +245,12 @@ class PatchCertification : public Certification {
     r.collar.reset();
   }
   std::string own_options() const override {
-    return std::string(settings_.orientation == PatchOrientation::kAuto ? "--orient auto " : "") +
-           (settings_.with_collar ? "--collar " : "");
+    std::string options;
+    if (settings_.orientation == PatchOrientation::kAuto) options += "--orient auto ";
+    if (settings_.with_collar) options += "--collar ";
+    if (settings_.tolerance)
+      options += "--tolerance " + short_decimal(*settings_.tolerance, 17) + " ";
+    return options;
   }
 
   // Always false.

@@ -78,6 +78,7 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
   settings.spline_format = options.spline_format;
   settings.orientation = options.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep;
   settings.with_collar = options.collar;
+  settings.tolerance = options.tolerance;
   settings.jobs = options.jobs;
   settings.max_defects = options.max_defects;
   settings.with_picture = options.picture.has_value();

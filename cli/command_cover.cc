@@ -50,7 +50,11 @@ class CoverRun {
   ExitCode cover(const PatchComplex& complex) {
     phase("looking for star boxes");
     std::optional<PieceForest> forest;
-    const PatchDecision decision = decide_patches(complex, {}, &forest);
+    PatchDecisionOptions decision_options;
+    decision_options.in_plain_frame = options_.cover_part != CoverPart::kBoxes;
+    const PatchDecision decision = decide_patches(complex, decision_options, &forest);
+    if (decision.refutation)
+      return fail(kExitInvalid, "the model is invalid: veritope certify says where");
     if (!decision.is_valid) return fail(kExitUndecided, decision.open->message);
     said_ = detail_line("star boxes", std::to_string(decision.cover.boxes.size()));
     PatchCollarSearch search;

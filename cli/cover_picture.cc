@@ -45,9 +45,7 @@ Result<std::string> boxes_bytes(const std::string& path, const PieceForest& fore
                                 const StarCover& cover) {
   std::vector<Box3d> boxes;
   for (const CoverBox& b : cover.boxes) {
-    const Result<Box3d> box = scaled(b.star.box, forest.scale());
-    if (!box) return box.error();
-    boxes.push_back(*box);
+    boxes.push_back(forest.in_model(b.star.box));
   }
   if (!is_vtu(path)) return mesh_bytes(box_mesh(boxes), path);
   CellGrid grid;

@@ -100,6 +100,24 @@ void add_jobs(CLI::App* app, Options& o) {
   add_number(app, "-j,--jobs", o.jobs, 1, kMostJobs, "threads (default: all of the machine)");
 }
 
+// A decimal number from 1e-300 to 1e300, so that a few roundings of its products stay finite.
+template <typename T>
+void add_length(CLI::App* app, const std::string& name, T& target, const char* type,
+                const std::string& help) {
+  app->add_option_function<std::string>(
+         name,
+         [&target, name](const std::string& text) {
+           double value = 0;
+           const char* const end = text.data() + text.size();
+           const auto [stop, error] = std::from_chars(text.data(), end, value);
+           if (error != std::errc() || stop != end || !(value >= 1e-300 && value <= 1e300))
+             throw CLI::ValidationError(name, "must be a length from 1e-300 to 1e300, not " + text);
+           target = value;
+         },
+         help)
+      ->type_name(type);
+}
+
 void add_orientation(CLI::App* app, Options& o) {
   app->add_option_function<std::string>(
          "--orient",
@@ -108,7 +126,7 @@ void add_orientation(CLI::App* app, Options& o) {
              throw CLI::ValidationError("--orient", "must be auto or keep, not " + how);
            o.orient_auto = how == "auto";
          },
-         "auto: reverse patches that do not fit; keep: none")
+         "auto: reverse patches and shells that do not fit; keep: none")
       ->type_name("HOW");
 }
 
@@ -124,6 +142,8 @@ void add_certify(CLI::App& app, Options& o) {
   add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
   add_jobs(c, o);
   add_orientation(c, o);
+  add_length(c, "--tolerance", o.tolerance, "EPS",
+             "of the volume of patches, in units of the model's size cubed (1e-5)");
   c->add_flag("--collar", o.collar, "of patches: find a collar, certify it, too");
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
@@ -141,24 +161,6 @@ void add_info(CLI::App& app, Options& o) {
   add_jobs(c, o);
   add_any_format(c, o);
   add_reading(c, o);
-}
-
-// A decimal number from 1e-300 to 1e300, so that a few roundings of its products stay finite.
-template <typename T>
-void add_length(CLI::App* app, const std::string& name, T& target, const char* type,
-                const std::string& help) {
-  app->add_option_function<std::string>(
-         name,
-         [&target, name](const std::string& text) {
-           double value = 0;
-           const char* const end = text.data() + text.size();
-           const auto [stop, error] = std::from_chars(text.data(), end, value);
-           if (error != std::errc() || stop != end || !(value >= 1e-300 && value <= 1e300))
-             throw CLI::ValidationError(name, "must be a length from 1e-300 to 1e300, not " + text);
-           target = value;
-         },
-         help)
-      ->type_name(type);
 }
 
 void add_convert(CLI::App& app, Options& o) {

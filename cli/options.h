@@ -41,6 +41,7 @@ struct Options {
   bool no_check = false, quiet = false;          ///< certify
   bool orient_auto = false;                      ///< certify, cover, of spline files: --orient auto
   bool collar = false;                           ///< certify, of spline files
+  std::optional<double> tolerance;               ///< certify, of spline files: --tolerance
   std::string output;                            ///< convert: OUT; cover: -o
   CoverPart cover_part = CoverPart::kCollar;     ///< cover: --what
   std::optional<std::string> to;                 ///< convert

@@ -13,13 +13,6 @@ namespace {
 
 constexpr int kMaxRootBits = 6;
 
-// Of a number that is not 0: 2^(result - 1) <= about |v| < 2^(result + 1).
-int binary_exponent(double v) {
-  int e = 0;
-  std::frexp(v, &e);
-  return e;
-}
-
 FormShape shape_of(const Patch& patch) {
   if (patch.is_triangle()) return {true, patch.triangle().degree(), 0};
   return {false, patch.tensor().degree(0), patch.tensor().degree(1)};
@@ -29,10 +22,12 @@ FormShape shape_of(const Patch& patch) {
 
 class ForestBuilder {
  public:
-  explicit ForestBuilder(const PatchComplex& complex) { forest_.complex_ = &complex; }
+  ForestBuilder(const PatchComplex& complex, PieceForest::FrameChoice choice) : choice_(choice) {
+    forest_.complex_ = &complex;
+  }
 
   Result<PieceForest> build() {
-    if (const Status status = choose_scale(); !status) return status.error();
+    if (const Status status = choose_frame(); !status) return status.error();
     const auto patches = forest_.complex_->patches();
     const ScopedUpward upward;
     for (std::uint32_t p = 0; p < patches.size(); ++p) {
@@ -54,22 +49,55 @@ class ForestBuilder {
                  {},
                  to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
   }
-  Status choose_scale() {
-    double most = 0;
+  Status choose_frame() {
+    std::array<Rational, 3> lo, hi;
+    bool is_first = true;
     for (const Patch& patch : forest_.complex_->patches())
-      for (std::size_t i = 0; i < patch.num_control(); ++i)
-        for (int c = 0; c < 3; ++c) {
-          const Rational& v = patch.component(c)[i];
-          const double x =
-              std::abs(nearest_double(patch.is_rational() ? v / patch.component(3)[i] : v));
-          if (!std::isfinite(x)) return over_limit(patch);
-          most = std::max(most, x);
+      for (std::size_t i = 0; i < patch.num_control(); ++i, is_first = false)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Rational& v = patch.component(static_cast<int>(k))[i];
+          const Rational x = patch.is_rational() ? v / patch.component(3)[i] : v;
+          if (!std::isfinite(nearest_double(x))) return over_limit(patch);
+          if (is_first || x < lo[k]) lo[k] = x;
+          if (is_first || hi[k] < x) hi[k] = x;
         }
-    forest_.scale_ = most > 0 ? -binary_exponent(most) : 0;
+    PieceForest::Frame& frame = forest_.frame_;
+    // Exponents of the coordinates, of the lengths, and of the greatest of each; of a flat model the lengths do not count.
+    const Rational half = Rational(1) / Rational(2);
+    std::array<Rational, 3> most, length;
+    Rational all, longest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      most[k] = std::max(abs(lo[k]), abs(hi[k]));
+      length[k] = hi[k] - lo[k];
+      all = std::max(all, most[k]), longest = std::max(longest, length[k]);
+    }
+    if (all.sign() == Sign::kZero) return ok_status();
+    frame.scale.fill(-exponent(all));
+    if (choice_ == PieceForest::FrameChoice::kPlain) return ok_status();
+    if (*std::min_element(length.begin(), length.end()) * Rational(kFar) <= longest) {
+      for (std::size_t k = 0; k < 3; ++k)
+        frame.scale[k] = -exponent(length[k].sign() == Sign::kZero ? longest : length[k]);
+    } else if (longest * Rational(kFar) < all) {
+      frame.scale.fill(-exponent(longest));
+    } else {
+      return ok_status();
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational step = Rational::power_of_two(-frame.scale[k]);
+      const Rational steps = (lo[k] + hi[k]) * half / step + half;
+      frame.shift[k] = Rational(floor_divide(steps.numerator(), steps.denominator())) * step;
+    }
     return ok_status();
   }
+  static constexpr int kFar = 16;
+  // REQUIRES v > 0. 2^(result - 2) < v < 2^result.
+  static int exponent(const Rational& v) {
+    return static_cast<int>(static_cast<std::int64_t>(v.numerator().bit_length()) -
+                            static_cast<std::int64_t>(v.denominator().bit_length())) +
+           1;
+  }
 
-  // Coordinates times 2^scale, relative to a point near the patch; weights of about 1.
+  // Coordinates in the frame, relative to a point near the patch; weights of about 1.
   PieceForest::Form form_of(std::uint32_t number) const {
     const Patch& patch = forest_.complex_->patch(number);
     PieceForest::Form form;
@@ -86,19 +114,19 @@ class ForestBuilder {
       for (const Rational& w : patch.component(3)) largest = std::max(largest, w);
       factor = Rational(1) / largest;
     }
-    const Rational unit = Rational::power_of_two(forest_.scale_);
     std::vector<Interval> control;
     for (int c = 0; c < 3; ++c) {
-      const Rational first =
-          unit * (form.is_rational ? patch.component(c)[0] / patch.component(3)[0]
-                                   : patch.component(c)[0]);
-      const double origin = nearest_double(first);
-      form.origin[static_cast<std::size_t>(c)] = origin;
-      const Rational shift = Rational::from_double(origin);
+      const auto k = static_cast<std::size_t>(c);
+      const auto component = patch.component(c);
+      const double origin = nearest_double(forest_.in_frame(
+          k, form.is_rational ? component[0] / patch.component(3)[0] : component[0]));
+      form.origin[k] = origin;
+      const Rational unit = Rational::power_of_two(forest_.frame_.scale[k]);
+      const Rational shift = forest_.frame_.shift[k] * unit + Rational::from_double(origin);
       for (std::size_t i = 0; i < n; ++i)
-        control.push_back(enclose(form.is_rational ? factor * (unit * patch.component(c)[i] -
-                                                               shift * patch.component(3)[i])
-                                                   : unit * patch.component(c)[i] - shift));
+        control.push_back(enclose(
+            form.is_rational ? factor * (unit * component[i] - shift * patch.component(3)[i])
+                             : unit * component[i] - shift));
     }
     if (form.is_rational)
       for (const Rational& w : patch.component(3)) control.push_back(enclose(factor * w));
@@ -195,11 +223,12 @@ class ForestBuilder {
     forest_.roots_ = BoxHierarchy(std::move(boxes));
   }
 
+  PieceForest::FrameChoice choice_;
   PieceForest forest_;
 };
 
-Result<PieceForest> PieceForest::make(const PatchComplex& complex) {
-  return ForestBuilder(complex).build();
+Result<PieceForest> PieceForest::make(const PatchComplex& complex, FrameChoice choice) {
+  return ForestBuilder(complex, choice).build();
 }
 
 }  // namespace veritope

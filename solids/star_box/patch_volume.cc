@@ -127,7 +127,8 @@ std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance) {
   std::vector<Interval> out(complex.shells().size());
   for (std::uint32_t p = 0; p < forest.num_patches(); ++p)
     out[complex.shell(p)] += integrator.over_patch(p);
-  const int scale = -3 * forest.scale();
+  const auto& scales = forest.frame().scale;
+  const int scale = -(scales[0] + scales[1] + scales[2]);
   for (Interval& v : out) {
     v = v / Interval(3.0);
     for (int left = scale; left != 0;) {  // in steps that are powers of two in range

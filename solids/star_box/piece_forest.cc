@@ -18,15 +18,40 @@ PieceForest::Layout PieceForest::layout(const Form& form) {
           form.determinant.count()};
 }
 
+bool PieceForest::Frame::is_plain() const {
+  const Rational zero;
+  return scale[0] == scale[1] && scale[1] == scale[2] && shift[0] == zero && shift[1] == zero &&
+         shift[2] == zero;
+}
+int PieceForest::scale() const {
+  VT_CHECK(frame_.is_plain(), "one scale is asked of a frame that has several, or a shift");
+  return frame_.scale[0];
+}
+Rational PieceForest::in_frame(std::size_t axis, const Rational& model) const {
+  return (model - frame_.shift[axis]) * Rational::power_of_two(frame_.scale[axis]);
+}
+Rational PieceForest::in_model(std::size_t axis, double framed) const {
+  return Rational::from_double(framed) * Rational::power_of_two(-frame_.scale[axis]) +
+         frame_.shift[axis];
+}
+Box3d PieceForest::in_model(const Box3d& box) const {
+  Box3d out = box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::isfinite(box.lo[k])) out.lo[k] = round_down(in_model(k, box.lo[k]));
+    if (std::isfinite(box.hi[k])) out.hi[k] = round_up(in_model(k, box.hi[k]));
+  }
+  return out;
+}
+
 const double* PieceForest::net(Id id) {
-  if (nodes_[id].net < 0) make_net(id);
-  return forms_[nodes_[id].patch].nets.data() + nodes_[id].net;
+  if (nodes_[id].net_age != store_.age()) make_net(id);
+  return nodes_[id].net;
 }
 
 void PieceForest::make_net(Id id) {
   const Node node = nodes_[id];
   if (node.parent != kNone) return quarter(node.parent);
-  Form& form = forms_[node.patch];
+  const Form& form = forms_[node.patch];
   const Layout at = layout(form);
   std::vector<double> net = form.root_net, other(std::max(at.control, at.determinant));
   for (const int axis : {0, 1})
@@ -48,40 +73,35 @@ void PieceForest::make_net(Id id) {
             internal::error_after_halving(net[at.error(c)], net[at.magnitude(c)], degree);
       }
     }
-  nodes_[id].net = static_cast<std::int64_t>(form.nets.size());
-  form.nets.insert(form.nets.end(), net.begin(), net.end());
-  net_doubles_ += net.size();
+  double* const to = store_.take(net.size());
+  std::copy(net.begin(), net.end(), to);
+  keep_net(id, to);
 }
 
 void PieceForest::quarter(Id id) {
-  const double* from = net(id);
-  Form& form = forms_[nodes_[id].patch];
+  const double* const from = net(id);
+  const Form& form = forms_[nodes_[id].patch];
   const Layout at = layout(form);
-  scratch_.assign(from, from + at.size());
-  const std::size_t begin = form.nets.size();
-  form.nets.resize(begin + 4 * at.size());
-  net_doubles_ += 4 * at.size();
+  double* const begin = store_.take(4 * at.size());
   double* to[4];
   for (std::size_t c = 0; c < at.components + 4; ++c) {
     const FormShape& s = c < at.components ? form.shape : form.determinant;
-    for (std::size_t k = 0; k < 4; ++k)
-      to[k] = form.nets.data() + begin + k * at.size() + at.begin(c);
+    for (std::size_t k = 0; k < 4; ++k) to[k] = begin + k * at.size() + at.begin(c);
     if (s.is_triangle)
-      internal::quarter_triangle(s.p, scratch_.data() + at.begin(c), to);
+      internal::quarter_triangle(s.p, from + at.begin(c), to);
     else
-      internal::quarter_tensor(s, scratch_.data() + at.begin(c), to);
-    const double error = internal::error_after_halving(
-        scratch_[at.error(c)], scratch_[at.magnitude(c)], internal::quarter_depth(s));
+      internal::quarter_tensor(s, from + at.begin(c), to);
+    const double error = internal::error_after_halving(from[at.error(c)], from[at.magnitude(c)],
+                                                       internal::quarter_depth(s));
     for (std::size_t k = 0; k < 4; ++k) {
-      double* const child = form.nets.data() + begin + k * at.size();
+      double* const child = begin + k * at.size();
       double size = 0;
       for (std::size_t i = 0; i < s.count(); ++i) size = std::max(size, std::abs(to[k][i]));
       child[at.error(c)] = error;
       child[at.magnitude(c)] = size;
     }
   }
-  for (std::size_t k = 0; k < 4; ++k)
-    nodes_[nodes_[id].first_child + k].net = static_cast<std::int64_t>(begin + k * at.size());
+  for (Id k = 0; k < 4; ++k) keep_net(nodes_[id].first_child + k, begin + k * at.size());
 }
 
 PieceForest::Id PieceForest::children(Id id) {
@@ -226,11 +246,16 @@ const double* PieceForest::approx_determinants(Id id) {
   return net(id) + at.begin(at.components);
 }
 
+void PieceForest::NetStore::next_block(std::size_t n) {
+  VT_CHECK(n <= kBlock, "a net is larger than a block of memory");
+  if (block_ == blocks_.size()) blocks_.push_back(std::make_unique<double[]>(kBlock));
+  ++block_;
+  used_ = 0;
+}
+
 void PieceForest::limit_memory(std::size_t bytes) {
-  if (net_doubles_ * sizeof(double) <= bytes) return;
-  for (Form& form : forms_) std::vector<double>().swap(form.nets);
-  for (Node& node : nodes_) node.net = -1;
-  net_doubles_ = 0;
+  if (store_.bytes() <= bytes) return;
+  store_.take_back();
 }
 
 }  // namespace veritope

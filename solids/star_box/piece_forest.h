@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "robust/base/result.h"
@@ -15,7 +16,7 @@
 
 namespace veritope {
 
-/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model times 2^scale(), so
+/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model in a frame, so
 /// that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped and are made again.
 class PieceForest {
  public:
@@ -31,7 +32,8 @@ class PieceForest {
     Id first_child = kNone;
     Id parent = kNone;
     std::uint64_t i, j;
-    std::int64_t net = -1;
+    double* net = nullptr;
+    std::uint32_t net_age = 0;  // the net is there iff this is the age of the store
     std::uint8_t level = 0;
     bool is_upside_down = false;
   };
@@ -45,13 +47,31 @@ class PieceForest {
     Id first_root = 0;
     std::uint32_t num_roots = 1;
     std::vector<double> root_net;  ///< of the whole patch
-    std::vector<double> nets;
   };
 
+  /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no shift) unless the model lies far from the
+  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine.
+  struct Frame {
+    std::array<int, 3> scale{};
+    std::array<Rational, 3>
+        shift;  ///< a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
+    bool is_plain() const;
+  };
+  enum class FrameChoice {
+    kFitted,
+    kPlain,  ///< for what needs cubes and the model's own origin: collars
+  };
   /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can stand for.
-  static Result<PieceForest> make(const PatchComplex& complex);
+  static Result<PieceForest> make(const PatchComplex& complex,
+                                  FrameChoice choice = FrameChoice::kFitted);
 
-  int scale() const { return scale_; }
+  const Frame& frame() const { return frame_; }
+  /// REQUIRES frame().is_plain().
+  int scale() const;
+  Rational in_frame(std::size_t axis, const Rational& model) const;
+  Rational in_model(std::size_t axis, double framed) const;
+  /// Contains the box in model units; infinite where binary64 ends.
+  Box3d in_model(const Box3d& box) const;
   const PatchComplex& complex() const { return *complex_; }
   std::size_t num_patches() const { return forms_.size(); }
   const Form& form(std::uint32_t patch) const { return forms_[patch]; }
@@ -81,7 +101,7 @@ class PieceForest {
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);
-  /// Frees nets if they take more than this; nodes stay.
+  /// Drops all nets if they take more than this; nodes stay.
   void limit_memory(std::size_t bytes);
 
  private:
@@ -101,20 +121,45 @@ class PieceForest {
   static Layout layout(const Form& form);
   const double* net(Id id);
   void make_net(Id id);
+  void keep_net(Id id, double* net) {
+    nodes_[id].net = net;
+    nodes_[id].net_age = store_.age();
+  }
   void quarter(Id id);
   Box3d hull_of(const Form& form, const double* net) const;
   /// How many sides of the node lie in collapsed sides of the patch.
   enum class Collapsed { kNone, kApart, kAdjacent };
   Collapsed collapsed_sides(const Node& node, const Form& form) const;
 
+  // Room for nets. What was handed out stays where it is until all of it is taken back; then the same memory is handed out again, warm.
+  class NetStore {
+   public:
+    double* take(std::size_t n) {
+      if (used_ + n > kBlock) next_block(n);
+      double* const out = blocks_[block_ - 1].get() + used_;
+      used_ += n;
+      return out;
+    }
+    void take_back() { block_ = 0, used_ = kBlock, ++age_; }
+    std::uint32_t age() const { return age_; }
+    std::size_t bytes() const { return block_ * kBlock * sizeof(double); }
+
+   private:
+    // Four nets of the greatest degrees, rational, take 38,000 doubles.
+    static constexpr std::size_t kBlock = std::size_t{1} << 16;
+    void next_block(std::size_t n);
+    std::vector<std::unique_ptr<double[]>> blocks_;
+    std::size_t block_ = 0, used_ = kBlock;
+    std::uint32_t age_ = 1;
+  };
+
   const PatchComplex* complex_ = nullptr;
-  int scale_ = 0;
+  Frame frame_;
   std::vector<Form> forms_;
   std::vector<Node> nodes_;
   std::size_t num_roots_ = 0;
-  std::size_t net_doubles_ = 0;
+  NetStore store_;
   BoxHierarchy roots_;
-  std::vector<double> scratch_;
 };
 
 template <typename Visit>

@@ -21,13 +21,17 @@ struct StarBox {
 bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::size_t most,
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
 
+/// The same with S1 instead of a length: pieces that are met by the box, and on which S1 holds. They fit has_star_signs and crossing_number.
+bool find_star_pieces(PieceForest& forest, const StarBox& star, std::size_t most,
+                      std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
+
 /// S1 on all of the pieces.
 bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
                     const StarBox& star);
 
 /// The crossing number of the line through c- and c+ with the union of the pieces, from the winding of its boundary; nothing if the bounds of doubles
 /// do not decide, or the budget of halvings is spent.
-/// REQUIRES has_star_signs(forest, tested, star), and that `tested` are all pieces whose hulls meet the box.
+/// REQUIRES has_star_signs(forest, tested, star), and `tested` from find_pieces or find_star_pieces.
 std::optional<int> crossing_number(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
                                    const StarBox& star);
 

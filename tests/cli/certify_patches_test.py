@@ -183,6 +183,22 @@ class CertifyPatches(Folder):
         self.assertEqual((one["verdict"], one["flipped"]), ("VALID", [2]))
         self.assertTrue(one["certificate"]["checked"])
 
+    def test_orient_auto_turns_whole_shells(self):
+        turned = block((0, 0, 0), (1, 1, 1), inward=True)
+        self.assertNotEqual(self.certify([surface(f) for f in turned])["verdict"], "VALID")
+        one = self.certify([surface(f) for f in turned], "--orient", "auto")
+        self.assertEqual((one["verdict"], one["flipped"]), ("VALID", list(range(6))))
+        self.assertTrue(one["certificate"]["checked"])
+        # A box in a box, both outward: the inner one becomes a cavity.
+        inner = block((0.25, 0.25, 0.25), (0.5, 0.5, 0.75))
+        one = self.certify([surface(f) for f in UNIT + inner], "--orient", "auto")
+        self.assertEqual((one["verdict"], one["flipped"]), ("VALID", list(range(6, 12))))
+
+    def test_tolerance_is_a_positive_length(self):
+        self.assertEqual(self.certify([surface(f) for f in UNIT], "--tolerance", "1e-9")["verdict"], "VALID")
+        for bad in ("0", "-1", "inf", "x"):
+            self.assertEqual(run("certify", self.file([surface(UNIT[0])]), "--tolerance", bad).returncode, 2)
+
     def test_what_certificates_do_not_cover_is_named(self):
         curve = {"kind": "curve", "group": None, "attributes": [],
                  "shape": {"degrees": [1], "periodic": [False], "knots": [["0", "0", "1", "1"]], "rational": False,

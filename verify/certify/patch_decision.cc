@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "interval/upward.h"
 #include "solids/star_box/patch_volume.h"
 #include "verify/certify/crossing_search.h"
+#include "verify/certify/star_box_certifier.h"
 
 namespace veritope {
 namespace {
@@ -19,7 +21,7 @@ using Kind = OpenQuestion::Kind;
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64;
 
-const char* text_of(UncoveredPiece::Why why) {
+std::string text_of(UncoveredPiece::Why why) {
   switch (why) {
     case UncoveredPiece::Why::kNoCentres:
       return "no point pair sees all patches near this piece from both sides: a fold, a contact, a "
@@ -37,6 +39,24 @@ const char* text_of(UncoveredPiece::Why why) {
 
 Kind kind_of(UncoveredPiece::Why why) {
   return why == UncoveredPiece::Why::kBudget ? Kind::kBudget : Kind::kNoStarBox;
+}
+
+// About: a gap in the frame, along its axis of the greatest unit; see Obstacle.
+std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame& frame) {
+  char text[160];
+  std::string out;
+  if (std::isfinite(piece.gap)) {
+    const int scale = *std::min_element(frame.scale.begin(), frame.scale.end());
+    std::snprintf(text, sizeof text, "; sheets that face each other pass at about %.3g",
+                  std::ldexp(piece.gap, -scale));
+    out += text;
+  }
+  if (piece.least_cosine < 0.99) {
+    std::snprintf(text, sizeof text, "; normals near it differ by up to %.0f degrees",
+                  std::acos(std::clamp(piece.least_cosine, -1.0, 1.0)) * 57.29577951308232);
+    out += text;
+  }
+  return out;
 }
 
 OpenQuestion complex_question(const PatchComplex& complex) {
@@ -62,7 +82,9 @@ class Decider {
         return refuted(std::move(*witness));
       return open(complex_question(complex_));
     }
-    Result<PieceForest> forest = PieceForest::make(complex_);
+    Result<PieceForest> forest = PieceForest::make(
+        complex_, options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
+                                          : PieceForest::FrameChoice::kFitted);
     if (!forest) return open({Kind::kOutOfRange, {}, {}, {}, forest.error().message});
     forest_.emplace(std::move(*forest));
     if (auto crossing = cover_or_cross()) return refuted(*crossing);
@@ -115,6 +137,14 @@ class Decider {
   }
 
   PatchDecision decide_sides() {
+    if (!fits_certificate(*forest_, out_.cover))
+      return open({Kind::kOutOfRange,
+                   {},
+                   {},
+                   {},
+                   "the model lies too far from the origin for its size, or has parts of too "
+                   "different sizes: coordinates of "
+                   "boxes, in units of the least one, would have over 60 bits"});
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();
@@ -160,7 +190,8 @@ class Decider {
     const UncoveredPiece& piece = out_.cover.uncovered.front();
     const PieceForest::Node& node = forest_->node(piece.piece);
     return {kind_of(piece.why), node.patch, complex_.shell(node.patch),
-            in_model_units(node.hull, forest_->scale()), text_of(piece.why)};
+            forest_->in_model(node.hull),
+            text_of(piece.why) + obstacle_text(piece, forest_->frame())};
   }
   OpenQuestion orientation_question(const ShellWalk& walk) const {
     return {Kind::kOrientation,

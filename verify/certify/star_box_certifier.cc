@@ -56,26 +56,33 @@ class BodyWriter {
                                       [&](Id child) { write_node(child, is_reversed); });
   }
 
+  // One unit for all axes, of which a frame may have three.
   void write_boxes() {
+    const auto& scale = forest_.frame().scale;
+    const int finest = *std::max_element(scale.begin(), scale.end());
     int least = most_exponent_;
     for (const CoverBox& b : cover_.boxes) least = std::min(least, std::ilogb(b.unit));
-    body_.exponent = least - forest_.scale();
+    body_.exponent = least - finest;
     for (const CoverBox& b : cover_.boxes) {
       StarBoxItem item;
-      item.shift = static_cast<std::uint64_t>(std::ilogb(b.unit) - least);
+      item.is_mesh = b.is_mesh;
+      const int unit = std::ilogb(b.unit);
+      item.shift = static_cast<std::uint64_t>(unit - least);
       for (std::size_t k = 0; k < 3; ++k) {
         const double lo = b.star.box.lo[k];
-        item.low[k] = static_cast<std::int64_t>(lo / b.unit);
-        item.size[k] = steps(b.star.box.hi[k] - lo, b.unit);
-        item.inside[k] = steps(b.star.inside[k] - lo, b.unit);
-        item.outside[k] = steps(b.star.outside[k] - lo, b.unit);
+        const Rational low = forest_.in_model(k, lo) * Rational::power_of_two(finest - unit);
+        VT_CHECK(low.denominator() == Integer(1), "a box beside its grid");
+        item.low[k] = low.numerator().to_int64();
+        const auto steps = [&](double to) {  // multiples of the unit, less than 2^53 of them: exact
+          return static_cast<std::uint64_t>((to - lo) / b.unit) << (finest - scale[k]);
+        };
+        item.size[k] = steps(b.star.box.hi[k]);
+        if (b.is_mesh) continue;
+        item.inside[k] = steps(b.star.inside[k]);
+        item.outside[k] = steps(b.star.outside[k]);
       }
       body_.boxes.push_back(item);
     }
-  }
-  // Differences of multiples of the unit that are less than 2^53 units: exact.
-  static std::uint64_t steps(double length, double unit) {
-    return static_cast<std::uint64_t>(length / unit);
   }
 
   const PieceForest& forest_;
@@ -86,6 +93,22 @@ class BodyWriter {
 };
 
 }  // namespace
+
+bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
+  constexpr std::int64_t kMostBits =
+      60;  // the C++ checker's 61, less one for the sum of corner and size
+  const auto& scale = forest.frame().scale;
+  int least = 0;
+  for (const CoverBox& b : cover.boxes) least = std::min(least, std::ilogb(b.unit));
+  const Rational units =
+      Rational::power_of_two(*std::max_element(scale.begin(), scale.end()) - least);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Boxes reach to 8 at most, in the frame: see BoxSearch.
+    const Rational reach = abs(forest.frame().shift[k]) + Rational::power_of_two(3 - scale[k]);
+    if (Rational::power_of_two(kMostBits) < reach * units) return false;
+  }
+  return true;
+}
 
 certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const StarCover& cover,
                                             const ShellWalks& walks,

@@ -18,8 +18,11 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
                                                    const ShellWalks& walks);
 
+/// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate.
+bool fits_certificate(const PieceForest& forest, const StarCover& cover);
+
 /// The claim "star-box-1", or "star-box-turned-1" if the winding number on the inner side of the last walk's shell is not 1.
-/// REQUIRES a complete cover, a walk for every shell, winding numbers 1 inside and 0 outside on all shells or others on the last walk's, and the entities of the complex in order.
+/// REQUIRES fits_certificate, a complete cover, a walk for every shell, winding numbers 1 inside and 0 outside on all shells or others on the last walk's, and the entities of the complex in order.
 certificate::Bytes make_star_box_certificate(const PieceForest& forest, const StarCover& cover,
                                              const ShellWalks& walks,
                                              const std::vector<StarBoxEntity>& entities,

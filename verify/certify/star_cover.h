@@ -11,10 +11,10 @@
 namespace veritope {
 
 struct StarCoverOptions {
-  int max_level = 14;                         ///< pieces are not split deeper: undecided there
+  int max_level = 20;                         ///< pieces are not split deeper: undecided there
   std::size_t max_boxes = 4'000'000;          ///< that are tried
   double growth = 1.75;                       ///< box to hull
-  std::size_t memory = std::size_t{1} << 29;  ///< bytes, of the nets of pieces
+  std::size_t memory = std::size_t{1} << 26;  ///< bytes, of the nets of pieces
   /// Asked for each piece without a star box of its own size; if it says so the search stops there.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };
@@ -23,12 +23,15 @@ struct StarCoverOptions {
 struct CoverBox {
   StarBox star;
   double unit;
+  bool is_mesh = false;  ///< a mesh box: it has no centres
 };
 
 /// Where no star box was found.
 struct UncoveredPiece {
   PieceForest::Id piece;
   enum class Why { kNoCentres, kCrossings, kTooDeep, kBudget, kStopped } why;
+  /// About, in the forest's coordinates: see Obstacle.
+  double gap = 0, least_cosine = 1;
 };
 
 struct StarCover {
@@ -41,7 +44,7 @@ struct StarCover {
   bool is_complete() const { return uncovered.empty(); }
 };
 
-/// Stops at the first piece that stays uncovered at the greatest level.
+/// Stops at the first piece that stays uncovered at the greatest level. Where sheets face each other, the nearest ones are taken first.
 StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options);
 
 }  // namespace veritope

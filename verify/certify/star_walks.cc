@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "robust/base/check.h"
 
@@ -14,7 +15,7 @@ using Id = PieceForest::Id;
 
 constexpr int kMaxVisits = 200'000;
 // Added to boxes on all sides, relative to the largest coordinate, 1: pays for all roundings of the slab test.
-constexpr double kPad = 0x1p-40;
+constexpr double kPad = 0x1p-48;
 
 // The part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the padded box; t0 > t1 if there is none.
 struct Part {
@@ -103,6 +104,7 @@ class WalkSearch {
       const std::uint32_t box = cover_.box_of_node[id];
       if (box == StarCover::kNone || seen[box]) continue;
       seen[box] = true;
+      if (cover_.boxes[box].is_mesh) continue;  // no centres
       shell_of_box_[box] = forest_.complex().shell(forest_.node(id).patch);
       boxes_of_shell_[shell_of_box_[box]].push_back(box);
     }
@@ -160,7 +162,7 @@ class WalkSearch {
         return false;  // the first shell that the ray meets decides
       for (const bool to_outside : {true, false})
         if (is_free_segment(forest_, from, centre(next, to_outside))) {
-          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0},
+          add(ShellWalk{shell, box, outside, 6, next, to_outside, 0, 0, other},
               windings_[other][to_outside ? 1 : 0]);
           return true;
         }
@@ -175,6 +177,7 @@ class WalkSearch {
       const Part p = part_in(forest_.node(id).hull, a, b);
       if (p.t0 > p.t1) return;
       if (cover_.box_of_node[id] != StarCover::kNone) {
+        if (cover_.boxes[cover_.box_of_node[id]].is_mesh) return;
         found.push_back({p.t0, cover_.box_of_node[id]});
         return;
       }
@@ -221,6 +224,27 @@ std::uint64_t ShellWalks::num_bodies() const {
   std::uint64_t n = 0;
   for (const ShellWalk& w : walks) n += w.starts_outside ? 1 : 0;
   return n;
+}
+
+std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks) {
+  VT_CHECK(walks.missing.empty(), "depths are known when every shell has a walk");
+  struct Place {
+    int depth = 0;
+    bool is_outward = true;  // the unbounded side is the outer one
+  };
+  std::map<std::uint32_t, Place> of_shell;
+  std::vector<std::uint32_t> out;
+  for (const ShellWalk& w : walks.walks) {
+    Place place{0, w.starts_outside};
+    if (w.direction == 6) {
+      const Place& other = of_shell.at(w.end_shell);
+      place.depth = other.depth + (w.ends_outside == other.is_outward ? 0 : 1);
+    }
+    of_shell[w.shell] = place;
+    if (place.is_outward != (place.depth % 2 == 0)) out.push_back(w.shell);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b) {

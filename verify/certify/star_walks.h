@@ -20,6 +20,7 @@ struct ShellWalk {
   bool ends_outside = false;
   /// Of the two sides of the shell.
   int winding_inside = 0, winding_outside = 0;
+  std::uint32_t end_shell = 0;  ///< of end_box
 };
 
 /// A walk for every shell, or nothing for those where no free path was found.
@@ -29,6 +30,10 @@ struct ShellWalks {
   /// Those of even depth: their unbounded side is their outside. REQUIRES missing is empty.
   std::uint64_t num_bodies() const;
 };
+
+/// The shells whose normals must be turned so that every one at even depth, counted from outside, points to its unbounded side, and every other one away from
+/// it: then the winding numbers are 1 inside and 0 outside of all. Ascending. REQUIRES walks.missing is empty.
+std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks);
 
 /// Whether no closed hull of a piece that is small enough meets the closed segment from a to b. False also if the budget is spent.
 bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b);

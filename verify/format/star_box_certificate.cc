@@ -13,10 +13,12 @@ using internal::ByteWriter;
 constexpr unsigned char kMagic[] = {'V', 'T', 'S', 'B'};
 
 void write(ByteWriter& w, const StarBoxItem& b) {
-  w.u8(0);
+  w.u8(b.is_mesh ? 1 : 0);
   w.varint(b.shift);
   for (const std::int64_t v : b.low) w.zigzag(v);
-  for (const auto* triple : {&b.size, &b.inside, &b.outside})
+  for (const std::uint64_t v : b.size) w.varint(v);
+  if (b.is_mesh) return;
+  for (const auto* triple : {&b.inside, &b.outside})
     for (const std::uint64_t v : *triple) w.varint(v);
 }
 

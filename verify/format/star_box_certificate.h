@@ -19,6 +19,7 @@ inline constexpr std::string_view kTurnedShellClaim = "star-box-turned-1";
 
 /// In units of 2^(exponent + shift); the exponent is the body's.
 struct StarBoxItem {
+  bool is_mesh = false;  ///< then without inside and outside
   std::uint64_t shift = 0;
   std::array<std::int64_t, 3> low{};
   std::array<std::uint64_t, 3> size{};

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/box_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solids/star_box/mesh_box.h"
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+using Why = UncoveredPiece::Why;
+
+// Boxes and centres are multiples of their box's size divided by about this.
+constexpr double kGrid = 64;
+constexpr std::size_t kMostPieces = 4096;
+// Of a mesh box: it is tried at vertices, and pairs are tested.
+constexpr std::size_t kMostTriangles = 48;
+
+// std::hypot is slow, and right where squares leave the range.
+double length_of(const Point3d& a) {
+  const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+  return square > 1e-200 && square < 1e200 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+}
+
+double on_grid(double v, double unit) { return std::nearbyint(v / unit) * unit; }
+
+// A cube with this middle, on a grid of a power of two, that holds the cube of half the size `half`.
+CoverBox cube_around(const Point3d& middle, double half) {
+  const double unit = std::exp2(std::ceil(std::log2(2 * half / kGrid)));
+  CoverBox out;
+  out.unit = unit;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.star.box.lo[k] = std::floor((middle[k] - half) / unit) * unit;
+    out.star.box.hi[k] = std::ceil((middle[k] + half) / unit) * unit;
+  }
+  return out;
+}
+
+}  // namespace
+
+bool BoxSearch::try_piece(Id id) {
+  piece_ = id;
+  tested_.assign(1, id);
+  held_.clear();
+  const Box3d hull = forest_.node(id).hull;
+  // Coordinates are at most 1; a hull is longer where weights are not known to be positive.
+  if (!(extent(hull) > 0) || !(extent(hull) < 8)) return fail(Why::kNoCentres);
+  box_ = cube_around(approx_centre(hull), 0.5 * options_.growth * extent(hull));
+  return try_star() || try_mesh();
+}
+
+// At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks begin.
+bool BoxSearch::try_mesh() {
+  const PieceForest::Node& node = forest_.node(piece_);
+  if (why_ == Why::kTooDeep || node.level == 0 || node.is_upside_down) return false;
+  const PatchComplex& complex = forest_.complex();
+  if (!complex.patch(node.patch).is_flat_triangle()) return false;
+  const std::uint64_t last = (std::uint64_t{1} << node.level) - 1;
+  const std::uint32_t corner = node.i == last ? 1 : node.j == last ? 2 : 0;
+  if (corner == 0 && (node.i != 0 || node.j != 0)) return false;
+  const PieceForest::Form& form = forest_.form(node.patch);
+  const std::size_t at = complex.patch(node.patch).side_index(corner, 0), n = form.shape.count();
+  Point3d vertex;
+  for (std::size_t k = 0; k < 3; ++k)
+    vertex[k] = form.origin[k] + forest_.control(piece_)[k * n + at];
+  const Box3d hull = node.hull;
+  CoverBox mesh = cube_around(vertex, 1.125 * extent(hull));
+  mesh.is_mesh = true;
+  if (!is_inside(hull, mesh.star.box)) return false;
+  const auto triangles = mesh_box_triangles(forest_, mesh.star.box, kMostTriangles);
+  if (!triangles) return false;
+  box_ = mesh;
+  held_.clear();
+  const std::uint32_t common = complex.vertex({forest_.node(piece_).patch, corner});
+  for (const std::uint32_t patch : *triangles)
+    for (const std::uint32_t c : {0u, 1u, 2u})
+      if (complex.vertex({patch, c}) == common) hold_corner(patch, c);
+  return true;
+}
+
+// The parts at a corner that exist and lie in the box.
+void BoxSearch::hold_corner(std::uint32_t patch, std::uint32_t corner) {
+  Id id = forest_.node(forest_.form(patch).first_root).first_child;
+  for (; id != PieceForest::kNone; id = forest_.node(id + corner).first_child)
+    if (is_inside(forest_.node(id + corner).hull, box_.star.box)) held_.push_back(id + corner);
+}
+
+bool BoxSearch::try_star() {
+  if (!is_promising()) return fail(Why::kNoCentres);
+  const Box3d& box = box_.star.box;
+  tested_.clear();
+  if (!find_pieces(forest_, box, 0.5 * extent(box), kMostPieces, &tested_, &held_))
+    return try_crowded_star();
+  tested_pieces_ += tested_.size();
+  const bool has_centres =
+      (place_centres() && has_star_signs(forest_, tested_, box_.star)) || search_centres();
+  if (!has_centres) return fail(Why::kNoCentres);
+  return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
+}
+
+// Near a pole of many slivers: the centres of the piece alone, and no piece smaller than S1 asks for.
+bool BoxSearch::try_crowded_star() {
+  tested_.assign(1, piece_);
+  if (!is_promising()) return fail(Why::kTooDeep);
+  tested_.clear(), held_.clear();
+  if (!find_star_pieces(forest_, box_.star, kMostPieces, &tested_, &held_))
+    return fail(Why::kTooDeep);
+  tested_pieces_ += tested_.size();
+  held_.push_back(piece_);  // it may be a part of a piece that was taken
+  return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
+}
+
+// Whether the piece alone has centres: about.
+bool BoxSearch::is_promising() {
+  return (place_centres() && has_star_signs(forest_, tested_, box_.star)) || search_centres();
+}
+
+Obstacle BoxSearch::obstacle() { return find_obstacle(forest_, piece_, tested_); }
+
+// On the line through the box's middle along the mean normal.
+bool BoxSearch::place_centres() {
+  Point3d n{};
+  for (const Id id : tested_) {
+    const Point3d one = approx_normal(forest_, id);
+    for (std::size_t k = 0; k < 3; ++k) n[k] += one[k];
+  }
+  double largest = 0;
+  for (const double c : n) largest = std::max(largest, std::abs(c));
+  if (!(largest > 0) || !std::isfinite(largest)) return false;
+  const Box3d& box = box_.star.box;
+  const double unit = box_.unit;
+  const Point3d m = approx_centre(box);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double step = 0.75 * 0.5 * (box.hi[k] - box.lo[k]) * (n[k] / largest);
+    const auto inner = [&](double v) {
+      return std::clamp(on_grid(v, unit), box.lo[k] + unit, box.hi[k] - unit);
+    };
+    box_.star.inside[k] = inner(m[k] - step);
+    box_.star.outside[k] = inner(m[k] + step);
+  }
+  return true;
+}
+
+bool BoxSearch::search_centres() {
+  ++programs_;
+  const Box3d& box = box_.star.box;
+  const double enough = 1e-3 * extent(box), unit = box_.unit;
+  Box3d room = box;
+  for (std::size_t k = 0; k < 3; ++k) room.lo[k] += 2 * unit, room.hi[k] -= 2 * unit;
+  half_spaces_.clear();
+  for (const Id id : tested_) add_half_spaces(id);
+  const auto inside = deepest_point(half_spaces_, room, enough);
+  if (!inside) return false;
+  for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
+  const auto outside = deepest_point(half_spaces_, room, enough);
+  if (!outside) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box_.star.inside[k] = on_grid(inside->point[k], unit);
+    box_.star.outside[k] = on_grid(outside->point[k], unit);
+  }
+  return has_star_signs(forest_, tested_, box_.star);
+}
+
+// g_c > 0 for every coefficient of the piece, as half-spaces for c.
+void BoxSearch::add_half_spaces(Id id) {
+  const PieceForest::Node& node = forest_.node(id);
+  const PieceForest::Form& form = forest_.form(node.patch);
+  const std::size_t n = form.determinant.count();
+  const double* const g = forest_.approx_determinants(id);
+  forest_.for_each_kept(node, [&](std::size_t i) {
+    HalfSpace h{{g[n + i], g[2 * n + i], g[3 * n + i]}, g[i]};
+    const double length = length_of(h.a);
+    if (!(length > 0)) {
+      half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
+      return;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      h.a[k] /= length;
+      h.b -= h.a[k] * form.origin[k] * length;
+    }
+    h.b /= length;
+    half_spaces_.push_back(h);
+  });
+}
+
+}  // namespace veritope

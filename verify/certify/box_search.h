@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/box_search.h: a star box or a mesh box around one piece: searched in floating point, proved with bounds, where they do not decide in
+// exact arithmetic. Theory: docs/THEORY.md §4.
+#pragma once
+#include <vector>
+
+#include "verify/certify/centre_search.h"
+#include "verify/certify/obstacle.h"
+#include "verify/certify/star_cover.h"
+
+namespace veritope {
+
+class BoxSearch {
+ public:
+  using Id = PieceForest::Id;
+
+  BoxSearch(PieceForest& forest, const StarCoverOptions& options)
+      : forest_(forest), options_(options) {}
+
+  /// Whether a box that contains the piece's hull was found and proved.
+  bool try_piece(Id id);
+  /// After try_piece returned true: the box, and the pieces that it covers, a parent before its children.
+  const CoverBox& box() const { return box_; }
+  const std::vector<Id>& held() const { return held_; }
+  /// After it returned false.
+  UncoveredPiece::Why why() const { return why_; }
+  Obstacle obstacle();
+
+  std::size_t tested_pieces() const { return tested_pieces_; }
+  std::size_t programs() const { return programs_; }
+
+ private:
+  bool fail(UncoveredPiece::Why why) {
+    why_ = why;
+    return false;
+  }
+  bool try_star();
+  bool try_crowded_star();
+  bool try_mesh();
+  void hold_corner(std::uint32_t patch, std::uint32_t corner);
+  bool is_promising();
+  bool place_centres();
+  bool search_centres();
+  void add_half_spaces(Id id);
+
+  PieceForest& forest_;
+  const StarCoverOptions& options_;
+  Id piece_ = 0;
+  CoverBox box_;
+  std::vector<Id> tested_, held_;
+  UncoveredPiece::Why why_ = UncoveredPiece::Why::kNoCentres;
+  std::vector<HalfSpace> half_spaces_;
+  std::size_t tested_pieces_ = 0, programs_ = 0;
+};
+
+}  // namespace veritope

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/obstacle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+
+constexpr std::size_t kMostOwn = 64;  // parts of the piece that are looked at
+constexpr double kFacing =
+    -0.25;  // cosine of normals that face each other: sheets of a wedge of less than 75 degrees do
+
+struct Facet {
+  Point3d at, normal;
+};
+
+double dot(const Point3d& a, const Point3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The mean of the control points, and the mean normal of unit length (0 if there is none).
+Facet facet_of(PieceForest& forest, Id id) {
+  Facet out{{}, approx_normal(forest, id)};
+  const double length = std::hypot(out.normal[0], out.normal[1], out.normal[2]);
+  for (double& c : out.normal) c = length > 0 ? c / length : 0;
+  const PieceForest::Form& form = forest.form(forest.node(id).patch);
+  const std::size_t n = form.shape.count();
+  const double* const x = forest.control(id);
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += form.is_rational ? x[k * n + i] / x[3 * n + i] : x[k * n + i];
+    out.at[k] = form.origin[k] + sum / static_cast<double>(n);
+  }
+  return out;
+}
+
+bool is_part(const PieceForest& forest, Id piece, Id of) {
+  const std::uint8_t level = forest.node(of).level;
+  while (forest.node(piece).level > level) piece = forest.node(piece).parent;
+  return piece == of;
+}
+
+}  // namespace
+
+Point3d approx_normal(PieceForest& forest, Id piece) {
+  Point3d sum{};
+  const std::size_t n = forest.form(forest.node(piece).patch).determinant.count();
+  const double* const g = forest.approx_determinants(piece);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* const row = g + (k + 1) * n;
+    double part[4] = {};  // four sums that do not wait for each other
+    std::size_t i = 0;
+    for (; i + 4 <= n; i += 4)
+      for (std::size_t j = 0; j < 4; ++j) part[j] += row[i + j];
+    for (; i < n; ++i) part[0] += row[i];
+    sum[k] = -(part[0] + part[1] + part[2] + part[3]);
+  }
+  return sum;
+}
+
+Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& near) {
+  std::vector<Facet> all;
+  std::vector<std::size_t> own;
+  for (const Id id : near) {
+    if (is_part(forest, id, piece)) own.push_back(all.size());
+    all.push_back(facet_of(forest, id));
+  }
+  Obstacle out;
+  const std::size_t step = 1 + own.size() / kMostOwn;
+  for (std::size_t i = 0; i < own.size(); i += step) {
+    const Facet& a = all[own[i]];
+    for (const Facet& b : all) {
+      const double cosine = dot(a.normal, b.normal);
+      out.least_cosine = std::min(out.least_cosine, cosine);
+      if (cosine >= kFacing) continue;
+      const Point3d d{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
+      out.gap = std::min(out.gap, std::max(std::abs(dot(d, a.normal)), std::abs(dot(d, b.normal))));
+    }
+  }
+  return out;
+}
+
+}  // namespace veritope

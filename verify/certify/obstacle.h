@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/obstacle.h: what stands in the way of a star box: how near sheets pass that face each other, how far normals spread. About: for
+// the order of a search and for messages; nothing here decides.
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "solids/star_box/piece_forest.h"
+
+namespace veritope {
+
+struct Obstacle {
+  /// Between pieces whose normals are over 105 degrees apart, along their normals: infinity if there are none. 0 in a contact.
+  double gap = std::numeric_limits<double>::infinity();
+  /// The least cosine of the angle of two normals.
+  double least_cosine = 1;
+};
+
+/// Of the parts of `piece` among `near` to all of `near`. REQUIRES every piece of `near` is the piece, a part of it, or apart from it.
+/// @cost O(64 |near|)
+Obstacle find_obstacle(PieceForest& forest, PieceForest::Id piece,
+                       const std::vector<PieceForest::Id>& near);
+
+/// The mean of the normals' control net, not of unit length.
+Point3d approx_normal(PieceForest& forest, PieceForest::Id piece);
+
+}  // namespace veritope

@@ -31,6 +31,13 @@ bool has_torn_knot(const ExactSurface& surface) {
   return false;
 }
 
+// Whether it speaks of the directions of normals: it then is one of the model only if none was reversed.
+bool is_of_orientation(const PatchRefutation& refutation) {
+  if (const auto* const sides = std::get_if<SideWitness>(&refutation))
+    return sides->same == 2 && sides->opposite == 0;
+  return std::holds_alternative<TurnedShell>(refutation);
+}
+
 class PatchCertification : public Certification {
  public:
   using Certification::Certification;
@@ -121,14 +128,17 @@ class PatchCertification : public Certification {
     report_.seconds.decide = watch_.lap();
     PatchReport& r = *report_.patches;
     r.boxes_tried = decision_.boxes_tried;
-    if (decision_.refutation && !is_torn_) {
-      r.defects.push_back(facts_of(*complex_, described_, *decision_.refutation));
+    if (decision_.refutation) {
+      RefutationFacts facts = facts_of(*complex_, described_, *decision_.refutation);
+      if (is_torn_)
+        return undecided("not-covered",
+                         "a surface has an inner knot of a multiplicity above its degree; " +
+                             facts.message);
+      if (!r.flipped.empty() && is_of_orientation(*decision_.refutation))
+        return undecided("not-certified", "with the entities that were reversed " + facts.message);
+      r.defects.push_back(std::move(facts));
       return true;
     }
-    if (decision_.refutation)
-      return undecided("not-covered",
-                       "a surface has an inner knot of a multiplicity above its degree; " +
-                           facts_of(*complex_, described_, *decision_.refutation).message);
     if (!decision_.is_valid) {
       r.open = decision_.open;
       Place place;

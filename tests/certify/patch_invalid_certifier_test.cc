@@ -120,6 +120,23 @@ TEST(PatchInvalidCertificate, OfSidesHasTheArcs) {
   EXPECT_TRUE(r.at_end());
 }
 
+// A triangle's side from corner s to corner s + 1 is opposite to corner s + 2, and has its number.
+TEST(PatchInvalidCertificate, CountsATrianglesSidesByTheOppositeCorner) {
+  Patches open = patch_shapes::pn_torus(12, 8);
+  open.erase(open.begin() + 17);
+  const Decided d(open);
+  const auto& w = std::get<SideWitness>(*d.decision.refutation);
+  for (const bool is_reversed : {false, true}) {
+    const Made made = parts_of(
+        make_patch_invalid_certificate(d.complex, w, entities_of(d.complex, is_reversed), {}));
+    certificate::internal::ByteReader r(made.body);
+    r.raw(4 + 4 + open.size() + 1 + 4);
+    r.varint();
+    const std::uint32_t side = w.arcs[0].side.side;
+    EXPECT_EQ(r.u8(), ((is_reversed ? 2 - side : side) + 2) % 3);
+  }
+}
+
 // A witness that proves nothing makes no certificate.
 TEST(PatchInvalidCertificate, IsNotMadeOfAFalseWitness) {
   const Decided d(crossing_balls());

@@ -8,6 +8,11 @@ namespace {
 
 certificate::UnitInterval interval_of(const DyadicInterval& t) { return {t.bits, t.lo, t.hi}; }
 
+// Of a triangle, certificates count sides by the opposite corner.
+std::uint8_t side_number(const Patch& patch, std::uint32_t side) {
+  return static_cast<std::uint8_t>(patch.is_triangle() ? (side + 2) % 3 : side);
+}
+
 certificate::CrossingFinding finding_of(const PatchComplex& complex, const CrossingWitness& found,
                                         const std::vector<bool>& is_reversed) {
   const Patch &a = complex.patch(found.sheets[0].patch), &b = complex.patch(found.sheets[1].patch);
@@ -29,8 +34,8 @@ certificate::SideFinding finding_of(const PatchComplex& complex, const SideWitne
   const SideWitness w = with_reversed(complex, is_reversed, found);
   certificate::SideFinding out;
   for (const SideArc& arc : w.arcs)
-    out.arcs.push_back(
-        {arc.side.patch, static_cast<std::uint8_t>(arc.side.side), interval_of(arc.at)});
+    out.arcs.push_back({arc.side.patch, side_number(complex.patch(arc.side.patch), arc.side.side),
+                        interval_of(arc.at)});
   out.axis = w.axis;
   out.point_bits = w.point_bits, out.point = w.point;
   out.same = w.same, out.opposite = w.opposite;

@@ -98,8 +98,7 @@ ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
     text = certificate::explain(*certificate, options.max_items);
   }
   if (!text) {
-    complain(harmless(path +
-                      ": not a certificate (those that certify --certificate writes are): " + why));
+    complain(harmless(path + ": not a certificate (those that certify --certificate writes are): " + why));
     return kExitUnreadable;
   }
   // A certificate may come from anywhere: its strings must not drive the terminal.

@@ -9,7 +9,9 @@ endfunction()
 veritope_checker_test(quick Accepts Statements Valid Invalid Refuses)
 veritope_checker_test(full RealModels)
 
-# Star-box certificates: the tests of the Python checker, with both checkers as judges.
-add_test(NAME checker_cpp_star_box COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker/star_box_test.py")
-set_tests_properties(checker_cpp_star_box PROPERTIES LABELS full TIMEOUT 900 ENVIRONMENT
-                     "PYTHONDONTWRITEBYTECODE=1;VERITOPE_CHECK=$<TARGET_FILE:veritope-check>")
+# Certificates about spline models: the tests of the Python checker, with both checkers as judges.
+foreach(kind IN ITEMS star_box star_box_turned patch_invalid collar)
+  add_test(NAME checker_cpp_${kind} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker/${kind}_test.py")
+  set_tests_properties(checker_cpp_${kind} PROPERTIES LABELS full TIMEOUT 900 ENVIRONMENT
+                       "PYTHONDONTWRITEBYTECODE=1;VERITOPE_CHECK=$<TARGET_FILE:veritope-check>")
+endforeach()

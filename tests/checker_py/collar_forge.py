@@ -126,8 +126,8 @@ class Collar:
         return self.plan.certificate(self.model)
 
 
-def collapse(complex_, sides):
-    """Breadth first from d-: (numbers of the faces, what the checker says against them)."""
+def collapse(complex_, sides, rng=None):
+    """From d-, breadth first or at random: (numbers of the faces, what the checker says against them)."""
     remaining, faces_of, steps = [set(of) for of in complex_.cells_of], {}, []
     for n, of in enumerate(complex_.cells_of):
         for cell in of:
@@ -135,6 +135,8 @@ def collapse(complex_, sides):
     outer = {n for n, c in complex_.component_of.items() if sides[c] == 1}
     queue = deque(n for n in complex_.boundary if n not in outer)
     while queue:
+        if rng:
+            queue.rotate(rng.randrange(-9, 10))
         n = queue.popleft()
         if len(remaining[n]) == 1 and n not in outer:
             cell, = remaining[n]

@@ -153,8 +153,8 @@ class Lies(CollarTest):
         plan.values["cells"] += 1
         self.alone("K0", self.honest, plan)
         codes = self.honest.plan.codes
-        (p, size), = [complexes.cell_of(codes[0])]
-        for lie in (codes[0] + 1 if (codes[0] + 1) % 2 == 0 else codes[0] * 2, 2, 4, 1 << 62, 3 << 61, complexes.code_of(p, size // 2),
+        p, size = complexes.cell_of(codes[0])
+        for lie in (codes[0] * 2, 2, 4, 1 << 62, 3 << 61, complexes.code_of(p, size // 2),
                     complexes.code_of([a - a % (2 * size) for a in p], 2 * size)):   # no codes; a cell inside another, the other way round
             lies = sorted({*codes, lie})
             self.assertEqual(len(lies), len(codes) + 1)
@@ -184,7 +184,7 @@ class Lies(CollarTest):
     def test_k1v_pits_that_touch_in_a_vertex(self):
         collar = self.pits((12, 12, 32), (20, 16, 32), (20, 16, 28), (16, 16, 28))
         self.assertIsNone(collar.complex.bad_edge())
-        self.assertIn("(20, 20, 36)", collar.complex.bad_vertex().replace(str(tuple((a + 4) * (1 << 14) for a in (16, 16, 32))), "(20, 20, 36)"))
+        self.assertIn("several cycles", collar.complex.bad_vertex())
         self.alone("K1V", collar)
         self.says("ACCEPT", self.pits((12, 12, 32), (20, 16, 32), (20, 16, 28)))
 
@@ -299,7 +299,6 @@ class Lies(CollarTest):
         inner_box = plan.shores[1][1]
         through = self.changed(self.honest, shores=[plan.shores[0], ([], 0)])
         self.says("I4", self.honest, through)             # through V, and w would be 0 on both
-        self.says("I4", self.honest, through, {"I4"} - {"I4"})
         end = forge.forge.check_box(plan.boxes[inner_box[0]]).c[inner_box[1]]
         self.says("ACCEPT", self.honest, self.changed(self.honest, shores=[plan.shores[0], ([end], inner_box)]))
         other = (inner_box[0], 1 - inner_box[1])
@@ -327,7 +326,7 @@ class Knot(CollarTest):
         self.alone("K3", collar)
 
     def test_its_unknotted_twin(self):
-        self.says("ACCEPT", self.collar(solids.unknotted(), True))
+        self.says("ACCEPT", self.collar(solids.UNKNOTTED, True))
 
 
 class Subdivision(unittest.TestCase):
@@ -387,7 +386,7 @@ def grid(full):
         q[axis] += d
         return tuple(q)
     faces = {(p if d < 0 else moved(p, axis), axis) for p in full for axis in range(3) for d in (-1, 1) if moved(p, axis, d) not in full}
-    of_edge, groups = {}, {}
+    of_edge = {}
     for p, axis in faces:
         for a, b in (((axis + 1) % 3, (axis + 2) % 3), ((axis + 2) % 3, (axis + 1) % 3)):
             for q in (p, moved(p, b)):
@@ -402,7 +401,6 @@ def grid(full):
     for component in classes(list(of_edge.values())):
         edges = [e for e, around in of_edge.items() if around[0] in component]
         chi.append(len({v for q, a in edges for v in (q, moved(q, a))}) - len(edges) + len(component))
-    del groups
     cubes = classes([[p] + [moved(p, k) for k in range(3) if moved(p, k) in full] for p in full])
     return bad_edge, bad_vertex, sorted(chi), len(cubes)
 
@@ -473,7 +471,7 @@ class Hostile(CollarTest):
         plan = self.changed(honest, codes=codes, collapses=honest.plan.collapses + [0] * len(far))
         plan.values["cells"] = len(codes)
         before = time.process_time()
-        self.says("K3", honest, plan) if not complexes.Complex(complexes.Cells(codes, 0)).bad_edge() else self.says("K1E", honest, plan)
+        self.says("K3", honest, plan)                     # it is a collar, but the steps are those of another K
         self.assertLess(time.process_time() - before, 30)
 
 

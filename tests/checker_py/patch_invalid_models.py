@@ -27,3 +27,15 @@ def cylinder_wall():
 def pierced():
     """Two triangles; that from (1, 1, 2) to (3, 2, -1) ends inside the other one."""
     return [forge.triangle([(0, 0, 0), (8, 0, 0), (0, 8, 0)]), forge.triangle([(1, 1, -1), (1, 1, 2), (3, 2, -1)])]
+
+
+def polygon_torus():
+    """One entity of 4 x 4 flat patches that closes on itself on both axes; its seams are borders of its domain."""
+    ring = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)]
+    rows = [[((3 + c) * x, (3 + c) * y, s) for c, s in ring] for x, y in ring]
+    return [forge.surface(rows, (1, 1), [[0, *range(5), 4]] * 2)]
+
+
+def drop():
+    """A closed cubic loop, extruded: the ends of one patch are one curve."""
+    return [forge.surface([[(x, y, z) for z in (0, 1)] for x, y in ((0, 0), (3, 3), (-3, 3), (0, 0))])]

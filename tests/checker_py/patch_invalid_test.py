@@ -204,7 +204,7 @@ class Lies(PatchInvalidTest):
         triangles = forge.side(models.tetrahedron()[1:], 0, 0)
         bad.append(self.changed(triangles, arcs=[(0, 3, WHOLE)]))
         for finding in bad:
-            self.says("B1", finding, model=star_forge.encode_model(finding.entities if len(finding.entities) != 11 else good.entities))
+            self.says("B1", finding, model=star_forge.encode_model(good.entities if finding.kind == 0 else finding.entities))
         for finding in (good, open_cube, triangles):
             body = finding.body()
             for n in range(len(body)):
@@ -430,6 +430,38 @@ class SoundModels(PatchInvalidTest):
                     for part in ((3, 2, 4), forge.MOST, (3, 2, 5)):
                         self.says("D4", self.changed(finding, arcs=[(n, s, part)], values={"same": 1, "opposite": 0}))
                 self.says("D1", self.changed(finding, arcs=finding.arcs + [(n, s, (3, 3, 4))], values={"same": 2, "opposite": 1}))
+
+
+    def test_seams(self):
+        """A surface that closes on itself: its two ends are different parameters of one point of X."""
+        torus = broken.polygon_torus()
+        prover = star_forge.Prover(torus)                 # P1 holds
+        self.assertEqual((prover.plan.values["patches"], prover.plan.values["genus"]), (16, 1))
+        for n, s in prover_sides(torus):
+            finding = forge.side(torus, n, s)
+            self.assertEqual(finding.values, {"same": 1, "opposite": 1})
+            self.says("D2", finding)
+            self.says("D4", self.changed(finding, arcs=finding.arcs[:1], values={"same": 1, "opposite": 0}))
+        inner = next((n, s) for n in range(16) for s in range(4) if (n, s) not in prover_sides(torus))
+        self.says("D1", forge.sides(torus, [(*inner, WHOLE)], 1, 0))
+        for entities, a, b in ((torus, 0, 12), (broken.drop(), 0, 0)):
+            for h in (Q(1, 2), Q(1, 8), Q(1, 1 << 30)):
+                finding = forge.Finding(entities)
+                middle = Q(1, 2)
+                for u, v, fixed in (((Q(0), h), (1 - h, Q(1)), 1), ((Q(0), Q(0)), (1 - h, Q(1)), 0), ((h, 2 * h), (1 - h, Q(1)), 3)):
+                    if max(u) > 1:
+                        continue
+                    of_v = [(middle, middle) if fixed == axis else (middle - h, middle + h) for axis in (1, 3)]
+                    finding.pair = [(a, u, of_v[0]), (b, v, of_v[1])]
+                    for y in ([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 0, 1], [1, 1, 0], [-1, 1, 0]], [[1, 2, 3], [3, -1, 4], [-2, 5, 1]]):
+                        for sign in (1, -1):
+                            finding.y = [[sign * c for c in row] for row in y]
+                            code, line = vc._check(star_forge.encode_model(entities), finding.certificate(), frozenset())
+                            self.assertEqual((code, line[:8]), (1, "REJECT X"), (finding.pair, finding.y, line))
+
+
+def prover_sides(entities):
+    return list(forge.Parsed(entities).patches.outer())
 
 
 class Hostile(PatchInvalidTest):

@@ -1,6 +1,7 @@
 # The Python checker's unit tests.
-foreach(part IN ITEMS veritope_check star_box star_box_turned patch_invalid)
+foreach(part IN ITEMS veritope_check star_box star_box_turned patch_invalid collar)
   string(REPLACE veritope_check checker_py name ${part})  # checker_py, star_box, ...
   add_test(NAME ${name} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker_py/${part}_test.py")
   set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT 600 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
 endforeach()
+set_tests_properties(collar PROPERTIES LABELS full TIMEOUT 900)  # 72 s, a third of it for 56,578 cells around a knot

@@ -6,6 +6,7 @@ import pty
 import re
 import subprocess
 import unittest
+from pathlib import Path
 
 import support
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
@@ -254,6 +255,14 @@ class Explain(unittest.TestCase):
                     self.assertIn(word, done.stdout)
             shorter = run("explain-certificate", "--max-items", "1", certificate).stdout
             self.assertLess(len(shorter), len(done.stdout) + 1)
+            arc = bytes([0, 1, 0, 0, 1])                      # patch 0, side 1, [0, 1]
+            body = b"VTPI" + bytes([1, 0, 0, 0, 0, 1, 1, 0, 0, 0]) + arc + bytes([2, 1, 1])
+            line = b'{"claim":"patch-invalid-1","patches":1}\n'
+            for text, code, word in ((line + body, 0, "monotone along: z"), (line + body + b"x", 4, ""), (line + body[:-1], 4, "")):
+                Path(certificate).write_bytes(text)
+                done = run("explain-certificate", certificate)
+                self.assertEqual((done.returncode, done.stderr == ""), (code, code == 0), done)
+                self.assertIn(word, done.stdout)
         for path in (VALID, UNREADABLE, "/nonexistent"):
             done = run("explain-certificate", path)
             self.assertEqual((done.returncode, done.stdout), (4, ""))

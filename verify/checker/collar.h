@@ -6,7 +6,7 @@
 const uint32_t kNone = 0xffffffff;
 const int kDepth = 20;                          // of the deepest cells
 const uint64_t kMostCells = 1 << 24;            // K0
-const uint64_t kMostFaces = uint64_t(1) << 26;  // a limit of this checker, about 8 GiB
+const uint64_t kMostFaces = uint64_t(1) << 26;  // a limit of this checker, about 6 GiB
 
 // Points of the grid, [0, 2^20]^3, by (z, y, x): along an axis the keys of its points rise.
 const uint64_t kGrid = uint64_t(kRootEdge) + 1;
@@ -38,7 +38,7 @@ struct Around {
 };
 
 // The common subdivision. Everything but the codes is built by sorting: O(n log n) time, n the
-// number of faces, and about 150 bytes a face.
+// number of faces, and about 90 bytes a face.
 struct Complex {
   std::vector<uint64_t> codes;
   std::vector<Face> faces;

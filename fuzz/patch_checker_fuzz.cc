@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// fuzz/patch_checker_fuzz.cc: any spline model and any certificate of star-box-1, star-box-turned-1, collar-1 or patch-invalid-1, straight into
+// the C++ checker: it must not crash or hang, and must not accept two claims about one model that contradict one another. What it accepts
+// can be explained, too. The mutator changes the model's digits, the statement's numbers and the body, and then makes sizes and hashes
+// true again.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <random>
+
+#include "fuzz/certificate_input.h"
+#include "tests/support/checker_call.h"
+#include "verify/format/patch_certificate_text.h"
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+namespace veritope::fuzz {
+namespace {
+
+[[noreturn]] void fail(const std::string& why) {
+  std::fprintf(stderr, "%s\n", why.c_str());
+  std::abort();
+}
+
+// What is true of a model if a claim about it is. Flags are the prover's choice: with flags a certificate speaks of another orientation.
+enum Fact : unsigned {
+  kEmbedded = 1,   // the patches can be oriented and are mapped injectively
+  kSolid = 2,      // and as they are they bound a solid
+  kTurned = 4,     // as they are they bound none, though they are closed and oriented
+  kCrossing = 8,   // the map is not injective
+  kSide = 16       // a border that is passed wrongly, or twice
+};
+unsigned facts(const std::string& statement) {
+  const std::string claim = get(statement, "claim");
+  if (claim == "patch-invalid-1") return get(statement, "finding") == "crossing" ? kCrossing : kSide;
+  if (claim == "star-box-turned-1") return kEmbedded | kTurned;
+  return get(statement, "flipped") == "0" ? kEmbedded | kSolid : kEmbedded;
+}
+bool contradict(unsigned all) {
+  const auto both = [&](unsigned a, unsigned b) { return (all & a) != 0 && (all & b) != 0; };
+  return both(kEmbedded, kCrossing) || both(kSolid | kTurned, kSide) || both(kSolid, kTurned);
+}
+
+void check(const Input& in) {
+  const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
+  const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(in.certificate.data()), in.certificate.size());
+  std::string why;
+  const bool is_explained = certificate::explain_patch_certificate(bytes, 4, why).has_value();
+  if (get(statement, "claim").substr(0, 4) == "mesh") return;  // fuzz/checker_fuzz.cc
+  const std::string answer = check_in_process(in.model, in.certificate);
+  if (answer.substr(0, 4) == "BUG ") fail(answer);
+  if (answer.substr(0, 7) != "ACCEPT ") return;
+  if (!is_explained) fail(answer + "\nbut it is not explained: " + why);
+  static std::map<std::string, unsigned>* const known = new std::map<std::string, unsigned>;
+  unsigned& all = (*known)[hash(in.model)];
+  all |= facts(statement);
+  if (contradict(all)) fail(answer + "\nbut of this model a claim was accepted that contradicts it");
+}
+
+class Mutator {
+ public:
+  Mutator(Input in, unsigned seed) : in_(std::move(in)), random_(seed) {
+    const std::size_t line = std::min(in_.certificate.find('\n'), in_.certificate.size());
+    statement_ = in_.certificate.substr(0, line);
+    body_ = in_.certificate.substr(std::min(line + 1, in_.certificate.size()));
+  }
+  Input take() {
+    in_.certificate = statement_ + "\n" + body_;
+    return std::move(in_);
+  }
+  void change() {
+    switch (pick(12)) {
+      case 0: change_statement(); break;
+      case 1: change_digit(); break;
+      case 2: body_.insert(pick(body_.size() + 1), 1, static_cast<char>(pick(16))); break;
+      case 3: body_.erase(pick(body_.size() + 1), 1); break;
+      case 4: repeat_part(); break;
+      case 5: swap_parts(); break;
+      case 6: body_.insert(pick(body_.size() + 1), large_varint()); break;
+      default: change_byte(body_);
+    }
+  }
+
+ private:
+  std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
+  void change_byte(std::string& text) {
+    if (text.empty()) return;
+    char& c = text[pick(text.size())];
+    switch (pick(4)) {
+      case 0: c = static_cast<char>(pick(8)); break;
+      case 1: c = static_cast<char>(c + 2 * static_cast<int>(pick(2)) - 1); break;
+      case 2: c = static_cast<char>(c + 4 * static_cast<int>(pick(2)) - 2); break;  // a zigzag number by one
+      default: c = static_cast<char>(c ^ (1 << pick(8)));
+    }
+  }
+  std::string large_varint() {
+    std::string out;
+    for (std::size_t n = pick(10); n > 0; --n) out += static_cast<char>(128 + pick(128));
+    return out + static_cast<char>(1 + pick(127));
+  }
+  // Of the body, which has its elements one after the other.
+  void repeat_part() {
+    if (body_.empty()) return;
+    const std::size_t at = pick(body_.size());
+    body_.insert(pick(body_.size() + 1), body_.substr(at, 1 + pick(12)));
+  }
+  void swap_parts() {
+    const std::size_t n = 1 + pick(8);
+    if (body_.size() < 2 * n) return;
+    const std::size_t at = pick(body_.size() - 2 * n + 1);
+    std::swap_ranges(body_.begin() + static_cast<std::ptrdiff_t>(at), body_.begin() + static_cast<std::ptrdiff_t>(at + n),
+                     body_.begin() + static_cast<std::ptrdiff_t>(at + n));
+  }
+  void change_digit() {
+    for (int tries = 0; tries < 20 && !in_.model.empty(); ++tries) {
+      char& c = in_.model[pick(in_.model.size())];
+      if (c < '0' || c > '9') continue;
+      c = static_cast<char>('0' + pick(10));
+      return;
+    }
+  }
+  void change_statement() {
+    static const char* const kNumbers[] = {"patches", "edges",   "vertices", "shells", "bodies",  "genus",
+                                           "boxes",   "flipped", "winding",  "cells",  "same",    "opposite"};
+    static const char* const kClaims[] = {"star-box-1", "star-box-turned-1", "collar-1", "patch-invalid-1"};
+    switch (pick(4)) {
+      case 0: set(statement_, "claim", kClaims[pick(4)]); break;
+      case 1: set(statement_, "finding", pick(2) == 0 ? "side" : "crossing"); break;
+      case 2: change_byte(statement_); break;
+      default: set(statement_, kNumbers[pick(12)], std::to_string(pick(30)));
+    }
+  }
+
+  Input in_;
+  std::string statement_, body_;
+  std::mt19937 random_;
+};
+
+}  // namespace
+}  // namespace veritope::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  veritope::fuzz::check(veritope::fuzz::Input::decode(data, size));
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+  using namespace veritope::fuzz;
+  if (seed % 32 == 0) return LLVMFuzzerMutate(data, size, max_size);
+  Mutator mutator(Input::decode(data, size), seed);
+  for (unsigned n = 1 + seed / 32 % 3; n > 0; --n) mutator.change();
+  Input in = mutator.take();
+  if (seed % 32 != 1) make_hashes_true(in);
+  const std::string bytes = in.encode();
+  if (bytes.size() > max_size) return size;
+  std::memcpy(data, bytes.data(), bytes.size());
+  return bytes.size();
+}

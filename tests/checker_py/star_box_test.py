@@ -721,7 +721,7 @@ class Hostile(StarBoxTest):
                        put("entities", 0, "group", 0), put(*shape, "degrees", [1]), put(*shape, "degrees", [0, 1]), put(*shape, "degrees", [1, 64]),
                        put(*shape, "degrees", [1, True]), put(*shape, "periodic", [0, 0]), put(*shape, "periodic", [True, False]),
                        put(*shape, "components", 4), put(*shape, "components", 10 ** 9), put(*shape, "rational", True),
-                       put(*shape, "knots", 0, ["0", "0", "1"]), put(*shape, "knots", 0, ["0", "1", "0", "1"]),
+                       put(*shape, "knots", 0, ["0", "0", "1"]), put(*shape, "knots", 0, ["0", "1", "1", "2"]), put(*shape, "knots", 0, ["0", "1", "0", "1"]),
                        put(*shape, "knots", 0, ["0", "0", "0", "0"]), put(*shape, "knots", 0, ["0", "0", "0", "1", "1"]),
                        put(*shape, "points", []), put(*shape, "points", 0, ["1", "2"]), put(*shape, "points", 0, [1, "1", "1"]),
                        put("entities", 1, "shape", "degree", 64), put("entities", 1, "shape", "degree", 2), put("entities", 1, "shape", "rational", 1),

@@ -374,6 +374,19 @@ class Lies(PatchInvalidTest):
             finding.arcs, finding.values = finding.arcs[:1], {"same": 1, "opposite": 0}
             self.alone("D4", finding)
 
+    def test_d4_every_outer_side_of_every_patch(self):
+        """A box whose faces have inner knots: 72 outer sides, each told as a border, without its mate, of whatever patch of its face."""
+        faces = []
+        for at in models.cube_faces():
+            rows = [[at(Q(2 * i, 3) - 1, Q(2 * j, 3) - 1) for j in range(4)] for i in range(4)]
+            faces.append(star_forge.surface(rows, (1, 1), [[0, 0, 1, 2, 3, 3]] * 2))
+        outer = list(forge.Parsed(faces).patches.outer())
+        self.assertEqual(len(outer), 72)
+        for n, s in outer:
+            finding = forge.side(faces, n, s, part=WHOLE)
+            self.assertEqual(finding.values, {"same": 1, "opposite": 1})
+            self.alone("D4", self.changed(finding, arcs=finding.arcs[:1], values={"same": 1, "opposite": 0}))
+
     def test_d4_another_parametrization(self):
         """A cylinder's circle whose lid has it with another speed: closed as a set of points, so it is no open border."""
         wall = broken.cylinder_wall()

@@ -131,6 +131,27 @@ class SoundModels(StarBoxTest):
         halved = self.proved(faces[:1] + faces[1:], roots=1)
         self.says("ACCEPT", halved)
 
+    def test_breaks_that_need_the_long_form(self):
+        """The cube with parameter domains whose ends have numerators or denominators of 70 bits and more."""
+        far = (1 << 70) + 1
+        for lo, hi in ((0, far), (-far, far), (Q(-1, far), Q(far, 3)), (far, far + Q(1, far))):
+            faces = [dict(f, shape=dict(f["shape"], knots=[[str(lo)] * 2 + [str(hi)] * 2, ["0", "0", "1", "1"]])) for f in models.cube()]
+            self.assertIn(b"\0\0", forge.rational(hi)[:2])
+            self.accepted(faces, patches=6)
+
+    def test_walks_in_all_six_directions(self):
+        """From c+ of a box at the middle of each face: straight out is free, straight in is not."""
+        prover = self.proved(models.cube(), roots=2)
+        for end in range(6):
+            axis, sign = end // 2, 1 - 2 * (end % 2)
+            at = [forge.check_box(box).c[1] for box in prover.plan.boxes]
+            number = max(range(len(at)), key=lambda i: sign * at[i][axis] - max(abs(at[i][k]) for k in range(3) if k != axis))
+            self.assertTrue(sign * at[number][axis] > UNIT > max(abs(at[number][k]) for k in range(3) if k != axis))
+            for to, expected in ((end, "ACCEPT"), (end ^ 1, "W1")):
+                plan = copy.deepcopy(prover.plan)
+                plan.walks = [(number, 1, [], to)]
+                self.says(expected, prover, plan=plan)
+
     def test_more_breaks_than_knots(self):
         plan_breaks = [[Q(0), Q(1, 3), Q(1)]] * 2
 
@@ -700,7 +721,7 @@ class Hostile(StarBoxTest):
                        put("entities", 0, "group", 0), put(*shape, "degrees", [1]), put(*shape, "degrees", [0, 1]), put(*shape, "degrees", [1, 64]),
                        put(*shape, "degrees", [1, True]), put(*shape, "periodic", [0, 0]), put(*shape, "periodic", [True, False]),
                        put(*shape, "components", 4), put(*shape, "components", 10 ** 9), put(*shape, "rational", True),
-                       put(*shape, "knots", 0, ["0", "0", "1"]), put(*shape, "knots", 0, ["0", "1", "0", "1"]),
+                       put(*shape, "knots", 0, ["0", "0", "1"]), put(*shape, "knots", 0, ["0", "1", "1", "2"]), put(*shape, "knots", 0, ["0", "1", "0", "1"]),
                        put(*shape, "knots", 0, ["0", "0", "0", "0"]), put(*shape, "knots", 0, ["0", "0", "0", "1", "1"]),
                        put(*shape, "points", []), put(*shape, "points", 0, ["1", "2"]), put(*shape, "points", 0, [1, "1", "1"]),
                        put("entities", 1, "shape", "degree", 64), put("entities", 1, "shape", "degree", 2), put("entities", 1, "shape", "rational", 1),

@@ -35,6 +35,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import attacks                                            # noqa: E402
 import patch_attacks                                      # noqa: E402
+import patch_liars                                        # noqa: E402
+import patch_solids                                       # noqa: E402
 import patch_mutation_test                                # noqa: E402
 import differential                                       # noqa: E402
 
@@ -179,6 +181,11 @@ def patch_corpus():
             cases += [(model, cert) for _, model, cert in source(random.Random(seed))]
     for seed in range(24):
         cases += [(c.bytes, cert) for _, c, cert in patch_attacks.Run.honest_certificates(random.Random(seed))]
+    for build in (patch_solids.models.cubic_octahedron, patch_solids.models.bicubic_ball):
+        proof = patch_solids.proved(build())
+        model = patch_solids.forge.encode_model(proof.entities)
+        plans = [proof.plan, *patch_liars.swapped_centres(patch_liars.Case(proof, None), rng)]
+        cases += [(model, plan.certificate(model)) for plan in plans]
     cases = [c for c in dict.fromkeys(cases) if len(c[0]) + len(c[1]) < 40000]
     cases += [(model, damaged(cert, rng)) for model, cert in rng.sample(cases, len(cases) // 3)]
     cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)

@@ -36,7 +36,7 @@ StarBoxBody body_of(const std::vector<std::array<std::size_t, 2>>& surfaces, std
   }
   b.roots.assign(patches, {0, 0});
   b.exponent = -7;
-  b.boxes.push_back({3, {-1, 0, 5}, {4, 4, 4}, {1, 1, 1}, {2, 2, 2}});
+  b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, {1, 1, 1}, {2, 2, 2}});
   b.trees.assign(patches, 0);
   b.walks.push_back({0, true, {{0, {1, 2, 3}}}, 3, 0, false});
   return b;

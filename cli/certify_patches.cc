@@ -131,9 +131,9 @@ class PatchCertification : public Certification {
     if (decision_.refutation) {
       RefutationFacts facts = facts_of(*complex_, described_, *decision_.refutation);
       if (is_torn_)
-        return undecided("not-covered",
-                         "a surface has an inner knot of a multiplicity above its degree; " +
-                             facts.message);
+        return undecided(
+            "not-covered",
+            "a surface has an inner knot of a multiplicity above its degree; " + facts.message);
       if (!r.flipped.empty() && is_of_orientation(*decision_.refutation))
         return undecided("not-certified", "with the entities that were reversed " + facts.message);
       r.defects.push_back(std::move(facts));

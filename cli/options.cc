@@ -87,8 +87,10 @@ void add_any_format(CLI::App* app, Options& o) {
 void add_reading(CLI::App* app, Options& o) {
   app->add_flag("--as-indexed", o.reading.as_indexed, "keep the file's vertex indices, merge none");
   ReadLimits& limits = o.reading.limits;
-  add_number(app, "--max-bytes", limits.max_bytes, 0, kMost64, "limit: size of a file (4 GiB)");
+  add_number(app, "--max-bytes", limits.max_bytes, 0, kMost64,
+             "limit: size of a file (4 GiB); --max-faces N: triangles");
   add_number(app, "--max-faces", limits.max_faces, 0, kMostFaces, "limit: triangles (200000000)");
+  app->get_option("--max-faces")->group("");  // in the line above
   add_number(app, "--max-digits", limits.max_digits, 1, kMost32,
              "limit: digits (1000); --max-exponent N: exponent (4096)");
   add_number(app, "--max-exponent", limits.max_exponent, 0, kMost32,
@@ -118,7 +120,7 @@ void add_length(CLI::App* app, const std::string& name, T& target, const char* t
       ->type_name(type);
 }
 
-void add_orientation(CLI::App* app, Options& o) {
+void add_orientation(CLI::App* app, Options& o, const char* what_is_reversed) {
   app->add_option_function<std::string>(
          "--orient",
          [&o](const std::string& how) {
@@ -126,7 +128,7 @@ void add_orientation(CLI::App* app, Options& o) {
              throw CLI::ValidationError("--orient", "must be auto or keep, not " + how);
            o.orient_auto = how == "auto";
          },
-         "auto: reverse patches and shells that do not fit; keep: none")
+         std::string("auto: reverse ") + what_is_reversed + " that do not fit; keep: none")
       ->type_name("HOW");
 }
 
@@ -134,16 +136,16 @@ void add_certify(CLI::App& app, Options& o) {
   CLI::App* const c =
       app.add_subcommand("certify", "decide whether models bound solids, and prove it");
   c->callback([&o] { o.command = Command::kCertify; });
-  add_files(c, o.files, "meshes, VJSON; - is standard input (with --format)");
+  add_files(c, o.files, "meshes, VJSON, ITD; - is standard input (with --format)");
   add_text(c, "--json", o.json, "F", "write the report as JSON; - is standard output");
   add_text(c, "--certificate", o.certificate, "F",
            "keep the certificate; of several files in folder F");
   add_text(c, "--picture", o.picture, "F", "write a coloured PLY that shows the defects");
   add_number(c, "--max-defects", o.max_defects, 0, kMost32, "list at most N defects (20)");
   add_jobs(c, o);
-  add_orientation(c, o);
+  add_orientation(c, o, "patches, shells");
   add_length(c, "--tolerance", o.tolerance, "EPS",
-             "of the volume of patches, in units of the model's size cubed (1e-5)");
+             "of the volume of patches, in sizes cubed (1e-5)");
   c->add_flag("--collar", o.collar, "of patches: find a collar, certify it, too");
   c->add_flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   c->add_flag("-q,--quiet", o.quiet, "the verdict lines only");
@@ -235,7 +237,7 @@ void add_cover(CLI::App& app, Options& o) {
        "boxes: star boxes; collar: octree cells around the\nsurface (default); outer, inner: the "
        "solid with the\ncells, and without them")
       ->type_name("W");
-  add_orientation(c, o);
+  add_orientation(c, o, "patches");
   c->add_flag("-q,--quiet", o.quiet, "nothing on standard output, no progress");
   add_any_format(c, o);
 }

@@ -38,7 +38,7 @@ TEST(PatchCollarDiff, EverySoundShapeHasOneOfItsGenusHomologyAndNesting) {
   for (const patch_shapes::Shape& shape : patch_shapes::sound_shapes()) {
     SCOPED_TRACE(shape.name);
     const PatchComplex complex = collar_model::complex_of(shape.patches);
-    PieceForest forest = PieceForest::make(complex).value();
+    PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
     Stopwatch watch;
     const StarCover cover = find_star_cover(forest, {});
     const double seconds_cover = watch.lap();

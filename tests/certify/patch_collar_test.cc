@@ -223,7 +223,7 @@ TEST(PatchCollar, DoesNotDependOnPlaceSizeOrLabels) {
 TEST(CollarTraps, ThreeParallelShellsInOneCollarAreRefused) {
   const PatchComplex complex =
       complex_of(patch_shapes::joined({hollow_box(ratio(1, 8)), cube(ratio(3, 4))}));
-  PieceForest forest = PieceForest::make(complex).value();
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
   const StarCover cover = find_star_cover(forest, {});
   ASSERT_TRUE(cover.is_complete());
   const OctreeRoot root = root_around(collar_model::hull_of_roots(forest)).value();
@@ -242,7 +242,7 @@ struct SmallInWall {
   SmallInWall(Patches patches, const octree_shapes::Cells& wall,
               const std::array<std::uint32_t, 3>& place)
       : complex(complex_of(std::move(patches))),
-        forest(PieceForest::make(complex).value()),
+        forest(PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value()),
         cells(octree_shapes::build(wall)) {
     cover = find_star_cover(forest, {});
     const Box3d all = collar_model::hull_of_roots(forest);
@@ -297,7 +297,7 @@ TEST(CollarTraps, ASurfaceThatSeparatesNothingIsRefusedByItsWindingNumbers) {
 // PROVES COLLAR-2.W
 TEST(CollarTraps, AReversedShellIsRefusedByItsWindingNumbers) {
   const PatchComplex complex = complex_of(patch_shapes::inside_out(ball(1)));
-  PieceForest forest = PieceForest::make(complex).value();
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
   const StarCover cover = find_star_cover(forest, {});
   const OctreeRoot root = root_around(collar_model::hull_of_roots(forest)).value();
   const CommonSubdivision cells = uniform_cells(forest, root, 4);

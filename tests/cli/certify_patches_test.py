@@ -157,12 +157,11 @@ class CertifyPatches(Folder):
             self.assertEqual((one["verdict"], one["flipped"]), ("INVALID", [reversed_face]))
             self.assertEqual(one["defects"][0]["code"], "patches-crossing")
 
-    def test_a_shell_turned_by_orient_auto_is_no_fault_of_the_model(self):
+    def test_orient_auto_turns_single_patches_and_then_whole_shells(self):
         faces = block((0, 0, 0), (1, 1, 1), inward=True)
         faces[1] = [faces[1][i] for i in (0, 2, 1, 3)]
         one = self.certify([surface(f) for f in faces], "--orient", "auto")
-        self.assertEqual((one["verdict"], one["flipped"]), ("UNDECIDED", [1]))
-        self.assertIn("winding number", one["error"]["message"])
+        self.assertEqual((one["verdict"], one["flipped"]), ("VALID", [0, 2, 3, 4, 5]))
 
     def test_what_touches_is_undecided_with_its_place(self):
         one = self.certify([surface(f) for f in UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))])

@@ -79,14 +79,16 @@ class Cover(Folder):
         vertices, faces, _ = map(int, counts.split())
         self.assertEqual((vertices % 8, faces * 8), (0, vertices * 12))
 
-    def test_an_undecided_model_writes_nothing(self):
+    def test_an_undecided_or_invalid_model_writes_nothing(self):
         out = self.folder / "x.vtu"
-        done = run("cover", self.model(block((0, 0, 0), (1, 1, 1), inward=True)), "-o", out)
-        self.assertEqual(done.returncode, 3)
-        self.assertFalse(out.exists())
-        out.write_text("old")
-        self.assertEqual(run("cover", self.model(UNIT[:5]), "-o", out).returncode, 3)
-        self.assertEqual(out.read_text(), "old")
+        touching = UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))
+        for faces, status in ((block((0, 0, 0), (1, 1, 1), inward=True), 1), (UNIT[:5], 1), (touching, 3)):
+            self.assertEqual(run("cover", self.model(faces), "-o", out).returncode, status)
+            self.assertFalse(out.exists())
+            out.write_text("old")
+            self.assertEqual(run("cover", self.model(faces), "-o", out).returncode, status)
+            self.assertEqual(out.read_text(), "old")
+            out.unlink()
 
     def test_wrong_usage_is_found_before_any_work(self):
         model = self.model()

@@ -18,7 +18,7 @@ namespace {
 struct Model {
   explicit Model(patch_shapes::Patches patches)
       : complex(make_patch_complex(std::move(patches)).value()),
-        forest(PieceForest::make(complex).value()) {
+        forest(PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value()) {
     Box3d all = forest.node(0).hull;
     for (std::uint32_t r = 0; r < forest.num_roots(); ++r)
       all = hull(all, forest.node(forest.root(r)).hull);

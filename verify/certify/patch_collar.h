@@ -44,7 +44,7 @@ struct PatchCollarSearch {
 };
 
 /// Starts with 64 cells and splits where the cover is no collar.
-/// REQUIRES a complete cover and winding numbers 1 inside and 0 outside of every shell.
+/// REQUIRES a forest in a plain frame, a complete cover and winding numbers 1 inside and 0 outside of every shell.
 /// @cost near-linear in the pieces and cells, times the number of levels
 PatchCollarSearch find_patch_collar(PieceForest& forest, const StarCover& cover,
                                     const CollarSearchOptions& options = {});

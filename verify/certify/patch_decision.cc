@@ -82,9 +82,9 @@ class Decider {
         return refuted(std::move(*witness));
       return open(complex_question(complex_));
     }
-    Result<PieceForest> forest = PieceForest::make(
-        complex_, options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
-                                          : PieceForest::FrameChoice::kFitted);
+    Result<PieceForest> forest =
+        PieceForest::make(complex_, options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
+                                                            : PieceForest::FrameChoice::kFitted);
     if (!forest) return open({Kind::kOutOfRange, {}, {}, {}, forest.error().message});
     forest_.emplace(std::move(*forest));
     if (auto crossing = cover_or_cross()) return refuted(*crossing);

@@ -9,9 +9,9 @@
 #include "io/read_splines.h"
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/patch_decision.h"
-#include "verify/certify/patch_invalid_certifier.h"
+#include "verify/certify/patch_certifier.h"
 #include "verify/certify/refutation_facts.h"
-#include "verify/certify/star_box_certifier.h"
+#include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/sha256.h"
 
 namespace veritope::cli {
@@ -160,8 +160,13 @@ class PatchCertification : public Certification {
 
   void seek_collar() {
     phase("looking for a collar");
-    collar_ = find_patch_collar(*forest_, decision_.cover);
-    report_.patches->collar = collar_report(collar_, forest_->scale());
+    const bool is_plain = forest_->frame().is_plain();
+    if (is_plain)
+      collar_ = find_patch_collar(*forest_, decision_.cover);
+    else
+      collar_.open.message =
+          "octrees have cubes around the origin's grid: the model lies too far away, or is too flat";
+    report_.patches->collar = collar_report(collar_, is_plain ? forest_->scale() : 0);
     report_.seconds.collar = watch_.lap();
   }
 
@@ -216,17 +221,10 @@ class PatchCertification : public Certification {
   }
 
   certificate::Bytes certificate_of(const certificate::Subject& subject) const {
-    if (decision_.refutation) {
-      if (const auto* const crossing = std::get_if<CrossingWitness>(&*decision_.refutation))
-        return make_patch_invalid_certificate(*complex_, *crossing, described_, subject);
-      if (const auto* const sides = std::get_if<SideWitness>(&*decision_.refutation))
-        return make_patch_invalid_certificate(*complex_, *sides, described_, subject);
-    }
     if (collar_.collar)
       return make_collar_certificate(*forest_, decision_.cover, decision_.walks, *collar_.collar,
                                      described_, subject);
-    return make_star_box_certificate(*forest_, decision_.cover, decision_.walks, described_,
-                                     subject);
+    return make_patch_certificate(*complex_, forest_, decision_, described_, subject);
   }
   void list_entities() {
     described_.clear();

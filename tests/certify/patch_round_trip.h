@@ -14,8 +14,7 @@
 #include "io/patch_model.h"
 #include "io/read_splines.h"
 #include "io/write_splines.h"
-#include "verify/certify/patch_decision.h"
-#include "verify/certify/star_box_certifier.h"
+#include "verify/certify/patch_certifier.h"
 #include "verify/format/sha256.h"
 
 namespace veritope {
@@ -23,11 +22,11 @@ namespace veritope {
 struct CertifiedPatches {
   std::string file;
   PatchDecision decision;
-  certificate::Bytes bytes;  ///< empty unless valid
+  certificate::Bytes bytes;  ///< empty if undecided
 };
 
 inline CertifiedPatches certified_patches(const std::vector<Patch>& patches,
-                                          const PatchDecisionOptions& options = {}) {
+                                          PatchDecisionOptions options = {}) {
   CertifiedPatches out;
   out.file = spline_json_bytes(model_of(patches));
   const SplineFile file =
@@ -36,21 +35,21 @@ inline CertifiedPatches certified_patches(const std::vector<Patch>& patches,
           .value();
   PatchSource source = patch_source(file.model).value();
   const PatchComplex complex = make_patch_complex(std::move(source.patches)).value();
-  std::optional<PieceForest> forest;
-  out.decision = decide_patches(complex, options, &forest);
-  if (!out.decision.is_valid) return out;
   std::vector<StarBoxEntity> entities;
   for (std::size_t e = 0; e < source.entities.size(); ++e)
     entities.push_back({std::holds_alternative<ExactSurface>(file.model.entities[e].shape), false,
                         static_cast<std::uint32_t>(source.entities[e].first_patch),
                         source.entities[e].breaks});
+  options.outer = outer_sides(entities, complex.patches().size());
+  std::optional<PieceForest> forest;
+  out.decision = decide_patches(complex, options, &forest);
+  if (out.decision.open) return out;
   certificate::Subject subject;
   subject.sha256 = file.sha256;
   subject.bytes = out.file.size();
   subject.format = "vjson";
   subject.tool = "tests";
-  out.bytes =
-      make_star_box_certificate(*forest, out.decision.cover, out.decision.walks, entities, subject);
+  out.bytes = make_patch_certificate(complex, forest, out.decision, entities, subject);
   return out;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_patches.cc: --count N --unknown M --seed S [--only embedded|opposed|crossing|touching|unknown]. Random patch models of known truth (random_solids.h), N of each
-// kind, and M of which nothing is known, cross-checked by the mesh certifier on tessellations of three densities. One JSON line a figure; wrong and undecided models in full on standard error.
+// bench/soak_patches.cc: --count N --unknown M --seed S [--only embedded|opposed|crossing|touching|unknown]. Random patch models of known truth (tests/support/random_solids.h), N of
+// each kind (M with opposed faces), and M of which nothing is known, cross-checked by the mesh certifier on tessellations of three densities. One JSON line a figure; wrong and undecided models in full on standard error.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "random_solids.h"
 #include "solids/polyhedron/validity.h"
 #include "splines/de_casteljau.h"
+#include "tests/support/random_solids.h"
 #include "verify/certify/patch_decision.h"
 
 namespace {
@@ -181,18 +181,18 @@ int main(int argc, char** argv) {
   }
   const auto wanted = [&](const char* kind) { return only.empty() || only == kind; };
   std::size_t wrong = 0;
-  const auto one = [&](const char* kind, Make make, bool is_embedded, bool tells,
-                       const char* goal) {
+  const auto one = [&](const char* kind, Make make, std::size_t how_many, bool is_embedded,
+                       bool tells, const char* goal) {
     if (!wanted(kind)) return;
-    const Tally t = run(kind, make, is_embedded, count, seed, tells);
+    const Tally t = run(kind, make, is_embedded, how_many, seed, tells);
     print((std::string("patches_") + kind).c_str(), t, goal);
     wrong += t.wrong;
   };
-  one("embedded", random_solids::embedded, true, true, "0 wrong, 2 % undecided");
-  one("opposed", random_solids::opposed, true, false,
+  one("embedded", random_solids::embedded, count, true, true, "0 wrong, 2 % undecided");
+  one("opposed", random_solids::opposed, unknown, true, false,
       "0 wrong; undecided where normals lie in no half-space");
-  one("crossing", random_solids::crossing, false, true, "0 wrong, 2 % undecided");
-  one("touching", random_solids::touching, false, false, "0 wrong");
+  one("crossing", random_solids::crossing, count, false, true, "0 wrong, 2 % undecided");
+  one("touching", random_solids::touching, count, false, false, "0 wrong");
   if (wanted("unknown")) {
     const Tally t = run_unknown(unknown, seed);
     print("patches_unknown", t, "0 disagreements with the finest tessellation");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/random_solids.h: random patch models whose truth is known by construction, each by a short proof that uses no star box.
+// tests/support/random_solids.h: random patch models whose truth is known by construction, each by a short proof that uses no star box.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "random_solids.h"
+#include "tests/support/random_solids.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Random patch models of known truth, decided, certified, and judged by the C++ checker: a sample of what bench/soak_patches.cc runs at length.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/certify/patch_round_trip.h"
+#include "tests/support/checker_call.h"
+#include "tests/support/random_solids.h"
+
+namespace veritope {
+namespace {
+
+using random_solids::Model;
+
+CertifiedPatches decided(const Model& model) {
+  PatchDecisionOptions options;
+  options.tolerance = 1e-2;
+  return certified_patches(model.patches, options);
+}
+void expect_checked(const CertifiedPatches& c) {
+  const std::string answer = check_in_process(c.file, std::string(c.bytes.begin(), c.bytes.end()));
+  EXPECT_EQ(answer.substr(0, 7), "ACCEPT ") << answer;
+}
+
+// PROVES STAR-1
+TEST(RandomPatchesDiff, EmbeddedOnesAreValidWithTheirNumbers) {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    Random random(seed);
+    const Model model = random_solids::embedded(random);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
+    const CertifiedPatches c = decided(model);
+    ASSERT_TRUE(c.decision.is_valid) << (c.decision.open ? c.decision.open->message : "invalid");
+    std::vector<std::int64_t> genus;
+    for (const PatchShellFacts& s : c.decision.shells) genus.push_back(s.genus);
+    std::sort(genus.begin(), genus.end());
+    EXPECT_EQ(genus, model.genus);
+    EXPECT_EQ(c.decision.bodies, model.bodies);
+    expect_checked(c);
+  }
+}
+
+TEST(RandomPatchesDiff, PlantedCrossingsAreFoundAndNeverValid) {
+  std::size_t undecided = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Random random(seed);
+    const Model model = random_solids::crossing(random);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
+    const CertifiedPatches c = decided(model);
+    ASSERT_FALSE(c.decision.is_valid);
+    if (c.decision.open)
+      ++undecided;
+    else
+      expect_checked(c);
+  }
+  EXPECT_EQ(undecided, 0u);
+}
+
+TEST(RandomPatchesDiff, PlantedContactsAreNeverValid) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    const Model model = random_solids::touching(random);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
+    const CertifiedPatches c = decided(model);
+    ASSERT_FALSE(c.decision.is_valid);
+    if (!c.decision.open) expect_checked(c);
+  }
+}
+
+}  // namespace
+}  // namespace veritope

@@ -89,8 +89,8 @@ const CrossingSolver::Sheet& CrossingSolver::sheet(std::uint32_t patch) {
   const PieceForest::Form& form = forest_.form(patch);
   const int components = form.is_rational ? 4 : 3;
   const std::size_t n = form.shape.count() * static_cast<std::size_t>(components);
-  std::vector<double> control(form.root_net.begin(),
-                              form.root_net.begin() + static_cast<std::ptrdiff_t>(n));
+  std::vector<double> control(form.root_control.begin(),
+                              form.root_control.begin() + static_cast<std::ptrdiff_t>(n));
   BezierSurface<double> map =
       form.shape.is_triangle ? tensor_of_triangle(BezierTriangle<double>(
                                    form.shape.p, components, form.is_rational, std::move(control)))

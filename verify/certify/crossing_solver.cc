@@ -20,6 +20,7 @@ constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
 constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
 constexpr double kRowSize = 0x1p40;
 constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
+constexpr double kNear = 0x1p-16;      // of parameters, in units of the patch's domain
 
 using internal::columns_without;
 using internal::dot;
@@ -145,10 +146,25 @@ std::optional<CrossingWitness> CrossingSolver::prove(const std::array<SheetPlace
   std::array<SheetPlace, 2> s = solution;
   if (depth(s[0]) < depth(s[1])) std::swap(s[0], s[1]);
   if (!(depth(s[0]) > std::ldexp(1.0, -static_cast<int>(kLast)))) return std::nullopt;
+  if (is_near_unproved(s)) return std::nullopt;
   if (auto witness = prove_in_order(s)) return witness;
   std::swap(s[0], s[1]);
-  if (!(depth(s[0]) > 0)) return std::nullopt;
-  return prove_in_order(s);
+  if (depth(s[0]) > 0)
+    if (auto witness = prove_in_order(s)) return witness;
+  unproved_.push_back(s);
+  return std::nullopt;
+}
+
+// In either order of the two places.
+bool CrossingSolver::is_near_unproved(const std::array<SheetPlace, 2>& solution) const {
+  const auto is_near = [](const SheetPlace& a, const SheetPlace& b) {
+    return a.patch == b.patch && std::abs(a.at[0] - b.at[0]) < kNear &&
+           std::abs(a.at[1] - b.at[1]) < kNear;
+  };
+  return std::any_of(unproved_.begin(), unproved_.end(), [&](const auto& u) {
+    return (is_near(u[0], solution[0]) && is_near(u[1], solution[1])) ||
+           (is_near(u[0], solution[1]) && is_near(u[1], solution[0]));
+  });
 }
 
 // The parameter that is fixed: without it the equations should be conditioned best. A parameter of B on the border must be the fixed one.
@@ -218,7 +234,7 @@ std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace
                                                      const Rows& rows) {
   const PatchComplex& complex = forest_.complex();
   std::size_t exact = 0;
-  for (unsigned m = kFirst; m <= kLast && exact < kMostExact; ++m) {
+  for (unsigned m = kFirst; m <= kLast && exact < kMostExact && num_exact < kMostExactInAll; ++m) {
     CrossingWitness w;
     w.rows = rows;
     bool fits = true;

@@ -31,12 +31,17 @@ using internal::Tangents;
 using Vector = internal::Vector3;
 using Matrix = internal::Matrix3;
 
-std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse) {
+// Y of the frame's coordinates, 2^scale times the model's: as rows for the model's, of any length.
+std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse,
+                                                        const std::array<int, 3>& scale) {
+  const int least = *std::min_element(scale.begin(), scale.end());
   std::array<std::array<std::int64_t, 3>, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector row;
+    for (std::size_t k = 0; k < 3; ++k) row[k] = std::ldexp(inverse[i][k], scale[k] - least);
     for (std::size_t k = 0; k < 3; ++k)
-      rows[i][k] = static_cast<std::int64_t>(
-          std::nearbyint(inverse[i][k] * (kRowSize / largest(inverse[i]))));
+      rows[i][k] = static_cast<std::int64_t>(std::nearbyint(row[k] * (kRowSize / largest(row))));
+  }
   return rows;
 }
 
@@ -222,8 +227,9 @@ std::optional<CrossingSolver::Rows> CrossingSolver::settle(std::array<SheetPlace
       t -= d;
       if (!(t >= 0 && t <= 1)) return std::nullopt;
     }
-    if (length < kLastStep && length >= 0.25 * last) return integer_rows(inverse);
-    if (length == 0) return integer_rows(inverse);
+    if (length < kLastStep && length >= 0.25 * last)
+      return integer_rows(inverse, forest_.frame().scale);
+    if (length == 0) return integer_rows(inverse, forest_.frame().scale);
     last = length;
   }
   return std::nullopt;
@@ -280,9 +286,12 @@ bool CrossingSolver::is_forecast(const CrossingWitness& w) {
                                      std::ldexp(static_cast<double>(t.lo), bits),
                                      std::ldexp(static_cast<double>(t.hi), bits));
     }
+  const std::array<int, 3>& scale = forest_.frame().scale;
+  const int least = *std::min_element(scale.begin(), scale.end());
   std::array<std::array<double, 3>, 3> rows;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) rows[i][k] = static_cast<double>(w.rows[i][k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      rows[i][k] = std::ldexp(static_cast<double>(w.rows[i][k]), least - scale[k]);
   return internal::has_opposite_signs(maps, rows, parameters);
 }
 

@@ -21,6 +21,8 @@ FormShape shape_of(const Patch& patch) {
 }  // namespace
 
 class ForestBuilder {
+  using Part = PieceForest::Part;
+
  public:
   ForestBuilder(const PatchComplex& complex, PieceForest::FrameChoice choice) : choice_(choice) {
     forest_.complex_ = &complex;
@@ -132,49 +134,47 @@ class ForestBuilder {
       for (const Rational& w : patch.component(3)) control.push_back(enclose(factor * w));
     const auto determinants =
         determinant_form<Interval>(form.shape, form.is_rational, control.data());
-    fill_net(control, determinants, &form);
+    fill_net(control, PieceForest::layout(form, Part::kControl), &form.root_control);
+    std::vector<Interval> all;
+    for (const std::vector<Interval>& d : determinants) all.insert(all.end(), d.begin(), d.end());
+    fill_net(all, PieceForest::layout(form, Part::kDeterminants), &form.root_determinants);
     choose_roots(&form);
     return form;
   }
 
-  static void fill_net(const std::vector<Interval>& control,
-                       const std::array<std::vector<Interval>, 4>& determinants,
-                       PieceForest::Form* form) {
-    const auto layout = PieceForest::layout(*form);
-    form->root_net.assign(layout.size(), 0);
-    for (std::size_t c = 0; c < layout.components + 4; ++c) {
-      const Interval* const from = c < layout.components
-                                       ? control.data() + c * layout.control
-                                       : determinants[c - layout.components].data();
-      const std::size_t n = c < layout.components ? layout.control : layout.determinant;
+  static void fill_net(const std::vector<Interval>& from, const PieceForest::Layout& at,
+                       std::vector<double>* net) {
+    net->resize(at.size());
+    for (std::size_t c = 0; c < at.components; ++c) {
       double error = 0, size = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        const MidRad m = mid_rad(from[i]);
-        form->root_net[layout.begin(c) + i] = m.mid;
+      for (std::size_t i = 0; i < at.count; ++i) {
+        const MidRad m = mid_rad(from[at.begin(c) + i]);
+        (*net)[at.begin(c) + i] = m.mid;
         error = std::max(error, m.rad);
         size = std::max(size, std::abs(m.mid));
       }
-      form->root_net[layout.error(c)] = error;
-      form->root_net[layout.magnitude(c)] = size;
+      (*net)[at.error(c)] = error;
+      (*net)[at.magnitude(c)] = size;
     }
   }
 
   static bool is_in_range(const PieceForest::Form& form) {
-    return std::all_of(form.root_net.begin(), form.root_net.end(),
-                       [](double v) { return std::abs(v) < 0x1p900; });
+    const auto is_small = [](double v) { return std::abs(v) < 0x1p900; };
+    return std::all_of(form.root_control.begin(), form.root_control.end(), is_small) &&
+           std::all_of(form.root_determinants.begin(), form.root_determinants.end(), is_small);
   }
 
   // As many halves along the longer parameter as make the pieces about as long as wide.
   static void choose_roots(PieceForest::Form* form) {
     if (form->shape.is_triangle) return;
-    const auto layout = PieceForest::layout(*form);
+    const auto layout = PieceForest::layout(*form, Part::kControl);
     const auto columns = static_cast<std::size_t>(form->shape.q + 1);
     const auto length = [&](std::size_t from, std::size_t to) {
       double sum = 0;
       for (std::size_t c = 0; c < 3; ++c) {
-        const double* const x = form->root_net.data() + layout.begin(c);
+        const double* const x = form->root_control.data() + layout.begin(c);
         const auto point = [&](std::size_t i) {
-          return layout.components == 4 ? x[i] / form->root_net[layout.begin(3) + i] : x[i];
+          return layout.components == 4 ? x[i] / form->root_control[layout.begin(3) + i] : x[i];
         };
         sum += (point(to) - point(from)) * (point(to) - point(from));
       }
@@ -214,7 +214,7 @@ class ForestBuilder {
           node.patch = p, node.i = i, node.j = j;
           forest_.nodes_.push_back(node);
           const auto id = static_cast<PieceForest::Id>(forest_.nodes_.size() - 1);
-          const double* const net = forest_.net(id);
+          const double* const net = forest_.net(id, Part::kControl);
           forest_.nodes_[id].hull = forest_.hull_of(form, net);
           boxes.push_back(forest_.nodes_[id].hull);
         }

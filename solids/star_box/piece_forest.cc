@@ -13,9 +13,9 @@ namespace veritope {
 using internal::kNetTiny;
 using internal::kNetUnit;
 
-PieceForest::Layout PieceForest::layout(const Form& form) {
-  return {form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count(),
-          form.determinant.count()};
+PieceForest::Layout PieceForest::layout(const Form& form, Part part) {
+  if (part == Part::kDeterminants) return {form.determinant, 4, form.determinant.count()};
+  return {form.shape, form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count()};
 }
 
 bool PieceForest::Frame::is_plain() const {
@@ -43,26 +43,37 @@ Box3d PieceForest::in_model(const Box3d& box) const {
   return out;
 }
 
-const double* PieceForest::net(Id id) {
-  if (nodes_[id].net_age != store_.age()) make_net(id);
-  return nodes_[id].net;
+const double* PieceForest::net(Id id, Part part) {
+  const auto k = static_cast<std::size_t>(part);
+  if (nodes_[id].net_ages[k] != store_.age()) make_net(id, part);
+  return nodes_[id].nets[k];
 }
 
-void PieceForest::make_net(Id id) {
-  const Node node = nodes_[id];
-  if (node.parent != kNone) return quarter(node.parent);
+void PieceForest::make_net(Id id, Part part) {
+  if (nodes_[id].parent != kNone)
+    quarter(nodes_[id].parent, part);
+  else
+    make_root_net(id, part);
+}
+
+void PieceForest::make_root_net(Id id, Part part) {
+  const Node& node = nodes_[id];
   const Form& form = forms_[node.patch];
-  const Layout at = layout(form);
-  std::vector<double> net = form.root_net, other(std::max(at.control, at.determinant));
+  const Layout at = layout(form, part);
+  const FormShape& s = at.shape;
+  const std::vector<double>& whole =
+      part == Part::kControl ? form.root_control : form.root_determinants;
+  double* const net = store_.take(at.size());
+  std::copy(whole.begin(), whole.end(), net);
+  std::vector<double> other(at.count);
   for (const int axis : {0, 1})
     for (int bit = form.root_bits[axis]; bit-- > 0;) {
       const bool upper = ((axis == 0 ? node.i : node.j) >> bit & 1) != 0;
-      for (std::size_t c = 0; c < at.components + 4; ++c) {
-        const FormShape& s = c < at.components ? form.shape : form.determinant;
-        const int degree = axis == 0 ? s.p : s.q, lines = axis == 0 ? s.q : s.p;
-        const auto stride = static_cast<std::size_t>(axis == 0 ? s.q + 1 : 1);
-        const auto next = static_cast<std::size_t>(axis == 0 ? 1 : s.q + 1);
-        double* const first = net.data() + at.begin(c);
+      const int degree = axis == 0 ? s.p : s.q, lines = axis == 0 ? s.q : s.p;
+      const auto stride = static_cast<std::size_t>(axis == 0 ? s.q + 1 : 1);
+      const auto next = static_cast<std::size_t>(axis == 0 ? 1 : s.q + 1);
+      for (std::size_t c = 0; c < at.components; ++c) {
+        double* const first = net + at.begin(c);
         for (int k = 0; k <= lines; ++k) {
           double* const line = first + static_cast<std::size_t>(k) * next;
           internal::halve_line(line, stride, degree, other.data(), 1);
@@ -73,35 +84,31 @@ void PieceForest::make_net(Id id) {
             internal::error_after_halving(net[at.error(c)], net[at.magnitude(c)], degree);
       }
     }
-  double* const to = store_.take(net.size());
-  std::copy(net.begin(), net.end(), to);
-  keep_net(id, to);
+  keep_net(id, part, net);
 }
 
-void PieceForest::quarter(Id id) {
-  const double* const from = net(id);
-  const Form& form = forms_[nodes_[id].patch];
-  const Layout at = layout(form);
+void PieceForest::quarter(Id id, Part part) {
+  const double* const from = net(id, part);
+  const Layout at = layout(forms_[nodes_[id].patch], part);
   double* const begin = store_.take(4 * at.size());
   double* to[4];
-  for (std::size_t c = 0; c < at.components + 4; ++c) {
-    const FormShape& s = c < at.components ? form.shape : form.determinant;
+  for (std::size_t c = 0; c < at.components; ++c) {
     for (std::size_t k = 0; k < 4; ++k) to[k] = begin + k * at.size() + at.begin(c);
-    if (s.is_triangle)
-      internal::quarter_triangle(s.p, from + at.begin(c), to);
+    if (at.shape.is_triangle)
+      internal::quarter_triangle(at.shape.p, from + at.begin(c), to);
     else
-      internal::quarter_tensor(s, from + at.begin(c), to);
+      internal::quarter_tensor(at.shape, from + at.begin(c), to);
     const double error = internal::error_after_halving(from[at.error(c)], from[at.magnitude(c)],
-                                                       internal::quarter_depth(s));
+                                                       internal::quarter_depth(at.shape));
     for (std::size_t k = 0; k < 4; ++k) {
       double* const child = begin + k * at.size();
       double size = 0;
-      for (std::size_t i = 0; i < s.count(); ++i) size = std::max(size, std::abs(to[k][i]));
+      for (std::size_t i = 0; i < at.count; ++i) size = std::max(size, std::abs(to[k][i]));
       child[at.error(c)] = error;
       child[at.magnitude(c)] = size;
     }
   }
-  for (Id k = 0; k < 4; ++k) keep_net(nodes_[id].first_child + k, begin + k * at.size());
+  for (Id k = 0; k < 4; ++k) keep_net(nodes_[id].first_child + k, part, begin + k * at.size());
 }
 
 PieceForest::Id PieceForest::children(Id id) {
@@ -129,20 +136,21 @@ PieceForest::Id PieceForest::children(Id id) {
     nodes_.push_back(child);
   }
   nodes_[id].first_child = first;
-  quarter(id);
-  for (Id k = 0; k < 4; ++k) nodes_[first + k].hull = hull_of(forms_[parent.patch], net(first + k));
+  quarter(id, Part::kControl);
+  for (Id k = 0; k < 4; ++k)
+    nodes_[first + k].hull = hull_of(forms_[parent.patch], net(first + k, Part::kControl));
   return first;
 }
 
 Box3d PieceForest::hull_of(const Form& form, const double* net) const {
-  const Layout at = layout(form);
+  const Layout at = layout(form, Part::kControl);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box3d out;
   const double w_error = at.components == 4 ? net[at.error(3)] : 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const double error = net[at.error(c)];
     double lo = kInfinity, hi = -kInfinity;
-    for (std::size_t i = 0; i < at.control; ++i) {
+    for (std::size_t i = 0; i < at.count; ++i) {
       const double x = net[at.begin(c) + i];
       double a = x - error, b = x + error;
       if (at.components == 4) {
@@ -197,26 +205,25 @@ bool PieceForest::side_of_patch(const Node& node, std::uint32_t side) const {
 }
 
 Sign3 PieceForest::side_of(Id id, const Point3d& c) {
-  const double* const net = this->net(id);
   const Node& node = nodes_[id];
   const Form& form = forms_[node.patch];
   const Collapsed collapsed = collapsed_sides(node, form);
   if (collapsed == Collapsed::kAdjacent) return Sign3::kUncertain;
-  const Layout at = layout(form);
-  double x[3], bound = net[at.error(at.components)], size = net[at.magnitude(at.components)];
+  const double* const net = this->net(id, Part::kDeterminants);
+  const Layout at = layout(form, Part::kDeterminants);
+  double x[3], bound = net[at.error(0)], size = net[at.magnitude(0)];
   for (std::size_t k = 0; k < 3; ++k) {
     x[k] = c[k] - form.origin[k];
-    bound += std::abs(x[k]) * net[at.error(at.components + 1 + k)];
-    size += std::abs(x[k]) * net[at.magnitude(at.components + 1 + k)];
+    bound += std::abs(x[k]) * net[at.error(1 + k)];
+    size += std::abs(x[k]) * net[at.magnitude(1 + k)];
   }
   // docs/bounds/piece_net.md, 3: the difference, three products, three sums.
   bound = (bound + 8 * kNetUnit * size) * (1 + 0x1p-40) + kNetTiny;
-  const double* const g0 = net + at.begin(at.components);
-  const double *const g1 = g0 + at.determinant, *const g2 = g1 + at.determinant,
-                      *const g3 = g2 + at.determinant;
+  const double *const g0 = net, *const g1 = net + at.begin(1), *const g2 = net + at.begin(2),
+                      *const g3 = net + at.begin(3);
   double lo = std::numeric_limits<double>::infinity(), hi = -lo;
   if (collapsed == Collapsed::kNone) {
-    for (std::size_t i = 0; i < at.determinant; ++i) {
+    for (std::size_t i = 0; i < at.count; ++i) {
       const double g = g0[i] + (g1[i] * x[0] + g2[i] * x[1] + g3[i] * x[2]);
       lo = g < lo ? g : lo;
       hi = g > hi ? g : hi;
@@ -232,23 +239,20 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
   return Sign3::kUncertain;
 }
 
-const double* PieceForest::control(Id id) { return net(id); }
+const double* PieceForest::control(Id id) { return net(id, Part::kControl); }
 double PieceForest::control_error(Id id, std::size_t component) {
-  const Layout at = layout(forms_[nodes_[id].patch]);
-  return net(id)[at.error(component)];
+  const Layout at = layout(forms_[nodes_[id].patch], Part::kControl);
+  return net(id, Part::kControl)[at.error(component)];
 }
 double PieceForest::determinant_error(Id id, std::size_t k) {
-  const Layout at = layout(forms_[nodes_[id].patch]);
-  return net(id)[at.error(at.components + k)];
+  const Layout at = layout(forms_[nodes_[id].patch], Part::kDeterminants);
+  return net(id, Part::kDeterminants)[at.error(k)];
 }
-const double* PieceForest::approx_determinants(Id id) {
-  const Layout at = layout(forms_[nodes_[id].patch]);
-  return net(id) + at.begin(at.components);
-}
+const double* PieceForest::approx_determinants(Id id) { return net(id, Part::kDeterminants); }
 
 void PieceForest::NetStore::next_block(std::size_t n) {
   VT_CHECK(n <= kBlock, "a net is larger than a block of memory");
-  if (block_ == blocks_.size()) blocks_.push_back(std::make_unique<double[]>(kBlock));
+  if (block_ == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<double[]>(kBlock));
   ++block_;
   used_ = 0;
 }

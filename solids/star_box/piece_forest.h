@@ -32,8 +32,8 @@ class PieceForest {
     Id first_child = kNone;
     Id parent = kNone;
     std::uint64_t i, j;
-    double* net = nullptr;
-    std::uint32_t net_age = 0;  // the net is there iff this is the age of the store
+    std::array<double*, 2> nets{};            // by Part
+    std::array<std::uint32_t, 2> net_ages{};  // the net is there iff this is the age of the store
     std::uint8_t level = 0;
     bool is_upside_down = false;
   };
@@ -46,7 +46,7 @@ class PieceForest {
     Point3d origin{};                    ///< of the nets
     Id first_root = 0;
     std::uint32_t num_roots = 1;
-    std::vector<double> root_net;  ///< of the whole patch
+    std::vector<double> root_control, root_determinants;  ///< nets of the whole patch
   };
 
   /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no shift) unless the model lies far from the
@@ -106,26 +106,26 @@ class PieceForest {
 
  private:
   friend class ForestBuilder;
+  // A node's control points and its determinants are two nets, each made when it is asked for: hulls need no determinants, which are many times as long.
+  enum class Part : std::uint8_t { kControl, kDeterminants };
+  // A net: its components one after the other, then their errors, then the greatest absolute value of each.
   struct Layout {
-    std::size_t components, control, determinant;
-    std::size_t size() const {
-      return components * control + 4 * determinant + 2 * (components + 4);
-    }
-    /// Of component c; the four determinants follow the control points.
-    std::size_t begin(std::size_t c) const {
-      return c < components ? c * control : components * control + (c - components) * determinant;
-    }
-    std::size_t error(std::size_t c) const { return components * control + 4 * determinant + c; }
-    std::size_t magnitude(std::size_t c) const { return error(c) + components + 4; }
+    FormShape shape;
+    std::size_t components, count;
+    std::size_t size() const { return components * (count + 2); }
+    std::size_t begin(std::size_t c) const { return c * count; }
+    std::size_t error(std::size_t c) const { return components * count + c; }
+    std::size_t magnitude(std::size_t c) const { return components * (count + 1) + c; }
   };
-  static Layout layout(const Form& form);
-  const double* net(Id id);
-  void make_net(Id id);
-  void keep_net(Id id, double* net) {
-    nodes_[id].net = net;
-    nodes_[id].net_age = store_.age();
+  static Layout layout(const Form& form, Part part);
+  const double* net(Id id, Part part);
+  void make_net(Id id, Part part);
+  void make_root_net(Id id, Part part);
+  void keep_net(Id id, Part part, double* net) {
+    nodes_[id].nets[static_cast<std::size_t>(part)] = net;
+    nodes_[id].net_ages[static_cast<std::size_t>(part)] = store_.age();
   }
-  void quarter(Id id);
+  void quarter(Id id, Part part);
   Box3d hull_of(const Form& form, const double* net) const;
   /// How many sides of the node lie in collapsed sides of the patch.
   enum class Collapsed { kNone, kApart, kAdjacent };

@@ -6,23 +6,54 @@
 namespace veritope::internal {
 namespace {
 
+// In keep_half the coefficients of one step, at `along` = i of all lines, are read with those at i - 1 of the same lines. Going through the triangle in the order of memory, or
+// against it, so that what is read has not been written, makes each step one pass over rows without an index to compute.
+//
+// Rows of the triangle: row r = j + k holds k = 0 .. r, from r (r + 1) / 2 on; i = degree - r.
+inline double* row_of(double* net, int r) { return net + r * (r + 1) / 2; }
+
+// (a[m] + b[m]) / 2 to b[m].
+inline void average_into(const double* a, double* b, int n) {
+  for (int m = 0; m < n; ++m) b[m] = 0.5 * (a[m] + b[m]);
+}
+
+// halve_line without strides.
+void halve_row(int degree, double* row, double* right) {
+  for (int level = 0; level <= degree; ++level) {
+    right[degree - level] = row[degree];
+    for (int i = degree; i > level; --i) row[i] = 0.5 * (row[i - 1] + row[i]);
+  }
+}
+
 // The half of a triangle at corner `keep`, cut at the midpoint of the side between corners keep and move: corner `move` goes to that midpoint.
-// Along the lines parallel to that side the net is one of curves of degree 0 .. n.
+// Along the lines parallel to that side the net is one of curves of degree 0 .. n: step `level` replaces the coefficients whose index of corner `move` is at least
+// `level` by their means with those one step nearer to corner `keep`.
 void keep_half(int degree, int keep, int move, double* net) {
-  const int other = 3 - keep - move;
-  int index[3];
-  const auto at = [&](int fixed, int along, int n) -> double& {
-    // `along` steps from corner keep to corner move; the third index is `fixed`.
-    index[other] = fixed, index[move] = along, index[keep] = n - fixed - along;
-    return net[triangle_index(index[1], index[2])];
-  };
-  for (int fixed = 0; fixed < degree; ++fixed) {
-    const int n = degree - fixed;
-    for (int level = 1; level <= n; ++level)
-      for (int i = n; i >= level; --i) {
-        double& b = at(fixed, i, degree);
-        b = 0.5 * (at(fixed, i - 1, degree) + b);
+  for (int level = 1; level <= degree; ++level) {
+    if (keep == 0) {  // from row r - 1: (j, k) from (j - 1, k) or (j, k - 1)
+      for (int r = degree; r >= level; --r) {
+        const double* const before = row_of(net, r - 1);
+        double* const row = row_of(net, r);
+        if (move == 1)  // j >= level: k <= r - level
+          average_into(before, row, r - level + 1);
+        else  // k >= level
+          average_into(before + level - 1, row + level, r - level + 1);
       }
+    } else if (move ==
+               0) {  // from row r + 1: (j, k) from (j + 1, k) or (j, k + 1), with i >= level
+      for (int r = 0; r <= degree - level; ++r)
+        average_into(row_of(net, r + 1) + (keep == 1 ? 0 : 1), row_of(net, r), r + 1);
+    } else if (move == 2) {  // keep 1, within a row: k from k - 1
+      for (int r = level; r <= degree; ++r) {
+        double* const row = row_of(net, r);
+        for (int k = r; k >= level; --k) row[k] = 0.5 * (row[k - 1] + row[k]);
+      }
+    } else {  // keep 2, move 1: k from k + 1, j = r - k >= level
+      for (int r = level; r <= degree; ++r) {
+        double* const row = row_of(net, r);
+        for (int k = 0; k <= r - level; ++k) row[k] = 0.5 * (row[k + 1] + row[k]);
+      }
+    }
   }
 }
 
@@ -56,12 +87,17 @@ void middle_quarter(int degree, const double* net, double* out) {
 void quarter_tensor(const FormShape& shape, const double* net, double* const children[4]) {
   const auto columns = static_cast<std::size_t>(shape.q + 1);
   std::copy(net, net + shape.count(), children[0]);
-  for (std::size_t j = 0; j < columns; ++j)
-    halve_line(children[0] + j, columns, shape.p, children[2] + j, columns);
+  // As halve_line, on all columns at once.
+  for (int level = 0; level <= shape.p; ++level) {
+    const auto row = [&](int i) { return children[0] + static_cast<std::size_t>(i) * columns; };
+    std::copy(row(shape.p), row(shape.p) + columns,
+              children[2] + static_cast<std::size_t>(shape.p - level) * columns);
+    for (int i = shape.p; i > level; --i) average_into(row(i - 1), row(i), shape.q + 1);
+  }
   for (const int k : {0, 2})
     for (int i = 0; i <= shape.p; ++i) {
       const std::size_t row = static_cast<std::size_t>(i) * columns;
-      halve_line(children[k] + row, 1, shape.q, children[k + 1] + row, 1);
+      halve_row(shape.q, children[k] + row, children[k + 1] + row);
     }
 }
 

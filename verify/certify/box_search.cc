@@ -15,6 +15,8 @@ using Why = UncoveredPiece::Why;
 // Boxes and centres are multiples of their box's size divided by about this.
 constexpr double kGrid = 64;
 constexpr std::size_t kMostPieces = 4096;
+// Of each piece, in the first program for centres.
+constexpr std::size_t kFewConditions = 12;
 // Of a mesh box: it is tried at vertices, and pairs are tested.
 constexpr std::size_t kMostTriangles = 48;
 
@@ -143,46 +145,65 @@ bool BoxSearch::place_centres() {
   return true;
 }
 
+// First under a few conditions of each piece: where these have no solution there is none, and where they have one it mostly satisfies the others.
 bool BoxSearch::search_centres() {
   ++programs_;
+  switch (solve_centres(kFewConditions)) {
+    case Centres::kNone: return false;
+    case Centres::kAllConditions: return has_star_signs(forest_, tested_, box_.star);
+    case Centres::kSomeConditions: break;
+  }
+  if (has_star_signs(forest_, tested_, box_.star)) return true;
+  return solve_centres(~std::size_t{0}) != Centres::kNone &&
+         has_star_signs(forest_, tested_, box_.star);
+}
+
+// The deepest points, on the box's grid, under about `most` conditions of each piece.
+BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const Box3d& box = box_.star.box;
   const double enough = 1e-3 * extent(box), unit = box_.unit;
   Box3d room = box;
   for (std::size_t k = 0; k < 3; ++k) room.lo[k] += 2 * unit, room.hi[k] -= 2 * unit;
   half_spaces_.clear();
-  for (const Id id : tested_) add_half_spaces(id);
+  bool has_all = true;
+  for (const Id id : tested_) has_all = add_half_spaces(id, most) && has_all;
   const auto inside = deepest_point(half_spaces_, room, enough);
-  if (!inside) return false;
+  if (!inside) return Centres::kNone;
   for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
   const auto outside = deepest_point(half_spaces_, room, enough);
-  if (!outside) return false;
+  if (!outside) return Centres::kNone;
   for (std::size_t k = 0; k < 3; ++k) {
     box_.star.inside[k] = on_grid(inside->point[k], unit);
     box_.star.outside[k] = on_grid(outside->point[k], unit);
   }
-  return has_star_signs(forest_, tested_, box_.star);
+  return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
 }
 
-// g_c > 0 for every coefficient of the piece, as half-spaces for c.
-void BoxSearch::add_half_spaces(Id id) {
+// g_c > 0 for coefficients of the piece, as half-spaces for c: all of them, or about `most`, evenly spread; whether it were all.
+bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   const PieceForest::Node& node = forest_.node(id);
   const PieceForest::Form& form = forest_.form(node.patch);
-  const std::size_t n = form.determinant.count();
+  const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
   const double* const g = forest_.approx_determinants(id);
+  std::size_t left = 0;
   forest_.for_each_kept(node, [&](std::size_t i) {
+    if (left-- != 0) return;
+    left = step - 1;
     HalfSpace h{{g[n + i], g[2 * n + i], g[3 * n + i]}, g[i]};
     const double length = length_of(h.a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
       return;
     }
+    const double factor = 1 / length;
     for (std::size_t k = 0; k < 3; ++k) {
-      h.a[k] /= length;
-      h.b -= h.a[k] * form.origin[k] * length;
+      h.b -= h.a[k] * form.origin[k];
+      h.a[k] *= factor;
     }
-    h.b /= length;
+    h.b *= factor;
     half_spaces_.push_back(h);
   });
+  return step == 1;
 }
 
 }  // namespace veritope

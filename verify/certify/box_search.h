@@ -41,7 +41,9 @@ class BoxSearch {
   bool is_promising();
   bool place_centres();
   bool search_centres();
-  void add_half_spaces(Id id);
+  enum class Centres { kNone, kSomeConditions, kAllConditions };
+  Centres solve_centres(std::size_t most);
+  bool add_half_spaces(Id id, std::size_t most);
 
   PieceForest& forest_;
   const StarCoverOptions& options_;

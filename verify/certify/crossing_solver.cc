@@ -20,6 +20,7 @@ constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
 constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
 constexpr double kRowSize = 0x1p40;
 constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
+constexpr double kNear = 0x1p-16;      // of parameters, in units of the patch's domain
 
 using internal::columns_without;
 using internal::dot;
@@ -30,12 +31,17 @@ using internal::Tangents;
 using Vector = internal::Vector3;
 using Matrix = internal::Matrix3;
 
-std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse) {
+// Y of the frame's coordinates, 2^scale times the model's: as rows for the model's, of any length.
+std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse,
+                                                        const std::array<int, 3>& scale) {
+  const int least = *std::min_element(scale.begin(), scale.end());
   std::array<std::array<std::int64_t, 3>, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector row;
+    for (std::size_t k = 0; k < 3; ++k) row[k] = std::ldexp(inverse[i][k], scale[k] - least);
     for (std::size_t k = 0; k < 3; ++k)
-      rows[i][k] = static_cast<std::int64_t>(
-          std::nearbyint(inverse[i][k] * (kRowSize / largest(inverse[i]))));
+      rows[i][k] = static_cast<std::int64_t>(std::nearbyint(row[k] * (kRowSize / largest(row))));
+  }
   return rows;
 }
 
@@ -89,8 +95,8 @@ const CrossingSolver::Sheet& CrossingSolver::sheet(std::uint32_t patch) {
   const PieceForest::Form& form = forest_.form(patch);
   const int components = form.is_rational ? 4 : 3;
   const std::size_t n = form.shape.count() * static_cast<std::size_t>(components);
-  std::vector<double> control(form.root_net.begin(),
-                              form.root_net.begin() + static_cast<std::ptrdiff_t>(n));
+  std::vector<double> control(form.root_control.begin(),
+                              form.root_control.begin() + static_cast<std::ptrdiff_t>(n));
   BezierSurface<double> map =
       form.shape.is_triangle ? tensor_of_triangle(BezierTriangle<double>(
                                    form.shape.p, components, form.is_rational, std::move(control)))
@@ -145,10 +151,25 @@ std::optional<CrossingWitness> CrossingSolver::prove(const std::array<SheetPlace
   std::array<SheetPlace, 2> s = solution;
   if (depth(s[0]) < depth(s[1])) std::swap(s[0], s[1]);
   if (!(depth(s[0]) > std::ldexp(1.0, -static_cast<int>(kLast)))) return std::nullopt;
+  if (is_near_unproved(s)) return std::nullopt;
   if (auto witness = prove_in_order(s)) return witness;
   std::swap(s[0], s[1]);
-  if (!(depth(s[0]) > 0)) return std::nullopt;
-  return prove_in_order(s);
+  if (depth(s[0]) > 0)
+    if (auto witness = prove_in_order(s)) return witness;
+  unproved_.push_back(s);
+  return std::nullopt;
+}
+
+// In either order of the two places.
+bool CrossingSolver::is_near_unproved(const std::array<SheetPlace, 2>& solution) const {
+  const auto is_near = [](const SheetPlace& a, const SheetPlace& b) {
+    return a.patch == b.patch && std::abs(a.at[0] - b.at[0]) < kNear &&
+           std::abs(a.at[1] - b.at[1]) < kNear;
+  };
+  return std::any_of(unproved_.begin(), unproved_.end(), [&](const auto& u) {
+    return (is_near(u[0], solution[0]) && is_near(u[1], solution[1])) ||
+           (is_near(u[0], solution[1]) && is_near(u[1], solution[0]));
+  });
 }
 
 // The parameter that is fixed: without it the equations should be conditioned best. A parameter of B on the border must be the fixed one.
@@ -206,8 +227,9 @@ std::optional<CrossingSolver::Rows> CrossingSolver::settle(std::array<SheetPlace
       t -= d;
       if (!(t >= 0 && t <= 1)) return std::nullopt;
     }
-    if (length < kLastStep && length >= 0.25 * last) return integer_rows(inverse);
-    if (length == 0) return integer_rows(inverse);
+    if (length < kLastStep && length >= 0.25 * last)
+      return integer_rows(inverse, forest_.frame().scale);
+    if (length == 0) return integer_rows(inverse, forest_.frame().scale);
     last = length;
   }
   return std::nullopt;
@@ -218,7 +240,7 @@ std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace
                                                      const Rows& rows) {
   const PatchComplex& complex = forest_.complex();
   std::size_t exact = 0;
-  for (unsigned m = kFirst; m <= kLast && exact < kMostExact; ++m) {
+  for (unsigned m = kFirst; m <= kLast && exact < kMostExact && num_exact < kMostExactInAll; ++m) {
     CrossingWitness w;
     w.rows = rows;
     bool fits = true;
@@ -264,9 +286,12 @@ bool CrossingSolver::is_forecast(const CrossingWitness& w) {
                                      std::ldexp(static_cast<double>(t.lo), bits),
                                      std::ldexp(static_cast<double>(t.hi), bits));
     }
+  const std::array<int, 3>& scale = forest_.frame().scale;
+  const int least = *std::min_element(scale.begin(), scale.end());
   std::array<std::array<double, 3>, 3> rows;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) rows[i][k] = static_cast<double>(w.rows[i][k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      rows[i][k] = std::ldexp(static_cast<double>(w.rows[i][k]), least - scale[k]);
   return internal::has_opposite_signs(maps, rows, parameters);
 }
 

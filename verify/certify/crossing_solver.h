@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "solids/star_box/piece_forest.h"
 #include "verify/certify/crossing_witness.h"
@@ -29,9 +30,11 @@ class CrossingSolver {
                                                  double reach);
 
   /// A box around about a solution that is a proof, its first sheet in the open domain: tried with either sheet first, from large boxes to small
-  /// ones; broken_condition said that all conditions hold.
+  /// ones; broken_condition said that all conditions hold. Near a solution that was not proved none is tried again, and after kMostExactInAll exact tests
+  /// none at all: at a contact every search ends near the same few points.
   std::optional<CrossingWitness> prove(const std::array<SheetPlace, 2>& solution);
 
+  static constexpr std::size_t kMostExactInAll = 1024;
   std::size_t num_solved = 0, num_exact = 0;  ///< calls of solve, exact tests
 
  private:
@@ -45,6 +48,7 @@ class CrossingSolver {
   const Sheet& sheet(std::uint32_t patch);
   Linear linearised(const std::array<SheetPlace, 2>& at);
   static std::optional<std::array<double, 4>> shortest_step(Linear equations);
+  bool is_near_unproved(const std::array<SheetPlace, 2>& solution) const;
   std::optional<CrossingWitness> prove_in_order(const std::array<SheetPlace, 2>& solution);
   std::optional<CrossingWitness> prove_with(const std::array<SheetPlace, 2>& solution,
                                             std::size_t fixed);
@@ -55,6 +59,7 @@ class CrossingSolver {
 
   const PieceForest& forest_;
   std::unordered_map<std::uint32_t, Sheet> sheets_;
+  std::vector<std::array<SheetPlace, 2>> unproved_;
 };
 
 }  // namespace veritope

@@ -214,8 +214,7 @@ class ForestBuilder {
           node.patch = p, node.i = i, node.j = j;
           forest_.nodes_.push_back(node);
           const auto id = static_cast<PieceForest::Id>(forest_.nodes_.size() - 1);
-          const double* const net = forest_.net(id);
-          forest_.nodes_[id].hull = forest_.hull_of(form, net);
+          forest_.nodes_[id].hull = forest_.tight_hull(id);
           boxes.push_back(forest_.nodes_[id].hull);
         }
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solids/star_box/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
 
 namespace veritope {
@@ -169,8 +170,21 @@ void BoxSearch::add_half_spaces(Id id) {
   const PieceForest::Form& form = forest_.form(node.patch);
   const std::size_t n = form.determinant.count();
   const double* const g = forest_.approx_determinants(id);
+  double error = 0;
+  for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
+  const auto add_exact = [&](const std::array<double, 4>& h) {
+    const double length = length_of({h[0], h[1], h[2]});
+    if (length > 0)
+      half_spaces_.push_back({{h[0] / length, h[1] / length, h[2] / length}, h[3] / length});
+    else
+      half_spaces_.push_back({{0, 0, 0}, -1});
+  };
   forest_.for_each_kept(node, [&](std::size_t i) {
     HalfSpace h{{g[n + i], g[2 * n + i], g[3 * n + i]}, g[i]};
+    // Shorter than its error: a direction that says nothing.
+    if (std::abs(h.a[0]) + std::abs(h.a[1]) + std::abs(h.a[2]) <= error)
+      if (const ExactPiece* const exact = forest_.exact_determinants(id))
+        return add_exact(exact->approx_half_space(i));
     const double length = length_of(h.a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c

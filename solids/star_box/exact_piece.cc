@@ -166,25 +166,28 @@ ExactPiece::Side::Side(const ExactPiece& piece, const Point3d& c) : piece_(piece
     c_[k] = exact[k].numerator() * divide_exactly(denominator, exact[k].denominator());
 }
 
-Sign ExactPiece::Side::at(std::size_t i) const {
+Integer ExactPiece::Side::value(std::size_t i) const {
   Integer g = piece_.determinants_[0][i];
   g.shift_left(shift_);
   for (std::size_t k = 0; k < 3; ++k) g.add_product(c_[k], piece_.determinants_[k + 1][i]);
-  return g.sign();
+  return g;
 }
 
-std::array<double, 4> ExactPiece::approx_half_space(std::size_t i) const {
+std::array<double, 4> ExactPiece::approx_half_space(std::size_t i, const Point3d& m) const {
   const Integer unit = is_rational_ ? Integer(1) : *control(0)[3];
+  std::array<Integer, 3> a;
   std::int64_t bits = 0;
-  for (std::size_t k = 1; k < 4; ++k)
-    bits = std::max(bits, static_cast<std::int64_t>((unit * determinants_[k][i]).bit_length()));
+  for (std::size_t k = 0; k < 3; ++k) {
+    a[k] = unit * determinants_[k + 1][i];
+    bits = std::max(bits, static_cast<std::int64_t>(a[k].bit_length()));
+  }
   if (bits == 0) return {};
-  std::array<double, 4> out;
-  for (std::size_t k = 0; k < 4; ++k)
-    out[k == 0 ? 3 : k - 1] =
-        nearest_double(Rational(k == 0 ? determinants_[0][i] : unit * determinants_[k][i]) *
-                       Rational::power_of_two(-bits));
-  return out;
+  const Side side(*this, m);
+  const auto scaled = [](const Integer& v, std::int64_t by) {
+    return nearest_double(Rational(v) * Rational::power_of_two(-by));
+  };
+  return {scaled(a[0], bits), scaled(a[1], bits), scaled(a[2], bits),
+          scaled(side.value(i), bits + static_cast<std::int64_t>(side.shift()))};
 }
 
 }  // namespace veritope

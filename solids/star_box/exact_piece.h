@@ -31,16 +31,19 @@ class ExactPiece {
   class Side {
    public:
     Side(const ExactPiece& piece, const Point3d& c);
-    Sign at(std::size_t i) const;
+    Sign at(std::size_t i) const { return value(i).sign(); }
+    /// Coefficient i itself, times 2^shift().
+    Integer value(std::size_t i) const;
+    std::uint64_t shift() const { return shift_; }
 
    private:
     const ExactPiece& piece_;
     std::array<Integer, 3> c_;  // times the piece's unit and 2^shift_
     std::uint64_t shift_ = 0;
   };
-  /// Coefficient i of g_c as a function of c, up to a positive factor and rounding: (a, b) of a·c + b, with the greatest |a_k| between 1/2 and 1; zeros if it does not depend on c.
+  /// Coefficient i of g_c as a function of c, up to a positive factor and rounding: (a, b) of a·(c - m) + b, with the greatest |a_k| between 1/2 and 1; zeros if it does not depend on c.
   /// REQUIRES has_determinants().
-  std::array<double, 4> approx_half_space(std::size_t i) const;
+  std::array<double, 4> approx_half_space(std::size_t i, const Point3d& m) const;
 
  private:
   void set_control(const PieceForest& forest, const PieceForest::Node& node);

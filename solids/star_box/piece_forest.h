@@ -53,11 +53,12 @@ class PieceForest {
   };
 
   /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no shift) unless the model lies far from the
-  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine.
+  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine; or a patch is 2^32 times
+  /// smaller than the model: then the origin lies in it.
   struct Frame {
     std::array<int, 3> scale{};
     std::array<Rational, 3>
-        shift;  ///< a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
+        shift;  ///< a dyadic number; without a tiny patch a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
     bool is_plain() const;
   };
   enum class FrameChoice {

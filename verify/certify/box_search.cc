@@ -147,9 +147,13 @@ bool BoxSearch::place_centres() {
 bool BoxSearch::search_centres() {
   ++programs_;
   const Box3d& box = box_.star.box;
-  const double enough = 1e-3 * extent(box), unit = box_.unit;
-  Box3d room = box;
-  for (std::size_t k = 0; k < 3; ++k) room.lo[k] += 2 * unit, room.hi[k] -= 2 * unit;
+  const double enough = 1e-3, unit = box_.unit, size = extent(box);
+  const Point3d m = approx_centre(box);
+  Box3d room;
+  for (std::size_t k = 0; k < 3; ++k) {
+    room.lo[k] = (box.lo[k] + 2 * unit - m[k]) / size;
+    room.hi[k] = (box.hi[k] - 2 * unit - m[k]) / size;
+  }
   half_spaces_.clear();
   for (const Id id : tested_) add_half_spaces(id);
   const auto inside = deepest_point(half_spaces_, room, enough);
@@ -158,24 +162,26 @@ bool BoxSearch::search_centres() {
   const auto outside = deepest_point(half_spaces_, room, enough);
   if (!outside) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    box_.star.inside[k] = on_grid(inside->point[k], unit);
-    box_.star.outside[k] = on_grid(outside->point[k], unit);
+    box_.star.inside[k] = on_grid(m[k] + size * inside->point[k], unit);
+    box_.star.outside[k] = on_grid(m[k] + size * outside->point[k], unit);
   }
   return has_star_signs(forest_, tested_, box_.star);
 }
 
-// g_c > 0 for every coefficient of the piece, as half-spaces for c.
+// g_c > 0 for every coefficient of the piece, as half-spaces for (c - m) / size, m and size of the box.
 void BoxSearch::add_half_spaces(Id id) {
   const PieceForest::Node& node = forest_.node(id);
   const PieceForest::Form& form = forest_.form(node.patch);
   const std::size_t n = form.determinant.count();
   const double* const g = forest_.approx_determinants(id);
+  const Point3d m = approx_centre(box_.star.box);
+  const double size = extent(box_.star.box);
   double error = 0;
   for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
   const auto add_exact = [&](const std::array<double, 4>& h) {
     const double length = length_of({h[0], h[1], h[2]});
     if (length > 0)
-      half_spaces_.push_back({{h[0] / length, h[1] / length, h[2] / length}, h[3] / length});
+      half_spaces_.push_back({{h[0] / length, h[1] / length, h[2] / length}, h[3] / length / size});
     else
       half_spaces_.push_back({{0, 0, 0}, -1});
   };
@@ -184,17 +190,18 @@ void BoxSearch::add_half_spaces(Id id) {
     // Shorter than its error: a direction that says nothing.
     if (std::abs(h.a[0]) + std::abs(h.a[1]) + std::abs(h.a[2]) <= error)
       if (const ExactPiece* const exact = forest_.exact_determinants(id))
-        return add_exact(exact->approx_half_space(i));
+        return add_exact(exact->approx_half_space(i, m));
     const double length = length_of(h.a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
       return;
     }
+    h.b /= length;
     for (std::size_t k = 0; k < 3; ++k) {
       h.a[k] /= length;
-      h.b -= h.a[k] * form.origin[k] * length;
+      h.b += h.a[k] * (m[k] - form.origin[k]);
     }
-    h.b /= length;
+    h.b /= size;
     half_spaces_.push_back(h);
   });
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The winding number of the boundary of a union of pieces around the line c- c+.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
 #include "robust/base/check.h"
+#include "solids/star_box/exact_winding.h"
 #include "solids/star_box/piece_net_internal.h"
 #include "solids/star_box/star_box.h"
 
@@ -134,7 +136,10 @@ class CrossingCounter {
       turn_ = turn;
       if (const auto sum = sum_of_windings()) return d_[k_] > 0 ? *sum : -*sum;
     }
-    return std::nullopt;
+    turn_ = {1, 0}, exact_left_ = kMostExact;
+    const auto sum = sum_of_windings();
+    if (!sum) return std::nullopt;
+    return d_[k_] > 0 ? *sum : -*sum;
   }
 
  private:
@@ -252,15 +257,24 @@ class CrossingCounter {
     curve.error_x = curve.error_y = bound;
     curve.begin = 0, curve.end = on.end - on.begin;
     // In the direction of travel: from on.begin on, or from on.end backwards.
-    if (on.sign > 0) return winding(curve, begin - on.begin, end - on.begin, kMaxHalvings);
-    return winding(curve, on.end - end, on.end - begin, kMaxHalvings);
+    const std::uint64_t from = on.sign > 0 ? begin - on.begin : on.end - end;
+    const std::uint64_t to = from + (end - begin);
+    const auto sum = winding(curve, from, to, kMaxHalvings);
+    if (sum || exact_left_ == 0) return sum;
+    --exact_left_;
+    const ExactPiece* const piece = forest_.exact(on.node);
+    if (piece == nullptr) return std::nullopt;
+    return exact_winding(*piece, patch, on.side, star_, {i_, j_, k_}, from, to,
+                         std::countr_zero(on.end - on.begin));
   }
 
   PieceForest& forest_;
   const StarBox& star_;
   Point3d d_;
   std::size_t i_, j_, k_;
+  static constexpr int kMostExact = 64;
   std::array<double, 2> turn_{};
+  int exact_left_ = 0;  // stretches that integers may decide, on the half-line (1, 0)
   std::vector<Stretch> stretches_;
   std::vector<std::uint64_t> cuts_;
 };

@@ -51,18 +51,40 @@ class ForestBuilder {
                  {},
                  to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
   }
+  struct ExactBox {
+    std::array<Rational, 3> lo, hi;
+  };
+  // Of the control points.
+  static ExactBox box_of(const Patch& patch) {
+    ExactBox out;
+    for (std::size_t i = 0; i < patch.num_control(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Rational& v = patch.component(static_cast<int>(k))[i];
+        const Rational x = patch.is_rational() ? v / patch.component(3)[i] : v;
+        if (i == 0 || x < out.lo[k]) out.lo[k] = x;
+        if (i == 0 || out.hi[k] < x) out.hi[k] = x;
+      }
+    return out;
+  }
+  static Rational length_of(const ExactBox& box) {
+    Rational out;
+    for (std::size_t k = 0; k < 3; ++k) out = std::max(out, box.hi[k] - box.lo[k]);
+    return out;
+  }
   Status choose_frame() {
     std::array<Rational, 3> lo, hi;
     bool is_first = true;
-    for (const Patch& patch : forest_.complex_->patches())
-      for (std::size_t i = 0; i < patch.num_control(); ++i, is_first = false)
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Rational& v = patch.component(static_cast<int>(k))[i];
-          const Rational x = patch.is_rational() ? v / patch.component(3)[i] : v;
-          if (!std::isfinite(nearest_double(x))) return over_limit(patch);
-          if (is_first || x < lo[k]) lo[k] = x;
-          if (is_first || hi[k] < x) hi[k] = x;
-        }
+    for (const Patch& patch : forest_.complex_->patches()) {
+      const ExactBox box = box_of(patch);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!std::isfinite(nearest_double(box.lo[k])) || !std::isfinite(nearest_double(box.hi[k])))
+          return over_limit(patch);
+        if (is_first || box.lo[k] < lo[k]) lo[k] = box.lo[k];
+        if (is_first || hi[k] < box.hi[k]) hi[k] = box.hi[k];
+      }
+      if (is_first || length_of(box) < length_of(least_)) least_ = box;
+      is_first = false;
+    }
     PieceForest::Frame& frame = forest_.frame_;
     // Exponents of the coordinates, of the lengths, and of the greatest of each; of a flat model the lengths do not count.
     const Rational half = Rational(1) / Rational(2);
@@ -82,6 +104,7 @@ class ForestBuilder {
     } else if (longest * Rational(kFar) < all) {
       frame.scale.fill(-exponent(longest));
     } else {
+      move_to_least_patch(longest);
       return ok_status();
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -92,6 +115,23 @@ class ForestBuilder {
     return ok_status();
   }
   static constexpr int kFar = 16;
+  static constexpr int kTinyBits = 32;
+  // Doubles are finest near 0: there goes a patch that is tiny beside the model, so that its boxes have room for their grid. One such place only.
+  void move_to_least_patch(const Rational& longest) {
+    if (longest < Rational::power_of_two(kTinyBits) * length_of(least_)) return;
+    for (std::size_t k = 0; k < 3; ++k)
+      forest_.frame_.shift[k] = coarsest_multiple(least_.lo[k], least_.lo[k] + length_of(least_));
+  }
+  // The multiple of the greatest power of two in [lo, hi]. REQUIRES lo < hi.
+  static Rational coarsest_multiple(const Rational& lo, const Rational& hi) {
+    if (lo.sign() != Sign::kPositive && hi.sign() != Sign::kNegative) return Rational();
+    for (int bits = exponent(std::max(abs(lo), abs(hi)));; --bits) {
+      const Rational step = Rational::power_of_two(bits);
+      const Rational last = hi / step;
+      const Rational x = Rational(floor_divide(last.numerator(), last.denominator())) * step;
+      if (lo <= x) return x;
+    }
+  }
   // REQUIRES v > 0. 2^(result - 2) < v < 2^result.
   static int exponent(const Rational& v) {
     return static_cast<int>(static_cast<std::int64_t>(v.numerator().bit_length()) -
@@ -214,8 +254,7 @@ class ForestBuilder {
           node.patch = p, node.i = i, node.j = j;
           forest_.nodes_.push_back(node);
           const auto id = static_cast<PieceForest::Id>(forest_.nodes_.size() - 1);
-          const double* const net = forest_.net(id, Part::kControl);
-          forest_.nodes_[id].hull = forest_.hull_of(form, net);
+          forest_.nodes_[id].hull = forest_.tight_hull(id);
           boxes.push_back(forest_.nodes_[id].hull);
         }
     }
@@ -224,6 +263,7 @@ class ForestBuilder {
   }
 
   PieceForest::FrameChoice choice_;
+  ExactBox least_;  // of the smallest patch
   PieceForest forest_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "interval/relations.h"
 #include "interval/ring_numbers.h"
@@ -15,8 +17,9 @@ namespace {
 using Id = PieceForest::Id;
 using Form = internal::ScaledForm<Interval>;
 
-constexpr int kOrder = 5;  // of the polynomial for 1 / w^3
+constexpr int kMostOrder = 9;  // of the polynomial for 1 / w^3
 constexpr int kMaxLevel = 8;
+constexpr double kPi = std::numbers::pi;
 
 // Each coefficient within `error` of its number.
 std::vector<Interval> enclosures(const double* net, std::size_t n, double error) {
@@ -54,8 +57,14 @@ class Integrator {
     const Interval area(std::ldexp(1.0, -halvings));
     const std::vector<Interval> g = height_form(id);
     if (!form.is_rational) return area * mean(g);
-    const Interval part = area * over_cubed_weight(form, g, id);
-    if (wid(part) <= tolerance_ * area.hi() || node.level >= kMaxLevel) return part;
+    const Weight w = weight_of(form, id);
+    const double most = magnitude(g);
+    int order = 1;
+    while (order < kMostOrder && !(2 * rest(w, most, order) <= tolerance_)) ++order;
+    const bool is_near = 2 * rest(w, most, order) <= tolerance_;
+    // What rounding adds to a near one is not less on parts of it.
+    if (is_near || node.level >= kMaxLevel)
+      return area * over_cubed_weight(form, g, w, order, rest(w, most, order));
     const Id first = forest_.children(id);
     Interval sum;
     for (Id k = 0; k < 4; ++k) sum += over(first + k);
@@ -78,39 +87,67 @@ class Integrator {
     return sum;
   }
 
-  // The mean of g / w^3. With x = w / m - 1, |x| <= d < 1: (1 + x)^-3 = sum C(k + 2, 2) (-x)^k, and the terms behind order K add up to at most
-  // C(K + 3, 2) d^(K + 1) / (1 - d)^3, since C(K + 3 + j, 2) <= C(K + 3, 2) C(j + 2, 2).
-  Interval over_cubed_weight(const PieceForest::Form& form, const std::vector<Interval>& g, Id id) {
+  // w = m (1 + x), |x| <= d; d = 1 if the weight may be 0.
+  struct Weight {
+    std::vector<Interval> x;
+    Interval m{1.0};
+    double d = 1;
+  };
+  Weight weight_of(const PieceForest::Form& form, Id id) {
     const std::size_t n = form.shape.count();
-    std::vector<Interval> w =
-        enclosures(forest_.control(id) + 3 * n, n, forest_.control_error(id, 3));
-    Interval range = w[0];
-    for (const Interval& v : w) range = hull(range, v);
-    if (!(range.lo() > 0)) return Interval::entire();
-    const Interval middle(mid(range));
+    Weight out;
+    out.x = enclosures(forest_.control(id) + 3 * n, n, forest_.control_error(id, 3));
+    Interval range = out.x[0];
+    for (const Interval& v : out.x) range = hull(range, v);
+    if (!(range.lo() > 0)) return out;
+    out.m = Interval(mid(range));
     Interval distance;
-    for (Interval& v : w) {
-      v = v / middle - Interval(1.0);
+    for (Interval& v : out.x) {
+      v = v / out.m - Interval(1.0);
       distance = hull(distance, v);
     }
-    const Interval d(mag(distance)), one(1.0);
-    if (!(d.hi() < 0.5)) return Interval::entire();
-    const Form x = Form::from_bernstein(form.shape, w.data());
+    out.d = std::min(1.0, mag(distance));
+    return out;
+  }
+  static double magnitude(const std::vector<Interval>& g) {
+    double most = 0;
+    for (const Interval& v : g) most = std::max(most, mag(v));
+    return most;
+  }
+
+  // f = (1 + x)^-3 is interpolated at x_j = d c_j, j = 0 .. K, c_j within 2^-40 of the zeros of Chebyshev's polynomial T_{K+1}. The divided differences of f
+  // are (-1)^k h_2(y_0, ..., y_k) y_0 ... y_k, y_j = 1 / (1 + x_j), h_2 the sum of all C(k + 2, 2) products of two (by induction on k, as for 1 / (1 + x), where
+  // h_0 = 1 stands for h_2). The error at x is the divided difference of x_0, ..., x_K, x times the product of all x - x_j. Since every y is at most
+  // 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) 2^-K (1 + 2^-10): the product of all t - c_j, |t| <= 1, is at most 2^-K at
+  // the zeros themselves, and moving them adds at most (K + 1) 2^-40 (2 + 2^-40)^K < 2^-26 <= 2^-K 2^-10, for K <= 9.
+  // The result times |g| / m^3 bounds what the mean of g / w^3 loses.
+  static double rest(const Weight& w, double most, int order) {
+    if (!(w.d < 0.5)) return std::numeric_limits<double>::infinity();
+    const Interval d(w.d), y = Interval(1.0) / (Interval(1.0) - d);
+    Interval out((order + 3) * (order + 2) / 2.0 * (1 + 0x1p-10));
+    out = out * Interval(most) * d * y * y * y * y / (w.m * w.m * w.m);
+    for (int k = 0; k < order; ++k) out = out * d * y * Interval(0.5);
+    return out.hi();
+  }
+
+  // The mean of g / w^3: Newton's form of the interpolant.
+  static Interval over_cubed_weight(const PieceForest::Form& form, const std::vector<Interval>& g,
+                                    const Weight& w, int order, double rest) {
+    if (!std::isfinite(rest)) return Interval::entire();
     Form product = Form::from_bernstein(form.determinant, g.data());
-    Interval sum = mean(product.to_bernstein());
-    Interval most;
-    for (const Interval& v : g) most = hull(most, Interval(mag(v)));
-    for (int k = 1; k <= kOrder; ++k) {
-      product = product * x;
-      const Interval c((k + 2) * (k + 1) / 2.0);
-      const Interval term = c * mean(product.to_bernstein());
+    Interval sum, first, second, all(1.0);  // of the y: their sum, h_2, their product
+    std::vector<Interval> factor(w.x.size());
+    for (int k = 0;; ++k) {
+      const Interval node(w.d * std::cos((2 * k + 1) * kPi / (2 * order + 2)));
+      const Interval y = Interval(1.0) / (Interval(1.0) + node);
+      first += y, second += y * first, all = all * y;
+      const Interval term = second * all * mean(product.to_bernstein());
       sum = k % 2 == 0 ? sum + term : sum - term;
+      if (k == order) break;
+      for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = w.x[i] - node;
+      product = product * Form::from_bernstein(form.shape, factor.data());
     }
-    Interval rest((kOrder + 3) * (kOrder + 2) / 2.0);
-    for (int k = 0; k <= kOrder; ++k) rest = rest * d;
-    rest = rest / ((one - d) * (one - d) * (one - d)) * Interval(most.hi());
-    sum += Interval::from_bounds(-rest.hi(), rest.hi());
-    return sum / (middle * middle * middle);
+    return sum / (w.m * w.m * w.m) + Interval::from_bounds(-rest, rest);
   }
 
   PieceForest& forest_;
@@ -122,8 +159,8 @@ class Integrator {
 std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance) {
   const ScopedUpward upward;
   const PatchComplex& complex = forest.complex();
-  // Coordinates are about 1: n·S du dv over all patches is about 1, too.
-  Integrator integrator(forest, tolerance / static_cast<double>(forest.num_patches()));
+  // The volume is a third of the sum over the patches, times the frame's unit cubed; the unit is at most 4 times the largest coordinate.
+  Integrator integrator(forest, tolerance * 3 / 64 / static_cast<double>(forest.num_patches()));
   std::vector<Interval> out(complex.shells().size());
   for (std::uint32_t p = 0; p < forest.num_patches(); ++p)
     out[complex.shell(p)] += integrator.over_patch(p);

@@ -137,8 +137,7 @@ PieceForest::Id PieceForest::children(Id id) {
   }
   nodes_[id].first_child = first;
   quarter(id, Part::kControl);
-  for (Id k = 0; k < 4; ++k)
-    nodes_[first + k].hull = hull_of(forms_[parent.patch], net(first + k, Part::kControl));
+  for (Id k = 0; k < 4; ++k) nodes_[first + k].hull = tight_hull(first + k);
   return first;
 }
 
@@ -236,7 +235,8 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
   }
   if (lo > bound) return Sign3::kPositive;
   if (hi < -bound) return Sign3::kNegative;
-  return Sign3::kUncertain;
+  if (lo < -bound && hi > bound) return Sign3::kUncertain;  // certainly both
+  return exact_side_of(id, c);
 }
 
 const double* PieceForest::control(Id id) { return net(id, Part::kControl); }
@@ -258,6 +258,7 @@ void PieceForest::NetStore::next_block(std::size_t n) {
 }
 
 void PieceForest::limit_memory(std::size_t bytes) {
+  if (exact_stored_ > kMostExactStored / 4) exact_.clear(), exact_stored_ = 0;
   if (store_.bytes() <= bytes) return;
   store_.take_back();
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "robust/base/result.h"
@@ -15,6 +16,8 @@
 #include "solids/star_box/surface_form.h"
 
 namespace veritope {
+
+class ExactPiece;
 
 /// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model in a frame, so
 /// that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped and are made again.
@@ -50,11 +53,12 @@ class PieceForest {
   };
 
   /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no shift) unless the model lies far from the
-  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine.
+  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine; or a patch is 2^32 times
+  /// smaller than the model: then the origin lies in it.
   struct Frame {
     std::array<int, 3> scale{};
     std::array<Rational, 3>
-        shift;  ///< a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
+        shift;  ///< a dyadic number; without a tiny patch a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
     bool is_plain() const;
   };
   enum class FrameChoice {
@@ -91,8 +95,8 @@ class PieceForest {
   void for_each_kept(const Node& node, Visit visit) const;
 
   /// Uncertain if two sides of the piece lie in collapsed sides and share a corner: there g_c is 0 and the corner is never certified.
-  /// The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides left out; uncertain if they differ or are too
-  /// close to 0 for the bound.
+  /// The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides left out; uncertain if they differ or one is 0.
+  /// Where the bound of doubles does not decide, integers do while the budget for them lasts; then it is uncertain, too.
   Sign3 side_of(Id id, const Point3d& c);
   /// Coefficients of G0 .. G3 relative to origin(), as approximate numbers: for searches.
   const double* approx_determinants(Id id);
@@ -101,6 +105,10 @@ class PieceForest {
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);
+  /// The node in integers, with or without determinants; nothing if the budget is spent. It stays until limit_memory. Pieces that decide a sign
+  /// are free, the others of a model share kMostExact coefficients: about half a second.
+  const ExactPiece* exact(Id id);
+  const ExactPiece* exact_determinants(Id id);
   /// Drops all nets if they take more than this; nodes stay.
   void limit_memory(std::size_t bytes);
 
@@ -126,6 +134,11 @@ class PieceForest {
     nodes_[id].net_ages[static_cast<std::size_t>(part)] = store_.age();
   }
   void quarter(Id id, Part part);
+  Box3d tight_hull(Id id);
+  bool is_rough(const Form& form, const double* net, const Box3d& hull) const;
+  Sign3 exact_side_of(Id id, const Point3d& c);
+  struct Exact;
+  Exact* exact_node(Id id, bool with_determinants);
   Box3d hull_of(const Form& form, const double* net) const;
   /// How many sides of the node lie in collapsed sides of the patch.
   enum class Collapsed { kNone, kApart, kAdjacent };
@@ -160,6 +173,12 @@ class PieceForest {
   std::size_t num_roots_ = 0;
   NetStore store_;
   BoxHierarchy roots_;
+
+  static constexpr std::size_t kMostExact = std::size_t{1} << 17;
+  static constexpr std::size_t kMostExactStored = std::size_t{1} << 21;
+  static constexpr std::size_t kMostExactHulls = std::size_t{1} << 14;
+  std::unordered_map<Id, std::shared_ptr<Exact>> exact_;
+  std::size_t exact_left_ = kMostExact, exact_stored_ = 0, exact_hulls_left_ = kMostExactHulls;
 };
 
 template <typename Visit>

@@ -79,7 +79,7 @@ class ScaledForm {
       for (int b = 0; b <= last(x.shape_, a); ++b)
         for (int c = 0; c < y.rows(); ++c)
           for (int d = 0; d <= last(y.shape_, c); ++d)
-            out.at(a + c, b + d) = out.at(a + c, b + d) + x.at(a, b) * y.at(c, d);
+            add_product(out.at(a + c, b + d), x.at(a, b), y.at(c, d));
     return out;
   }
 
@@ -94,6 +94,13 @@ class ScaledForm {
   }
 
  private:
+  static void add_product(R& sum, const R& a, const R& b) {
+    if constexpr (requires { sum.add_product(a, b); }) {
+      sum.add_product(a, b);
+    } else {
+      sum = sum + a * b;
+    }
+  }
   /// The product of binomials in two factors: each alone needs fewer digits.
   static std::array<R, 2> factors(const FormShape& s, int a, int b) {
     return {binomial_in<R>(s.p, a), binomial_in<R>(s.is_triangle ? s.p - a : s.q, b)};
@@ -122,13 +129,10 @@ ScaledForm<R> derivative_form(const FormShape& s, const R* c, int axis) {
 
 }  // namespace internal
 
-/// Bernstein coefficients of G0, G1, G2, G3 in determinant_shape(shape), with
-///   G0 + c0 G1 + c1 G2 + c2 G3 = det(F, F_u, F_v, (c, 1)) = w^3 n·(S - c),  n = S_u x S_v,
-/// F = (w S, w) the homogeneous map. Of a polynomial map (no w): n·(S - c).
-/// control: component by component, 3 or 4 of them, of shape.count() coefficients each. REQUIRES degrees >= 1.
+/// The polynomials of determinant_form, each coefficient times the binomials of its place: no division.
 template <Ring R>
-std::array<std::vector<R>, 4> determinant_form(const FormShape& shape, bool is_rational,
-                                               const R* control) {
+std::array<internal::ScaledForm<R>, 4> scaled_determinant_form(const FormShape& shape,
+                                                               bool is_rational, const R* control) {
   using Form = internal::ScaledForm<R>;
   const std::size_t n = shape.count();
   const auto value = [&](std::size_t i) { return Form::from_bernstein(shape, control + i * n); };
@@ -147,7 +151,8 @@ std::array<std::vector<R>, 4> determinant_form(const FormShape& shape, bool is_r
     m -= x[j] * y[i];
     return m;
   };
-  std::array<std::vector<R>, 4> out;
+  const Form zero(determinant_shape(shape));
+  std::array<Form, 4> out{zero, zero, zero, zero};
   if (!is_rational) {
     const std::vector<R> ones(n, one<R>());
     const Form identity = Form::from_bernstein(shape, ones.data());
@@ -156,12 +161,8 @@ std::array<std::vector<R>, 4> determinant_form(const FormShape& shape, bool is_r
     Form g0 = f[0] * normal[0];
     g0 += f[1] * normal[1];
     g0 += f[2] * normal[2];
-    out[0] = g0.to_bernstein();
-    for (std::size_t i = 0; i < 3; ++i) {
-      Form g(g0.shape());
-      g -= identity * normal[i];
-      out[i + 1] = g.to_bernstein();
-    }
+    out[0] = std::move(g0);
+    for (std::size_t i = 0; i < 3; ++i) out[i + 1] -= identity * normal[i];
     return out;
   }
   // Cofactors of the last row (c, 1): G_i = (-1)^(i + 1) times the determinant of the other three components (i from 0).
@@ -171,18 +172,28 @@ std::array<std::vector<R>, 4> determinant_form(const FormShape& shape, bool is_r
     d += minor(f, u, j, k) * v[i];
     return d;
   };
-  out[0] = triple(0, 1, 2).to_bernstein();
+  out[0] = triple(0, 1, 2);
   const std::array<std::array<std::size_t, 3>, 3> rest{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}}};
   for (std::size_t i = 0; i < 3; ++i) {
     Form d = triple(rest[i][0], rest[i][1], rest[i][2]);
-    if (i % 2 == 0) {
-      Form negative(d.shape());
-      negative -= d;
-      d = std::move(negative);
-    }
-    out[i + 1] = d.to_bernstein();
+    if (i % 2 == 0)
+      out[i + 1] -= d;
+    else
+      out[i + 1] = std::move(d);
   }
   return out;
+}
+
+/// Bernstein coefficients of G0, G1, G2, G3 in determinant_shape(shape), with
+///   G0 + c0 G1 + c1 G2 + c2 G3 = det(F, F_u, F_v, (c, 1)) = w^3 n·(S - c),  n = S_u x S_v,
+/// F = (w S, w) the homogeneous map. Of a polynomial map (no w): n·(S - c).
+/// control: component by component, 3 or 4 of them, of shape.count() coefficients each. REQUIRES degrees >= 1.
+template <Ring R>
+std::array<std::vector<R>, 4> determinant_form(const FormShape& shape, bool is_rational,
+                                               const R* control) {
+  const auto scaled = scaled_determinant_form<R>(shape, is_rational, control);
+  return {scaled[0].to_bernstein(), scaled[1].to_bernstein(), scaled[2].to_bernstein(),
+          scaled[3].to_bernstein()};
 }
 
 }  // namespace veritope

@@ -42,6 +42,19 @@ TEST(ShellVolumes, HoldTheExactVolumes) {
   expect_near(volumes(patch_shapes::frustum(ratio(2), ratio(0), ratio(5)))[0], 20 * kPi / 3, 1e-4);
 }
 
+// Tolerances are kept whatever the model's size is in its frame, and cost a moment.
+TEST(ShellVolumes, KeepSmallTolerances) {
+  constexpr double kPi = std::numbers::pi;
+  for (const double tolerance : {1e-5, 1e-8, 1e-10}) {
+    const Interval ball = volumes(patch_shapes::sphere(), tolerance)[0];
+    expect_near(ball, 4 * kPi / 3, tolerance);
+    const Interval ring = volumes(patch_shapes::torus(ratio(3), ratio(1)), tolerance)[0];
+    expect_near(ring, 6 * kPi * kPi, 64 * tolerance);
+    const Interval can = volumes(patch_shapes::frustum(ratio(2), ratio(2), ratio(5)), tolerance)[0];
+    expect_near(can, 20 * kPi, 125 * tolerance);
+  }
+}
+
 // Products of degree 71: binomials beyond 64 bits.
 TEST(ShellVolumes, HoldForHighRationalDegrees) {
   const auto v = volumes(elevated(patch_shapes::octant_sphere(), 7), 1);

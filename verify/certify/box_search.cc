@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solids/star_box/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
 
 namespace veritope {
@@ -161,9 +162,13 @@ bool BoxSearch::search_centres() {
 // The deepest points, on the box's grid, under about `most` conditions of each piece.
 BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const Box3d& box = box_.star.box;
-  const double enough = 1e-3 * extent(box), unit = box_.unit;
-  Box3d room = box;
-  for (std::size_t k = 0; k < 3; ++k) room.lo[k] += 2 * unit, room.hi[k] -= 2 * unit;
+  const double enough = 1e-3, unit = box_.unit, size = extent(box);
+  const Point3d m = approx_centre(box);
+  Box3d room;
+  for (std::size_t k = 0; k < 3; ++k) {
+    room.lo[k] = (box.lo[k] + 2 * unit - m[k]) / size;
+    room.hi[k] = (box.hi[k] - 2 * unit - m[k]) / size;
+  }
   half_spaces_.clear();
   bool has_all = true;
   for (const Id id : tested_) has_all = add_half_spaces(id, most) && has_all;
@@ -173,23 +178,39 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const auto outside = deepest_point(half_spaces_, room, enough);
   if (!outside) return Centres::kNone;
   for (std::size_t k = 0; k < 3; ++k) {
-    box_.star.inside[k] = on_grid(inside->point[k], unit);
-    box_.star.outside[k] = on_grid(outside->point[k], unit);
+    box_.star.inside[k] = on_grid(m[k] + size * inside->point[k], unit);
+    box_.star.outside[k] = on_grid(m[k] + size * outside->point[k], unit);
   }
   return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
 }
 
-// g_c > 0 for coefficients of the piece, as half-spaces for c: all of them, or about `most`, evenly spread; whether it were all.
+// g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / size, m and size of the box: all of them, or about `most`, evenly
+// spread; whether it were all.
 bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   const PieceForest::Node& node = forest_.node(id);
   const PieceForest::Form& form = forest_.form(node.patch);
   const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
   const double* const g = forest_.approx_determinants(id);
   std::size_t left = 0;
+  const Point3d m = approx_centre(box_.star.box);
+  const double size = extent(box_.star.box);
+  double error = 0;
+  for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
+  const auto add_exact = [&](const std::array<double, 4>& h) {
+    const double length = length_of({h[0], h[1], h[2]});
+    if (length > 0)
+      half_spaces_.push_back({{h[0] / length, h[1] / length, h[2] / length}, h[3] / length / size});
+    else
+      half_spaces_.push_back({{0, 0, 0}, -1});
+  };
   forest_.for_each_kept(node, [&](std::size_t i) {
     if (left-- != 0) return;
     left = step - 1;
     HalfSpace h{{g[n + i], g[2 * n + i], g[3 * n + i]}, g[i]};
+    // Shorter than its error: a direction that says nothing.
+    if (std::abs(h.a[0]) + std::abs(h.a[1]) + std::abs(h.a[2]) <= error)
+      if (const ExactPiece* const exact = forest_.exact_determinants(id))
+        return add_exact(exact->approx_half_space(i, m));
     const double length = length_of(h.a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
@@ -197,10 +218,10 @@ bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
     }
     const double factor = 1 / length;
     for (std::size_t k = 0; k < 3; ++k) {
-      h.b -= h.a[k] * form.origin[k];
+      h.b += h.a[k] * (m[k] - form.origin[k]);
       h.a[k] *= factor;
     }
-    h.b *= factor;
+    h.b *= factor / size;
     half_spaces_.push_back(h);
   });
   return step == 1;

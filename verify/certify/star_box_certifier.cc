@@ -14,6 +14,20 @@ using certificate::StarBoxBody;
 using certificate::StarBoxItem;
 using Id = PieceForest::Id;
 
+// Boxes are multiples of their units in the frame; in the model's coordinates, times 2^(the frame's finest scale), of 2^(the result).
+int grid_exponent(const PieceForest& forest, const CoverBox& box) {
+  const PieceForest::Frame& frame = forest.frame();
+  const int finest = *std::max_element(frame.scale.begin(), frame.scale.end());
+  int out = std::ilogb(box.unit);
+  for (const Rational& shift : frame.shift) {
+    if (shift.sign() == Sign::kZero) continue;
+    const auto below = static_cast<int>(shift.denominator().bit_length()) - 1;  // a power of two
+    const int bits = below > 0 ? -below : static_cast<int>(shift.numerator().trailing_zeros());
+    out = std::min(out, bits + finest);
+  }
+  return out;
+}
+
 class BodyWriter {
  public:
   BodyWriter(const PieceForest& forest, const StarCover& cover,
@@ -61,12 +75,12 @@ class BodyWriter {
     const auto& scale = forest_.frame().scale;
     const int finest = *std::max_element(scale.begin(), scale.end());
     int least = most_exponent_;
-    for (const CoverBox& b : cover_.boxes) least = std::min(least, std::ilogb(b.unit));
+    for (const CoverBox& b : cover_.boxes) least = std::min(least, grid_exponent(forest_, b));
     body_.exponent = least - finest;
     for (const CoverBox& b : cover_.boxes) {
       StarBoxItem item;
       item.is_mesh = b.is_mesh;
-      const int unit = std::ilogb(b.unit);
+      const int unit = grid_exponent(forest_, b), spare = std::ilogb(b.unit) - unit;
       item.shift = static_cast<std::uint64_t>(unit - least);
       for (std::size_t k = 0; k < 3; ++k) {
         const double lo = b.star.box.lo[k];
@@ -74,7 +88,7 @@ class BodyWriter {
         VT_CHECK(low.denominator() == Integer(1), "a box beside its grid");
         item.low[k] = low.numerator().to_int64();
         const auto steps = [&](double to) {  // multiples of the unit, less than 2^53 of them: exact
-          return static_cast<std::uint64_t>((to - lo) / b.unit) << (finest - scale[k]);
+          return static_cast<std::uint64_t>((to - lo) / b.unit) << (finest - scale[k] + spare);
         };
         item.size[k] = steps(b.star.box.hi[k]);
         if (b.is_mesh) continue;
@@ -99,12 +113,15 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
       60;  // the C++ checker's 61, less one for the sum of corner and size
   const auto& scale = forest.frame().scale;
   int least = 0;
-  for (const CoverBox& b : cover.boxes) least = std::min(least, std::ilogb(b.unit));
+  for (const CoverBox& b : cover.boxes) least = std::min(least, grid_exponent(forest, b));
   const Rational units =
       Rational::power_of_two(*std::max_element(scale.begin(), scale.end()) - least);
   for (std::size_t k = 0; k < 3; ++k) {
-    // Boxes reach to 8 at most, in the frame: see BoxSearch.
-    const Rational reach = abs(forest.frame().shift[k]) + Rational::power_of_two(3 - scale[k]);
+    double most = 0;  // of the boxes' coordinates in the frame
+    for (const CoverBox& b : cover.boxes)
+      most = std::max({most, std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k])});
+    const Rational reach = abs(forest.frame().shift[k]) +
+                           Rational::from_double(most) * Rational::power_of_two(-scale[k]);
     if (Rational::power_of_two(kMostBits) < reach * units) return false;
   }
   return true;

@@ -14,25 +14,25 @@ namespace {
 using Id = PieceForest::Id;
 
 constexpr int kMaxVisits = 200'000;
-// Added to boxes on all sides, relative to the largest coordinate, 1: pays for all roundings of the slab test.
-constexpr double kPad = 0x1p-48;
+// A parameter (x - a) / (b - a) is computed in three operations, each with a relative error of at most 2^-52 in any rounding mode.
+constexpr double kRelative = 0x1p-50, kTiny = 0x1p-1000;
 
-// The part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the padded box; t0 > t1 if there is none.
+// Contains the part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the box; t0 > t1 only if there is none.
 struct Part {
   double t0 = 0, t1 = 1;
 };
 Part part_in(const Box3d& box, const Point3d& a, const Point3d& b) {
   Part part;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double pad = kPad * (1 + std::abs(a[k]) + std::abs(b[k]));
-    const double lo = box.lo[k] - pad, hi = box.hi[k] + pad, d = b[k] - a[k];
-    if (std::abs(d) < pad) {
-      if (std::max(a[k], b[k]) < lo || std::min(a[k], b[k]) > hi) return {1, 0};
+    const double d = b[k] - a[k];
+    if (d == 0) {  // then a = b
+      if (a[k] < box.lo[k] || a[k] > box.hi[k]) return {1, 0};
       continue;
     }
-    const double s = (lo - a[k]) / d, t = (hi - a[k]) / d;
-    part.t0 = std::max(part.t0, std::min(s, t) - kPad);
-    part.t1 = std::min(part.t1, std::max(s, t) + kPad);
+    const double s = (box.lo[k] - a[k]) / d, t = (box.hi[k] - a[k]) / d;
+    const double first = std::min(s, t), last = std::max(s, t);
+    part.t0 = std::max(part.t0, first - kRelative * std::abs(first) - kTiny);
+    part.t1 = std::min(part.t1, last + kRelative * std::abs(last) + kTiny);
   }
   return part;
 }

@@ -12,48 +12,31 @@ namespace {
 
 using Ids = std::vector<PieceForest::Id>;
 
-// Depth first, children near the middle of the box first.
-struct Search {
-  PieceForest& forest;
-  const Box3d& box;
-  std::size_t left;
-  bool wants_inside;  // else: stops only where a hull cannot be told from the box
-  int dimension;      // axes along which a hull is to be inside
-
-  // True: found what was looked for (a hull inside), or the budget ended while looking for the absence of one.
-  bool visit(PieceForest::Id id) {
-    const Box3d hull = forest.node(id).hull;
-    if (!meets(hull, box)) return false;
-    if (left == 0) return !wants_inside;
-    --left;
-    if (is_inside_along(hull, box)) return true;
-    if (forest.node(id).level == PieceForest::kMaxLevel) return !wants_inside;
-    const PieceForest::Id first = forest.children(id);
-    std::array<std::pair<double, PieceForest::Id>, 4> order;
-    const Point3d middle = approx_centre(box);
-    for (PieceForest::Id k = 0; k < 4; ++k) {
-      const Point3d c = approx_centre(forest.node(first + k).hull);
-      double d = 0;
-      for (std::size_t a = 0; a < 3; ++a) d = std::max(d, std::abs(c[a] - middle[a]));
-      order[k] = {d, first + k};
-    }
-    std::sort(order.begin(), order.end());
-    for (const auto& [distance, child] : order)
-      if (visit(child)) return true;
-    return false;
-  }
-  bool is_inside_along(const Box3d& hull, const Box3d& b) const {
+// V in a box as hulls tell it: level by level, since a piece in the box can be found long before the many that a side of the box cuts, at
+// every level, are exhausted. `dimension`: axes along which a hull is to be inside.
+enum class Sight { kMissed, kMet, kUnknown };
+Sight look(PieceForest& forest, const Box3d& box, std::size_t visits, int dimension) {
+  const auto is_inside = [&](const Box3d& hull) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-      if (hull.lo[k] < b.lo[k] || b.hi[k] < hull.hi[k]) return false;
+      if (hull.lo[k] < box.lo[k] || box.hi[k] < hull.hi[k]) return false;
     return true;
-  }
-  bool run() {
-    bool found = false;
-    forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
-                         [&](std::uint32_t n) { found = found || visit(forest.root(n)); });
-    return found;
-  }
-};
+  };
+  Ids level, next;
+  forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
+                       [&](std::uint32_t n) { level.push_back(forest.root(n)); });
+  for (; !level.empty(); level.swap(next), next.clear())
+    for (const PieceForest::Id id : level) {
+      const Box3d hull = forest.node(id).hull;
+      if (!meets(hull, box)) continue;
+      if (visits == 0) return Sight::kUnknown;
+      --visits;
+      if (is_inside(hull)) return Sight::kMet;
+      if (forest.node(id).level == PieceForest::kMaxLevel) return Sight::kUnknown;
+      const PieceForest::Id first = forest.children(id);
+      for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
+    }
+  return Sight::kMissed;
+}
 
 Box3d intersection(const Box3d& a, const Box3d& b) {
   Box3d out;
@@ -72,10 +55,12 @@ class Tracer {
   // Other places of the cuts, where one may lie almost tangent to V.
   BoxTrace run(const Box3d& box) {
     BoxTrace out;
+    std::size_t cells = 0;
     for (const double shift : {0.0, 0x1.9p-5, -0x1.3p-4}) {
       cut_shift_ = shift;
       left_ = options_.max_cells;
       out = run_once(box);
+      out.cells = cells += options_.max_cells - left_;
       if (out.kind != BoxTrace::Kind::kUndecided) break;
     }
     return out;
@@ -88,10 +73,10 @@ class Tracer {
     if (out.kind == BoxTrace::Kind::kSurface) out.is_connected = hang_together(disks);
     return out;
   }
-  static BoxTrace missed() { return {BoxTrace::Kind::kMissed, 0, false, {}}; }
-  static BoxTrace disk() { return {BoxTrace::Kind::kSurface, 1, true, {}}; }
+  static BoxTrace missed() { return {BoxTrace::Kind::kMissed, 0, false, {}, 0}; }
+  static BoxTrace disk() { return {BoxTrace::Kind::kSurface, 1, true, {}, 0}; }
   static BoxTrace undecided(const Box3d& place) {
-    return {BoxTrace::Kind::kUndecided, 0, false, place};
+    return {BoxTrace::Kind::kUndecided, 0, false, place, 0};
   }
 
   // disks: collects the boxes decided as one that V meets, unless null.
@@ -122,7 +107,7 @@ class Tracer {
     if (b.is_missed()) return a;
     const BoxTrace c = cut(slab, splits + 1, nullptr);
     if (c.kind == BoxTrace::Kind::kUndecided) return c;
-    return {BoxTrace::Kind::kSurface, a.euler + b.euler - c.euler, false, {}};
+    return {BoxTrace::Kind::kSurface, a.euler + b.euler - c.euler, false, {}, 0};
   }
 
   std::size_t longest_axis(const Box3d& box) const {
@@ -270,11 +255,11 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 }
 
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  return !Search{forest, box, max_visits, false, 3}.run();
+  return look(forest, box, max_visits, 3) == Sight::kMissed;
 }
 
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
-  return Search{model.forest(), box, max_visits, true, model.dimension()}.run();
+  return look(model.forest(), box, max_visits, model.dimension()) == Sight::kMet;
 }
 
 std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {

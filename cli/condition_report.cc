@@ -51,13 +51,13 @@ double default_eps(BoundaryModel& model) {
 
 SweepOptions sweep_budgets() {
   SweepOptions out;
-  out.boxes.max_boxes = 20'000;
-  out.conditions.trace.max_cells = 2000;
-  out.conditions.max_cells = 500'000;
-  out.conditions.max_intersections = 200'000;
+  out.boxes.max_boxes = 4'000;
+  out.conditions.trace.max_cells = 500;
+  out.conditions.max_cells = 50'000;
+  out.conditions.max_intersections = 50'000;
   out.conditions.max_listed = 1;
   out.conditions.stops_at_refutation = true;
-  out.max_cells = 200'000;
+  out.max_cells = 6'000;
   return out;
 }
 

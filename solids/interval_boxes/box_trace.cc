@@ -12,31 +12,40 @@ namespace {
 
 using Ids = std::vector<PieceForest::Id>;
 
-// V in a box as hulls tell it: level by level, since a piece in the box can be found long before the many that a side of the box cuts, at
-// every level, are exhausted. `dimension`: axes along which a hull is to be inside.
-enum class Sight { kMissed, kMet, kUnknown };
-Sight look(PieceForest& forest, const Box3d& box, std::size_t visits, int dimension) {
-  const auto is_inside = [&](const Box3d& hull) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-      if (hull.lo[k] < box.lo[k] || box.hi[k] < hull.hi[k]) return false;
-    return true;
-  };
-  Ids level, next;
-  forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
-                       [&](std::uint32_t n) { level.push_back(forest.root(n)); });
-  for (; !level.empty(); level.swap(next), next.clear())
-    for (const PieceForest::Id id : level) {
-      const Box3d hull = forest.node(id).hull;
-      if (!meets(hull, box)) continue;
-      if (visits == 0) return Sight::kUnknown;
-      --visits;
-      if (is_inside(hull)) return Sight::kMet;
-      if (forest.node(id).level == PieceForest::kMaxLevel) return Sight::kUnknown;
-      const PieceForest::Id first = forest.children(id);
-      for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
-    }
-  return Sight::kMissed;
+bool is_in(const Box3d& a, const Box3d& b, int dimension) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    if (a.lo[k] < b.lo[k] || b.hi[k] < a.hi[k]) return false;
+  return true;
 }
+
+// Looks for a reason not to say that V misses the box: a hull inside of it, one at the deepest level, or the end of the budget. Depth first: where V
+// comes into a box without an interior, the deepest level is reached at once.
+struct Doubt {
+  PieceForest& forest;
+  const Box3d& box;
+  std::size_t left;
+
+  bool visit(PieceForest::Id id) {
+    const Box3d hull = forest.node(id).hull;
+    if (!meets(hull, box)) return false;
+    if (left == 0 || is_in(hull, box, 3) || forest.node(id).level == PieceForest::kMaxLevel)
+      return true;
+    --left;
+    const PieceForest::Id first = forest.children(id);
+    std::array<std::pair<double, PieceForest::Id>, 4> order;
+    const Point3d middle = approx_centre(box);
+    for (PieceForest::Id k = 0; k < 4; ++k) {
+      const Point3d c = approx_centre(forest.node(first + k).hull);
+      double d = 0;
+      for (std::size_t a = 0; a < 3; ++a) d = std::max(d, std::abs(c[a] - middle[a]));
+      order[k] = {d, first + k};
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [distance, child] : order)
+      if (visit(child)) return true;
+    return false;
+  }
+};
 
 Box3d intersection(const Box3d& a, const Box3d& b) {
   Box3d out;
@@ -255,11 +264,30 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 }
 
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  return look(forest, box, max_visits, 3) == Sight::kMissed;
+  Doubt doubt{forest, box, max_visits};
+  bool found = false;
+  forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
+                       [&](std::uint32_t n) { found = found || doubt.visit(forest.root(n)); });
+  return !found;
 }
 
+// Level by level: a piece in the box can be found long before the many are exhausted that a side of the box cuts.
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
-  return look(model.forest(), box, max_visits, model.dimension()) == Sight::kMet;
+  PieceForest& forest = model.forest();
+  Ids level, next;
+  forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
+                       [&](std::uint32_t n) { level.push_back(forest.root(n)); });
+  for (; !level.empty(); level.swap(next), next.clear())
+    for (const PieceForest::Id id : level) {
+      const PieceForest::Node node = forest.node(id);
+      if (!meets(node.hull, box)) continue;
+      if (is_in(node.hull, box, model.dimension())) return true;
+      if (max_visits-- == 0) return false;
+      if (node.level == PieceForest::kMaxLevel) continue;
+      const PieceForest::Id first = forest.children(id);
+      for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
+    }
+  return false;
 }
 
 std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {

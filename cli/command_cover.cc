@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/condition_report.h"
 #include "cli/cover_picture.h"
 #include "cli/output_plan.h"
 #include "cli/patch_report.h"
@@ -40,11 +41,37 @@ class CoverRun {
                                       to_string(source->foreign.front()));
     if (source->patches.empty())
       return fail(kExitUnreadable, "there is no surface and no triangle in this file");
-    const Result<PatchComplex> complex = make_patch_complex(
+    Result<PatchComplex> complex = make_patch_complex(
         std::move(source->patches),
         options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
     if (!complex) return fail(kExitUnreadable, to_string(complex.error()));
-    return cover(*complex);
+    sha256_ = file->sha256;
+    return options_.sweep ? sweep(std::move(*complex)) : cover(*complex);
+  }
+
+  ExitCode sweep(PatchComplex complex) {
+    Result<BoundaryModel> model = BoundaryModel::make(std::move(complex));
+    if (!model) return fail(kExitUndecided, to_string(model.error()));
+    phase("asking conditions");
+    const SweepOptions budgets = sweep_budgets();
+    const auto rows = sweep_conditions(*model, options_.eps.value_or(default_eps(*model)),
+                                       *options_.sweep, budgets);
+    if (!rows) return fail(kExitUnreadable, to_string(rows.error()));
+    if (options_.json != "-") said_ = sweep_text(*rows);
+    phase("writing");
+    if (options_.json) {
+      const Status status =
+          write_output(*options_.json, sweep_json(options_.files[0], sha256_, *rows), out_);
+      if (!status) return fail(kExitUnreadable, to_string(status.error()));
+    }
+    return options_.output.empty() ? kExitValid : write_boxes(*model, finest_row(*rows));
+  }
+
+  ExitCode write_boxes(BoundaryModel& model, const SweepRow* row) {
+    if (row == nullptr) return fail(kExitUndecided, "no boxes were made, and nothing is written");
+    const auto boxes = make_surface_cover(model, row->eps, sweep_budgets().boxes);
+    if (!boxes) return fail(kExitUnreadable, to_string(boxes.error()));
+    return write(surface_boxes_picture(options_.output, *boxes));
   }
 
   ExitCode cover(const PatchComplex& complex) {
@@ -66,9 +93,11 @@ class CoverRun {
         return fail(kExitUndecided, "no collar was found, and nothing is written");
     }
     phase("writing");
-    const Result<std::string> bytes =
-        cover_picture(options_.cover_part, options_.output, *forest, decision.cover,
-                      search.collar ? &*search.collar : nullptr);
+    return write(cover_picture(options_.cover_part, options_.output, *forest, decision.cover,
+                               search.collar ? &*search.collar : nullptr));
+  }
+
+  ExitCode write(const Result<std::string>& bytes) {
     if (!bytes) return fail(kExitUnreadable, to_string(bytes.error()));
     const Status status = write_output(options_.output, *bytes, out_);
     return status ? kExitValid : fail(kExitUnreadable, to_string(status.error()));
@@ -83,23 +112,23 @@ class CoverRun {
   const Options& options_;
   StandardOutput& out_;
   Progress progress_;
-  std::string words_, said_;
+  std::string words_, said_, sha256_;
 };
 
 }  // namespace
 
 ExitCode run_cover(const Options& options, StandardOutput& out) {
-  Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, std::nullopt);
-  if (plan)
+  Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);
+  if (plan && !options.output.empty())
     if (const Status apart =
-            check_output("--output", options.output, options.files, *plan, std::nullopt);
+            check_output("--output", options.output, options.files, *plan, options.json);
         !apart)
       plan = apart.error();
   if (!plan) {
     complain(harmless(to_string(plan.error())));
     return plan.error().code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
   }
-  if (!is_cover_file(options.output)) {
+  if (!options.output.empty() && !is_cover_file(options.output)) {
     complain(harmless(options.output + ": the name must end in .vtu, .obj, .ply, .off or .stl"));
     return kExitUsage;
   }

@@ -101,4 +101,18 @@ Result<std::string> cover_picture(CoverPart part, const std::string& path,
   return mesh_bytes(*mesh, path);
 }
 
+Result<std::string> surface_boxes_picture(const std::string& path, const SurfaceCover& cover) {
+  if (!is_vtu(path)) return mesh_bytes(box_mesh(cover.plain_boxes()), path);
+  CellGrid grid;
+  std::vector<std::int64_t> kinds, entities;
+  for (const SurfaceBox& b : cover.boxes) {
+    grid.add_box(b.box);
+    kinds.push_back(static_cast<std::int64_t>(b.kind));
+    entities.push_back(b.entity);
+  }
+  grid.values.emplace_back("kind", std::move(kinds));
+  grid.values.emplace_back("entity", std::move(entities));
+  return vtu_bytes(grid);
+}
+
 }  // namespace veritope::cli

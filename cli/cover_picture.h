@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "robust/base/result.h"
+#include "solids/interval_boxes/surface_boxes.h"
 #include "verify/certify/patch_collar.h"
 #include "verify/certify/patch_decision.h"
 
@@ -21,6 +22,9 @@ std::optional<CoverPart> cover_part_from_name(std::string_view name);
 Result<std::string> cover_picture(CoverPart part, const std::string& path,
                                   const PieceForest& forest, const StarCover& cover,
                                   const PatchCollar* collar);
+/// The boxes of the paper in the same files; of .vtu with kind (0 face, 1 edge, 2 vertex) and entity (of the complex: patch, edge, vertex).
+/// REQUIRES is_cover_file(path).
+Result<std::string> surface_boxes_picture(const std::string& path, const SurfaceCover& cover);
 /// Whether the name ends in .vtu, .obj, .ply, .off or .stl.
 bool is_cover_file(const std::string& path);
 

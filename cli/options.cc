@@ -10,6 +10,7 @@
 #include "cli/certify.h"
 #include "io/mesh_format.h"
 #include "robust/base/parallel.h"
+#include "solids/interval_boxes/condition_sweep.h"
 
 namespace veritope::cli {
 namespace {
@@ -223,20 +224,32 @@ void add_cover(CLI::App& app, Options& o) {
   c->callback([&o] { o.command = Command::kCover; });
   add_file(c, "MODEL", o.files, "a file of patches (itd, g2, mfem, gismo, vjson)");
   c->add_option("-o,--output", o.output, "the new file: .vtu, .obj, .ply, .off or .stl")
-      ->required()
       ->type_name("F");
+  CLI::Option* const what = c->add_option_function<std::string>(
+      "--what",
+      [&o](const std::string& name) {
+        const auto part = cover_part_from_name(name);
+        if (!part)
+          throw CLI::ValidationError("--what",
+                                     "must be boxes, collar, outer or inner, not " + name);
+        o.cover_part = *part;
+      },
+      "star boxes: boxes; octree cells around the surface:\ncollar (default); solids: outer, "
+      "inner");
+  what->type_name("W");
   c->add_option_function<std::string>(
-       "--what",
-       [&o](const std::string& name) {
-         const auto part = cover_part_from_name(name);
-         if (!part)
-           throw CLI::ValidationError("--what",
-                                      "must be boxes, collar, outer or inner, not " + name);
-         o.cover_part = *part;
+       "--sweep",
+       [&o](const std::string& text) {
+         o.sweep = static_cast<int>(parse_number("--sweep", text, 0, kMaxSweep));
        },
-       "boxes: star boxes; collar: octree cells around the\nsurface (default); outer, inner: the "
-       "solid with the\ncells, and without them")
-      ->type_name("W");
+       "table which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nof boxes of size EPS, halved N "
+       "times; -o: the last")
+      ->type_name("N")
+      ->excludes(what);
+  add_length(c, "--eps", o.eps, "EPS", "the first size (a quarter of the model or less)");
+  c->get_option("--eps")->needs("--sweep");
+  add_text(c, "--json", o.json, "F", "the table as JSON; - is standard output");
+  c->get_option("--json")->needs("--sweep");
   add_orientation(c, o, "patches");
   c->add_flag("-q,--quiet", o.quiet, "nothing on standard output, no progress");
   add_any_format(c, o);
@@ -306,6 +319,8 @@ std::string contradiction(const Options& o) {
   if (o.command == Command::kConvert && o.output == "-" && !o.to) {
     return "- is standard output and needs --to";
   }
+  if (o.command == Command::kCover && o.output.empty() && !o.sweep)
+    return "-o,--output is required";
   if (o.command == Command::kCover && o.output == "-") return "--output needs a file name, not -";
   if (o.picture == "-") return "--picture needs a file name, not -";
   if (o.picture && o.files.size() > 1) return "--picture shows one file, not several";

@@ -33,7 +33,7 @@ struct Options {
   std::vector<std::string> files;
   ReadOptions reading;                        ///< certify, info, convert
   std::optional<SplineFormat> spline_format;  ///< info, convert: --format of a spline file
-  std::optional<std::string> json;            ///< certify, info
+  std::optional<std::string> json;            ///< certify, info, cover --sweep, ...
   std::optional<std::string> certificate;     ///< certify
   std::optional<std::string> picture;         ///< certify
   std::uint64_t max_defects = 20;             ///< certify
@@ -42,8 +42,10 @@ struct Options {
   bool orient_auto = false;                      ///< certify, cover, of spline files: --orient auto
   bool collar = false;                           ///< certify, of spline files
   std::optional<double> tolerance;               ///< certify, of spline files: --tolerance
-  std::string output;                            ///< convert: OUT; cover: -o
+  std::string output;                            ///< convert: OUT; cover: -o, or nothing
   CoverPart cover_part = CoverPart::kCollar;     ///< cover: --what
+  std::optional<int> sweep;                      ///< cover: --sweep
+  std::optional<double> eps;                     ///< cover: --eps; else chosen by the model's size
   std::optional<std::string> to;                 ///< convert
   bool single_precision = false, lossy = false;  ///< convert
   bool faces = false;                            ///< convert, of volumes

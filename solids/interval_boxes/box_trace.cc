@@ -12,22 +12,25 @@ namespace {
 
 using Ids = std::vector<PieceForest::Id>;
 
-// Depth first, children near the middle of the box first.
-struct Search {
+bool is_in(const Box3d& a, const Box3d& b, int dimension) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    if (a.lo[k] < b.lo[k] || b.hi[k] < a.hi[k]) return false;
+  return true;
+}
+
+// Looks for a reason not to say that V misses the box: a hull inside of it, one at the deepest level, or the end of the budget. Depth first: where V
+// comes into a box without an interior, the deepest level is reached at once.
+struct Doubt {
   PieceForest& forest;
   const Box3d& box;
   std::size_t left;
-  bool wants_inside;  // else: stops only where a hull cannot be told from the box
-  int dimension;      // axes along which a hull is to be inside
 
-  // True: found what was looked for (a hull inside), or the budget ended while looking for the absence of one.
   bool visit(PieceForest::Id id) {
     const Box3d hull = forest.node(id).hull;
     if (!meets(hull, box)) return false;
-    if (left == 0) return !wants_inside;
+    if (left == 0 || is_in(hull, box, 3) || forest.node(id).level == PieceForest::kMaxLevel)
+      return true;
     --left;
-    if (is_inside_along(hull, box)) return true;
-    if (forest.node(id).level == PieceForest::kMaxLevel) return !wants_inside;
     const PieceForest::Id first = forest.children(id);
     std::array<std::pair<double, PieceForest::Id>, 4> order;
     const Point3d middle = approx_centre(box);
@@ -41,17 +44,6 @@ struct Search {
     for (const auto& [distance, child] : order)
       if (visit(child)) return true;
     return false;
-  }
-  bool is_inside_along(const Box3d& hull, const Box3d& b) const {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-      if (hull.lo[k] < b.lo[k] || b.hi[k] < hull.hi[k]) return false;
-    return true;
-  }
-  bool run() {
-    bool found = false;
-    forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
-                         [&](std::uint32_t n) { found = found || visit(forest.root(n)); });
-    return found;
   }
 };
 
@@ -72,10 +64,12 @@ class Tracer {
   // Other places of the cuts, where one may lie almost tangent to V.
   BoxTrace run(const Box3d& box) {
     BoxTrace out;
+    std::size_t cells = 0;
     for (const double shift : {0.0, 0x1.9p-5, -0x1.3p-4}) {
       cut_shift_ = shift;
       left_ = options_.max_cells;
       out = run_once(box);
+      out.cells = cells += options_.max_cells - left_;
       if (out.kind != BoxTrace::Kind::kUndecided) break;
     }
     return out;
@@ -88,10 +82,10 @@ class Tracer {
     if (out.kind == BoxTrace::Kind::kSurface) out.is_connected = hang_together(disks);
     return out;
   }
-  static BoxTrace missed() { return {BoxTrace::Kind::kMissed, 0, false, {}}; }
-  static BoxTrace disk() { return {BoxTrace::Kind::kSurface, 1, true, {}}; }
+  static BoxTrace missed() { return {BoxTrace::Kind::kMissed, 0, false, {}, 0}; }
+  static BoxTrace disk() { return {BoxTrace::Kind::kSurface, 1, true, {}, 0}; }
   static BoxTrace undecided(const Box3d& place) {
-    return {BoxTrace::Kind::kUndecided, 0, false, place};
+    return {BoxTrace::Kind::kUndecided, 0, false, place, 0};
   }
 
   // disks: collects the boxes decided as one that V meets, unless null.
@@ -122,7 +116,7 @@ class Tracer {
     if (b.is_missed()) return a;
     const BoxTrace c = cut(slab, splits + 1, nullptr);
     if (c.kind == BoxTrace::Kind::kUndecided) return c;
-    return {BoxTrace::Kind::kSurface, a.euler + b.euler - c.euler, false, {}};
+    return {BoxTrace::Kind::kSurface, a.euler + b.euler - c.euler, false, {}, 0};
   }
 
   std::size_t longest_axis(const Box3d& box) const {
@@ -270,11 +264,30 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 }
 
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  return !Search{forest, box, max_visits, false, 3}.run();
+  Doubt doubt{forest, box, max_visits};
+  bool found = false;
+  forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
+                       [&](std::uint32_t n) { found = found || doubt.visit(forest.root(n)); });
+  return !found;
 }
 
+// Level by level: a piece in the box can be found long before the many are exhausted that a side of the box cuts.
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
-  return Search{model.forest(), box, max_visits, true, model.dimension()}.run();
+  PieceForest& forest = model.forest();
+  Ids level, next;
+  forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
+                       [&](std::uint32_t n) { level.push_back(forest.root(n)); });
+  for (; !level.empty(); level.swap(next), next.clear())
+    for (const PieceForest::Id id : level) {
+      const PieceForest::Node node = forest.node(id);
+      if (!meets(node.hull, box)) continue;
+      if (is_in(node.hull, box, model.dimension())) return true;
+      if (max_visits-- == 0) return false;
+      if (node.level == PieceForest::kMaxLevel) continue;
+      const PieceForest::Id first = forest.children(id);
+      for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
+    }
+  return false;
 }
 
 std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {

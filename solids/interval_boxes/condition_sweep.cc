@@ -90,7 +90,7 @@ Status decide_collar(BoundaryModel& model, double eps, std::uint64_t max_cells, 
   return ok_status();
 }
 
-Status fill(BoundaryModel& model, const SweepOptions& options, SweepRow* row) {
+Status decide_boxes(BoundaryModel& model, const SweepOptions& options, SweepRow* row) {
   const auto cover = make_surface_cover(model, row->eps, options.boxes);
   if (!cover) return cover.error();
   for (const SurfaceBox& b : cover->boxes)
@@ -100,8 +100,17 @@ Status fill(BoundaryModel& model, const SweepOptions& options, SweepRow* row) {
   auto conditions = decide_conditions(model, cover->plain_boxes(), options.conditions);
   if (!conditions) return conditions.error();
   row->conditions = std::move(conditions->results);
-  if (model.is_planar()) return ok_status();
-  return decide_collar(model, row->eps, options.max_cells, row);
+  return ok_status();
+}
+
+// Boxes and cells have limits of their own.
+void fill(BoundaryModel& model, const SweepOptions& options, SweepRow* row) {
+  const auto note = [&](const char* what, const Status& status) {
+    if (!status)
+      row->why_not += (row->why_not.empty() ? "" : "; ") + (what + (": " + status.error().message));
+  };
+  note("boxes", decide_boxes(model, options, row));
+  if (!model.is_planar()) note("cells", decide_collar(model, row->eps, options.max_cells, row));
 }
 
 const char* mark(Answer a) { return a == Answer::kTrue ? "yes" : a == Answer::kFalse ? "no" : "?"; }
@@ -121,8 +130,7 @@ Result<std::vector<SweepRow>> sweep_conditions(BoundaryModel& model, double eps,
   for (int k = 0; k <= halvings; ++k) {
     SweepRow row;
     row.eps = std::ldexp(eps, -k);
-    const Status status = fill(model, options, &row);
-    if (!status) row.why_not = status.error().message;
+    fill(model, options, &row);
     rows.push_back(std::move(row));
   }
   return rows;

@@ -22,7 +22,7 @@ struct SweepRow {
   /// that is not asked because one before it fails is undecided.
   std::array<Answer, 3> collar{Answer::kUndecided, Answer::kUndecided, Answer::kUndecided};
   std::string
-      why_not;  ///< the eps was not done: the limit that was met; conditions are then undecided
+      why_not;  ///< the limit that the boxes met, or the cells: what they were to decide is undecided
 };
 
 struct SweepOptions {

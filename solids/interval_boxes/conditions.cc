@@ -76,7 +76,10 @@ class Decider {
  public:
   // boxes: in the forest's coordinates.
   Decider(BoundaryModel& model, std::vector<Box3d> boxes, const ConditionOptions& options)
-      : model_(model), boxes_(std::move(boxes)), options_(options) {}
+      : model_(model),
+        boxes_(std::move(boxes)),
+        options_(options),
+        cells_left_(options.max_cells) {}
 
   PaperConditions run() {
     PaperConditions out;
@@ -90,10 +93,13 @@ class Decider {
     at(PaperCondition::kC1) = in_model_units(internal::decide_c1(model_, boxes_, cover));
     at(PaperCondition::kB2) = b2();
     // C2 and C3 are the parts of C3* with one and with two boxes.
-    const DistinctIntersections all = distinct_intersections(boxes_, options_.max_intersections);
     at(PaperCondition::kC2) = each_box();
     at(PaperCondition::kC3) = each_pair();
-    at(PaperCondition::kC3Star) = each_intersection(all);
+    for (const PaperCondition part : {PaperCondition::kC3, PaperCondition::kC2})
+      if (options_.stops_at_refutation && out[part].answer == Answer::kFalse)
+        at(PaperCondition::kC3Star) = out[part];
+    if (out[PaperCondition::kC3Star].answer != Answer::kFalse)
+      at(PaperCondition::kC3Star) = each_intersection();
     return out;
   }
 
@@ -103,9 +109,13 @@ class Decider {
     return result;
   }
 
+  bool is_done(const Findings& found) const {
+    return options_.stops_at_refutation && found.is_refuted();
+  }
+
   ConditionResult b2() {
     Findings out(options_.max_listed);
-    for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    for (std::uint32_t i = 0; i < boxes_.size() && !is_done(out); ++i) {
       out.count();
       if (is_met(model_, boxes_[i])) continue;
       const BoxTrace t = trace_of(boxes_[i]);
@@ -131,22 +141,28 @@ class Decider {
 
   ConditionResult each_box() {
     Findings out(options_.max_listed);
-    for (std::uint32_t i = 0; i < boxes_.size(); ++i) judge(boxes_[i], {i}, &out);
+    for (std::uint32_t i = 0; i < boxes_.size() && !is_done(out); ++i) judge(boxes_[i], {i}, &out);
     return out.finish();
   }
   ConditionResult each_pair() {
     Findings out(options_.max_listed);
-    for (const auto& [i, j] : meeting_pairs(boxes_))
+    for (const auto& [i, j] : meeting_pairs(boxes_)) {
+      if (is_done(out)) break;
       judge(common_part(boxes_[i], boxes_[j]), {i, j}, &out);
+    }
     return out.finish();
   }
-  ConditionResult each_intersection(const DistinctIntersections& all) {
+  ConditionResult each_intersection() {
     Findings out(options_.max_listed);
+    const DistinctIntersections all = distinct_intersections(boxes_, options_.max_intersections);
     if (!all.is_complete) {
       out.add({Why::kTooMany, {}, model_.from_forest(boxes_[0]), 0});
       return out.finish();
     }
-    for (const auto& item : all.items) judge(item.box, item.boxes, &out);
+    for (const auto& item : all.items) {
+      if (is_done(out)) break;
+      judge(item.box, item.boxes, &out);
+    }
     return out.finish();
   }
 
@@ -154,13 +170,18 @@ class Decider {
   const BoxTrace& trace_of(const Box3d& box) {
     const auto [it, is_new] = traces_.try_emplace(
         std::array<double, 6>{box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]});
-    if (is_new) it->second = trace(model_, box, options_.trace);
+    if (!is_new || cells_left_ == 0) return it->second;  // a new one: undecided
+    TraceOptions options = options_.trace;
+    options.max_cells = std::min<std::uint64_t>(options.max_cells, cells_left_);
+    it->second = trace(model_, box, options);
+    cells_left_ -= std::min<std::uint64_t>(it->second.cells, cells_left_);
     return it->second;
   }
 
   BoundaryModel& model_;
   std::vector<Box3d> boxes_;
   const ConditionOptions& options_;
+  std::uint64_t cells_left_;
   std::map<std::array<double, 6>, BoxTrace> traces_;
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,6 +70,10 @@ struct ConditionOptions {
   std::size_t max_pieces = 1'000'000;         ///< of V, for C1 and B1
   std::size_t max_intersections = 1'000'000;  ///< distinct boxes for C3*; over it: undecided
   std::size_t max_listed = 100;               ///< offences of each condition
+  /// Of all traces together, in cells; once they are spent, further boxes are undecided. Nothing else stops a set of many hard boxes soon.
+  std::uint64_t max_cells = std::numeric_limits<std::uint64_t>::max();
+  /// B2, C2, C3 and C3* end with their first refutation, C3* with that of C2 or C3: the answers stay, counts and lists are shorter.
+  bool stops_at_refutation = false;
 };
 
 /// Every condition. `boxes` in the model's units (of a planar model the third side is not looked at).

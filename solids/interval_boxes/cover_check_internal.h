@@ -14,6 +14,7 @@ class Findings {
   explicit Findings(std::size_t max_listed) : max_listed_(max_listed) {}
   void add(BoxOffence offence);
   void count(std::uint64_t n = 1) { result_.checked += n; }
+  bool is_refuted() const { return result_.num_false > 0; }
   ConditionResult finish();
 
  private:

@@ -67,8 +67,12 @@ class CoverMaker {
   }
 
  private:
-  static Error too_many() {
-    return Error{Code::kOverLimit, {}, "the resolution asks for too many boxes or too deep pieces"};
+  Error too_many() const {
+    return Error{Code::kOverLimit,
+                 {},
+                 leaves_.size() > options_.max_boxes
+                     ? "over " + std::to_string(options_.max_boxes) + " pieces"
+                     : "pieces below level " + std::to_string(options_.max_level)};
   }
 
   // Of a planar model one layer of the wall's pieces is kept: those that reach up from height 0.

@@ -90,10 +90,59 @@ class Cover(Folder):
             self.assertEqual(out.read_text(), "old")
             out.unlink()
 
+    def sweep(self, *options, faces=UNIT):
+        done = run("cover", self.model(faces), "--sweep", *options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_a_sweep_tables_the_conditions_of_halved_sizes(self):
+        head, *rows = self.sweep(1, "--eps", 0.5).splitlines()
+        self.assertEqual(head.split(), "eps face edge vertex A B1 B2 C1 C2 C3 C3* cells K1 K2 K3".split())
+        self.assertEqual([row.split()[0] for row in rows[:2]], ["0.5", "0.25"])
+        for row in rows[:2]:
+            self.assertEqual(row.split()[4:11], ["yes"] * 6 + ["no"])
+        # A quarter of the cube and smaller cells leave an inner solid; three boxes in a corner have a part that the surface misses.
+        self.assertEqual(rows[1].split()[12:15], ["yes"] * 3)
+        self.assertRegex(rows[2], r"^ +C3\* +no at eps 0.25: boxes \d+, \d+, \d+: V misses it, at ")
+
+    def test_a_sweep_as_json_says_the_same(self):
+        text = self.sweep(1)
+        self.assertEqual(self.sweep(1, "--eps", 0.25), text)  # of a side of 1
+        report = json.loads(self.sweep(1, "--json", "-"))
+        if jsonschema:
+            jsonschema.validate(report, json.loads((ROOT / "docs" / "sweep.schema.json").read_text()))
+        words = {"true": "yes", "false": "no", "undecided": "?"}
+        for row, line in zip(report["rows"], text.splitlines()[1:]):
+            answers = [c["answer"] for c in row["conditions"].values()]
+            told = [row["eps"], *row["boxes"].values(), *(words[a] for a in answers), row["cells"], *(words[a] for a in row["collar"].values())]
+            self.assertEqual([str(x) for x in told], line.split())
+
+    def test_a_sweep_ends_at_its_budgets_and_says_so(self):
+        (row,) = json.loads(self.sweep(0, "--eps", 1e-4, "--json", "-"))["rows"]
+        self.assertEqual({c["answer"] for c in row["conditions"].values()} | set(row["collar"].values()), {"undecided"})
+        self.assertRegex(row["limit"], "boxes: over .* cells: over")
+
+    def test_the_last_boxes_of_a_sweep_are_a_picture(self):
+        out = self.folder / "boxes.vtu"
+        text = self.sweep(1, "--eps", 0.5, "-o", out)
+        counts = [int(n) for n in text.splitlines()[2].split()[1:4]]
+        piece = xml.etree.ElementTree.parse(out).getroot().find("UnstructuredGrid/Piece")
+        arrays = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
+        self.assertEqual([arrays["kind"].count(k) for k in "012"], counts)
+        self.assertEqual(int(piece.get("NumberOfCells")), sum(counts))
+
+    def test_a_sweep_of_an_open_surface_is_undecided(self):
+        done = run("cover", self.model(UNIT[:5]), "--sweep", 1)
+        self.assertEqual((done.returncode, done.stdout), (3, ""))
+        self.assertIn("open-side", done.stderr)
+
     def test_wrong_usage_is_found_before_any_work(self):
         model = self.model()
         for words in (["cover", model], ["cover", model, "-o", "x.png"], ["cover", model, "-o", model], ["cover", model, "-o", "-"],
-                      ["cover", model, "-o", "x.vtu", "--what", "all"]):
+                      ["cover", model, "-o", "x.vtu", "--what", "all"], ["cover", model, "--sweep", "21"],
+                      ["cover", model, "--sweep", "1", "--eps", "0"], ["cover", model, "--sweep", "1", "--what", "boxes"],
+                      ["cover", model, "-o", "x.vtu", "--eps", "1"], ["cover", model, "-o", "x.vtu", "--json", "-"],
+                      ["cover", model, "--sweep", "1", "--json", model], ["cover", model, "--sweep", "1", "-o", "x.png"]):
             self.assertEqual(run(*words, cwd=self.folder).returncode, 2, words)
         self.assertEqual(run("cover", self.folder / "none.vjson", "-o", self.folder / "x.vtu").returncode, 4)
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/condition_report.h"
+
+#include <cmath>
+
+#include "cli/certify.h"
+#include "cli/decimal_text.h"
+#include "cli/json_text.h"
+#include "cli/text_style.h"
+
+namespace veritope::cli {
+namespace {
+
+const char* short_word(Answer a) {
+  return a == Answer::kTrue ? "yes" : a == Answer::kFalse ? "no" : "undecided";
+}
+
+std::uint64_t num_boxes(const SweepRow& row) {
+  return row.face_boxes + row.edge_boxes + row.vertex_boxes;
+}
+
+Json condition_json(const ConditionResult& c) {
+  return {{"answer", to_string(c.answer)},
+          {"checked", c.checked},
+          {"reason", c.offences.empty() ? Json(nullptr) : Json(to_string(c.offences.front()))}};
+}
+
+Json row_json(const SweepRow& row) {
+  Json conditions, collar;
+  for (std::size_t c = 0; c < kNumPaperConditions; ++c)
+    conditions[name_of(static_cast<PaperCondition>(c))] = condition_json(row.conditions[c]);
+  for (std::size_t k = 0; k < row.collar.size(); ++k)
+    collar["K" + std::to_string(k + 1)] = to_string(row.collar[k]);
+  return {
+      {"eps", row.eps},
+      {"boxes", {{"face", row.face_boxes}, {"edge", row.edge_boxes}, {"vertex", row.vertex_boxes}}},
+      {"conditions", conditions},
+      {"cells", row.cells},
+      {"collar", collar},
+      {"limit", row.why_not.empty() ? Json(nullptr) : Json(row.why_not)}};
+}
+
+}  // namespace
+
+double default_eps(BoundaryModel& model) {
+  Box3d all = model.forest().node(model.forest().root(0)).hull;
+  for (std::uint32_t r = 1; r < model.forest().num_roots(); ++r)
+    all = hull(all, model.forest().node(model.forest().root(r)).hull);
+  return std::ldexp(1, std::ilogb(extent(all)) - 2 - model.forest().scale());
+}
+
+SweepOptions sweep_budgets() {
+  SweepOptions out;
+  out.boxes.max_boxes = 4'000;
+  out.conditions.trace.max_cells = 500;
+  out.conditions.max_cells = 50'000;
+  out.conditions.max_intersections = 50'000;
+  out.conditions.max_listed = 1;
+  out.conditions.stops_at_refutation = true;
+  out.max_cells = 6'000;
+  return out;
+}
+
+const SweepRow* finest_row(const std::vector<SweepRow>& rows) {
+  const SweepRow* out = nullptr;
+  for (const SweepRow& row : rows)
+    if (num_boxes(row) > 0) out = &row;
+  return out;
+}
+
+std::string sweep_text(const std::vector<SweepRow>& rows) {
+  std::string out = to_table(rows);
+  const SweepRow* const last = finest_row(rows);
+  if (last == nullptr) return out;
+  for (std::size_t c = 0; c < kNumPaperConditions; ++c) {
+    const ConditionResult& r = last->conditions[c];
+    if (r.answer == Answer::kTrue || r.offences.empty()) continue;
+    out += detail_line(name_of(static_cast<PaperCondition>(c)),
+                       std::string(short_word(r.answer)) + " at eps " +
+                           short_decimal(last->eps, 9) + ": " + to_string(r.offences.front()));
+  }
+  return out;
+}
+
+std::string sweep_json(const std::string& path, const std::string& sha256,
+                       const std::vector<SweepRow>& rows) {
+  Json list = Json::array();
+  for (const SweepRow& row : rows) list.push_back(row_json(row));
+  return dump({{"schema", "veritope-sweep-1"},
+               {"tool", tool_name()},
+               {"path", path},
+               {"sha256", sha256},
+               {"rows", list}}) +
+         "\n";
+}
+
+}  // namespace veritope::cli

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "robust/base/check.h"
 #include "verify/certify/file_order.h"
@@ -98,10 +99,12 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
   constexpr std::int64_t kMostBits =
       60;  // the C++ checker's 61, less one for the sum of corner and size
   const auto& scale = forest.frame().scale;
+  constexpr int kMostExponent = 4096 - 64;  // a collar's unit may be less than that of all boxes
   int least = 0;
   for (const CoverBox& b : cover.boxes) least = std::min(least, std::ilogb(b.unit));
-  const Rational units =
-      Rational::power_of_two(*std::max_element(scale.begin(), scale.end()) - least);
+  const int steps = *std::max_element(scale.begin(), scale.end()) - least;
+  if (std::abs(steps) > kMostExponent) return false;
+  const Rational units = Rational::power_of_two(steps);
   for (std::size_t k = 0; k < 3; ++k) {
     // Boxes reach to 8 at most, in the frame: see BoxSearch.
     const Rational reach = abs(forest.frame().shift[k]) + Rational::power_of_two(3 - scale[k]);

@@ -117,6 +117,12 @@ bool Certification::judge_refusal(const CheckerOutcome& outcome) {
                                     "certificate may spend (" +
                                         outcome.words + ")"});
   }
+  if (outcome.exceeds_lengths) {
+    return give_up(kExitUndecided, {"not-covered",
+                                    {},
+                                    "the file has longer numbers than certificates may be about (" +
+                                        outcome.words + ")"});
+  }
   if (file_has_changed()) {
     FileReport blank;  // what was found is about bytes that are gone
     blank.path = report_.path;

@@ -100,7 +100,7 @@ class PatchCertification : public Certification {
     r.edges = complex_->num_edges();
     r.vertices = complex_->num_vertices();
     r.shells = complex_->shells().size();
-    return list_flipped();
+    return list_flipped() && have_short_breaks();
   }
 
   // A certificate reverses whole entities.
@@ -119,6 +119,14 @@ class PatchCertification : public Certification {
       if (reversed_[e]) report_.patches->flipped.push_back(e);
     }
     return true;
+  }
+
+  bool have_short_breaks() {
+    list_entities();
+    const auto at = std::find_if_not(described_.begin(), described_.end(), breaks_fit_certificate);
+    if (at == described_.end()) return true;
+    return undecided("not-covered", "entity " + std::to_string(at - described_.begin()) +
+                                        " has longer knots than certificates may be about");
   }
 
   bool decide() override {

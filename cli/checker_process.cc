@@ -80,6 +80,14 @@ bool says_accept(const std::string& line, const std::string& claim) {
   return line.size() == wanted.size() || line[wanted.size()] == ' ' || line[wanted.size()] == ':';
 }
 
+bool speaks_of_lengths(const std::string& line) {
+  const char* const kWords[] = {"a common denominator has more bits", "a number has more bits",
+                                "the coefficients are too long"};
+  return std::any_of(std::begin(kWords), std::end(kWords), [&](const char* words) {
+    return line.starts_with(std::string("REJECT B2: ") + words);
+  });
+}
+
 void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
@@ -90,6 +98,7 @@ void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   outcome.exit = WEXITSTATUS(status);
   outcome.lacks_resources = outcome.exit == kOutOfMemory;
   outcome.exceeds_work = outcome.exit == 1 && outcome.words.starts_with("REJECT B1: more work");
+  outcome.exceeds_lengths = outcome.exit == 1 && speaks_of_lengths(outcome.words);
   outcome.is_accepted = outcome.exit == 0 && says_accept(outcome.words, claim);
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }

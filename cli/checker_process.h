@@ -17,10 +17,14 @@ Result<std::string> find_checker();
 struct CheckerOutcome {
   bool is_started = false;
   bool is_accepted = false;  ///< exit 0 and "ACCEPT <claim>" for the claim that was to be checked
-  bool lacks_resources = false;  ///< out of memory (exit 3), or killed (SIGKILL): as the system does when memory is short
-  bool exceeds_work = false;     ///< "REJECT B1: more work ...": the format bounds what a checker may spend
-  int exit = -1;             ///< exit status; -1: ended by a signal, or never started
-  std::string words;         ///< its first line of output; or how it died
+  bool lacks_resources =
+      false;  ///< out of memory (exit 3), or killed (SIGKILL): as the system does when memory is short
+  bool exceeds_work =
+      false;  ///< "REJECT B1: more work ...": the format bounds what a checker may spend
+  bool exceeds_lengths =
+      false;  ///< "REJECT B2: a number has more bits ...": a model that the format does not cover
+  int exit = -1;      ///< exit status; -1: ended by a signal, or never started
+  std::string words;  ///< its first line of output; or how it died
   double seconds = 0;
 };
 

@@ -21,8 +21,16 @@ Json bounds_json(const std::optional<Interval>& v) {
   return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
 }
 
+// Some hulls have no bounds in binary64: then there is no place to show.
+bool is_finite(const std::optional<Box3d>& box) {
+  if (!box) return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!std::isfinite(box->lo[k]) || !std::isfinite(box->hi[k])) return false;
+  return true;
+}
+
 Json box_json(const std::optional<Box3d>& box) {
-  if (!box) return nullptr;
+  if (!is_finite(box)) return nullptr;
   const auto corner = [](const Point3d& p) {
     return Json::array({number_json(p[0]), number_json(p[1]), number_json(p[2])});
   };
@@ -92,6 +100,13 @@ std::string bounds_text(const Interval& v) {
   return "between " + short_decimal(v.lo(), 10) + " and " + short_decimal(v.hi(), 10);
 }
 
+// A middle is said only of an enclosure that has one.
+std::string volume_words(const Interval& v) {
+  if (std::isfinite(v.lo()) && std::isfinite(v.hi())) return "about " + short_decimal(mid(v));
+  if (v.lo() > 0) return "at least " + short_decimal(v.lo());
+  return "not bounded";
+}
+
 std::string shells_text(const PatchReport& r) {
   if (r.shell_facts.size() < 2) return "";
   std::string out;
@@ -120,7 +135,7 @@ std::string place_text(const Box3d& box) {
 std::string collar_text(const CollarReport& c) {
   if (!c.is_found) {
     std::string out = detail_line("collar", "none found: " + c.message);
-    return c.place ? out + detail_line("where", place_text(*c.place)) : out;
+    return is_finite(c.place) ? out + detail_line("where", place_text(*c.place)) : out;
   }
   const bool is_even = c.coarsest_level == c.finest_level;
   return detail_line("coarsest collar",
@@ -190,8 +205,7 @@ std::string patch_report_json(const FileReport& report) {
 std::string patch_summary(const PatchReport& r) {
   if (!r.defects.empty()) return r.defects.front().message;
   std::string text = counted(r.bodies, "body", "bodies") + ", genus " + std::to_string(r.genus);
-  if (r.volume) text += ", volume about " + short_decimal(mid(*r.volume));
-  return text;
+  return r.volume ? text + ", volume " + volume_words(*r.volume) : text;
 }
 
 std::string patch_details(const FileReport& report) {
@@ -219,7 +233,7 @@ std::string patch_details(const FileReport& report) {
     if (r.collar) out += collar_text(*r.collar);
   } else if (!r.defects.empty()) {
     for (const RefutationFacts& f : r.defects) out += defect_details(f);
-  } else if (r.open && r.open->place) {
+  } else if (r.open && is_finite(r.open->place)) {
     out += detail_line("where", place_text(*r.open->place));
   }
   return out;

@@ -2,6 +2,7 @@
 """veritope certify on spline files: verdicts, reports against their schema, certificates, what is not covered."""
 import json
 import unittest
+from fractions import Fraction
 
 from support import ROOT, Folder, run
 
@@ -34,6 +35,13 @@ def surface(net, degrees=(1, 1), rational=False):
     return {"kind": "surface", "group": None, "attributes": [],
             "shape": {"degrees": list(degrees), "periodic": [False, False], "knots": knots, "rational": rational,
                       "components": 4 if rational else 3, "points": [[str(c) for c in p] for p in net]}}
+
+
+def elevated(net):
+    """Of degrees (3, 3)."""
+    a, b, c, d = net
+    return [[((3 - i) * (3 - j) * a[k] + (3 - i) * j * b[k] + i * (3 - j) * c[k] + i * j * d[k]) * Fraction(1, 9) for k in range(3)]
+            for i in range(4) for j in range(4)]
 
 
 def triangle(corners):
@@ -73,6 +81,29 @@ class CertifyPatches(Folder):
         self.assertTrue(one["certificate"]["checked"])
         counts = one["counts"]
         self.assertEqual((counts["patches"], counts["edges"], counts["vertices"], counts["bodies"]), (6, 12, 8, 1))
+
+    def test_models_with_longer_numbers_than_certificates_hold_are_no_bug_of_ours(self):
+        shift = Fraction(3 ** 6000, 7 ** 4000)
+        long_points = [surface([[c + shift for c in p] for p in f]) for f in UNIT]
+        tiny = [surface([[c * Fraction(1, 10 ** 2000) for c in p] for p in f]) for f in UNIT]
+        long_knots = [surface(f) for f in UNIT]
+        for entity in long_knots:
+            entity["shape"]["knots"] = [["0", "0", str(shift), str(shift)]] * 2
+        for entities in (long_points, long_points[1:], tiny, long_knots, long_knots[1:]):
+            one = self.certify(entities)
+            self.assertEqual((one["verdict"], one["exit"], one["certificate"]), ("UNDECIDED", 3, None))
+            self.assertIn(one["error"]["code"], ("not-covered", "not-certified"))
+
+    def test_a_place_or_a_volume_beyond_binary64_is_not_made_up(self):
+        cube = [surface([[c * Fraction(10) ** 200 for c in p] for p in f]) for f in UNIT]
+        one = self.certify(cube)
+        self.assertEqual((one["verdict"], one["volume"]["hi"]), ("VALID", None))
+        self.assertIn("volume at least 1.7", run("certify", "-q", self.folder / "model.vjson").stdout)
+        steep = [surface([p + [1] for p in elevated(f)], (3, 3), True) for f in UNIT]
+        for entity in steep:
+            entity["shape"]["points"][5] = [str(Fraction(c) * 10 ** 100) for c in entity["shape"]["points"][5]]
+        one = self.certify(steep)
+        self.assertEqual((one["verdict"], one["place"]), ("UNDECIDED", None))
 
     def test_the_certificate_is_kept_and_both_checkers_accept_it(self):
         model, kept = self.file([surface(f) for f in UNIT]), self.folder / "model.cert"

@@ -25,6 +25,15 @@ std::uint8_t with_reversed_sides(std::uint8_t bits) {
 
 }  // namespace
 
+bool breaks_fit_certificate(const StarBoxEntity& entity) {
+  constexpr std::uint64_t kMostBits = 2048;
+  for (const auto& axis : entity.breaks)
+    for (const Rational& b : axis)
+      if (b.numerator().bit_length() > kMostBits || b.denominator().bit_length() > kMostBits)
+        return false;
+  return true;
+}
+
 std::vector<certificate::PatchEntity> to_certificate(const std::vector<StarBoxEntity>& entities) {
   std::vector<certificate::PatchEntity> out;
   for (const StarBoxEntity& e : entities) {

@@ -20,6 +20,9 @@ struct StarBoxEntity {
   std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes
 };
 
+/// Whether numerators and denominators of the breaks have few enough bits for a certificate: 2048.
+bool breaks_fit_certificate(const StarBoxEntity& entity);
+
 std::vector<certificate::PatchEntity> to_certificate(const std::vector<StarBoxEntity>& entities);
 
 /// Of each of so many patches: whether its entity is reversed.

@@ -144,7 +144,8 @@ class Decider {
                    {},
                    "the model lies too far from the origin for its size, or has parts of too "
                    "different sizes: coordinates of "
-                   "boxes, in units of the least one, would have over 60 bits"});
+                   "boxes, in units of the least one, would have over 60 bits, or these units be "
+                   "out of range"});
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "robust/base/check.h"
 #include "verify/certify/file_order.h"
@@ -112,10 +113,12 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
   constexpr std::int64_t kMostBits =
       60;  // the C++ checker's 61, less one for the sum of corner and size
   const auto& scale = forest.frame().scale;
+  constexpr int kMostExponent = 4096 - 64;  // a collar's unit may be less than that of all boxes
   int least = 0;
   for (const CoverBox& b : cover.boxes) least = std::min(least, grid_exponent(forest, b));
-  const Rational units =
-      Rational::power_of_two(*std::max_element(scale.begin(), scale.end()) - least);
+  const int steps = *std::max_element(scale.begin(), scale.end()) - least;
+  if (std::abs(steps) > kMostExponent) return false;
+  const Rational units = Rational::power_of_two(steps);
   for (std::size_t k = 0; k < 3; ++k) {
     double most = 0;  // of the boxes' coordinates in the frame
     for (const CoverBox& b : cover.boxes)

@@ -18,7 +18,7 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
                                                    const ShellWalks& walks);
 
-/// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate.
+/// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate, and whether it can hold the unit.
 bool fits_certificate(const PieceForest& forest, const StarCover& cover);
 
 /// The claim "star-box-1", or "star-box-turned-1" if the winding number on the inner side of the last walk's shell is not 1.

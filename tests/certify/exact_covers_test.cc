@@ -2,7 +2,7 @@
 // Models whose signs binary64 does not decide: the exact fallback does, and both checkers accept what it found.
 #include <gtest/gtest.h>
 
-#include "patch_round_trip.h"
+#include "tests/certify/patch_checkers.h"
 #include "solids/patch_shapes.h"
 #include "solids/patch_transform.h"
 

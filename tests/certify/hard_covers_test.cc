@@ -9,7 +9,7 @@
 #include "solids/patch_shapes.h"
 #include "solids/patch_transform.h"
 #include "solids/star_box/mesh_box.h"
-#include "tests/certify/patch_round_trip.h"
+#include "tests/certify/patch_checkers.h"
 
 namespace veritope {
 namespace {

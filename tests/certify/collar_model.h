@@ -21,7 +21,8 @@ inline PatchComplex complex_of(patch_shapes::Patches patches) {
 /// REQUIRES patches that are covered by star boxes.
 struct Model {
   explicit Model(patch_shapes::Patches patches, const CollarSearchOptions& options = {})
-      : complex(complex_of(std::move(patches))), forest(PieceForest::make(complex).value()) {
+      : complex(complex_of(std::move(patches))),
+        forest(PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value()) {
     cover = find_star_cover(forest, {});
     if (!cover.is_complete()) return;
     search = find_patch_collar(forest, cover, options);

@@ -183,6 +183,23 @@ TEST(CrossingSearch, FindsEveryCrossingShapeAndNoContact) {
   }
 }
 
+// The rows of a witness are those of the model's coordinates, whatever frame it was found in.
+TEST(CrossingSearch, FindsCrossingsInStretchedModels) {
+  for (const auto& shape : patch_shapes::broken_shapes()) {
+    if (shape.truth != Truth::kCrossing) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      AffineMap map{3, 3, std::vector<Rational>(9), std::vector<Rational>(3)};
+      for (std::size_t k = 0; k < 3; ++k)
+        map.linear[4 * k] = k == axis ? ratio(1, 1000) : Rational(1);
+      const PatchComplex complex = complex_of(affine_image(shape.patches, map).value());
+      ASSERT_FALSE(PieceForest::make(complex).value().frame().is_plain());
+      const PatchDecision decision = decide(complex, 5);
+      ASSERT_TRUE(decision.refutation) << shape.name << " along " << axis;
+      EXPECT_EQ(broken(complex, std::get<CrossingWitness>(*decision.refutation)), std::nullopt);
+    }
+  }
+}
+
 TEST(CrossingSearch, FindsPlantedCrossings) {
   constexpr int kModels = 60;
   Random random(5);

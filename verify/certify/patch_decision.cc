@@ -17,9 +17,9 @@ namespace {
 using Kind = OpenQuestion::Kind;
 
 // Crossings are looked for near pieces of at least this level; some searches are free, the others are one for so many boxes tried.
-// A piece of kTroubleLevel without a box is rare in sound models: then all patches are looked at, once.
+// All patches are looked at once, at a piece of kTroubleLevel without a box after so many boxes tried as take longer than that, or where there is no cover.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
-constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64;
+constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;
 
 std::string text_of(UncoveredPiece::Why why) {
   switch (why) {
@@ -117,7 +117,8 @@ class Decider {
     StarCoverOptions options = options_.cover;
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
       if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
-      if (forest_->node(piece).level >= kTroubleLevel) look_everywhere();
+      if (forest_->node(piece).level >= kTroubleLevel && tried >= kBoxesBeforeTrouble)
+        look_everywhere();
       if (found) return true;
       if (forest_->node(piece).level < kFirstSearchLevel ||
           searches * kBoxesPerSearch > tried + kFreeSearches * kBoxesPerSearch)

@@ -16,6 +16,8 @@ using Why = UncoveredPiece::Why;
 // Boxes and centres are multiples of their box's size divided by about this.
 constexpr double kGrid = 64;
 constexpr std::size_t kMostPieces = 4096;
+// Of a model, at poles; each costs up to 16 kMostPieces signs.
+constexpr std::size_t kMostCrowdedFailures = 16;
 // Of each piece, in the first program for centres.
 constexpr std::size_t kFewConditions = 12;
 // Of a mesh box: it is tried at vertices, and pairs are tested.
@@ -108,8 +110,11 @@ bool BoxSearch::try_crowded_star() {
   tested_.assign(1, piece_);
   if (!is_promising()) return fail(Why::kTooDeep);
   tested_.clear(), held_.clear();
-  if (!find_star_pieces(forest_, box_.star, kMostPieces, &tested_, &held_))
+  if (crowded_failures_ >= kMostCrowdedFailures ||
+      !find_star_pieces(forest_, box_.star, kMostPieces, &tested_, &held_)) {
+    ++crowded_failures_;
     return fail(Why::kTooDeep);
+  }
   tested_pieces_ += tested_.size();
   held_.push_back(piece_);  // it may be a part of a piece that was taken
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);

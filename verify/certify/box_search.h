@@ -52,7 +52,7 @@ class BoxSearch {
   std::vector<Id> tested_, held_;
   UncoveredPiece::Why why_ = UncoveredPiece::Why::kNoCentres;
   std::vector<HalfSpace> half_spaces_;
-  std::size_t tested_pieces_ = 0, programs_ = 0;
+  std::size_t tested_pieces_ = 0, programs_ = 0, crowded_failures_ = 0;
 };
 
 }  // namespace veritope

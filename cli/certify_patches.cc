@@ -168,13 +168,12 @@ class PatchCertification : public Certification {
 
   void seek_collar() {
     phase("looking for a collar");
-    const bool is_plain = forest_->frame().is_plain();
-    if (is_plain)
+    if (forest_->frame().is_plain())
       collar_ = find_patch_collar(*forest_, decision_.cover);
     else
       collar_.open.message =
           "octrees have cubes around the origin's grid: the model lies too far away, or is too flat";
-    report_.patches->collar = collar_report(collar_, is_plain ? forest_->scale() : 0);
+    report_.patches->collar = collar_report(collar_, *forest_);
     report_.seconds.collar = watch_.lap();
   }
 

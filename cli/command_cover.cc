@@ -88,7 +88,7 @@ class CoverRun {
     if (options_.cover_part != CoverPart::kBoxes) {
       phase("looking for a collar");
       search = find_patch_collar(*forest, decision.cover);
-      said_ += collar_text(collar_report(search, forest->scale()));
+      said_ += collar_text(collar_report(search, *forest));
       if (!search.collar)
         return fail(kExitUndecided, "no collar was found, and nothing is written");
     }

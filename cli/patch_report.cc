@@ -146,11 +146,11 @@ std::string collar_text(const CollarReport& c) {
                          (is_even ? "" : " to " + std::to_string(c.finest_level)));
 }
 
-CollarReport collar_report(const PatchCollarSearch& search, int scale) {
+CollarReport collar_report(const PatchCollarSearch& search, const PieceForest& forest) {
   CollarReport out;
   if (!search.collar) {
     out.message = search.open.message;
-    if (search.open.place) out.place = in_model_units(*search.open.place, scale);
+    if (search.open.place) out.place = forest.in_model(*search.open.place);
     return out;
   }
   const OctreeKeySet& cells = search.collar->complex.cells();
@@ -160,7 +160,7 @@ CollarReport collar_report(const PatchCollarSearch& search, int scale) {
   out.coarsest_level = out.finest_level;
   for (const OctreeKey key : cells.keys())
     out.coarsest_level = std::min(out.coarsest_level, key.level());
-  const double edge = std::ldexp(search.collar->root.edge(), -scale);
+  const double edge = std::ldexp(search.collar->root.edge(), -forest.scale());
   out.longest_edge = std::ldexp(edge, -static_cast<int>(out.coarsest_level));
   out.shortest_edge = std::ldexp(edge, -static_cast<int>(out.finest_level));
   return out;

@@ -25,7 +25,8 @@ struct CollarReport {
 };
 /// Lines of a report in text.
 std::string collar_text(const CollarReport& collar);
-CollarReport collar_report(const PatchCollarSearch& search, int scale);
+/// `forest` is the one that was searched.
+CollarReport collar_report(const PatchCollarSearch& search, const PieceForest& forest);
 
 struct PatchReport {
   SplineFormat format = SplineFormat::kJson;

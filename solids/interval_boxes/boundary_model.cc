@@ -53,7 +53,7 @@ Result<BoundaryModel> BoundaryModel::make(PatchComplex complex) {
   }
   BoundaryModel out;
   out.complex_ = std::make_unique<PatchComplex>(std::move(complex));
-  auto forest = PieceForest::make(*out.complex_);
+  auto forest = PieceForest::make(*out.complex_, PieceForest::FrameChoice::kPlain);
   if (!forest) return forest.error();
   out.forest_ = std::make_unique<PieceForest>(std::move(*forest));
   return out;

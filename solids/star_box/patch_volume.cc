@@ -35,9 +35,44 @@ Interval mean(const std::vector<Interval>& coefficients) {
   return sum / Interval(static_cast<double>(coefficients.size()));
 }
 
+// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. Nothing is believed of std::cos:
+// `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its coefficients'
+// magnitudes in T_0, ..., T_{K+1} (2 t T_k = T_{k+1} + T_{|k-1|}). It is 2^-K at the zeros themselves.
+struct InterpolationNodes {
+  explicit InterpolationNodes(int order) {
+    std::vector<Interval> sum{Interval(1.0)};
+    for (int k = 0; k <= order; ++k) {
+      const double c = std::cos((2 * k + 1) * kPi / (2 * order + 2));
+      nodes.push_back(std::clamp(c, -1.0, 1.0));
+      sum = times_difference(sum, Interval(nodes.back()));
+    }
+    Interval bound;
+    for (const Interval& c : sum) bound += Interval(mag(c));
+    product = bound.hi();
+  }
+
+  // (t - c) times a sum of Chebyshev polynomials.
+  static std::vector<Interval> times_difference(const std::vector<Interval>& sum, const Interval& c) {
+    std::vector<Interval> out(sum.size() + 1);
+    const Interval half(0.5);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      out[k] -= c * sum[k];
+      out[k + 1] += half * sum[k];
+      out[k == 0 ? 1 : k - 1] += half * sum[k];
+    }
+    return out;
+  }
+
+  std::vector<double> nodes;
+  double product = 0;
+};
+
 class Integrator {
  public:
-  Integrator(PieceForest& forest, double tolerance) : forest_(forest), tolerance_(tolerance) {}
+  // REQUIRES upward rounding.
+  Integrator(PieceForest& forest, double tolerance) : forest_(forest), tolerance_(tolerance) {
+    for (int order = 0; order <= kMostOrder; ++order) nodes_.emplace_back(order);
+  }
 
   // Of n·S du dv over a whole patch.
   Interval over_patch(std::uint32_t patch) {
@@ -115,30 +150,32 @@ class Integrator {
     return most;
   }
 
-  // f = (1 + x)^-3 is interpolated at x_j = d c_j, j = 0 .. K, c_j within 2^-40 of the zeros of Chebyshev's polynomial T_{K+1}. The divided differences of f
-  // are (-1)^k h_2(y_0, ..., y_k) y_0 ... y_k, y_j = 1 / (1 + x_j), h_2 the sum of all C(k + 2, 2) products of two (by induction on k, as for 1 / (1 + x), where
-  // h_0 = 1 stands for h_2). The error at x is the divided difference of x_0, ..., x_K, x times the product of all x - x_j. Since every y is at most
-  // 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) 2^-K (1 + 2^-10): the product of all t - c_j, |t| <= 1, is at most 2^-K at
-  // the zeros themselves, and moving them adds at most (K + 1) 2^-40 (2 + 2^-40)^K < 2^-26 <= 2^-K 2^-10, for K <= 9.
+  // f = (1 + x)^-3 is interpolated at x_j = d c_j, j = 0 .. K. The divided differences of f are
+  // (-1)^k h_2(y_0, ..., y_k) y_0 ... y_k, y_j = 1 / (1 + x_j), h_2 the sum of all C(k + 2, 2) products of two (by
+  // induction on k, as for 1 / (1 + x), where h_0 = 1 stands for h_2). The error at x is the divided difference of
+  // x_0, ..., x_K, x times the product of all x - x_j, which is at most d^(K + 1) times that of the nodes. Since every y
+  // is at most 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) product.
   // The result times |g| / m^3 bounds what the mean of g / w^3 loses.
-  static double rest(const Weight& w, double most, int order) {
+  double rest(const Weight& w, double most, int order) const {
     if (!(w.d < 0.5)) return std::numeric_limits<double>::infinity();
     const Interval d(w.d), y = Interval(1.0) / (Interval(1.0) - d);
-    Interval out((order + 3) * (order + 2) / 2.0 * (1 + 0x1p-10));
-    out = out * Interval(most) * d * y * y * y * y / (w.m * w.m * w.m);
-    for (int k = 0; k < order; ++k) out = out * d * y * Interval(0.5);
+    Interval out((order + 3) * (order + 2) / 2.0);
+    out = out * Interval(nodes_[static_cast<std::size_t>(order)].product) * Interval(most);
+    out = out * d * y * y * y * y / (w.m * w.m * w.m);
+    for (int k = 0; k < order; ++k) out = out * d * y;
     return out.hi();
   }
 
   // The mean of g / w^3: Newton's form of the interpolant.
-  static Interval over_cubed_weight(const PieceForest::Form& form, const std::vector<Interval>& g,
-                                    const Weight& w, int order, double rest) {
+  Interval over_cubed_weight(const PieceForest::Form& form, const std::vector<Interval>& g,
+                             const Weight& w, int order, double rest) const {
     if (!std::isfinite(rest)) return Interval::entire();
     Form product = Form::from_bernstein(form.determinant, g.data());
     Interval sum, first, second, all(1.0);  // of the y: their sum, h_2, their product
     std::vector<Interval> factor(w.x.size());
     for (int k = 0;; ++k) {
-      const Interval node(w.d * std::cos((2 * k + 1) * kPi / (2 * order + 2)));
+      const double c = nodes_[static_cast<std::size_t>(order)].nodes[static_cast<std::size_t>(k)];
+      const Interval node = Interval(w.d) * Interval(c);
       const Interval y = Interval(1.0) / (Interval(1.0) + node);
       first += y, second += y * first, all = all * y;
       const Interval term = second * all * mean(product.to_bernstein());
@@ -152,6 +189,7 @@ class Integrator {
 
   PieceForest& forest_;
   double tolerance_;
+  std::vector<InterpolationNodes> nodes_;  // by order
 };
 
 }  // namespace

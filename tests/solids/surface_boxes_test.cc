@@ -96,6 +96,18 @@ TEST(ConditionSweep, TheCubesBoxesSatisfyThePaperAndNotC3Star) {
   EXPECT_NE(to_table(rows).find("C3*"), std::string::npos);
 }
 
+// Boxes and collars are cubes around the origin's grid: the frame that star boxes choose for such models is not theirs.
+TEST(ConditionSweep, FlatAndFarModelsKeepTheModelsAxes) {
+  BoundaryModel flat = model_of(patch_shapes::box({0, 0, 0}, {100, 1, 1}));
+  BoundaryModel far = model_of(patch_shapes::box({1000, 0, 0}, {1001, 1, 1}));
+  for (BoundaryModel* const model : {&flat, &far}) {
+    const auto rows = sweep_conditions(*model, 0.5, 0).value();
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].conditions[PaperCondition::kA].answer, Answer::kTrue);
+    EXPECT_EQ(rows[0].conditions[PaperCondition::kB1].answer, Answer::kTrue);
+  }
+}
+
 TEST(ConditionSweep, CoarseCellsFillTheModelAndAreNoCollar) {
   BoundaryModel model = model_of(patch_shapes::octant_sphere());
   const auto rows = sweep_conditions(model, 2, 0).value();

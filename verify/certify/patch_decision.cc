@@ -227,15 +227,6 @@ class Decider {
 
 }  // namespace
 
-// Times a power of two: exact, but for numbers near the ends of binary64.
-Box3d in_model_units(Box3d box, int scale) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.lo[k] = std::nextafter(std::ldexp(box.lo[k], -scale), -HUGE_VAL);
-    box.hi[k] = std::nextafter(std::ldexp(box.hi[k], -scale), HUGE_VAL);
-  }
-  return box;
-}
-
 PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options,
                              std::optional<PieceForest>* forest) {
   return Decider(complex, options, forest).run();

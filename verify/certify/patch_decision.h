@@ -65,9 +65,6 @@ struct PatchDecision {
   ShellWalks walks;
 };
 
-/// A box in the coordinates of a forest of that scale, rounded outward.
-Box3d in_model_units(Box3d box, int scale);
-
 /// The forest of `complex` is made in *forest, where the decision's node numbers point to; it refers to the complex.
 PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options,
                              std::optional<PieceForest>* forest);

@@ -3,9 +3,44 @@
 #pragma once
 #include "numbers.h"
 
+// Limbs, the first few of them without an allocation: most integers here have one to three.
+class Limbs64 {
+ public:
+  size_t size() const { return far_.empty() ? near_size_ : far_.size(); }
+  bool empty() const { return size() == 0; }
+  const uint64_t* begin() const { return far_.empty() ? near_ : far_.data(); }
+  const uint64_t* end() const { return begin() + size(); }
+  uint64_t* begin() { return far_.empty() ? near_ : far_.data(); }
+  uint64_t* end() { return begin() + size(); }
+  uint64_t operator[](size_t i) const { return begin()[i]; }
+  uint64_t& operator[](size_t i) { return begin()[i]; }
+  uint64_t back() const { return begin()[size() - 1]; }
+  uint64_t& back() { return begin()[size() - 1]; }
+  void push_back(uint64_t limb) { resize(size() + 1, limb); }
+  void resize(size_t n, uint64_t limb) {
+    if (far_.empty() && n <= kNear) {
+      for (size_t i = near_size_; i < n; ++i) near_[i] = limb;
+      near_size_ = n;
+    } else {
+      if (far_.empty()) far_.assign(near_, near_ + near_size_);
+      near_size_ = 0;
+      far_.resize(n, limb);
+    }
+  }
+  friend bool operator==(const Limbs64& a, const Limbs64& b) {
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+  }
+
+ private:
+  static constexpr size_t kNear = 4;
+  uint64_t near_[kNear] = {};
+  size_t near_size_ = 0;  // 0 if there are far ones
+  std::vector<uint64_t> far_;
+};
+
 struct Big {
   bool neg = false;
-  std::vector<uint64_t> m;  // least significant limb first, the last one is not 0; zero: empty
+  Limbs64 m;  // least significant limb first, the last one is not 0; zero: empty
 
   Big(int64_t v = 0) : neg(v < 0) {
     if (v != 0) m.push_back(magnitude(v));
@@ -29,7 +64,9 @@ struct Big {
     }
   }
   Big& trim() {
-    while (!m.empty() && m.back() == 0) m.pop_back();
+    size_t n = m.size();
+    while (n > 0 && m[n - 1] == 0) --n;
+    m.resize(n, 0);
     neg = neg && !m.empty();
     return *this;
   }
@@ -71,7 +108,7 @@ inline Big operator-(const Big& a, const Big& b) { return a + -b; }
 inline Big operator*(const Big& a, const Big& b) {
   Big r;
   r.neg = a.neg != b.neg;
-  r.m.assign(a.m.size() + b.m.size(), 0);
+  r.m.resize(a.m.size() + b.m.size(), 0);
   for (size_t i = 0; i < a.m.size(); ++i) {
     u128 carry = 0;
     for (size_t j = 0; j < b.m.size(); ++j, carry >>= 64) {
@@ -85,13 +122,13 @@ inline Big operator*(const Big& a, const Big& b) {
 inline Big shifted(const Big& a, int64_t up) {  // a 2^up; down: the magnitude is rounded down
   Big r;
   r.neg = a.neg;
-  const int64_t limbs = up >= 0 ? up / 64 : -((63 - up) / 64), low = up - 64 * limbs;
-  for (int64_t i = std::min<int64_t>(0, limbs); i <= int64_t(a.m.size()) + limbs; ++i) {
-    const int64_t k = i - limbs;
-    const uint64_t high = k >= 0 && k < int64_t(a.m.size()) ? a.m[size_t(k)] << low : 0;
-    const uint64_t rest =
-        low != 0 && k > 0 && k <= int64_t(a.m.size()) ? a.m[size_t(k - 1)] >> (64 - low) : 0;
-    if (i >= 0) r.m.push_back(high | rest);
+  const int64_t limbs = up >= 0 ? up / 64 : -((63 - up) / 64), n = int64_t(a.m.size());
+  const int low = int(up - 64 * limbs);
+  r.m.resize(size_t(std::max<int64_t>(0, n + limbs + 1)), 0);
+  for (int64_t k = std::max<int64_t>(0, -limbs - 1); k < n; ++k) {
+    const u128 limb = u128(a.m[size_t(k)]) << low;
+    if (k + limbs >= 0) r.m[size_t(k + limbs)] |= uint64_t(limb);
+    r.m[size_t(k + limbs + 1)] |= uint64_t(limb >> 64);
   }
   return r.trim();
 }
@@ -107,7 +144,7 @@ inline Big divide(const Big& a, const Big& b, Big* rest) {
   const Big d = shifted(b, up);
   const size_t n = d.m.size();
   r.m.resize(std::max(r.m.size(), n) + 1, 0);
-  q.m.assign(r.m.size() - n, 0);
+  q.m.resize(r.m.size() - n, 0);
   for (size_t k = q.m.size(); k-- > 0;) {
     const u128 top = u128(r.m[k + n]) << 64 | r.m[k + n - 1];
     u128 guess = std::min<u128>(top / d.m[n - 1], ~uint64_t(0));  // at most 2 too large
@@ -121,7 +158,7 @@ inline Big divide(const Big& a, const Big& b, Big* rest) {
         borrow = t >> 64 != 0;
       }
       if (borrow != 0) continue;
-      std::copy(next.begin(), next.end(), r.m.begin() + int64_t(k));
+      std::copy(next.begin(), next.end(), r.m.begin() + k);
       break;
     }
     q.m[k] = uint64_t(guess);

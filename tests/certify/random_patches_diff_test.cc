@@ -7,6 +7,7 @@
 #include "tests/certify/patch_round_trip.h"
 #include "tests/support/checker_call.h"
 #include "tests/support/random_solids.h"
+#include "verify/certify/star_cover.h"
 
 namespace veritope {
 namespace {
@@ -64,6 +65,23 @@ TEST(RandomPatchesDiff, PlantedContactsAreNeverValid) {
     const CertifiedPatches c = decided(model);
     ASSERT_FALSE(c.decision.is_valid);
     if (!c.decision.open) expect_checked(c);
+  }
+}
+
+// Where shells touch smoothly, or a vertex touches a face, gaps of every size surround the contact: a search that covers them first tries millions of boxes.
+TEST(RandomPatchesDiff, ContactsAreRunDownToAfterAFewThousandBoxes) {
+  for (const std::uint64_t seed : {41, 60, 63, 143, 174, 735, 914}) {
+    Random random(seed);
+    const Model model = random_solids::touching(random);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
+    const PatchComplex complex = make_patch_complex(model.patches).value();
+    PieceForest forest = PieceForest::make(complex).value();
+    StarCoverOptions options;
+    options.max_boxes = 10'000;
+    const StarCover cover = find_star_cover(forest, options);
+    ASSERT_FALSE(cover.is_complete());
+    EXPECT_LT(cover.tried, options.max_boxes);
+    EXPECT_LT(cover.uncovered.front().gap, 1e-6);
   }
 }
 

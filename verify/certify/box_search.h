@@ -25,6 +25,8 @@ class BoxSearch {
   /// After it returned false.
   UncoveredPiece::Why why() const { return why_; }
   Obstacle obstacle();
+  /// How many pieces near it; 1, itself, if it has no centres even alone.
+  std::size_t num_looked_at() const { return tested_.size(); }
 
   std::size_t tested_pieces() const { return tested_pieces_; }
   std::size_t programs() const { return programs_; }

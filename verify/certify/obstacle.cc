@@ -69,8 +69,10 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
   }
   Obstacle out;
   const std::size_t step = 1 + own.size() / kMostOwn;
+  double turn = 0;  // 1 less the cosine of the angle between normals of the piece
   for (std::size_t i = 0; i < own.size(); i += step) {
     const Facet& a = all[own[i]];
+    turn = std::max(turn, 1 - dot(a.normal, all[own[0]].normal));
     for (const Facet& b : all) {
       const double cosine = dot(a.normal, b.normal);
       out.least_cosine = std::min(out.least_cosine, cosine);
@@ -79,6 +81,9 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
       out.gap = std::min(out.gap, std::max(std::abs(dot(d, a.normal)), std::abs(dot(d, b.normal))));
     }
   }
+  // Half the piece's length times the angle of its normals, at most twice that with the first one.
+  const double bend = extent(forest.node(piece).hull) * std::sqrt(2 * turn);
+  out.least_gap = std::max(0.0, out.gap - bend);
   return out;
 }
 

@@ -12,6 +12,8 @@ namespace veritope {
 struct Obstacle {
   /// Between pieces whose normals are over 105 degrees apart, along their normals: infinity if there are none. 0 in a contact.
   double gap = std::numeric_limits<double>::infinity();
+  /// The gap less what the piece bends by: sheets may be so near between the points that are looked at. At least 0.
+  double least_gap = std::numeric_limits<double>::infinity();
   /// The least cosine of the angle of two normals.
   double least_cosine = 1;
 };

@@ -14,8 +14,9 @@ namespace {
 using Id = PieceForest::Id;
 using Why = UncoveredPiece::Why;
 
-// Pieces in the order of the size at which they are expected to have boxes: a contact is run down to the greatest level at once, and pieces of one size are taken depth
-// first, the last one first, so that nets are near each other.
+// Pieces in the order of the least size at which they may have boxes: a contact is run down to the greatest level at once, and pieces of one size are taken depth
+// first, the last one first, so that nets are near each other. Those whose surroundings were not looked at yet come before all others: a contact must not wait until
+// wider gaps elsewhere are covered.
 class CoverSearch {
  public:
   CoverSearch(PieceForest& forest, const StarCoverOptions& options)
@@ -23,7 +24,7 @@ class CoverSearch {
 
   StarCover run() {
     const auto& order = forest_.roots().order();
-    for (std::size_t k = order.size(); k-- > 0;) push(forest_.root(order[k]), kRootScale);
+    for (std::size_t k = order.size(); k-- > 0;) push(forest_.root(order[k]), kUnknownScale);
     while (!open_.empty() && out_.uncovered.empty()) {
       const Open next = open_.top();
       open_.pop();
@@ -37,7 +38,7 @@ class CoverSearch {
 
  private:
   struct Open {
-    int scale;  // of the box that is expected, as a power of two
+    int scale;  // of the box that is expected, as a power of two, or kUnknownScale
     std::uint64_t number;
     Id id;
     int crowded;  // how many pieces around it, one in the other, had no box because too many others were met
@@ -45,7 +46,7 @@ class CoverSearch {
       return a.scale != b.scale ? a.scale > b.scale : a.number < b.number;
     }
   };
-  static constexpr int kRootScale = 100, kLeastScale = -100;
+  static constexpr int kUnknownScale = -101, kLeastScale = -100, kMostScale = 100;
   // Where features are small, boxes meet a quarter of the pieces at each level; at a contact near a pole as many at all levels.
   static constexpr int kMostCrowded = 6;
 
@@ -89,9 +90,10 @@ class CoverSearch {
     for (const Id k : {3u, 2u, 1u, 0u}) push(first + k, scale, crowded);
   }
   int scale_of(Id id) {
-    const double size = std::min(search_.obstacle().gap, extent(forest_.node(id).hull));
+    if (search_.num_looked_at() == 1) return kUnknownScale;
+    const double size = std::min(search_.obstacle().least_gap, extent(forest_.node(id).hull));
     if (!(size > 0)) return kLeastScale;
-    return std::clamp(std::ilogb(size), kLeastScale, kRootScale - 1);
+    return std::clamp(std::ilogb(size), kLeastScale, kMostScale);
   }
   void accept() {
     const auto number = static_cast<std::uint32_t>(out_.boxes.size());

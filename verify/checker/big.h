@@ -4,7 +4,7 @@
 #include "numbers.h"
 
 // Limbs, the first few of them without an allocation: most integers here have one to three.
-class Limbs64 {
+class LimbList {
  public:
   size_t size() const { return far_.empty() ? near_size_ : far_.size(); }
   bool empty() const { return size() == 0; }
@@ -27,7 +27,7 @@ class Limbs64 {
       far_.resize(n, limb);
     }
   }
-  friend bool operator==(const Limbs64& a, const Limbs64& b) {
+  friend bool operator==(const LimbList& a, const LimbList& b) {
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
   }
 
@@ -40,7 +40,7 @@ class Limbs64 {
 
 struct Big {
   bool neg = false;
-  Limbs64 m;  // least significant limb first, the last one is not 0; zero: empty
+  LimbList m;  // least significant limb first, the last one is not 0; zero: empty
 
   Big(int64_t v = 0) : neg(v < 0) {
     if (v != 0) m.push_back(magnitude(v));

@@ -724,6 +724,7 @@ class Hostile(StarBoxTest):
                        put(*shape, "knots", 0, ["0", "0", "1"]), put(*shape, "knots", 0, ["0", "1", "1", "2"]), put(*shape, "knots", 0, ["0", "1", "0", "1"]),
                        put(*shape, "knots", 0, ["0", "0", "0", "0"]), put(*shape, "knots", 0, ["0", "0", "0", "1", "1"]),
                        put(*shape, "points", []), put(*shape, "points", 0, ["1", "2"]), put(*shape, "points", 0, [1, "1", "1"]),
+                       lambda m: m["entities"][0]["shape"]["points"][0].append(m["entities"][0]["shape"]["points"][1].pop(0)),
                        put("entities", 1, "shape", "degree", 64), put("entities", 1, "shape", "degree", 2), put("entities", 1, "shape", "rational", 1),
                        lambda m: b"", lambda m: b"\xff\xfe", lambda m: b"[" * 100000, lambda m: b'{"a":' * 100000, lambda m: b"1" * 10 ** 6,
                        lambda m: b'{"format":1e5}', lambda m: b'{"format":NaN}', lambda m: b'{"format":"a","format":"b"}',

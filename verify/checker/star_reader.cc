@@ -113,9 +113,12 @@ struct Reader {
     ++groups;
   }
   void points(std::vector<Ratio>* flat, uint64_t* count) {
+    size_t each = 0;  // numbers of the first one
     list([&] {
-      ++*count;
+      const size_t before = flat->size();
       list([&] { flat->push_back(read_number(string())); });
+      if ((*count)++ == 0) each = flat->size();
+      expect(flat->size() - before == each, "points have different numbers of components");
     });
   }
   Entity shape(Entity::Kind kind) {

@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,6 +56,17 @@ inline std::string get(const std::string& statement, const std::string& key) {
 inline void set(std::string& statement, const std::string& key, const std::string& value) {
   const auto [first, last] = value_of(statement, key);
   if (last != 0) statement.replace(first, last - first, value);
+}
+
+inline std::size_t random_below(std::mt19937& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
+// The first digit that twenty tries find.
+inline void change_digit(std::string& text, std::mt19937& random) {
+  for (int tries = 0; tries < 20 && !text.empty(); ++tries) {
+    char& c = text[random_below(random, text.size())];
+    if (c < '0' || c > '9') continue;
+    c = static_cast<char>('0' + random_below(random, 10));
+    return;
+  }
 }
 
 inline void make_hashes_true(Input& in) {

@@ -76,7 +76,7 @@ class Mutator {
       case 4: change_byte(in_.certificate, line); break;
       case 5: change_byte(in_.model, in_.model.size() / 4); break;
       case 6: change_double(); break;
-      case 7: change_digit(); break;
+      case 7: change_digit(in_.model, random_); break;
       case 8: in_.certificate.insert(body_place(line), 1, static_cast<char>(pick(16))); break;
       default:
         if (in_.certificate.size() > line + 1) in_.certificate.erase(body_place(line), 1);
@@ -84,7 +84,7 @@ class Mutator {
   }
 
  private:
-  std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
+  std::size_t pick(std::size_t n) { return random_below(random_, n); }
   std::size_t body_place(std::size_t line) {
     const std::size_t first = std::min(line + 1, in_.certificate.size());
     return first + pick(in_.certificate.size() - first);
@@ -122,14 +122,6 @@ class Mutator {
       default: std::memcpy(&v, in_.model.data() + header + 11 + 8 * pick(n), 8);
     }
     std::memcpy(in_.model.data() + at, &v, 8);
-  }
-  void change_digit() {
-    for (int tries = 0; tries < 20 && !in_.model.empty(); ++tries) {
-      char& c = in_.model[pick(in_.model.size())];
-      if (c < '0' || c > '9') continue;
-      c = static_cast<char>('0' + pick(10));
-      return;
-    }
   }
   void change_statement(std::size_t line) {
     static const char* const kNumbers[] = {"vertices", "edges", "faces", "shells", "bodies", "genus"};

@@ -72,7 +72,7 @@ class Mutator {
   void change() {
     switch (pick(12)) {
       case 0: change_statement(); break;
-      case 1: change_digit(); break;
+      case 1: change_digit(in_.model, random_); break;
       case 2: body_.insert(pick(body_.size() + 1), 1, static_cast<char>(pick(16))); break;
       case 3: body_.erase(pick(body_.size() + 1), 1); break;
       case 4: repeat_part(); break;
@@ -83,7 +83,7 @@ class Mutator {
   }
 
  private:
-  std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
+  std::size_t pick(std::size_t n) { return random_below(random_, n); }
   void change_byte(std::string& text) {
     if (text.empty()) return;
     char& c = text[pick(text.size())];
@@ -111,14 +111,6 @@ class Mutator {
     const std::size_t at = pick(body_.size() - 2 * n + 1);
     std::swap_ranges(body_.begin() + static_cast<std::ptrdiff_t>(at), body_.begin() + static_cast<std::ptrdiff_t>(at + n),
                      body_.begin() + static_cast<std::ptrdiff_t>(at + n));
-  }
-  void change_digit() {
-    for (int tries = 0; tries < 20 && !in_.model.empty(); ++tries) {
-      char& c = in_.model[pick(in_.model.size())];
-      if (c < '0' || c > '9') continue;
-      c = static_cast<char>('0' + pick(10));
-      return;
-    }
   }
   void change_statement() {
     static const char* const kNumbers[] = {"patches", "edges",   "vertices", "shells", "bodies",  "genus",

@@ -214,6 +214,14 @@ class Lies(CollarTest):
         outer = [n for n, c in self.honest.complex.component_of.items() if self.honest.plan.sides[c] == 1]
         self.alone("K3", self.honest, self.changed(self.honest, collapses=outer[:1] + steps[1:]))       # a face of d+
 
+    def test_k3_a_handle_on_the_outside(self):
+        """K collapses onto the inner side and a loop of edges."""
+        arch = [(4, 4, 28, 4), (4, 4, 32, 4), (8, 4, 32, 4), (12, 4, 32, 4), (12, 4, 28, 4)]
+        collar = in_cells(brick(4, 24), solids.cube_shell(0, 28, 8, 20) + arch, True, steps=False)
+        self.assertEqual(sorted(map(collar.complex.chi, (0, 1))), [0, 2])
+        self.assertIn("edges or vertices", collar.complex.bad_collapse(collar.plan.sides, collar.plan.collapses))
+        self.alone("K3", collar)
+
     def test_k3_a_hole_through_the_wall(self):
         """A solid torus of a wall: two components of the boundary there are not."""
         collar = in_cells(brick(4, 24), [c for c in solids.cube_shell(0, 28, 8, 20) if c[:2] != (12, 12) or c[2] > 4], shores=False, steps=False)
@@ -303,6 +311,26 @@ class Lies(CollarTest):
         self.says("ACCEPT", self.honest, self.changed(self.honest, shores=[plan.shores[0], ([end], inner_box)]))
         other = (inner_box[0], 1 - inner_box[1])
         self.says("I4", self.honest, self.changed(self.honest, shores=[plan.shores[0], ([], other)]))
+
+    def test_i4_shores_through_the_surface_and_back(self):
+        """w is as it should be: only their descents tell."""
+        (_, ray), (_, box) = self.honest.plan.shores
+        middle, outside = (14 << 20,) * 3, (-20 << 20,) * 3
+        for shores in ([([middle], ray), ([], box)], [([], ray), ([outside], box)]):
+            self.alone("I4", self.honest, self.changed(self.honest, shores=shores))
+
+    def test_i4_a_shore_ends_at_a_star_box(self):
+        prover = proved("flat", lambda: solids.on_lattice([(0, 0, 0)], *[(4, 24)] * 3))
+        collar = in_cells(prover, solids.cube_shell(0, 28, 8, 20))
+        used = {prover.plan.walks[0][0], *(end[0] for _, end in collar.plan.shores if not isinstance(end, int))}
+        plan = self.changed(collar)
+        n = next(i for i, b in enumerate(plan.boxes) if b.kind == 0 and i not in used)
+        box = plan.boxes[n]
+        plan.boxes[n] = star_forge.Box(1, box.lo, box.size, shift=box.shift)
+        self.says("ACCEPT", collar, plan)
+        (_, ray), (_, inner) = plan.shores                # the outer one starts at the origin
+        for plan.shores in ([([], ray), ([], (n, inner[1]))], [([], (n, 1)), ([], inner)]):
+            self.says("I4", collar, plan)
 
     def test_w2_a_surface_inside_out(self):
         """referee-2, 3.1 (d): star-box-1's own condition rejects it; without it w is 0 and -1."""

@@ -367,6 +367,15 @@ class Lies(PatchInvalidTest):
         self.says("D2", forge.sides([fold], [(0, side, (3, 0, 3)), (0, side, (3, 5, 8))], 1, 1, 0, Q(1, 4)))
         self.says("D4", forge.sides([fold], [(0, side, (3, 0, 3))], 1, 0, 0, Q(1, 4)))
 
+    def test_d3_is_about_the_quotient(self):
+        """X rises, X / w turns back; X turns back, X / w rises."""
+        for curve, expected in ((((0, 0, 0, 1), (1, 0, 0, 1), (2, 0, 0, 8)), "D3"), (((0, 0, 0, 1), (2, 0, 0, 1), (1, 0, 0, Q(1, 4))), "ACCEPT")):
+            entity = star_forge.surface([[p, (*p[:2], p[3], p[3])] for p in curve], rational=True)
+            side = next(s for s in range(4) if sum(p[2] for p in forge.Parsed([entity]).patches[0].side(s)) == 0)
+            finding = forge.sides([entity], [(0, side, WHOLE)], 1, 0, 0, Q(1, 4))
+            self.says(expected, finding)
+            self.says("ACCEPT", finding, {"D3"})
+
     def test_d4(self):
         """An edge of a sound model, told as a border."""
         for entities in (models.cube(), models.torus(), models.tetrahedron(), models.octant_sphere(), models.cubic_octahedron()):

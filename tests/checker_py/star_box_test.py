@@ -724,6 +724,8 @@ class Hostile(StarBoxTest):
                        put(*shape, "knots", 0, ["0", "0", "1"]), put(*shape, "knots", 0, ["0", "1", "1", "2"]), put(*shape, "knots", 0, ["0", "1", "0", "1"]),
                        put(*shape, "knots", 0, ["0", "0", "0", "0"]), put(*shape, "knots", 0, ["0", "0", "0", "1", "1"]),
                        put(*shape, "points", []), put(*shape, "points", 0, ["1", "2"]), put(*shape, "points", 0, [1, "1", "1"]),
+                       lambda m: m["entities"][0]["shape"]["points"][0].append(m["entities"][0]["shape"]["points"][1].pop(0)),
+                       lambda m: m["entities"][0]["shape"].update(rational=True, components=1, points=[["1"]] * 4),
                        put("entities", 1, "shape", "degree", 64), put("entities", 1, "shape", "degree", 2), put("entities", 1, "shape", "rational", 1),
                        lambda m: b"", lambda m: b"\xff\xfe", lambda m: b"[" * 100000, lambda m: b'{"a":' * 100000, lambda m: b"1" * 10 ** 6,
                        lambda m: b'{"format":1e5}', lambda m: b'{"format":NaN}', lambda m: b'{"format":"a","format":"b"}',
@@ -733,6 +735,47 @@ class Hostile(StarBoxTest):
         weight[0]["shape"]["points"][0][3] = "0"
         data = forge.encode_model(weight)
         self.assertEqual(self.judged(data, plan.certificate(data), "weight"), 4)
+
+    def read_as_json(self, kind, shape, name="A", key="name"):
+        """Of a model with one entity more: is it read, or refused?  An entity of another kind has a shape that is not looked into."""
+        prover = forge.Prover(models.cube(), checked=False)
+        text = prover.model.decode().replace('"groups": []', '"groups": [{"%s": "%s", "parent": null, "attributes": []}]' % (key, name), 1)
+        text = text[:-2] + ', {"kind": "%s", "group": 0, "attributes": [], "shape": %s}]}' % (kind, shape)
+        data = text.encode("utf-8", "surrogateescape")
+        return self.judged(data, prover.plan.certificate(data), data) != 4
+
+    def test_json_is_read_strictly(self):
+        for kind in ("curve", "volume", "trimmed", "model", "m\\u006fdel"):
+            self.assertTrue(self.read_as_json(kind, '{"a": [{"b": [1, -23, true, null, {}]}, "c"]}'), kind)
+        for shape in ("[]", "1", '"a"', "null", "{,}", '{"a": 1.5}', '{"a": 1e5}', '{"a": nul}', '{"a": NaN}', '{"a": -}', '{"a": 01}', '{"a": 1, "a": 1}', '{"a": 1, "\\u0061": 1}',
+                      '{"a": 1234567890123456}', '{"a": [1,]}', '{"a": 1,}', '{"a" 1}', '{"\\ud800": 1}', '{"a": ["\\ud800"]}', '{"a": "\\x"}', "{'a': 1}"):
+            self.assertFalse(self.read_as_json("curve", shape), shape)
+        for depth in (99, 100):
+            self.assertEqual(self.read_as_json("curve", '{"a": %s}' % ("[" * (depth - 1) + "1" + "]" * (depth - 1))), depth == 99)
+        for name in (r"\u20ac\ud83d\ude00", r'\"\\\/\b\f\n\r\t\u0000', "\u20ac\U0001f600\x7f"):
+            self.assertTrue(self.read_as_json("curve", "{}", name), name)
+        for name in ("\\ud800", "\\udc00", "\\ud800\\u0041", "\\ud800x", "\\q", "\\u12", "\\u12g4", "\\", "\n", "\x1f", "\udc80", "\udcc0\udc80", "\udced\udca0\udc80",
+                     "\udcf4\udc90\udc80\udc80", "\udcc3", "\udcff", "\udce2\udc82"):
+            self.assertFalse(self.read_as_json("curve", "{}", name), ascii(name))
+        self.assertTrue(self.read_as_json("curve", "{}", "A", "n\\u0061me"))
+
+    def test_other_forms_of_a_number(self):
+        prover = forge.Prover(models.cube()).prove()
+        for one in ("+1", "1.", "01.0e+00", "10e-1", "1e-" + "0" * 16000, "0x1", "0X.8p+1", "7/7", "\\u0031"):
+            data = prover.model.replace(b'"1"', b'"%s"' % one.encode())
+            self.assertEqual(self.judged(data, prover.plan.certificate(data), one), 0, one)
+
+    def test_a_period_shorter_than_the_degree(self):
+        """One span, periodic: all control points are equal along it."""
+        rows = [[(i, 1, 2)] * 3 for i in range(2)]
+        entity = forge.surface(rows, degrees=(1, 2), knots=[[0, 0, 1, 1], [-2, -1, 0, 1, 2, 3]])
+        entity["shape"]["periodic"][1] = True
+        plan = forge.Plan([entity])
+        data = forge.encode_model([entity])
+        self.assertEqual(self.judged(data, plan.certificate(data), "periodic"), 1)
+        entity["shape"]["points"][0][0] = "9"
+        data = forge.encode_model([entity])
+        self.assertEqual(self.judged(data, plan.certificate(data), "not periodic"), 4)
 
     def test_long_numbers_and_great_counts(self):
         prover = forge.Prover(models.cube()).prove()

@@ -751,17 +751,22 @@ def parse(argv):
     return a.parse_args(argv)
 
 
+def report(failures, figures, missing=()):
+    """Prints what a run found; the exit code.  missing: conditions that no attack needs, though some should."""
+    failures = failures + ["no attack needs condition %s" % c for c in missing]
+    for f in failures:
+        print("FAILURE:", f)
+    for name, value, goal in figures:
+        print(json.dumps({"name": name, "value": value, "goal": goal}))
+    return 1 if failures else 0
+
+
 def main(argv):
     options, start = parse(argv), time.monotonic()
     table, alone, honest, failures = run_all(options)
     print_table(table, alone)
-    for c in missing_conditions(alone) if options.count >= 5000 else ():
-        failures.append("no attack needs condition %s" % c)
-    for f in failures:
-        print("FAILURE:", f)
-    for name, value, goal in figures(table, alone, honest, failures, time.monotonic() - start, options):
-        print(json.dumps({"name": name, "value": value, "goal": goal}))
-    return 1 if failures else 0
+    return report(failures, figures(table, alone, honest, failures, time.monotonic() - start, options),
+                  missing_conditions(alone) if options.count >= 5000 else ())
 
 
 if __name__ == "__main__":

@@ -35,6 +35,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import attacks                                            # noqa: E402
 import patch_attacks                                      # noqa: E402
+import patch_differential                                 # noqa: E402
 import patch_liars                                        # noqa: E402
 import patch_solids                                       # noqa: E402
 import patch_mutation_test                                # noqa: E402
@@ -45,8 +46,8 @@ NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h")   # C++ headers without 
 # Together these attacks hit every pair of strategy and condition that 500 seeds hit.
 SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
          192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
-PATCH_MODULES = ("star_box_read", "star_box_patches", "star_box_check", "patch_invalid_check", "collar_complex", "collar_check")
-PATCH_TESTS = ("star_box_test", "star_box_turned_test", "patch_invalid_test", "collar_test")
+PATCH_MODULES = ("star_box_read", "star_box_itd", "star_box_patches", "star_box_check", "patch_invalid_check", "collar_complex", "collar_check")
+PATCH_TESTS = ("star_box_test", "star_box_itd_test", "star_box_turned_test", "patch_invalid_test", "collar_test")
 CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
 
 # (name, what to look for, replacements); applied to one occurrence at a time, outside of strings
@@ -188,6 +189,7 @@ def patch_corpus():
         cases += [(model, plan.certificate(model)) for plan in plans]
     cases = [c for c in dict.fromkeys(cases) if len(c[0]) + len(c[1]) < 40000]
     cases += [(model, damaged(cert, rng)) for model, cert in rng.sample(cases, len(cases) // 3)]
+    cases += [patch_differential.model_case(random.Random(seed))[1:] for seed in range(400)]
     cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
     return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
 
@@ -363,7 +365,7 @@ def run(kind, options):
 def is_about(f, patches):
     """Does a C++ file hold conditions of the claims about patches, or of those about meshes?"""
     if f.suffix == ".cc":
-        return f.name.startswith(("star_", "collar_", "invalid_") if patches else "mesh_")
+        return f.name.startswith(("star_", "itd_", "collar_", "invalid_") if patches else "mesh_")
     return f.name not in NOT_CONDITIONS and any(is_about(CHECKER / user, patches) for user in users_of(f.name))
 
 

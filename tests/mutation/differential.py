@@ -344,13 +344,14 @@ def main(argv):
     for p in processes:
         p.join()
     attacks.print_table(table, {})
-    for f in failures:
-        print("FAILURE:", f)
-    accepted = sum(n for (_, c), n in table.items() if c == "ACCEPT")
-    for name, value, goal in (("differential_cases", sum(table.values()), options.count), ("differential_accepted_by_both", accepted, None),
-                              ("differential_disagreements", len(failures), 0), ("seconds", round(time.monotonic() - start, 1), None)):
-        print(json.dumps({"name": name, "value": value, "goal": goal}))
-    return 1 if failures else 0
+    return attacks.report(failures, figures(table, failures, options, time.monotonic() - start))
+
+
+def figures(table, failures, options, seconds, prefix="differential_"):
+    yield prefix + "cases", sum(table.values()), options.count
+    yield prefix + "accepted_by_both", sum(n for (_, c), n in table.items() if c == "ACCEPT"), None
+    yield prefix + "disagreements", len(failures), 0
+    yield "seconds", round(seconds, 1), None
 
 
 if __name__ == "__main__":

@@ -27,13 +27,15 @@ def build_checker(folder):
     return program
 
 
-class MutationTest(unittest.TestCase):
+class WithBothCheckers(unittest.TestCase):
+    kind = attacks.Run                                    # of run_
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         checker = os.environ.get("VERITOPE_CHECK") or build_checker(cls.folder.name)
         cls.options = attacks.parse(["--checker", checker, "--save", os.path.join(cls.folder.name, "failures")])
-        cls.run_ = attacks.Run(cls.options)
+        cls.run_ = cls.kind(cls.options)
 
     @classmethod
     def tearDownClass(cls):
@@ -43,6 +45,8 @@ class MutationTest(unittest.TestCase):
     def setUp(self):
         self.run_.failures.clear()
 
+
+class MutationTest(WithBothCheckers):
     # PROVES MESH-9
     def test_no_false_claim_is_accepted_and_every_condition_is_needed(self):
         for seed in SEEDS:

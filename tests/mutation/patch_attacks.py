@@ -8,7 +8,6 @@ accepted.  Run
 
     python3 tests/mutation/patch_attacks.py --count 100000 --seed 1 --checker PATH_TO_veritope-check
 """
-import json
 import sys
 import time
 
@@ -98,13 +97,8 @@ def main(argv):
     options, start = attacks.parse(argv), time.monotonic()
     table, alone, honest_found, failures = attacks.run_all(options, Run)
     attacks.print_table(by_lie(table), alone, CONDITIONS)
-    for c in missing_conditions(alone) if sum(table.values()) >= 20000 else ():
-        failures.append("no attack needs condition %s" % c)
-    for f in failures:
-        print("FAILURE:", f)
-    for name, value, goal in figures(table, alone, honest_found, failures, time.monotonic() - start, options):
-        print(json.dumps({"name": name, "value": value, "goal": goal}))
-    return 1 if failures else 0
+    return attacks.report(failures, figures(table, alone, honest_found, failures, time.monotonic() - start, options),
+                          missing_conditions(alone) if sum(table.values()) >= 20000 else ())
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ VERITOPE_CHECK names the C++ checker; if unset it is built from verify/checker i
 import os
 import random
 import sys
-import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -16,6 +15,7 @@ import collar_liars as collar                             # noqa: E402
 import invalid_liars as invalid                           # noqa: E402
 import mutation_test                                      # noqa: E402
 import patch_attacks                                      # noqa: E402
+import patch_differential                                 # noqa: E402
 import patch_liars as star                                # noqa: E402
 
 
@@ -45,21 +45,8 @@ SEEDS = ((star.star_attacks, (0, 1, 2, 6, 15)), (three_sheets, (2,)), (double_co
          (bent(collar.several_shells, 4), (3,)), (bent(collar.pits, 4), (0, 1)), (bent(collar.handle, 1), (0,)))
 
 
-class PatchMutationTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        checker = os.environ.get("VERITOPE_CHECK") or mutation_test.build_checker(cls.folder.name)
-        cls.options = attacks.parse(["--checker", checker, "--save", os.path.join(cls.folder.name, "failures")])
-        cls.run_ = patch_attacks.Run(cls.options)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.run_.native.close()
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.run_.failures.clear()
+class PatchMutationTest(mutation_test.WithBothCheckers):
+    kind = patch_attacks.Run
 
     def test_no_false_claim_is_accepted_and_every_condition_is_needed(self):
         for source, seeds in SEEDS:
@@ -78,6 +65,15 @@ class PatchMutationTest(unittest.TestCase):
             for name, subject, cert in patch_attacks.Run.honest_certificates(random.Random(seed)):
                 self.run_.accept(name, subject, cert, seed)
         self.assertEqual(self.run_.failures, [])
+
+    def test_the_checkers_read_damaged_files_alike(self):
+        run = patch_differential.Run(self.options)
+        for seed in range(150):
+            for name, model, cert in patch_differential.cases(random.Random(seed)):
+                run.attack(name, model, cert, seed)
+        run.native.close()
+        self.assertEqual(run.failures, [])
+        self.assertGreater(run.table["same", "ACCEPT"], 15)
 
     def test_the_harness_notices_a_checker_that_accepts_everything(self):
         run = patch_attacks.Run(attacks.parse(["--save", self.options.save]))

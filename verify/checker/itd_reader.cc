@@ -11,9 +11,69 @@ const Words kRefused = {"CURVE",    "TRIVAR",    "TRIMSRF",   "MODEL",  "POLYGON
 const Words kNoAttribute = {"KV", "KVP", "SURFACE", "CURVE", "TRIMCRV"};
 const Words kBases = {"BEZIER", "BSPLINE", "POWER"};
 const uint64_t kMostOrder = 64;
+// 5^27, and the odd primes below 64.
+const int64_t kPrimes[] = {
+    7450580596923828125, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61};
 
 bool is_in(const Words& words, const std::string& w) {
   return std::find(words.begin(), words.end(), w) != words.end();
+}
+
+// Binomials of a degree below 64, and their least common multiple.
+struct Binomials {
+  std::vector<Big> c;
+  Big common = 1;
+  explicit Binomials(int64_t degree) {
+    u128 binomial = 1;
+    for (int64_t r = 0; r <= degree; ++r) {
+      c.push_back(Big(int64_t(binomial)));
+      common = common * divide(c.back(), gcd(common, c.back()), nullptr);
+      binomial = binomial * u128(degree - r) / u128(r + 1);
+    }
+  }
+  // From powers to Bernstein coefficients, times `common`.
+  void transform(std::vector<Big>* a, size_t first, size_t step) const {
+    const auto at = [&](size_t r) -> Big& { return (*a)[first + r * step]; };
+    for (size_t r = 0; r < c.size(); ++r) at(r) = at(r) * divide(common, c[r], nullptr);
+    for (size_t k = 1; k < c.size(); ++k)  // each step adds one to the i of C(i, r)
+      for (size_t i = c.size(); i-- > k;) at(i) = at(i) + at(i - 1);
+  }
+};
+// n / d in lowest terms. REQUIRES that no prime over 61 divides d, as none divides a power of ten or
+// a binomial of a degree below 64: Euclid's algorithm would take a step for each other bit.
+Ratio shortened(Big n, Big d) {
+  const int64_t twos = std::min(n.zeros(), d.zeros());
+  n = shifted(n, -twos), d = shifted(d, -twos);
+  const auto divides = [&](int64_t q) {
+    Big rest;
+    const Big to = divide(n, Big(q), &rest);
+    if (rest.sign() != 0) return false;
+    const Big of = divide(d, Big(q), &rest);
+    if (rest.sign() != 0) return false;
+    n = to, d = of;
+    return true;
+  };
+  for (const int64_t q : kPrimes)
+    while (divides(q)) {
+    }
+  return Ratio(n, d);
+}
+// The net of a surface in the power basis, u fastest, becomes that in Bernstein's: each component in
+// integers, since sums of long fractions are slow.
+void to_bernstein(std::vector<Ratio>* net, size_t components, const std::vector<int64_t>& degrees) {
+  const Binomials u(degrees[0]), v(degrees[1]);
+  for (size_t j = 0; j < components; ++j) {
+    Big common = 1;
+    for (size_t i = j; i < net->size(); i += components)
+      common = common * divide((*net)[i].d, gcd(common, (*net)[i].d), nullptr);
+    std::vector<Big> a;
+    for (size_t i = j; i < net->size(); i += components)
+      a.push_back((*net)[i].n * divide(common, (*net)[i].d, nullptr));
+    for (size_t k = 0; k < v.c.size(); ++k) u.transform(&a, k * u.c.size(), 1);
+    for (size_t i = 0; i < u.c.size(); ++i) v.transform(&a, i, u.c.size());
+    common = common * u.common * v.common;
+    for (size_t i = 0; i < a.size(); ++i) (*net)[j + i * components] = shortened(a[i], common);
+  }
 }
 
 struct Reader {
@@ -73,17 +133,6 @@ struct Reader {
   }
 
   // Section 3.
-  void bernstein(std::vector<Ratio>* a, size_t first, size_t step, int64_t degree) {
-    const auto at_power = [&](int64_t r) -> Ratio& { return (*a)[first + size_t(r) * step]; };
-    u128 binomial = 1;
-    for (int64_t r = 0; r <= degree; ++r) {
-      at_power(r) = lowest(Ratio(at_power(r).n, at_power(r).d * Big(int64_t(binomial))));
-      binomial = binomial * u128(degree - r) / u128(r + 1);
-    }
-    for (int64_t k = 1; k <= degree; ++k)  // each step adds one to the i of C(i, r)
-      for (int64_t i = degree; i >= k; --i)
-        at_power(i) = at_power(i) - Ratio(-at_power(i - 1).n, at_power(i - 1).d);
-  }
   // Two groups; an axis of KVP has more control points than the file lists.
   void knots(const uint64_t* given, uint64_t* stored, Entity* e) {
     for (size_t a = 0; a < 2; ++a) {
@@ -138,9 +187,7 @@ struct Reader {
     const size_t c = size_t(e.components);
     std::vector<Ratio> flat = points(given[0] * given[1], c, e.is_rational);
     const size_t row = size_t(given[0]) * c;  // numbers with one index along v
-    for (size_t k = 0; basis == "POWER" && k < given[1]; ++k)
-      for (size_t j = 0; j < c; ++j) bernstein(&flat, k * row + j, c, e.degrees[0]);
-    for (size_t j = 0; basis == "POWER" && j < row; ++j) bernstein(&flat, j, row, e.degrees[1]);
+    if (basis == "POWER") to_bernstein(&flat, c, e.degrees);
     for (uint64_t i = 0; i < stored[0]; ++i)
       for (uint64_t k = 0; k < stored[1]; ++k) {
         const auto from = flat.begin() + int64_t(k % given[1] * row + i % given[0] * c);

@@ -2,7 +2,7 @@
 """Models in IRIT's .itd (docs/certificates/reading-rule-itd.md, section by section), and the choice of a reader."""
 import re
 from fractions import Fraction
-from math import comb
+from math import comb, lcm
 
 from star_box_read import MAX_DIGITS, Entity, Refused, axis_size, number, read_model
 
@@ -169,14 +169,24 @@ class Reader:
         self.take(b"]")
         return numbers[1:] + numbers[:1] if rational else numbers
 
-def bernstein(powers):
-    """The Bernstein coefficients of sum a_r t^r over [0, 1]; each a_r is a list of numbers."""
-    d = len(powers) - 1
-    return [[sum(Fraction(comb(i, r), comb(d, r)) * powers[r][c] for r in range(i + 1)) for c in range(len(powers[0]))]
-            for i in range(d + 1)]
+def bernstein(a):
+    """Integers: the Bernstein coefficients of sum a_r t^r over [0, 1], times factor_of(their degree)."""
+    d = len(a) - 1
+    b = [factor_of(d) // comb(d, r) * x for r, x in enumerate(a)]
+    for r in range(1, d + 1):                               # adds one to the i of C(i, r)
+        b[r:] = [x + y for x, y in zip(b[r - 1:], b[r:])]
+    return b
+
+def factor_of(d):
+    return lcm(*[comb(d, r) for r in range(d + 1)])
 
 def bernstein_net(rows):
-    """Of rows of points along both axes."""
-    rows, c = [bernstein(row) for row in rows], len(rows[0][0])
-    flat = bernstein([[x for point in row for x in point] for row in rows])
-    return [[row[k:k + c] for k in range(0, len(row), c)] for row in flat]
+    """Of rows of points along both axes: in integers, since sums of long fractions are slow."""
+    components = []
+    for net in [[[point[c] for point in row] for row in rows] for c in range(len(rows[0][0]))]:
+        common = lcm(*[x.denominator for row in net for x in row])
+        net = [bernstein([x.numerator * (common // x.denominator) for x in row]) for row in net]
+        columns = [bernstein(column) for column in zip(*net)]
+        common *= factor_of(len(net) - 1) * factor_of(len(columns) - 1)
+        components.append([[Fraction(x, common) for x in row] for row in zip(*columns)])
+    return [[list(point) for point in zip(*row)] for row in zip(*components)]

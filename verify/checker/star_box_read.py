@@ -9,6 +9,7 @@ from math import gcd
 MAX_DEPTH = 24                          # levels below a root
 MAX_LONG, MAX_SHIFT = 256, 4096         # bytes of a long rational's numerator; exponents of 2
 MAX_FILE_DEGREE = 63                    # of the file format
+MAX_NESTED = 100                        # of a shape that is not looked into
 MAX_DIGITS, MAX_EXPONENT = 1000, 4096   # of a number of the model
 
 class Refused(Exception):
@@ -39,9 +40,7 @@ def natural(digits):
     return int(digits) if len(digits) <= 4000 else natural(digits[:-4000]) * 10 ** 4000 + int(digits[-4000:])
 
 def number(text):
-    if type(text) is not str or len(text) > 3 * (MAX_DIGITS + MAX_EXPONENT):
-        raise Refused("a number is no string, or too long")
-    m = RATIO.fullmatch(text)
+    m = RATIO.fullmatch(typed(text, str))
     if m:
         if max(len(m[2]), len(m[3] or "")) > MAX_DIGITS + MAX_EXPONENT:
             raise Refused("too many digits")
@@ -101,14 +100,26 @@ def read_model(data):
         raise Refused("not veritope-spline-1, or groups behind entities")
     for i, group in enumerate(typed(groups, list)):
         name, parent, attributes = members(group, "name", "parent", "attributes")
-        texts([name] + typed(attributes, list))
+        texts([name, *typed(attributes, list)])
         if parent is not None:
             whole(parent, 0, i - 1)
     return [read_entity(entity, len(groups)) for entity in typed(entities, list)]
 
 def texts(values):
-    for value in values:
-        typed(value, str)
+    try:
+        for value in values:
+            typed(value, str).encode()
+    except UnicodeEncodeError:
+        raise Refused("half of a surrogate pair")
+
+def not_looked_into(shape):
+    """Of an entity that is neither surface nor triangle: an object."""
+    level = [typed(shape, dict)]
+    for _ in range(MAX_NESTED):
+        texts([*(value for value in level if type(value) is str), *(key for value in level if type(value) is dict for key in value)])
+        level = [kid for value in level if type(value) in (dict, list) for kid in (value.values() if type(value) is dict else value)]
+    if level:
+        raise Refused("nested too deep")
 
 def read_entity(entity, num_groups):
     kind, group, attributes, shape = members(entity, "kind", "group", "attributes", "shape")
@@ -118,15 +129,15 @@ def read_entity(entity, num_groups):
     if list(entity).index("kind") > list(entity).index("shape"):
         raise Refused("kind behind shape")
     if kind in ("curve", "volume", "trimmed", "model"):
-        return typed(shape, dict) and None
+        return not_looked_into(shape)
     if kind not in ("surface", "triangle"):
         raise Refused("unknown kind %r" % str(kind)[:40])
     return read_surface(shape) if kind == "surface" else read_triangle(shape)
 
 def read_points(entity, points, components, rational, num_points):
     """Homogeneous points; their number is compared before they are read."""
-    whole(components, 1, 1001)
-    entity.rational, entity.dimension = typed(rational, bool), components - int(rational)
+    whole(components, 1 + typed(rational, bool), 1001)
+    entity.rational, entity.dimension = rational, components - rational
     if len(typed(points, list)) != num_points:
         raise Refused("%d points where %d belong" % (len(points), num_points))
     result = []
@@ -167,7 +178,7 @@ def read_surface(shape):
     for axis, is_periodic in enumerate(periodic):
         p, t, n = entity.degrees[axis], entity.knots[axis], sizes[axis]
         lines = entity.rows if axis == 0 else list(zip(*entity.rows))
-        if typed(is_periodic, bool) and (n < 2 * p or list(lines[:p]) != list(lines[n - p:]) or
+        if typed(is_periodic, bool) and (list(lines[:p]) != list(lines[n - p:]) or
                                          any(t[i] + t[n] - t[p] != t[i + n - p] for i in range(2 * p + 1))):
             raise Refused("an axis that is said to be periodic is not")
     return entity

@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_reader.cc: spline models, docs/formats/spline-json.md. Entities that are neither surfaces nor
-// triangles are read as JSON only: no claim is made about a model that has one.
+// star_reader.cc: spline models, docs/formats/spline-json.md. Shapes of entities that are neither
+// surfaces nor triangles are read as JSON only: no claim is made about a model that has one.
 #include "star_model.h"
 
 namespace {
 
-const int kMostDepth = 100;  // the page's limit
+const int kMostDepth = 100;   // of such a shape, docs/certificates/star-box.md
+const size_t kMostWord = 15;  // of an integer
+
+bool is_utf8(const std::string& s) {
+  for (size_t i = 0; i < s.size();) {
+    const uint8_t c = uint8_t(s[i++]);
+    if (c < 0x80) continue;
+    if (c < 0xc0 || c >= 0xf8) return false;
+    const int more = c >= 0xf0 ? 3 : c >= 0xe0 ? 2 : 1;
+    uint32_t v = c & (0x3fu >> more);
+    for (int k = 0; k < more; ++k, ++i) {
+      if (i == s.size() || uint8_t(s[i]) >> 6 != 2) return false;
+      v = v << 6 | (uint8_t(s[i]) & 0x3f);
+    }
+    const uint32_t least = more == 3 ? 0x10000 : more == 2 ? 0x800 : 0x80;
+    if (v < least || v > 0x10ffff || v >> 11 == 0x1b) return false;
+  }
+  return true;
+}
 
 struct Reader {
   const std::string& text;
@@ -27,15 +45,48 @@ struct Reader {
   void take(char c) {
     if (!take_if(c)) throw Refused{std::string("expected '") + c + "'"};
   }
-  std::string string() {  // with its escapes as they are: no key or number has one
-    take('"');
-    const size_t begin = at;
-    for (; at < text.size() && text[at] != '"'; ++at) {
-      expect(uint8_t(text[at]) >= 32, "a control character in a string");
-      if (text[at] == '\\') ++at;
+  uint32_t hexadecimal() {  // four digits
+    uint32_t v = 0;
+    for (int i = 0; i < 4; ++i, ++at) {
+      const int c = at < text.size() ? tolower(uint8_t(text[at])) : 0;
+      expect(isxdigit(c) != 0, "no four hexadecimal digits behind \\u");
+      v = 16 * v + uint32_t(isdigit(c) != 0 ? c - '0' : c - 'a' + 10);
     }
-    expect(at < text.size(), "a string does not end");
-    return text.substr(begin, at++ - begin);
+    return v;
+  }
+  void escaped(std::string* to) {  // behind a backslash
+    static const std::string kFrom = "\"\\/bfnrt", kTo = "\"\\/\b\f\n\r\t";
+    const char c = at < text.size() ? text[at++] : '\0';
+    const size_t known = kFrom.find(c);
+    if (known != kFrom.npos) return to->push_back(kTo[known]);
+    expect(c == 'u', "an unknown escape in a string");
+    uint32_t v = hexadecimal();
+    if (v >> 10 == 0x36) {
+      expect(text.compare(at, 2, "\\u") == 0, "half of a surrogate pair");
+      at += 2;
+      const uint32_t low = hexadecimal();
+      expect(low >> 10 == 0x37, "half of a surrogate pair");
+      v = 0x10000 + ((v & 0x3ff) << 10) + (low & 0x3ff);
+    }
+    expect(v >> 10 != 0x37, "half of a surrogate pair");
+    const int more = v < 0x80 ? 0 : v < 0x800 ? 1 : v < 0x10000 ? 2 : 3;  // bytes behind the first
+    const uint32_t first[] = {0, 0xc0, 0xe0, 0xf0};
+    to->push_back(char(first[more] | v >> 6 * more));
+    for (int k = more; k-- > 0;) to->push_back(char(0x80 | (v >> 6 * k & 0x3f)));
+  }
+  std::string string() {
+    std::string r;
+    take('"');
+    for (;;) {
+      expect(at < text.size(), "a string does not end");
+      const char c = text[at++];
+      if (c == '"') return r;
+      expect(uint8_t(c) >= 32, "a control character in a string");
+      if (c == '\\')
+        escaped(&r);
+      else
+        r += c;
+    }
   }
   std::string word() {  // true, false, null, an integer
     next();
@@ -43,12 +94,13 @@ struct Reader {
     while (at < text.size() && (isalnum(uint8_t(text[at])) != 0 || text[at] == '-')) ++at;
     return text.substr(begin, at - begin);
   }
+  static bool is_integer(const std::string& w) {
+    const size_t sign = !w.empty() && w[0] == '-';
+    return w.size() <= kMostWord && is_natural(w.substr(sign));
+  }
   int64_t integer() {
     const std::string w = word();
-    const size_t sign = !w.empty() && w[0] == '-';
-    expect(w.size() > sign && w.size() < 18 && w.find_first_not_of("0123456789", sign) == w.npos &&
-               (w[sign] != '0' || w.size() == sign + 1),
-           "expected an integer");
+    expect(is_integer(w), "expected an integer");
     return std::stoll(w);
   }
   bool boolean() {
@@ -94,13 +146,18 @@ struct Reader {
     } else if (c == '[') {
       list([&] { any(depth + 1); });
     } else if (c == '{') {
+      std::map<std::string, bool> keys;
       take('{');
       if (take_if('}')) return;
-      do string(), take(':'), any(depth + 1);
-      while (take_if(','));
+      do {
+        expect(keys.emplace(string(), true).second, "a key occurs twice");
+        take(':');
+        any(depth + 1);
+      } while (take_if(','));
       take('}');
     } else {
-      expect(!word().empty(), "expected a value");
+      const std::string w = word();
+      expect(w == "true" || w == "false" || w == "null" || is_integer(w), "expected a value");
     }
   }
 
@@ -113,9 +170,12 @@ struct Reader {
     ++groups;
   }
   void points(std::vector<Ratio>* flat, uint64_t* count) {
+    size_t each = 0;  // numbers of the first one
     list([&] {
-      ++*count;
+      const size_t before = flat->size();
       list([&] { flat->push_back(read_number(string())); });
+      if ((*count)++ == 0) each = flat->size();
+      expect(flat->size() - before == each, "points have different numbers of components");
     });
   }
   Entity shape(Entity::Kind kind) {
@@ -165,6 +225,7 @@ struct Reader {
       if (kind == "surface" || kind == "triangle") return;
       expect(kind == "curve" || kind == "volume" || kind == "trimmed" || kind == "model",
              "unknown kind");
+      expect(next() == '{', "a shape is no object");
       any(0);
     });
     return e;
@@ -187,5 +248,6 @@ struct Reader {
 }  // namespace
 
 std::vector<Entity> read_json_model(const std::string& file, size_t* at) {
+  expect(is_utf8(file), "the file is not UTF-8");
   return Reader(file, at).model();
 }

@@ -114,6 +114,11 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
       out.patches.push_back(std::move(face));
     }
   }
+  if (out.patches.empty())
+    return Error{Code::kEmpty,
+                 {},
+                 "no face is left: " + std::to_string(out.num_flat) +
+                     " without area; the others are walls, which two pieces share"};
   return out;
 }
 

@@ -19,6 +19,7 @@ using Form = internal::ScaledForm<Interval>;
 
 constexpr int kMostOrder = 9;  // of the polynomial for 1 / w^3
 constexpr int kMaxLevel = 8;
+constexpr std::size_t kMemory = std::size_t{1} << 26;  // bytes, of the nets of pieces
 constexpr double kPi = std::numbers::pi;
 
 // Each coefficient within `error` of its number.
@@ -59,12 +60,14 @@ class Integrator {
     if (!form.is_rational) return area * mean(g);
     const Weight w = weight_of(form, id);
     const double most = magnitude(g);
+    const double enough = std::max(tolerance_, rounding(w, most));
     int order = 1;
-    while (order < kMostOrder && !(2 * rest(w, most, order) <= tolerance_)) ++order;
-    const bool is_near = 2 * rest(w, most, order) <= tolerance_;
+    while (order < kMostOrder && !(2 * rest(w, most, order) <= enough)) ++order;
+    const bool is_near = 2 * rest(w, most, order) <= enough;
     // What rounding adds to a near one is not less on parts of it.
     if (is_near || node.level >= kMaxLevel)
       return area * over_cubed_weight(form, g, w, order, rest(w, most, order));
+    forest_.limit_memory(kMemory);
     const Id first = forest_.children(id);
     Interval sum;
     for (Id k = 0; k < 4; ++k) sum += over(first + k);
@@ -128,6 +131,12 @@ class Integrator {
     out = out * Interval(most) * d * y * y * y * y / (w.m * w.m * w.m);
     for (int k = 0; k < order; ++k) out = out * d * y * Interval(0.5);
     return out.hi();
+  }
+
+  // About, and not more than, what rounding adds to the mean of g / w^3 anyway.
+  static double rounding(const Weight& w, double most) {
+    const double m = w.m.lo();
+    return 0x1p-52 * most / (m * m * m);
   }
 
   // The mean of g / w^3: Newton's form of the interpolant.

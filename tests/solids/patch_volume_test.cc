@@ -55,6 +55,16 @@ TEST(ShellVolumes, KeepSmallTolerances) {
   }
 }
 
+// What no enclosure in binary64 can keep ends, too, where rounding weighs more than what is asked for.
+TEST(ShellVolumes, EndAtWhatRoundingAdds) {
+  const PatchComplex complex =
+      make_patch_complex(patch_shapes::torus(ratio(3), ratio(1))).value();
+  PieceForest forest = PieceForest::make(complex).value();
+  const Interval ring = shell_volumes(forest, 1e-300)[0];
+  expect_near(ring, 6 * std::numbers::pi * std::numbers::pi, 1e-11);
+  EXPECT_LE(forest.num_nodes(), complex.patches().size() * 1024);
+}
+
 // Products of degree 71: binomials beyond 64 bits.
 TEST(ShellVolumes, HoldForHighRationalDegrees) {
   const auto v = volumes(elevated(patch_shapes::octant_sphere(), 7), 1);

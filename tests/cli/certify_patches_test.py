@@ -94,6 +94,19 @@ class CertifyPatches(Folder):
             self.assertEqual((one["verdict"], one["exit"], one["certificate"]), ("UNDECIDED", 3, None))
             self.assertIn(one["error"]["code"], ("not-covered", "not-certified"))
 
+    def test_numbers_that_only_wider_limits_read_are_not_covered(self):
+        for option, text in (("--max-digits", "0." + "0" * 1200 + "1"), ("--max-exponent", "1e-5000")):
+            cube = [surface(f) for f in UNIT]
+            for entity in cube:
+                entity["shape"]["points"] = [[text if c == "0" else c for c in p] for p in entity["shape"]["points"]]
+            self.assertEqual(self.certify(cube)["exit"], 4)
+            one = self.certify(cube, option, "6000")
+            self.assertEqual((one["exit"], one["error"]["code"]), (3, "not-covered"))
+            self.assertEqual(self.certify([surface(f) for f in UNIT], option, "6000")["verdict"], "VALID")
+            with open(self.file(cube)) as file:
+                done = run("certify", "-q", "--format", "vjson", option, "6000", "-", stdin=file)
+            self.assertEqual(done.returncode, 3, done)
+
     def test_a_place_or_a_volume_beyond_binary64_is_not_made_up(self):
         cube = [surface([[c * Fraction(10) ** 200 for c in p] for p in f]) for f in UNIT]
         one = self.certify(cube)

@@ -38,9 +38,10 @@ Interval mean(const std::vector<Interval>& coefficients) {
 
 class Integrator {
  public:
-  Integrator(PieceForest& forest, double tolerance) : forest_(forest), tolerance_(tolerance) {}
+  Integrator(PieceForest& forest, const Point3d& centre, double tolerance)
+      : forest_(forest), centre_(centre), tolerance_(tolerance) {}
 
-  // Of n·S du dv over a whole patch.
+  // Of n·(S - centre) du dv over a whole patch.
   Interval over_patch(std::uint32_t patch) {
     const PieceForest::Form& form = forest_.form(patch);
     Interval sum;
@@ -74,7 +75,7 @@ class Integrator {
     return sum;
   }
 
-  // w^3 n·S on the node, with the patch's own derivatives: the determinants at c = 0, which lies at -origin.
+  // w^3 n·(S - centre) on the node, with the patch's own derivatives.
   std::vector<Interval> height_form(Id id) {
     const PieceForest::Node& node = forest_.node(id);
     const PieceForest::Form& form = forest_.form(node.patch);
@@ -84,7 +85,7 @@ class Integrator {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::vector<Interval> g =
           enclosures(net + (k + 1) * n, n, forest_.determinant_error(id, k + 1));
-      const Interval c(-form.origin[k]);
+      const Interval c = Interval(centre_[k]) - Interval(form.origin[k]);
       for (std::size_t i = 0; i < n; ++i) sum[i] += c * g[i];
     }
     return sum;
@@ -160,16 +161,29 @@ class Integrator {
   }
 
   PieceForest& forest_;
+  Point3d centre_;
   double tolerance_;
 };
+
+Box3d hull_of_roots(const PieceForest& forest) {
+  Box3d out = forest.node(forest.root(0)).hull;
+  for (std::uint32_t r = 1; r < forest.num_roots(); ++r)
+    out = hull(out, forest.node(forest.root(r)).hull);
+  return out;
+}
 
 }  // namespace
 
 std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance) {
   const ScopedUpward upward;
   const PatchComplex& complex = forest.complex();
-  // The volume is a third of the sum over the patches, times the frame's unit cubed; the unit is at most 4 times the largest coordinate.
-  Integrator integrator(forest, tolerance * 3 / 64 / static_cast<double>(forest.num_patches()));
+  // The volume is a third of the sum over the patches of a closed shell, whatever the centre is: seen from the middle, summands are smallest.
+  const Box3d all = hull_of_roots(forest);
+  const bool is_bounded = std::isfinite(extent(all));
+  const double size = is_bounded ? 0.5 * extent(all) : 1;
+  Integrator integrator(forest, is_bounded ? approx_centre(all) : Point3d{},
+                        tolerance * 3 * size * size * size /
+                            static_cast<double>(forest.num_patches()));
   std::vector<Interval> out(complex.shells().size());
   for (std::uint32_t p = 0; p < forest.num_patches(); ++p)
     out[complex.shell(p)] += integrator.over_patch(p);

@@ -112,6 +112,10 @@ class CertifyPatches(Folder):
         one = self.certify(cube)
         self.assertEqual((one["verdict"], one["volume"]["hi"]), ("VALID", None))
         self.assertIn("volume at least 1.7", run("certify", "-q", self.folder / "model.vjson").stdout)
+        beyond = [surface([[c * Fraction(10) ** 400 for c in p] for p in f]) for f in UNIT]
+        message = self.certify(beyond[1:])["defects"][0]["message"]
+        self.assertIn("is an open border", message)
+        self.assertNotIn("inf", message)
         steep = [surface([p + [1] for p in elevated(f)], (3, 3), True) for f in UNIT]
         for entity in steep:
             entity["shape"]["points"][5] = [str(Fraction(c) * 10 ** 100) for c in entity["shape"]["points"][5]]

@@ -38,6 +38,9 @@ bool is_of_orientation(const PatchRefutation& refutation) {
   return std::holds_alternative<TurnedShell>(refutation);
 }
 
+// Boxes that are tried in the plain frame of a collar, for each one in the frame that fits the model.
+constexpr std::size_t kBoxesForCollar = 16;
+
 class PatchCertification : public Certification {
  public:
   using Certification::Certification;
@@ -200,11 +203,18 @@ class PatchCertification : public Certification {
     PatchDecisionOptions options;
     options.outer = outer_sides(described_, complex_->patches().size());
     if (settings_.tolerance) options.tolerance = *settings_.tolerance;
-    options.in_plain_frame = settings_.with_collar;
     PatchDecision decision = decide_patches(*complex_, options, &forest_);
-    if (!settings_.with_collar || !decision.open) return decision;
-    options.in_plain_frame = false;  // then without a collar
-    return decide_patches(*complex_, options, &forest_);
+    if (!settings_.with_collar || !decision.is_valid || forest_->frame().is_plain() ||
+        !may_have_octree(*complex_))
+      return decision;
+    // Once more in the frame that a collar needs, if that is not much dearer.
+    options.in_plain_frame = true;
+    options.cover.max_boxes = kBoxesForCollar * (decision.boxes_tried + 256);
+    std::optional<PieceForest> plain;
+    PatchDecision again = decide_patches(*complex_, options, &plain);
+    if (!again.is_valid) return decision;
+    forest_ = std::move(plain);
+    return again;
   }
 
   // Shells that are wrongly oriented as a whole, which takes winding numbers to see. Each entity lies in one shell.

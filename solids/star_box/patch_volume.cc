@@ -10,6 +10,7 @@
 #include "interval/ring_numbers.h"
 #include "interval/upward.h"
 #include "robust/base/check.h"
+#include "solids/star_box/star_box.h"
 
 namespace veritope {
 namespace {
@@ -164,13 +165,6 @@ class Integrator {
   Point3d centre_;
   double tolerance_;
 };
-
-Box3d hull_of_roots(const PieceForest& forest) {
-  Box3d out = forest.node(forest.root(0)).hull;
-  for (std::uint32_t r = 1; r < forest.num_roots(); ++r)
-    out = hull(out, forest.node(forest.root(r)).hull);
-  return out;
-}
 
 }  // namespace
 

@@ -107,6 +107,13 @@ class CertifyPatches(Folder):
                 done = run("certify", "-q", "--format", "vjson", option, "6000", "-", stdin=file)
             self.assertEqual(done.returncode, 3, done)
 
+    def test_a_collar_that_is_asked_for_costs_models_far_away_nothing_else(self):
+        for away in (10 ** 6, 10 ** 15):
+            low = (away + Fraction(1, 3), Fraction(1, 7), 0)
+            one = self.certify([surface(f) for f in block(low, [c + 1 for c in low])], "--collar")
+            self.assertEqual((one["verdict"], one["collar"]["found"]), ("VALID", away < 10 ** 9))
+            self.assertLess(one["volume"]["hi"] - one["volume"]["lo"], 1e-12)
+
     def test_a_place_or_a_volume_beyond_binary64_is_not_made_up(self):
         cube = [surface([[c * Fraction(10) ** 200 for c in p] for p in f]) for f in UNIT]
         one = self.certify(cube)

@@ -138,7 +138,7 @@ class Integrator {
   // About, and not more than, what rounding adds to the mean of g / w^3 anyway.
   static double rounding(const Weight& w, double most) {
     const double m = w.m.lo();
-    return 0x1p-52 * most / (m * m * m);
+    return 0x1p-48 * most / (m * m * m);
   }
 
   // The mean of g / w^3: Newton's form of the interpolant.

@@ -113,8 +113,8 @@ bool Certification::judge_refusal(const CheckerOutcome& outcome) {
   if (outcome.exceeds_work) {
     return give_up(kExitUndecided, {"over-budget",
                                     {},
-                                    "the proof takes more work than checkers of this "
-                                    "certificate may spend (" +
+                                    "the proof takes more work or memory than checkers of "
+                                    "this certificate may spend (" +
                                         outcome.words + ")"});
   }
   if (outcome.exceeds_lengths) {

@@ -38,6 +38,9 @@ bool is_of_orientation(const PatchRefutation& refutation) {
   return std::holds_alternative<TurnedShell>(refutation);
 }
 
+// Boxes that are tried in the plain frame of a collar, for each one in the frame that fits the model.
+constexpr std::size_t kBoxesForCollar = 16;
+
 class PatchCertification : public Certification {
  public:
   using Certification::Certification;
@@ -45,7 +48,7 @@ class PatchCertification : public Certification {
  private:
   bool read() override {
     phase("reading");
-    Result<SplineFile> file = read_splines();
+    Result<SplineFile> file = read_splines(settings_.reading.limits);
     report_.seconds.read = watch_.lap();
     if (!file) return refuse(fault_of(file.error()));
     PatchReport patches;
@@ -61,17 +64,34 @@ class PatchCertification : public Certification {
     for (const LeftOut& l : file->left_out)
       if (l.is_geometry)
         return undecided("not-covered", "the file has shapes that are not read: " + l.what);
-    return take_patches(file->model);
+    return have_short_numbers() && take_patches(file->model);
   }
 
-  Result<SplineFile> read_splines() {
+  // Certificates know numbers within the default limits only.
+  bool have_short_numbers() {
+    const ReadLimits& given = settings_.reading.limits;
+    ReadLimits known = given;
+    known.max_digits = std::min(given.max_digits, ReadLimits().max_digits);
+    known.max_exponent = std::min(given.max_exponent, ReadLimits().max_exponent);
+    if (known.max_digits == given.max_digits && known.max_exponent == given.max_exponent)
+      return true;
+    const Result<SplineFile> again = read_splines(known);
+    if (again || again.error().code != Code::kOverLimit) return true;
+    return undecided("not-covered",
+                     "the file has longer numbers than certificates may be about: " +
+                         fault_text(fault_of(again.error())));
+  }
+
+  Result<SplineFile> read_splines(const ReadLimits& limits) {
     SplineReadOptions options;
     options.format = settings_.spline_format;
-    options.limits = settings_.reading.limits;
+    options.limits = limits;
     if (!needs_copy()) return read_spline_file(report_.path, options);
-    Result<ByteBuffer> bytes = read_once();
-    if (!bytes) return bytes.error();
-    spooled_ = std::move(*bytes);
+    if (spooled_.size() == 0) {
+      Result<ByteBuffer> bytes = read_once();
+      if (!bytes) return bytes.error();
+      spooled_ = std::move(*bytes);
+    }
     return read_spline_bytes({spooled_.data(), spooled_.size()}, report_.path, options);
   }
 
@@ -182,11 +202,18 @@ class PatchCertification : public Certification {
     PatchDecisionOptions options;
     options.outer = outer_sides(described_, complex_->patches().size());
     if (settings_.tolerance) options.tolerance = *settings_.tolerance;
-    options.in_plain_frame = settings_.with_collar;
     PatchDecision decision = decide_patches(*complex_, options, &forest_);
-    if (!settings_.with_collar || !decision.open) return decision;
-    options.in_plain_frame = false;  // then without a collar
-    return decide_patches(*complex_, options, &forest_);
+    if (!settings_.with_collar || !decision.is_valid || forest_->frame().is_plain() ||
+        !may_have_octree(*complex_))
+      return decision;
+    // Once more in the frame that a collar needs, if that is not much dearer.
+    options.in_plain_frame = true;
+    options.cover.max_boxes = kBoxesForCollar * (decision.boxes_tried + 256);
+    std::optional<PieceForest> plain;
+    PatchDecision again = decide_patches(*complex_, options, &plain);
+    if (!again.is_valid) return decision;
+    forest_ = std::move(plain);
+    return again;
   }
 
   // Shells that are wrongly oriented as a whole, which takes winding numbers to see. Each entity lies in one shell.
@@ -265,6 +292,8 @@ class PatchCertification : public Certification {
     if (settings_.with_collar) options += "--collar ";
     if (settings_.tolerance)
       options += "--tolerance " + short_decimal(*settings_.tolerance, 17) + " ";
+    if (settings_.spline_format)
+      options += std::string("--format ") + spline_format_name(*settings_.spline_format) + " ";
     return options;
   }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <initializer_list>
 #include <string_view>
 #include <system_error>
 
@@ -80,12 +81,13 @@ bool says_accept(const std::string& line, const std::string& claim) {
   return line.size() == wanted.size() || line[wanted.size()] == ' ' || line[wanted.size()] == ':';
 }
 
-bool speaks_of_lengths(const std::string& line) {
-  const char* const kWords[] = {"a common denominator has more bits", "a number has more bits",
-                                "the coefficients are too long"};
-  return std::any_of(std::begin(kWords), std::end(kWords), [&](const char* words) {
-    return line.starts_with(std::string("REJECT B2: ") + words);
-  });
+// Whether it says REJECT, the condition, and then one of these.
+bool rejects_with(std::string_view line, std::initializer_list<std::string_view> words) {
+  const std::size_t colon = line.find(": ");
+  if (!line.starts_with("REJECT ") || colon == line.npos) return false;
+  const std::string_view reason = line.substr(colon + 2);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view w) { return reason.starts_with(w); });
 }
 
 void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
@@ -97,8 +99,13 @@ void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   }
   outcome.exit = WEXITSTATUS(status);
   outcome.lacks_resources = outcome.exit == kOutOfMemory;
-  outcome.exceeds_work = outcome.exit == 1 && outcome.words.starts_with("REJECT B1: more work");
-  outcome.exceeds_lengths = outcome.exit == 1 && speaks_of_lengths(outcome.words);
+  outcome.exceeds_work =
+      outcome.exit == 1 &&
+      rejects_with(outcome.words, {"more work than allowed", "over a limit of this checker"});
+  outcome.exceeds_lengths =
+      outcome.exit == 1 &&
+      rejects_with(outcome.words, {"a common denominator has more bits", "a number has more bits",
+                                   "the coefficients are too long"});
   outcome.is_accepted = outcome.exit == 0 && says_accept(outcome.words, claim);
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }

@@ -20,7 +20,7 @@ struct CheckerOutcome {
   bool lacks_resources =
       false;  ///< out of memory (exit 3), or killed (SIGKILL): as the system does when memory is short
   bool exceeds_work =
-      false;  ///< "REJECT B1: more work ...": the format bounds what a checker may spend
+      false;  ///< "REJECT C2: more work ...", "over a limit of this checker ...": what a checker may spend is bounded
   bool exceeds_lengths =
       false;  ///< "REJECT B2: a number has more bits ...": a model that the format does not cover
   int exit = -1;      ///< exit status; -1: ended by a signal, or never started

@@ -3,18 +3,13 @@
 
 #include <utility>
 
+#include "robust/base/entity_error.h"
 #include "solids/patch_complex.h"
 #include "solids/patch_sources.h"
 #include "splines/bspline_pieces.h"
 
 namespace veritope {
 namespace {
-
-Error at_entity(Code code, std::uint64_t number, std::string message) {
-  Error error{code, {}, std::move(message)};
-  error.place.entity = number;
-  return error;
-}
 
 // Nothing: it lies in space.
 std::optional<ForeignEntity> foreign_of(const SplineEntity& entity, std::uint64_t number) {
@@ -52,7 +47,7 @@ Result<PatchSource> in_file_order(const SplineModel& model, SurfacePieces pieces
     entity.first_patch = out.patches.size();
     if (const auto* triangle = std::get_if<ExactTriangle>(&model.entities[i].shape)) {
       auto patch = make_patch(*triangle, {PatchOrigin::Kind::kTriangle, i, {}});
-      if (!patch) return at_entity(patch.error().code, i, patch.error().message);
+      if (!patch) return error_at_entity(patch.error().code, i, patch.error().message);
       out.patches.push_back(*std::move(patch));
       entity.num_patches = 1;
       continue;
@@ -95,14 +90,14 @@ Result<PatchSource> patch_source(const SplineModel& model) {
   if (!foreign.foreign.empty()) return foreign;
   const std::string too_many = "over " + std::to_string(kMaxPatches) + " patches";
   if (model.entities.size() > kMaxPatches)
-    return at_entity(Code::kOverLimit, kMaxPatches, too_many);
+    return error_at_entity(Code::kOverLimit, kMaxPatches, too_many);
   const Surfaces surfaces = surfaces_of(model);
   Result<SurfacePieces> pieces = pieces_of(surfaces.maps, surfaces.numbers);
   if (!pieces) return pieces.error();
   const std::size_t num_triangles = model.entities.size() - surfaces.maps.size();
   if (pieces->patches.size() > kMaxPatches - num_triangles)
-    return at_entity(Code::kOverLimit, surfaces.numbers.back(),
-                     "with the pieces of the surfaces " + too_many);
+    return error_at_entity(Code::kOverLimit, surfaces.numbers.back(),
+                           "with the pieces of the surfaces " + too_many);
   return in_file_order(model, *std::move(pieces));
 }
 

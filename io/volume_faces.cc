@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "robust/base/entity_error.h"
 #include "solids/patch_complex.h"
 #include "solids/patch_sources.h"
 #include "splines/bezier_calculus.h"
@@ -19,12 +20,6 @@ namespace veritope {
 namespace {
 
 using Piece = BezierVolume<Rational>;
-
-Error at_entity(Code code, std::uint64_t number, std::string message) {
-  Error error{code, {}, std::move(message)};
-  error.place.entity = number;
-  return error;
-}
 
 // The derivative in the middle, times the squared weight there.
 PatchPoint direction(const Piece& piece, std::size_t axis) {
@@ -97,12 +92,12 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
     }
     ++out.num_volumes;
     if (volume->dimension() != 3)
-      return at_entity(
+      return error_at_entity(
           Code::kBadArgument, e,
           "a volume with " + std::to_string(volume->dimension()) + " coordinates, not in space");
     // At most as many pieces as control points.
     if (volume->grid().count() > kMaxPatches / 6 - all.size())
-      return at_entity(
+      return error_at_entity(
           Code::kOverLimit, e,
           "the volumes up to this one may have over " + std::to_string(kMaxPatches) + " faces");
     std::vector<Piece> pieces = bezier_pieces(*volume).pieces;
@@ -119,6 +114,11 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
       out.patches.push_back(std::move(face));
     }
   }
+  if (out.patches.empty())
+    return Error{Code::kEmpty,
+                 {},
+                 "no face is left: " + std::to_string(out.num_flat) +
+                     " without area; the others are walls, which two pieces share"};
   return out;
 }
 

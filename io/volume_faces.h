@@ -23,7 +23,7 @@ struct VolumeFaces {
 /// onto an axis, say). Normals point out of each volume whose Jacobian determinant is positive in the middle of a piece, the first
 /// piece where it is not 0, or that is mirrored (its first two axes change places) because it is negative there. Whether the
 /// determinant has one sign everywhere is not looked at, nor whether the patches bound a solid.
-/// @error kEmpty without a volume. With the entity: kBadArgument for one not in space, kOverLimit for over kMaxPatches faces before walls go.
+/// @error kEmpty without a volume, and where no face is left (a flat volume). With the entity: kBadArgument for one not in space, kOverLimit for over kMaxPatches faces before walls go.
 Result<VolumeFaces> volume_faces(const SplineModel& model);
 
 }  // namespace veritope

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "robust/base/entity_error.h"
 #include "robust/binary64.h"
 #include "solids/patch_knots.h"
 #include "solids/patch_net.h"
@@ -85,24 +86,19 @@ namespace {
 
 using Surface = BSplineSurface<Rational>;
 
-Error at_surface(Code code, std::uint64_t number, std::string message) {
-  Error error{code, {}, std::move(message)};
-  error.place.entity = number;
-  return error;
-}
-
 Status check_surface(const Surface& surface, std::uint64_t number) {
   if (surface.dimension() != 3)
-    return at_surface(Code::kBadArgument, number,
-                      std::to_string(surface.dimension()) + " coordinates; a patch lies in space");
+    return error_at_entity(
+        Code::kBadArgument, number,
+        std::to_string(surface.dimension()) + " coordinates; a patch lies in space");
   for (const auto& axis : surface.axes()) {
     if (axis.degree < 1)
-      return at_surface(Code::kBadArgument, number,
-                        "a patch of degree " + std::to_string(axis.degree) + " is no surface");
+      return error_at_entity(Code::kBadArgument, number,
+                             "a patch of degree " + std::to_string(axis.degree) + " is no surface");
     if (axis.degree > kMaxSplineDegree)
-      return at_surface(Code::kOverLimit, number,
-                        "degree " + std::to_string(axis.degree) + "; at most " +
-                            std::to_string(kMaxSplineDegree) + " are read");
+      return error_at_entity(Code::kOverLimit, number,
+                             "degree " + std::to_string(axis.degree) + "; at most " +
+                                 std::to_string(kMaxSplineDegree) + " are read");
   }
   return ok_status();
 }
@@ -126,7 +122,7 @@ Status check_count(const CommonBreaks& breaks, std::span<const std::uint64_t> nu
     const Grid<2> cells{{breaks.of(s, 0).size() - 1, breaks.of(s, 1).size() - 1}};
     const auto more = cells.count_up_to(kMaxPatches - count);
     if (!more)
-      return at_surface(
+      return error_at_entity(
           Code::kOverLimit, numbers.empty() ? s : numbers[s],
           "with this surface there are over " + std::to_string(kMaxPatches) + " pieces");
     count += *more;

@@ -82,7 +82,10 @@ class ForestBuilder {
         if (is_first || box.lo[k] < lo[k]) lo[k] = box.lo[k];
         if (is_first || hi[k] < box.hi[k]) hi[k] = box.hi[k];
       }
-      if (is_first || length_of(box) < length_of(least_)) least_ = box;
+      const Rational own = length_of(box);
+      if (own.sign() == Sign::kPositive &&
+          (least_length_.sign() == Sign::kZero || own < least_length_))
+        least_ = box, least_length_ = own;
       is_first = false;
     }
     PieceForest::Frame& frame = forest_.frame_;
@@ -118,9 +121,11 @@ class ForestBuilder {
   static constexpr int kTinyBits = 32;
   // Doubles are finest near 0: there goes a patch that is tiny beside the model, so that its boxes have room for their grid. One such place only.
   void move_to_least_patch(const Rational& longest) {
-    if (longest < Rational::power_of_two(kTinyBits) * length_of(least_)) return;
+    if (least_length_.sign() == Sign::kZero ||
+        longest < Rational::power_of_two(kTinyBits) * least_length_)
+      return;
     for (std::size_t k = 0; k < 3; ++k)
-      forest_.frame_.shift[k] = coarsest_multiple(least_.lo[k], least_.lo[k] + length_of(least_));
+      forest_.frame_.shift[k] = coarsest_multiple(least_.lo[k], least_.lo[k] + least_length_);
   }
   // The multiple of the greatest power of two in [lo, hi]. REQUIRES lo < hi.
   static Rational coarsest_multiple(const Rational& lo, const Rational& hi) {
@@ -263,7 +268,8 @@ class ForestBuilder {
   }
 
   PieceForest::FrameChoice choice_;
-  ExactBox least_;  // of the smallest patch
+  ExactBox least_;         // of the smallest patch that is no point
+  Rational least_length_;  // its; 0 if there is none
   PieceForest forest_;
 };
 

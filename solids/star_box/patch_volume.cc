@@ -10,6 +10,7 @@
 #include "interval/ring_numbers.h"
 #include "interval/upward.h"
 #include "robust/base/check.h"
+#include "solids/star_box/star_box.h"
 
 namespace veritope {
 namespace {
@@ -19,6 +20,7 @@ using Form = internal::ScaledForm<Interval>;
 
 constexpr int kMostOrder = 9;  // of the polynomial for 1 / w^3
 constexpr int kMaxLevel = 8;
+constexpr std::size_t kMemory = std::size_t{1} << 26;  // bytes, of the nets of pieces
 constexpr double kPi = std::numbers::pi;
 
 // Each coefficient within `error` of its number.
@@ -70,11 +72,12 @@ struct InterpolationNodes {
 class Integrator {
  public:
   // REQUIRES upward rounding.
-  Integrator(PieceForest& forest, double tolerance) : forest_(forest), tolerance_(tolerance) {
+  Integrator(PieceForest& forest, const Point3d& centre, double tolerance)
+      : forest_(forest), centre_(centre), tolerance_(tolerance) {
     for (int order = 0; order <= kMostOrder; ++order) nodes_.emplace_back(order);
   }
 
-  // Of n·S du dv over a whole patch.
+  // Of n·(S - centre) du dv over a whole patch.
   Interval over_patch(std::uint32_t patch) {
     const PieceForest::Form& form = forest_.form(patch);
     Interval sum;
@@ -94,19 +97,21 @@ class Integrator {
     if (!form.is_rational) return area * mean(g);
     const Weight w = weight_of(form, id);
     const double most = magnitude(g);
+    const double enough = std::max(tolerance_, rounding(w, most));
     int order = 1;
-    while (order < kMostOrder && !(2 * rest(w, most, order) <= tolerance_)) ++order;
-    const bool is_near = 2 * rest(w, most, order) <= tolerance_;
+    while (order < kMostOrder && !(2 * rest(w, most, order) <= enough)) ++order;
+    const bool is_near = 2 * rest(w, most, order) <= enough;
     // What rounding adds to a near one is not less on parts of it.
     if (is_near || node.level >= kMaxLevel)
       return area * over_cubed_weight(form, g, w, order, rest(w, most, order));
+    forest_.limit_memory(kMemory);
     const Id first = forest_.children(id);
     Interval sum;
     for (Id k = 0; k < 4; ++k) sum += over(first + k);
     return sum;
   }
 
-  // w^3 n·S on the node, with the patch's own derivatives: the determinants at c = 0, which lies at -origin.
+  // w^3 n·(S - centre) on the node, with the patch's own derivatives.
   std::vector<Interval> height_form(Id id) {
     const PieceForest::Node& node = forest_.node(id);
     const PieceForest::Form& form = forest_.form(node.patch);
@@ -116,7 +121,7 @@ class Integrator {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::vector<Interval> g =
           enclosures(net + (k + 1) * n, n, forest_.determinant_error(id, k + 1));
-      const Interval c(-form.origin[k]);
+      const Interval c = Interval(centre_[k]) - Interval(form.origin[k]);
       for (std::size_t i = 0; i < n; ++i) sum[i] += c * g[i];
     }
     return sum;
@@ -166,6 +171,12 @@ class Integrator {
     return out.hi();
   }
 
+  // About, and not more than, what rounding adds to the mean of g / w^3 anyway.
+  static double rounding(const Weight& w, double most) {
+    const double m = w.m.lo();
+    return 0x1p-48 * most / (m * m * m);
+  }
+
   // The mean of g / w^3: Newton's form of the interpolant.
   Interval over_cubed_weight(const PieceForest::Form& form, const std::vector<Interval>& g,
                              const Weight& w, int order, double rest) const {
@@ -188,6 +199,7 @@ class Integrator {
   }
 
   PieceForest& forest_;
+  Point3d centre_;
   double tolerance_;
   std::vector<InterpolationNodes> nodes_;  // by order
 };
@@ -197,8 +209,13 @@ class Integrator {
 std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance) {
   const ScopedUpward upward;
   const PatchComplex& complex = forest.complex();
-  // The volume is a third of the sum over the patches, times the frame's unit cubed; the unit is at most 4 times the largest coordinate.
-  Integrator integrator(forest, tolerance * 3 / 64 / static_cast<double>(forest.num_patches()));
+  // The volume is a third of the sum over the patches of a closed shell, whatever the centre is: seen from the middle, summands are smallest.
+  const Box3d all = hull_of_roots(forest);
+  const bool is_bounded = std::isfinite(extent(all));
+  const double size = is_bounded ? 0.5 * extent(all) : 1;
+  Integrator integrator(forest, is_bounded ? approx_centre(all) : Point3d{},
+                        tolerance * 3 * size * size * size /
+                            static_cast<double>(forest.num_patches()));
   std::vector<Interval> out(complex.shells().size());
   for (std::uint32_t p = 0; p < forest.num_patches(); ++p)
     out[complex.shell(p)] += integrator.over_patch(p);

@@ -15,6 +15,9 @@ struct StarBox {
   Point3d inside, outside;  ///< c-, c+
 };
 
+/// Contains the surface.
+Box3d hull_of_roots(const PieceForest& forest);
+
 /// Pieces that are met by `box`, none longer than `longest`, appended to `tested`; others dropped because their hulls miss the box.
 /// Pieces on the way whose hulls lie in the box, and tested ones, go to `held`, a parent before its children.
 /// False if a piece of the greatest level is still longer, over `most` pieces are met, or 16 times as many on the way.

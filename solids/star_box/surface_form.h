@@ -34,6 +34,18 @@ inline FormShape determinant_shape(const FormShape& s) {
 
 namespace internal {
 
+/// binomial_in<R>(n, k), made once in each thread: products of forms ask for each of them very often.
+template <Ring R>
+const R& known_binomial(int n, int k) {
+  static thread_local std::vector<std::vector<R>> rows;
+  while (rows.size() <= static_cast<std::size_t>(n)) {
+    const int m = static_cast<int>(rows.size());
+    std::vector<R>& row = rows.emplace_back();
+    for (int j = 0; j <= m; ++j) row.push_back(binomial_in<R>(m, j));
+  }
+  return rows[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+}
+
 /// R: a ring with division by integers. A polynomial with its coefficients times the binomials (trinomials) that turn products into convolutions; a square array, of which a
 /// triangle uses the indices (j, k) with j + k <= p.
 template <Ring R>
@@ -103,7 +115,7 @@ class ScaledForm {
   }
   /// The product of binomials in two factors: each alone needs fewer digits.
   static std::array<R, 2> factors(const FormShape& s, int a, int b) {
-    return {binomial_in<R>(s.p, a), binomial_in<R>(s.is_triangle ? s.p - a : s.q, b)};
+    return {known_binomial<R>(s.p, a), known_binomial<R>(s.is_triangle ? s.p - a : s.q, b)};
   }
   FormShape shape_;
   int columns_;

@@ -200,6 +200,25 @@ TEST(CrossingSearch, FindsCrossingsInStretchedModels) {
   }
 }
 
+// A number of a row is below 2^63 in a certificate, however far apart the units of a flat model's axes are.
+TEST(CrossingSearch, FindsCrossingsInModelsFlatterThanBinary64) {
+  const auto block = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  const auto blocks = patch_shapes::joined(
+      {block, patch_shapes::placed(block, 1, {ratio(1, 2), ratio(1, 3), ratio(1, 5)})});
+  for (const int exponent : {-1050, -1100, -2000}) {
+    AffineMap map{3, 3, std::vector<Rational>(9), std::vector<Rational>(3)};
+    map.linear[0] = map.linear[4] = Rational(1);
+    map.linear[8] = Rational::power_of_two(exponent);
+    const PatchComplex complex = complex_of(affine_image(blocks, map).value());
+    const PatchDecision decision = decide(complex, 5);
+    ASSERT_TRUE(decision.refutation) << exponent;
+    const auto& witness = std::get<CrossingWitness>(*decision.refutation);
+    EXPECT_EQ(broken(complex, witness), std::nullopt);
+    for (const auto& row : witness.rows)
+      for (const std::int64_t y : row) EXPECT_LE(std::abs(y), std::int64_t{1} << 42);
+  }
+}
+
 TEST(CrossingSearch, FindsPlantedCrossings) {
   constexpr int kModels = 60;
   Random random(5);

@@ -102,5 +102,30 @@ TEST(ExactCovers, PartsThatAreTinyBesideTheModel) {
     expect_certified(big_and_small(two_to(exponent)), 2, "radius 2^" + std::to_string(exponent));
 }
 
+// Two tiny cubes beside a cube, where doubles are about as coarse as the grids of boxes: what is found is a certificate.
+TEST(ExactCovers, PartsAtTheEndOfBinary64AreCertifiedOrLeftOpen) {
+  const Patches block =
+      patch_shapes::box({ratio(-1), ratio(-1), ratio(-1)}, {ratio(0), ratio(0), ratio(0)});
+  const std::vector<std::array<Point, 2>> places = {
+      {Point{ratio(7, 3), ratio(1, 3), ratio(2, 7)},
+       Point{ratio(-13, 3), ratio(5, 3), ratio(1, 7)}},
+      {Point{ratio(47, 16), ratio(15, 16), ratio(0)},
+       Point{ratio(25, 8), ratio(-1, 2), ratio(-1, 4)}},
+      {Point{ratio(5, 2), ratio(3, 8), ratio(-1, 2)},
+       Point{ratio(57, 16), ratio(-1, 16), ratio(15, 16)}}};
+  std::size_t num_valid = 0;
+  for (const int exponent : {-46, -47, -50})
+    for (const auto& [a, b] : places) {
+      const CertifiedPatches c = certified_patches(
+          patch_shapes::joined({block, patch_shapes::placed(block, two_to(exponent), a),
+                                patch_shapes::placed(block, two_to(exponent), b)}));
+      EXPECT_FALSE(c.decision.refutation);
+      if (!c.decision.is_valid) continue;
+      ++num_valid;
+      expect_accepted(c, "2^" + std::to_string(exponent));
+    }
+  EXPECT_GE(num_valid, 3u);
+}
+
 }  // namespace
 }  // namespace veritope

@@ -132,6 +132,18 @@ TEST(Frames, TinyPartsBesideLargeOnes) {
   expect_accepted(c, "a ball of 2^-40");
 }
 
+// A shell of one triangle, all of whose corners are one point, has no length, and no multiple of a power of two in it.
+TEST(Frames, ShellsThatArePointsAreLeftOpen) {
+  Patch::Triangle point(1, 3, false);
+  for (int k = 0; k < 3; ++k)
+    for (Rational& x : point.component(k)) x = Rational(1) / Rational(3);
+  Patches patches = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  patches.push_back(make_patch(point).value());
+  const PatchDecision d = certified_patches(patches).decision;
+  ASSERT_TRUE(d.open);
+  EXPECT_EQ(d.open->patch, 6u);
+}
+
 // Every contact is found at once, at its place, and its distance and angle are told.
 TEST(Contacts, AreUndecidedAtTheirPlace) {
   for (const patch_shapes::Shape& shape : patch_shapes::broken_shapes()) {

@@ -156,7 +156,9 @@ class Checker(Folder):
 
     def test_a_checker_without_memory_or_work_left_is_undecided(self):
         for checker, code in [("echo out of memory >&2; exit 3", "out-of-memory"), ("kill -KILL $$", "out-of-memory"),
-                              ("echo 'REJECT B1: more work than allowed, units 7'; exit 1", "over-budget")]:
+                              ("echo 'REJECT B1: more work than allowed, units 7'; exit 1", "over-budget"),
+                              ("echo 'REJECT C2: more work than allowed, units 7'; exit 1", "over-budget"),
+                              ("echo 'REJECT C2: over a limit of this checker: 1,280 MiB of nodes'; exit 1", "over-budget")]:
             for model in (VALID, INVALID):
                 with self.subTest(checker, model=model.name):
                     status, file = self.verdict_with(checker, model)

@@ -94,11 +94,35 @@ class CertifyPatches(Folder):
             self.assertEqual((one["verdict"], one["exit"], one["certificate"]), ("UNDECIDED", 3, None))
             self.assertIn(one["error"]["code"], ("not-covered", "not-certified"))
 
+    def test_numbers_that_only_wider_limits_read_are_not_covered(self):
+        for option, text in (("--max-digits", "0." + "0" * 1200 + "1"), ("--max-exponent", "1e-5000")):
+            cube = [surface(f) for f in UNIT]
+            for entity in cube:
+                entity["shape"]["points"] = [[text if c == "0" else c for c in p] for p in entity["shape"]["points"]]
+            self.assertEqual(self.certify(cube)["exit"], 4)
+            one = self.certify(cube, option, "6000")
+            self.assertEqual((one["exit"], one["error"]["code"]), (3, "not-covered"))
+            self.assertEqual(self.certify([surface(f) for f in UNIT], option, "6000")["verdict"], "VALID")
+            with open(self.file(cube)) as file:
+                done = run("certify", "-q", "--format", "vjson", option, "6000", "-", stdin=file)
+            self.assertEqual(done.returncode, 3, done)
+
+    def test_a_collar_that_is_asked_for_costs_models_far_away_nothing_else(self):
+        for away in (10 ** 6, 10 ** 15):
+            low = (away + Fraction(1, 3), Fraction(1, 7), 0)
+            one = self.certify([surface(f) for f in block(low, [c + 1 for c in low])], "--collar")
+            self.assertEqual((one["verdict"], one["collar"]["found"]), ("VALID", away < 10 ** 9))
+            self.assertLess(one["volume"]["hi"] - one["volume"]["lo"], 1e-12)
+
     def test_a_place_or_a_volume_beyond_binary64_is_not_made_up(self):
         cube = [surface([[c * Fraction(10) ** 200 for c in p] for p in f]) for f in UNIT]
         one = self.certify(cube)
         self.assertEqual((one["verdict"], one["volume"]["hi"]), ("VALID", None))
         self.assertIn("volume at least 1.7", run("certify", "-q", self.folder / "model.vjson").stdout)
+        beyond = [surface([[c * Fraction(10) ** 400 for c in p] for p in f]) for f in UNIT]
+        message = self.certify(beyond[1:])["defects"][0]["message"]
+        self.assertIn("is an open border", message)
+        self.assertNotIn("inf", message)
         steep = [surface([p + [1] for p in elevated(f)], (3, 3), True) for f in UNIT]
         for entity in steep:
             entity["shape"]["points"][5] = [str(Fraction(c) * 10 ** 100) for c in entity["shape"]["points"][5]]

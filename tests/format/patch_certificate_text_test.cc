@@ -38,7 +38,7 @@ StarBoxBody body_of(const std::vector<std::array<std::size_t, 2>>& surfaces, std
   b.exponent = -7;
   b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, {1, 1, 1}, {2, 2, 2}});
   b.trees.assign(patches, 0);
-  b.walks.push_back({0, true, {{0, {1, 2, 3}}}, 3, 0, false});
+  b.walks.push_back({0, true, {{{0, {1, 2, 3}}}, 3, 0, false}});
   return b;
 }
 Bytes certificate_of(const StarBoxBody& body) {
@@ -68,6 +68,20 @@ void write_magic(ByteWriter& w, const char* magic) {
 }
 void write_interval(ByteWriter& w, unsigned k, unsigned a, unsigned b) {
   for (const unsigned v : {k, a, b}) w.varint(v);
+}
+
+// The rest of a body may not be read once for each of very many headers that fit.
+TEST(PatchCertificateText, ManyHeadersThatFitCostNoMoreThanAFew) {
+  constexpr std::uint32_t kEntities = 300'000;
+  ByteWriter w;
+  write_magic(w, "VTSB");
+  w.u32(kEntities);
+  for (std::uint32_t i = 0; i < kEntities; ++i) w.u8(0);
+  for (std::uint32_t i = 0; i < 2 * kEntities; ++i) {
+    w.u32(2);
+    for (const unsigned end : {0u, 1u}) w.zigzag(end), w.varint(1);
+  }
+  EXPECT_TRUE(has(text_of(certificate_of("star-box-1", kEntities, w.take())), "NOT: the body is not complete"));
 }
 
 TEST(PatchCertificateText, FindsTheNumberOfSurfacesOfABodyThatDoesNotSayIt) {

@@ -100,6 +100,16 @@ TEST(VolumeFaces, FacesWithoutAreaAreLeftOut) {
   EXPECT_TRUE(is_closed(all));
 }
 
+// Four faces of a flat box are segments, two are a wall.
+TEST(VolumeFaces, OfWhichNoneIsLeftAreAnError) {
+  std::string flat = box(0);
+  for (std::size_t at = flat.find(" 1]"); at != flat.npos; at = flat.find(" 1]", at)) flat[at + 1] = '0';
+  const auto none = volume_faces(io_test::model_of(SplineFormat::kItd, flat));
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, Code::kEmpty);
+  EXPECT_NE(none.error().message.find("4 without area"), std::string::npos) << none.error().message;
+}
+
 TEST(VolumeFaces, WhatIsNoVolumeIsCountedAndWhatIsNotInSpaceIsRefused) {
   const std::string flat = "[SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1 0] [1 1 0]]\n";
   EXPECT_EQ(faces_of_text(flat + box(0)).num_others, 1u);

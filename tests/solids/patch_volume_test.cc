@@ -14,11 +14,13 @@ namespace {
 
 Rational ratio(int p, int q = 1) { return Rational(p) / Rational(q); }
 
-std::vector<Interval> volumes(patch_shapes::Patches patches, double tolerance = 1e-5) {
+std::vector<Interval> volumes(
+    patch_shapes::Patches patches, double tolerance = 1e-5,
+    PieceForest::FrameChoice frame = PieceForest::FrameChoice::kFitted) {
   PatchInput input;
   input.patches = std::move(patches);
   const PatchComplex complex = make_patch_complex(std::move(input)).value();
-  PieceForest forest = PieceForest::make(complex).value();
+  PieceForest forest = PieceForest::make(complex, frame).value();
   return shell_volumes(forest, tolerance);
 }
 
@@ -53,6 +55,25 @@ TEST(ShellVolumes, KeepSmallTolerances) {
     const Interval can = volumes(patch_shapes::frustum(ratio(2), ratio(2), ratio(5)), tolerance)[0];
     expect_near(can, 20 * kPi, 125 * tolerance);
   }
+}
+
+TEST(ShellVolumes, AreAsNarrowFarFromTheOrigin) {
+  for (const int away : {10, 1000, 1000000})
+    for (const auto frame : {PieceForest::FrameChoice::kFitted, PieceForest::FrameChoice::kPlain}) {
+      const auto ring = patch_shapes::placed(patch_shapes::torus(ratio(3), ratio(1)), ratio(1),
+                                             {ratio(away), ratio(0), ratio(-away)});
+      expect_near(volumes(ring, 1e-5, frame)[0], 6 * std::numbers::pi * std::numbers::pi, 1e-4);
+    }
+}
+
+// What no enclosure in binary64 can keep ends, too, where rounding weighs more than what is asked for.
+TEST(ShellVolumes, EndAtWhatRoundingAdds) {
+  const PatchComplex complex =
+      make_patch_complex(patch_shapes::torus(ratio(3), ratio(1))).value();
+  PieceForest forest = PieceForest::make(complex).value();
+  const Interval ring = shell_volumes(forest, 1e-300)[0];
+  expect_near(ring, 6 * std::numbers::pi * std::numbers::pi, 1e-11);
+  EXPECT_LE(forest.num_nodes(), complex.patches().size() * 4096);
 }
 
 // Products of degree 71: binomials beyond 64 bits.

@@ -53,6 +53,7 @@ bool BoxSearch::try_piece(Id id) {
   // Coordinates are at most 1; a hull is longer where weights are not known to be positive.
   if (!(extent(hull) > 0) || !(extent(hull) < 8)) return fail(Why::kNoCentres);
   box_ = cube_around(approx_centre(hull), 0.5 * options_.growth * extent(hull));
+  if (!is_inside(hull, box_.star.box)) return fail(Why::kTooDeep);
   return try_star() || try_mesh();
 }
 
@@ -99,8 +100,8 @@ bool BoxSearch::try_star() {
   if (!find_pieces(forest_, box, 0.5 * extent(box), kMostPieces, &tested_, &held_))
     return try_crowded_star();
   tested_pieces_ += tested_.size();
-  const bool has_centres =
-      (place_centres() && has_star_signs(forest_, tested_, box_.star)) || search_centres();
+  held_.push_back(piece_);  // where doubles are coarse, it may be a part of a piece that is small
+  const bool has_centres = (place_centres() && are_centres()) || search_centres();
   if (!has_centres) return fail(Why::kNoCentres);
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
@@ -121,8 +122,15 @@ bool BoxSearch::try_crowded_star() {
 }
 
 // Whether the piece alone has centres: about.
-bool BoxSearch::is_promising() {
-  return (place_centres() && has_star_signs(forest_, tested_, box_.star)) || search_centres();
+bool BoxSearch::is_promising() { return (place_centres() && are_centres()) || search_centres(); }
+
+// On a grid that is finer than doubles they may come to lie on the border of the box.
+bool BoxSearch::are_centres() {
+  const StarBox& star = box_.star;
+  for (const Point3d* const c : {&star.inside, &star.outside})
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!(star.box.lo[k] < (*c)[k] && (*c)[k] < star.box.hi[k])) return false;
+  return has_star_signs(forest_, tested_, star);
 }
 
 Obstacle BoxSearch::obstacle() { return find_obstacle(forest_, piece_, tested_); }
@@ -156,12 +164,10 @@ bool BoxSearch::search_centres() {
   ++programs_;
   switch (solve_centres(kFewConditions)) {
     case Centres::kNone: return false;
-    case Centres::kAllConditions: return has_star_signs(forest_, tested_, box_.star);
+    case Centres::kAllConditions: return are_centres();
     case Centres::kSomeConditions: break;
   }
-  if (has_star_signs(forest_, tested_, box_.star)) return true;
-  return solve_centres(~std::size_t{0}) != Centres::kNone &&
-         has_star_signs(forest_, tested_, box_.star);
+  return are_centres() || (solve_centres(~std::size_t{0}) != Centres::kNone && are_centres());
 }
 
 // The deepest points, on the box's grid, under about `most` conditions of each piece.

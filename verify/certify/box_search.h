@@ -41,6 +41,7 @@ class BoxSearch {
   bool try_mesh();
   void hold_corner(std::uint32_t patch, std::uint32_t corner);
   bool is_promising();
+  bool are_centres();
   bool place_centres();
   bool search_centres();
   enum class Centres { kNone, kSomeConditions, kAllConditions };

@@ -41,15 +41,11 @@ class BodyWriter {
 
  private:
   void write_leaves() {
-    for (std::size_t e = 0; e < entities_.size(); ++e) {
-      const std::uint32_t last = e + 1 < entities_.size()
-                                     ? entities_[e + 1].first_patch
-                                     : static_cast<std::uint32_t>(forest_.num_patches());
-      for (std::uint32_t p = entities_[e].first_patch; p < last; ++p)
-        FileOrder(forest_).for_each_root(
-            p, entities_[e].is_reversed, [](const auto&) {},
-            [&](Id root) { visit(root, false, entities_[e].is_reversed); });
-    }
+    const std::vector<bool> is_reversed = reversed_patches(entities_, forest_.num_patches());
+    for (std::uint32_t p = 0; p < forest_.num_patches(); ++p)
+      FileOrder(forest_).for_each_root(
+          p, is_reversed[p], [](const auto&) {},
+          [&](Id root) { visit(root, false, is_reversed[p]); });
   }
   void visit(Id id, bool is_below_leaf, bool is_reversed) {
     is_below_leaf = is_below_leaf || cover_.box_of_node[id] != StarCover::kNone;
@@ -60,7 +56,7 @@ class BodyWriter {
           id, is_reversed, [&](Id child) { visit(child, is_below_leaf, is_reversed); });
   }
   void write_shore(const Shore& shore) {
-    certificate::ShoreWalk out{{}, shore.direction, shore.end_box, shore.ends_outside};
+    certificate::WalkPath out{{}, shore.direction, shore.end_box, shore.ends_outside};
     for (const std::uint32_t v : shore.vertices) {
       WalkPoint point{body_.shift, body_.corner};
       const auto at = collar_.complex.point(v);

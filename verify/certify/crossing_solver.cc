@@ -31,16 +31,31 @@ using internal::Tangents;
 using Vector = internal::Vector3;
 using Matrix = internal::Matrix3;
 
+// The row, its numbers times powers of two, of any length: the largest number is between 1 and 2. Nothing: it is 0, or not finite.
+std::optional<Vector> stretched(const Vector& row, const std::array<int, 3>& exponent) {
+  std::optional<int> top;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!std::isfinite(row[k])) return std::nullopt;
+    if (row[k] == 0) continue;
+    const int own = std::ilogb(row[k]) + exponent[k];
+    top = top ? std::max(*top, own) : own;
+  }
+  if (!top) return std::nullopt;
+  Vector out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = std::ldexp(row[k], exponent[k] - *top);
+  return out;
+}
+
 // Y of the frame's coordinates, 2^scale times the model's: as rows for the model's, of any length.
-std::array<std::array<std::int64_t, 3>, 3> integer_rows(const Matrix& inverse,
-                                                        const std::array<int, 3>& scale) {
-  const int least = *std::min_element(scale.begin(), scale.end());
+std::optional<std::array<std::array<std::int64_t, 3>, 3>> integer_rows(
+    const Matrix& inverse, const std::array<int, 3>& scale) {
   std::array<std::array<std::int64_t, 3>, 3> rows;
   for (std::size_t i = 0; i < 3; ++i) {
-    Vector row;
-    for (std::size_t k = 0; k < 3; ++k) row[k] = std::ldexp(inverse[i][k], scale[k] - least);
+    const std::optional<Vector> row = stretched(inverse[i], scale);
+    if (!row) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k)
-      rows[i][k] = static_cast<std::int64_t>(std::nearbyint(row[k] * (kRowSize / largest(row))));
+      rows[i][k] =
+          static_cast<std::int64_t>(std::nearbyint((*row)[k] * (kRowSize / largest(*row))));
   }
   return rows;
 }
@@ -287,11 +302,14 @@ bool CrossingSolver::is_forecast(const CrossingWitness& w) {
                                      std::ldexp(static_cast<double>(t.hi), bits));
     }
   const std::array<int, 3>& scale = forest_.frame().scale;
-  const int least = *std::min_element(scale.begin(), scale.end());
-  std::array<std::array<double, 3>, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      rows[i][k] = std::ldexp(static_cast<double>(w.rows[i][k]), least - scale[k]);
+  Matrix rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector row;
+    for (std::size_t k = 0; k < 3; ++k) row[k] = static_cast<double>(w.rows[i][k]);
+    const auto framed = stretched(row, {-scale[0], -scale[1], -scale[2]});
+    if (!framed) return false;
+    rows[i] = *framed;
+  }
   return internal::has_opposite_signs(maps, rows, parameters);
 }
 

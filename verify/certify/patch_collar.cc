@@ -141,6 +141,11 @@ class Search {
 
 }  // namespace
 
+bool may_have_octree(const PatchComplex& complex) {
+  const Result<PieceForest> forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain);
+  return forest && root_around(hull_of_roots(*forest));
+}
+
 PatchCollarSearch find_patch_collar(PieceForest& forest, const StarCover& cover,
                                     const CollarSearchOptions& options) {
   VT_CHECK(cover.is_complete(), "a collar is sought around a surface that is covered");

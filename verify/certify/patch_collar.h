@@ -43,6 +43,9 @@ struct PatchCollarSearch {
   std::uint64_t cells_tried = 0;  ///< sum over the rounds
 };
 
+/// Whether there is a grid of binary64 numbers for cells around the model: it may lie too far from the origin. REQUIRES a complex without defects.
+bool may_have_octree(const PatchComplex& complex);
+
 /// Starts with 64 cells and splits where the cover is no collar.
 /// REQUIRES a forest in a plain frame, a complete cover and winding numbers 1 inside and 0 outside of every shell.
 /// @cost near-linear in the pieces and cells, times the number of levels

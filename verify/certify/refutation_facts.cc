@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "splines/de_casteljau.h"
 #include "verify/certify/miranda_internal.h"
@@ -22,6 +23,11 @@ std::string shortest(double v) {
 }
 std::string point_text(const std::array<double, 3>& p) {
   return "(" + shortest(p[0]) + ", " + shortest(p[1]) + ", " + shortest(p[2]) + ")";
+}
+
+// Not where a coordinate lies beyond binary64.
+bool is_finite(const std::array<double, 3>& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 class FactFinder {
@@ -68,7 +74,7 @@ class FactFinder {
       out.code = "side-overused";
       out.message = side + " and " + std::to_string(n - 1) + " other sides are one curve";
     }
-    out.message += ", near " + point_text(*out.point);
+    if (is_finite(*out.point)) out.message += ", near " + point_text(*out.point);
     return out;
   }
 

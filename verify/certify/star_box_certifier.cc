@@ -40,25 +40,19 @@ class BodyWriter {
     write_trees();
     write_boxes();
     for (const ShellWalk& w : walks.walks)
-      body_.walks.push_back({w.box, w.starts_outside, {}, w.direction, w.end_box, w.ends_outside});
+      body_.walks.push_back(
+          {w.box, w.starts_outside, {{}, w.direction, w.end_box, w.ends_outside}});
     return std::move(body_);
   }
 
  private:
   // In the file's order: of a reversed patch the axes (of a triangle corners 1 and 2) are exchanged.
   void write_trees() {
-    for (std::size_t e = 0; e < entities_.size(); ++e) {
-      const std::uint32_t last = e + 1 < entities_.size()
-                                     ? entities_[e + 1].first_patch
-                                     : static_cast<std::uint32_t>(forest_.num_patches());
-      for (std::uint32_t p = entities_[e].first_patch; p < last; ++p)
-        write_patch(p, entities_[e].is_reversed);
-    }
-  }
-  void write_patch(std::uint32_t patch, bool is_reversed) {
-    FileOrder(forest_).for_each_root(
-        patch, is_reversed, [&](const auto& bits) { body_.roots.push_back(bits); },
-        [&](Id root) { write_node(root, is_reversed); });
+    const std::vector<bool> is_reversed = reversed_patches(entities_, forest_.num_patches());
+    for (std::uint32_t p = 0; p < forest_.num_patches(); ++p)
+      FileOrder(forest_).for_each_root(
+          p, is_reversed[p], [&](const auto& bits) { body_.roots.push_back(bits); },
+          [&](Id root) { write_node(root, is_reversed[p]); });
   }
   void write_node(Id id, bool is_reversed) {
     const std::uint32_t box = cover_.box_of_node[id];

@@ -70,10 +70,8 @@ class SegmentDescent {
 
 class WalkSearch {
  public:
-  WalkSearch(PieceForest& forest, const StarCover& cover) : forest_(forest), cover_(cover) {
-    all_ = forest.node(0).hull;
-    for (std::uint32_t r = 0; r < forest.num_roots(); ++r)
-      all_ = hull(all_, forest.node(forest.root(r)).hull);
+  WalkSearch(PieceForest& forest, const StarCover& cover)
+      : forest_(forest), cover_(cover), all_(hull_of_roots(forest)) {
     list_boxes();
   }
 

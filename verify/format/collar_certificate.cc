@@ -5,23 +5,9 @@
 #include "verify/format/star_box_statement.h"
 
 namespace veritope::certificate {
-namespace {
-
-using internal::ByteWriter;
-
-void write(ByteWriter& w, const ShoreWalk& shore) {
-  w.u32(static_cast<std::uint32_t>(shore.points.size()));
-  for (const WalkPoint& p : shore.points) internal::write_point(w, p);
-  w.u8(shore.end);
-  if (shore.end != 6) return;
-  w.varint(shore.end_box);
-  w.u8(shore.ends_outside ? 1 : 0);
-}
-
-}  // namespace
 
 Bytes encode(const CollarBody& body) {
-  ByteWriter w;
+  internal::ByteWriter w;
   w.raw(encode(body.star));
   w.varint(body.shift);
   for (const std::int64_t v : body.corner) w.zigzag(v);
@@ -34,7 +20,7 @@ Bytes encode(const CollarBody& body) {
   for (const std::uint32_t face : body.collapses)
     w.zigzag(std::int64_t{face} - last_face), last_face = face;
   w.raw(body.leaves);
-  for (const ShoreWalk& shore : body.shores) write(w, shore);
+  for (const WalkPath& shore : body.shores) internal::write(w, shore);
   return w.take();
 }
 

@@ -13,14 +13,6 @@ namespace veritope::certificate {
 
 inline constexpr std::string_view kCollarClaim = "collar-1";
 
-/// A polyline from the least vertex of a component of the boundary; its end as that of a StarWalk.
-struct ShoreWalk {
-  std::vector<WalkPoint> points;
-  std::uint8_t end = 0;
-  std::uint64_t end_box = 0;
-  bool ends_outside = false;
-};
-
 struct CollarBody {
   StarBoxBody star;
   /// The least corner of the root, in units of 2^(star.exponent + shift); its edge is 2^20 of them.
@@ -31,7 +23,7 @@ struct CollarBody {
   std::vector<std::uint32_t> collapses;  ///< a face for each cell
   std::vector<std::uint8_t>
       leaves;  ///< preorder, for each leaf of star.trees: 0 = four children, 1 = leaf
-  std::vector<ShoreWalk> shores;
+  std::vector<WalkPath> shores;  ///< from the least vertex of each component of the boundary
 };
 
 Bytes encode(const CollarBody& body);

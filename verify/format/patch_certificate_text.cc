@@ -19,6 +19,8 @@ using internal::ByteReader;
 constexpr std::array<std::string_view, 4> kClaims = {"star-box-1", "star-box-turned-1", "collar-1",
                                                      "patch-invalid-1"};
 constexpr int kMostLevels = 24;
+// Headers that the rest is read with: the one that is meant comes early, behind a few of which the roots of patches are a part.
+constexpr std::size_t kMostHeaders = 16;
 
 // The text behind "key":, up to a quotation mark, comma or brace.
 std::string_view value_of(std::string_view statement, std::string_view key) {
@@ -62,7 +64,7 @@ struct Header {
   std::uint64_t patches = 0;
   ByteReader rest;
 };
-// The header with as many surfaces as there may be, then with fewer; those with another number of patches are left out.
+// The header with as many surfaces as there may be, then a few with fewer; those with another number of patches are left out.
 std::vector<Header> headers(ByteReader r, std::uint64_t patches) {
   Header h{0, 0, 0, 0, r};
   h.entities = h.rest.count(1);
@@ -78,6 +80,7 @@ std::vector<Header> headers(ByteReader r, std::uint64_t patches) {
     h.patches += u * v - 1;
   }
   std::reverse(all.begin(), all.end());
+  if (all.size() > kMostHeaders) all.erase(all.begin() + kMostHeaders, all.end());
   return all;
 }
 std::string header_text(std::string_view claim, const Header& h) {
@@ -141,13 +144,11 @@ struct StarReader {
 
   void read(std::uint64_t patches, bool is_collar) {
     std::uint64_t roots = 0;
-    std::vector<std::uint64_t> of_patch;
     if (patches > r.left() / 3) return r.fail();
     for (std::uint64_t i = 0; i < patches && r.ok(); ++i) {
       const int a = r.u8(), b = r.u8();
       if (a > 12 || b > 12) return r.fail();
-      of_patch.push_back(std::uint64_t{1} << (a + b));
-      roots += of_patch.back();
+      roots += std::uint64_t{1} << (a + b);
     }
     const std::int64_t exponent = r.zigzag();
     text += "unit: 2^" + std::to_string(exponent) + "\n";

@@ -25,12 +25,7 @@ void write(ByteWriter& w, const StarBoxItem& b) {
 void write(ByteWriter& w, const StarWalk& walk) {
   w.varint(walk.box);
   w.u8(walk.starts_outside ? 1 : 0);
-  w.u32(static_cast<std::uint32_t>(walk.points.size()));
-  for (const WalkPoint& p : walk.points) internal::write_point(w, p);
-  w.u8(walk.end);
-  if (walk.end != 6) return;
-  w.varint(walk.end_box);
-  w.u8(walk.ends_outside ? 1 : 0);
+  internal::write(w, walk.path);
 }
 
 std::uint64_t zigzag_code(std::int64_t z) {
@@ -71,6 +66,18 @@ Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBo
 }
 
 namespace internal {
+
+void write(ByteWriter& w, const WalkPath& path) {
+  w.u32(static_cast<std::uint32_t>(path.points.size()));
+  for (const WalkPoint& p : path.points) {
+    w.varint(p.shift);
+    for (const std::int64_t v : p.at) w.zigzag(v);
+  }
+  w.u8(path.end);
+  if (path.end != 6) return;
+  w.varint(path.end_box);
+  w.u8(path.ends_outside ? 1 : 0);
+}
 
 StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,
                                  const StarBoxQuantities& q, const StarBoxBody& body,

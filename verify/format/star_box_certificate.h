@@ -33,13 +33,17 @@ struct WalkPoint {
   std::uint64_t shift = 0;
   std::array<std::int64_t, 3> at{};
 };
-struct StarWalk {
-  std::uint64_t box = 0;
-  bool starts_outside = true;
+/// What follows the first point of a polyline.
+struct WalkPath {
   std::vector<WalkPoint> points;
   std::uint8_t end = 0;  ///< 0..5: to infinity along +x -x +y -y +z -z; 6: to a box
   std::uint64_t end_box = 0;
   bool ends_outside = false;
+};
+struct StarWalk {
+  std::uint64_t box = 0;
+  bool starts_outside = true;
+  WalkPath path;
 };
 
 struct StarBoxBody {

@@ -7,10 +7,7 @@
 
 namespace veritope::certificate::internal {
 
-inline void write_point(ByteWriter& w, const WalkPoint& p) {
-  w.varint(p.shift);
-  for (const std::int64_t v : p.at) w.zigzag(v);
-}
+void write(ByteWriter& w, const WalkPath& path);
 
 /// The keys that all claims on top of star boxes have; more may follow. `bytes`: the whole body.
 StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "robust/base/check.h"
+#include "solids/star_box/piece_descent.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope {
@@ -124,45 +125,22 @@ Box3d BoundaryModel::from_forest(const Box3d& box) const {
   return out;
 }
 
-namespace {
-
-// The pieces whose closed hulls meet the ray, none of which holds its origin.
-struct RayDescent {
-  PieceForest& forest;
-  Box3d ray;
-  Box3d origin;
-  std::vector<PieceForest::Id> met = {};
-  std::size_t visits = 0;
-
-  bool visit(PieceForest::Id id) {
-    if (!meets(forest.node(id).hull, ray)) return true;
-    if (++visits > 100'000) return false;
-    if (!meets(forest.node(id).hull, origin)) return met.push_back(id), true;
-    if (forest.node(id).level == PieceForest::kMaxLevel) return false;
-    const PieceForest::Id first = forest.children(id);
-    for (PieceForest::Id k = 0; k < 4; ++k)
-      if (!visit(first + k)) return false;
-    return true;
-  }
-};
-
-}  // namespace
-
 std::optional<int> winding_number(PieceForest& forest, const Point3d& at) {
   // Two directions for the curves that end on a half-line of the count; either is right.
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     Box3d ray{at, at};
     ray.hi[axis] = std::numeric_limits<double>::infinity();
-    RayDescent descent{forest, ray, {at, at}};
-    bool is_done = true;
-    forest.roots().visit(
-        [&](const Box3d& b) { return is_done && meets(b, ray); },
-        [&](std::uint32_t n) { is_done = is_done && descent.visit(forest.root(n)); });
-    if (!is_done) continue;
+    std::vector<PieceForest::Id> met;  // none of which holds the ray's origin
+    if (!descend_to(forest, ray, 100'000, [&](PieceForest::Id id) {
+          if (meets(forest.node(id).hull, {at, at})) return PieceStep::kSplit;
+          met.push_back(id);
+          return PieceStep::kTaken;
+        }))
+      continue;
     StarBox line{ray, at, at};
     line.outside[axis] += 1;
     if (line.outside[axis] == line.inside[axis]) continue;
-    if (const auto w = crossing_number(forest, descent.met, line)) return w;
+    if (const auto w = crossing_number(forest, met, line)) return w;
   }
   return std::nullopt;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solids/interval_boxes/box_sets_internal.h"
+#include "solids/star_box/piece_descent.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope {
@@ -46,15 +48,6 @@ struct Doubt {
     return false;
   }
 };
-
-Box3d intersection(const Box3d& a, const Box3d& b) {
-  Box3d out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    out.lo[k] = std::max(a.lo[k], b.lo[k]);
-    out.hi[k] = std::min(a.hi[k], b.hi[k]);
-  }
-  return out;
-}
 
 class Tracer {
  public:
@@ -128,41 +121,18 @@ class Tracer {
 
   // As one: missed, a disk, or nothing said.
   std::optional<BoxTrace> decide(const Box3d& box) {
+    // Condition T of THEORY 4: pieces that are no longer than half of the box (of a wall: in the plane).
     Ids tested;
-    std::size_t visits = 16 * options_.max_pieces;
-    bool fits = true;
-    const double longest = 0.5 * size_of(box);
-    forest_.roots().visit([&](const Box3d& b) { return fits && meets(b, box); },
-                          [&](std::uint32_t n) {
-                            fits = fits && collect(forest_.root(n), box, longest, &visits, &tested);
-                          });
-    if (!fits) return std::nullopt;
+    const double longest = 0.5 * size_of(box, model_.dimension());
+    if (!descend_to(forest_, box, 16 * options_.max_pieces, [&](PieceForest::Id id) {
+          if (size_of(forest_.node(id).hull, model_.dimension()) > longest) return PieceStep::kSplit;
+          tested.push_back(id);
+          return tested.size() <= options_.max_pieces ? PieceStep::kTaken : PieceStep::kStop;
+        }))
+      return std::nullopt;
     if (tested.empty()) return missed();
     if (const auto answer = by_monotone_axes(box, tested)) return answer;
     return by_star(box, tested);
-  }
-  double size_of(const Box3d& box) const {
-    double e = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension()); ++k)
-      e = std::max(e, box.hi[k] - box.lo[k]);
-    return e;
-  }
-  // Condition T of THEORY 4: the pieces whose closed hulls meet the box, none longer than `longest` (of a wall: in the plane).
-  bool collect(PieceForest::Id id, const Box3d& box, double longest, std::size_t* visits,
-               Ids* tested) {
-    const Box3d hull = forest_.node(id).hull;
-    if (!meets(hull, box)) return true;
-    if (*visits == 0) return false;
-    --*visits;
-    if (size_of(hull) <= longest) {
-      tested->push_back(id);
-      return tested->size() <= options_.max_pieces;
-    }
-    if (forest_.node(id).level == PieceForest::kMaxLevel) return false;
-    const PieceForest::Id first = forest_.children(id);
-    for (PieceForest::Id k = 0; k < 4; ++k)
-      if (!collect(first + k, box, longest, visits, tested)) return false;
-    return true;
   }
 
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
@@ -242,7 +212,7 @@ class Tracer {
     for (std::size_t i = 0; i < disks.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         if (!meets(disks[i], disks[j]) || find(i) == find(j)) continue;
-        if (!is_met(model_, intersection(disks[i], disks[j]))) continue;
+        if (!is_met(model_, common_part(disks[i], disks[j]))) continue;
         root[find(i)] = find(j);
         --components;
       }

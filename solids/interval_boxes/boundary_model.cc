@@ -125,6 +125,62 @@ Box3d BoundaryModel::from_forest(const Box3d& box) const {
   return out;
 }
 
+namespace {
+
+// By the net of the piece itself.
+std::array<int, 3> own_normal_signs(PieceForest& forest, PieceForest::Id piece) {
+  const PieceForest::Node node = forest.node(piece);
+  const PieceForest::Form& form = forest.form(node.patch);
+  const std::uint32_t sides = form.shape.is_triangle ? 3 : 4;
+  const auto is_collapsed = [&](std::uint32_t s) {
+    return (form.collapsed >> s & 1) != 0 && forest.side_of_patch(node, s);
+  };
+  for (std::uint32_t s = 0; s < sides; ++s)
+    if (is_collapsed(s) && is_collapsed((s + 1) % sides)) return {};
+  const double* const g = forest.approx_determinants(piece);
+  const std::size_t n = form.determinant.count();
+  std::array<int, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double error = forest.determinant_error(piece, k + 1);
+    bool positive = true, negative = true;
+    forest.for_each_kept(node, [&](std::size_t i) {
+      positive = positive && g[(k + 1) * n + i] < -error;  // G_k+1 = -w^3 n_k
+      negative = negative && g[(k + 1) * n + i] > error;
+    });
+    out[k] = positive == negative ? 0 : positive ? 1 : -1;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::array<int, 3> BoundaryModel::normal_signs(PieceForest::Id piece) {
+  if (normal_signs_.size() <= piece) normal_signs_.resize(forest_->num_nodes());
+  if (!normal_signs_[piece].is_known) {
+    const PieceForest::Id parent = forest_->node(piece).parent;
+    std::array<int, 3> signs{};
+    if (parent != PieceForest::kNone) signs = normal_signs(parent);
+    if (signs[0] == 0 || signs[1] == 0 || signs[2] == 0) {
+      const auto own = own_normal_signs(*forest_, piece);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (signs[k] == 0) signs[k] = own[k];
+    }
+    normal_signs_[piece].is_known = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      normal_signs_[piece].sign[k] = static_cast<std::int8_t>(signs[k]);
+  }
+  return known_normal_signs(piece);
+}
+
+std::array<int, 3> BoundaryModel::known_normal_signs(PieceForest::Id piece) const {
+  for (; piece != PieceForest::kNone; piece = forest_->node(piece).parent)
+    if (piece < normal_signs_.size() && normal_signs_[piece].is_known) {
+      const auto& s = normal_signs_[piece].sign;
+      return {s[0], s[1], s[2]};
+    }
+  return {};
+}
+
 std::optional<int> winding_number(PieceForest& forest, const Point3d& at) {
   // Two directions for the curves that end on a half-line of the count; either is right.
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {

@@ -135,25 +135,42 @@ class Tracer {
     return by_star(box, tested);
   }
 
+  // First with the signs that are at hand: on small pieces they are those of a larger one, and the determinants' nets are most of the cost.
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
-    std::array<int, 3> signs = normal_signs(forest_, tested.front());
+    const auto known = common_signs(
+        tested, [&](PieceForest::Id id) { return model_.known_normal_signs(id); });
+    if (const auto answer = by_monotone_axes(box, tested, known, {})) return answer;
+    const auto all =
+        common_signs(tested, [&](PieceForest::Id id) { return model_.normal_signs(id); });
+    return by_monotone_axes(box, tested, all, known);
+  }
+  template <typename Signs>
+  static std::array<int, 3> common_signs(const Ids& tested, Signs signs_of) {
+    std::array<int, 3> signs = signs_of(tested.front());
     for (const PieceForest::Id id : tested) {
-      const auto s = normal_signs(forest_, id);
+      const auto s = signs_of(id);
       for (std::size_t k = 0; k < 3; ++k)
         if (s[k] != signs[k]) signs[k] = 0;
     }
+    return signs;
+  }
+  // tried: sets of axes on which these are all not 0 have been tried.
+  std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested,
+                                           const std::array<int, 3>& signs,
+                                           const std::array<int, 3>& tried) {
     // More axes make L and H smaller.
     for (const unsigned axes : {7u, 3u, 5u, 6u, 1u, 2u, 4u}) {
       Box3d low = box, high = box;
-      bool fits = true;
+      bool fits = true, is_new = false;
       for (std::size_t k = 0; k < 3; ++k) {
         if ((axes >> k & 1) == 0) continue;
         fits = fits && signs[k] != 0;
+        is_new = is_new || tried[k] == 0;
         const double bottom = signs[k] > 0 ? box.lo[k] : box.hi[k];
         const double top = signs[k] > 0 ? box.hi[k] : box.lo[k];
         low.lo[k] = low.hi[k] = bottom, high.lo[k] = high.hi[k] = top;
       }
-      if (!fits || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
+      if (!fits || !is_new || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
       const auto crossings =
           crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
       if (!crossings) continue;
@@ -258,30 +275,6 @@ bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
       for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
     }
   return false;
-}
-
-std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {
-  const PieceForest::Node node = forest.node(piece);
-  const PieceForest::Form& form = forest.form(node.patch);
-  const std::uint32_t sides = form.shape.is_triangle ? 3 : 4;
-  const auto is_collapsed = [&](std::uint32_t s) {
-    return (form.collapsed >> s & 1) != 0 && forest.side_of_patch(node, s);
-  };
-  for (std::uint32_t s = 0; s < sides; ++s)
-    if (is_collapsed(s) && is_collapsed((s + 1) % sides)) return {};
-  const double* const g = forest.approx_determinants(piece);
-  const std::size_t n = form.determinant.count();
-  std::array<int, 3> out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double error = forest.determinant_error(piece, k + 1);
-    bool positive = true, negative = true;
-    forest.for_each_kept(node, [&](std::size_t i) {
-      positive = positive && g[(k + 1) * n + i] < -error;  // G_k+1 = -w^3 n_k
-      negative = negative && g[(k + 1) * n + i] > error;
-    });
-    out[k] = positive == negative ? 0 : positive ? 1 : -1;
-  }
-  return out;
 }
 
 }  // namespace veritope

@@ -50,8 +50,4 @@ bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits = 2
 /// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False: none was found.
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 2000);
 
-/// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict sign. At a pole: of the normal
-/// divided by the distance to it.
-std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece);
-
 }  // namespace veritope

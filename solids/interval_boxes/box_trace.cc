@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <queue>
 
 #include "solids/interval_boxes/box_sets_internal.h"
 #include "solids/star_box/piece_descent.h"
@@ -20,12 +22,40 @@ bool is_in(const Box3d& a, const Box3d& b, int dimension) {
   return true;
 }
 
-// Looks for a reason not to say that V misses the box: a hull inside of it, one at the deepest level, or the end of the budget. Depth first: where V
-// comes into a box without an interior, the deepest level is reached at once.
+// Looks for a reason not to say that V misses the box: a hull inside of it, a piece that crosses it (a rectangle), one at the deepest level, or the end of the budget.
+// Depth first: where V comes into an edge or a corner, the deepest level is reached at once.
 struct Doubt {
   PieceForest& forest;
   const Box3d& box;
   std::size_t left;
+  std::optional<std::size_t> normal;  // the axis that a rectangle stands on
+
+  Doubt(PieceForest& all, const Box3d& b, std::size_t visits) : forest(all), box(b), left(visits) {
+    std::size_t flat = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (box.lo[k] == box.hi[k]) ++flat, normal = k;
+    if (flat != 1) normal.reset();
+  }
+
+  // All of the piece is over the rectangle, and it has corners on both sides (about: a doubt is no proof).
+  bool crosses(PieceForest::Id id, const Box3d& hull) const {
+    const std::size_t k = *normal;
+    Box3d over = hull;
+    over.lo[k] = over.hi[k] = box.lo[k];
+    if (!is_inside(over, box)) return false;
+    const PieceForest::Form& form = forest.form(forest.node(id).patch);
+    const Patch& shape = forest.complex().patch(forest.node(id).patch);
+    const std::size_t count = form.shape.count();
+    const double* const net = forest.control(id);
+    bool is_below = false, is_above = false;
+    for (std::uint32_t s = 0; s < shape.num_sides(); ++s) {
+      const std::size_t corner = shape.side_index(s, 0);
+      const double w = form.is_rational ? net[3 * count + corner] : 1;
+      const double height = net[k * count + corner] - w * (box.lo[k] - form.origin[k]);
+      (height < 0 ? is_below : is_above) = true;
+    }
+    return is_below && is_above;
+  }
 
   bool visit(PieceForest::Id id) {
     const Box3d hull = forest.node(id).hull;
@@ -33,6 +63,7 @@ struct Doubt {
     if (left == 0 || is_in(hull, box, 3) || forest.node(id).level == PieceForest::kMaxLevel)
       return true;
     --left;
+    if (normal && crosses(id, hull)) return true;
     const PieceForest::Id first = forest.children(id);
     std::array<std::pair<double, PieceForest::Id>, 4> order;
     const Point3d middle = approx_centre(box);
@@ -251,30 +282,69 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 }
 
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  Doubt doubt{forest, box, max_visits};
+  Doubt doubt(forest, box, max_visits);
   bool found = false;
   forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
                        [&](std::uint32_t n) { found = found || doubt.visit(forest.root(n)); });
   return !found;
 }
 
-// Level by level: a piece in the box can be found long before the many are exhausted that a side of the box cuts.
+namespace {
+
+// A piece that may hold one in the box: the nearer its hull to the middle of the box, in units of the box's sides, the sooner it is split; smaller ones first. What
+// touches a side, of which no part lies in the box, comes last.
+struct Candidate {
+  double distance, size;
+  PieceForest::Id id;
+  friend bool operator<(const Candidate& a, const Candidate& b) {
+    return a.distance != b.distance ? a.distance > b.distance : a.size > b.size;
+  }
+};
+
+// V lies in a side, or so near that its parts are no more likely to be in the box.
+bool is_flat_in_a_side(const Box3d& hull, const Box3d& box, int dimension) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    if ((hull.lo[k] < box.lo[k] || box.hi[k] < hull.hi[k]) &&
+        hull.hi[k] - hull.lo[k] <= 0x1p-30 * (box.hi[k] - box.lo[k]))
+      return true;
+  return false;
+}
+
+Candidate candidate(const Box3d& hull, const Box3d& box, int dimension, PieceForest::Id id) {
+  Candidate out{0, size_of(hull, dimension), id};
+  const Point3d middle = approx_centre(box);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+    const double gap = std::max(hull.lo[k] - middle[k], middle[k] - hull.hi[k]);
+    out.distance = std::max(out.distance, gap / (box.hi[k] - box.lo[k]));
+  }
+  return out;
+}
+
+}  // namespace
+
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
   PieceForest& forest = model.forest();
-  Ids level, next;
+  const int dimension = model.dimension();
+  if (!is_solid(box, dimension)) return false;  // hulls have an interior
+  std::priority_queue<Candidate> queue;
+  bool found = false;
+  const auto look_at = [&](PieceForest::Id id) {
+    const Box3d& hull = forest.node(id).hull;
+    if (!meets(hull, box) || is_flat_in_a_side(hull, box, dimension)) return;
+    found = found || is_in(hull, box, dimension);
+    queue.push(candidate(hull, box, dimension, id));
+  };
   forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
-                       [&](std::uint32_t n) { level.push_back(forest.root(n)); });
-  for (; !level.empty(); level.swap(next), next.clear())
-    for (const PieceForest::Id id : level) {
-      const PieceForest::Node node = forest.node(id);
-      if (!meets(node.hull, box)) continue;
-      if (is_in(node.hull, box, model.dimension())) return true;
-      if (max_visits-- == 0) return false;
-      if (node.level == PieceForest::kMaxLevel) continue;
-      const PieceForest::Id first = forest.children(id);
-      for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
-    }
-  return false;
+                       [&](std::uint32_t n) { look_at(forest.root(n)); });
+  while (!found && !queue.empty()) {
+    const PieceForest::Id id = queue.top().id;
+    queue.pop();
+    if (max_visits-- == 0) return false;
+    if (forest.node(id).level == PieceForest::kMaxLevel) continue;
+    const PieceForest::Id first = forest.children(id);
+    for (PieceForest::Id k = 0; k < 4; ++k) look_at(first + k);
+  }
+  return found;
 }
 
 }  // namespace veritope

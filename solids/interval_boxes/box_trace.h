@@ -48,6 +48,6 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 /// Whether V misses the closed box: by hulls, within a budget; false: not proved.
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits = 2000);
 /// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False: none was found.
-bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 2000);
+bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 500);
 
 }  // namespace veritope

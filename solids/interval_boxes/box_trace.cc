@@ -212,80 +212,40 @@ class Tracer {
     return std::nullopt;
   }
 
-  // Centres on lines along a direction that all tested pieces face, through the middle of the box and through that of V in it.
   std::optional<BoxTrace> by_star(const Box3d& box, const Ids& tested) {
-    const Point3d d = common_direction(tested);
-    for (const Point3d& base : {approx_centre(box), middle_of_pieces(box, tested)})
-      for (const double part : {0.5, 0.9}) {
-        const StarBox star{box, on_ray(box, base, d, -part), on_ray(box, base, d, part)};
-        if (!is_in_interior({star.inside, star.inside}, box, 3) ||
-            !is_in_interior({star.outside, star.outside}, box, 3))
-          continue;
-        if (!has_star_signs(forest_, tested, star)) continue;
-        if (crossing_number(forest_, tested, star) == 1) return disk();
+    Point3d n = mean_normal(tested);
+    double t = 1e300;  // from the middle along n to the boundary of the box
+    for (std::size_t k = 0; k < 3; ++k)
+      if (n[k] != 0) t = std::min(t, 0.5 * (box.hi[k] - box.lo[k]) / std::abs(n[k]));
+    if (!(t < 1e300)) return std::nullopt;
+    const Point3d middle = approx_centre(box);
+    for (const double part : {0.5, 0.9}) {
+      StarBox star{box, middle, middle};
+      bool is_interior = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        star.inside[k] -= part * t * n[k], star.outside[k] += part * t * n[k];
+        for (const double c : {star.inside[k], star.outside[k]})
+          is_interior = is_interior && box.lo[k] < c && c < box.hi[k];
       }
+      if (!is_interior || !has_star_signs(forest_, tested, star)) continue;
+      if (crossing_number(forest_, tested, star) == 1) return disk();
+    }
     return std::nullopt;
   }
 
-  // `part` of the way from a point of the box along d to its boundary; negative: along -d.
-  static Point3d on_ray(const Box3d& box, const Point3d& from, const Point3d& d, double part) {
-    double t = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (d[k] != 0)
-        t = std::min(t, ((d[k] > 0) == (part > 0) ? box.hi[k] - from[k] : from[k] - box.lo[k]) /
-                            std::abs(d[k]));
-    Point3d out = from;
-    for (std::size_t k = 0; k < 3; ++k) out[k] += part * t * d[k];
-    return out;
-  }
-
-  static Point3d middle_of_pieces(const Box3d& box, const std::vector<Box3d>& hulls) {
+  // About, and not normalised: it only says where to look for centres.
+  Point3d mean_normal(const Ids& tested) {
     Point3d sum{};
-    for (const Box3d& hull : hulls) {
-      const Point3d at = approx_centre(common_part(hull, box));
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += at[k] / static_cast<double>(hulls.size());
+    for (const PieceForest::Id id : tested) {
+      const std::size_t n = forest_.form(forest_.node(id).patch).determinant.count();
+      const double* const g = forest_.approx_determinants(id);
+      Point3d m{};
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < n; ++i) m[k] -= g[(k + 1) * n + i];
+      const double size = std::hypot(m[0], m[1], m[2]);
+      for (std::size_t k = 0; k < 3 && size > 0; ++k) sum[k] += m[k] / size;
     }
     return sum;
-  }
-  Point3d middle_of_pieces(const Box3d& box, const Ids& tested) const {
-    std::vector<Box3d> hulls;
-    for (const PieceForest::Id id : tested) hulls.push_back(forest_.node(id).hull);
-    return middle_of_pieces(box, hulls);
-  }
-
-  // About: the mean of the pieces' mean normals, turned to those that look away from it. It only says where to look for centres.
-  Point3d common_direction(const Ids& tested) {
-    constexpr double kEnough = 0.25;
-    constexpr int kMostTurns = 32;
-    std::vector<Point3d> normals;
-    Point3d d{};
-    for (const PieceForest::Id id : tested) {
-      normals.push_back(mean_normal(id));
-      for (std::size_t k = 0; k < 3; ++k) d[k] += normals.back()[k];
-    }
-    for (int turn = 0; turn < kMostTurns; ++turn) {
-      const double size = std::hypot(d[0], d[1], d[2]);
-      if (!(size > 0)) break;
-      for (double& x : d) x /= size;
-      const auto facing = [&](const Point3d& n) { return n[0] * d[0] + n[1] * d[1] + n[2] * d[2]; };
-      const auto least =
-          std::min_element(normals.begin(), normals.end(), [&](const Point3d& a, const Point3d& b) {
-            return facing(a) < facing(b);
-          });
-      if (facing(*least) >= kEnough) break;
-      for (std::size_t k = 0; k < 3; ++k) d[k] += (*least)[k];
-    }
-    return d;
-  }
-  Point3d mean_normal(PieceForest::Id id) {
-    const std::size_t n = forest_.form(forest_.node(id).patch).determinant.count();
-    const double* const g = forest_.approx_determinants(id);
-    Point3d m{};
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < n; ++i) m[k] -= g[(k + 1) * n + i];
-    const double size = std::hypot(m[0], m[1], m[2]);
-    for (std::size_t k = 0; k < 3 && size > 0; ++k) m[k] /= size;
-    return m;
   }
 
   // The boxes as nodes, joined where a part of V lies in both.

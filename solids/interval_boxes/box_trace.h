@@ -36,7 +36,7 @@ struct TraceOptions {
 };
 
 /// Claim   the answer about V∩b, or kUndecided.
-/// A box is decided as one if V misses it; if it is a star box about centres on a direction that its pieces face (THEORY 4); or by the monotone-box lemma: on a set A of
+/// A box is decided as one if V misses it; if it is a star box about centres on the mean normal (THEORY 4); or by the monotone-box lemma: on a set A of
 /// axes all normals of pieces at b have one strict sign, V misses the face, edge or corner L of b that is lowest in A, and the opposite one, H,
 /// and a line from L to H crosses the tested pieces once. (Then V∩b is a disk seen from L: for fixed other coordinates the inside is a
 /// down-set of A.) Otherwise b is cut into two boxes b', b'' that overlap in a slab, and chi(V∩b) = chi(V∩b') + chi(V∩b'') - chi(V∩b'∩b'').

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/certification.h: one run of certify on one file, whatever its kind: phases, the check by another process, the verdict.
 #pragma once
-#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,20 +9,10 @@
 #include "cli/checker_process.h"
 #include "cli/scratch_file.h"
 #include "io/file_bytes.h"
+#include "robust/base/stopwatch.h"
 #include "verify/format/mesh_certificate.h"
 
 namespace veritope::cli {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 class Certification {
  public:

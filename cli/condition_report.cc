@@ -46,7 +46,8 @@ double default_eps(BoundaryModel& model) {
   Box3d all = model.forest().node(model.forest().root(0)).hull;
   for (std::uint32_t r = 1; r < model.forest().num_roots(); ++r)
     all = hull(all, model.forest().node(model.forest().root(r)).hull);
-  return std::ldexp(1, std::ilogb(extent(all)) - 2 - model.forest().scale());
+  // Twice, because the exponent of an unbounded hull is the greatest int.
+  return std::ldexp(std::ldexp(1, std::ilogb(extent(all))), -2 - model.forest().scale());
 }
 
 SweepOptions sweep_budgets() {

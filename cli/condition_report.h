@@ -8,7 +8,7 @@
 
 namespace veritope::cli {
 
-/// The greatest power of two that is at most a quarter of the model's longest side.
+/// The greatest power of two that is at most a quarter of the longest side of the box of the model's control points.
 double default_eps(BoundaryModel& model);
 
 /// Budgets, in boxes and cells: a row takes seconds, tens of them at worst. What they do not suffice for is undecided.

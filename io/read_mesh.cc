@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -15,20 +14,11 @@
 #include "io/source.h"
 #include "io/stl_reader.h"
 #include "io/vertex_table.h"
+#include "robust/base/stopwatch.h"
 #include "verify/format/sha256.h"
 
 namespace veritope {
 namespace {
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 Result<ParsedMesh> parse(MeshFormat format, const Source& source, const ReadOptions& options) {
   switch (format) {
@@ -110,7 +100,7 @@ Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
   MeshFile file;
   // In pieces, so that a refused file need not be hashed to its end.
   const auto hash = [&](std::stop_token stop) {
-    const Stopwatch watch;
+    Stopwatch watch;
     Sha256 sha;
     std::span<const unsigned char> rest(buffer.data(), buffer.size());
     while (!rest.empty() && !stop.stop_requested()) {
@@ -119,9 +109,9 @@ Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
       rest = rest.subspan(size);
     }
     file.sha256 = to_hex(sha.finish());
-    file.seconds_hash = watch.seconds();
+    file.seconds_hash = watch.lap();
   };
-  const Stopwatch watch;
+  Stopwatch watch;
   std::jthread hashing;
   try {
     if (options.jobs > 1 && buffer.size() > (1 << 16)) hashing = std::jthread(hash);
@@ -130,7 +120,7 @@ Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
   }
   Result<ParsedMesh> parsed = parse_and_merge(source_of(buffer, name), options);
   if (!parsed) return parsed.error();
-  file.seconds_parse = watch.seconds();
+  file.seconds_parse = watch.lap();
   hashing.joinable() ? hashing.join() : hash(std::stop_token());
   file.mesh = std::move(parsed->mesh);
   file.report = std::move(parsed->report);
@@ -151,12 +141,12 @@ Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& opti
   if (path == "-" && !options.format) {
     return error_in_file(path, Code::kBadArgument, "standard input needs a format (--format)");
   }
-  const Stopwatch watch;
+  Stopwatch watch;
   const std::uint64_t max_bytes = options.limits.max_bytes;
   const Result<ByteBuffer> buffer = path == "-" ? read_descriptor(STDIN_FILENO, path, 0, max_bytes)
                                                 : read_file_bytes(path, max_bytes);
   if (!buffer) return buffer.error();
-  const double seconds = watch.seconds();
+  const double seconds = watch.lap();
   Result<MeshFile> file = read_buffer(*buffer, path, options);
   if (file) file->seconds_read = seconds;
   return file;

@@ -15,7 +15,7 @@ class Examples(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.executable, ROOT / "tools" / "make_examples.py", folder], check=True)
             made = sorted(pathlib.Path(folder).iterdir())
-            self.assertEqual([path.name for path in made], ["part_with_hole.stl", "self_crossing.off", "sound_part.stl"])
+            self.assertEqual([path.name for path in made], ["part_with_hole.stl", "quarter_pipe.itd", "self_crossing.off", "sound_part.stl"])
             for path in made:
                 committed = (ROOT / "examples" / path.name).read_bytes()
                 self.assertTrue(path.read_bytes() == committed, f"examples/{path.name} differs")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Writes the bundled examples: examples/{sound_part.stl,part_with_hole.stl,self_crossing.off}.
+"""Writes the bundled examples: examples/{sound_part.stl,part_with_hole.stl,self_crossing.off,quarter_pipe.itd}.
 
 usage: make_examples.py [FOLDER]      (default: examples/ of this tree)
 
@@ -9,6 +9,7 @@ sound_part.stl      an angle bracket: two plates, a fillet of six facets in the 
 part_with_hole.stl  the same without the two facets of its front end: four boundary edges.
 self_crossing.off   a wall and a hexagonal tube through it, one surface pushed through the other: every edge has two facets, and
                     yet it bounds no solid, because the tube crosses the wall.
+quarter_pipe.itd    a quarter of a pipe of radii 2 and 4 and height 1, round exactly: six rational surfaces, volume 3 pi.
 
 All coordinates are multiples of 1/64 below 64, so decimals, binary32 and binary64 hold them exactly.
 """
@@ -118,6 +119,27 @@ def tube_through_wall():
     return vertices, polygons
 
 
+def quarter_pipe():
+    """Six nets of homogeneous points (w, w x, w y, w z), u fastest; dS/du x dS/dv points out."""
+    inner, outer, low, high = 2, 4, 0, 1
+    arc_of_circle = [(1, 0, 1), (1, 1, 1), (0, 2, 2)]  # w x, w y, w from (1, 0) to (0, 1)
+
+    def at(i, radius, z):
+        x, y, w = arc_of_circle[i]
+        return (w, radius * x, radius * y, w * z)
+
+    ends, arc_points = (0, 1), (0, 1, 2)
+    radii, heights = (inner, outer), (low, high)
+    return [
+        [[at(u, outer, heights[v]) for u in arc_points] for v in ends],
+        [[at(v, inner, heights[u]) for u in ends] for v in arc_points],
+        [[at(v, radii[u], high) for u in ends] for v in arc_points],
+        [[at(u, radii[v], low) for u in arc_points] for v in ends],
+        [[at(0, radii[u], heights[v]) for u in ends] for v in ends],
+        [[at(2, radii[v], heights[u]) for u in ends] for v in ends],
+    ]
+
+
 def number(value):
     return format(value, "g") if value == int(value) else repr(float(value))
 
@@ -138,6 +160,15 @@ def off(vertices, polygons):
     return "\n".join(lines + [""])
 
 
+def itd(name, nets):
+    lines = [f"[OBJECT {name}"]
+    for net in nets:
+        lines.append(f" [SURFACE BEZIER {len(net[0])} {len(net)} P3")
+        lines += ["  " + " ".join("[" + " ".join(number(c) for c in point) + "]" for point in row) for row in net]
+        lines[-1] += "]"
+    return "\n".join(lines + ["]", ""])
+
+
 def main(arguments):
     if len(arguments) > 1 or arguments[:1] in (["-h"], ["--help"]):
         print(__doc__)
@@ -151,6 +182,7 @@ def main(arguments):
         "sound_part.stl": ascii_stl("sound_part", part),
         "part_with_hole.stl": ascii_stl("part_with_hole", opened),
         "self_crossing.off": off(*tube_through_wall()),
+        "quarter_pipe.itd": itd("QUARTER_PIPE", quarter_pipe()),
     }
     for name, text in files.items():
         (folder / name).write_bytes(text.encode("ascii"))

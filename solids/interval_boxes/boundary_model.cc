@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "robust/base/check.h"
+#include "solids/star_box/piece_descent.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope {
@@ -126,43 +127,76 @@ Box3d BoundaryModel::from_forest(const Box3d& box) const {
 
 namespace {
 
-// The pieces whose closed hulls meet the ray, none of which holds its origin.
-struct RayDescent {
-  PieceForest& forest;
-  Box3d ray;
-  Box3d origin;
-  std::vector<PieceForest::Id> met = {};
-  std::size_t visits = 0;
-
-  bool visit(PieceForest::Id id) {
-    if (!meets(forest.node(id).hull, ray)) return true;
-    if (++visits > 100'000) return false;
-    if (!meets(forest.node(id).hull, origin)) return met.push_back(id), true;
-    if (forest.node(id).level == PieceForest::kMaxLevel) return false;
-    const PieceForest::Id first = forest.children(id);
-    for (PieceForest::Id k = 0; k < 4; ++k)
-      if (!visit(first + k)) return false;
-    return true;
+// By the net of the piece itself.
+std::array<int, 3> own_normal_signs(PieceForest& forest, PieceForest::Id piece) {
+  const PieceForest::Node node = forest.node(piece);
+  const PieceForest::Form& form = forest.form(node.patch);
+  const std::uint32_t sides = form.shape.is_triangle ? 3 : 4;
+  const auto is_collapsed = [&](std::uint32_t s) {
+    return (form.collapsed >> s & 1) != 0 && forest.side_of_patch(node, s);
+  };
+  for (std::uint32_t s = 0; s < sides; ++s)
+    if (is_collapsed(s) && is_collapsed((s + 1) % sides)) return {};
+  const double* const g = forest.approx_determinants(piece);
+  const std::size_t n = form.determinant.count();
+  std::array<int, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double error = forest.determinant_error(piece, k + 1);
+    bool positive = true, negative = true;
+    forest.for_each_kept(node, [&](std::size_t i) {
+      positive = positive && g[(k + 1) * n + i] < -error;  // G_k+1 = -w^3 n_k
+      negative = negative && g[(k + 1) * n + i] > error;
+    });
+    out[k] = positive == negative ? 0 : positive ? 1 : -1;
   }
-};
+  return out;
+}
 
 }  // namespace
+
+std::array<int, 3> BoundaryModel::normal_signs(PieceForest::Id piece) {
+  if (normal_signs_.size() <= piece) normal_signs_.resize(forest_->num_nodes());
+  if (!normal_signs_[piece].is_known) {
+    const PieceForest::Id parent = forest_->node(piece).parent;
+    std::array<int, 3> signs{};
+    if (parent != PieceForest::kNone) signs = normal_signs(parent);
+    if (signs[0] == 0 || signs[1] == 0 || signs[2] == 0) {
+      const auto own = own_normal_signs(*forest_, piece);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (signs[k] == 0) signs[k] = own[k];
+    }
+    normal_signs_[piece].is_known = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      normal_signs_[piece].sign[k] = static_cast<std::int8_t>(signs[k]);
+  }
+  return known_normal_signs(piece);
+}
+
+std::array<int, 3> BoundaryModel::known_normal_signs(PieceForest::Id piece) const {
+  for (; piece != PieceForest::kNone; piece = forest_->node(piece).parent)
+    if (piece < normal_signs_.size() && normal_signs_[piece].is_known) {
+      const auto& s = normal_signs_[piece].sign;
+      return {s[0], s[1], s[2]};
+    }
+  return {};
+}
 
 std::optional<int> winding_number(PieceForest& forest, const Point3d& at) {
   // Two directions for the curves that end on a half-line of the count; either is right.
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     Box3d ray{at, at};
     ray.hi[axis] = std::numeric_limits<double>::infinity();
-    RayDescent descent{forest, ray, {at, at}};
-    bool is_done = true;
-    forest.roots().visit(
-        [&](const Box3d& b) { return is_done && meets(b, ray); },
-        [&](std::uint32_t n) { is_done = is_done && descent.visit(forest.root(n)); });
-    if (!is_done) continue;
+    std::vector<PieceForest::Id> met;  // none of which holds the ray's origin
+    if (!descend_to(forest, ray, 100'000, [&](PieceForest::Id id) {
+          if (meets(forest.node(id).hull, {at, at})) return PieceStep::kSplit;
+          met.push_back(id);
+          return PieceStep::kTaken;
+        }))
+      continue;
     StarBox line{ray, at, at};
     line.outside[axis] += 1;
     if (line.outside[axis] == line.inside[axis]) continue;
-    if (const auto w = crossing_number(forest, descent.met, line)) return w;
+    if (const auto w = crossing_number(forest, met, line)) return w;
   }
   return std::nullopt;
 }

@@ -2,6 +2,8 @@
 // solids/interval_boxes/boundary_model.h: the surface V of the paper's conditions, as a closed complex of patches with its trees of pieces; or a
 // closed plane curve, as the wall over it. Source: [SSP01] 2. Design: docs/design/0019-paper-conditions.md.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,6 +37,12 @@ class BoundaryModel {
   const PatchComplex& complex() const { return *complex_; }
   PieceForest& forest() { return *forest_; }
 
+  /// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict sign. At a pole: of the normal
+  /// divided by the distance to it. Kept; what is proved of a piece holds of its parts, and their nets are asked for the other coordinates only.
+  std::array<int, 3> normal_signs(PieceForest::Id piece);
+  /// What was found so far, without a net: of the least piece around this one that was asked for.
+  std::array<int, 3> known_normal_signs(PieceForest::Id piece) const;
+
   /// The same box in the forest's coordinates; of a planar model its third side is replaced. Nothing if a coordinate is not finite or would lose bits.
   std::optional<Box3d> to_forest(const Box3d& box) const;
   /// Exact: back to the model's units.
@@ -46,6 +54,11 @@ class BoundaryModel {
   std::unique_ptr<PieceForest> forest_;
   int dimension_ = 3;
   double window_ = 0;  // half the height of a planar model's boxes
+  struct NormalSigns {
+    bool is_known = false;
+    std::array<std::int8_t, 3> sign{};
+  };
+  std::vector<NormalSigns> normal_signs_;  // by piece
 };
 
 /// The winding number of V around a point off V, in the forest's coordinates; nothing if it is not decided within the budget. THEORY 6: no direction

@@ -18,6 +18,13 @@ inline Box3d common_part(const Box3d& a, const Box3d& b) {
   }
   return out;
 }
+/// [SSP01] 2: the longest edge, here of the first `dimension` ones.
+inline double size_of(const Box3d& b, int dimension) {
+  double e = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    e = std::max(e, b.hi[k] - b.lo[k]);
+  return e;
+}
 /// Positive length along the first `dimension` axes.
 inline bool is_solid(const Box3d& b, int dimension) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <queue>
 
+#include "solids/interval_boxes/box_sets_internal.h"
+#include "solids/star_box/piece_descent.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope {
@@ -18,12 +22,40 @@ bool is_in(const Box3d& a, const Box3d& b, int dimension) {
   return true;
 }
 
-// Looks for a reason not to say that V misses the box: a hull inside of it, one at the deepest level, or the end of the budget. Depth first: where V
-// comes into a box without an interior, the deepest level is reached at once.
+// Looks for a reason not to say that V misses the box: a hull inside of it, a piece that crosses it (a rectangle), one at the deepest level, or the end of the budget.
+// Depth first: where V comes into an edge or a corner, the deepest level is reached at once.
 struct Doubt {
   PieceForest& forest;
   const Box3d& box;
   std::size_t left;
+  std::optional<std::size_t> normal;  // the axis that a rectangle stands on
+
+  Doubt(PieceForest& all, const Box3d& b, std::size_t visits) : forest(all), box(b), left(visits) {
+    std::size_t flat = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (box.lo[k] == box.hi[k]) ++flat, normal = k;
+    if (flat != 1) normal.reset();
+  }
+
+  // All of the piece is over the rectangle, and it has corners on both sides (about: a doubt is no proof).
+  bool crosses(PieceForest::Id id, const Box3d& hull) const {
+    const std::size_t k = *normal;
+    Box3d over = hull;
+    over.lo[k] = over.hi[k] = box.lo[k];
+    if (!is_inside(over, box)) return false;
+    const PieceForest::Form& form = forest.form(forest.node(id).patch);
+    const Patch& shape = forest.complex().patch(forest.node(id).patch);
+    const std::size_t count = form.shape.count();
+    const double* const net = forest.control(id);
+    bool is_below = false, is_above = false;
+    for (std::uint32_t s = 0; s < shape.num_sides(); ++s) {
+      const std::size_t corner = shape.side_index(s, 0);
+      const double w = form.is_rational ? net[3 * count + corner] : 1;
+      const double height = net[k * count + corner] - w * (box.lo[k] - form.origin[k]);
+      (height < 0 ? is_below : is_above) = true;
+    }
+    return is_below && is_above;
+  }
 
   bool visit(PieceForest::Id id) {
     const Box3d hull = forest.node(id).hull;
@@ -31,6 +63,7 @@ struct Doubt {
     if (left == 0 || is_in(hull, box, 3) || forest.node(id).level == PieceForest::kMaxLevel)
       return true;
     --left;
+    if (normal && crosses(id, hull)) return true;
     const PieceForest::Id first = forest.children(id);
     std::array<std::pair<double, PieceForest::Id>, 4> order;
     const Point3d middle = approx_centre(box);
@@ -46,15 +79,6 @@ struct Doubt {
     return false;
   }
 };
-
-Box3d intersection(const Box3d& a, const Box3d& b) {
-  Box3d out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    out.lo[k] = std::max(a.lo[k], b.lo[k]);
-    out.hi[k] = std::min(a.hi[k], b.hi[k]);
-  }
-  return out;
-}
 
 class Tracer {
  public:
@@ -128,62 +152,56 @@ class Tracer {
 
   // As one: missed, a disk, or nothing said.
   std::optional<BoxTrace> decide(const Box3d& box) {
+    // Condition T of THEORY 4: pieces that are no longer than half of the box (of a wall: in the plane).
     Ids tested;
-    std::size_t visits = 16 * options_.max_pieces;
-    bool fits = true;
-    const double longest = 0.5 * size_of(box);
-    forest_.roots().visit([&](const Box3d& b) { return fits && meets(b, box); },
-                          [&](std::uint32_t n) {
-                            fits = fits && collect(forest_.root(n), box, longest, &visits, &tested);
-                          });
-    if (!fits) return std::nullopt;
+    const double longest = 0.5 * size_of(box, model_.dimension());
+    if (!descend_to(forest_, box, 16 * options_.max_pieces, [&](PieceForest::Id id) {
+          if (size_of(forest_.node(id).hull, model_.dimension()) > longest) return PieceStep::kSplit;
+          tested.push_back(id);
+          return tested.size() <= options_.max_pieces ? PieceStep::kTaken : PieceStep::kStop;
+        }))
+      return std::nullopt;
     if (tested.empty()) return missed();
     if (const auto answer = by_monotone_axes(box, tested)) return answer;
     return by_star(box, tested);
   }
-  double size_of(const Box3d& box) const {
-    double e = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension()); ++k)
-      e = std::max(e, box.hi[k] - box.lo[k]);
-    return e;
-  }
-  // Condition T of THEORY 4: the pieces whose closed hulls meet the box, none longer than `longest` (of a wall: in the plane).
-  bool collect(PieceForest::Id id, const Box3d& box, double longest, std::size_t* visits,
-               Ids* tested) {
-    const Box3d hull = forest_.node(id).hull;
-    if (!meets(hull, box)) return true;
-    if (*visits == 0) return false;
-    --*visits;
-    if (size_of(hull) <= longest) {
-      tested->push_back(id);
-      return tested->size() <= options_.max_pieces;
-    }
-    if (forest_.node(id).level == PieceForest::kMaxLevel) return false;
-    const PieceForest::Id first = forest_.children(id);
-    for (PieceForest::Id k = 0; k < 4; ++k)
-      if (!collect(first + k, box, longest, visits, tested)) return false;
-    return true;
-  }
 
+  // First with the signs that are at hand: on small pieces they are those of a larger one, and the determinants' nets are most of the cost.
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
-    std::array<int, 3> signs = normal_signs(forest_, tested.front());
+    const auto known = common_signs(
+        tested, [&](PieceForest::Id id) { return model_.known_normal_signs(id); });
+    if (const auto answer = by_monotone_axes(box, tested, known, {})) return answer;
+    const auto all =
+        common_signs(tested, [&](PieceForest::Id id) { return model_.normal_signs(id); });
+    return by_monotone_axes(box, tested, all, known);
+  }
+  template <typename Signs>
+  static std::array<int, 3> common_signs(const Ids& tested, Signs signs_of) {
+    std::array<int, 3> signs = signs_of(tested.front());
     for (const PieceForest::Id id : tested) {
-      const auto s = normal_signs(forest_, id);
+      const auto s = signs_of(id);
       for (std::size_t k = 0; k < 3; ++k)
         if (s[k] != signs[k]) signs[k] = 0;
     }
+    return signs;
+  }
+  // tried: sets of axes on which these are all not 0 have been tried.
+  std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested,
+                                           const std::array<int, 3>& signs,
+                                           const std::array<int, 3>& tried) {
     // More axes make L and H smaller.
     for (const unsigned axes : {7u, 3u, 5u, 6u, 1u, 2u, 4u}) {
       Box3d low = box, high = box;
-      bool fits = true;
+      bool fits = true, is_new = false;
       for (std::size_t k = 0; k < 3; ++k) {
         if ((axes >> k & 1) == 0) continue;
         fits = fits && signs[k] != 0;
+        is_new = is_new || tried[k] == 0;
         const double bottom = signs[k] > 0 ? box.lo[k] : box.hi[k];
         const double top = signs[k] > 0 ? box.hi[k] : box.lo[k];
         low.lo[k] = low.hi[k] = bottom, high.lo[k] = high.hi[k] = top;
       }
-      if (!fits || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
+      if (!fits || !is_new || !is_missed(forest_, low) || !is_missed(forest_, high)) continue;
       const auto crossings =
           crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
       if (!crossings) continue;
@@ -242,7 +260,7 @@ class Tracer {
     for (std::size_t i = 0; i < disks.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         if (!meets(disks[i], disks[j]) || find(i) == find(j)) continue;
-        if (!is_met(model_, intersection(disks[i], disks[j]))) continue;
+        if (!is_met(model_, common_part(disks[i], disks[j]))) continue;
         root[find(i)] = find(j);
         --components;
       }
@@ -264,54 +282,69 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 }
 
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
-  Doubt doubt{forest, box, max_visits};
+  Doubt doubt(forest, box, max_visits);
   bool found = false;
   forest.roots().visit([&](const Box3d& b) { return !found && meets(b, box); },
                        [&](std::uint32_t n) { found = found || doubt.visit(forest.root(n)); });
   return !found;
 }
 
-// Level by level: a piece in the box can be found long before the many are exhausted that a side of the box cuts.
-bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
-  PieceForest& forest = model.forest();
-  Ids level, next;
-  forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
-                       [&](std::uint32_t n) { level.push_back(forest.root(n)); });
-  for (; !level.empty(); level.swap(next), next.clear())
-    for (const PieceForest::Id id : level) {
-      const PieceForest::Node node = forest.node(id);
-      if (!meets(node.hull, box)) continue;
-      if (is_in(node.hull, box, model.dimension())) return true;
-      if (max_visits-- == 0) return false;
-      if (node.level == PieceForest::kMaxLevel) continue;
-      const PieceForest::Id first = forest.children(id);
-      for (PieceForest::Id k = 0; k < 4; ++k) next.push_back(first + k);
-    }
+namespace {
+
+// A piece that may hold one in the box: the nearer its hull to the middle of the box, in units of the box's sides, the sooner it is split; smaller ones first. What
+// touches a side, of which no part lies in the box, comes last.
+struct Candidate {
+  double distance, size;
+  PieceForest::Id id;
+  friend bool operator<(const Candidate& a, const Candidate& b) {
+    return a.distance != b.distance ? a.distance > b.distance : a.size > b.size;
+  }
+};
+
+// V lies in a side, or so near that its parts are no more likely to be in the box.
+bool is_flat_in_a_side(const Box3d& hull, const Box3d& box, int dimension) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    if ((hull.lo[k] < box.lo[k] || box.hi[k] < hull.hi[k]) &&
+        hull.hi[k] - hull.lo[k] <= 0x1p-30 * (box.hi[k] - box.lo[k]))
+      return true;
   return false;
 }
 
-std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece) {
-  const PieceForest::Node node = forest.node(piece);
-  const PieceForest::Form& form = forest.form(node.patch);
-  const std::uint32_t sides = form.shape.is_triangle ? 3 : 4;
-  const auto is_collapsed = [&](std::uint32_t s) {
-    return (form.collapsed >> s & 1) != 0 && forest.side_of_patch(node, s);
-  };
-  for (std::uint32_t s = 0; s < sides; ++s)
-    if (is_collapsed(s) && is_collapsed((s + 1) % sides)) return {};
-  const double* const g = forest.approx_determinants(piece);
-  const std::size_t n = form.determinant.count();
-  std::array<int, 3> out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double error = forest.determinant_error(piece, k + 1);
-    bool positive = true, negative = true;
-    forest.for_each_kept(node, [&](std::size_t i) {
-      positive = positive && g[(k + 1) * n + i] < -error;  // G_k+1 = -w^3 n_k
-      negative = negative && g[(k + 1) * n + i] > error;
-    });
-    out[k] = positive == negative ? 0 : positive ? 1 : -1;
+Candidate candidate(const Box3d& hull, const Box3d& box, int dimension, PieceForest::Id id) {
+  Candidate out{0, size_of(hull, dimension), id};
+  const Point3d middle = approx_centre(box);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+    const double gap = std::max(hull.lo[k] - middle[k], middle[k] - hull.hi[k]);
+    out.distance = std::max(out.distance, gap / (box.hi[k] - box.lo[k]));
   }
   return out;
+}
+
+}  // namespace
+
+bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
+  PieceForest& forest = model.forest();
+  const int dimension = model.dimension();
+  if (!is_solid(box, dimension)) return false;  // hulls have an interior
+  std::priority_queue<Candidate> queue;
+  bool found = false;
+  const auto look_at = [&](PieceForest::Id id) {
+    const Box3d& hull = forest.node(id).hull;
+    if (!meets(hull, box) || is_flat_in_a_side(hull, box, dimension)) return;
+    found = found || is_in(hull, box, dimension);
+    queue.push(candidate(hull, box, dimension, id));
+  };
+  forest.roots().visit([&](const Box3d& b) { return meets(b, box); },
+                       [&](std::uint32_t n) { look_at(forest.root(n)); });
+  while (!found && !queue.empty()) {
+    const PieceForest::Id id = queue.top().id;
+    queue.pop();
+    if (max_visits-- == 0) return false;
+    if (forest.node(id).level == PieceForest::kMaxLevel) continue;
+    const PieceForest::Id first = forest.children(id);
+    for (PieceForest::Id k = 0; k < 4; ++k) look_at(first + k);
+  }
+  return found;
 }
 
 }  // namespace veritope

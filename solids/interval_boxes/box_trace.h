@@ -48,10 +48,6 @@ BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions
 /// Whether V misses the closed box: by hulls, within a budget; false: not proved.
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits = 2000);
 /// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False: none was found.
-bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 2000);
-
-/// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict sign. At a pole: of the normal
-/// divided by the distance to it.
-std::array<int, 3> normal_signs(PieceForest& forest, PieceForest::Id piece);
+bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 500);
 
 }  // namespace veritope

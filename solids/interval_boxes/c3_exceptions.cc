@@ -13,14 +13,6 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-// Largest side among the first `dimension`.
-double size_of(const Box3d& b, int dimension) {
-  double e = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-    e = std::max(e, b.hi[k] - b.lo[k]);
-  return e;
-}
-
 class Explainer {
  public:
   Explainer(BoundaryModel& model, std::vector<Box3d> boxes, const ExceptionOptions& options)
@@ -165,8 +157,11 @@ class Explainer {
     if (before != after || !trace_of(box).is_disk()) return false;
     const bool shrank = !meets(box, boxes_[j]);
     if (!shrank && !has_c3(box, boxes_[j])) return false;
-    for (const std::uint32_t k : before)
-      if (k != i && has_c3(boxes_[i], boxes_[k]) && !has_c3(box, boxes_[k])) return false;
+    for (const std::uint32_t k : before) {
+      if (k == i || !is_solid(common_part(boxes_[i], boxes_[k]), model_.dimension())) continue;
+      if (!is_solid(common_part(box, boxes_[k]), model_.dimension())) return false;
+      if (has_c3(boxes_[i], boxes_[k]) && !has_c3(box, boxes_[k])) return false;
+    }
     if (!shrank) return true;
     std::vector<Box3d> all = boxes_;
     all[i] = box;

@@ -16,8 +16,8 @@ enum class C3Exception {
   kSelfDistance =
       1,  ///< in the surroundings of both (half the smaller one's size around them), V is not (proved to be) connected: two parts of it come near each other
   kVaryingSize =
-      2,  ///< one part of V; boxes as small as the smaller one around the same middles would not meet (figure 5a)
-  kSmallFeature = 3,  ///< one part of V, and they would (figure 5b)
+      2,  ///< one part of V (or not decided); boxes as small as the smaller one around the same middles would not meet (figure 5a)
+  kSmallFeature = 3,  ///< one part of V (or not decided), and they would (figure 5b)
   kContact = 4,       ///< they meet in a face, an edge or a point only
 };
 /// "self-distance", "varying size", "small feature", "contact".
@@ -31,7 +31,7 @@ struct C3Failure {
   /// Empty: none was found. It mends C3 as the paper reads it; it makes no certificate.
   std::vector<std::uint32_t> sub_collection;
   /// kContact: box i with its sides moved by `step`, a power of two, so that C3 holds at (i, j), or they are apart, C2 holds of box i, it meets the same
-  /// other boxes, C3 holds wherever it held, and, if it shrank, C1 still holds.
+  /// other boxes, A and C3 hold wherever they held, and, if it shrank, C1 still holds.
   struct Resized {
     Box3d box;
     double step;  ///< negative: it shrank

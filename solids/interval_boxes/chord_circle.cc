@@ -11,6 +11,7 @@
 #include "interval/box.h"
 #include "interval/surface_enclosure.h"
 #include "interval/upward.h"
+#include "splines/knot_insertion.h"
 
 namespace veritope {
 namespace {
@@ -209,56 +210,69 @@ Error unbounded() {
           "the curvature is not bounded within the budget: a point without a tangent or normal?"};
 }
 
+// Knots inside the domain, or at the seam, at which the first derivative may jump.
 template <std::size_t N>
-std::vector<Interval> sides_of(const Box<N>& box) {
-  return {box.begin(), box.end()};
+bool may_have_corners(const BSpline<Rational, N>& map) {
+  for (const auto& axis : map.axes())
+    for (const Rational& u : axis.knots) {
+      const bool is_joined = (axis.domain_begin() < u && u < axis.domain_end()) ||
+                             (axis.is_periodic && u == axis.domain_begin());
+      if (is_joined && multiplicity(axis, u) >= axis.degree) return true;
+    }
+  return false;
 }
 
-Result<RadiusEnclosure> finished(const RadiusEnclosure& curvature) {
-  if (!std::isfinite(curvature.radius.hi())) return unbounded();
-  return radius_of(curvature);
+// curvature(enclosure, box): contains the absolute curvatures over a box of parameters.
+template <std::size_t N, typename Curvature>
+Result<RadiusEnclosure> least_radius(const BSpline<Rational, N>& map, const RadiusOptions& options,
+                                     Curvature curvature) {
+  if (may_have_corners(map))
+    return Error{Code::kBadArgument,
+                 {},
+                 "there may be a corner at a knot of multiplicity degree or more: cut the map there"};
+  const auto prepared = SplineEnclosure<N>::prepare(map, 3);
+  if (!prepared) return prepared.error();
+  if (prepared->dimension() != static_cast<int>(N) + 1)
+    return Error{
+        Code::kBadArgument,
+        {},
+        N == 1 ? "a curve that is not in the plane" : "a surface that is not in space"};
+  const ScopedUpward upward;
+  const auto over = [&](const std::vector<Interval>& v, auto part) {
+    Box<N> at;
+    for (std::size_t k = 0; k < N; ++k) at[k] = part(v[k]);
+    return curvature(*prepared, at);
+  };
+  Maximiser search;
+  search.range = [&](const std::vector<Interval>& v) {
+    return over(v, [](const Interval& side) { return side; });
+  };
+  search.at = [&](const std::vector<Interval>& v) {
+    return over(v, [](const Interval& side) { return Interval(mid(side)); }).lo();
+  };
+  const Box<N> domain = prepared->domain();
+  const RadiusEnclosure greatest = search.run({domain.begin(), domain.end()}, options);
+  if (!std::isfinite(greatest.radius.hi())) return unbounded();
+  return radius_of(greatest);
 }
-
-Interval thin(const Interval& a) { return Interval(mid(a)); }
 
 }  // namespace
 
 Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 1>& curve,
                                                const RadiusOptions& options) {
-  auto prepared = SplineEnclosure<1>::prepare(curve, 3);
-  if (!prepared) return prepared.error();
-  if (prepared->dimension() != 2)
-    return Error{Code::kBadArgument, {}, "a curve that is not in the plane"};
-  const ScopedUpward upward;
-  const auto curvature = [&](const Interval& t) {
-    const auto d = prepared->derivative({1}, Box<1>(t)).value();
-    const auto dd = prepared->derivative({2}, Box<1>(t)).value();
+  return least_radius(curve, options, [](const SplineEnclosure<1>& at, const Box<1>& t) {
+    const auto d = at.derivative({1}, t).value(), dd = at.derivative({2}, t).value();
     const Interval speed = sqr(d[0]) + sqr(d[1]);
     return abs(d[0] * dd[1] - d[1] * dd[0]) / (speed * sqrt(speed));
-  };
-  Maximiser search;
-  search.range = [&](const std::vector<Interval>& v) { return curvature(v[0]); };
-  search.at = [&](const std::vector<Interval>& v) { return curvature(thin(v[0])).lo(); };
-  return finished(search.run(sides_of(prepared->domain()), options));
+  });
 }
 
 Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 2>& surface,
                                                const RadiusOptions& options) {
-  auto prepared = SplineEnclosure<2>::prepare(surface, 3);
-  if (!prepared) return prepared.error();
-  if (prepared->dimension() != 3)
-    return Error{Code::kBadArgument, {}, "a surface that is not in space"};
-  const ScopedUpward upward;
-  const auto curvature = [&](const Interval& u, const Interval& v) {
-    const auto k = enclose_curvatures(*prepared, Box2(u, v)).value();
+  return least_radius(surface, options, [](const SplineEnclosure<2>& at, const Box2& uv) {
+    const auto k = enclose_curvatures(at, uv).value();
     return max(abs(k.principal_min), abs(k.principal_max));
-  };
-  Maximiser search;
-  search.range = [&](const std::vector<Interval>& v) { return curvature(v[0], v[1]); };
-  search.at = [&](const std::vector<Interval>& v) {
-    return curvature(thin(v[0]), thin(v[1])).lo();
-  };
-  return finished(search.run(sides_of(prepared->domain()), options));
+  });
 }
 
 std::optional<bool> satisfies_eq4(const RadiusEnclosure& r_max, const RadiusEnclosure& r_kappa) {

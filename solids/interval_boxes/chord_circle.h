@@ -20,7 +20,9 @@ struct BoxPair {
 
 /// psi(c2, e1, e2) of eq. 2 for every choice in the intervals: the radius of the circle through c1 = 0 and c2 that passes through the point p in which
 /// the right edge of b1 meets the line l: y = c2y - (e1y + e2y), p being the one of its two points of l with the larger x; or, if there is no such
-/// p, that is tangent to l between c1 and c2. A curve from c1 to c2 inside that circle is above l outside of b1.
+/// p, that is tangent to l between c1 and c2. A curve from c1 to c2 in the lens of the two arcs of that radius over the chord (curvatures up
+/// to 1 / r keep it there) is above l, or to the left of p. Where there is a p it may leave b1 through its lower side, which [SSP01] overlooks: for c2 = (0.95, 0.05),
+/// e1 = (0.95, 0.03), e2y = 0.03, by over ten times e1y. In samples R_max was great enough for all pairs (a test); we found no proof.
 /// With h = e1y + e2y - c2y: p exists iff h <= e1y and the circle's centre is not to the right of p; then r = |c2| |p| |c2 - p| / (2 (c2x h + c2y e1x));
 /// else r = (|c2|^2 + 4 h (h + c2y)) / (2 (2 h + c2y + 2 sqrt(h (h + c2y)) c2x / |c2|)), which is also right for c2y = 0, and bounded at c2 = 0.
 /// REQUIRES a live ScopedUpward; c2x, c2y >= 0 and half-widths > 0. Choices with h < 0 (boxes apart) are left out; empty if there are no others.
@@ -55,7 +57,8 @@ Result<RadiusEnclosure> greatest_chord_radius(const std::array<Interval, 3>& hal
                                               std::size_t up, const RadiusOptions& options = {});
 
 /// R_kappa: a lower and an upper bound of the least radius of curvature; hi is infinite for what is straight. Of a curve in the plane, or of a surface
-/// in space (1 / the greatest principal curvature). @error kBadArgument for another dimension, or where curvatures stay unbounded
+/// in space (1 / the greatest principal curvature). @error kBadArgument for another dimension, where curvatures stay unbounded, and for a knot of multiplicity
+/// degree or more inside the domain: there may be a corner, which no curvature shows
 Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 1>& curve,
                                                const RadiusOptions& options = {});
 Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 2>& surface,

@@ -10,6 +10,10 @@
 namespace veritope {
 namespace {
 
+Error over(std::uint64_t max_cells) {
+  return {Code::kOverLimit, {}, "over " + std::to_string(max_cells) + " cells"};
+}
+
 // The cells of one level that a piece's closed hull may meet and whose closed box it does not miss within the budget: a cover of V.
 class CellCover {
  public:
@@ -31,8 +35,7 @@ class CellCover {
     if (!fits_) return Error{Code::kOverLimit, {}, "the octree has too few levels for this size"};
     std::vector<OctreeCell> cells;
     for (std::uint32_t r = 0; r < forest_.num_roots(); ++r)
-      if (!visit(forest_.root(r), max_cells, &cells))
-        return Error{Code::kOverLimit, {}, "over " + std::to_string(max_cells) + " cells"};
+      if (const Status done = visit(forest_.root(r), max_cells, &cells); !done) return done.error();
     const auto key = [](const OctreeCell& c) { return std::array{c.i, c.j, c.k}; };
     std::sort(cells.begin(), cells.end(), [&](auto& a, auto& b) { return key(a) < key(b); });
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
@@ -41,14 +44,15 @@ class CellCover {
 
  private:
   // Hulls a quarter of a cell wide: all cells that they meet.
-  bool visit(PieceForest::Id id, std::uint64_t max_cells, std::vector<OctreeCell>* cells) {
+  Status visit(PieceForest::Id id, std::uint64_t max_cells, std::vector<OctreeCell>* cells) {
     const PieceForest::Node node = forest_.node(id);
     if (extent(node.hull) > 0.25 * cell_) {
-      if (node.level == PieceForest::kMaxLevel) return false;
+      if (node.level == PieceForest::kMaxLevel)
+        return Error{Code::kOverLimit, {}, "pieces below level " + std::to_string(node.level)};
       const PieceForest::Id first = forest_.children(id);
       for (PieceForest::Id k = 0; k < 4; ++k)
-        if (!visit(first + k, max_cells, cells)) return false;
-      return true;
+        if (const Status done = visit(first + k, max_cells, cells); !done) return done;
+      return ok_status();
     }
     std::array<std::uint32_t, 3> from, to;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -63,7 +67,8 @@ class CellCover {
           if (!cells->empty() && cells->back() == cell) continue;
           cells->push_back(cell);
         }
-    return cells->size() <= 64 * max_cells;
+    if (cells->size() > 64 * max_cells) return over(max_cells);
+    return ok_status();
   }
 
   PieceForest& forest_;
@@ -74,10 +79,12 @@ class CellCover {
 };
 
 Status decide_collar(BoundaryModel& model, double eps, std::uint64_t max_cells, SweepRow* row) {
-  auto keys = CellCover(model.forest(), std::ldexp(eps, model.forest().scale())).run(max_cells);
+  const double size = std::ldexp(eps, model.forest().scale());
+  if (!std::isfinite(8 * size))  // a few cells beside the model
+    return Error{Code::kBadArgument, {}, "eps is too large for the model"};
+  auto keys = CellCover(model.forest(), size).run(max_cells);
   if (!keys) return keys.error();
-  if (keys->size() > max_cells)
-    return Error{Code::kOverLimit, {}, "over " + std::to_string(max_cells) + " cells"};
+  if (keys->size() > max_cells) return over(max_cells);
   row->cells = keys->size();
   const auto complex = CommonSubdivision::build(std::move(*keys));
   if (!complex) return complex.error();

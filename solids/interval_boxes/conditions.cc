@@ -95,11 +95,14 @@ class Decider {
     // C2 and C3 are the parts of C3* with one and with two boxes.
     at(PaperCondition::kC2) = each_box();
     at(PaperCondition::kC3) = each_pair();
-    for (const PaperCondition part : {PaperCondition::kC3, PaperCondition::kC2})
-      if (options_.stops_at_refutation && out[part].answer == Answer::kFalse)
-        at(PaperCondition::kC3Star) = out[part];
-    if (out[PaperCondition::kC3Star].answer != Answer::kFalse)
+    const PaperCondition part = out[PaperCondition::kC2].answer == Answer::kFalse
+                                    ? PaperCondition::kC2
+                                    : PaperCondition::kC3;
+    const bool is_refuted = out[part].answer == Answer::kFalse;
+    if (!is_refuted || !options_.stops_at_refutation)
       at(PaperCondition::kC3Star) = each_intersection();
+    if (is_refuted && out[PaperCondition::kC3Star].answer != Answer::kFalse)  // none, or the cap
+      at(PaperCondition::kC3Star) = out[part];
     return out;
   }
 

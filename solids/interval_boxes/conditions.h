@@ -68,7 +68,8 @@ struct PaperConditions {
 struct ConditionOptions {
   TraceOptions trace;
   std::size_t max_pieces = 1'000'000;         ///< of V, for C1 and B1
-  std::size_t max_intersections = 1'000'000;  ///< distinct boxes for C3*; over it: undecided
+  std::size_t max_intersections =
+      1'000'000;  ///< distinct boxes for C3*; over it: undecided, unless C2 or C3 refutes it
   std::size_t max_listed = 100;               ///< offences of each condition
   /// Of all traces together, in cells; once they are spent, further boxes are undecided. Nothing else stops a set of many hard boxes soon.
   std::uint64_t max_cells = std::numeric_limits<std::uint64_t>::max();

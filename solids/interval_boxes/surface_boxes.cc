@@ -83,14 +83,9 @@ class CoverMaker {
   }
   bool is_small(const PieceForest::Node& node) const {
     if (model_.is_planar() && node.level < 2) return false;
-    return size_of(node.hull) + 2 * margin_ <= eps_;
+    return size_of(grown(node.hull)) <= eps_;
   }
-  double size_of(const Box3d& b) const {
-    double e = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension()); ++k)
-      e = std::max(e, b.hi[k] - b.lo[k]);
-    return e;
-  }
+  double size_of(const Box3d& b) const { return veritope::size_of(b, model_.dimension()); }
 
   bool descend(Id id) {
     const PieceForest::Node node = forest_.node(id);
@@ -116,6 +111,9 @@ class CoverMaker {
   Box3d grown(const std::vector<Id>& pieces) const {
     Box3d b = forest_.node(pieces.front()).hull;
     for (const Id id : pieces) b = hull(b, forest_.node(id).hull);
+    return grown(b);
+  }
+  Box3d grown(Box3d b) const {
     for (std::size_t k = 0; k < 3; ++k) b.lo[k] -= margin_, b.hi[k] += margin_;
     return b;
   }
@@ -286,10 +284,11 @@ std::vector<Box3d> SurfaceCover::plain_boxes() const {
 Result<SurfaceCover> make_surface_cover(BoundaryModel& model, double eps,
                                         const SurfaceBoxOptions& options) {
   const double scaled = std::ldexp(eps, model.forest().scale());
-  if (!(eps > 0) || !std::isfinite(eps) || !(scaled > 0x1p-30))
-    return Error{Code::kBadArgument,
-                 {},
-                 "eps = " + std::to_string(eps) + " is not positive, or too small for the model"};
+  if (!(eps > 0) || !std::isfinite(scaled) || !(scaled > 0x1p-30))
+    return Error{
+        Code::kBadArgument,
+        {},
+        "eps = " + std::to_string(eps) + " is not positive, or too small or large for the model"};
   if (!(options.margin > 0 && options.margin < 0.5))
     return Error{Code::kBadArgument,
                  {},

@@ -2,11 +2,11 @@
 #include "solids/polyhedron/validity.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
+#include "robust/base/stopwatch.h"
 #include "solids/polyhedron/box_order.h"
 #include "solids/polyhedron/defects.h"
 #include "solids/polyhedron/duplicates.h"
@@ -16,20 +16,6 @@
 
 namespace veritope {
 namespace {
-
-// Seconds since construction or the last call.
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return s;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::vector<std::uint32_t> proper_facets(std::size_t num_faces, const std::vector<std::uint32_t>& degenerate) {
   std::vector<std::uint32_t> out;

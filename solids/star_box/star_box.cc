@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solids/star_box/star_box.h"
 
+#include "solids/star_box/piece_descent.h"
+
 namespace veritope {
 namespace {
 
@@ -11,39 +13,15 @@ bool has_star_signs(PieceForest& forest, PieceForest::Id id, const StarBox& star
 
 // is_small(id): whether a piece is taken as it is.
 template <typename IsSmall>
-struct Descent {
-  PieceForest& forest;
-  const Box3d& box;
-  IsSmall is_small;
-  std::size_t most;
-  std::vector<PieceForest::Id>* tested;
-  std::vector<PieceForest::Id>* held;
-  std::size_t visits = 0;
-
-  bool run() {
-    bool is_done = true;
-    forest.roots().visit(
-        [&](const Box3d& b) { return is_done && meets(b, box); },
-        [&](std::uint32_t number) { is_done = is_done && visit(forest.root(number)); });
-    return is_done;
-  }
-  bool visit(PieceForest::Id id) {
-    const Box3d hull = forest.node(id).hull;
-    if (!meets(hull, box)) return true;
-    // Hulls may be unbounded, where weights are not known to be positive, and all pieces of such a patch meet every box.
-    if (++visits > 16 * most) return false;
-    if (is_inside(hull, box)) held->push_back(id);
-    if (is_small(id)) {
-      tested->push_back(id);
-      return tested->size() <= most;
-    }
-    if (forest.node(id).level == PieceForest::kMaxLevel) return false;
-    const PieceForest::Id first = forest.children(id);
-    for (PieceForest::Id k = 0; k < 4; ++k)
-      if (!visit(first + k)) return false;
-    return true;
-  }
-};
+bool find(PieceForest& forest, const Box3d& box, IsSmall is_small, std::size_t most,
+          std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held) {
+  return descend_to(forest, box, 16 * most, [&](PieceForest::Id id) {
+    if (is_inside(forest.node(id).hull, box)) held->push_back(id);
+    if (!is_small(id)) return PieceStep::kSplit;
+    tested->push_back(id);
+    return tested->size() <= most ? PieceStep::kTaken : PieceStep::kStop;
+  });
+}
 
 }  // namespace
 
@@ -57,13 +35,13 @@ Box3d hull_of_roots(const PieceForest& forest) {
 bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::size_t most,
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held) {
   const auto is_small = [&](PieceForest::Id id) { return extent(forest.node(id).hull) <= longest; };
-  return Descent<decltype(is_small)>{forest, box, is_small, most, tested, held}.run();
+  return find(forest, box, is_small, most, tested, held);
 }
 
 bool find_star_pieces(PieceForest& forest, const StarBox& star, std::size_t most,
                       std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held) {
   const auto is_small = [&](PieceForest::Id id) { return has_star_signs(forest, id, star); };
-  return Descent<decltype(is_small)>{forest, star.box, is_small, most, tested, held}.run();
+  return find(forest, star.box, is_small, most, tested, held);
 }
 
 bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,

@@ -2,8 +2,7 @@
 // Collars of every sound example against what is known of it: homology by GUDHI, genus and nesting of the two solids by the mesh certifier's decision.
 #include <gtest/gtest.h>
 
-#include <chrono>
-
+#include "robust/base/stopwatch.h"
 #include "solids/polyhedron/validity.h"
 #include "tests/certify/collar_model.h"
 #include "tests/support/betti_numbers.h"
@@ -13,17 +12,6 @@ namespace veritope {
 namespace {
 
 using collar_model::Model;
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 #ifdef VT_HAVE_GUDHI
 octree_shapes::Cells cells_of(const CommonSubdivision& complex) {

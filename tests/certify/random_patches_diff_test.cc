@@ -24,13 +24,20 @@ void expect_checked(const CertifiedPatches& c) {
   EXPECT_EQ(answer.substr(0, 7), "ACCEPT ") << answer;
 }
 
+// check(model, its decision) for the models of seeds 1 to `count`.
+template <typename Make, typename Check>
+void for_each_model(std::uint64_t count, Make make, Check check) {
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    Random random(seed);
+    const Model model = make(random);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
+    ASSERT_NO_FATAL_FAILURE(check(model, decided(model)));
+  }
+}
+
 // PROVES STAR-1
 TEST(RandomPatchesDiff, EmbeddedOnesAreValidWithTheirNumbers) {
-  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-    Random random(seed);
-    const Model model = random_solids::embedded(random);
-    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
-    const CertifiedPatches c = decided(model);
+  for_each_model(25, random_solids::embedded, [](const Model& model, const CertifiedPatches& c) {
     ASSERT_TRUE(c.decision.is_valid) << (c.decision.open ? c.decision.open->message : "invalid");
     std::vector<std::int64_t> genus;
     for (const PatchShellFacts& s : c.decision.shells) genus.push_back(s.genus);
@@ -38,34 +45,26 @@ TEST(RandomPatchesDiff, EmbeddedOnesAreValidWithTheirNumbers) {
     EXPECT_EQ(genus, model.genus);
     EXPECT_EQ(c.decision.bodies, model.bodies);
     expect_checked(c);
-  }
+  });
 }
 
 TEST(RandomPatchesDiff, PlantedCrossingsAreFoundAndNeverValid) {
   std::size_t undecided = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    Random random(seed);
-    const Model model = random_solids::crossing(random);
-    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
-    const CertifiedPatches c = decided(model);
+  for_each_model(30, random_solids::crossing, [&](const Model&, const CertifiedPatches& c) {
     ASSERT_FALSE(c.decision.is_valid);
     if (c.decision.open)
       ++undecided;
     else
       expect_checked(c);
-  }
+  });
   EXPECT_EQ(undecided, 0u);
 }
 
 TEST(RandomPatchesDiff, PlantedContactsAreNeverValid) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Random random(seed);
-    const Model model = random_solids::touching(random);
-    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + model.description);
-    const CertifiedPatches c = decided(model);
+  for_each_model(20, random_solids::touching, [](const Model&, const CertifiedPatches& c) {
     ASSERT_FALSE(c.decision.is_valid);
     if (!c.decision.open) expect_checked(c);
-  }
+  });
 }
 
 // Where shells touch smoothly, or a vertex touches a face, gaps of every size surround the contact: a search that covers them first tries millions of boxes.

@@ -143,6 +143,10 @@ TEST(Conditions, BadBoxesAreRefusedAndTheCapIsSaid) {
   const auto all = decide_conditions(cube, many, options).value();
   EXPECT_EQ(all[PaperCondition::kC3Star].answer, Answer::kUndecided);
   EXPECT_EQ(all[PaperCondition::kC3Star].offences[0].why, BoxOffence::Why::kTooMany);
+  // With a box that the cube misses C3* is refuted, whatever the cap.
+  many.push_back({{5, 5, 5}, {6, 6, 6}});
+  const auto missed = decide_conditions(cube, many, options).value();
+  EXPECT_EQ(missed[PaperCondition::kC3Star].answer, Answer::kFalse);
 }
 
 // Against all subsets.

@@ -90,6 +90,24 @@ TEST(C3Exceptions, AContactIsEliminatedByADyadicStep) {
   EXPECT_EQ(after[PaperCondition::kC3].answer, Answer::kTrue);
 }
 
+// Box 1 touches box 0 off the curve: only a smaller box 0 mends that, and the first step would make box 2 touch it.
+TEST(C3Exceptions, AStepThatMakesAnotherContactIsNotTaken) {
+  const auto square = plane_shapes::polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+  Case c{BoundaryModel::make_planar({square}).value(),
+         {rectangle(-1.5, 0, 1.5, 2.5), rectangle(0, 1.5, 2.125, 2.5),
+          rectangle(-0.25, 1, 2.25, 2.625), rectangle(-0.75, 2.5, 1.75, 2.0625),
+          rectangle(-2.5, -1.25, -2.5, 2.5), rectangle(-2.5, 2.5, -2.5, -1.5),
+          rectangle(1.5, 2.5, -2.5, 2.0625)}};
+  ASSERT_EQ(c.conditions()[PaperCondition::kC1].answer, Answer::kTrue);
+  for (const C3Failure& f : c.failures()) {
+    if (f.exception != C3Exception::kContact || f.i != 0) continue;
+    ASSERT_TRUE(f.resized.has_value());
+    EXPECT_EQ(f.resized->step, -0.125);
+    return;
+  }
+  FAIL() << "boxes 0 and 1 touch";
+}
+
 TEST(SelfDistance, OfACubeIsItsSideAndBoundsTheBoxes) {
   BoundaryModel model =
       BoundaryModel::make(make_patch_complex(patch_shapes::box({0, 0, 0}, {1, 1, 1})).value())

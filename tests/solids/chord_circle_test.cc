@@ -28,6 +28,18 @@ Numbers random_numbers(Random& random) {
   n.cx = random.unit() * (n.e1x + n.e2x), n.cy = random.unit() * (n.e1y + n.e2y);
   return n;
 }
+Numbers random_numbers(Random& random, const HalfWidths& widths) {
+  const auto in = [&](const Interval& a) { return a.lo() + random.unit() * (a.hi() - a.lo()); };
+  Numbers n;
+  n.e1x = in(widths.range[0]), n.e2x = in(widths.range[0]);
+  n.e2y = in(widths.range[1]), n.e1y = std::min(n.e2y, in(widths.range[1]));
+  n.cx = random.unit() * (n.e1x + n.e2x), n.cy = random.unit() * (n.e1y + n.e2y);
+  return n;
+}
+
+// Some thirty operations, of which differences lose a few bits more.
+constexpr double kRelativeWidth = 0x1p-40;
+
 // A circle through 0 and c2, given by where its centre lies on the bisector: an oracle that does not know the formulas.
 struct Circle {
   double x, y, r;
@@ -47,20 +59,23 @@ TEST(Psi, TheCircleIsTangentToTheLineOrMeetsItInPAtItsRight) {
     const ScopedUpward upward;
     const Interval r = psi(pair_of(n));
     ASSERT_FALSE(r.is_empty()) << "seed " << seed;
-    ASSERT_LE(r.hi() - r.lo(), 1e-9 * r.hi()) << "seed " << seed;
+    ASSERT_LE(r.hi() - r.lo(), kRelativeWidth * r.hi()) << "seed " << seed;
     const double h = n.e1y + n.e2y - n.cy, length = std::hypot(n.cx, n.cy);
     // Two circles of this radius pass through both centres.
     const double s = std::sqrt(std::max(0.0, r.hi() * r.hi() - length * length / 4));
+    // r is known to kRelativeWidth r, so s, and with it the centre, to sqrt(2 kRelativeWidth) r where s is small; the radius as well.
+    const double slack = 2 * std::sqrt(2 * kRelativeWidth) * (1 + r.hi());
     bool is_right = false;
     for (const double side : {s, -s}) {
       const Circle c = circle_at(n, side);
-      if (std::abs(c.y - c.r + h) <= 1e-7 * (1 + c.r)) {
-        // The point of contact lies on the lower arc from c1 to c2.
+      // The point of contact lies on the lower arc from c1 to c2: to the right of the chord.
+      if (std::abs(c.y - c.r + h) <= slack &&
+          n.cx * (c.y - c.r) - n.cy * c.x <= slack * (n.cx + n.cy)) {
         is_right = true, ++tangent;
         break;
       }
-      if (h <= n.e1y && std::abs(std::hypot(n.e1x - c.x, -h - c.y) - c.r) <= 1e-7 * (1 + c.r) &&
-          c.x <= n.e1x + 1e-9) {
+      if (h <= n.e1y && std::abs(std::hypot(n.e1x - c.x, -h - c.y) - c.r) <= slack &&
+          c.x <= n.e1x + slack) {
         is_right = true, ++through;
         break;
       }
@@ -101,16 +116,46 @@ TEST(GreatestChordRadius, EnclosesWhatRandomPairsReach) {
   const ScopedUpward upward;
   for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
     Random random(seed);
-    const auto in = [&](const Interval& a) { return a.lo() + random.unit() * (a.hi() - a.lo()); };
-    Numbers n;
-    n.e1x = in(widths.range[0]), n.e2x = in(widths.range[0]);
-    n.e2y = in(widths.range[1]), n.e1y = std::min(n.e2y, in(widths.range[1]));
-    n.cx = random.unit() * (n.e1x + n.e2x), n.cy = random.unit() * (n.e1y + n.e2y);
+    const Numbers n = random_numbers(random, widths);
     const Interval at = psi(pair_of(n));
     ASSERT_LE(at.lo(), r.radius.hi()) << "seed " << seed;
     most = std::max(most, at.lo());
   }
   EXPECT_GE(most, 0.8 * r.radius.lo()) << to_string(r.radius);
+}
+
+// How far below l a point of the lens of radius r over the chord comes outside of b1: on its lower arc.
+double depth_outside(const Numbers& n, double r) {
+  const double length = std::hypot(n.cx, n.cy), h = n.e1y + n.e2y - n.cy;
+  const Circle c = circle_at(n, std::sqrt(std::max(0.0, r * r - length * length / 4)));
+  const double from = std::atan2(-c.y, -c.x);
+  double to = std::atan2(n.cy - c.y, n.cx - c.x), deepest = 0;
+  if (to < from) to += 2 * std::acos(-1);
+  for (int k = 1; k < 64; ++k) {
+    const double a = from + (to - from) * k / 64;
+    const double x = c.x + c.r * std::cos(a), y = c.y + c.r * std::sin(a);
+    if (std::abs(x) > n.e1x || std::abs(y) > n.e1y) deepest = std::max(deepest, -h - y);
+  }
+  return deepest;
+}
+
+// [SSP01] has a curve inside of psi's circle reach l in b1 only. Flat boxes: it leaves b1 below. R_max is great enough for them.
+TEST(GreatestChordRadius, KeepsLensesAboveTheLineWherePsiAloneDoesNot) {
+  const Numbers flat{0.95, 0.05, 0.95, 0.03, 0.95, 0.03};
+  {
+    const ScopedUpward upward;
+    EXPECT_GT(depth_outside(flat, psi(pair_of(flat)).hi()), 10 * flat.e1y);
+  }
+  for (const double aspect : {0.125, 1.0, 8.0}) {
+    const HalfWidths widths{
+        {Interval::from_bounds(0.75 * aspect, aspect), Interval::from_bounds(0.75, 1)}};
+    const auto r = greatest_chord_radius(widths, {0x1p-3, 20'000}).value();
+    for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
+      Random random(seed);
+      const Numbers n = random_numbers(random, widths);
+      ASSERT_LE(depth_outside(n, r.radius.lo()), kRelativeWidth) << "seed " << seed;
+    }
+  }
 }
 
 TEST(GreatestChordRadius, EqualBoxesAreDoneToTheWidthAskedFor) {
@@ -156,6 +201,18 @@ TEST(LeastCurvatureRadius, OfAParabolaAQuarterCircleAndAPlane) {
   EXPECT_GT(least_curvature_radius(plane).value().radius.lo(), 1e6);
   EXPECT_EQ(least_curvature_radius(bezier<1>({1}, 1, false, {0, 1})).error().code,
             Code::kBadArgument);
+}
+
+TEST(LeastCurvatureRadius, CornersAreRefused) {
+  std::array<KnotAxis<Rational>, 1> axis;
+  axis[0].degree = 1;
+  axis[0].knots = {0, 0, 1, 2, 2};
+  const auto corner = make_bspline<1>(axis, 2, false, {0, 1, 1, 0, 0, 1}).value();
+  const auto r = least_curvature_radius(corner);
+  ASSERT_FALSE(r.has_value()) << to_string(r->radius);
+  EXPECT_EQ(r.error().code, Code::kBadArgument);
+  axis[0].knots = {0, 0, 1, 1};
+  EXPECT_TRUE(least_curvature_radius(make_bspline<1>(axis, 2, false, {0, 1, 0, 1}).value()));
 }
 
 // Figure 8: in space, for a surface that is nearly level along z. z = x^2 + y^2 has the curvature 2 at the origin.

@@ -114,6 +114,18 @@ TEST(ConditionSweep, CoarseCellsFillTheModelAndAreNoCollar) {
   EXPECT_NE(rows[0].collar[1], Answer::kTrue);
 }
 
+// In the forest's coordinates these sizes, or planes two cells beside the model, are no numbers.
+TEST(ConditionSweep, SizesBeyondBinary64EndARow) {
+  BoundaryModel model = model_of(patch_shapes::placed(
+      patch_shapes::box({0, 0, 0}, {1, 1, 1}), Rational::power_of_two(-40), {0, 0, 0}));
+  for (const double eps : {0x1p1023, 0x1p982}) {
+    EXPECT_NE(sweep_conditions(model, eps, 0).value()[0].why_not.find("cells: eps is too large"),
+              std::string::npos)
+        << eps;
+  }
+  EXPECT_EQ(make_surface_cover(model, 0x1p1023).error().code, Code::kBadArgument);
+}
+
 TEST(ConditionSweep, BadArgumentsAreRefusedAndLimitsEndARow) {
   BoundaryModel model = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
   EXPECT_EQ(sweep_conditions(model, 0, 1).error().code, Code::kBadArgument);

@@ -103,8 +103,8 @@ TEST(ConditionSweep, FlatAndFarModelsKeepTheModelsAxes) {
   for (BoundaryModel* const model : {&flat, &far}) {
     const auto rows = sweep_conditions(*model, 0.5, 0).value();
     ASSERT_EQ(rows.size(), 1u);
-    EXPECT_EQ(rows[0].conditions[PaperCondition::kA].answer, Answer::kTrue);
-    EXPECT_EQ(rows[0].conditions[PaperCondition::kB1].answer, Answer::kTrue);
+    EXPECT_EQ(rows[0].conditions[static_cast<std::size_t>(PaperCondition::kA)].answer, Answer::kTrue);
+    EXPECT_EQ(rows[0].conditions[static_cast<std::size_t>(PaperCondition::kB1)].answer, Answer::kTrue);
   }
 }
 

@@ -599,7 +599,6 @@ class Run:
     """Counts of one worker; plain data, so that workers can send them back."""
 
     conditions, implied = CONDITIONS, IMPLIED
-    first_alone, step_alone = 20, 16                      # of each strategy and condition: which are tried without the condition
     attacks, honest_certificates = staticmethod(attacks), staticmethod(honest_certificates)
 
     def __init__(self, options):
@@ -631,7 +630,7 @@ class Run:
             self.fail("FALSE CLAIM ACCEPTED", case.bytes, cert, seed, name)
         self.table[name, found] += 1
         seen = self.table[name, found]
-        if found in self.conditions and (seen < self.first_alone or seen % self.step_alone == 0):
+        if found in self.conditions and (seen < 20 or seen % 16 == 0):
             self.try_alone(case, cert, found)
 
     def try_alone(self, case, cert, found):

@@ -55,7 +55,6 @@ def honest(rng):
 
 class Run(attacks.Run):
     conditions, implied = CONDITIONS, IMPLIED
-    first_alone, step_alone = 6, 64                       # they take as long as the attacks
 
     @staticmethod
     def attacks(rng):

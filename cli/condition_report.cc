@@ -7,6 +7,7 @@
 #include "cli/decimal_text.h"
 #include "cli/json_text.h"
 #include "cli/text_style.h"
+#include "solids/star_box/star_box.h"
 
 namespace veritope::cli {
 namespace {
@@ -43,9 +44,7 @@ Json row_json(const SweepRow& row) {
 }  // namespace
 
 double default_eps(BoundaryModel& model) {
-  Box3d all = model.forest().node(model.forest().root(0)).hull;
-  for (std::uint32_t r = 1; r < model.forest().num_roots(); ++r)
-    all = hull(all, model.forest().node(model.forest().root(r)).hull);
+  const Box3d all = hull_of_roots(model.forest());
   // Twice, because the exponent of an unbounded hull is the greatest int.
   return std::ldexp(std::ldexp(1, std::ilogb(extent(all))), -2 - model.forest().scale());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "solids/star_box/star_box.h"
 #include "topology/collar.h"
 
 namespace veritope {
@@ -18,9 +19,7 @@ Error over(std::uint64_t max_cells) {
 class CellCover {
  public:
   CellCover(PieceForest& forest, double size) : forest_(forest) {
-    Box3d all = forest.node(forest.root(0)).hull;
-    for (std::uint32_t r = 1; r < forest.num_roots(); ++r)
-      all = hull(all, forest.node(forest.root(r)).hull);
+    const Box3d all = hull_of_roots(forest);
     // The root holds V with two cells to spare, and its cells' planes are no round numbers: models like those.
     const double whole = extent(all);
     while (level_ < OctreeKey::kMaxLevel &&

@@ -9,6 +9,7 @@
 #include "robust/rational.h"
 #include "solids/collar/piece_octree.h"
 #include "solids/patch_shapes.h"
+#include "solids/star_box/star_box.h"
 #include "splines/de_casteljau.h"
 #include "verify/certify/patch_collar.h"
 
@@ -52,13 +53,6 @@ inline CommonSubdivision uniform_cells(PieceForest& forest, const OctreeRoot& ro
   PieceOctree octree(forest, root, std::size_t{1} << 29);
   for (unsigned l = 0; l < level; ++l) octree.split(std::vector<bool>(octree.cells().size(), true));
   return CommonSubdivision::build(OctreeKeySet::make(octree.keys()).value()).value();
-}
-
-inline Box3d hull_of_roots(const PieceForest& forest) {
-  Box3d out = forest.node(forest.root(0)).hull;
-  for (std::uint32_t r = 1; r < forest.num_roots(); ++r)
-    out = hull(out, forest.node(forest.root(r)).hull);
-  return out;
 }
 
 }  // namespace veritope::collar_model

@@ -226,7 +226,7 @@ TEST(CollarTraps, ThreeParallelShellsInOneCollarAreRefused) {
   PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
   const StarCover cover = find_star_cover(forest, {});
   ASSERT_TRUE(cover.is_complete());
-  const OctreeRoot root = root_around(collar_model::hull_of_roots(forest)).value();
+  const OctreeRoot root = root_around(hull_of_roots(forest)).value();
   const CommonSubdivision cells = uniform_cells(forest, root, 3);
   const Collar collar = find_collar(cells).value();
   ASSERT_EQ(collar.outcome, CollarOutcome::kCollar) << collar.message;
@@ -245,7 +245,7 @@ struct SmallInWall {
         forest(PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value()),
         cells(octree_shapes::build(wall)) {
     cover = find_star_cover(forest, {});
-    const Box3d all = collar_model::hull_of_roots(forest);
+    const Box3d all = hull_of_roots(forest);
     // The cell `place` of level 5 is 4 times as large as the model, which lies in its middle.
     const double cell = std::exp2(std::ceil(std::log2(extent(all))) + 2);
     root.unit = cell * 32 / OctreeKey::kGrid;
@@ -299,7 +299,7 @@ TEST(CollarTraps, AReversedShellIsRefusedByItsWindingNumbers) {
   const PatchComplex complex = complex_of(patch_shapes::inside_out(ball(1)));
   PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
   const StarCover cover = find_star_cover(forest, {});
-  const OctreeRoot root = root_around(collar_model::hull_of_roots(forest)).value();
+  const OctreeRoot root = root_around(hull_of_roots(forest)).value();
   const CommonSubdivision cells = uniform_cells(forest, root, 4);
   const Collar collar = find_collar(cells).value();
   ASSERT_EQ(collar.outcome, CollarOutcome::kCollar);

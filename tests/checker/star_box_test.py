@@ -10,6 +10,7 @@ from fractions import Fraction as Q
 
 import judges
 import star_box_forge as forge
+import star_box_hostile_test as hostile_tests
 import star_box_itd_test as itd_tests
 import star_box_models as models
 import star_box_test as python_tests
@@ -17,7 +18,7 @@ import star_box_test as python_tests
 SCALE = int(os.environ.get("VT_TEST_SCALE", "1"))
 both, in_cpp = judges.both, judges.in_cpp
 judges.judge(python_tests.vc)
-SoundModels, Lies, Traps, Hostile = python_tests.SoundModels, python_tests.Lies, python_tests.Traps, python_tests.Hostile
+SoundModels, Lies, Traps, Hostile = python_tests.SoundModels, python_tests.Lies, python_tests.Traps, hostile_tests.Hostile
 Meaning, Refusals, ItdCertificates = itd_tests.Meaning, itd_tests.Refusals, itd_tests.Certificates
 
 

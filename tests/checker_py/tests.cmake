@@ -1,5 +1,5 @@
 # The Python checker's unit tests.
-foreach(part IN ITEMS veritope_check star_box star_box_turned star_box_itd patch_invalid collar)
+foreach(part IN ITEMS veritope_check star_box star_box_hostile star_box_turned star_box_itd patch_invalid collar)
   string(REPLACE veritope_check checker_py name ${part})  # checker_py, star_box, ...
   add_test(NAME ${name} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker_py/${part}_test.py")
   set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT 600 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/patch_explanations.h"
 #include "cli/rule_pictures.h"
 #include "cli/text_style.h"
 #include "io/file_bytes.h"
@@ -45,13 +46,12 @@ std::string indented(std::string_view lines) {
   return out + "\n";
 }
 
-std::string rule_page(MeshRule rule, const Style& style) {
-  const RuleText& text = rule_text(rule);
+std::string rule_page(const RuleText& text, std::string_view picture, const Style& style) {
   const auto section = [&](const char* title, std::string_view words) {
     return style.bold(title) + "\n" + wrapped(words, "  ");
   };
   return style.bold(std::string(text.id) + "  " + std::string(text.name)) + "\n" +
-         wrapped(text.meaning, "  ") + indented(rule_picture(rule)) +
+         wrapped(text.meaning, "  ") + indented(picture) +
          section("Where it comes from", text.causes) + section("What helps", text.remedy) +
          section("What others call it", text.crosswalk);
 }
@@ -62,7 +62,10 @@ std::string rule_list(const Style& style) {
     const RuleText& text = rule_text(rule_at(i));
     out += style.bold(text.id) + "  " + std::string(text.name) + "\n";
   }
-  return out + "A mesh bounds a solid if it breaks none of these. More: veritope explain M1\n";
+  out += "A mesh bounds a solid if it breaks none of these. More: veritope explain M1\n\n";
+  for (const PatchExplanation& e : patch_explanations())
+    out += style.bold(e.text.id) + "  " + std::string(e.text.name) + "\n";
+  return out + "Answers about patches of spline files. More: veritope explain side-open\n";
 }
 
 }  // namespace
@@ -73,13 +76,17 @@ ExitCode run_explain(const Options& options, StandardOutput& out) {
     out.write(rule_list(style));
     return kExitValid;
   }
-  const std::optional<MeshRule> rule = rule_from_id(*options.rule);
-  if (!rule) {
-    complain("there is no rule " + harmless(*options.rule) + "; the rules are M1 to M9");
-    return kExitUsage;
+  if (const std::optional<MeshRule> rule = rule_from_id(*options.rule)) {
+    out.write(rule_page(rule_text(*rule), rule_picture(*rule), style));
+    return kExitValid;
   }
-  out.write(rule_page(*rule, style));
-  return kExitValid;
+  if (const PatchExplanation* const patches = patch_explanation(*options.rule)) {
+    out.write(rule_page(patches->text, patches->picture, style));
+    return kExitValid;
+  }
+  complain("there is no rule " + harmless(*options.rule) +
+           "; the rules are M1 to M9, and those that veritope explain lists");
+  return kExitUsage;
 }
 
 ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {

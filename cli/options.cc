@@ -256,10 +256,10 @@ void add_cover(CLI::App& app, Options& o) {
 }
 
 void add_explain(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("explain", "what a rule means; without RULE: the list");
+  CLI::App* const c = app.add_subcommand("explain", "what a rule or an answer means; without RULE: the list");
   c->callback([&o] { o.command = Command::kExplain; });
   c->add_option_function<std::string>(
-       "RULE", [&o](const std::string& id) { o.rule = id; }, "M1 to M9")
+       "RULE", [&o](const std::string& id) { o.rule = id; }, "M1 to M9, side-open, ...")
       ->type_name("");
   CLI::App* const e = app.add_subcommand("explain-certificate", "a certificate as text");
   e->callback([&o] { o.command = Command::kExplainCertificate; });

@@ -233,8 +233,10 @@ std::string patch_details(const FileReport& report) {
     if (r.collar) out += collar_text(*r.collar);
   } else if (!r.defects.empty()) {
     for (const RefutationFacts& f : r.defects) out += defect_details(f);
-  } else if (r.open && is_finite(r.open->place)) {
-    out += detail_line("where", place_text(*r.open->place));
+    out += detail_line("more", "veritope explain " + r.defects.front().code);
+  } else if (r.open) {
+    if (is_finite(r.open->place)) out += detail_line("where", place_text(*r.open->place));
+    out += detail_line("more", "veritope explain not-certified");
   }
   return out;
 }

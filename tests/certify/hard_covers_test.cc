@@ -186,6 +186,46 @@ TEST(Contacts, SmallGapsAreCertified) {
   }
 }
 
+// Boxes along flat sheets are cut back to the gap, not made as small as it: two boxes face to face, side by side, one inside of the other.
+TEST(CutBoxes, AreAsThinAsAGapAndAsLongAsItsSheets) {
+  const Patches box = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  const Rational quarter = Rational(1) / Rational(4);
+  for (const int k : {7, 20, 42}) {
+    const Rational gap = Rational::power_of_two(-k), far = Rational(1) + gap,
+                   in = Rational(1) - gap;
+    const Patches models[] = {
+        patch_shapes::joined(
+            {box, patch_shapes::box({quarter, quarter, far}, {quarter * 3, quarter * 3, 2})}),
+        patch_shapes::joined({box, patch_shapes::box({1, far, 0}, {2, 2, 1})}),
+        patch_shapes::joined(
+            {box, patch_shapes::inside_out(patch_shapes::box({gap, gap, gap}, {in, in, in}))})};
+    for (const Patches& model : models) {
+      SCOPED_TRACE("2^-" + std::to_string(k) + ", model " + std::to_string(&model - models));
+      const CertifiedPatches c = certified_patches(model);
+      ASSERT_TRUE(c.decision.is_valid) << c.decision.open->message;
+      EXPECT_LE(c.decision.cover.boxes.size(), 96u);
+      expect_accepted(c, "a thin gap");
+    }
+  }
+}
+
+// Far away, units as short as a gap would take more bits than certificates have.
+TEST(CutBoxes, StayWithinTheBitsOfCertificates) {
+  const auto pair = [](int gap) {
+    const Rational one = 1, far = one + Rational::power_of_two(-gap);
+    return patch_shapes::placed(
+        patch_shapes::joined({patch_shapes::box({0, 0, 0}, {1, 1, 1}),
+                              patch_shapes::box({0, 0, far}, {1, 1, far + one})}),
+        1, {Rational::power_of_two(40), 0, 0});
+  };
+  const CertifiedPatches wide = certified_patches(pair(8));
+  ASSERT_TRUE(wide.decision.is_valid) << wide.decision.open->message;
+  expect_accepted(wide, "2^-8 apart, 2^40 away");
+  const PatchDecision narrow = certified_patches(pair(30)).decision;
+  ASSERT_TRUE(narrow.open);
+  EXPECT_NE(narrow.open->kind, OpenQuestion::Kind::kOutOfRange);
+}
+
 TEST(ShellsToTurn, MakeEveryNestingASolid) {
   const auto ball = [](int radius) {
     return patch_shapes::placed(patch_shapes::sphere(), radius, {0, 0, 0});

@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """veritope certify on spline files: verdicts, reports against their schema, certificates, what is not covered."""
 import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
 import unittest
 from fractions import Fraction
 
@@ -54,6 +59,32 @@ def document(entities):
 
 
 UNIT = block((0, 0, 0), (1, 1, 1))
+
+
+class Models(unittest.TestCase):
+    """docs/rules/patches.md says of each of them what it is."""
+    FOLDER = ROOT / "tests" / "models" / "patches"
+
+    def test_every_model_gets_the_answer_of_its_section(self):
+        page = (ROOT / "docs" / "rules" / "patches.md").read_text()
+        seen = set()
+        for code, section in re.findall(r"(?ms)^## (\S+)\n(.*?)(?=^## |\Z)", page):
+            for name, verdict in re.findall(r"\(../../tests/models/patches/(\S+)\) .*\| (\w+) \|$", section, re.M):
+                seen.add(name)
+                done = run("certify", self.FOLDER / name, "--json", "-")
+                (one,) = json.loads(done.stdout)["files"]
+                said = [d["code"] for d in one["defects"]] if one["verdict"] == "INVALID" else [one["error"]["code"]] if one["error"] else []
+                with self.subTest(name, section=code):
+                    self.assertEqual((one["verdict"], said), (verdict, [] if verdict == "VALID" else [code]))
+                shown = run("certify", self.FOLDER / name).stdout
+                self.assertEqual(f"veritope explain {code}\n" in shown, verdict != "VALID")
+        self.assertEqual(seen, {path.name for path in self.FOLDER.iterdir()})
+
+    def test_the_script_writes_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, ROOT / "tools" / "make_patch_models.py", folder], check=True)
+            for path in self.FOLDER.iterdir():
+                self.assertEqual(path.read_bytes(), (pathlib.Path(folder) / path.name).read_bytes())
 
 
 class CertifyPatches(Folder):

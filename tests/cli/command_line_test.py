@@ -243,6 +243,21 @@ class Explain(unittest.TestCase):
             for model in (f"m{i}_smallest.off", f"m{i}_nearest_valid.off"):
                 self.assertIn(f"(../../tests/models/{model})", page)
 
+    def test_every_answer_about_patches_is_explained_as_its_page_says(self):
+        page = (support.ROOT / "docs" / "rules" / "patches.md").read_text()
+        codes = re.findall(r"(?m)^## (.*)$", page)
+        self.assertEqual(len(codes), 6)
+        listed = run("explain").stdout
+        for code in codes:
+            explained = run("explain", code)
+            self.assertEqual((explained.returncode, explained.stderr), (0, ""))
+            lines = explained.stdout.rstrip("\n").split("\n")
+            self.assertLessEqual(len(lines), 25)
+            self.assertLessEqual(max(map(len, lines)), 80)
+            self.assertIn(lines[0], listed)
+            picture = re.search(rf"(?ms)^## {code}\n.*?^```\n(.*?)^```$", page)[1]
+            self.assertIn("".join(f"  {line}\n" for line in picture.splitlines()), explained.stdout)
+
     def test_a_certificate_is_explained_and_another_file_is_refused(self):
         with support.tempfile.TemporaryDirectory() as folder:
             for model, words in [("valid_nested_three.off", ["mesh-valid-1", "nesting rays: 3"]),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solids/star_box/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
@@ -15,6 +16,8 @@ using Why = UncoveredPiece::Why;
 
 // Boxes and centres are multiples of their box's size divided by about this.
 constexpr double kGrid = 64;
+// In the narrowest strip between a piece and the side of a box that was cut back.
+constexpr double kUnitsInStrip = 8;
 constexpr std::size_t kMostPieces = 4096;
 // Of a model, at poles; each costs up to 16 kMostPieces signs.
 constexpr std::size_t kMostCrowdedFailures = 16;
@@ -31,16 +34,22 @@ double length_of(const Point3d& a) {
 
 double on_grid(double v, double unit) { return std::nearbyint(v / unit) * unit; }
 
-// A cube with this middle, on a grid of a power of two, that holds the cube of half the size `half`.
-CoverBox cube_around(const Point3d& middle, double half) {
-  const double unit = std::exp2(std::ceil(std::log2(2 * half / kGrid)));
+// The box, rounded outward. `unit` is a power of two.
+CoverBox on_grid(const Box3d& box, double unit) {
   CoverBox out;
   out.unit = unit;
   for (std::size_t k = 0; k < 3; ++k) {
-    out.star.box.lo[k] = std::floor((middle[k] - half) / unit) * unit;
-    out.star.box.hi[k] = std::ceil((middle[k] + half) / unit) * unit;
+    out.star.box.lo[k] = std::floor(box.lo[k] / unit) * unit;
+    out.star.box.hi[k] = std::ceil(box.hi[k] / unit) * unit;
   }
   return out;
+}
+
+// A cube with this middle, on a grid of a power of two, that holds the cube of half the size `half`.
+CoverBox cube_around(const Point3d& middle, double half) {
+  Box3d cube;
+  for (std::size_t k = 0; k < 3; ++k) cube.lo[k] = middle[k] - half, cube.hi[k] = middle[k] + half;
+  return on_grid(cube, std::exp2(std::ceil(std::log2(2 * half / kGrid))));
 }
 
 }  // namespace
@@ -49,12 +58,15 @@ bool BoxSearch::try_piece(Id id) {
   piece_ = id;
   tested_.assign(1, id);
   held_.clear();
+  num_near_ = 1;
+  obstacle_.reset();
   const Box3d hull = forest_.node(id).hull;
   // Coordinates are at most 1; a hull is longer where weights are not known to be positive.
   if (!(extent(hull) > 0) || !(extent(hull) < 8)) return fail(Why::kNoCentres);
   box_ = cube_around(approx_centre(hull), 0.5 * options_.growth * extent(hull));
   if (!is_inside(hull, box_.star.box)) return fail(Why::kTooDeep);
-  return try_star() || try_mesh();
+  scale_.fill(extent(box_.star.box));
+  return try_star() || try_cut_star() || try_mesh();
 }
 
 // At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks begin.
@@ -100,10 +112,53 @@ bool BoxSearch::try_star() {
   if (!find_pieces(forest_, box, 0.5 * extent(box), kMostPieces, &tested_, &held_))
     return try_crowded_star();
   tested_pieces_ += tested_.size();
+  num_near_ = tested_.size();
   held_.push_back(piece_);  // where doubles are coarse, it may be a part of a piece that is small
+  return has_star();
+}
+
+bool BoxSearch::has_star() {
   const bool has_centres = (place_centres() && are_centres()) || search_centres();
   if (!has_centres) return fail(Why::kNoCentres);
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
+}
+
+// The cube without the pieces that do not touch the hull: along flat sheets boxes are then as thin as a gap, and as long as the sheet.
+bool BoxSearch::try_cut_star() {
+  if (why_ == Why::kTooDeep || num_near_ == 1) return false;
+  obstacle();  // of the cube
+  const auto box = cut_back();
+  if (!box) return false;
+  box_ = *box;
+  // Star boxes stay star boxes where axes are stretched.
+  for (std::size_t k = 0; k < 3; ++k) scale_[k] = box_.star.box.hi[k] - box_.star.box.lo[k];
+  std::erase_if(tested_, [&](Id id) { return !meets(box_.star.box, forest_.node(id).hull); });
+  std::erase_if(held_, [&](Id id) { return !is_inside(forest_.node(id).hull, box_.star.box); });
+  return has_star();
+}
+
+// The box with sides halfway to each piece that was met, on the axis on which it is farthest from the hull; nothing if all of them touch it, about.
+std::optional<CoverBox> BoxSearch::cut_back() const {
+  const Box3d hull = forest_.node(piece_).hull;
+  Box3d box = box_.star.box;
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const Id id : tested_) {
+    const Box3d& other = forest_.node(id).hull;
+    if (!meets(box, other)) continue;
+    double most = 0, cut = 0;
+    double* side = nullptr;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double above = other.lo[k] - hull.hi[k], below = hull.lo[k] - other.hi[k];
+      if (above > most) most = above, side = &box.hi[k], cut = hull.hi[k] + 0.5 * above;
+      if (below > most) most = below, side = &box.lo[k], cut = hull.lo[k] - 0.5 * below;
+    }
+    if (!(most > 2 * kUnitsInStrip * options_.least_unit)) continue;
+    *side = cut;
+    narrowest = std::min(narrowest, 0.5 * most);
+  }
+  if (std::isinf(narrowest)) return std::nullopt;
+  const double unit = std::exp2(std::floor(std::log2(narrowest / kUnitsInStrip)));
+  return on_grid(box, std::min(box_.unit, unit));
 }
 
 // Near a pole of many slivers: the centres of the piece alone, and no piece smaller than S1 asks for.
@@ -117,6 +172,7 @@ bool BoxSearch::try_crowded_star() {
     return fail(Why::kTooDeep);
   }
   tested_pieces_ += tested_.size();
+  num_near_ = tested_.size();
   held_.push_back(piece_);  // it may be a part of a piece that was taken
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
@@ -133,7 +189,10 @@ bool BoxSearch::are_centres() {
   return has_star_signs(forest_, tested_, star);
 }
 
-Obstacle BoxSearch::obstacle() { return find_obstacle(forest_, piece_, tested_); }
+const Obstacle& BoxSearch::obstacle() {
+  if (!obstacle_) obstacle_ = find_obstacle(forest_, piece_, tested_);
+  return *obstacle_;
+}
 
 // On the line through the box's middle along the mean normal.
 bool BoxSearch::place_centres() {
@@ -143,7 +202,10 @@ bool BoxSearch::place_centres() {
     for (std::size_t k = 0; k < 3; ++k) n[k] += one[k];
   }
   double largest = 0;
-  for (const double c : n) largest = std::max(largest, std::abs(c));
+  for (std::size_t k = 0; k < 3; ++k) {
+    n[k] *= scale_[k];
+    largest = std::max(largest, std::abs(n[k]));
+  }
   if (!(largest > 0) || !std::isfinite(largest)) return false;
   const Box3d& box = box_.star.box;
   const double unit = box_.unit;
@@ -173,12 +235,12 @@ bool BoxSearch::search_centres() {
 // The deepest points, on the box's grid, under about `most` conditions of each piece.
 BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const Box3d& box = box_.star.box;
-  const double enough = 1e-3, unit = box_.unit, size = extent(box);
+  const double unit = box_.unit, enough = 1e-3 * std::min(1.0, kGrid * unit / extent(box));
   const Point3d m = approx_centre(box);
   Box3d room;
   for (std::size_t k = 0; k < 3; ++k) {
-    room.lo[k] = (box.lo[k] + 2 * unit - m[k]) / size;
-    room.hi[k] = (box.hi[k] - 2 * unit - m[k]) / size;
+    room.lo[k] = (box.lo[k] + 2 * unit - m[k]) / scale_[k];
+    room.hi[k] = (box.hi[k] - 2 * unit - m[k]) / scale_[k];
   }
   half_spaces_.clear();
   bool has_all = true;
@@ -189,13 +251,13 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const auto outside = deepest_point(half_spaces_, room, enough);
   if (!outside) return Centres::kNone;
   for (std::size_t k = 0; k < 3; ++k) {
-    box_.star.inside[k] = on_grid(m[k] + size * inside->point[k], unit);
-    box_.star.outside[k] = on_grid(m[k] + size * outside->point[k], unit);
+    box_.star.inside[k] = on_grid(m[k] + scale_[k] * inside->point[k], unit);
+    box_.star.outside[k] = on_grid(m[k] + scale_[k] * outside->point[k], unit);
   }
   return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
 }
 
-// g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / size, m and size of the box: all of them, or about `most`, evenly
+// g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / scale_, m the middle of the box: all of them, or about `most`, evenly
 // spread; whether it were all.
 bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   const PieceForest::Node& node = forest_.node(id);
@@ -204,36 +266,32 @@ bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   const double* const g = forest_.approx_determinants(id);
   std::size_t left = 0;
   const Point3d m = approx_centre(box_.star.box);
-  const double size = extent(box_.star.box);
   double error = 0;
   for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
-  const auto add_exact = [&](const std::array<double, 4>& h) {
-    const double length = length_of({h[0], h[1], h[2]});
-    if (length > 0)
-      half_spaces_.push_back({{h[0] / length, h[1] / length, h[2] / length}, h[3] / length / size});
-    else
-      half_spaces_.push_back({{0, 0, 0}, -1});
-  };
-  forest_.for_each_kept(node, [&](std::size_t i) {
-    if (left-- != 0) return;
-    left = step - 1;
-    HalfSpace h{{g[n + i], g[2 * n + i], g[3 * n + i]}, g[i]};
-    // Shorter than its error: a direction that says nothing.
-    if (std::abs(h.a[0]) + std::abs(h.a[1]) + std::abs(h.a[2]) <= error)
-      if (const ExactPiece* const exact = forest_.exact_determinants(id))
-        return add_exact(exact->approx_half_space(i, m));
-    const double length = length_of(h.a);
+  // a.(c - m) + b > 0.
+  const auto add = [&](Point3d a, double b) {
+    for (std::size_t k = 0; k < 3; ++k) a[k] *= scale_[k];
+    const double length = length_of(a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
       return;
     }
     const double factor = 1 / length;
-    for (std::size_t k = 0; k < 3; ++k) {
-      h.b += h.a[k] * (m[k] - form.origin[k]);
-      h.a[k] *= factor;
-    }
-    h.b *= factor / size;
-    half_spaces_.push_back(h);
+    half_spaces_.push_back({{a[0] * factor, a[1] * factor, a[2] * factor}, b * factor});
+  };
+  forest_.for_each_kept(node, [&](std::size_t i) {
+    if (left-- != 0) return;
+    left = step - 1;
+    const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
+    // Shorter than its error: a direction that says nothing.
+    if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error)
+      if (const ExactPiece* const exact = forest_.exact_determinants(id)) {
+        const std::array<double, 4> h = exact->approx_half_space(i, m);
+        return add({h[0], h[1], h[2]}, h[3]);
+      }
+    double b = g[i];
+    for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
+    add(a, b);
   });
   return step == 1;
 }

@@ -2,6 +2,7 @@
 // verify/certify/box_search.h: a star box or a mesh box around one piece: searched in floating point, proved with bounds, where they do not decide in
 // exact arithmetic. Theory: docs/THEORY.md §4.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "verify/certify/centre_search.h"
@@ -24,9 +25,9 @@ class BoxSearch {
   const std::vector<Id>& held() const { return held_; }
   /// After it returned false.
   UncoveredPiece::Why why() const { return why_; }
-  Obstacle obstacle();
+  const Obstacle& obstacle();
   /// How many pieces near it; 1, itself, if it has no centres even alone.
-  std::size_t num_looked_at() const { return tested_.size(); }
+  std::size_t num_looked_at() const { return num_near_; }
 
   std::size_t tested_pieces() const { return tested_pieces_; }
   std::size_t programs() const { return programs_; }
@@ -38,6 +39,9 @@ class BoxSearch {
   }
   bool try_star();
   bool try_crowded_star();
+  bool try_cut_star();
+  std::optional<CoverBox> cut_back() const;
+  bool has_star();
   bool try_mesh();
   void hold_corner(std::uint32_t patch, std::uint32_t corner);
   bool is_promising();
@@ -52,7 +56,10 @@ class BoxSearch {
   const StarCoverOptions& options_;
   Id piece_ = 0;
   CoverBox box_;
+  Point3d scale_{};  ///< lengths that the programs take for 1
   std::vector<Id> tested_, held_;
+  std::size_t num_near_ = 0;
+  std::optional<Obstacle> obstacle_;
   UncoveredPiece::Why why_ = UncoveredPiece::Why::kNoCentres;
   std::vector<HalfSpace> half_spaces_;
   std::size_t tested_pieces_ = 0, programs_ = 0, crowded_failures_ = 0;

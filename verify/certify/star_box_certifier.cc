@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "robust/base/check.h"
 #include "verify/certify/file_order.h"
@@ -28,6 +29,8 @@ int grid_exponent(const PieceForest& forest, const CoverBox& box) {
   }
   return out;
 }
+
+constexpr int kMostBits = 60;  // the C++ checker's 61, less one for the sum of corner and size
 
 class BodyWriter {
  public:
@@ -103,9 +106,19 @@ class BodyWriter {
 
 }  // namespace
 
+double least_unit_that_fits(const PieceForest& forest) {
+  const auto& scale = forest.frame().scale;
+  int most = std::numeric_limits<int>::min();  // 2^most: over the boxes' coordinates in the model
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational reach =
+        abs(forest.frame().shift[k]) + Rational(4) * Rational::power_of_two(-scale[k]);
+    most = std::max(most, static_cast<int>(reach.numerator().bit_length()) -
+                              static_cast<int>(reach.denominator().bit_length()) + 1);
+  }
+  return std::ldexp(1.0, most - kMostBits + *std::max_element(scale.begin(), scale.end()));
+}
+
 bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
-  constexpr std::int64_t kMostBits =
-      60;  // the C++ checker's 61, less one for the sum of corner and size
   const auto& scale = forest.frame().scale;
   constexpr int kMostExponent = 4096 - 64;  // a collar's unit may be less than that of all boxes
   int least = 0;

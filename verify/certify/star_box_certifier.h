@@ -18,6 +18,9 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
                                                    const ShellWalks& walks);
 
+/// The least power of two in the forest's coordinates that may be the unit of boxes near the model: they then fit a certificate.
+double least_unit_that_fits(const PieceForest& forest);
+
 /// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate, and whether it can hold the unit.
 bool fits_certificate(const PieceForest& forest, const StarCover& cover);
 

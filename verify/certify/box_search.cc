@@ -141,24 +141,33 @@ bool BoxSearch::try_cut_star() {
 std::optional<CoverBox> BoxSearch::cut_back() const {
   const Box3d hull = forest_.node(piece_).hull;
   Box3d box = box_.star.box;
-  double narrowest = std::numeric_limits<double>::infinity();
+  double narrowest = std::numeric_limits<double>::infinity(), gap_squares = 0;
   for (const Id id : tested_) {
     const Box3d& other = forest_.node(id).hull;
     if (!meets(box, other)) continue;
-    double most = 0, cut = 0;
-    double* side = nullptr;
+    double most = 0;
+    std::size_t axis = 0;
+    bool is_above = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const double above = other.lo[k] - hull.hi[k], below = hull.lo[k] - other.hi[k];
-      if (above > most) most = above, side = &box.hi[k], cut = hull.hi[k] + 0.5 * above;
-      if (below > most) most = below, side = &box.lo[k], cut = hull.lo[k] - 0.5 * below;
+      if (std::max(above, below) > most)
+        most = std::max(above, below), axis = k, is_above = above > below;
     }
     if (!(most > 2 * kUnitsInStrip * options_.least_unit)) continue;
-    *side = cut;
+    if (is_above)
+      box.hi[axis] = hull.hi[axis] + 0.5 * most;
+    else
+      box.lo[axis] = hull.lo[axis] - 0.5 * most;
+    double area = 1 / (most * most);
+    for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3}) area *= hull.hi[k] - hull.lo[k];
+    gap_squares = std::max(gap_squares, area);
     narrowest = std::min(narrowest, 0.5 * most);
   }
   if (std::isinf(narrowest)) return std::nullopt;
   const double unit = std::exp2(std::floor(std::log2(narrowest / kUnitsInStrip)));
-  return on_grid(box, std::min(box_.unit, unit));
+  CoverBox out = on_grid(box, std::min(box_.unit, unit));
+  out.gap_squares = gap_squares;
+  return out;
 }
 
 // Near a pole of many slivers: the centres of the piece alone, and no piece smaller than S1 asks for.

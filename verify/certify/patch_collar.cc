@@ -2,6 +2,7 @@
 #include "verify/certify/patch_collar.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "robust/base/check.h"
@@ -23,12 +24,36 @@ Box3d hull_of_leaves(const PieceForest& forest, const StarCover& cover) {
   return *out;
 }
 
+// Between sheets that face each other cells are no larger than the gap, and there is a layer of them along the sheets.
+struct GapCells {
+  double all = 0, most = 0;     ///< about: of all boxes, of one
+  std::uint32_t narrowest = 0;  ///< the box with the most
+};
+GapCells count_gap_cells(const StarCover& cover) {
+  GapCells out;
+  for (std::uint32_t i = 0; i < cover.boxes.size(); ++i) {
+    out.all += cover.boxes[i].gap_squares;
+    if (cover.boxes[i].gap_squares > out.most)
+      out.most = cover.boxes[i].gap_squares, out.narrowest = i;
+  }
+  return out;
+}
+// Of the cells that are allowed: an estimate that is wrong by less refuses nothing.
+constexpr double kSurelyTooMany = 8;
+
 class Search {
  public:
   Search(PieceForest& forest, const StarCover& cover, const CollarSearchOptions& options)
       : forest_(forest), cover_(cover), options_(options), facing_(forest) {}
 
   PatchCollarSearch run() {
+    const GapCells gaps = count_gap_cells(cover_);
+    if (gaps.all > kSurelyTooMany * static_cast<double>(options_.max_cells)) {
+      fail("sheets pass so near each other that more than " + std::to_string(options_.max_cells) +
+               " cells would be needed",
+           cover_.boxes[gaps.narrowest].star.box);
+      return std::move(out_);
+    }
     const Result<OctreeRoot> root = root_around(hull_of_leaves(forest_, cover_));
     if (!root) {
       fail(root.error().message);

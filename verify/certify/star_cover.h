@@ -25,6 +25,8 @@ struct CoverBox {
   StarBox star;
   double unit;
   bool is_mesh = false;  ///< a mesh box: it has no centres
+  /// Where it was cut back: the area, across the cut, of the hull it was made for, in squares of the distance to what was cut off; the most of all sides.
+  double gap_squares = 0;
 };
 
 /// Where no star box was found.

@@ -190,7 +190,7 @@ TEST(Contacts, SmallGapsAreCertified) {
 TEST(CutBoxes, AreAsThinAsAGapAndAsLongAsItsSheets) {
   const Patches box = patch_shapes::box({0, 0, 0}, {1, 1, 1});
   const Rational quarter = Rational(1) / Rational(4);
-  for (const int k : {7, 20, 42}) {
+  for (const int k : {7, 20, 40}) {
     const Rational gap = Rational::power_of_two(-k), far = Rational(1) + gap,
                    in = Rational(1) - gap;
     const Patches models[] = {

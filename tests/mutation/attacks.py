@@ -598,7 +598,7 @@ def honest_certificates(rng):
 class Run:
     """Counts of one worker; plain data, so that workers can send them back."""
 
-    conditions, implied = CONDITIONS, IMPLIED
+    conditions, implied, often_enough = CONDITIONS, IMPLIED, 10
     attacks, honest_certificates = staticmethod(attacks), staticmethod(honest_certificates)
 
     def __init__(self, options):
@@ -629,9 +629,13 @@ class Run:
         if found == "ACCEPT":
             self.fail("FALSE CLAIM ACCEPTED", case.bytes, cert, seed, name)
         self.table[name, found] += 1
-        seen = self.table[name, found]
-        if found in self.conditions and (seen < 20 or seen % 16 == 0):
+        if found in self.conditions and not self.is_shown(found):
             self.try_alone(case, cert, found)
+
+    # Attacks that need the condition, or it and one that implies it, have been seen often enough.
+    def is_shown(self, found):
+        return any(self.alone[name] >= self.often_enough
+                   for name in [found] + ["%s with %s" % (found, p) for p in self.implied.get(found, ())])
 
     def try_alone(self, case, cert, found):
         if self.py._check(case.bytes, cert, frozenset((found,)))[0] == 0:
@@ -709,7 +713,7 @@ def print_table(table, alone, all_conditions=CONDITIONS):
     print("%-22s" % "strategy" + "".join("%7s" % c for c in conditions))
     for n in names:
         print("%-22s" % n + "".join("%7s" % (table.get((n, c)) or "") for c in conditions))
-    print("%-22s" % "alone (sampled)" + "".join("%7s" % (alone.get(c) or "") for c in conditions))
+    print("%-22s" % "alone (some tried)" + "".join("%7s" % (alone.get(c) or "") for c in conditions))
     for name in sorted(c for c in alone if " with " in c):
         print("%-22s %d" % (name, alone[name]))
 

@@ -188,6 +188,25 @@ TEST(PatchCollar, SaysWhereThereIsNone) {
 }
 
 // Doubles of 53 bits hold no octree around something of size 2^-50 at distance 1.
+// Before it is looked for: cells of the size of the gap would fill memory.
+TEST(PatchCollar, IsNotLookedForWhereSheetsPassTooNear) {
+  const Rational far = Rational(1) + Rational::power_of_two(-20);
+  Model m(patch_shapes::joined(
+      {patch_shapes::box(at(0, 0, 0), at(1, 1, 1)), patch_shapes::box({0, 0, far}, {1, 1, 2})}));
+  ASSERT_TRUE(m.cover.is_complete());
+  EXPECT_FALSE(m.has_collar());
+  EXPECT_EQ(m.search.rounds, 0u);
+  EXPECT_NE(m.search.open.message.find("so near each other"), std::string::npos);
+  ASSERT_TRUE(m.search.open.place);
+}
+
+// Sheets in one plane whose normals are opposite face nothing.
+TEST(PatchCollar, IsFoundBesideSheetsOfOnePlane) {
+  Model m(patch_shapes::joined({patch_shapes::box(at(0, 0, 0), at(1, 1, 1)),
+                                patch_shapes::box({ratio(5, 4), 0, 1}, {2, 1, 2})}));
+  ASSERT_TRUE(m.has_collar()) << m.search.open.message;
+}
+
 TEST(PatchCollar, OfATinyModelFarAwayIsRefusedByName) {
   Model m(patch_shapes::placed(patch_shapes::box(at(0, 0, 0), at(1, 1, 1)),
                                Rational::power_of_two(-34), at(1, 1, 1)));

@@ -52,6 +52,31 @@ CoverBox cube_around(const Point3d& middle, double half) {
   return on_grid(cube, std::exp2(std::ceil(std::log2(2 * half / kGrid))));
 }
 
+// Of two boxes: the axis on which they are farthest apart.
+struct Separation {
+  std::size_t axis = 0;
+  double distance = 0;  ///< 0: they touch
+  bool is_above = false;
+};
+Separation separation(const Box3d& a, const Box3d& b) {
+  Separation out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double above = b.lo[k] - a.hi[k], below = a.lo[k] - b.hi[k];
+    if (std::max(above, below) > out.distance) out = {k, std::max(above, below), above > below};
+  }
+  return out;
+}
+
+// Of their shadows along the axis.
+double common_area(const Box3d& a, const Box3d& b, std::size_t axis) {
+  double out = 1;
+  for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3})
+    out *= std::max(0.0, std::min(a.hi[k], b.hi[k]) - std::max(a.lo[k], b.lo[k]));
+  return out;
+}
+
+double square(double a) { return a * a; }
+
 }  // namespace
 
 bool BoxSearch::try_piece(Id id) {
@@ -143,25 +168,18 @@ std::optional<CoverBox> BoxSearch::cut_back() const {
   Box3d box = box_.star.box;
   double narrowest = std::numeric_limits<double>::infinity(), gap_squares = 0;
   for (const Id id : tested_) {
-    const Box3d& other = forest_.node(id).hull;
+    const Box3d other = forest_.node(id).hull;
+    const Separation s = separation(hull, other);
+    if (!(s.distance > 2 * kUnitsInStrip * options_.least_unit)) continue;
+    gap_squares =
+        std::max(gap_squares, common_area(hull, other, s.axis) /
+                                  square(std::max(s.distance, gap_between(forest_, piece_, id))));
     if (!meets(box, other)) continue;
-    double most = 0;
-    std::size_t axis = 0;
-    bool is_above = false;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double above = other.lo[k] - hull.hi[k], below = hull.lo[k] - other.hi[k];
-      if (std::max(above, below) > most)
-        most = std::max(above, below), axis = k, is_above = above > below;
-    }
-    if (!(most > 2 * kUnitsInStrip * options_.least_unit)) continue;
-    if (is_above)
-      box.hi[axis] = hull.hi[axis] + 0.5 * most;
+    if (s.is_above)
+      box.hi[s.axis] = hull.hi[s.axis] + 0.5 * s.distance;
     else
-      box.lo[axis] = hull.lo[axis] - 0.5 * most;
-    double area = 1 / (most * most);
-    for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3}) area *= hull.hi[k] - hull.lo[k];
-    gap_squares = std::max(gap_squares, area);
-    narrowest = std::min(narrowest, 0.5 * most);
+      box.lo[s.axis] = hull.lo[s.axis] - 0.5 * s.distance;
+    narrowest = std::min(narrowest, 0.5 * s.distance);
   }
   if (std::isinf(narrowest)) return std::nullopt;
   const double unit = std::exp2(std::floor(std::log2(narrowest / kUnitsInStrip)));

@@ -36,6 +36,13 @@ Facet facet_of(PieceForest& forest, Id id) {
   return out;
 }
 
+// Along the normals; infinity unless they face each other.
+double gap_between(const Facet& a, const Facet& b) {
+  if (dot(a.normal, b.normal) >= kFacing) return std::numeric_limits<double>::infinity();
+  const Point3d d{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
+  return std::max(std::abs(dot(d, a.normal)), std::abs(dot(d, b.normal)));
+}
+
 bool is_part(const PieceForest& forest, Id piece, Id of) {
   const std::uint8_t level = forest.node(of).level;
   while (forest.node(piece).level > level) piece = forest.node(piece).parent;
@@ -60,6 +67,10 @@ Point3d approx_normal(PieceForest& forest, Id piece) {
   return sum;
 }
 
+double gap_between(PieceForest& forest, Id a, Id b) {
+  return gap_between(facet_of(forest, a), facet_of(forest, b));
+}
+
 Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& near) {
   std::vector<Facet> all;
   std::vector<std::size_t> own;
@@ -74,11 +85,8 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
     const Facet& a = all[own[i]];
     turn = std::max(turn, 1 - dot(a.normal, all[own[0]].normal));
     for (const Facet& b : all) {
-      const double cosine = dot(a.normal, b.normal);
-      out.least_cosine = std::min(out.least_cosine, cosine);
-      if (cosine >= kFacing) continue;
-      const Point3d d{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
-      out.gap = std::min(out.gap, std::max(std::abs(dot(d, a.normal)), std::abs(dot(d, b.normal))));
+      out.least_cosine = std::min(out.least_cosine, dot(a.normal, b.normal));
+      out.gap = std::min(out.gap, gap_between(a, b));
     }
   }
   // Half the piece's length times the angle of its normals, at most twice that with the first one.

@@ -23,6 +23,9 @@ struct Obstacle {
 Obstacle find_obstacle(PieceForest& forest, PieceForest::Id piece,
                        const std::vector<PieceForest::Id>& near);
 
+/// The gap of two pieces; infinity unless they face each other.
+double gap_between(PieceForest& forest, PieceForest::Id a, PieceForest::Id b);
+
 /// The mean of the normals' control net, not of unit length.
 Point3d approx_normal(PieceForest& forest, PieceForest::Id piece);
 

@@ -25,7 +25,8 @@ struct CoverBox {
   StarBox star;
   double unit;
   bool is_mesh = false;  ///< a mesh box: it has no centres
-  /// Where it was cut back: the area, across the cut, of the hull it was made for, in squares of the distance to what was cut off; the most of all sides.
+  /// Where it was cut back between sheets that face each other: the area that they have in common, seen along the axis of the cut, in squares of
+  /// their distance; the most of all cuts.
   double gap_squares = 0;
 };
 

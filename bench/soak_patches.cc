@@ -136,12 +136,25 @@ TriangleMesh tessellated(const Patches& patches, int m) {
   return mesh;
 }
 
-/// Wrong: the finest tessellation is no solid's boundary though the patches are VALID, or is one though they are INVALID: to be looked at, as a
-/// tessellation is another surface.
+/// Whether fine tessellations of the two patches of the crossing that was proved, if it is one, cross or touch.
+bool crosses_in_fine_tessellation(const Model& model, const PatchDecision& decision) {
+  constexpr int kFine = 256;
+  if (!decision.refutation) return false;
+  const auto* const crossing = std::get_if<CrossingWitness>(&*decision.refutation);
+  if (crossing == nullptr) return false;
+  Patches two;
+  for (const PatchRectangle& sheet : crossing->sheets) two.push_back(model.patches[sheet.patch]);
+  if (crossing->sheets[0].patch == crossing->sheets[1].patch) two.pop_back();
+  return decide_validity(tessellated(two, kFine), {}).rule_counts[rule_index(MeshRule::kM7)] > 0;
+}
+
+/// Wrong: the finest tessellation is no solid's boundary though the patches are VALID, or is one though they are INVALID and no crossing is seen in
+/// much finer ones either: to be looked at, as a tessellation is another surface.
 Tally run_unknown(std::size_t count, std::uint64_t seed) {
   static constexpr int kDensities[] = {4, 8, 16};
   Tally t;
   std::array<std::size_t, 3> agree{};
+  std::size_t small = 0;
   for (std::uint64_t i = seed; i < seed + count; ++i) {
     Random random(i);
     const Model model = random_solids::unknown(random);
@@ -157,6 +170,7 @@ Tally run_unknown(std::size_t count, std::uint64_t seed) {
       agrees = report.is_valid == (j.verdict == Verdict::kValid);
       agree[k] += agrees ? 1 : 0;
     }
+    if (!agrees && crosses_in_fine_tessellation(model, j.decision)) ++small, agrees = true;
     if (agrees) continue;
     ++t.wrong;
     tell("DISAGREES", "unknown", i, model, j.verdict == Verdict::kValid ? "valid" : "invalid");
@@ -164,6 +178,8 @@ Tally run_unknown(std::size_t count, std::uint64_t seed) {
   for (std::size_t k = 0; k < 3; ++k)
     std::printf("{\"name\":\"patches_unknown_density_%d\",\"value\":%zu,\"goal\":\"as decided\"}\n",
                 kDensities[k], agree[k]);
+  std::printf("{\"name\":\"patches_unknown_small_crossings\",\"value\":%zu,\"goal\":\"-\"}\n",
+              small);
   return t;
 }
 

@@ -124,15 +124,21 @@ TriangleMesh tessellated(const Patches& patches, int m) {
     if (is_new) mesh.positions.push_back({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0});
     return found->second;
   };
-  for (const Patch& patch : patches)
+  const auto columns = static_cast<std::size_t>(m) + 1;
+  std::vector<std::uint32_t> grid(columns * columns);
+  for (const Patch& patch : patches) {
+    const auto at = [&](int i, int j) -> std::uint32_t& {
+      return grid[static_cast<std::size_t>(i) * columns + static_cast<std::size_t>(j)];
+    };
+    for (int i = 0; i <= m; ++i)
+      for (int j = 0; j <= (patch.is_triangle() ? m - i : m); ++j) at(i, j) = vertex(patch, i, j);
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < (patch.is_triangle() ? m - i : m); ++j) {
-        const std::uint32_t a = vertex(patch, i, j), b = vertex(patch, i + 1, j),
-                            c = vertex(patch, i, j + 1);
-        mesh.faces.push_back({a, b, c});
+        mesh.faces.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
         if (patch.is_triangle() && i + j + 1 >= m) continue;
-        mesh.faces.push_back({b, vertex(patch, i + 1, j + 1), c});
+        mesh.faces.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
       }
+  }
   return mesh;
 }
 

@@ -85,15 +85,17 @@ class Kept:
 
 
 def coarse_hulls(rng):
-    """Leaves of a ball that are not refined."""
+    """Leaves of a ball that are not refined: the claim is true, the proof is none. 24 of the 114 hulls stick out, so some of those that stay coarse do."""
     def make():
         ball = ps.made("ball", lambda: ps.proved(ps.models.bicubic_ball(), ((0, 0, 0), Q(1, 3))))
         made = forge.Collar(Surface(ball), (-4,) * 3, 3, 2)
         return made.build(made.cells_at(5))
     made = kept("ball", make)
     made.plan = copy.deepcopy(made.plan)
-    for i in rng.sample(range(len(made.plan.finer)), rng.choice((1, len(made.plan.finer)))):
+    leaves = len(made.plan.finer)
+    for i in rng.sample(range(leaves), leaves - rng.randrange(20)):
         made.plan.finer[i] = 1
+    made.needs_its_hulls = True
     return made
 
 
@@ -179,7 +181,8 @@ def bent(made, rng):
     for _ in range(3):
         yield "shores", new(shores=[([], rng.choice([rng.randrange(6), rng.choice(ends)])) for _ in plan.shores])
     yield "hulls", new(finer=[1] * len(plan.finer))
-    yield "hulls", new(finer=[[1] * 4 for _ in plan.finer])
+    if not getattr(made, "needs_its_hulls", False):  # they may be enough
+        yield "hulls", new(finer=[[1] * 4 for _ in plan.finer])
     codes = sorted({*plan.codes, rng.choice(plan.codes) + rng.choice((1, 2, -2, 1 << 40))} - {0})
     yield "cells", with_codes(new, plan, codes)
     yield "cells", with_codes(new, plan, [c for c in plan.codes if rng.random() > .05] or plan.codes[:1])

@@ -1,11 +1,7 @@
-# The C++ checker's parts as a library, so that thousands of certificates are checked in one process, and its programs for the rest.
-file(GLOB checker_parts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/verify/checker/*.cc")
-list(FILTER checker_parts EXCLUDE REGEX "/main\\.cc$")
-add_library(veritope_checker_parts STATIC ${checker_parts})
-set_target_properties(veritope_checker_parts PROPERTIES CXX_STANDARD 11 CXX_EXTENSIONS OFF)
+# The C++ checker's parts linked in, so that thousands of certificates are checked in one process, and its programs for the rest.
 foreach(part IN ITEMS quick full)
   if(TARGET certify_${part})
-    target_link_libraries(certify_${part} PRIVATE veritope_checker_parts)
+    target_sources(certify_${part} PRIVATE "$<FILTER:$<TARGET_OBJECTS:veritope-check>,EXCLUDE,/main\\.cc>")
     target_compile_definitions(certify_${part} PRIVATE VERITOPE_PYTHON="${Python3_EXECUTABLE}")
     add_dependencies(certify_${part} veritope-check)
   endif()

@@ -32,7 +32,7 @@ TEST(ObjReader, LineEndsAndBlanksOfEveryKindAreTheSame) {
       text += std::string(line) + eol;
     }
     EXPECT_EQ(content(obj(text)), kTriangle);
-    text.resize(text.size() - std::strlen(eol));
+    text.erase(text.size() - std::strlen(eol));
     EXPECT_EQ(content(obj(text)), kTriangle) << "without the last line end";
   }
 }

@@ -72,11 +72,13 @@ constexpr std::array<PatchExplanation, 6> kExplanations = {{
   +-------------+)"},
     {{"not-certified", "neither proved nor refuted",
       "Near `where` no box with two centres sees the surface from both sides: a contact, a fold, "
-      "a cusp, a vertex whose normals lie in no open half-space, or a gap below the least size.",
+      "a cusp, a vertex whose normals lie in no open half-space, or a gap below the least size. "
+      "Or the message names another reason: coordinates out of range, a degree over 15, no free "
+      "path from a shell.",
       "Parts that just touch, surfaces tangent to themselves, knife edges, sides that agree as "
       "point sets but not as curves (T-junctions), a vertex that is a steep saddle.",
-      "The message has the distance of the sheets and the angle of their normals. At about 0 they "
-      "touch: unite them or move them apart. A T-junction: cut the long side in two.",
+      "Where sheets pass the message has their distance and the angle of their normals. At about "
+      "0 they touch: unite them or move them apart. A T-junction: cut the long side in two.",
       "tools with tolerances call it valid or invalid, as the tolerance has it"},
      R"(     \  /
       \/           which of the two is it?

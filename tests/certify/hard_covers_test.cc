@@ -209,6 +209,24 @@ TEST(CutBoxes, AreAsThinAsAGapAndAsLongAsItsSheets) {
   }
 }
 
+// Where boxes are thin along one axis their grid is coarse along the thin walls of others: the nearest point may lie on a sheet.
+TEST(CutBoxes, HaveCentresBetweenWallsOfOtherThicknesses) {
+  const auto ratio = [](int p, int q) { return Rational(p) / Rational(q); };
+  const Rational w = Rational::power_of_two(-8);
+  for (const int k : {10, 22, 34}) {
+    const Rational g = Rational::power_of_two(-k);
+    const CertifiedPatches c = certified_patches(patch_shapes::joined(
+        {patch_shapes::box({0, -2, 0}, {1, -1, 3}),
+         patch_shapes::box({1, 0, ratio(1, 3)}, {ratio(11, 3), w, ratio(7, 4)}),
+         patch_shapes::inside_out(
+             patch_shapes::box({ratio(65, 64), w * ratio(3, 4), ratio(1, 2)},
+                               {ratio(161, 48), w * ratio(99, 100), ratio(7, 4) - g}))}));
+    ASSERT_TRUE(c.decision.is_valid) << "2^-" << k << ": " << c.decision.open->message;
+    EXPECT_LE(c.decision.boxes_tried, 4000u);
+    expect_accepted(c, "walls of different thickness");
+  }
+}
+
 // Far away, units as short as a gap would take more bits than certificates have.
 TEST(CutBoxes, StayWithinTheBitsOfCertificates) {
   const auto pair = [](int gap) {
@@ -223,7 +241,9 @@ TEST(CutBoxes, StayWithinTheBitsOfCertificates) {
   expect_accepted(wide, "2^-8 apart, 2^40 away");
   const PatchDecision narrow = certified_patches(pair(30)).decision;
   ASSERT_TRUE(narrow.open);
-  EXPECT_NE(narrow.open->kind, OpenQuestion::Kind::kOutOfRange);
+  EXPECT_EQ(narrow.open->kind, OpenQuestion::Kind::kOutOfRange);
+  EXPECT_TRUE(narrow.open->place);
+  EXPECT_LT(narrow.boxes_tried, 1000u);
 }
 
 TEST(ShellsToTurn, MakeEveryNestingASolid) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robust/base/random.h"
+#include "solids/patch_shapes_internal.h"
 #include "solids/patch_transform.h"
 #include "solids/polyhedron/validity.h"
 #include "tests/certify/collar_model.h"
@@ -187,17 +188,34 @@ TEST(PatchCollar, SaysWhereThereIsNone) {
       << shell.search.open.message;
 }
 
-// Doubles of 53 bits hold no octree around something of size 2^-50 at distance 1.
-// Before it is looked for: cells of the size of the gap would fill memory.
-TEST(PatchCollar, IsNotLookedForWhereSheetsPassTooNear) {
+// Cells of the size of the gap would fill memory.
+TEST(PatchCollar, IsLookedForAmongFewCellsWhereSheetsPassTooNear) {
   const Rational far = Rational(1) + Rational::power_of_two(-20);
   Model m(patch_shapes::joined(
       {patch_shapes::box(at(0, 0, 0), at(1, 1, 1)), patch_shapes::box({0, 0, far}, {1, 1, 2})}));
   ASSERT_TRUE(m.cover.is_complete());
   EXPECT_FALSE(m.has_collar());
-  EXPECT_EQ(m.search.rounds, 0u);
+  EXPECT_LT(m.search.cells_tried, std::uint64_t{1} << 17);
   EXPECT_NE(m.search.open.message.find("so near each other"), std::string::npos);
   ASSERT_TRUE(m.search.open.place);
+}
+
+// A collar may swallow what is thinner than its cells.
+TEST(PatchCollar, IsFoundAroundAThinFinAndAThinSlot) {
+  const Rational low = ratio(1, 2), high = low + Rational::power_of_two(-20);
+  const std::vector<Rational> x = {0, 1, 2}, y = {0, 1}, z = {0, low, high, 1};
+  const auto place = [&](const std::array<int, 3>& p) {
+    return at(x[static_cast<std::size_t>(p[0])], y[static_cast<std::size_t>(p[1])],
+              z[static_cast<std::size_t>(p[2])]);
+  };
+  const std::vector<std::array<int, 3>> fin = {{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 1}},
+                                        slot = {
+                                            {0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 0}, {1, 0, 2}};
+  for (const auto& cubes : {fin, slot}) {
+    Model m(patch_shapes::internal::block_faces(cubes, place));
+    ASSERT_TRUE(m.has_collar()) << m.search.open.message;
+    EXPECT_LT(m.search.collar->complex.cells().size(), 1000u);
+  }
 }
 
 // Sheets in one plane whose normals are opposite face nothing.
@@ -207,6 +225,7 @@ TEST(PatchCollar, IsFoundBesideSheetsOfOnePlane) {
   ASSERT_TRUE(m.has_collar()) << m.search.open.message;
 }
 
+// Doubles of 53 bits hold no octree around something of size 2^-34 at distance 1.
 TEST(PatchCollar, OfATinyModelFarAwayIsRefusedByName) {
   Model m(patch_shapes::placed(patch_shapes::box(at(0, 0, 0), at(1, 1, 1)),
                                Rational::power_of_two(-34), at(1, 1, 1)));

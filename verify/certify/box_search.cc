@@ -91,7 +91,14 @@ bool BoxSearch::try_piece(Id id) {
   box_ = cube_around(approx_centre(hull), 0.5 * options_.growth * extent(hull));
   if (!is_inside(hull, box_.star.box)) return fail(Why::kTooDeep);
   scale_.fill(extent(box_.star.box));
-  return try_star() || try_cut_star() || try_mesh();
+  if (box_.unit < options_.least_cube_unit) {
+    tested_.clear();
+    find_pieces(forest_, box_.star.box, 0.5 * extent(box_.star.box), kMostPieces, &tested_, &held_);
+    return fail(Why::kTooFine);
+  }
+  if (try_star()) return true;
+  const Why why_of_cube = why_;
+  return try_cut_star() || try_mesh() || fail(why_of_cube);
 }
 
 // At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks begin.
@@ -274,14 +281,38 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   for (const Id id : tested_) has_all = add_half_spaces(id, most) && has_all;
   const auto inside = deepest_point(half_spaces_, room, enough);
   if (!inside) return Centres::kNone;
+  box_.star.inside = on_grid_near(inside->point);
   for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
   const auto outside = deepest_point(half_spaces_, room, enough);
   if (!outside) return Centres::kNone;
-  for (std::size_t k = 0; k < 3; ++k) {
-    box_.star.inside[k] = on_grid(m[k] + scale_[k] * inside->point[k], unit);
-    box_.star.outside[k] = on_grid(m[k] + scale_[k] * outside->point[k], unit);
-  }
+  box_.star.outside = on_grid_near(outside->point);
   return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
+}
+
+// A point of the programs, (c - m) / scale_, as c on the box's grid: the nearest one, or, if that lies outside of the half-spaces, on each axis in
+// turn the neighbour that lies deeper in them. Where a box is thin, units are long.
+Point3d BoxSearch::on_grid_near(Point3d point) const {
+  const Point3d m = approx_centre(box_.star.box);
+  const double unit = box_.unit;
+  const auto length = [&](std::size_t k, double c) { return (c - m[k]) / scale_[k]; };
+  Point3d out, moved;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out[k] = on_grid(m[k] + scale_[k] * point[k], unit);
+    moved[k] = length(k, out[k]);
+  }
+  if (least_depth(half_spaces_, moved) > 0) return out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double at = (m[k] + scale_[k] * point[k]) / unit;
+    const std::array<double, 2> neighbours{std::floor(at) * unit, std::ceil(at) * unit};
+    std::array<double, 2> depths;
+    for (std::size_t i = 0; i < 2; ++i) {
+      point[k] = length(k, neighbours[i]);
+      depths[i] = least_depth(half_spaces_, point);
+    }
+    out[k] = neighbours[depths[1] > depths[0] ? 1 : 0];
+    point[k] = length(k, out[k]);
+  }
+  return out;
 }
 
 // g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / scale_, m the middle of the box: all of them, or about `most`, evenly

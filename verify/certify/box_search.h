@@ -50,6 +50,7 @@ class BoxSearch {
   bool search_centres();
   enum class Centres { kNone, kSomeConditions, kAllConditions };
   Centres solve_centres(std::size_t most);
+  Point3d on_grid_near(Point3d point) const;
   bool add_half_spaces(Id id, std::size_t most);
 
   PieceForest& forest_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace veritope {
 namespace {
@@ -76,6 +77,13 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
 }
 
 }  // namespace
+
+double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& point) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const HalfSpace& h : half_spaces)
+    out = std::min(out, h.a[0] * point[0] + h.a[1] * point[1] + h.a[2] * point[2] + h.b);
+  return out;
+}
 
 std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
                                           const Box3d& box, double enough) {

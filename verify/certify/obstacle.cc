@@ -36,6 +36,8 @@ Facet facet_of(PieceForest& forest, Id id) {
   return out;
 }
 
+bool has_normal(const Facet& a) { return dot(a.normal, a.normal) > 0; }
+
 // Along the normals; infinity unless they face each other.
 double gap_between(const Facet& a, const Facet& b) {
   if (dot(a.normal, b.normal) >= kFacing) return std::numeric_limits<double>::infinity();
@@ -85,7 +87,8 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
     const Facet& a = all[own[i]];
     turn = std::max(turn, 1 - dot(a.normal, all[own[0]].normal));
     for (const Facet& b : all) {
-      out.least_cosine = std::min(out.least_cosine, dot(a.normal, b.normal));
+      if (has_normal(a) && has_normal(b))
+        out.least_cosine = std::min(out.least_cosine, dot(a.normal, b.normal));
       out.gap = std::min(out.gap, gap_between(a, b));
     }
   }

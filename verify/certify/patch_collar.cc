@@ -38,8 +38,10 @@ GapCells count_gap_cells(const StarCover& cover) {
   }
   return out;
 }
-// Of the cells that are allowed: an estimate that is wrong by less refuses nothing.
+// Unless both sheets lie in one cell with what is between them, as those of a fin may. Covers of few cells show that; beyond these an estimate of
+// this many times the cells that are allowed ends the search.
 constexpr double kSurelyTooMany = 8;
+constexpr std::size_t kFewCells = std::size_t{1} << 15;
 
 class Search {
  public:
@@ -47,13 +49,8 @@ class Search {
       : forest_(forest), cover_(cover), options_(options), facing_(forest) {}
 
   PatchCollarSearch run() {
-    const GapCells gaps = count_gap_cells(cover_);
-    if (gaps.all > kSurelyTooMany * static_cast<double>(options_.max_cells)) {
-      fail("sheets pass so near each other that more than " + std::to_string(options_.max_cells) +
-               " cells would be needed",
-           cover_.boxes[gaps.narrowest].star.box);
-      return std::move(out_);
-    }
+    gaps_ = count_gap_cells(cover_);
+    is_narrow_ = gaps_.all > kSurelyTooMany * static_cast<double>(options_.max_cells);
     const Result<OctreeRoot> root = root_around(hull_of_leaves(forest_, cover_));
     if (!root) {
       fail(root.error().message);
@@ -110,6 +107,12 @@ class Search {
         return fail(defects.front().message + "; cells of the least size come together here",
                     root_.box(key));
     }
+    if (is_narrow_ && which.size() + more > kFewCells)
+      return fail("sheets pass so near each other that more than " +
+                      std::to_string(options_.max_cells) +
+                      " cells may be needed; covers of up to " + std::to_string(which.size()) +
+                      " were tried",
+                  cover_.boxes[gaps_.narrowest].star.box);
     if (which.size() + more > options_.max_cells) {
       const std::uint32_t cell = boundary_.bodies[defects.front().body].first_cell;
       return fail(defects.front().message + "; more than " + std::to_string(options_.max_cells) +
@@ -161,7 +164,8 @@ class Search {
   ComplexBoundary boundary_;
   Collar collar_;
   PatchCollarSearch out_;
-  bool is_done_ = false;
+  GapCells gaps_;
+  bool is_narrow_ = false, is_done_ = false;
 };
 
 }  // namespace

@@ -21,6 +21,11 @@ using Kind = OpenQuestion::Kind;
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;
 
+constexpr const char* kOutOfRangeText =
+    "the model lies too far from the origin for its size, or has parts of too different sizes: "
+    "coordinates of boxes, in units of the least one, would have over 60 bits, or these units be "
+    "out of range";
+
 std::string text_of(UncoveredPiece::Why why) {
   switch (why) {
     case UncoveredPiece::Why::kNoCentres:
@@ -31,6 +36,7 @@ std::string text_of(UncoveredPiece::Why why) {
              "small";
     case UncoveredPiece::Why::kTooDeep:
       return "too many patches, or pieces of very different sizes, meet near this piece";
+    case UncoveredPiece::Why::kTooFine: return kOutOfRangeText;
     case UncoveredPiece::Why::kBudget: return "the number of boxes that may be tried is spent";
     case UncoveredPiece::Why::kStopped: return "the search was stopped";
   }
@@ -38,7 +44,11 @@ std::string text_of(UncoveredPiece::Why why) {
 }
 
 Kind kind_of(UncoveredPiece::Why why) {
-  return why == UncoveredPiece::Why::kBudget ? Kind::kBudget : Kind::kNoStarBox;
+  switch (why) {
+    case UncoveredPiece::Why::kBudget: return Kind::kBudget;
+    case UncoveredPiece::Why::kTooFine: return Kind::kOutOfRange;
+    default: return Kind::kNoStarBox;
+  }
 }
 
 // About: a gap in the frame, along its axis of the greatest unit; see Obstacle.
@@ -60,7 +70,8 @@ std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame&
 }
 
 OpenQuestion complex_question(const PatchComplex& complex) {
-  OpenQuestion open{Kind::kComplex, {}, {}, {}, "the patches are no closed oriented surface"};
+  OpenQuestion open{
+      Kind::kComplex, {}, {}, {}, "the patches are not shown to be a closed oriented surface"};
   for (const PatchFinding& f : complex.findings()) {
     if (f.defect == PatchDefect::kAdjacentPoles) continue;
     open.message += "; " + describe(complex, f);
@@ -115,7 +126,8 @@ class Decider {
       forest_->limit_memory(options_.cover.memory);
     };
     StarCoverOptions options = options_.cover;
-    options.least_unit = std::max(options.least_unit, least_unit_that_fits(*forest_));
+    options.least_cube_unit = least_unit_that_fits(*forest_);
+    options.least_unit = std::max(options.least_unit, options.least_cube_unit);
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
       if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
       if (forest_->node(piece).level >= kTroubleLevel && tried >= kBoxesBeforeTrouble)
@@ -140,14 +152,7 @@ class Decider {
 
   PatchDecision decide_sides() {
     if (!fits_certificate(*forest_, out_.cover))
-      return open({Kind::kOutOfRange,
-                   {},
-                   {},
-                   {},
-                   "the model lies too far from the origin for its size, or has parts of too "
-                   "different sizes: coordinates of "
-                   "boxes, in units of the least one, would have over 60 bits, or these units be "
-                   "out of range"});
+      return open({Kind::kOutOfRange, {}, {}, {}, kOutOfRangeText});
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();

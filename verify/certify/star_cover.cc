@@ -79,7 +79,8 @@ class CoverSearch {
     const bool is_crowded = search_.why() == Why::kTooDeep;
     const int crowded = is_crowded ? open.crowded + 1 : 0;
     const bool is_spent = out_.tried >= options_.max_boxes;
-    if (forest_.node(id).level >= options_.max_level || is_spent || crowded > kMostCrowded) {
+    if (forest_.node(id).level >= options_.max_level || is_spent || crowded > kMostCrowded ||
+        search_.why() == Why::kTooFine) {
       const Obstacle obstacle = search_.obstacle();
       out_.uncovered.push_back(
           {id, is_spent ? Why::kBudget : search_.why(), obstacle.gap, obstacle.least_cosine});

@@ -14,7 +14,8 @@ struct StarCoverOptions {
   int max_level = 20;                         ///< pieces are not split deeper: undecided there
   std::size_t max_boxes = 4'000'000;          ///< that are tried
   double growth = 1.75;                       ///< box to hull
-  double least_unit = 0x1p-48;                ///< of boxes that are cut back (not of cubes)
+  double least_unit = 0x1p-48;                ///< of boxes that are cut back
+  double least_cube_unit = 0;                 ///< of all others; the search ends where they would need a finer one
   std::size_t memory = std::size_t{1} << 26;  ///< bytes, of the nets of pieces
   /// Asked for each piece without a star box of its own size; if it says so the search stops there.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
@@ -33,7 +34,7 @@ struct CoverBox {
 /// Where no star box was found.
 struct UncoveredPiece {
   PieceForest::Id piece;
-  enum class Why { kNoCentres, kCrossings, kTooDeep, kBudget, kStopped } why;
+  enum class Why { kNoCentres, kCrossings, kTooDeep, kTooFine, kBudget, kStopped } why;
   /// About, in the forest's coordinates: see Obstacle.
   double gap = 0, least_cosine = 1;
 };

@@ -126,8 +126,8 @@ class Decider {
       forest_->limit_memory(options_.cover.memory);
     };
     StarCoverOptions options = options_.cover;
-    options.least_cube_unit = least_unit_that_fits(*forest_);
-    options.least_unit = std::max(options.least_unit, options.least_cube_unit);
+    options.least_unit = std::max(options.least_unit, least_unit_that_fits(*forest_));
+    options.least_cube_unit = least_unit_of_any(*forest_);
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
       if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
       if (forest_->node(piece).level >= kTroubleLevel && tried >= kBoxesBeforeTrouble)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "robust/base/check.h"
 #include "verify/certify/file_order.h"
@@ -116,6 +117,25 @@ double least_unit_that_fits(const PieceForest& forest) {
                               static_cast<int>(reach.denominator().bit_length()) + 1);
   }
   return std::ldexp(1.0, most - kMostBits + *std::max_element(scale.begin(), scale.end()));
+}
+
+double least_unit_of_any(const PieceForest& forest) {
+  const PatchComplex& complex = forest.complex();
+  std::optional<int> most;  // 2^most: at most the greatest coordinate of a corner, in the model
+  for (const Patch& patch : complex.patches())
+    for (std::uint32_t c = 0; c < patch.num_sides(); ++c) {
+      const std::vector<Rational> x = patch.corner(c);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Rational at = abs(patch.is_rational() ? x[k] / x[3] : x[k]);
+        if (at.sign() == Sign::kZero) continue;
+        const int below = static_cast<int>(at.numerator().bit_length()) -
+                          static_cast<int>(at.denominator().bit_length()) - 1;
+        most = most ? std::max(*most, below) : below;
+      }
+    }
+  const auto& scale = forest.frame().scale;
+  return most ? std::ldexp(1.0, *most - kMostBits + *std::max_element(scale.begin(), scale.end()))
+              : 0;
 }
 
 bool fits_certificate(const PieceForest& forest, const StarCover& cover) {

@@ -21,6 +21,10 @@ certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
 /// The least power of two in the forest's coordinates that may be the unit of boxes near the model: they then fit a certificate.
 double least_unit_that_fits(const PieceForest& forest);
 
+/// A power of two in the forest's coordinates: a cover with a box of a lesser unit fits no certificate. 0 of a model of points at the origin.
+/// REQUIRES positive weights.
+double least_unit_of_any(const PieceForest& forest);
+
 /// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate, and whether it can hold the unit.
 bool fits_certificate(const PieceForest& forest, const StarCover& cover);
 

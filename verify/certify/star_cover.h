@@ -15,7 +15,7 @@ struct StarCoverOptions {
   std::size_t max_boxes = 4'000'000;          ///< that are tried
   double growth = 1.75;                       ///< box to hull
   double least_unit = 0x1p-48;                ///< of boxes that are cut back
-  double least_cube_unit = 0;                 ///< of all others; the search ends where they would need a finer one
+  double least_cube_unit = 0;                 ///< of cubes; the search ends where one would need a finer one
   std::size_t memory = std::size_t{1} << 26;  ///< bytes, of the nets of pieces
   /// Asked for each piece without a star box of its own size; if it says so the search stops there.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;

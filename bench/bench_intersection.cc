@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bench/random_surfaces.h"
+#include "interval/intersect/surface_intersection.h"
 #include "interval/numeric.h"
-#include "interval/surface_intersection.h"
 #include "interval/upward.h"
 #ifdef VERITOPE_BENCH_OCCT
 #include "bench/occt_intersections.h"

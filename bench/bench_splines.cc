@@ -12,7 +12,7 @@
 
 #include "bench/spline_peers.h"
 #include "bench/stopwatch.h"
-#include "interval/surface_enclosure.h"
+#include "interval/enclosure/surface_enclosure.h"
 #include "robust/base/random.h"
 #include "splines/fast_spline.h"
 

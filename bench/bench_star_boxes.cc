@@ -9,7 +9,7 @@
 #include <string>
 
 #include "bench/stopwatch.h"
-#include "solids/patch_shapes.h"
+#include "models/patch_shapes.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/certify/star_box_certifier.h"
 

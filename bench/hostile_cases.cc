@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "cli/hard_cases.h"
+#include "named_predicates/hard_cases.h"
 #include "robust/base/fp_guard.h"
 
 namespace {
 
 using namespace veritope;
-using namespace veritope::cli;
+using namespace veritope;
 
 bool write_case(const HardCases& cases, const HardCase& hard_case, Sign sign) {
   const auto& all = cases.predicates();

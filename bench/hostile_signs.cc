@@ -11,13 +11,13 @@
 #include <immintrin.h>
 #endif
 
-#include "cli/hard_cases.h"
+#include "named_predicates/hard_cases.h"
 #include "robust/base/fp_guard.h"
 
 namespace {
 
 using namespace veritope;
-using namespace veritope::cli;
+using namespace veritope;
 
 struct Mode {
   const char* name;

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace veritope::bench {
 namespace {
@@ -25,7 +25,8 @@ Vec3d combine(double s, const Vec3d& a, double t, const Vec3d& b) {
 }
 
 // The four facets for each facet, given the new vertex of every edge.
-void split_faces(const TriangleMesh& mesh, const std::unordered_map<Edge, std::uint32_t>& middle, TriangleMesh& out) {
+void split_faces(const TriangleMesh& mesh, const std::unordered_map<Edge, std::uint32_t>& middle,
+                 TriangleMesh& out) {
   for (const auto& f : mesh.faces) {
     const std::uint32_t m[3] = {middle.at(edge_key(f[0], f[1])), middle.at(edge_key(f[1], f[2])),
                                 middle.at(edge_key(f[2], f[0]))};
@@ -40,7 +41,8 @@ void split_faces(const TriangleMesh& mesh, const std::unordered_map<Edge, std::u
 
 TriangleMesh data_model(const std::string& name) {
   const char* folder = std::getenv("VERITOPE_DATA");
-  auto file = read_mesh_file((folder != nullptr ? std::string(folder) : "../shared/data") + "/mesh/" + name, {});
+  auto file = read_mesh_file(
+      (folder != nullptr ? std::string(folder) : "../shared/data") + "/mesh/" + name, {});
   if (!file) {
     std::fprintf(stderr, "%s\n", to_string(file.error()).c_str());
     std::exit(4);
@@ -60,7 +62,8 @@ TriangleMesh loop_step(const TriangleMesh& mesh) {
   for (const auto& f : mesh.faces)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = f[k], b = f[(k + 1) % 3], c = f[(k + 2) % 3];
-      const auto [it, fresh] = index.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(edges.size()));
+      const auto [it, fresh] =
+          index.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(edges.size()));
       if (fresh) edges.push_back({a, b, {c, c}});
       EdgeInfo& e = edges[it->second];
       e.opposite[e.faces++ > 0 ? 1 : 0] = c;
@@ -77,7 +80,8 @@ TriangleMesh loop_step(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const EdgeInfo& e = edges[i];
     const Vec3d near = combine(0.375, mesh.positions[e.a], 0.375, mesh.positions[e.b]);
-    const Vec3d far = combine(0.125, mesh.positions[e.opposite[0]], 0.125, mesh.positions[e.opposite[1]]);
+    const Vec3d far =
+        combine(0.125, mesh.positions[e.opposite[0]], 0.125, mesh.positions[e.opposite[1]]);
     index[edge_key(e.a, e.b)] = static_cast<std::uint32_t>(out.positions.size());
     out.positions.push_back(combine(1, near, 1, far));
   }
@@ -92,7 +96,8 @@ TriangleMesh flat_step(const TriangleMesh& mesh) {
   for (const auto& f : mesh.faces)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = f[k], b = f[(k + 1) % 3];
-      if (middle.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(out.positions.size())).second)
+      if (middle.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(out.positions.size()))
+              .second)
         out.positions.push_back(combine(0.5, mesh.positions[a], 0.5, mesh.positions[b]));
     }
   split_faces(mesh, middle, out);
@@ -117,7 +122,8 @@ TriangleMesh sliver_cylinder(unsigned sides, Caps caps, double length) {
     m.faces.push_back({i, j, n + j});
     m.faces.push_back({i, n + j, n + i});
   }
-  const auto cap = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {  // counter-clockwise seen from above
+  const auto cap = [&](std::uint32_t a, std::uint32_t b,
+                       std::uint32_t c) {  // counter-clockwise seen from above
     m.faces.push_back({a, c, b});
     m.faces.push_back({n + a, n + b, n + c});
   };

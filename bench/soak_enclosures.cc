@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bench/stopwatch.h"
-#include "interval/surface_enclosure.h"
+#include "interval/enclosure/surface_enclosure.h"
 #include "tests/interval/exact_jets.h"
 
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "bench/random_surfaces.h"
+#include "interval/intersect/surface_intersection.h"
 #include "interval/numeric.h"
-#include "interval/surface_intersection.h"
 
 namespace {
 

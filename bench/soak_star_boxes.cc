@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "solids/patches/patch_transform.h"
 #include "tests/certify/planted_crossings.h"
 #include "verify/certify/patch_decision.h"
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "bench/models.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 int main(int argc, char** argv) {
   using namespace veritope;

@@ -7,7 +7,7 @@
 
 #include "cli/certification.h"
 #include "cli/defect_picture.h"
-#include "io/reading_rule.h"
+#include "io/mesh/reading_rule.h"
 #include "verify/certify/mesh_certifier.h"
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/sha256.h"
@@ -26,8 +26,7 @@ class MeshCertification : public Certification {
     report_.seconds.read = watch_.lap();
     if (!file) return refuse(fault_of(file.error()));
     report_.reading = file->report;
-    report_.as_indexed =
-        settings_.reading.as_indexed && file->report.format != MeshFormat::kStl;
+    report_.as_indexed = settings_.reading.as_indexed && file->report.format != MeshFormat::kStl;
     report_.sha256 = file->sha256;
     mesh_ = std::move(file->mesh);
     polygon_of_face_ = std::move(file->polygon_of_face);

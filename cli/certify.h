@@ -7,9 +7,9 @@
 
 #include "cli/file_report.h"
 #include "cli/progress.h"
-#include "io/read_mesh.h"
-#include "io/spline_format.h"
-#include "solids/patch_complex.h"
+#include "io/mesh/read_mesh.h"
+#include "io/splines/spline_format.h"
+#include "solids/patches/patch_complex.h"
 
 namespace veritope::cli {
 
@@ -17,7 +17,7 @@ struct CertifySettings {
   ReadOptions reading;
   std::optional<SplineFormat> spline_format;  ///< of a spline file
   PatchOrientation orientation = PatchOrientation::kKeep;
-  bool with_collar = false;  ///< of a spline file: collar-1 if there is a collar
+  bool with_collar = false;         ///< of a spline file: collar-1 if there is a collar
   std::optional<double> tolerance;  ///< of the volume of a spline file: see PatchDecisionOptions
   unsigned jobs = 1;
   std::size_t max_defects = 20;

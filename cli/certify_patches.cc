@@ -5,11 +5,11 @@
 #include "cli/certification.h"
 #include "cli/decimal_text.h"
 #include "cli/patch_report.h"
-#include "io/patch_model.h"
-#include "io/read_splines.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/read_splines.h"
 #include "verify/certify/collar_certifier.h"
-#include "verify/certify/patch_decision.h"
 #include "verify/certify/patch_certifier.h"
+#include "verify/certify/patch_decision.h"
 #include "verify/certify/refutation_facts.h"
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/sha256.h"
@@ -77,9 +77,8 @@ class PatchCertification : public Certification {
       return true;
     const Result<SplineFile> again = read_splines(known);
     if (again || again.error().code != Code::kOverLimit) return true;
-    return undecided("not-covered",
-                     "the file has longer numbers than certificates may be about: " +
-                         fault_text(fault_of(again.error())));
+    return undecided("not-covered", "the file has longer numbers than certificates may be about: " +
+                                        fault_text(fault_of(again.error())));
   }
 
   Result<SplineFile> read_splines(const ReadLimits& limits) {
@@ -192,7 +191,8 @@ class PatchCertification : public Certification {
       collar_ = find_patch_collar(*forest_, decision_.cover);
     else
       collar_.open.message =
-          "octrees have cubes around the origin's grid: the model lies too far away, or is too flat";
+          "octrees have cubes around the origin's grid: the model lies too far away, or is too "
+          "flat";
     report_.patches->collar = collar_report(collar_, *forest_);
     report_.seconds.collar = watch_.lap();
   }

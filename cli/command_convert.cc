@@ -10,7 +10,7 @@
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
 #include "cli/text_style.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 namespace veritope::cli {
 namespace {
@@ -81,7 +81,9 @@ std::string loss_text(const LossReport& loss, bool as_indexed) {
 // What is no part of the model: it is not kept, and that is no loss.
 std::string dropped_text(const ReadReport& reading, const WriteOptions& target) {
   std::string text;
-  const auto add = [&text](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+  const auto add = [&text](const std::string& words) {
+    text += (text.empty() ? "" : ", ") + words;
+  };
   for (const auto& [what, count] : reading.ignored) {
     add(std::to_string(count) + " " + harmless(what));
   }

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "cli/hard_cases.h"
+#include "named_predicates/hard_cases.h"
 
 namespace veritope::cli {
 

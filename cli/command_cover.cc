@@ -9,8 +9,8 @@
 #include "cli/patch_report.h"
 #include "cli/progress.h"
 #include "cli/text_style.h"
-#include "io/patch_model.h"
-#include "io/read_splines.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/report_text.h"
 #include "cli/spline_convert.h"
 #include "cli/spline_report.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 namespace veritope::cli {
 namespace {

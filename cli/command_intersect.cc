@@ -5,7 +5,7 @@
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "cli/text_style.h"
-#include "io/read_splines.h"
+#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 namespace {

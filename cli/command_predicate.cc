@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string>
 
-#include "cli/case_reader.h"
 #include "cli/commands.h"
 #include "cli/line_reader.h"
 #include "cli/text_style.h"
+#include "named_predicates/case_reader.h"
 
 namespace veritope::cli {
 namespace {

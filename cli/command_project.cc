@@ -4,7 +4,7 @@
 #include "cli/output_plan.h"
 #include "cli/projection_report.h"
 #include "cli/text_style.h"
-#include "io/read_splines.h"
+#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/hard_cases.h"
-#include "cli/named_predicate.h"
+#include "named_predicates/hard_cases.h"
+#include "named_predicates/named_predicate.h"
 #include "robust/base/fp_guard.h"
 
 namespace veritope::cli {

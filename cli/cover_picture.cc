@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/cell_grid.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
+#include "render/cell_grid.h"
 #include "verify/certify/collar_solids.h"
 
 namespace veritope::cli {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/file_report.h"
-#include "io/coloured_ply.h"
+#include "render/coloured_ply.h"
 
 namespace veritope::cli {
 

@@ -8,7 +8,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/patch_report.h"
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "robust/base/result.h"
 #include "solids/polyhedron/validity.h"
 
@@ -56,7 +56,8 @@ struct FileReport {
   std::optional<ReadReport> reading;       ///< nothing: unreadable
   std::optional<ValidityReport> decision;  ///< without its defects, see `defects`
   std::vector<ListedDefect> defects;       ///< at most --max-defects
-  std::optional<PatchReport> patches;      ///< of a spline file that was read; then there is no reading, decision or defect
+  std::optional<PatchReport>
+      patches;  ///< of a spline file that was read; then there is no reading, decision or defect
   std::optional<CertificateReport> certificate;
   std::string picture;  ///< PLY; empty: none was asked for, or there is no verdict
   PhaseSeconds seconds;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/exit_code.h"
-#include "interval/surface_intersection.h"
-#include "io/read_splines.h"
+#include "interval/intersect/surface_intersection.h"
+#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "cli/certify.h"
-#include "io/mesh_format.h"
+#include "io/mesh/mesh_format.h"
 #include "robust/base/parallel.h"
 #include "solids/interval_boxes/condition_sweep.h"
 
@@ -256,7 +256,8 @@ void add_cover(CLI::App& app, Options& o) {
 }
 
 void add_explain(CLI::App& app, Options& o) {
-  CLI::App* const c = app.add_subcommand("explain", "what a rule or an answer means; without RULE: the list");
+  CLI::App* const c =
+      app.add_subcommand("explain", "what a rule or an answer means; without RULE: the list");
   c->callback([&o] { o.command = Command::kExplain; });
   c->add_option_function<std::string>(
        "RULE", [&o](const std::string& id) { o.rule = id; }, "M1 to M9, side-open, ...")

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/cover_picture.h"
-#include "cli/named_predicate.h"
-#include "io/read_mesh.h"
-#include "io/spline_format.h"
+#include "io/mesh/read_mesh.h"
+#include "io/splines/spline_format.h"
+#include "named_predicates/named_predicate.h"
 
 namespace veritope::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/spline_format.h"
+#include "io/splines/spline_format.h"
 #include "verify/certify/patch_collar.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/certify/refutation_facts.h"
@@ -34,7 +34,7 @@ struct PatchReport {
   std::uint64_t entities = 0, patches = 0, edges = 0, vertices = 0, shells = 0;
   std::vector<std::uint64_t> flipped;  ///< entities whose orientation --orient auto reversed
   std::uint64_t boxes_tried = 0;
-  std::optional<OpenQuestion> open;  ///< why there is no proof
+  std::optional<OpenQuestion> open;      ///< why there is no proof
   std::vector<RefutationFacts> defects;  ///< of an invalid model: what was proved
   // Of a valid model.
   std::uint64_t bodies = 0, genus = 0, boxes = 0;

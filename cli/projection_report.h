@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/exit_code.h"
-#include "interval/point_projection.h"
-#include "io/spline_model.h"
+#include "interval/intersect/point_projection.h"
+#include "io/splines/spline_model.h"
 
 namespace veritope::cli {
 

@@ -9,13 +9,14 @@
 #include "cli/output_plan.h"
 #include "cli/text_style.h"
 #include "io/byte_buffer.h"
-#include "io/mesh_format.h"
-#include "io/patch_model.h"
-#include "io/read_splines.h"
-#include "io/sniff.h"
-#include "io/spline_view.h"
-#include "io/volume_faces.h"
-#include "io/write_splines.h"
+#include "io/foreign_content.h"
+#include "io/mesh/mesh_format.h"
+#include "io/mesh/sniff.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/read_splines.h"
+#include "io/splines/volume_faces.h"
+#include "io/splines/write_splines.h"
+#include "render/spline_view.h"
 
 namespace veritope::cli {
 namespace {

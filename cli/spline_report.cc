@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <new>
 
-#include "io/write_splines.h"
+#include "io/splines/write_splines.h"
 
 namespace veritope::cli {
 namespace {

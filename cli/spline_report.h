@@ -8,7 +8,7 @@
 #include "cli/exit_code.h"
 #include "cli/file_report.h"
 #include "cli/text_style.h"
-#include "io/read_splines.h"
+#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 

@@ -15,19 +15,25 @@ foreach(folder IN ITEMS cli verify/checker)
 endforeach()
 add_custom_target(veritope_programs DEPENDS ${veritope_executables})
 
-# Layers, lowest first; what serves only the command line stays here.
+# Layers, lowest first. Example models and what serves only the command line stay here.
 set(veritope_layers "")
 set(veritope_pc_libs "")
 get_property(layers GLOBAL PROPERTY VERITOPE_LAYERS)
 foreach(layer IN LISTS layers)
   get_target_property(folder ${layer} VERITOPE_FOLDER)
-  if(folder MATCHES "^cli")
+  if(folder MATCHES "^(cli|models|named_predicates)$")
     continue()
   endif()
   list(APPEND veritope_layers ${layer})
   string(PREPEND veritope_pc_libs "-l${layer} ")
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/${folder}"
-          FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
+  file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h" "${PROJECT_SOURCE_DIR}/${folder}/generated/*.h")
+  foreach(header IN LISTS headers)
+    if(NOT header MATCHES "_internal\\.h$")
+      cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE relative)
+      cmake_path(GET relative PARENT_PATH place)
+      install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/${place}")
+    endif()
+  endforeach()
 endforeach()
 
 # Headers that include other libraries: a target of its own, veritope::interop, that veritope::veritope leaves out.

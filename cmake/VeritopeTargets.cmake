@@ -1,10 +1,17 @@
-# veritope_layer(NAME FOLDER LINK...): one library a layer, from the .cc files of its folder. LINK names
-# the layers that docs/layers.txt allows, so that the linker knows the same arrows as the test.
+# The folders of docs/layers.txt: a file belongs to the longest of them that its path begins with.
+set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS docs/layers.txt)
+file(STRINGS "${PROJECT_SOURCE_DIR}/docs/layers.txt" rows REGEX "^[a-z]")
+list(TRANSFORM rows REPLACE " *\\|.*" "" OUTPUT_VARIABLE VERITOPE_ROOMS)
+
+# veritope_layer(NAME FOLDER LINK...): one library a row of docs/layers.txt, from the .cc files that belong to its folder. LINK
+# names the layers that the row allows, so that the linker knows the same arrows as the test.
 function(veritope_layer name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.cc")
-  if(folder STREQUAL "robust")
-    list(FILTER sources EXCLUDE REGEX "/robust/base/")
-  endif()
+  foreach(room IN LISTS VERITOPE_ROOMS)
+    if(room MATCHES "^${folder}/")
+      list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${room}/")
+    endif()
+  endforeach()
   add_library(veritope_${name} STATIC ${sources})
   add_library(veritope::${name} ALIAS veritope_${name})
   target_include_directories(veritope_${name} PUBLIC

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_transform.h"
 #include "tests/certify/patch_round_trip.h"
 #include "tests/support/checker_call.h"
 

@@ -10,7 +10,7 @@
 
 #include "fuzz/certificate_input.h"
 #include "fuzz/decision_laws.h"
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "tests/support/checker_call.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
@@ -28,8 +28,10 @@ void check(const Input& in) {
   const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
   ReadOptions options;
   options.as_indexed = get(statement, "as_indexed") == "true";
-  options.limits = {~std::uint64_t{0}, ~std::uint64_t{0} >> 1, ~std::uint32_t{0} >> 1, ~std::uint32_t{0} >> 1};
-  const auto bytes = std::span(reinterpret_cast<const unsigned char*>(in.model.data()), in.model.size());
+  options.limits = {~std::uint64_t{0}, ~std::uint64_t{0} >> 1, ~std::uint32_t{0} >> 1,
+                    ~std::uint32_t{0} >> 1};
+  const auto bytes =
+      std::span(reinterpret_cast<const unsigned char*>(in.model.data()), in.model.size());
   const auto file = read_mesh_bytes(bytes, "model." + get(statement, "subject_format"), options);
   if (!file) {
     std::fprintf(stderr, "%s\nbut the kernel refuses the model\n", answer.c_str());
@@ -44,12 +46,14 @@ void check(const Input& in) {
   if (!claims_valid) {
     // A witness of M8 or M9 proves INVALID, not which of the two it is.
     for (std::size_t k = 0; k < 7; ++k)
-      if (get(statement, "rules").find("M" + std::to_string(k + 1)) != std::string::npos && report.rule_counts[k] == 0)
+      if (get(statement, "rules").find("M" + std::to_string(k + 1)) != std::string::npos &&
+          report.rule_counts[k] == 0)
         fail(answer + "\nbut " + summary(report), mesh);
     return;
   }
   const auto number = [&](const char* key, std::uint64_t want) {
-    if (get(statement, key) != std::to_string(want)) fail(std::string(key) + " is " + std::to_string(want) + "\n" + statement, mesh);
+    if (get(statement, key) != std::to_string(want))
+      fail(std::string(key) + " is " + std::to_string(want) + "\n" + statement, mesh);
   };
   number("vertices", report.counts.referenced_vertices);
   number("edges", report.counts.edges);
@@ -58,7 +62,8 @@ void check(const Input& in) {
   number("bodies", report.counts.bodies.value());
   number("genus", static_cast<std::uint64_t>(report.counts.genus.value()));
   const Rational& v = report.volume.value();
-  if (get(statement, "volume") != v.numerator().to_string() + "/" + v.denominator().to_string()) fail("volume\n" + statement, mesh);
+  if (get(statement, "volume") != v.numerator().to_string() + "/" + v.denominator().to_string())
+    fail("volume\n" + statement, mesh);
 }
 
 class Mutator {
@@ -104,7 +109,8 @@ class Mutator {
     const std::size_t words = (in_.certificate.size() - line - 13) / 4;
     const std::size_t a = line + 13 + 4 * pick(words), b = line + 13 + 4 * pick(words);
     if (std::max(a, b) + 4 > in_.certificate.size() || a == b) return;
-    std::swap_ranges(in_.certificate.begin() + static_cast<std::ptrdiff_t>(a), in_.certificate.begin() + static_cast<std::ptrdiff_t>(a + 4),
+    std::swap_ranges(in_.certificate.begin() + static_cast<std::ptrdiff_t>(a),
+                     in_.certificate.begin() + static_cast<std::ptrdiff_t>(a + 4),
                      in_.certificate.begin() + static_cast<std::ptrdiff_t>(b));
   }
   // A multiple of 4 bytes before the end: a binary model's coordinates.
@@ -124,12 +130,15 @@ class Mutator {
     std::memcpy(in_.model.data() + at, &v, 8);
   }
   void change_statement(std::size_t line) {
-    static const char* const kNumbers[] = {"vertices", "edges", "faces", "shells", "bodies", "genus"};
+    static const char* const kNumbers[] = {"vertices", "edges",  "faces",
+                                           "shells",   "bodies", "genus"};
     std::string statement = in_.certificate.substr(0, line);
     const std::string rest = in_.certificate.substr(line);
     switch (pick(6)) {
       case 0: set(statement, kNumbers[pick(6)], std::to_string(pick(20))); break;
-      case 1: set(statement, "volume", std::to_string(pick(20)) + "/" + std::to_string(1 + pick(6))); break;
+      case 1:
+        set(statement, "volume", std::to_string(pick(20)) + "/" + std::to_string(1 + pick(6)));
+        break;
       case 2: set(statement, "as_indexed", pick(2) == 0 ? "true" : "false"); break;
       case 3: set(statement, "rules", "M" + std::to_string(1 + pick(9))); break;
       case 4: {
@@ -154,7 +163,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
   using namespace veritope::fuzz;
   if (seed % 16 == 0) return LLVMFuzzerMutate(data, size, max_size);
   Mutator mutator(Input::decode(data, size), seed);

@@ -11,12 +11,12 @@
 #include <cstring>
 #include <string>
 
-#include "cli/hard_cases.h"
+#include "named_predicates/hard_cases.h"
 
 namespace {
 
 using namespace veritope;
-using namespace veritope::cli;
+using namespace veritope;
 
 const std::vector<const NamedPredicate*>& predicates() {
   static const HardCases cases(1);

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "interval/polynomial_roots.h"
+#include "interval/solvers/polynomial_roots.h"
 #include "splines/de_casteljau.h"
 #include "tests/interval/sturm.h"
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "robust/base/check.h"
 
 namespace veritope::fuzz {

@@ -8,14 +8,15 @@
 #include <span>
 #include <string>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "robust/base/check.h"
 #include "verify/checker/checker.h"
 
 namespace veritope::fuzz {
 
 /// What the checker reads; nothing if it refuses.
-inline std::optional<::Model> model_of_checker(const std::string& bytes, MeshFormat format, bool as_indexed) {
+inline std::optional<::Model> model_of_checker(const std::string& bytes, MeshFormat format,
+                                               bool as_indexed) {
   try {
     return ::read_model(bytes, mesh_format_name(format), as_indexed);
   } catch (const ::Refused&) {
@@ -27,7 +28,8 @@ inline std::optional<::Model> model_of_checker(const std::string& bytes, MeshFor
 inline std::int64_t checker_key(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-  return (bits & kSign) != 0 ? -static_cast<std::int64_t>(bits & ~kSign) : static_cast<std::int64_t>(bits);
+  return (bits & kSign) != 0 ? -static_cast<std::int64_t>(bits & ~kSign)
+                             : static_cast<std::int64_t>(bits);
 }
 
 /// Law 5. The checker has no limits of numbers: they are lifted here; a file over another one is no case.
@@ -42,15 +44,20 @@ inline void check_agreement(MeshFormat format, std::span<const std::uint8_t> byt
     const Result<MeshFile> file = read_mesh_bytes(bytes, "fuzz", options);
     if (!file && file.error().code == Code::kOverLimit) continue;
     const std::optional<::Model> model = model_of_checker(text, format, as_indexed);
-    VT_CHECK(file.has_value() == model.has_value(), file ? "the checker refuses what we read" : "the checker reads what we refuse");
+    VT_CHECK(file.has_value() == model.has_value(),
+             file ? "the checker refuses what we read" : "the checker reads what we refuse");
     if (!file) continue;
     const TriangleMesh& mesh = file.value().mesh;
-    VT_CHECK(model->faces() == mesh.faces.size() && model->vertices() == mesh.positions.size(), "the checker reads other numbers");
+    VT_CHECK(model->faces() == mesh.faces.size() && model->vertices() == mesh.positions.size(),
+             "the checker reads other numbers");
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
       for (int axis = 0; axis < 3; ++axis)
-        VT_CHECK(model->key[3 * v + static_cast<std::size_t>(axis)] == checker_key(mesh.positions[v][axis]), "the checker reads another coordinate");
+        VT_CHECK(model->key[3 * v + static_cast<std::size_t>(axis)] ==
+                     checker_key(mesh.positions[v][axis]),
+                 "the checker reads another coordinate");
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      for (std::size_t i = 0; i < 3; ++i) VT_CHECK(model->tri[3 * f + i] == mesh.faces[f][i], "the checker reads another triangle");
+      for (std::size_t i = 0; i < 3; ++i)
+        VT_CHECK(model->tri[3 * f + i] == mesh.faces[f][i], "the checker reads another triangle");
   }
 }
 

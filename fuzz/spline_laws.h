@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/read_splines.h"
-#include "io/spline_view.h"
-#include "io/write_splines.h"
+#include "io/splines/read_splines.h"
+#include "io/splines/write_splines.h"
+#include "render/spline_view.h"
 #include "robust/base/check.h"
 
 namespace veritope::fuzz {

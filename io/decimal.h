@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "io/read_mesh.h"
+#include "io/read_limits.h"
 #include "io/scan.h"
 
 namespace veritope {

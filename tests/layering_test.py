@@ -52,7 +52,7 @@ def outside_kind(header):
 def is_installed(path, layers):
     """Whether cmake/VeritopeInstall.cmake installs it: see veritope_layer in cmake/VeritopeTargets.cmake."""
     row = layers.layer_of(path)
-    unlisted = {None, "verify/checker", "cli", "python", "render", "tools", "tests", "fuzz", "bench"}
+    unlisted = {None, "verify/checker", "cli", "python", "models", "named_predicates", "tools", "tests", "fuzz", "bench"}
     return path.endswith(".h") and not path.endswith("_internal.h") and row not in unlisted
 
 
@@ -220,14 +220,14 @@ class PlantedFaults(unittest.TestCase):
         self.assert_only_fault({"verify/checker/extra.h": "#include <unistd.h>\n"}, "(posix)")
 
     def test_the_checker_in_the_kernel_is_found(self):
-        self.assert_only_fault({"solids/cheat.cc": '#include "verify/checker/numbers.h"\n'}, "no arrow from verify/checker")
+        self.assert_only_fault({"solids/polyhedron/cheat.cc": '#include "verify/checker/numbers.h"\n'}, "no arrow from verify/checker")
 
     def test_a_posix_or_internal_header_in_an_installed_one_is_found(self):
         self.assert_only_fault({"robust/wait.h": "#include <unistd.h>\n"}, "an installed header may not include")
         self.assert_only_fault({"predicates/open.h": '#include "predicates/orient2d_internal.h"\n'}, "which is not installed")
 
     def test_an_internal_header_of_another_layer_is_found(self):
-        self.assert_only_fault({"solids/curious.cc": '#include "predicates/orient2d_internal.h"\n'}, "its tests only")
+        self.assert_only_fault({"solids/polyhedron/curious.cc": '#include "predicates/orient2d_internal.h"\n'}, "its tests only")
 
     def test_a_folder_without_a_row_is_found(self):
         self.assert_only_fault({"misc/thing.cc": "#include <vector>\n"}, "no row")

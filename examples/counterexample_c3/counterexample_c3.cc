@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "models/patch_shapes.h"
+#include "models/plane_shapes.h"
 #include "solids/interval_boxes/box_union.h"
 #include "solids/interval_boxes/conditions.h"
-#include "solids/interval_boxes/plane_shapes.h"
-#include "solids/patch_shapes.h"
 
 using namespace veritope;
 

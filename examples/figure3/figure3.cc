@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "models/plane_shapes.h"
 #include "solids/interval_boxes/box_union.h"
 #include "solids/interval_boxes/c3_exceptions.h"
-#include "solids/interval_boxes/plane_shapes.h"
 
 using namespace veritope;
 

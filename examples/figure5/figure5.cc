@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "models/plane_shapes.h"
 #include "solids/interval_boxes/c3_exceptions.h"
-#include "solids/interval_boxes/plane_shapes.h"
 
 using namespace veritope;
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "models/plane_shapes.h"
 #include "solids/interval_boxes/c3_exceptions.h"
 #include "solids/interval_boxes/chord_circle.h"
-#include "solids/interval_boxes/plane_shapes.h"
 #include "splines/bspline_make.h"
 
 using namespace veritope;

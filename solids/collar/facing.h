@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solids/star_box/piece_forest.h"
+#include "solids/pieces/piece_forest.h"
 
 namespace veritope {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "robust/base/result.h"
-#include "solids/star_box/box_hierarchy.h"
+#include "solids/pieces/box_hierarchy.h"
 #include "topology/octree_key.h"
 
 namespace veritope {

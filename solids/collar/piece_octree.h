@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solids/collar/octree_root.h"
-#include "solids/star_box/piece_forest.h"
+#include "solids/pieces/piece_forest.h"
 
 namespace veritope {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "robust/base/check.h"
-#include "solids/star_box/piece_descent.h"
+#include "solids/pieces/piece_descent.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope {

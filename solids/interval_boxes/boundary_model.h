@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "robust/base/result.h"
-#include "solids/patch_complex.h"
-#include "solids/star_box/box_hierarchy.h"
-#include "solids/star_box/piece_forest.h"
+#include "solids/patches/patch_complex.h"
+#include "solids/pieces/box_hierarchy.h"
+#include "solids/pieces/piece_forest.h"
 
 namespace veritope {
 

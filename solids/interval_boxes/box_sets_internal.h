@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solids/star_box/box_hierarchy.h"
+#include "solids/pieces/box_hierarchy.h"
 
 namespace veritope {
 

@@ -8,7 +8,7 @@
 #include <queue>
 
 #include "solids/interval_boxes/box_sets_internal.h"
-#include "solids/star_box/piece_descent.h"
+#include "solids/pieces/piece_descent.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope {
@@ -156,7 +156,8 @@ class Tracer {
     Ids tested;
     const double longest = 0.5 * size_of(box, model_.dimension());
     if (!descend_to(forest_, box, 16 * options_.max_pieces, [&](PieceForest::Id id) {
-          if (size_of(forest_.node(id).hull, model_.dimension()) > longest) return PieceStep::kSplit;
+          if (size_of(forest_.node(id).hull, model_.dimension()) > longest)
+            return PieceStep::kSplit;
           tested.push_back(id);
           return tested.size() <= options_.max_pieces ? PieceStep::kTaken : PieceStep::kStop;
         }))
@@ -168,8 +169,8 @@ class Tracer {
 
   // First with the signs that are at hand: on small pieces they are those of a larger one, and the determinants' nets are most of the cost.
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
-    const auto known = common_signs(
-        tested, [&](PieceForest::Id id) { return model_.known_normal_signs(id); });
+    const auto known =
+        common_signs(tested, [&](PieceForest::Id id) { return model_.known_normal_signs(id); });
     if (const auto answer = by_monotone_axes(box, tested, known, {})) return answer;
     const auto all =
         common_signs(tested, [&](PieceForest::Id id) { return model_.normal_signs(id); });

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "robust/base/result.h"
-#include "solids/star_box/box_hierarchy.h"
+#include "solids/pieces/box_hierarchy.h"
 #include "topology/complex_boundary.h"
 
 namespace veritope {

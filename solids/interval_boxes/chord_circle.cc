@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "interval/box.h"
-#include "interval/surface_enclosure.h"
+#include "interval/enclosure/surface_enclosure.h"
 #include "interval/upward.h"
 #include "splines/knot_insertion.h"
 
@@ -227,16 +227,16 @@ template <std::size_t N, typename Curvature>
 Result<RadiusEnclosure> least_radius(const BSpline<Rational, N>& map, const RadiusOptions& options,
                                      Curvature curvature) {
   if (may_have_corners(map))
-    return Error{Code::kBadArgument,
-                 {},
-                 "there may be a corner at a knot of multiplicity degree or more: cut the map there"};
-  const auto prepared = SplineEnclosure<N>::prepare(map, 3);
-  if (!prepared) return prepared.error();
-  if (prepared->dimension() != static_cast<int>(N) + 1)
     return Error{
         Code::kBadArgument,
         {},
-        N == 1 ? "a curve that is not in the plane" : "a surface that is not in space"};
+        "there may be a corner at a knot of multiplicity degree or more: cut the map there"};
+  const auto prepared = SplineEnclosure<N>::prepare(map, 3);
+  if (!prepared) return prepared.error();
+  if (prepared->dimension() != static_cast<int>(N) + 1)
+    return Error{Code::kBadArgument,
+                 {},
+                 N == 1 ? "a curve that is not in the plane" : "a surface that is not in space"};
   const ScopedUpward upward;
   const auto over = [&](const std::vector<Interval>& v, auto part) {
     Box<N> at;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "solids/star_box/piece_forest.h"
+#include "solids/pieces/piece_forest.h"
 
 namespace veritope {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "models/patch_shapes.h"
 #include "robust/rational.h"
 #include "solids/collar/piece_octree.h"
-#include "solids/patch_shapes.h"
 #include "solids/star_box/star_box.h"
 #include "splines/de_casteljau.h"
 #include "verify/certify/patch_collar.h"

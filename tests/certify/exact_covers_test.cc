@@ -2,8 +2,8 @@
 // Models whose signs binary64 does not decide: the exact fallback does, and both checkers accept what it found.
 #include <gtest/gtest.h>
 
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_transform.h"
 #include "tests/certify/patch_checkers.h"
 
 namespace veritope {

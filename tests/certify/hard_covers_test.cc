@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_transform.h"
 #include "solids/star_box/mesh_box.h"
 #include "tests/certify/patch_checkers.h"
 

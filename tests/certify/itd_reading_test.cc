@@ -9,7 +9,7 @@
 #include <iterator>
 #include <random>
 
-#include "io/read_splines.h"
+#include "io/splines/read_splines.h"
 #include "tests/io/spline_test_util.h"
 #include "verify/checker/star.h"
 

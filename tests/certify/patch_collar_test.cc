@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "models/patch_shapes_internal.h"
 #include "robust/base/random.h"
-#include "solids/patch_shapes_internal.h"
-#include "solids/patch_transform.h"
+#include "solids/patches/patch_transform.h"
 #include "solids/polyhedron/validity.h"
 #include "tests/certify/collar_model.h"
 #include "tests/support/collar_examples.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "models/patch_shapes.h"
 #include "robust/base/check.h"
-#include "solids/patch_shapes.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/certify/refutation_facts.h"
 #include "verify/certify/star_box_certifier.h"

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "solids/patches/patch_transform.h"
 #include "splines/bezier_calculus.h"
 #include "splines/de_casteljau.h"
 #include "verify/certify/crossing_witness.h"

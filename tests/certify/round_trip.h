@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/read_mesh.h"
-#include "io/reading_rule.h"
-#include "io/write_mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/reading_rule.h"
+#include "io/mesh/write_mesh.h"
 #include "solids/polyhedron/validity.h"
 #include "tests/support/shapes.h"
 #include "verify/certify/mesh_certifier.h"
@@ -16,8 +16,8 @@
 namespace veritope {
 
 struct Certified {
-  std::string file;         ///< the model's bytes
-  TriangleMesh mesh;        ///< as read back
+  std::string file;   ///< the model's bytes
+  TriangleMesh mesh;  ///< as read back
   ValidityReport report;
   certificate::Bytes bytes;  ///< the certificate
   std::string certificate() const { return {bytes.begin(), bytes.end()}; }
@@ -27,13 +27,14 @@ struct Certified {
   }
 };
 
-inline Certified certified_file(std::string file, const std::string& name, bool as_indexed, unsigned jobs,
-                                std::size_t max_defects = 20) {
+inline Certified certified_file(std::string file, const std::string& name, bool as_indexed,
+                                unsigned jobs, std::size_t max_defects = 20) {
   Certified out;
   out.file = std::move(file);
   ReadOptions read;
   read.as_indexed = as_indexed;
-  const auto bytes = std::span(reinterpret_cast<const unsigned char*>(out.file.data()), out.file.size());
+  const auto bytes =
+      std::span(reinterpret_cast<const unsigned char*>(out.file.data()), out.file.size());
   auto model = read_mesh_bytes(bytes, name, read);
   out.mesh = std::move(model.value().mesh);
   ValidityOptions options;
@@ -52,7 +53,8 @@ inline Certified certified_file(std::string file, const std::string& name, bool 
 }
 
 /// Through a binary PLY file with doubles: every coordinate survives.
-inline Certified certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1, std::size_t max_defects = 20) {
+inline Certified certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1,
+                           std::size_t max_defects = 20) {
   auto file = mesh_to_bytes(mesh, *write_options_from_name("ply-binary-little-endian"));
   return certified_file(std::move(file.value()), "model.ply", as_indexed, jobs, max_defects);
 }

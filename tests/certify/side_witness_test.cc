@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "solids/patches/patch_transform.h"
 
 namespace veritope {
 namespace {

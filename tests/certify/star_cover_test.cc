@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
 #include "robust/rational.h"
-#include "solids/patch_shapes.h"
 #include "splines/bezier_calculus.h"
 #include "splines/de_casteljau.h"
 #include "verify/certify/star_walks.h"

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "cli/hard_cases.h"
+#include "named_predicates/hard_cases.h"
 #include "robust/base/fp_guard.h"
 
 using namespace veritope;
-using namespace veritope::cli;
+using namespace veritope;
 
 namespace {
 
@@ -48,8 +48,7 @@ int main() {
       ++checks;
       if (found == sign || violations++ >= 3) continue;
       std::fprintf(stderr, "mode %d: expected %d, found %d: %s%s\n", mode, to_int(sign),
-                   to_int(found), std::string(c.predicate->name).c_str(),
-                   operands_text(c).c_str());
+                   to_int(found), std::string(c.predicate->name).c_str(), operands_text(c).c_str());
     }
   }
   std::printf("%ld %ld\n", checks, violations);

@@ -27,4 +27,4 @@ add_test(NAME cli_corpus_full COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOUR
 set_tests_properties(cli_corpus_full PROPERTIES LABELS "full;cli" TIMEOUT 600 ENVIRONMENT
   "PYTHONDONTWRITEBYTECODE=1;CORPUS_CASES=0;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 # The headers of predicates/ in programs of others.
-veritope_hostile_flags_test(cli_hostile_flags tests/cli/hostile_predicates_main.cc cli/hard_cases.cc cli/implicit_names.cc cli/named_predicate.cc)
+veritope_hostile_flags_test(cli_hostile_flags tests/cli/hostile_predicates_main.cc named_predicates/hard_cases.cc named_predicates/implicit_names.cc named_predicates/named_predicate.cc)

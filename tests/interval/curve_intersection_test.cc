@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/curve_intersection.h"
+#include "interval/intersect/curve_intersection.h"
 
 #include <gtest/gtest.h>
 

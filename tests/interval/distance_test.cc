@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/distance.h"
+#include "interval/intersect/distance.h"
 
 #include <gtest/gtest.h>
 
-#include "interval/point_projection.h"
+#include "interval/intersect/point_projection.h"
 #include "interval/relations.h"
 #include "tests/interval/spline_shapes.h"
 

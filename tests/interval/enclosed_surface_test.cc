@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/enclosed_surface.h"
+#include "interval/enclosure/enclosed_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "interval/patch_tree.h"
+#include "interval/enclosure/patch_tree.h"
 #include "interval/upward.h"
 #include "robust/base/random.h"
 #include "splines/de_casteljau.h"

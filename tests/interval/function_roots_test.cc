@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/function_roots.h"
+#include "interval/solvers/function_roots.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "bench/random_surfaces.h"
+#include "interval/intersect/surface_intersection.h"
 #include "interval/numeric.h"
-#include "interval/surface_intersection.h"
 #include "splines/affine_map.h"
 #include "splines/bspline_degree.h"
 #include "splines/bspline_domain.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The proofs on pairs whose common points are known exactly.
-#include "interval/intersection_tube.h"
+#include "interval/intersect/intersection_tube.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "interval/intersection_branches.h"
-#include "interval/intersection_curve.h"
-#include "interval/intersection_search.h"
+#include "interval/intersect/intersection_branches.h"
+#include "interval/intersect/intersection_curve.h"
+#include "interval/intersect/intersection_search.h"
 #include "interval/upward.h"
 #include "splines/de_casteljau.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/interval_de_boor.h"
+#include "interval/enclosure/interval_de_boor.h"
 
 #include <gtest/gtest.h>
 

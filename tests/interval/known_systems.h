@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "interval/polynomial_roots.h"
+#include "interval/solvers/polynomial_roots.h"
 #include "robust/base/random.h"
 
 namespace veritope::known {

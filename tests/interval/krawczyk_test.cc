@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/krawczyk.h"
+#include "interval/solvers/krawczyk.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "interval/bernstein_system.h"
+#include "interval/solvers/bernstein_system.h"
 #include "interval/upward.h"
 #include "robust/base/random.h"
 #include "splines/de_casteljau.h"

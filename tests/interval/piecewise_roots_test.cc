@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/piecewise_roots.h"
+#include "interval/solvers/piecewise_roots.h"
 
 #include <gtest/gtest.h>
 
-#include "interval/spline_pieces.h"
+#include "interval/solvers/spline_pieces.h"
 #include "interval/upward.h"
 #include "splines/de_casteljau.h"
 #include "tests/interval/spline_shapes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/point_projection.h"
+#include "interval/intersect/point_projection.h"
 
 #include <gtest/gtest.h>
 

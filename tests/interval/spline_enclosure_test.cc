@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "interval/spline_enclosure.h"
+#include "interval/enclosure/spline_enclosure.h"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cmath>
 
-#include "interval/bernstein_box.h"
-#include "interval/range_enclosure.h"
-#include "interval/surface_enclosure.h"
+#include "interval/enclosure/bernstein_box.h"
+#include "interval/enclosure/range_enclosure.h"
+#include "interval/enclosure/surface_enclosure.h"
 #include "tests/interval/exact_jets.h"
 
 namespace veritope {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Pairs of surfaces whose intersection is known.
-#include "interval/surface_intersection.h"
+#include "interval/intersect/surface_intersection.h"
 
 #include <gtest/gtest.h>
 

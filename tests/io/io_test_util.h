@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace veritope::io_test {
 

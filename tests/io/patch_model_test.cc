@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/patch_model.h"
+#include "io/splines/patch_model.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "io/spline_builder.h"
-#include "io/write_splines.h"
+#include "io/splines/spline_builder.h"
+#include "io/splines/write_splines.h"
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/patch_complex.h"
-#include "solids/patch_shapes.h"
+#include "solids/patches/patch_complex.h"
 #include "splines/bspline_domain.h"
 #include "splines/bspline_pieces.h"
 #include "splines/de_boor.h"

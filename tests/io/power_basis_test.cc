@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/spline_builder.h"
+#include "io/splines/spline_builder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What the four readers have in common: names, limits, foreign data, merging, the hash.
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -143,16 +143,24 @@ TEST(ReadMesh, OffendingValuesAreCutAndEscaped) {
 
 // A refusal by the reader of one format says which one the content looks like.
 TEST(ReadMesh, ARefusalSaysWhatTheContentLooksLike) {
-  const auto message = [](MeshFormat format, std::string_view text) { return to_string(read(format, text).error()); };
+  const auto message = [](MeshFormat format, std::string_view text) {
+    return to_string(read(format, text).error());
+  };
   const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  EXPECT_NE(message(MeshFormat::kStl, off).find("it looks like off (--format off)"), std::string::npos);
-  EXPECT_NE(message(MeshFormat::kObj, off).find("it looks like off (--format off)"), std::string::npos);
-  EXPECT_NE(message(MeshFormat::kOff, "v 0 0 0\n").find("it looks like obj (--format obj)"), std::string::npos);
+  EXPECT_NE(message(MeshFormat::kStl, off).find("it looks like off (--format off)"),
+            std::string::npos);
+  EXPECT_NE(message(MeshFormat::kObj, off).find("it looks like off (--format off)"),
+            std::string::npos);
+  EXPECT_NE(message(MeshFormat::kOff, "v 0 0 0\n").find("it looks like obj (--format obj)"),
+            std::string::npos);
   EXPECT_EQ(message(MeshFormat::kOff, "OFF\n3 1\n").find("looks like"), std::string::npos);
   const std::string utf16("O\0F\0F\0\n\0", 8);
   EXPECT_NE(message(MeshFormat::kOff, utf16).find("it looks like UTF-16 text"), std::string::npos);
-  std::string stl = "solid made by a program" + std::string(57, '\0') + std::string("\2\0\0\0", 4) + std::string(51, '\0');
-  EXPECT_NE(message(MeshFormat::kStl, stl).find("its header announces 2 facets, 184 bytes, but it has 135"), std::string::npos)
+  std::string stl = "solid made by a program" + std::string(57, '\0') + std::string("\2\0\0\0", 4) +
+                    std::string(51, '\0');
+  EXPECT_NE(message(MeshFormat::kStl, stl)
+                .find("its header announces 2 facets, 184 bytes, but it has 135"),
+            std::string::npos)
       << message(MeshFormat::kStl, stl);
 }
 

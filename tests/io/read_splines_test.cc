@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/read_splines.h"
+#include "io/splines/read_splines.h"
 
 #include "tests/io/spline_test_util.h"
 

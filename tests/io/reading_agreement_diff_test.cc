@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/reading_rule.h"
+#include "io/mesh/reading_rule.h"
 #include "tests/io/io_test_util.h"
 #include "verify/format/sha256.h"
 
@@ -151,7 +151,8 @@ std::vector<Case> obj_cases() {
       {"joint behind two corners with slashes", kObj, v + "f 1/1 2/1\\\n 3/1\n", true},
       {"backslash behind a slash at the end", kObj, v + "f 1/1 2/1 3/\\", true},
       {"joint before a byte order mark", kObj, "\\\n\xef\xbb\xbfv 9 9 9\n" + v + "f 1 2 3\n", true},
-      {"byte order mark before a joint", kObj, "\xef\xbb\xbf\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", true},
+      {"byte order mark before a joint", kObj,
+       "\xef\xbb\xbf\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", true},
       {"joint in a byte order mark", kObj, "\xef\\\n\xbb\xbf" + v + "f 1 2 3\n", false},
       {"two joints", kObj, v + "f 1 2 \\\n\\\n3\n", true},
       {"backslash before a blank", kObj, v + "f 1 2 \\ \n3\n", false},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/reading_rule.h"
+#include "io/mesh/reading_rule.h"
 
 #include <gtest/gtest.h>
 

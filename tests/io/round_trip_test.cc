@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "tests/io/io_test_util.h"
 
 #include <rapidcheck/gtest.h>  // needs gtest before it

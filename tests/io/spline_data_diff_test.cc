@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "io/write_splines.h"
+#include "io/splines/write_splines.h"
 #include "tests/io/spline_test_util.h"
 
 namespace veritope {

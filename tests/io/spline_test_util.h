@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/read_splines.h"
+#include "io/splines/read_splines.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 #include "tests/io/io_test_util.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/spline_view.h"
+#include "render/spline_view.h"
 
 #include <cmath>
 #include <set>
 #include <sstream>
 
-#include "io/spline_view_internal.h"
+#include "render/spline_view_internal.h"
 #include "robust/base/random.h"
 #include "tests/io/spline_test_util.h"
 

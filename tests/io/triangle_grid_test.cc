@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "io/spline_view_internal.h"
+#include "render/spline_view_internal.h"
 #include "robust/base/random.h"
 #include "tests/io/spline_test_util.h"
 

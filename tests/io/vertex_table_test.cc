@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/vertex_table.h"
+#include "io/mesh/vertex_table.h"
 
 #include <gtest/gtest.h>
 

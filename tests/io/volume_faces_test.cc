@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/volume_faces.h"
+#include "io/splines/volume_faces.h"
 
-#include "solids/patch_complex.h"
+#include "solids/patches/patch_complex.h"
 #include "tests/io/spline_test_util.h"
 
 namespace veritope {
@@ -103,7 +103,8 @@ TEST(VolumeFaces, FacesWithoutAreaAreLeftOut) {
 // Four faces of a flat box are segments, two are a wall.
 TEST(VolumeFaces, OfWhichNoneIsLeftAreAnError) {
   std::string flat = box(0);
-  for (std::size_t at = flat.find(" 1]"); at != flat.npos; at = flat.find(" 1]", at)) flat[at + 1] = '0';
+  for (std::size_t at = flat.find(" 1]"); at != flat.npos; at = flat.find(" 1]", at))
+    flat[at + 1] = '0';
   const auto none = volume_faces(io_test::model_of(SplineFormat::kItd, flat));
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, Code::kEmpty);

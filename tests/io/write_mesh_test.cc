@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 #include <fcntl.h>
 
 #include <cmath>
 #include <limits>
 
-#include "io/coloured_ply.h"
+#include "render/coloured_ply.h"
 #include "robust/base/check.h"
 #include "tests/io/io_test_util.h"
 
@@ -193,7 +193,9 @@ TEST(ColouredPly, IsTheMeshWithAColourAFace) {
   mesh.faces.push_back({0, 2, 1});
   const std::string bytes = coloured_ply(mesh, std::vector<Colour>{{1, 2, 3}, {255, 254, 253}});
   const auto file = io_test::read(MeshFormat::kPly, bytes);
-  EXPECT_EQ(content(file), content(io_test::read(MeshFormat::kPly, mesh_to_bytes(mesh, options("ply-ascii")).value() )));
+  EXPECT_EQ(
+      content(file),
+      content(io_test::read(MeshFormat::kPly, mesh_to_bytes(mesh, options("ply-ascii")).value())));
   EXPECT_EQ(io_test::ignored(*file, "property face.green"), 2u);
   EXPECT_EQ(bytes.substr(bytes.size() - 3), "\xff\xfe\xfd");
   EXPECT_THROW(coloured_ply(mesh, std::vector<Colour>(1)), InternalError);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/write_splines.h"
+#include "io/splines/write_splines.h"
 
 #include "io/exact_number.h"
 #include "tests/io/spline_test_util.h"

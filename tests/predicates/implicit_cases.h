@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/predicates/implicit_cases.h: the points of cli/hard_implicit_points.h as points of every kind; and as text.
+// tests/predicates/implicit_cases.h: the points of named_predicates/hard_implicit_points.h as points of every kind; and as text.
 #pragma once
 #include <array>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/hard_implicit_points.h"
+#include "named_predicates/hard_implicit_points.h"
 #include "predicates/implicit_cache.h"
 #include "predicates/implicit_kinds.h"
 #include "tests/predicates/point_generators.h"

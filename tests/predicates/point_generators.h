@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "cli/hard_points.h"
+#include "named_predicates/hard_points.h"
 
 namespace veritope::generate {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <set>
 
+#include "models/patch_shapes.h"
+#include "models/plane_shapes.h"
 #include "robust/base/random.h"
 #include "solids/interval_boxes/conditions.h"
-#include "solids/interval_boxes/plane_shapes.h"
-#include "solids/patch_shapes.h"
 
 namespace veritope {
 namespace {

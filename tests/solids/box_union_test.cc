@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
 #include "solids/interval_boxes/conditions.h"
-#include "solids/patch_shapes.h"
 
 namespace veritope {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "solids/interval_boxes/plane_shapes.h"
-#include "solids/patch_shapes.h"
+#include "models/patch_shapes.h"
+#include "models/plane_shapes.h"
 
 namespace veritope {
 namespace {

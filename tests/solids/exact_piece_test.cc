@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/star_box/exact_piece.h"
+#include "solids/pieces/exact_piece.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/patch_shapes.h"
-#include "solids/star_box/exact_winding.h"
+#include "solids/pieces/exact_winding.h"
 
 namespace veritope {
 namespace {
@@ -70,9 +70,12 @@ TEST(ExactWinding, CountsFacesOnTheLineAndNoOthers) {
       for (PieceForest::Id r = 0; r < forest.form(p).num_roots; ++r) {
         const ExactPiece piece(forest, forest.node(forest.form(p).first_root + r));
         for (std::uint32_t s = 0; s < 4; ++s) {
-          const auto whole = exact_winding(piece, complex.patch(p), s, star, {0, 1, 2}, 0, 8, 3);
-          const auto left = exact_winding(piece, complex.patch(p), s, star, {0, 1, 2}, 0, 3, 3);
-          const auto right = exact_winding(piece, complex.patch(p), s, star, {0, 1, 2}, 3, 8, 3);
+          const auto whole = exact_winding(piece, complex.patch(p), s, {star.inside, star.outside},
+                                           {0, 1, 2}, 0, 8, 3);
+          const auto left = exact_winding(piece, complex.patch(p), s, {star.inside, star.outside},
+                                          {0, 1, 2}, 0, 3, 3);
+          const auto right = exact_winding(piece, complex.patch(p), s, {star.inside, star.outside},
+                                           {0, 1, 2}, 3, 8, 3);
           ASSERT_TRUE(whole && left && right);
           EXPECT_EQ(*whole, *left + *right);
           around += *whole;

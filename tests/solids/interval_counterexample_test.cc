@@ -2,9 +2,9 @@
 // THEORY 1: boxes that satisfy C1, C2 and C3 of the paper, and not its theorem.
 #include <gtest/gtest.h>
 
+#include "models/patch_shapes.h"
+#include "models/plane_shapes.h"
 #include "solids/interval_boxes/conditions.h"
-#include "solids/interval_boxes/plane_shapes.h"
-#include "solids/patch_shapes.h"
 
 namespace veritope {
 namespace {

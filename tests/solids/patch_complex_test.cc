@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/patch_complex.h"
+#include "solids/patches/patch_complex.h"
 
 #include <gtest/gtest.h>
 
-
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/patch_shapes.h"
 #include "splines/bezier_domain.h"
 #include "tests/solids/patch_support.h"
 

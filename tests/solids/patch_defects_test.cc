@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "solids/patch_complex.h"
-#include "solids/patch_shapes.h"
-#include "solids/patch_sources.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_complex.h"
+#include "solids/patches/patch_sources.h"
 #include "tests/solids/patch_support.h"
 
 namespace veritope {

@@ -2,7 +2,7 @@
 // The truth of the example models against the mesh decision on tessellations, which shares no code with their construction.
 #include <gtest/gtest.h>
 
-#include "solids/patch_shapes.h"
+#include "models/patch_shapes.h"
 #include "solids/polyhedron/validity.h"
 #include "tests/solids/patch_support.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/patch_shapes.h"
+#include "models/patch_shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "solids/patch_complex.h"
+#include "solids/patches/patch_complex.h"
 #include "tests/solids/patch_support.h"
 
 namespace veritope {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/patch_sides.h"
+#include "solids/patches/patch_sides.h"
 
 #include <gtest/gtest.h>
 
 #include "robust/base/random.h"
-#include "solids/patch_net.h"
+#include "solids/patches/patch_net.h"
 #include "splines/bezier_domain.h"
 #include "tests/solids/patch_support.h"
 

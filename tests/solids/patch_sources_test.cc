@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/patch_sources.h"
+#include "solids/patches/patch_sources.h"
 
 #include <gtest/gtest.h>
 
 #include "robust/base/random.h"
-#include "solids/patch_knots.h"
+#include "solids/patches/patch_knots.h"
 #include "splines/bspline_degree.h"
 #include "splines/bspline_domain.h"
 #include "splines/bspline_pieces.h"

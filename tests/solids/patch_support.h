@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solids/patch_complex.h"
-#include "solids/patch_shapes.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_complex.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "splines/bezier_components.h"
 #include "splines/bezier_degree.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/patch_transform.h"
+#include "solids/patches/patch_transform.h"
 
 #include <gtest/gtest.h>
 

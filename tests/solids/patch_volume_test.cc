@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/star_box/patch_volume.h"
+#include "solids/pieces/patch_volume.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "interval/numeric.h"
-#include "solids/patch_shapes.h"
-#include "solids/patch_transform.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_transform.h"
 
 namespace veritope {
 namespace {
 
 Rational ratio(int p, int q = 1) { return Rational(p) / Rational(q); }
 
-std::vector<Interval> volumes(
-    patch_shapes::Patches patches, double tolerance = 1e-5,
-    PieceForest::FrameChoice frame = PieceForest::FrameChoice::kFitted) {
+std::vector<Interval> volumes(patch_shapes::Patches patches, double tolerance = 1e-5,
+                              PieceForest::FrameChoice frame = PieceForest::FrameChoice::kFitted) {
   PatchInput input;
   input.patches = std::move(patches);
   const PatchComplex complex = make_patch_complex(std::move(input)).value();
@@ -68,8 +67,7 @@ TEST(ShellVolumes, AreAsNarrowFarFromTheOrigin) {
 
 // What no enclosure in binary64 can keep ends, too, where rounding weighs more than what is asked for.
 TEST(ShellVolumes, EndAtWhatRoundingAdds) {
-  const PatchComplex complex =
-      make_patch_complex(patch_shapes::torus(ratio(3), ratio(1))).value();
+  const PatchComplex complex = make_patch_complex(patch_shapes::torus(ratio(3), ratio(1))).value();
   PieceForest forest = PieceForest::make(complex).value();
   const Interval ring = shell_volumes(forest, 1e-300)[0];
   expect_near(ring, 6 * std::numbers::pi * std::numbers::pi, 1e-11);

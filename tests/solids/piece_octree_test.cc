@@ -7,9 +7,9 @@
 #include <bit>
 #include <cmath>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
 #include "solids/collar/facing.h"
-#include "solids/patch_shapes.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope {

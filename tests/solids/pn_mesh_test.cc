@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/pn_mesh.h"
+#include "solids/patches/pn_mesh.h"
 
 #include <gtest/gtest.h>
 

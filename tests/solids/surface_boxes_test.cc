@@ -6,10 +6,10 @@
 #include <functional>
 #include <set>
 
+#include "models/patch_shapes.h"
 #include "solids/interval_boxes/box_sets_internal.h"
 #include "solids/interval_boxes/box_union.h"
 #include "solids/interval_boxes/condition_sweep.h"
-#include "solids/patch_shapes.h"
 
 namespace veritope {
 namespace {
@@ -103,8 +103,10 @@ TEST(ConditionSweep, FlatAndFarModelsKeepTheModelsAxes) {
   for (BoundaryModel* const model : {&flat, &far}) {
     const auto rows = sweep_conditions(*model, 0.5, 0).value();
     ASSERT_EQ(rows.size(), 1u);
-    EXPECT_EQ(rows[0].conditions[static_cast<std::size_t>(PaperCondition::kA)].answer, Answer::kTrue);
-    EXPECT_EQ(rows[0].conditions[static_cast<std::size_t>(PaperCondition::kB1)].answer, Answer::kTrue);
+    EXPECT_EQ(rows[0].conditions[static_cast<std::size_t>(PaperCondition::kA)].answer,
+              Answer::kTrue);
+    EXPECT_EQ(rows[0].conditions[static_cast<std::size_t>(PaperCondition::kB1)].answer,
+              Answer::kTrue);
   }
 }
 
@@ -116,8 +118,8 @@ TEST(ConditionSweep, CoarseCellsFillTheModelAndAreNoCollar) {
 
 // In the forest's coordinates these sizes, or planes two cells beside the model, are no numbers.
 TEST(ConditionSweep, SizesBeyondBinary64EndARow) {
-  BoundaryModel model = model_of(patch_shapes::placed(
-      patch_shapes::box({0, 0, 0}, {1, 1, 1}), Rational::power_of_two(-40), {0, 0, 0}));
+  BoundaryModel model = model_of(patch_shapes::placed(patch_shapes::box({0, 0, 0}, {1, 1, 1}),
+                                                      Rational::power_of_two(-40), {0, 0, 0}));
   for (const double eps : {0x1p1023, 0x1p982}) {
     EXPECT_NE(sweep_conditions(model, eps, 0).value()[0].why_not.find("cells: eps is too large"),
               std::string::npos)

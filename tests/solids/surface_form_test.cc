@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/star_box/surface_form.h"
+#include "solids/pieces/surface_form.h"
 
 #include <gtest/gtest.h>
 
 #include "robust/base/random.h"
 #include "robust/rational.h"
-#include "solids/star_box/piece_net_internal.h"
+#include "solids/pieces/piece_net_internal.h"
 #include "splines/bezier_triangle.h"
 #include "splines/de_casteljau.h"
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
-#include "solids/patch_transform.h"
+#include "solids/patches/patch_transform.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope::random_solids {

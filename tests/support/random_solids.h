@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robust/base/random.h"
-#include "solids/patch.h"
+#include "solids/patches/patch.h"
 #include "splines/affine_map.h"
 
 namespace veritope::random_solids {

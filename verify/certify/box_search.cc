@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solids/star_box/exact_piece.h"
+#include "solids/pieces/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
 
 namespace veritope {

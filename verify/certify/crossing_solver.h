@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "solids/star_box/piece_forest.h"
+#include "solids/pieces/piece_forest.h"
 #include "verify/certify/crossing_witness.h"
 
 namespace veritope {

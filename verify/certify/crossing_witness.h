@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "solids/patch.h"
+#include "solids/patches/patch.h"
 #include "splines/bezier.h"
 #include "splines/bezier_degree.h"
 

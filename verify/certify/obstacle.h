@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "solids/star_box/piece_forest.h"
+#include "solids/pieces/piece_forest.h"
 
 namespace veritope {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "interval/upward.h"
-#include "solids/star_box/patch_volume.h"
+#include "solids/pieces/patch_volume.h"
 #include "verify/certify/crossing_search.h"
 #include "verify/certify/star_box_certifier.h"
 

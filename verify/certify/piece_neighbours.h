@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/piece_neighbours.h: whether two pieces have a point of the abstract surface in common: integers only.
 #pragma once
-#include "solids/star_box/piece_forest.h"
+#include "solids/pieces/piece_forest.h"
 
 namespace veritope {
 

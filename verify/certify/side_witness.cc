@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solids/patch_sides.h"
+#include "solids/patches/patch_sides.h"
 #include "splines/bezier_calculus.h"
 #include "splines/bezier_components.h"
 #include "splines/de_casteljau.h"

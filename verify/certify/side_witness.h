@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "solids/patch_complex.h"
+#include "solids/patches/patch_complex.h"
 #include "verify/certify/crossing_witness.h"
 
 namespace veritope {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "cli/hard_points.h"
+#include "named_predicates/hard_points.h"
 #include "tests/predicates/generated/subject.h"
 #include "tests/predicates/test_scale.h"
 

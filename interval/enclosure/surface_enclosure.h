@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// interval/enclosure/surface_enclosure.h: normals and curvatures of a surface in space over a box of parameters.
+// Design, orders of convergence: docs/design/0011-enclosures.md.
+#pragma once
+#include <array>
+#include <optional>
+
+#include "interval/enclosure/spline_enclosure.h"
+
+namespace veritope {
+
+/// S_u x S_v, not normalised: its length is the area's scale.
+/// REQUIRES dimension 3 of all functions here.  @error as SplineEnclosure::value; needs order 1, mean value 2
+Result<Box3> enclose_normal(const SplineEnclosure<2>& surface, const Box2& at,
+                            EnclosureForm form = EnclosureForm::kBoth);
+
+/// Curvatures with respect to the normal S_u x S_v / |S_u x S_v|: positive where the surface bends to its side.
+struct CurvatureEnclosure {
+  Interval gauss, mean;
+  Interval principal_min, principal_max;
+};
+/// Of the points with S_u x S_v != 0; as a rule unbounded where the box does not exclude others. @error needs order 2, mean value 3
+Result<CurvatureEnclosure> enclose_curvatures(const SplineEnclosure<2>& surface, const Box2& at,
+                                              EnclosureForm form = EnclosureForm::kBoth);
+
+/// The directions within an angle of an axis: all n with |n x axis| <= tangent (n . axis), tangent >= 0.
+struct DirectionCone {
+  std::array<double, 3> axis;
+  double tangent;
+};
+/// A cone of all normals over the box, or none if the Bernstein coefficients of the normal's numerator are not inside
+/// any half space that was tried (the sum's): the box is to be cut, or has a point without a normal.
+/// The numerator is a polynomial vector: S_u x S_v, or of rational maps (X_u w - X w_u) x (X_v w - X w_v) = w^4 S_u x S_v.
+/// Excess of the angle O(d^2).  @error needs order 1
+Result<std::optional<DirectionCone>> enclose_normal_cone(const SplineEnclosure<2>& surface,
+                                                         const Box2& at);
+
+/// No direction of a is orthogonal to or opposite of one of b; proved with the angles' tangents.
+/// REQUIRES a live ScopedUpward.
+bool are_within_right_angle(const DirectionCone& a, const DirectionCone& b);
+
+}  // namespace veritope

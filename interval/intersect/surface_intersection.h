@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// interval/intersect/surface_intersection.h: where two B-spline surfaces meet, with proofs: every branch as a chain of
+// boxes that holds exactly one arc, contacts that are not transversal named, and a statement of what is left open.
+// Design: docs/design/0013-surface-intersection.md.  Seed 004 section 3 (its ISI), done with Krawczyk's operator.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "interval/intersect/intersection_curve.h"
+#include "interval/intersect/intersection_search.h"
+
+namespace veritope {
+
+struct IntersectionOptions {
+  IntersectionBudget budget;
+  /// Proved bound wanted for the gap of every curve segment, in model units; 0: 2^-24 of the first surface's extent.
+  double gap = 0;
+};
+
+/// One connected component of the transversal intersection.
+struct IntersectionBranch {
+  bool is_closed = false;
+  bool is_partial = false;             ///< begins or ends at an unresolved place
+  std::size_t num_boxes = 0;           ///< tubes that prove it, in its order
+  std::vector<CurveSegment> segments;  ///< working parameters: see EnclosedSurface
+  Interval length;
+  double gap = 0;
+};
+
+/// A place where the surfaces are not shown to cross transversally, nor to be apart.
+struct IntersectionContact {
+  enum class Kind {
+    kTangency,  ///< exactly one pair of points with parallel normals whose connecting line is normal, too: see separation
+    kOverlap,   ///< the surfaces are the same on `parameters`, proved in rational numbers
+    kUnresolved,  ///< neither was shown within the budget
+  };
+  enum class Shape { kUnknown, kElliptic, kHyperbolic };
+  Kind kind = Kind::kUnresolved;
+  Shape shape = Shape::kUnknown;
+  Box4 parameters;  ///< a rectangle of each surface's working parameters
+  Box3 space;       ///< around the part of the first surface there
+  /// Tangency: of the pair of points, along the first surface's unit normal; contains 0. If they touch: elliptic, in an isolated
+  /// point; hyperbolic, where two arcs cross. The box is smaller than 2^-12 of a span in every parameter.
+  Interval separation;
+  std::size_t num_boxes = 0;  ///< undecided pairs of rectangles in it
+  std::string reason;
+};
+
+struct SurfaceIntersection {
+  std::vector<IntersectionBranch> branches;
+  std::vector<IntersectionContact> overlaps, tangencies, unresolved;
+  std::uint64_t pairs = 0, proofs = 0;  ///< what was spent: rectangles compared, tubes tried
+  /// Nothing is left open: the branches, overlaps and tangencies hold all common points.
+  bool is_complete() const { return unresolved.empty(); }
+};
+
+/// @error as EnclosedSurface::make, with the surface ("first", "second")
+Result<SurfaceIntersection> intersect(const BSpline<Rational, 2>& first,
+                                      const BSpline<Rational, 2>& second,
+                                      const IntersectionOptions& options = {});
+
+}  // namespace veritope

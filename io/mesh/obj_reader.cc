@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/mesh/obj_reader.cc: reading rule v1, section 3.
+// A line is first read where it stands. Only a line with a joint (backslash before its end) whose meaning may
+// depend on what follows is copied together and read again.
+#include "io/mesh/parsed_mesh.h"
+#include "io/mesh/text_reader.h"
+
+namespace veritope {
+namespace {
+
+class ObjReader : TextReader {
+ public:
+  ObjReader(const Source& source, const ReadOptions& options)
+      : TextReader(source, options.limits, kTokenEndOrComment), sink_(options.limits.max_faces) {}
+
+  Result<ParsedMesh> read() {
+    if (!(read_lines() && check_forward_indices())) return take_error();
+    if (sink_.faces.empty()) {
+      return error_at_line(source_, source_.end, Code::kEmpty, "the file ends without a face");
+    }
+    ParsedMesh parsed;
+    parsed.report.variant = "obj";
+    parsed.report.file_vertices = positions_.size();
+    parsed.mesh.positions = std::move(positions_);
+    take_faces(sink_, parsed);
+    parsed.report.ignored = words_.take(" lines");
+    if (long_vertices_ > 0) {
+      parsed.report.ignored.emplace_back("v lines with more values", long_vertices_);
+    }
+    return parsed;
+  }
+
+ private:
+  enum class Line { kFailed, kUsed, kIgnored };
+
+  bool read_lines() {
+    p_ = skip_byte_order_mark(source_);
+    while (p_ < source_.end) {
+      p_ = skip_blanks(p_);
+      if (is_eol(*p_)) {
+        ++p_;
+      } else if (!read_physical_line()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool read_physical_line() {
+    const char* const line = p_;
+    const Line outcome = read_line();
+    p_ = find_eol(p_);
+    if (has_joint_before(p_)) {
+      if (outcome != Line::kUsed) return read_joined_line(line);
+      while (has_joint_before(p_)) p_ = find_eol(skip_eol(p_, source_.end));
+      return true;
+    }
+    if (outcome == Line::kIgnored) count_ignored(line);
+    return outcome != Line::kFailed;
+  }
+
+  // A joint at p_: what the reader took for the end of the line or of a token is none.
+  bool is_at_joint() const { return p_ < text_end_ && is_eol(*p_) && p_[-1] == '\\'; }
+
+  // A backslash directly before the line end at `eol`.
+  bool has_joint_before(const char* eol) const {
+    return eol < source_.end && eol > source_.begin && eol[-1] == '\\';
+  }
+
+  // Copies the lines from `line` on without the joints between them, reads the copy, goes on behind them.
+  bool read_joined_line(const char* line) {
+    anchor_ = line;
+    joined_.clear();
+    const char* eol = find_eol(line);
+    for (; has_joint_before(eol); eol = find_eol(line)) {
+      joined_.append(line, eol - 1);
+      line = skip_eol(eol, source_.end);
+    }
+    joined_.append(line, eol);
+    const std::size_t size = joined_.size();
+    joined_.append(ByteBuffer::kPadding, '\n');
+    p_ = joined_.data();
+    text_end_ = p_ + size;
+    p_ = skip_blanks(p_);
+    const char* const first = p_;
+    const Line outcome = is_eol(*p_) ? Line::kUsed : read_line();
+    if (outcome == Line::kIgnored) count_ignored(first);
+    p_ = eol;
+    text_end_ = source_.end;
+    anchor_ = nullptr;
+    return outcome != Line::kFailed;
+  }
+
+  void count_ignored(const char* line) {
+    const char* const last = skip_token(line, ends_);
+    words_.add(
+        last == line ? "comment" : std::string_view(line, static_cast<std::size_t>(last - line)),
+        1);
+  }
+
+  // Reads the line at p_, which is not empty, and leaves p_ somewhere in it.
+  Line read_line() {
+    if (p_[0] == 'v' && is_blank(p_[1])) return used(read_vertex());
+    if (p_[0] == 'f' && is_blank(p_[1])) return used(read_face());
+    const char* const last = skip_token(p_, ends_);
+    const std::string_view word(p_, static_cast<std::size_t>(last - p_));
+    if (word == "v") return used(read_vertex());
+    if (word == "f" || word == "fo") return used(read_face());
+    return Line::kIgnored;
+  }
+
+  static Line used(bool is_right) { return is_right ? Line::kUsed : Line::kFailed; }
+
+  bool read_vertex() {
+    const char* const line = p_;
+    p_ += 1;
+    Vec3d position;
+    if (!read_position(p_, position)) return false;
+    if (!is_eol(*p_)) {
+      p_ = skip_blanks(p_);
+      if (*p_ == '\\' && is_eol(p_[1]) && p_ + 1 < text_end_) {
+        return fail(p_, Code::kSyntax, "a joint");
+      }
+      long_vertices_ += has_class(*p_, kEolClass | kHashClass) ? 0 : 1;
+    }
+    if (positions_.size() >= kMaxVertices) return fail_vertices(line);
+    positions_.push_back(position);
+    return true;
+  }
+
+  bool read_face() {
+    const char* const line = p_;
+    p_ = skip_token(p_, ends_);
+    std::size_t num = 0;
+    for (p_ = skip_blanks(p_); !has_class(*p_, kEolClass | kHashClass); p_ = skip_blanks(p_)) {
+      if (num == corners_.size()) corners_.resize(2 * num);
+      if (!read_corner(corners_[num++])) return false;
+    }
+    if (num < 3) {
+      return fail(line, Code::kSyntax, "a face with " + std::to_string(num) + " corners");
+    }
+    return sink_.add_polygon({corners_.data(), num}) || fail_faces(line);
+  }
+
+  bool read_corner(std::uint32_t& corner) {
+    const char* const token = p_;
+    const ScannedInteger index = scan_integer(p_);
+    const bool ends = has_class(*p_, ends_) || *p_ == '/';
+    if (!index.is_valid || !ends || index.num_digits > limits_.max_digits) {
+      return fail_integer(token, index);
+    }
+    if (*p_ == '/') {
+      p_ = skip_token(p_, ends_);
+      if (is_at_joint()) return fail(token, Code::kSyntax, "a joint");
+    }
+    const std::uint64_t num = positions_.size();
+    if (index.magnitude - 1 >= (index.is_negative ? num : kMaxVertices)) {
+      return fail_index(token, num);
+    }
+    corner =
+        static_cast<std::uint32_t>(index.is_negative ? num - index.magnitude : index.magnitude - 1);
+    if (corner > largest_) {
+      largest_ = corner;
+      largest_at_ = anchor_ != nullptr ? anchor_ : token;
+    }
+    return true;
+  }
+
+  bool fail_index(const char* token, std::uint64_t num) {
+    return fail(token, Code::kIndexOutOfRange,
+                "vertex index " + quoted_token(token, text_end_) + " (" + std::to_string(num) +
+                    " vertices up to here)");
+  }
+
+  // A face may name a later vertex; whether that exists is known at the end.
+  bool check_forward_indices() {
+    if (sink_.faces.empty() || largest_ < positions_.size()) return true;
+    return fail(largest_at_, Code::kIndexOutOfRange,
+                "vertex index " + std::to_string(std::uint64_t{largest_} + 1) + ", but there are " +
+                    std::to_string(positions_.size()) + " vertices");
+  }
+
+  const char* p_ = nullptr;
+  std::vector<Vec3d> positions_;
+  std::vector<std::uint32_t> corners_ = std::vector<std::uint32_t>(16);
+  FaceSink sink_;
+  std::uint32_t largest_ = 0;
+  const char* largest_at_ = nullptr;
+  std::string joined_;
+  IgnoredCounts words_;  ///< first words of ignored lines
+  std::uint64_t long_vertices_ = 0;
+};
+
+}  // namespace
+
+Result<ParsedMesh> read_obj(const Source& source, const ReadOptions& options) {
+  return ObjReader(source, options).read();
+}
+
+}  // namespace veritope

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/splines/spline_json_lexer.h: JSON as our exact text form uses it: strings, lists, objects with known keys; numbers as strings.
+#pragma once
+#include <algorithm>
+#include <initializer_list>
+
+#include "io/splines/spline_text_reader.h"
+
+namespace veritope {
+
+/// Functions return false after they set the error, take_null without one.
+class SplineJsonLexer : public SplineTextReader {
+ public:
+  SplineJsonLexer(const Source& source, const ReadLimits& limits)
+      : SplineTextReader(source, limits) {
+    own_tokens_ = "{}[],:\"";
+  }
+
+ protected:
+  /// Whether there was a null.
+  bool take_null();
+  bool read_string(std::string& text);
+  bool read_bool(bool& value);
+  /// A string with a number in it.
+  bool read_exact(Rational& value);
+  /// [item, item, ...]
+  template <typename Item>
+  bool read_list(Item item);
+  /// {"key": value, ...}: value(i) reads that of keys[i]; all of `keys` must be there, once, in any order.
+  template <typename Value>
+  bool read_object(std::initializer_list<std::string_view> keys, Value value);
+
+ private:
+  bool is_next(char c) { return peek() == std::string_view(&c, 1); }
+  bool take_char(char c);
+  bool read_escape(std::string& text);
+  bool read_hex4(unsigned& code);
+};
+
+// ---- bodies
+
+template <typename Item>
+bool SplineJsonLexer::read_list(Item item) {
+  if (!take_char('[')) return false;
+  if (is_next(']')) return ++p_, true;
+  for (;;) {
+    if (!item()) return false;
+    if (is_next(']')) return ++p_, true;
+    if (!take_char(',')) return false;
+  }
+}
+
+template <typename Value>
+bool SplineJsonLexer::read_object(std::initializer_list<std::string_view> keys, Value value) {
+  skip();
+  const char* const start = p_;
+  if (!take_char('{')) return false;
+  std::vector<bool> seen(keys.size());
+  for (bool is_first = true; !is_next('}'); is_first = false) {
+    if (!is_first && !take_char(',')) return false;
+    skip();
+    const char* const at = p_;
+    std::string key;
+    if (!read_string(key) || !take_char(':')) return false;
+    const auto found = std::find(keys.begin(), keys.end(), key);
+    if (found == keys.end()) return fail(at, Code::kSyntax, "unknown key " + quoted(key));
+    const auto i = static_cast<std::size_t>(found - keys.begin());
+    if (seen[i]) return fail(at, Code::kSyntax, "the key " + quoted(key) + " occurs twice");
+    seen[i] = true;
+    if (!value(i)) return false;
+  }
+  ++p_;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (!seen[i])
+      return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");
+  return true;
+}
+
+}  // namespace veritope

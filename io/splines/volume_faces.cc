@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/splines/volume_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "robust/base/entity_error.h"
+#include "solids/patches/patch_complex.h"
+#include "solids/patches/patch_sources.h"
+#include "splines/bezier_calculus.h"
+#include "splines/bezier_components.h"
+#include "splines/bezier_domain.h"
+#include "splines/de_casteljau.h"
+#include "splines/knot_insertion.h"
+
+namespace veritope {
+namespace {
+
+using Piece = BezierVolume<Rational>;
+
+// The derivative in the middle, times the squared weight there.
+PatchPoint direction(const Piece& piece, std::size_t axis) {
+  std::array<Rational, 3> middle;
+  middle.fill(Rational(Integer(1), Integer(2)));
+  if (!piece.is_rational()) {
+    const auto d = evaluate(derivative(piece, axis), middle);
+    return {d[0], d[1], d[2]};
+  }
+  const Piece points = numerators(piece);
+  const auto weights = weight(piece);
+  const auto p = evaluate(points, middle), dp = evaluate(derivative(points, axis), middle);
+  const Rational w = evaluate(weights, middle)[0];
+  const Rational dw = evaluate(derivative(weights, axis), middle)[0];
+  PatchPoint out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = w * dp[k] - dw * p[k];
+  return out;
+}
+
+// Of the Jacobian determinant in the middle.
+Sign handedness(const Piece& piece) {
+  const PatchPoint a = direction(piece, 0), b = direction(piece, 1), c = direction(piece, 2);
+  Rational det;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    det += a[k] * (b[i] * c[j] - b[j] * c[i]);
+  }
+  return det.sign();
+}
+
+// True, and the pieces are right-handed now, if they were left-handed.
+bool mirror_left_handed(std::vector<Piece>& pieces) {
+  const auto tells = std::find_if(pieces.begin(), pieces.end(), [](const Piece& piece) {
+    return handedness(piece) != Sign::kZero;
+  });
+  if (tells == pieces.end() || handedness(*tells) == Sign::kPositive) return false;
+  for (Piece& piece : pieces) piece = swapped(piece, 0, 1);
+  return true;
+}
+
+// One point; or along an axis all lines of control points are the same but for a factor: a curve.
+bool is_without_area(const Patch& patch) {
+  const Patch::Tensor net = to_rational(patch.tensor());
+  const auto count = net.grid().count();
+  const std::size_t columns = static_cast<std::size_t>(net.degree(1)) + 1;
+  const auto w = net.component(3);
+  bool is_point = true, is_constant_in_u = true, is_constant_in_v = true;
+  for (int c = 0; c < 4; ++c) {
+    const auto x = net.component(c);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t first_row = i % columns, first_column = i - first_row;
+      is_point = is_point && x[i] * w[0] == x[0] * w[i];
+      is_constant_in_u = is_constant_in_u && x[i] * w[0] == x[first_row] * w[first_column];
+      is_constant_in_v = is_constant_in_v && x[i] * w[0] == x[first_column] * w[first_row];
+    }
+  }
+  return is_point || is_constant_in_u || is_constant_in_v;
+}
+
+}  // namespace
+
+Result<VolumeFaces> volume_faces(const SplineModel& model) {
+  VolumeFaces out;
+  std::vector<Piece> all;
+  for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
+    const auto* const volume = std::get_if<ExactVolume>(&model.entities[e].shape);
+    if (volume == nullptr) {
+      ++out.num_others;
+      continue;
+    }
+    ++out.num_volumes;
+    if (volume->dimension() != 3)
+      return error_at_entity(
+          Code::kBadArgument, e,
+          "a volume with " + std::to_string(volume->dimension()) + " coordinates, not in space");
+    // At most as many pieces as control points.
+    if (volume->grid().count() > kMaxPatches / 6 - all.size())
+      return error_at_entity(
+          Code::kOverLimit, e,
+          "the volumes up to this one may have over " + std::to_string(kMaxPatches) + " faces");
+    std::vector<Piece> pieces = bezier_pieces(*volume).pieces;
+    if (mirror_left_handed(pieces)) out.mirrored.push_back(e);
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(all));
+  }
+  if (out.num_volumes == 0) return Error{Code::kEmpty, {}, "there is no volume in the model"};
+  Result<std::vector<Patch>> faces = faces_of(all);
+  if (!faces) return faces.error();
+  for (Patch& face : *faces) {
+    if (is_without_area(face)) {
+      ++out.num_flat;
+    } else {
+      out.patches.push_back(std::move(face));
+    }
+  }
+  if (out.patches.empty())
+    return Error{Code::kEmpty,
+                 {},
+                 "no face is left: " + std::to_string(out.num_flat) +
+                     " without area; the others are walls, which two pieces share"};
+  return out;
+}
+
+}  // namespace veritope

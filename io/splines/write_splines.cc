@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/splines/write_splines.h"
+
+#include <gmp.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+
+#include "io/exact_number.h"
+#include "io/splines/read_splines.h"
+
+namespace veritope {
+namespace {
+
+// The same up to names, attributes, groups.
+bool same_shapes(const SplineModel& a, const SplineModel& b) {
+  if (a.entities.size() != b.entities.size()) return false;
+  for (std::size_t i = 0; i < a.entities.size(); ++i)
+    if (a.entities[i].shape != b.entities[i].shape) return false;
+  return true;
+}
+
+// The number of entities that are not there any more or not the same; by position, as writers keep the order.
+std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
+  std::size_t changed = 0, j = 0;
+  for (const SplineEntity& entity : model.entities) {
+    if (j < back.entities.size() && entity.shape == back.entities[j].shape) {
+      ++j;
+      continue;
+    }
+    ++changed;
+    // Rounded: of the same kind, in the same place.
+    if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index()) ++j;
+  }
+  return changed;
+}
+
+// At least 17 significant digits, cut, of a magnitude that binary64 does not have. REQUIRES value != 0.
+std::string seventeen_digits(const Rational& value, const ReadLimits& limits) {
+  const auto bits = static_cast<std::int64_t>(value.numerator().bit_length()) -
+                    static_cast<std::int64_t>(value.denominator().bit_length());
+  const std::int64_t exponent = bits * 30103 / 100000 - 19;  // log10(2) = 0.30103
+  Integer power;
+  mpz_ui_pow_ui(static_cast<mpz_ptr>(power.gmp()), 10,
+                static_cast<unsigned long>(std::abs(exponent)));
+  const Rational scaled =
+      exponent < 0 ? abs(value) * Rational(power) : abs(value) / Rational(power);
+  std::string digits = floor_divide(scaled.numerator(), scaled.denominator()).to_string();
+  std::int64_t zeros = 0;
+  for (; digits.back() == '0'; ++zeros) digits.pop_back();
+  const auto spelled = spell_decimal(digits, exponent + zeros, limits);
+  return (value.sign() == Sign::kNegative ? "-" : "") +
+         spelled.value_or(digits + "e" + std::to_string(exponent + zeros));
+}
+
+}  // namespace
+
+bool can_write(SplineFormat format) {
+  return format == SplineFormat::kItd || format == SplineFormat::kG2 ||
+         format == SplineFormat::kJson;
+}
+
+std::string spline_bytes(const SplineModel& model, SplineFormat format, const ReadLimits& limits) {
+  VT_CHECK(can_write(format), "spline_bytes needs a format that is written");
+  if (format == SplineFormat::kItd) return itd_bytes(model, limits);
+  return format == SplineFormat::kG2 ? g2_bytes(model, limits) : spline_json_bytes(model);
+}
+
+SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes,
+                       const ReadLimits& limits) {
+  SplineLoss loss;
+  SplineReadOptions options;
+  options.format = format;
+  options.limits = limits;
+  options.limits.max_bytes = ~std::uint64_t{0};
+  if (bytes.empty()) {
+    loss.unreadable = Error{Code::kEmpty, {}, "no spline is left for it to hold"};
+    return loss;
+  }
+  const auto file = read_spline_bytes(
+      {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
+  if (!file) {
+    loss.unreadable = file.error();
+    return loss;
+  }
+  const SplineModel& back = file->model;
+  if (model == back) return loss;
+  if (!same_shapes(model, back))
+    loss.shapes.push_back(std::to_string(num_changed(model, back)) + " of " +
+                          std::to_string(model.entities.size()) +
+                          " entities are rounded or left out");
+  bool has_text = false;
+  for (const SplineEntity& e : model.entities)
+    has_text = has_text || !e.attributes.empty() || e.group;
+  if (has_text || !model.groups.empty())
+    loss.dropped.push_back("names, attributes or the order of groups");
+  return loss;
+}
+
+std::string decimal_or_nearest(const Rational& value, const ReadLimits& limits) {
+  if (auto text = exact_decimal(value, limits)) return std::move(*text);
+  char digits[32];
+  const double nearest = nearest_double(value);
+  if (nearest == 0 || !std::isfinite(nearest)) return seventeen_digits(value, limits);
+  const auto end = std::to_chars(digits, digits + sizeof digits, nearest);
+  return {digits, static_cast<std::size_t>(end.ptr - digits)};
+}
+
+}  // namespace veritope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// named_predicates/named_predicate.h: the predicates by their names, on operands in one row.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "robust/base/sign.h"
+#include "robust/cascade.h"
+
+namespace veritope {
+
+/// Coordinates of the arguments in their order; what a predicate does not take is ignored.
+inline constexpr std::size_t kMostOperands = 62;
+using Operands = std::array<double, kMostOperands>;
+
+struct NamedPredicate {
+  std::string_view name;
+  std::string_view arguments;  ///< "a b c"; for people
+  int dimension;               ///< of its points: 2 or 3
+  std::size_t num_operands;
+  Sign (*decide)(const Operands&,
+                 TierCounts*);  ///< the library's cascade. REQUIRES finite operands
+  /// The predicate's formula over rationals: no filter, no tier. Slow. REQUIRES finite operands
+  Sign (*decide_by_formula)(const Operands&);
+  /// Of the points, in order, as letters of named_predicates/hard_implicit_points.h; empty if all are explicit.
+  std::string_view kinds = {};
+  /// Do the implicit points exist? If not, there is no sign. Null if all are explicit.
+  bool (*is_defined)(const Operands&) = nullptr;
+};
+
+/// Those on explicit points, in the order in which people read them; named_predicates/implicit_names.h has the others.
+std::span<const NamedPredicate> named_predicates();
+
+/// Null if there is none.
+const NamedPredicate* predicate_from_name(std::string_view name);
+
+/// "orient2d, orient3d, ...".
+std::string predicate_names();
+
+/// "filter 12, lattice 3, interval 0, exact 1": how many cases each tier decided.
+std::string tiers_text(const TierCounts& tiers);
+
+}  // namespace veritope

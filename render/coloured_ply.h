@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// render/coloured_ply.h: a mesh to look at: binary PLY whose faces have colours, as MeshLab, Blender and others show them.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope {
+
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Little-endian, coordinates in binary64. REQUIRES one colour a face, ids in range, fewer than 2^32 faces and vertices.
+std::string coloured_ply(const TriangleMesh& mesh, std::span<const Colour> colours);
+
+}  // namespace veritope

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// VTK's unstructured grids with Bezier cells. Version 2.2 of the file format: the order of points within a hexahedron is that
+// of VTK 9.1 and later, which older versions of the format do not have.
+#include <algorithm>
+
+#include "render/spline_view_internal.h"
+
+namespace veritope {
+namespace {
+
+template <std::size_t N>
+constexpr int kCellType = N == 1   ? 75
+                          : N == 2 ? 77
+                                   : 79;  // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
+constexpr int kTriangleType = 76;         // VTK_BEZIER_TRIANGLE
+
+class VtuWriter {
+ public:
+  template <std::size_t N>
+  Status add(const BSpline<Rational, N>& spline, std::uint64_t entity) {
+    const auto s = internal::rounded_pieces(spline, entity);
+    if (!s) return s.error();
+    for (const auto& piece : s->pieces) {
+      if (num_points_ + piece.grid().count() > internal::kMostViewPoints) return too_many(entity);
+      add_piece(piece, entity);
+    }
+    return ok_status();
+  }
+  Status add(const ExactTriangle& exact, std::uint64_t entity) {
+    const auto triangle = internal::rounded_triangle(exact, entity);
+    if (!triangle) return triangle.error();
+    if (num_points_ + triangle->count() > internal::kMostViewPoints) return too_many(entity);
+    std::vector<std::size_t> order(triangle->count());
+    for_each_triangle_index(triangle->degree(), [&](int i, int j, int k) {
+      order[vtk_triangle_index(i, j, k)] = triangle_index(j, k);
+    });
+    add_cell(*triangle, order, {triangle->degree(), triangle->degree(), 1}, kTriangleType, entity);
+    return ok_status();
+  }
+  std::string write() const {
+    std::string out =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
+        "byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+        std::to_string(num_points_) + "\" NumberOfCells=\"" + std::to_string(num_cells_) + "\">\n";
+    out += "<PointData RationalWeights=\"RationalWeights\">\n" +
+           array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
+    out += "<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n" +
+           array("Float64", "HigherOrderDegrees", 3, degrees_) +
+           array("Int64", "entity", 1, entities_) + "</CellData>\n";
+    out += "<Points>\n" + array("Float64", "Points", 3, points_) + "</Points>\n<Cells>\n" +
+           array("Int64", "connectivity", 1, connectivity_) +
+           array("Int64", "offsets", 1, offsets_) + array("UInt8", "types", 1, types_) +
+           "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    return out;
+  }
+
+ private:
+  static Error too_many(std::uint64_t entity) {
+    return internal::view_error(Code::kOverLimit, entity, "more than 33554432 control points");
+  }
+  static std::string array(const char* type, const char* name, int components,
+                           const std::string& values) {
+    return std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+           "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">\n" +
+           values + "</DataArray>\n";
+  }
+  template <std::size_t N>
+  void add_piece(const Bezier<double, N>& piece, std::uint64_t entity) {
+    const Grid<N> grid = piece.grid();
+    std::vector<std::size_t> order(grid.count());
+    for (std::size_t i = 0; i < grid.count(); ++i)
+      order[vtk_point_index(internal::unflatten(i, grid), piece.degrees())] = i;
+    std::array<int, 3> degrees{1, 1, 1};
+    std::copy(piece.degrees().begin(), piece.degrees().end(), degrees.begin());
+    add_cell(piece, order, degrees, kCellType<N>, entity);
+  }
+  // order[VTK's number of a control point] = ours.
+  template <typename Map>
+  void add_cell(const Map& piece, const std::vector<std::size_t>& order,
+                const std::array<int, 3>& degrees, int type, std::uint64_t entity) {
+    for (const std::size_t i : order) {
+      const auto p = internal::control_point(piece, i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        internal::append_number(points_, p[k]);
+        points_ += k == 2 ? '\n' : ' ';
+      }
+      internal::append_number(weights_,
+                              piece.is_rational() ? piece.component(piece.dimension())[i] : 1);
+      weights_ += '\n';
+      connectivity_ += std::to_string(num_points_++) + ' ';
+    }
+    connectivity_ += '\n';
+    for (std::size_t a = 0; a < 3; ++a)
+      degrees_ += std::to_string(degrees[a]) + (a == 2 ? "\n" : " ");
+    offsets_ += std::to_string(num_points_) + '\n';
+    types_ += std::to_string(type) + '\n';
+    entities_ += std::to_string(entity) + '\n';
+    ++num_cells_;
+  }
+
+  std::uint64_t num_points_ = 0, num_cells_ = 0;
+  std::string points_, weights_, connectivity_, degrees_, offsets_, types_, entities_;
+};
+
+Status add_shape(VtuWriter& out, const SplineEntity& entity, std::uint64_t number) {
+  if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape))
+    return out.add(t->surface, number);
+  if (const auto* b = std::get_if<SplineBrep>(&entity.shape)) {
+    for (const BrepFace& face : b->faces)
+      if (Status status = out.add(face.surface, number); !status) return status;
+    return ok_status();
+  }
+  if (const auto* t = std::get_if<ExactTriangle>(&entity.shape)) return out.add(*t, number);
+  Status status = ok_status();
+  for_each_spline(entity, [&](const auto& s) { status = out.add(s, number); });
+  return status;
+}
+
+}  // namespace
+
+namespace internal {
+
+Result<std::string> vtu_bytes(const SplineModel& model) {
+  VtuWriter out;
+  for (std::size_t i = 0; i < model.entities.size(); ++i)
+    if (Status status = add_shape(out, model.entities[i], i); !status) return status.error();
+  return out.write();
+}
+
+}  // namespace internal
+
+std::size_t vtk_point_index(const std::array<std::size_t, 1>& index,
+                            const std::array<int, 1>& degrees) {
+  const auto n = static_cast<std::size_t>(degrees[0]);
+  return index[0] == 0 ? 0 : index[0] == n ? 1 : index[0] + 1;
+}
+
+std::size_t vtk_point_index(const std::array<std::size_t, 2>& index,
+                            const std::array<int, 2>& degrees) {
+  const auto m = static_cast<std::size_t>(degrees[0]), n = static_cast<std::size_t>(degrees[1]);
+  const auto [i, j] = index;
+  const bool i_edge = i == 0 || i == m, j_edge = j == 0 || j == n;
+  if (i_edge && j_edge) return i != 0 ? (j != 0 ? 2 : 1) : (j != 0 ? 3 : 0);
+  if (j_edge) return 4 + (i - 1) + (j != 0 ? m - 1 + n - 1 : 0);
+  if (i_edge) return 4 + (j - 1) + (i != 0 ? m - 1 : 2 * (m - 1) + n - 1);
+  return 4 + 2 * (m - 1 + n - 1) + (i - 1) + (m - 1) * (j - 1);
+}
+
+std::size_t vtk_triangle_index(int i, int j, int k) {
+  const int ring = std::min({i, j, k});  // triangles around the one whose boundary it is on
+  std::size_t offset = 0;
+  for (int r = 0, n = i + j + k; r < ring; ++r, n -= 3) offset += static_cast<std::size_t>(3 * n);
+  i -= ring, j -= ring, k -= ring;
+  const int n = i + j + k;
+  const auto at = [&](int number) { return offset + static_cast<std::size_t>(number); };
+  if (i == n || j == n || k == n) return at(i == n ? 0 : j == n ? 1 : 2);
+  if (k == 0) return at(3 + j - 1);
+  return i == 0 ? at(3 + (n - 1) + k - 1) : at(3 + 2 * (n - 1) + i - 1);
+}
+
+std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,
+                            const std::array<int, 3>& degrees) {
+  const auto l = static_cast<std::size_t>(degrees[0]), m = static_cast<std::size_t>(degrees[1]),
+             n = static_cast<std::size_t>(degrees[2]);
+  const auto [i, j, k] = index;
+  const bool i_end = i == 0 || i == l, j_end = j == 0 || j == m, k_end = k == 0 || k == n;
+  const int ends = (i_end ? 1 : 0) + (j_end ? 1 : 0) + (k_end ? 1 : 0);
+  if (ends == 3) return (i != 0 ? (j != 0 ? 2 : 1) : (j != 0 ? 3 : 0)) + (k != 0 ? 4 : 0);
+  std::size_t offset = 8;
+  const std::size_t ring = 2 * (l + m - 2);
+  if (ends == 2) {
+    if (!i_end) return offset + (i - 1) + (j != 0 ? l + m - 2 : 0) + (k != 0 ? ring : 0);
+    if (!j_end)
+      return offset + (j - 1) + (i != 0 ? l - 1 : 2 * (l - 1) + m - 1) + (k != 0 ? ring : 0);
+    const std::size_t edge = i != 0 ? (j != 0 ? 2 : 1) : (j != 0 ? 3 : 0);
+    return offset + 2 * ring + (k - 1) + (n - 1) * edge;
+  }
+  offset += 4 * (l + m + n - 3);
+  const std::size_t i_face = (m - 1) * (n - 1), j_face = (n - 1) * (l - 1),
+                    k_face = (l - 1) * (m - 1);
+  if (ends == 1) {
+    if (i_end) return offset + (j - 1) + (m - 1) * (k - 1) + (i != 0 ? i_face : 0);
+    offset += 2 * i_face;
+    if (j_end) return offset + (i - 1) + (l - 1) * (k - 1) + (j != 0 ? j_face : 0);
+    return offset + 2 * j_face + (i - 1) + (l - 1) * (j - 1) + (k != 0 ? k_face : 0);
+  }
+  return offset + 2 * (i_face + j_face + k_face) + (i - 1) +
+         (l - 1) * ((j - 1) + (m - 1) * (k - 1));
+}
+
+}  // namespace veritope

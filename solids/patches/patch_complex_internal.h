@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/patches/patch_complex_internal.h: the steps of make_patch_complex, for its parts and for tests.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solids/patches/patch_complex.h"
+
+namespace veritope::internal {
+
+/// Classes of 0..n-1. @cost nearly constant a call
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+  }
+  /// The least element of the class.
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a), b = find(b);
+    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item) is called where a
+/// hash occurs again: the forms of one hash are held at a time. Items of a class ascend; the order of the classes is not fixed.
+/// @cost O(n log n) comparisons of hashes, and of forms where hashes are equal
+template <typename Item, typename FormOf>
+std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t, Item>> hashed,
+                                             FormOf form_of) {
+  using Form = decltype(form_of(hashed[0].second));
+  std::sort(hashed.begin(), hashed.end());
+  std::vector<std::vector<Item>> classes;
+  std::vector<Form> forms;
+  std::vector<std::size_t> run;
+  for (std::size_t i = 0; i < hashed.size();) {
+    std::size_t end = i + 1;
+    while (end < hashed.size() && hashed[end].first == hashed[i].first) ++end;
+    forms.clear();
+    if (end > i + 1)
+      for (std::size_t k = i; k < end; ++k) forms.push_back(form_of(hashed[k].second));
+    run.resize(end - i);
+    std::iota(run.begin(), run.end(), std::size_t{0});
+    std::sort(run.begin(), run.end(), [&](std::size_t a, std::size_t b) {
+      const auto order = forms[a] <=> forms[b];
+      return order != 0 ? order < 0 : a < b;
+    });
+    for (std::size_t k = 0; k < run.size(); ++k) {
+      if (k == 0 || (forms[run[k - 1]] <=> forms[run[k]]) != 0) classes.emplace_back();
+      classes.back().push_back(hashed[i + run[k]].second);
+    }
+    i = end;
+  }
+  return classes;
+}
+
+/// visit(PatchSide) for every side of every patch, in order.
+template <typename Visit>
+void for_each_side(std::span<const Patch> patches, Visit visit) {
+  for (std::uint32_t p = 0; p < patches.size(); ++p)
+    for (std::uint32_t s = 0; s < patches[p].num_sides(); ++s) visit(PatchSide{p, s});
+}
+
+/// Four slots a patch; PatchComplex::kNone for collapsed sides and unused slots. Edges are numbered by their first sides.
+struct MatchedSides {
+  std::vector<std::uint32_t> edge_of_side;
+  std::vector<Travel> travel;
+  std::vector<std::size_t> first_side;  ///< of each edge in `sides`, and one past the last
+  std::vector<PatchSide> sides;
+};
+MatchedSides match_sides(std::span<const Patch> patches);
+
+/// Two sides of one edge that would fit, did their patches agree: neither is its own reverse and both run alike.
+inline bool run_alike(Travel a, Travel b) { return a == b && a != Travel::kBoth; }
+
+/// For each patch whether it is to be reversed, so that no edge with two sides has them run alike; no patch of a shell where that
+/// cannot be. `conflicts`: one edge of each such shell.
+struct Flips {
+  std::vector<bool> flip;
+  std::vector<std::uint32_t> conflicts;
+};
+/// @cost linear
+Flips find_flips(std::size_t num_patches, const MatchedSides& matched);
+
+/// kWeight, kDegree and kAdjacentPoles, by patch.
+void find_bad_patches(std::span<const Patch> patches, const MatchedSides& matched,
+                      std::vector<PatchFinding>& out);
+/// Each patch that occurs before, once, with the one before it.
+void find_repeated_patches(std::span<const Patch> patches, const MatchedSides& matched,
+                           std::vector<PatchFinding>& out);
+/// For each open side the nearest other one, if their ends lie within a small part (2^-16) of the largest coordinate of each other; each pair
+/// once. It compares a side with the few next ones only, so it may miss a pair: a hint for people, not a decision.
+void find_near_misses(std::span<const Patch> patches, std::span<const PatchSide> open,
+                      std::vector<PatchFinding>& out);
+
+}  // namespace veritope::internal

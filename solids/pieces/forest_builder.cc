@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The roots of a PieceForest: exact coefficients to doubles with bounds.
+#include <algorithm>
+#include <cmath>
+
+#include "interval/ring_numbers.h"
+#include "interval/upward.h"
+#include "solids/pieces/piece_forest.h"
+#include "solids/pieces/piece_net_internal.h"
+
+namespace veritope {
+namespace {
+
+constexpr int kMaxRootBits = 6;
+
+FormShape shape_of(const Patch& patch) {
+  if (patch.is_triangle()) return {true, patch.triangle().degree(), 0};
+  return {false, patch.tensor().degree(0), patch.tensor().degree(1)};
+}
+
+}  // namespace
+
+class ForestBuilder {
+  using Part = PieceForest::Part;
+
+ public:
+  ForestBuilder(const PatchComplex& complex, PieceForest::FrameChoice choice) : choice_(choice) {
+    forest_.complex_ = &complex;
+  }
+
+  Result<PieceForest> build() {
+    if (const Status status = choose_frame(); !status) return status.error();
+    const auto patches = forest_.complex_->patches();
+    const ScopedUpward upward;
+    for (std::uint32_t p = 0; p < patches.size(); ++p) {
+      PieceForest::Form form = form_of(p);
+      if (!is_in_range(form))
+        return Error{Code::kOverLimit,
+                     {},
+                     to_string(patches[p].origin()) +
+                         " has coordinates, weights or derivatives out of the range of binary64"};
+      forest_.forms_.push_back(std::move(form));
+    }
+    add_roots();
+    return std::move(forest_);
+  }
+
+ private:
+  static Error over_limit(const Patch& patch) {
+    return Error{Code::kOverLimit,
+                 {},
+                 to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
+  }
+  struct ExactBox {
+    std::array<Rational, 3> lo, hi;
+  };
+  // Of the control points.
+  static ExactBox box_of(const Patch& patch) {
+    ExactBox out;
+    for (std::size_t i = 0; i < patch.num_control(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Rational& v = patch.component(static_cast<int>(k))[i];
+        const Rational x = patch.is_rational() ? v / patch.component(3)[i] : v;
+        if (i == 0 || x < out.lo[k]) out.lo[k] = x;
+        if (i == 0 || out.hi[k] < x) out.hi[k] = x;
+      }
+    return out;
+  }
+  static Rational length_of(const ExactBox& box) {
+    Rational out;
+    for (std::size_t k = 0; k < 3; ++k) out = std::max(out, box.hi[k] - box.lo[k]);
+    return out;
+  }
+  Status choose_frame() {
+    std::array<Rational, 3> lo, hi;
+    bool is_first = true;
+    for (const Patch& patch : forest_.complex_->patches()) {
+      const ExactBox box = box_of(patch);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!std::isfinite(nearest_double(box.lo[k])) || !std::isfinite(nearest_double(box.hi[k])))
+          return over_limit(patch);
+        if (is_first || box.lo[k] < lo[k]) lo[k] = box.lo[k];
+        if (is_first || hi[k] < box.hi[k]) hi[k] = box.hi[k];
+      }
+      const Rational own = length_of(box);
+      if (own.sign() == Sign::kPositive &&
+          (least_length_.sign() == Sign::kZero || own < least_length_))
+        least_ = box, least_length_ = own;
+      is_first = false;
+    }
+    PieceForest::Frame& frame = forest_.frame_;
+    // Exponents of the coordinates, of the lengths, and of the greatest of each; of a flat model the lengths do not count.
+    const Rational half = Rational(1) / Rational(2);
+    std::array<Rational, 3> most, length;
+    Rational all, longest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      most[k] = std::max(abs(lo[k]), abs(hi[k]));
+      length[k] = hi[k] - lo[k];
+      all = std::max(all, most[k]), longest = std::max(longest, length[k]);
+    }
+    if (all.sign() == Sign::kZero) return ok_status();
+    frame.scale.fill(-exponent(all));
+    if (choice_ == PieceForest::FrameChoice::kPlain) return ok_status();
+    if (*std::min_element(length.begin(), length.end()) * Rational(kFar) <= longest) {
+      for (std::size_t k = 0; k < 3; ++k)
+        frame.scale[k] = -exponent(length[k].sign() == Sign::kZero ? longest : length[k]);
+    } else if (longest * Rational(kFar) < all) {
+      frame.scale.fill(-exponent(longest));
+    } else {
+      move_to_least_patch(longest);
+      return ok_status();
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational step = Rational::power_of_two(-frame.scale[k]);
+      const Rational steps = (lo[k] + hi[k]) * half / step + half;
+      frame.shift[k] = Rational(floor_divide(steps.numerator(), steps.denominator())) * step;
+    }
+    return ok_status();
+  }
+  static constexpr int kFar = 16;
+  static constexpr int kTinyBits = 32;
+  // Doubles are finest near 0: there goes a patch that is tiny beside the model, so that its boxes have room for their grid. One such place only.
+  void move_to_least_patch(const Rational& longest) {
+    if (least_length_.sign() == Sign::kZero ||
+        longest < Rational::power_of_two(kTinyBits) * least_length_)
+      return;
+    for (std::size_t k = 0; k < 3; ++k)
+      forest_.frame_.shift[k] = coarsest_multiple(least_.lo[k], least_.lo[k] + least_length_);
+  }
+  // The multiple of the greatest power of two in [lo, hi]. REQUIRES lo < hi.
+  static Rational coarsest_multiple(const Rational& lo, const Rational& hi) {
+    if (lo.sign() != Sign::kPositive && hi.sign() != Sign::kNegative) return Rational();
+    for (int bits = exponent(std::max(abs(lo), abs(hi)));; --bits) {
+      const Rational step = Rational::power_of_two(bits);
+      const Rational last = hi / step;
+      const Rational x = Rational(floor_divide(last.numerator(), last.denominator())) * step;
+      if (lo <= x) return x;
+    }
+  }
+  // REQUIRES v > 0. 2^(result - 2) < v < 2^result.
+  static int exponent(const Rational& v) {
+    return static_cast<int>(static_cast<std::int64_t>(v.numerator().bit_length()) -
+                            static_cast<std::int64_t>(v.denominator().bit_length())) +
+           1;
+  }
+
+  // Coordinates in the frame, relative to a point near the patch; weights of about 1.
+  PieceForest::Form form_of(std::uint32_t number) const {
+    const Patch& patch = forest_.complex_->patch(number);
+    PieceForest::Form form;
+    form.shape = shape_of(patch);
+    form.determinant = determinant_shape(form.shape);
+    form.is_rational = patch.is_rational();
+    for (std::uint32_t s = 0; s < patch.num_sides(); ++s)
+      if (forest_.complex_->is_collapsed({number, s}))
+        form.collapsed |= static_cast<std::uint8_t>(1u << s);
+    const std::size_t n = form.shape.count();
+    Rational factor(1);
+    if (form.is_rational) {
+      Rational largest = patch.component(3)[0];
+      for (const Rational& w : patch.component(3)) largest = std::max(largest, w);
+      factor = Rational(1) / largest;
+    }
+    std::vector<Interval> control;
+    for (int c = 0; c < 3; ++c) {
+      const auto k = static_cast<std::size_t>(c);
+      const auto component = patch.component(c);
+      const double origin = nearest_double(forest_.in_frame(
+          k, form.is_rational ? component[0] / patch.component(3)[0] : component[0]));
+      form.origin[k] = origin;
+      const Rational unit = Rational::power_of_two(forest_.frame_.scale[k]);
+      const Rational shift = forest_.frame_.shift[k] * unit + Rational::from_double(origin);
+      for (std::size_t i = 0; i < n; ++i)
+        control.push_back(enclose(
+            form.is_rational ? factor * (unit * component[i] - shift * patch.component(3)[i])
+                             : unit * component[i] - shift));
+    }
+    if (form.is_rational)
+      for (const Rational& w : patch.component(3)) control.push_back(enclose(factor * w));
+    const auto determinants =
+        determinant_form<Interval>(form.shape, form.is_rational, control.data());
+    fill_net(control, PieceForest::layout(form, Part::kControl), &form.root_control);
+    std::vector<Interval> all;
+    for (const std::vector<Interval>& d : determinants) all.insert(all.end(), d.begin(), d.end());
+    fill_net(all, PieceForest::layout(form, Part::kDeterminants), &form.root_determinants);
+    choose_roots(&form);
+    return form;
+  }
+
+  static void fill_net(const std::vector<Interval>& from, const PieceForest::Layout& at,
+                       std::vector<double>* net) {
+    net->resize(at.size());
+    for (std::size_t c = 0; c < at.components; ++c) {
+      double error = 0, size = 0;
+      for (std::size_t i = 0; i < at.count; ++i) {
+        const MidRad m = mid_rad(from[at.begin(c) + i]);
+        (*net)[at.begin(c) + i] = m.mid;
+        error = std::max(error, m.rad);
+        size = std::max(size, std::abs(m.mid));
+      }
+      (*net)[at.error(c)] = error;
+      (*net)[at.magnitude(c)] = size;
+    }
+  }
+
+  static bool is_in_range(const PieceForest::Form& form) {
+    const auto is_small = [](double v) { return std::abs(v) < 0x1p900; };
+    return std::all_of(form.root_control.begin(), form.root_control.end(), is_small) &&
+           std::all_of(form.root_determinants.begin(), form.root_determinants.end(), is_small);
+  }
+
+  // As many halves along the longer parameter as make the pieces about as long as wide.
+  static void choose_roots(PieceForest::Form* form) {
+    if (form->shape.is_triangle) return;
+    const auto layout = PieceForest::layout(*form, Part::kControl);
+    const auto columns = static_cast<std::size_t>(form->shape.q + 1);
+    const auto length = [&](std::size_t from, std::size_t to) {
+      double sum = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double* const x = form->root_control.data() + layout.begin(c);
+        const auto point = [&](std::size_t i) {
+          return layout.components == 4 ? x[i] / form->root_control[layout.begin(3) + i] : x[i];
+        };
+        sum += (point(to) - point(from)) * (point(to) - point(from));
+      }
+      return std::sqrt(sum);
+    };
+    double along_u = 0, along_v = 0;
+    for (std::size_t j = 0; j < columns; ++j) {
+      double sum = 0;
+      for (std::size_t i = 0; i + 1 <= static_cast<std::size_t>(form->shape.p); ++i)
+        sum += length(i * columns + j, (i + 1) * columns + j);
+      along_u = std::max(along_u, sum);
+    }
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(form->shape.p); ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j + 1 < columns; ++j)
+        sum += length(i * columns + j, i * columns + j + 1);
+      along_v = std::max(along_v, sum);
+    }
+    const double ratio = along_u / along_v;
+    if (!(ratio > 0) || !std::isfinite(ratio)) return;
+    const int bits =
+        std::min(kMaxRootBits, std::abs(static_cast<int>(std::lround(std::log2(ratio)))));
+    form->root_bits[ratio > 1 ? 0 : 1] = static_cast<std::uint8_t>(bits);
+  }
+
+  void add_roots() {
+    std::vector<Box3d> boxes;
+    for (std::uint32_t p = 0; p < forest_.forms_.size(); ++p) {
+      PieceForest::Form& form = forest_.forms_[p];
+      form.first_root = static_cast<PieceForest::Id>(forest_.nodes_.size());
+      const std::uint64_t rows = std::uint64_t{1} << form.root_bits[0],
+                          columns = std::uint64_t{1} << form.root_bits[1];
+      form.num_roots = static_cast<std::uint32_t>(rows * columns);
+      for (std::uint64_t i = 0; i < rows; ++i)
+        for (std::uint64_t j = 0; j < columns; ++j) {
+          PieceForest::Node node;
+          node.patch = p, node.i = i, node.j = j;
+          forest_.nodes_.push_back(node);
+          const auto id = static_cast<PieceForest::Id>(forest_.nodes_.size() - 1);
+          forest_.nodes_[id].hull = forest_.tight_hull(id);
+          boxes.push_back(forest_.nodes_[id].hull);
+        }
+    }
+    forest_.num_roots_ = forest_.nodes_.size();
+    forest_.roots_ = BoxHierarchy(std::move(boxes));
+  }
+
+  PieceForest::FrameChoice choice_;
+  ExactBox least_;         // of the smallest patch that is no point
+  Rational least_length_;  // its; 0 if there is none
+  PieceForest forest_;
+};
+
+Result<PieceForest> PieceForest::make(const PatchComplex& complex, FrameChoice choice) {
+  return ForestBuilder(complex, choice).build();
+}
+
+}  // namespace veritope

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/pieces/piece_descent.h: the pieces whose closed hulls meet a box, as small as the caller wants them: condition T of docs/THEORY.md §4.
+#pragma once
+#include <cstddef>
+
+#include "solids/pieces/piece_forest.h"
+
+namespace veritope {
+
+enum class PieceStep {
+  kTaken,  ///< this piece is as small as wanted
+  kSplit,  ///< its four children instead
+  kStop,   ///< the descent fails
+};
+
+/// step(id) for the pieces whose closed hulls meet the box, a parent before its children, from the roots on. Every part of V that meets the box lies in
+/// a piece that was taken. False: stopped, over max_visits pieces, or a piece of the greatest level was to be split.
+/// Hulls may be unbounded, where weights are not known to be positive, and all pieces of such a patch meet every box: hence the budget.
+template <typename Step>
+class PieceDescent {
+ public:
+  PieceDescent(PieceForest& forest, const Box3d& box, std::size_t max_visits, Step step)
+      : forest_(forest), box_(box), left_(max_visits), step_(step) {}
+
+  bool run() {
+    bool is_done = true;
+    forest_.roots().visit(
+        [&](const Box3d& b) { return is_done && meets(b, box_); },
+        [&](std::uint32_t number) { is_done = is_done && visit(forest_.root(number)); });
+    return is_done;
+  }
+
+ private:
+  bool visit(PieceForest::Id id) {
+    if (!meets(forest_.node(id).hull, box_)) return true;
+    if (left_ == 0) return false;
+    --left_;
+    const PieceStep step = step_(id);
+    if (step != PieceStep::kSplit) return step == PieceStep::kTaken;
+    if (forest_.node(id).level == PieceForest::kMaxLevel) return false;
+    const PieceForest::Id first = forest_.children(id);
+    for (PieceForest::Id k = 0; k < 4; ++k)
+      if (!visit(first + k)) return false;
+    return true;
+  }
+
+  PieceForest& forest_;
+  const Box3d& box_;
+  std::size_t left_;
+  Step step_;
+};
+
+template <typename Step>
+bool descend_to(PieceForest& forest, const Box3d& box, std::size_t max_visits, Step step) {
+  return PieceDescent<Step>(forest, box, max_visits, step).run();
+}
+
+}  // namespace veritope

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+
+#include "solids/pieces/piece_net_internal.h"
+
+namespace veritope::internal {
+namespace {
+
+// In keep_half the coefficients of one step, at `along` = i of all lines, are read with those at i - 1 of the same lines. Going through the triangle in the order of memory, or
+// against it, so that what is read has not been written, makes each step one pass over rows without an index to compute.
+//
+// Rows of the triangle: row r = j + k holds k = 0 .. r, from r (r + 1) / 2 on; i = degree - r.
+inline double* row_of(double* net, int r) { return net + r * (r + 1) / 2; }
+
+// (a[m] + b[m]) / 2 to b[m].
+inline void average_into(const double* a, double* b, int n) {
+  for (int m = 0; m < n; ++m) b[m] = 0.5 * (a[m] + b[m]);
+}
+
+// halve_line without strides.
+void halve_row(int degree, double* row, double* right) {
+  for (int level = 0; level <= degree; ++level) {
+    right[degree - level] = row[degree];
+    for (int i = degree; i > level; --i) row[i] = 0.5 * (row[i - 1] + row[i]);
+  }
+}
+
+// The half of a triangle at corner `keep`, cut at the midpoint of the side between corners keep and move: corner `move` goes to that midpoint.
+// Along the lines parallel to that side the net is one of curves of degree 0 .. n: step `level` replaces the coefficients whose index of corner `move` is at least
+// `level` by their means with those one step nearer to corner `keep`.
+void keep_half(int degree, int keep, int move, double* net) {
+  for (int level = 1; level <= degree; ++level) {
+    if (keep == 0) {  // from row r - 1: (j, k) from (j - 1, k) or (j, k - 1)
+      for (int r = degree; r >= level; --r) {
+        const double* const before = row_of(net, r - 1);
+        double* const row = row_of(net, r);
+        if (move == 1)  // j >= level: k <= r - level
+          average_into(before, row, r - level + 1);
+        else  // k >= level
+          average_into(before + level - 1, row + level, r - level + 1);
+      }
+    } else if (move ==
+               0) {  // from row r + 1: (j, k) from (j + 1, k) or (j, k + 1), with i >= level
+      for (int r = 0; r <= degree - level; ++r)
+        average_into(row_of(net, r + 1) + (keep == 1 ? 0 : 1), row_of(net, r), r + 1);
+    } else if (move == 2) {  // keep 1, within a row: k from k - 1
+      for (int r = level; r <= degree; ++r) {
+        double* const row = row_of(net, r);
+        for (int k = r; k >= level; --k) row[k] = 0.5 * (row[k - 1] + row[k]);
+      }
+    } else {  // keep 2, move 1: k from k + 1, j = r - k >= level
+      for (int r = level; r <= degree; ++r) {
+        double* const row = row_of(net, r);
+        for (int k = 0; k <= r - level; ++k) row[k] = 0.5 * (row[k + 1] + row[k]);
+      }
+    }
+  }
+}
+
+// One argument of the blossom becomes the midpoint of corners 1 and 2: degree to degree - 1, in place.
+void set_middle_of_side_0(int degree, double* net) {
+  for_each_triangle_index(degree - 1, [&](int, int j, int k) {
+    net[triangle_index(j, k)] =
+        0.5 * (net[triangle_index(j + 1, k)] + net[triangle_index(j, k + 1)]);
+  });
+}
+
+// Coefficient (i, j, k) of the middle triangle is the blossom at m0 i times, m1 j times, m2 k times.
+void middle_quarter(int degree, const double* net, double* out) {
+  static thread_local std::vector<double> first, work;
+  first.assign(net, net + num_triangle_coefficients(degree));
+  for (int i = 0; i <= degree; ++i) {
+    const int n = degree - i;
+    // In the half (c0, m2, c2), then its half (c0, m2, m1), the side from m1 to m2 holds the blossom at m1 and m2.
+    work.assign(first.begin(),
+                first.begin() + static_cast<std::ptrdiff_t>(num_triangle_coefficients(n)));
+    keep_half(n, 0, 1, work.data());
+    keep_half(n, 0, 2, work.data());
+    for (int k = 0; k <= n; ++k)  // j = n - k times m1, which is corner 2 now; m2 is corner 1
+      out[triangle_index(n - k, k)] = work[triangle_index(k, n - k)];
+    if (n > 0) set_middle_of_side_0(n, first.data());
+  }
+}
+
+}  // namespace
+
+void quarter_tensor(const FormShape& shape, const double* net, double* const children[4]) {
+  const auto columns = static_cast<std::size_t>(shape.q + 1);
+  std::copy(net, net + shape.count(), children[0]);
+  // As halve_line, on all columns at once.
+  for (int level = 0; level <= shape.p; ++level) {
+    const auto row = [&](int i) { return children[0] + static_cast<std::size_t>(i) * columns; };
+    std::copy(row(shape.p), row(shape.p) + columns,
+              children[2] + static_cast<std::size_t>(shape.p - level) * columns);
+    for (int i = shape.p; i > level; --i) average_into(row(i - 1), row(i), shape.q + 1);
+  }
+  for (const int k : {0, 2})
+    for (int i = 0; i <= shape.p; ++i) {
+      const std::size_t row = static_cast<std::size_t>(i) * columns;
+      halve_row(shape.q, children[k] + row, children[k + 1] + row);
+    }
+}
+
+void quarter_triangle(int degree, const double* net, double* const children[4]) {
+  const std::size_t count = num_triangle_coefficients(degree);
+  for (int k = 0; k < 3; ++k) {
+    std::copy(net, net + count, children[k]);
+    keep_half(degree, k, (k + 1) % 3, children[k]);
+    keep_half(degree, k, (k + 2) % 3, children[k]);
+  }
+  middle_quarter(degree, net, children[3]);
+}
+
+}  // namespace veritope::internal

@@ -226,7 +226,7 @@ class CrossingCounter {
     const std::size_t length = patch.side_length(on.side);
     double c[3], size[4], error[4];
     for (std::size_t k = 0; k < 3; ++k) {
-      c[k] = star_.inside[k] - form.origin[k];
+      c[k] = line_.inside[k] - form.origin[k];
       error[k] = forest_.control_error(on.node, k);
     }
     error[3] = form.is_rational ? forest_.control_error(on.node, 3) : 0;

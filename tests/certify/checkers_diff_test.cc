@@ -11,6 +11,7 @@
 
 #include "tests/certify/round_trip.h"
 #include "tests/predicates/test_scale.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 namespace {
@@ -27,8 +28,10 @@ class CheckersDiff : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   // Exit code and first line of what it prints.
-  std::pair<int, std::string> run(const std::string& program, const fs::path& model, const fs::path& certificate) {
-    const std::string command = program + " '" + model.string() + "' '" + certificate.string() + "' 2>&1";
+  std::pair<int, std::string> run(const std::string& program, const fs::path& model,
+                                  const fs::path& certificate) {
+    const std::string command =
+        program + " '" + model.string() + "' '" + certificate.string() + "' 2>&1";
     std::FILE* pipe = ::popen(command.c_str(), "r");
     std::string out;
     char part[4096];
@@ -43,10 +46,12 @@ class CheckersDiff : public ::testing::Test {
     std::ofstream(model, std::ios::binary) << c.file;
     std::ofstream(certificate, std::ios::binary) << c.certificate();
     const std::string claim = c.report.is_valid ? "ACCEPT mesh-valid-1" : "ACCEPT mesh-invalid-1";
-    for (const std::string& program : {std::string("'" VERITOPE_BIN_DIR "/veritope-check'"),
-                                       std::string("'" VERITOPE_PYTHON "' -B '" VERITOPE_SOURCE_DIR "/verify/checker/veritope_check.py'")}) {
+    for (const std::string& program : {"'" + test::program_dir() + "/veritope-check'",
+                                       "'" + test::python() + "' -B '" + test::source_dir() +
+                                           "/verify/checker/veritope_check.py'"}) {
       const auto [code, line] = run(program, model, certificate);
-      EXPECT_EQ(code, 0) << program << ": " << line << "\n" << shapes::to_text(c.mesh).substr(0, 4000);
+      EXPECT_EQ(code, 0) << program << ": " << line << "\n"
+                         << shapes::to_text(c.mesh).substr(0, 4000);
       EXPECT_EQ(line.substr(0, claim.size()), claim) << program;
     }
   }
@@ -57,10 +62,14 @@ class CheckersDiff : public ::testing::Test {
 TEST_F(CheckersDiff, AcceptWhatTheKernelSaysOfEveryGenerator) {
   Random random(1);
   for (const TriangleMesh& mesh :
-       {shapes::box({0, 0, 0}, {1, 2, 3}, 3), shapes::prism(17, 3, 1), shapes::torus(15, 9, 3, 1), shapes::star_polyhedron(random, 3), shapes::bipyramid(90),
-        shapes::cone(70), shapes::tilted_cylinder(120, Cap::kCentreFan), shapes::tilted_cylinder(120, Cap::kRimFan), shapes::tilted_cylinder(120, Cap::kZigzag),
-        shapes::hyperboloid(90, 30), shapes::saddle(), shapes::wave(12, 30), shapes::nested_boxes(7), shapes::box_grid(3, 0.25), shapes::nested_scene(random, 30),
-        shapes::needles(random, 30), shapes::flipped(shapes::torus(5, 5, 3, 1)), shapes::scaled(shapes::saddle(), -1060), shapes::scaled(shapes::saddle(), 1000)})
+       {shapes::box({0, 0, 0}, {1, 2, 3}, 3), shapes::prism(17, 3, 1), shapes::torus(15, 9, 3, 1),
+        shapes::star_polyhedron(random, 3), shapes::bipyramid(90), shapes::cone(70),
+        shapes::tilted_cylinder(120, Cap::kCentreFan), shapes::tilted_cylinder(120, Cap::kRimFan),
+        shapes::tilted_cylinder(120, Cap::kZigzag), shapes::hyperboloid(90, 30), shapes::saddle(),
+        shapes::wave(12, 30), shapes::nested_boxes(7), shapes::box_grid(3, 0.25),
+        shapes::nested_scene(random, 30), shapes::needles(random, 30),
+        shapes::flipped(shapes::torus(5, 5, 3, 1)), shapes::scaled(shapes::saddle(), -1060),
+        shapes::scaled(shapes::saddle(), 1000)})
     expect_accepted(mesh);
 }
 
@@ -72,7 +81,8 @@ TEST_F(CheckersDiff, AcceptWhatTheKernelSaysOfRandomModels) {
     expect_accepted(shapes::grid_soup(random, n(1, 20), 3), true);
     expect_accepted(shapes::random_indexed(random, n(1, 20), n(3, 9), 3), random.below(2) == 0);
     expect_accepted(shapes::random_polycube(random, 3, n(1, 14)));
-    expect_accepted(shapes::mapped(shapes::wave(2 * n(2, 9), 9), shapes::random_matrix(random, 4), {1, 2, 3}));
+    expect_accepted(
+        shapes::mapped(shapes::wave(2 * n(2, 9), 9), shapes::random_matrix(random, 4), {1, 2, 3}));
     if (HasFailure()) return;
   }
 }

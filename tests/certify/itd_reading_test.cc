@@ -11,6 +11,7 @@
 
 #include "io/splines/read_splines.h"
 #include "tests/io/spline_test_util.h"
+#include "tests/support/paths.h"
 #include "verify/checker/star.h"
 
 namespace veritope {
@@ -200,8 +201,7 @@ std::string slurp(const fs::path& path) {
 }
 
 TEST(ItdReading, KernelAndCheckerAgreeOnRealFiles) {
-  const char* const given = std::getenv("VERITOPE_DATA");
-  const fs::path folder = fs::path(given != nullptr ? given : VERITOPE_DATA_DEFAULT) / "cad";
+  const fs::path folder = fs::path(test::data_dir()) / "cad";
   if (!fs::is_directory(folder))
     GTEST_SKIP() << "1 test skipped: no real .itd files in " << folder << " (VERITOPE_DATA)";
   std::size_t num_files = 0, num_read = 0;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/certify/patch_round_trip.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 
@@ -23,9 +24,9 @@ inline void expect_accepted(const CertifiedPatches& c, const std::string& what) 
   std::ofstream(folder / "model.vjson", std::ios::binary) << c.file;
   std::ofstream(folder / "model.cert", std::ios::binary)
       << std::string(c.bytes.begin(), c.bytes.end());
-  for (const std::string& program : {std::string("'" VERITOPE_BIN_DIR "/veritope-check'"),
-                                     std::string("'" VERITOPE_PYTHON "' -B '" VERITOPE_SOURCE_DIR
-                                                 "/verify/checker/veritope_check.py'")}) {
+  for (const std::string& program : {"'" + test::program_dir() + "/veritope-check'",
+                                     "'" + test::python() + "' -B '" + test::source_dir() +
+                                         "/verify/checker/veritope_check.py'"}) {
     const std::string command = program + " '" + (folder / "model.vjson").string() + "' '" +
                                 (folder / "model.cert").string() + "' 2>&1";
     std::FILE* pipe = ::popen(command.c_str(), "r");

@@ -2,7 +2,6 @@
 foreach(part IN ITEMS quick full)
   if(TARGET certify_${part})
     target_sources(certify_${part} PRIVATE "$<FILTER:$<TARGET_OBJECTS:veritope-check>,EXCLUDE,/main\\.cc>")
-    target_compile_definitions(certify_${part} PRIVATE VERITOPE_PYTHON="${Python3_EXECUTABLE}")
     add_dependencies(certify_${part} veritope-check)
   endif()
 endforeach()

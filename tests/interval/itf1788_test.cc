@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/interval/itf1788_operations.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 namespace {
@@ -34,17 +35,14 @@ const std::map<std::string, std::size_t> kPassing = {
     {"pow_rev.itl", 802},
 };
 
-std::string data_folder() {
-  const char* given = std::getenv("VERITOPE_DATA");
-  return std::string(given != nullptr ? given : VERITOPE_DATA_DEFAULT) + "/itf1788";
-}
+std::string data_folder() { return test::data_dir() + "/itf1788"; }
 
 struct Exclusion {
   std::string file, start, reason;
   std::size_t used = 0;
 };
 std::vector<Exclusion> exclusions() {
-  std::ifstream in(VERITOPE_SOURCE_DIR "/tests/interval/itf1788_exclusions.txt");
+  std::ifstream in(test::source_dir() + "/tests/interval/itf1788_exclusions.txt");
   std::vector<Exclusion> out;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#') continue;

@@ -6,6 +6,7 @@
 #include "fuzz/read_laws.h"
 #include "fuzz/spline_laws.h"
 #include "tests/io/io_test_util.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 void expect_laws(const std::string& folder, MeshFormat format) {
   int num = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(VERITOPE_SOURCE_DIR "/fuzz/corpus/" + folder)) {
+       std::filesystem::directory_iterator(test::source_dir() + "/fuzz/corpus/" + folder)) {
     SCOPED_TRACE(entry.path().filename().string());
     const std::string text = io_test::slurp(entry.path().string());
     EXPECT_NO_THROW(fuzz::check_reader(format, io_test::bytes(text)));
@@ -33,7 +34,7 @@ TEST(FuzzCorpus, OffFilesKeepTheLaws) { expect_laws("read_off", MeshFormat::kOff
 TEST(FuzzCorpus, SplineFilesKeepTheLaws) {
   int num = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(VERITOPE_SOURCE_DIR "/fuzz/corpus/spline_text")) {
+       std::filesystem::directory_iterator(test::source_dir() + "/fuzz/corpus/spline_text")) {
     SCOPED_TRACE(entry.path().filename().string());
     EXPECT_NO_THROW(
         fuzz::check_spline_readers(io_test::bytes(io_test::slurp(entry.path().string()))));

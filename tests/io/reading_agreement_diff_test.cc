@@ -7,6 +7,7 @@
 
 #include "io/mesh/reading_rule.h"
 #include "tests/io/io_test_util.h"
+#include "tests/support/paths.h"
 #include "verify/format/sha256.h"
 
 namespace veritope {
@@ -366,8 +367,9 @@ void expect_agreement(const std::vector<Case>& cases) {
   write_cases(cases, folder);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string number = std::to_string(i);
-    const auto [status, output] = run(VERITOPE_BIN_DIR "/veritope-check " + (folder / "model") +
-                                      number + " " + (folder / "certificate") + number);
+    const auto [status, output] =
+        run(test::program_dir() + "/veritope-check " + (folder / "model") + number + " " +
+            (folder / "certificate") + number);
     expect_outcome(cases[i], status, output);
   }
 }
@@ -388,8 +390,8 @@ void expect_python_agreement(const std::vector<Case>& cases) {
                    "    except SystemExit as end:\n"
                    "        status = end.code or 0\n"
                    "    print(f'\\nstatus {status}', flush=True)\n");
-  const auto [status, output] = run("PYTHONDONTWRITEBYTECODE=1 python3 " + driver +
-                                    " " VERITOPE_SOURCE_DIR "/verify/checker/veritope_check.py " +
+  const auto [status, output] = run("PYTHONDONTWRITEBYTECODE=1 python3 " + driver + " " +
+                                    test::source_dir() + "/verify/checker/veritope_check.py " +
                                     (folder / ".") + " " + std::to_string(cases.size()));
   ASSERT_EQ(status, 0) << output;
   std::size_t at = 0;

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/io/io_test_util.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 namespace {
 
 TEST(ReadingRule, IsTheQuotationInThePageJoinedWithSingleSpaces) {
   const std::string page =
-      io_test::slurp(VERITOPE_SOURCE_DIR "/docs/certificates/reading-rule-1.md");
+      io_test::slurp(test::source_dir() + "/docs/certificates/reading-rule-1.md");
   ASSERT_FALSE(page.empty());
   std::istringstream lines(page);
   std::string joined;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tests/io/io_test_util.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 namespace {
@@ -65,9 +66,7 @@ void expect_read(const std::string& path, const Row& row) {
 }
 
 TEST(RealModels, AreReadOrRefusedAsTheirManifestSays) {
-  const char* const given = std::getenv("VERITOPE_DATA");
-  const std::string folder =
-      std::string(given != nullptr ? given : VERITOPE_DATA_DEFAULT) + "/mesh/";
+  const std::string folder = test::data_dir() + "/mesh/";
   const std::vector<Row> rows = read_manifest(folder + "MANIFEST.tsv");
   if (rows.empty())
     GTEST_SKIP() << "1 test skipped: no real models in " << folder << " (VERITOPE_DATA)";

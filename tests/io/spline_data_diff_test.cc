@@ -8,14 +8,12 @@
 
 #include "io/splines/write_splines.h"
 #include "tests/io/spline_test_util.h"
+#include "tests/support/paths.h"
 
 namespace veritope {
 namespace {
 
-std::string data_folder() {
-  const char* const given = std::getenv("VERITOPE_DATA");
-  return std::string(given != nullptr ? given : VERITOPE_DATA_DEFAULT) + "/cad/";
-}
+std::string data_folder() { return test::data_dir() + "/cad/"; }
 
 /// File name to its column surface_types, "surface:4,curve:2", for the spline formats.
 std::map<std::string, std::string> manifest() {

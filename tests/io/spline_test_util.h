@@ -11,6 +11,7 @@
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 #include "tests/io/io_test_util.h"
+#include "tests/support/paths.h"
 
 namespace veritope::io_test {
 
@@ -26,7 +27,7 @@ inline SplineModel model_of(SplineFormat format, std::string_view text) {
   return file ? std::move(file->model) : SplineModel{};
 }
 
-inline std::string spline_folder() { return VERITOPE_SOURCE_DIR "/tests/models/splines/"; }
+inline std::string spline_folder() { return test::source_dir() + "/tests/models/splines/"; }
 
 inline SplineFile sample(const std::string& name) {
   auto file = read_spline_file(spline_folder() + name, {});

@@ -8,7 +8,7 @@
 #include "cli/certify.h"
 #include "cli/checker_process.h"
 #include "cli/scratch_file.h"
-#include "io/file_bytes.h"
+#include "io/base/file_bytes.h"
 #include "robust/base/stopwatch.h"
 #include "verify/format/mesh_certificate.h"
 

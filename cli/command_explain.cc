@@ -11,7 +11,7 @@
 #include "cli/patch_explanations.h"
 #include "cli/rule_pictures.h"
 #include "cli/text_style.h"
-#include "io/file_bytes.h"
+#include "io/base/file_bytes.h"
 #include "solids/polyhedron/rules.h"
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/patch_certificate_text.h"
@@ -105,7 +105,8 @@ ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
     text = certificate::explain(*certificate, options.max_items);
   }
   if (!text) {
-    complain(harmless(path + ": not a certificate (those that certify --certificate writes are): " + why));
+    complain(harmless(path +
+                      ": not a certificate (those that certify --certificate writes are): " + why));
     return kExitUnreadable;
   }
   // A certificate may come from anywhere: its strings must not drive the terminal.

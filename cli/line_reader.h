@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/byte_buffer.h"
+#include "io/base/byte_buffer.h"
 #include "robust/base/result.h"
 
 namespace veritope::cli {
@@ -23,7 +23,7 @@ class LineReader {
   ~LineReader();
 
   /// The next line without its end, nothing behind the last one. It holds until the next call, and 8 bytes
-  /// behind it may be read (io/scan.h).
+  /// behind it may be read (io/base/scan.h).
   /// @error kCannotOpen if reading fails; kOverLimit with the line. Not to be called after an error.
   Result<std::optional<std::string_view>> next();
 

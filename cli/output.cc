@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "io/atomic_file.h"
+#include "io/base/atomic_file.h"
 
 namespace veritope::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "cli/output.h"
-#include "io/atomic_file.h"
+#include "io/base/atomic_file.h"
 
 namespace veritope::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "interval/relations.h"
-#include "io/exact_number.h"
+#include "io/base/exact_number.h"
 
 namespace veritope::cli {
 namespace {

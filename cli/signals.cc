@@ -7,7 +7,7 @@
 
 #include <atomic>
 
-#include "io/atomic_file.h"
+#include "io/base/atomic_file.h"
 
 namespace veritope::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace veritope::cli {
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs (io/atomic_file.h), end the running
+/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs (io/base/atomic_file.h), end the running
 /// checker, say so on standard error and end this process by the same signal: a shell reports 130, 143,
 /// 129. SIGPIPE and SIGXFSZ are ignored: a write into a closed pipe, or beyond a limit, fails instead,
 /// see cli/output.h.

@@ -8,8 +8,8 @@
 
 #include "cli/output_plan.h"
 #include "cli/text_style.h"
-#include "io/byte_buffer.h"
-#include "io/foreign_content.h"
+#include "io/base/byte_buffer.h"
+#include "io/base/foreign_content.h"
 #include "io/mesh/mesh_format.h"
 #include "io/mesh/sniff.h"
 #include "io/splines/patch_model.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "io/source.h"
+#include "io/base/source.h"
 
 namespace veritope {
 namespace {

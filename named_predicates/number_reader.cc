@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "io/source.h"
+#include "io/base/source.h"
 #include "robust/binary64.h"
 
 namespace veritope {

@@ -3,7 +3,7 @@
 #pragma once
 #include <string_view>
 
-#include "io/decimal.h"
+#include "io/base/decimal.h"
 #include "robust/base/result.h"
 
 namespace veritope {
@@ -17,7 +17,7 @@ class NumberReader {
  public:
   NumberReader();
 
-  /// `token` is the whole token. REQUIRES that 8 bytes behind it may be read (io/scan.h).
+  /// `token` is the whole token. REQUIRES that 8 bytes behind it may be read (io/base/scan.h).
   /// @error kSyntax; kNotFinite; kLossy for a hexadecimal number between two binary64 numbers; kOverLimit for
   ///        a decimal exponent beyond 2^32 - 1. The sentence has the token, and fits behind "column 3: ".
   Result<double> read(std::string_view token) const;

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstring>
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 #include "render/spline_view_internal.h"
 
 namespace veritope {

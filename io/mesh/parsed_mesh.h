@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/base/source.h"
 #include "io/mesh/read_mesh.h"
-#include "io/source.h"
 
 namespace veritope {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/base/source.h"
 #include "io/mesh/read_mesh.h"
-#include "io/source.h"
 #include "robust/base/result.h"
 
 namespace veritope {

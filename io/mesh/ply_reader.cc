@@ -2,7 +2,7 @@
 // io/mesh/ply_reader.cc: reading rule v1, section 4: polygons, strips, and the report.
 #include "io/mesh/ply_reader.h"
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 namespace {

@@ -8,13 +8,13 @@
 #include <system_error>
 #include <thread>
 
-#include "io/file_bytes.h"
-#include "io/foreign_content.h"
+#include "io/base/file_bytes.h"
+#include "io/base/foreign_content.h"
+#include "io/base/source.h"
 #include "io/mesh/parsed_mesh.h"
 #include "io/mesh/sniff.h"
 #include "io/mesh/stl_reader.h"
 #include "io/mesh/vertex_table.h"
-#include "io/source.h"
 #include "robust/base/stopwatch.h"
 #include "verify/format/sha256.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/base/read_limits.h"
 #include "io/mesh/mesh_format.h"
-#include "io/read_limits.h"
 #include "robust/base/result.h"
 #include "solids/polyhedron/triangle_mesh.h"
 

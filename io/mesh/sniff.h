@@ -3,8 +3,8 @@
 #pragma once
 #include <optional>
 
+#include "io/base/source.h"
 #include "io/mesh/mesh_format.h"
-#include "io/source.h"
 
 namespace veritope {
 

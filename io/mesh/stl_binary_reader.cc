@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "io/base/scan.h"
 #include "io/mesh/stl_reader.h"
-#include "io/scan.h"
 
 namespace veritope {
 namespace {

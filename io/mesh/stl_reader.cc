@@ -2,7 +2,7 @@
 // io/mesh/stl_reader.cc: reading rule v1, section 2: which kind of STL it is.
 #include "io/mesh/stl_reader.h"
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "io/decimal.h"
+#include "io/base/decimal.h"
+#include "io/base/scan.h"
+#include "io/base/source.h"
 #include "io/mesh/parsed_mesh.h"
-#include "io/scan.h"
-#include "io/source.h"
 
 namespace veritope {
 

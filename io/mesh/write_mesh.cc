@@ -6,9 +6,9 @@
 #include <cerrno>
 #include <system_error>
 
-#include "io/atomic_file.h"
+#include "io/base/atomic_file.h"
+#include "io/base/source.h"
 #include "io/mesh/mesh_encoder.h"
-#include "io/source.h"
 
 namespace veritope {
 namespace {

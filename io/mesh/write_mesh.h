@@ -48,7 +48,7 @@ struct LossReport {
 /// REQUIRES finite coordinates, ids in range, and options that write_options_from_name could return.
 LossReport loss_of(const TriangleMesh& mesh, const WriteOptions& options);
 
-/// Replaces the file at `path` in one step (io/atomic_file.h); "-" is standard output.
+/// Replaces the file at `path` in one step (io/base/atomic_file.h); "-" is standard output.
 /// REQUIRES finite coordinates and ids in range.
 /// @error  kBadArgument for a combination that does not exist; kNotFinite with the vertex if a coordinate is too
 ///         large for binary32; kOverLimit for 2^32 faces or more; kCannotWrite

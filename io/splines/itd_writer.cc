@@ -3,7 +3,7 @@
 // has no Bezier triangles: they are left out.
 #include <algorithm>
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 #include "io/splines/write_splines.h"
 
 namespace veritope {

@@ -3,9 +3,9 @@
 
 #include <unistd.h>
 
-#include "io/file_bytes.h"
-#include "io/foreign_content.h"
-#include "io/read_limits.h"
+#include "io/base/file_bytes.h"
+#include "io/base/foreign_content.h"
+#include "io/base/read_limits.h"
 #include "io/splines/spline_text_reader.h"
 #include "verify/format/sha256.h"
 

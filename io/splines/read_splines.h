@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/read_limits.h"
+#include "io/base/read_limits.h"
 #include "io/splines/spline_format.h"
 #include "io/splines/spline_model.h"
 

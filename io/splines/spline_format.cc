@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "io/source.h"
+#include "io/base/source.h"
 
 namespace veritope {
 

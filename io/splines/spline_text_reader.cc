@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "io/read_limits.h"
+#include "io/base/read_limits.h"
 
 namespace veritope {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "io/exact_number.h"
-#include "io/scan.h"
-#include "io/source.h"
+#include "io/base/exact_number.h"
+#include "io/base/scan.h"
+#include "io/base/source.h"
 #include "io/splines/number_budget.h"
 #include "io/splines/read_splines.h"
 #include "io/splines/spline_builder.h"

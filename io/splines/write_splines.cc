@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "io/exact_number.h"
+#include "io/base/exact_number.h"
 #include "io/splines/read_splines.h"
 
 namespace veritope {

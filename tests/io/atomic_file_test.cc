@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/atomic_file.h"
+#include "io/base/atomic_file.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>

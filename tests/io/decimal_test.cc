@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/decimal.h"
+#include "io/base/decimal.h"
 
 #include <gmp.h>
 #include <gtest/gtest.h>

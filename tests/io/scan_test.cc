@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 
-#include "io/decimal.h"
+#include "io/base/decimal.h"
 
 namespace veritope {
 namespace {

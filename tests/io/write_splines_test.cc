@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/splines/write_splines.h"
 
-#include "io/exact_number.h"
+#include "io/base/exact_number.h"
 #include "tests/io/spline_test_util.h"
 
 namespace veritope {

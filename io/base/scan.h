@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/scan.h: blanks, line ends, tokens and integers of the reading rule, section 1.
-// Every function may read up to 8 bytes behind a line end: the text must be padded (io/byte_buffer.h).
+// io/base/scan.h: blanks, line ends, tokens and integers of the reading rule, section 1.
+// Every function may read up to 8 bytes behind a line end: the text must be padded (io/base/byte_buffer.h).
 #pragma once
 #include <array>
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/decimal.h: decimal numbers to the nearest binary64, ties to even; always correctly rounded.
+// io/base/decimal.h: decimal numbers to the nearest binary64, ties to even; always correctly rounded.
 // Theory: the two-word product of [Lem21] "Number parsing at a gigabyte per second", here with an interval
 // around the truncated product: it answers only if both ends round alike, else big integers do (decimal_exact.cc).
 #pragma once
@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "io/read_limits.h"
-#include "io/scan.h"
+#include "io/base/read_limits.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/read_limits.h: how much of a file the readers take before they refuse it.
+// io/base/read_limits.h: how much of a file the readers take before they refuse it.
 #pragma once
 #include <cstdint>
 #include <string>

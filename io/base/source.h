@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/source.h: the bytes that a reader works on, and errors that point into them.
+// io/base/source.h: the bytes that a reader works on, and errors that point into them.
 #pragma once
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "io/byte_buffer.h"
+#include "io/base/byte_buffer.h"
 #include "robust/base/result.h"
 
 namespace veritope {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/read_limits.h"
+#include "io/base/read_limits.h"
 
 namespace veritope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/byte_buffer.h: the bytes of a file in one block, followed by line feeds.
+// io/base/byte_buffer.h: the bytes of a file in one block, followed by line feeds.
 #pragma once
 #include <cstddef>
 #include <memory>

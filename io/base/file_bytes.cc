@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/file_bytes.h"
+#include "io/base/file_bytes.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "io/source.h"
+#include "io/base/source.h"
 
 namespace veritope {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/atomic_file.h: an output file that appears complete or not at all.
+// io/base/atomic_file.h: an output file that appears complete or not at all.
 #pragma once
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/foreign_content.h"
+#include "io/base/foreign_content.h"
 
 #include <array>
 #include <string>

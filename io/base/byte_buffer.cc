@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/byte_buffer.h"
+#include "io/base/byte_buffer.h"
 
 #include <sys/mman.h>
 

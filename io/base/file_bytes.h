@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/file_bytes.h: a whole file, or standard input, in memory.
+// io/base/file_bytes.h: a whole file, or standard input, in memory.
 #pragma once
 #include <cstdint>
 #include <string>
 
-#include "io/byte_buffer.h"
+#include "io/base/byte_buffer.h"
 #include "robust/base/result.h"
 
 namespace veritope {

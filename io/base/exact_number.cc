@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/exact_number.h"
+#include "io/base/exact_number.h"
 
 #include <gmp.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/decimal_exact.cc: decimals in big integers: the table of powers of ten, and the rounding that is always right.
+// io/base/decimal_exact.cc: decimals in big integers: the table of powers of ten, and the rounding that is always right.
 #include <gmp.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/decimal.h"
+#include "io/base/decimal.h"
 
 namespace veritope::internal {
 namespace {

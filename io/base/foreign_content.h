@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/foreign_content.h: what the first bytes of a file say that no reader of ours takes.
+// io/base/foreign_content.h: what the first bytes of a file say that no reader of ours takes.
 #pragma once
 #include <optional>
 
-#include "io/source.h"
+#include "io/base/source.h"
 
 namespace veritope {
 

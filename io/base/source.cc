@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/source.h"
+#include "io/base/source.h"
 
 #include <utility>
 
-#include "io/scan.h"
+#include "io/base/scan.h"
 
 namespace veritope {
 namespace {

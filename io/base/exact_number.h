@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/exact_number.h: decimals, fractions and hexadecimal floats as exact rationals, and back.
+// io/base/exact_number.h: decimals, fractions and hexadecimal floats as exact rationals, and back.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "io/decimal.h"
+#include "io/base/decimal.h"
 #include "robust/rational.h"
 
 namespace veritope {
 
-/// The exact value of a decimal of io/decimal.h's grammar. kNotFinite for the words that programs print for NaN and
+/// The exact value of a decimal of io/base/decimal.h's grammar. kNotFinite for the words that programs print for NaN and
 /// infinity; kDigits and kExponent as DecimalReader has them.
 /// @cost quadratic in the number of digits; the value has at most digits + exponent digits
 DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits, Rational& value);

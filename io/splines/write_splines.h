@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/base/read_limits.h"
 #include "io/splines/spline_format.h"
 #include "io/splines/spline_model.h"
 #include "robust/base/result.h"

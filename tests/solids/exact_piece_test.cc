@@ -63,19 +63,16 @@ TEST(ExactWinding, CountsFacesOnTheLineAndNoOthers) {
   const double half = std::ldexp(0.5, forest.scale());
   for (const bool is_beside : {false, true}) {
     const double x = is_beside ? 4 * half : half;
-    const StarBox star{{}, {x, half, 0.5 * half}, {x, half, 1.5 * half}};
+    const CentreLine line{{x, half, 0.5 * half}, {x, half, 1.5 * half}};
     int sum = 0, sizes = 0;
     for (std::uint32_t p = 0; p < forest.num_patches(); ++p) {
       int around = 0;
       for (PieceForest::Id r = 0; r < forest.form(p).num_roots; ++r) {
         const ExactPiece piece(forest, forest.node(forest.form(p).first_root + r));
         for (std::uint32_t s = 0; s < 4; ++s) {
-          const auto whole = exact_winding(piece, complex.patch(p), s, {star.inside, star.outside},
-                                           {0, 1, 2}, 0, 8, 3);
-          const auto left = exact_winding(piece, complex.patch(p), s, {star.inside, star.outside},
-                                          {0, 1, 2}, 0, 3, 3);
-          const auto right = exact_winding(piece, complex.patch(p), s, {star.inside, star.outside},
-                                           {0, 1, 2}, 3, 8, 3);
+          const auto whole = exact_winding(piece, complex.patch(p), s, line, {0, 1, 2}, 0, 8, 3);
+          const auto left = exact_winding(piece, complex.patch(p), s, line, {0, 1, 2}, 0, 3, 3);
+          const auto right = exact_winding(piece, complex.patch(p), s, line, {0, 1, 2}, 3, 8, 3);
           ASSERT_TRUE(whole && left && right);
           EXPECT_EQ(*whole, *left + *right);
           around += *whole;

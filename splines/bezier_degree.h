@@ -53,4 +53,9 @@ std::pair<Bezier<R, N>, Bezier<R, N>> to_common_degrees(const Bezier<R, N>& a,
   return {elevate_to(a, degrees), elevate_to(b, degrees)};
 }
 
+// Compiled once, in rational_instances.cc.
+extern template Bezier<Rational, 1> elevate(const Bezier<Rational, 1>&, std::size_t, int);
+extern template Bezier<Rational, 2> elevate(const Bezier<Rational, 2>&, std::size_t, int);
+extern template Bezier<Rational, 3> elevate(const Bezier<Rational, 3>&, std::size_t, int);
+
 }  // namespace veritope

@@ -119,4 +119,12 @@ Bezier<R, N> difference(const Bezier<R, N>& a, const Bezier<R, N>& b) {
   return internal::combined(a, b, [](const R& x, const R& y) -> R { return x - y; });
 }
 
+// Compiled once, in rational_instances.cc.
+extern template Bezier<Rational, 1> componentwise_product(const Bezier<Rational, 1>&,
+                                                          const Bezier<Rational, 1>&);
+extern template Bezier<Rational, 2> componentwise_product(const Bezier<Rational, 2>&,
+                                                          const Bezier<Rational, 2>&);
+extern template Bezier<Rational, 3> componentwise_product(const Bezier<Rational, 3>&,
+                                                          const Bezier<Rational, 3>&);
+
 }  // namespace veritope

@@ -152,4 +152,9 @@ Result<BSpline<Rational, N>> without_knots(const BSpline<Rational, N>& map, std:
                                   internal::knot_text(sorted.front()) + ", the map would change");
 }
 
+// Compiled once, in rational_instances.cc.
+extern template BSpline<Rational, 1> joined(const BezierPieces<Rational, 1>&);
+extern template BSpline<Rational, 2> joined(const BezierPieces<Rational, 2>&);
+extern template BSpline<Rational, 3> joined(const BezierPieces<Rational, 3>&);
+
 }  // namespace veritope

@@ -198,4 +198,15 @@ BezierPieces<R, N> bezier_pieces(BSpline<R, N> map) {
   return out;
 }
 
+// Compiled once, in rational_instances.cc.
+extern template BSpline<Rational, 1> refine(const BSpline<Rational, 1>&, std::size_t,
+                                            const std::vector<Rational>&);
+extern template BSpline<Rational, 2> refine(const BSpline<Rational, 2>&, std::size_t,
+                                            const std::vector<Rational>&);
+extern template BSpline<Rational, 3> refine(const BSpline<Rational, 3>&, std::size_t,
+                                            const std::vector<Rational>&);
+extern template BezierPieces<Rational, 1> bezier_pieces(BSpline<Rational, 1>);
+extern template BezierPieces<Rational, 2> bezier_pieces(BSpline<Rational, 2>);
+extern template BezierPieces<Rational, 3> bezier_pieces(BSpline<Rational, 3>);
+
 }  // namespace veritope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solids/polyhedron/broad_phase.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <limits>

@@ -15,7 +15,8 @@ STAND_INS = {
     "id": 'echo "${FAKE_UID}"',
     "dpkg-query": 'for name; do :; done; grep -qx "$name" installed && echo installed',
     "sudo": '[ "$FAKE_SUDO" = yes ] || exit 1; [ "$1" != -n ] || shift; exec "$@"',
-    "cmake": "exit 9",
+    "cmake": 'exit "${FAKE_CMAKE}"',
+    "ctest": "exit 0",
     "apt-get": """while [ "$1" = -o ]; do shift 2; done
 case " $* " in
   *" update "*) touch lists ;;
@@ -44,16 +45,16 @@ class Packages(unittest.TestCase):
     def set_installed(self, names):
         (self.folder / "installed").write_text("".join(name + "\n" for name in names))
 
-    def dev(self, *arguments, uid="0", sudo="no", archive="yes", lists=False):
-        """(status, error text, the calls of apt-get and cmake)"""
+    def dev(self, *arguments, uid="0", sudo="no", archive="yes", lists=False, cmake=9):
+        """(status, error text, the calls of apt-get, cmake and ctest)"""
         if lists:
             (self.folder / "lists").touch()
         environment = {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}", "FAKE_UID": uid, "FAKE_SUDO": sudo,
-                       "FAKE_ARCHIVE": archive}
+                       "FAKE_ARCHIVE": archive, "FAKE_CMAKE": str(cmake)}
         environment.pop("VERITOPE_SKIP_PACKAGES", None)
         done = subprocess.run([ROOT / "dev", *arguments], cwd="/", env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
         calls = (self.folder / "calls").read_text().splitlines() if (self.folder / "calls").exists() else []
-        return done.returncode, done.stderr, [call for call in calls if call.startswith(("apt-get", "cmake"))]
+        return done.returncode, done.stderr, [call for call in calls if call.startswith(("apt-get", "cmake", "ctest"))]
 
     # With cmake's stand-in failing, exit 1 after a cmake call means: the packages were found in order.
 
@@ -95,8 +96,17 @@ class Packages(unittest.TestCase):
         self.assertIn(listed("build")[0], error)
         self.assertTrue(all("--simulate" in call or " update" in call for call in calls), calls)
 
+    def test_each_tier_of_tests_runs_those_before_it(self):
+        tiers = {"quick": ["quick"], "": ["quick", "standard"], "full": ["quick", "standard", "full"]}
+        for argument, labels in tiers.items():
+            (self.folder / "calls").unlink(missing_ok=True)
+            status, _, calls = self.dev("test", *argument.split(), cmake=0)
+            self.assertEqual(status, 0)
+            ran = [re.search(r" -L \^(\w+)\$ ", call)[1] for call in calls if call.startswith("ctest")]
+            self.assertEqual(ran, labels)
+
     def test_wrong_usage_is_exit_2(self):
-        for arguments in (["nonsense"], ["demo", "x"], ["bench", "a", "b"], ["fuzz", "a", "b", "c"], ["fuzz", "a", "soon"]):
+        for arguments in (["nonsense"], ["demo", "x"], ["test", "all"], ["test", "quick", "full"], ["bench", "a", "b"], ["fuzz", "a", "b", "c"], ["fuzz", "a", "soon"]):
             status, error, calls = self.dev(*arguments)
             self.assertEqual((status, calls), (2, []), arguments)
             self.assertIn("./dev demo", error)

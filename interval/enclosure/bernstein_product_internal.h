@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interval/interval.h"
+#include "interval/ring_numbers.h"
 #include "robust/base/check.h"
 #include "splines/bezier.h"
 

@@ -2,7 +2,7 @@
 find_path(VERITOPE_BOOST_INTERVAL boost/numeric/interval.hpp)
 find_library(VERITOPE_MPFI mpfi)
 if(VERITOPE_BOOST_INTERVAL AND VERITOPE_MPFI)
-  veritope_test_binary(interval_oracle full "${PROJECT_SOURCE_DIR}/tests/interval/oracle/interval_differential.cc")
+  veritope_test_binary(interval_oracle standard "${PROJECT_SOURCE_DIR}/tests/interval/oracle/interval_differential.cc")
   target_compile_options(interval_oracle PRIVATE $<$<CXX_COMPILER_ID:GNU>:-frounding-math>)
   target_link_libraries(interval_oracle PRIVATE ${VERITOPE_MPFI} mpfr gmp)
 else()

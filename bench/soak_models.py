@@ -28,7 +28,7 @@ COUNTS = {"vertices": "vertices", "triangles": "faces", "boundary_edges": "bound
           "degenerate_faces": "degenerate_faces", "duplicate_faces": "duplicate_faces", "selfint_pairs": "selfint_pairs",
           "shells": "shells", "euler": "euler", "genus": "genus"}
 sys.path.insert(0, str(PYTHON_CHECKER.parent))
-import veritope_check  # noqa: E402
+from veritope_checker.mesh.mesh_reader import read_model  # noqa: E402
 
 
 def certify(path, *more):
@@ -208,7 +208,7 @@ def transforms(seed):
                 continue
             source = DATA / line["file"]
             fmt = {"stlb": "stl"}.get(line["format"], line["format"])
-            points, faces = veritope_check.read_model(source.read_bytes(), fmt, False)[:2]
+            points, faces = read_model(source.read_bytes(), fmt, False)[:2]
             _, before = certify(source, "--no-check")
             variants = [("relabelled", 1, False, relabelled(rng, points, faces))]
             for matrix in itertools.islice((random_matrix(rng) for _ in itertools.count()), 4):

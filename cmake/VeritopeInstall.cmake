@@ -48,8 +48,8 @@ target_link_libraries(veritope_all INTERFACE ${veritope_layers})
 install(TARGETS veritope_all veritope_interop ${veritope_layers} EXPORT veritopeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS ${veritope_executables} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(PROGRAMS "${PROJECT_SOURCE_DIR}/verify/checker/veritope_check.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
-install(FILES "${PROJECT_SOURCE_DIR}/verify/checker/star_box_check.py" "${PROJECT_SOURCE_DIR}/verify/checker/star_box_patches.py"
-              "${PROJECT_SOURCE_DIR}/verify/checker/star_box_read.py" "${PROJECT_SOURCE_DIR}/verify/checker/star_box_itd.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/verify/checker/veritope_checker" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope"
+        FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
 
 set(veritope_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/veritope")
 install(EXPORT veritopeTargets NAMESPACE veritope:: DESTINATION "${veritope_cmake_dir}")

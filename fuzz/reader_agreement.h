@@ -10,7 +10,7 @@
 
 #include "io/mesh/read_mesh.h"
 #include "robust/base/check.h"
-#include "verify/checker/checker.h"
+#include "verify/checker/mesh/mesh.h"
 
 namespace veritope::fuzz {
 

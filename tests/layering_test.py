@@ -49,10 +49,16 @@ def outside_kind(header):
     return next((kind for kind, pattern in OUTSIDE if re.fullmatch(pattern, header)), None)
 
 
+def is_checker(row):
+    return row == "verify/checker" or row.startswith("verify/checker/")
+
+
 def is_installed(path, layers):
     """Whether cmake/VeritopeInstall.cmake installs it: see veritope_layer in cmake/VeritopeTargets.cmake."""
     row = layers.layer_of(path)
-    unlisted = {None, "verify/checker", "cli", "python", "models", "named_predicates", "tools", "tests", "fuzz", "bench"}
+    if row and is_checker(row):
+        return False
+    unlisted = {None, "cli", "python", "models", "named_predicates", "tools", "tests", "fuzz", "bench"}
     return path.endswith(".h") and not path.endswith("_internal.h") and row not in unlisted
 
 
@@ -157,9 +163,10 @@ class LayeringOfTheTree(unittest.TestCase):
             self.assertLessEqual(arrows - {"*"}, self.layers.arrows.keys(), f"{row} names a folder without a row")
             for lower in arrows - {"*"}:
                 self.assertNotIn(row, self.layers.may_include(lower), f"{row} and {lower} reach each other")
-            sees_checker = "verify/checker" in self.layers.may_include(row)
-            self.assertEqual(sees_checker, row in ("verify/checker", "tests", "fuzz", "bench"), row)
-        self.assertEqual(self.layers.may_include("verify/checker"), {"verify/checker"})
+            sees_checker = any(map(is_checker, self.layers.may_include(row)))
+            self.assertEqual(sees_checker, is_checker(row) or row in ("tests", "fuzz", "bench"), row)
+            if is_checker(row):
+                self.assertTrue(all(map(is_checker, self.layers.may_include(row))), row)
 
 
 class PlantedFaults(unittest.TestCase):
@@ -173,8 +180,10 @@ class PlantedFaults(unittest.TestCase):
         "predicates/orient2d.h": '#include "robust/integer.h"\n',
         "predicates/orient2d_internal.h": '#include "predicates/orient2d.h"\n',
         "predicates/orient2d.cc": '#include "predicates/orient2d_internal.h"\n',
-        "verify/checker/main.cc": '#include <vector>\n#include "numbers.h"\n',
-        "verify/checker/numbers.h": "#include <vector>\n",
+        "verify/checker/main.cc": '#include <vector>\n#include "mesh/mesh.h"\n',
+        "verify/checker/mesh/mesh.h": '#include "../common/numbers.h"\n',
+        "verify/checker/patches/star.h": '#include "../common/numbers.h"\n',
+        "verify/checker/common/numbers.h": "#include <vector>\n",
         "tests/predicates/orient2d_test.cc": '#include <CGAL/Gmpq.h>\n#include "predicates/orient2d_internal.h"\n',
     }
 
@@ -218,9 +227,14 @@ class PlantedFaults(unittest.TestCase):
         self.assert_only_fault({"verify/checker/extra.h": '#include "robust/base/sign.h"\n'}, "no arrow from robust/base")
         self.assert_only_fault({"verify/checker/extra.h": "#include <gmp.h>\n"}, "(gmp)")
         self.assert_only_fault({"verify/checker/extra.h": "#include <unistd.h>\n"}, "(posix)")
+        self.assert_only_fault({"verify/checker/mesh/extra.h": "#include <gmp.h>\n"}, "(gmp)")
+
+    def test_a_claim_of_the_checker_that_includes_another_is_found(self):
+        self.assert_only_fault({"verify/checker/mesh/extra.h": '#include "../patches/star.h"\n'}, "no arrow from verify/checker/patches")
+        self.assert_only_fault({"verify/checker/common/extra.h": '#include "../mesh/mesh.h"\n'}, "no arrow from verify/checker/mesh")
 
     def test_the_checker_in_the_kernel_is_found(self):
-        self.assert_only_fault({"solids/polyhedron/cheat.cc": '#include "verify/checker/numbers.h"\n'}, "no arrow from verify/checker")
+        self.assert_only_fault({"solids/polyhedron/cheat.cc": '#include "verify/checker/common/numbers.h"\n'}, "no arrow from verify/checker")
 
     def test_a_posix_or_internal_header_in_an_installed_one_is_found(self):
         self.assert_only_fault({"robust/wait.h": "#include <unistd.h>\n"}, "an installed header may not include")

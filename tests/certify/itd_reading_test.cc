@@ -12,7 +12,7 @@
 #include "io/splines/read_splines.h"
 #include "tests/io/spline_test_util.h"
 #include "tests/support/paths.h"
-#include "verify/checker/star.h"
+#include "verify/checker/patches/star.h"
 
 namespace veritope {
 namespace {

@@ -34,11 +34,8 @@ def setUpModule():
     if CHECK:
         return
     alone = os.path.join(FOLDER.name, "alone")
-    os.mkdir(alone)
-    for pattern in ("*.h", "*.cc"):
-        for path in glob.glob(os.path.join(ROOT, "verify", "checker", pattern)):
-            shutil.copy(path, alone)
-    sources = [os.path.basename(p) for p in glob.glob(os.path.join(alone, "*.cc"))]
+    shutil.copytree(os.path.join(ROOT, "verify", "checker"), alone)
+    sources = glob.glob(os.path.join(alone, "**", "*.cc"), recursive=True)
     subprocess.run(["g++", "-std=c++11", "-O2", "-o", "veritope-check"] + sources, cwd=alone,
                    check=True)
     CHECK = os.path.join(alone, "veritope-check")

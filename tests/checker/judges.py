@@ -9,7 +9,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests" / "checker_py"), str(ROOT / "verify" / "checker")]
-import veritope_check as vc                               # noqa: E402
+from veritope_checker import program as vc                # noqa: E402
 
 CHECK = os.environ["VERITOPE_CHECK"]
 FOLDER = tempfile.TemporaryDirectory()                    # gone at exit
@@ -42,5 +42,5 @@ def both(model, certificate, skip=frozenset()):
 
 
 def judge(module):
-    """module: veritope_check, as the tests know it."""
+    """module: veritope_checker.program, as the tests know it."""
     module._check = both                                  # check() calls it, too

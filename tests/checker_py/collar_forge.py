@@ -5,7 +5,7 @@ import copy
 from collections import deque
 
 import star_box_forge as forge
-import collar_complex as complexes
+from veritope_checker.collar import collar_complex as complexes
 
 check, read = forge.check, forge.read
 FULL, LEVELS = complexes.FULL, complexes.LEVELS

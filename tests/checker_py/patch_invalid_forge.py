@@ -6,7 +6,7 @@ import json
 from fractions import Fraction
 
 import star_box_forge as forge
-import patch_invalid_check as check
+from veritope_checker.patches import patch_invalid_check as check
 
 
 def interval(at):

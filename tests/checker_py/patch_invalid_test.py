@@ -16,7 +16,7 @@ import patch_invalid_forge as forge
 import patch_invalid_models as broken
 import star_box_models as models
 
-import veritope_check as vc
+from veritope_checker import program as vc
 
 check = forge.check
 SCALE = int(os.environ.get("VT_TEST_SCALE", "1"))

@@ -10,9 +10,7 @@ from fractions import Fraction
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verify" / "checker"))
-import star_box_check as check                            # noqa: E402
-import star_box_patches as patches                        # noqa: E402
-import star_box_read as read                              # noqa: E402
+from veritope_checker.patches import star_box_check as check, star_box_patches as patches, star_box_read as read  # noqa: E402
 
 
 # ---------------------------------------------------------------- models

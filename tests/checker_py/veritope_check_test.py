@@ -21,6 +21,8 @@ import solids                                             # noqa: E402
 
 PROGRAM = os.environ.get("VERITOPE_CHECK_PY") or str(attacks.CHECKER_PY)    # a mutant sets it
 vc = attacks.load_checker(PROGRAM)
+from veritope_checker.common.errors import Refused, Reject                   # noqa: E402
+from veritope_checker.mesh import mesh_model, mesh_reader as reader, mesh_valid  # noqa: E402
 TET_POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 TET = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
 T3 = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
@@ -28,7 +30,7 @@ INF = float("inf")
 
 
 def read(text, fmt, as_indexed=False):
-    return vc.read_model(text if isinstance(text, bytes) else text.encode("latin-1"), fmt, as_indexed)
+    return reader.read_model(text if isinstance(text, bytes) else text.encode("latin-1"), fmt, as_indexed)
 
 
 class ReadingTest(unittest.TestCase):
@@ -39,7 +41,7 @@ class ReadingTest(unittest.TestCase):
 
     def refused(self, fmt, *texts):
         for text in texts:
-            with self.assertRaises(vc.Refused, msg=repr(text[:80])):
+            with self.assertRaises(Refused, msg=repr(text[:80])):
                 read(text, fmt)
 
 
@@ -52,7 +54,7 @@ class CommonTest(ReadingTest):
                              ("0." + "0" * 5000 + "1e5001", 1.0), ("1" + "0" * 300, 1e300), ("0e99999999999999999999", 0.0),
                              ("9007199254740992." + "0" * 5000 + "1", 9007199254740992.0),
                              ("9007199254740993." + "0" * 5000 + "1", 9007199254740994.0)):
-            self.assertEqual(vc.read_model(("v %s 0 0\nv 1 0 7\nv 0 1 7\nf 1 2 3" % token).encode(), "obj", True)[0][0][0], value)
+            self.assertEqual(reader.read_model(("v %s 0 0\nv 1 0 7\nv 0 1 7\nf 1 2 3" % token).encode(), "obj", True)[0][0][0], value)
         for token in ("", ".", "+", "1e", "1e+", "e5", "nan", "inf", "Infinity", "0x10", "1,5", "1_0", "1e400", "-1e400",
                       "1.7976931348623159e308", "1d5", "--1", "1.2.3", "\xb2", "1f", "1e5.0"):
             self.refused("off", "OFF 3 1 0\n%s 0 0\n1 0 0\n0 1 0\n3 0 1 2" % (token or "# "))
@@ -78,11 +80,11 @@ class CommonTest(ReadingTest):
                          b"PK\x03\x04", b"BZh9", b"\xfd7zXZ\0", b"\x28\xb5\x2f\xfd", b"version https://git-lfs.github.com")
 
     def test_limits_of_the_page(self):
-        self.assertEqual((vc.MAX_TRIANGLES, vc.MAX_VERTICES), (2 ** 30, 2 ** 32 - 1))
+        self.assertEqual((reader.MAX_TRIANGLES, reader.MAX_VERTICES), (2 ** 30, 2 ** 32 - 1))
         for name, least in (("MAX_TRIANGLES", 1), ("MAX_VERTICES", 4)):
-            with unittest.mock.patch.object(vc, name, least):
+            with unittest.mock.patch.object(reader, name, least):
                 read("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2", "off")
-            with unittest.mock.patch.object(vc, name, least - 1):
+            with unittest.mock.patch.object(reader, name, least - 1):
                 self.refused("off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2")
 
     def test_every_line_end_and_blank_and_a_byte_order_mark(self):
@@ -380,7 +382,7 @@ class StatementTest(CertificateTest):
         self.assertEqual(vc.check(data, cert)[0], 4)
 
     def test_missing_memory_is_exit_3(self):
-        with unittest.mock.patch.object(vc, "read_model", side_effect=MemoryError):
+        with unittest.mock.patch.object(reader, "read_model", side_effect=MemoryError):
             self.assertEqual(vc.check(self.bytes, self.cert()), (3, "ERROR: out of memory"))
 
     def test_a_bug_is_exit_5(self):
@@ -419,8 +421,8 @@ class BodyTest(CertificateTest):
             order, stars, codes, work = list(range(m)), [0] * len(points), b"", allowed
             separators = [separator] if separator else []
         try:
-            vc.Walk(Body, vc.Mesh(points, tris), {"V8", "V9"}).run()
-        except vc.Reject as e:
+            mesh_valid.Walk(Body, mesh_model.Mesh(points, tris), {"V8", "V9"}).run()
+        except Reject as e:
             self.assertEqual(e.condition, "B1")
             return False
         return True
@@ -463,9 +465,9 @@ class BodyTest(CertificateTest):
                 (TET_POINTS, TET + [(0, 1, 1)], (1, 4), 0), (crossing, [(0, 1, 2), (3, 4, 5)], (7, 0, 1, (2, 1, 1), (1, 1, 0)), 0)):
             self.use(forge.Model(points, tris))
             cert = forge.invalid_certificate(self.bytes, self.model, self.mesh, [witness] * 3)
-            with unittest.mock.patch.object(vc.Body, "work", lambda *_: 3 * units):
+            with unittest.mock.patch.object(mesh_model.Body, "work", lambda *_: 3 * units):
                 self.says("ACCEPT", cert)
-            with unittest.mock.patch.object(vc.Body, "work", lambda *_: 3 * units - 1):
+            with unittest.mock.patch.object(mesh_model.Body, "work", lambda *_: 3 * units - 1):
                 self.says("B1", cert)
 
     def test_b1_work_of_a_certificate_at_its_bound(self):
@@ -491,7 +493,7 @@ class BodyTest(CertificateTest):
         """One unit for each box that the rays look into, over all shells."""
         inner = solids.box_of(1)
         self.use(forge.Model(*solids.join(solids.box_of(3), (inner[0], solids.reverse(inner[1])))))
-        cert, run = self.cert(), vc.Walk.run
+        cert, run = self.cert(), mesh_valid.Walk.run
 
         def boxes(order, f_boxes, ray):                   # of the subtree of an order, by its definition
             lo, hi = [[pick(f_boxes[f][side][k] for f in order) for k in range(3)] for side, pick in ((0, min), (1, max))]
@@ -514,7 +516,7 @@ class BodyTest(CertificateTest):
             def run_and_set(walk, allowed=allowed):
                 run(walk)
                 walk.cert.work = allowed
-            with unittest.mock.patch.object(vc.Walk, "run", run_and_set):
+            with unittest.mock.patch.object(mesh_valid.Walk, "run", run_and_set):
                 self.says(expected, cert)
 
 
@@ -593,14 +595,14 @@ class ValidTest(CertificateTest):
         self.use(forge.Model(p, t))
         self.says("V6", self.cert())
         points, tris = forge.mesh_of(self.model).floats, self.mesh.tris
-        mesh = vc.Mesh(points, tris)
-        self.assertEqual(vc.compare((-1, -1, -1), [0, 1, 2, 3], [0, 4, 5, 6], mesh.points), 1)
-        self.assertEqual(vc.compare((-1, 0, 0), [0, 1, 2, 3], [0, 4, 5, 6], mesh.points), ([0, 2, 3], [0, 5, 6]))
-        self.assertEqual(vc.compare((1, 0, 0), [0, 1, 2, 3], [0, 4, 5, 6], mesh.points), 0)
-        line = vc.Mesh([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0)], [(0, 1, 3)])
-        self.assertEqual(vc.compare((0, 1, 0), [0, 1], [1, 2], line.points), ([0, 1], [1, 2]))
-        self.assertEqual(vc.compare((0, 0, 1), [0, 1], [1, 3], line.points), 1)
-        self.assertEqual(vc.compare((0, 1, 0), [0, 2], [0, 2], line.points), 1)
+        mesh = mesh_model.Mesh(points, tris)
+        self.assertEqual(mesh_valid.compare((-1, -1, -1), [0, 1, 2, 3], [0, 4, 5, 6], mesh.points), 1)
+        self.assertEqual(mesh_valid.compare((-1, 0, 0), [0, 1, 2, 3], [0, 4, 5, 6], mesh.points), ([0, 2, 3], [0, 5, 6]))
+        self.assertEqual(mesh_valid.compare((1, 0, 0), [0, 1, 2, 3], [0, 4, 5, 6], mesh.points), 0)
+        line = mesh_model.Mesh([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0)], [(0, 1, 3)])
+        self.assertEqual(mesh_valid.compare((0, 1, 0), [0, 1], [1, 2], line.points), ([0, 1], [1, 2]))
+        self.assertEqual(mesh_valid.compare((0, 0, 1), [0, 1], [1, 3], line.points), 1)
+        self.assertEqual(mesh_valid.compare((0, 1, 0), [0, 2], [0, 2], line.points), 1)
 
     def test_v9(self):
         honest = self.plan()
@@ -790,8 +792,8 @@ class InvalidTest(CertificateTest):
             for turn in range(3):
                 for triangle, hit in (((0, 1, 2), True), ((0, 2, 3), False)):  # moved by (e, e^2) the corner (0, 0) is in the first
                     t = [square[triangle[(i + turn) % 3]] for i in range(3)]
-                    self.assertEqual(vc.line_stabs(t, at(0, 0), axis), hit)
-                    self.assertEqual(vc.line_stabs(t[::-1], at(0, 0), axis), hit)
+                    self.assertEqual(mesh_model.line_stabs(t, at(0, 0), axis), hit)
+                    self.assertEqual(mesh_model.line_stabs(t[::-1], at(0, 0), axis), hit)
 
     def test_i8_the_ray_is_moved_off_edges_and_vertices(self):
         base = [(0, 0, 0), (4, 0, 0), (0, 4, 0)]           # P = (1, 1, 0), moved by (e, e^2) in (x, y)

@@ -10,8 +10,7 @@ from certify_patches_test import UNIT, block, document, surface
 from support import BIN, CHECKER_PY, DATA, ROOT, Folder, run
 
 sys.path.insert(0, str(ROOT / "verify" / "checker"))
-import star_box_itd as itd                                # noqa: E402
-import star_box_read as read                              # noqa: E402
+from veritope_checker.patches import star_box_itd as itd, star_box_read as read  # noqa: E402
 
 COVERED = {"irit__ai_b58", "irit__ai_wiggl", "irit__ih_alpha", "irit__il_dish", "irit__ir1eggs", "irit__ir2eggs", "irit__ir_b58", "irit__ir_eggs",
            "irit__ir_tpot1", "irit__ir_tpot3", "irit__ir_wiggl", "irit__pl_saddl"}   # surfaces only; all of them are open

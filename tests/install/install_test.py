@@ -15,6 +15,9 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+from every_claim import assert_every_claim  # noqa: E402
+
 CONSUMER = ROOT / "tests" / "install" / "consumer"
 EXAMPLES = ROOT / "examples"
 INTEROP_PAGE = ROOT / "docs" / "how-to" / "use-with-cgal-boost-eigen.md"
@@ -108,8 +111,17 @@ class Installation(unittest.TestCase):
         shutil.copy(EXAMPLES / "sound_part.stl", model)
         self.succeed(self.prefix / "bin" / "veritope", "certify", model, "--certificate", "part.cert", cwd=self.folder)
         self.succeed(self.prefix / "bin" / "veritope-check", model, "part.cert", cwd=self.folder)
-        checker = self.prefix / "share" / "veritope" / "veritope_check.py"
-        self.succeed(sys.executable, "-I", checker, model, self.folder / "part.cert")
+
+    def test_both_installed_checkers_accept_a_certificate_of_every_claim(self):
+        place = self.folder / "every claim"
+        place.mkdir()
+        python = (sys.executable, "-I", "-B", self.prefix / "share" / "veritope" / "veritope_check.py")
+        assert_every_claim(self, self.prefix / "bin" / "veritope", [(self.prefix / "bin" / "veritope-check",), python], place)
+
+    def test_the_whole_checker_in_python_is_installed(self):
+        there = {path.relative_to(self.prefix / "share" / "veritope") for path in (self.prefix / "share" / "veritope").rglob("*.py")}
+        here = {path.relative_to(ROOT / "verify" / "checker") for path in (ROOT / "verify" / "checker").rglob("*.py")}
+        self.assertEqual(there, here)
 
     def test_licences_and_documents_are_there(self):
         for name in ("README.md", "LICENSE.md", "LICENSES/LGPL-3.0-or-later.txt", "docs/certificates/mesh.md"):

@@ -29,7 +29,6 @@ import subprocess
 import sys
 import tempfile
 import time
-import types
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -42,11 +41,12 @@ import patch_mutation_test                                # noqa: E402
 import differential                                       # noqa: E402
 
 CHECKER = attacks.CHECKER_PY.parent
-NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h")   # C++ headers without conditions of the page
+# C++ headers without conditions of the page
+NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h", "claims.h", "mesh_claims.h", "patch_claims.h", "collar_claim.h")
 # Together these attacks hit every pair of strategy and condition that 500 seeds hit.
 SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
          192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
-PATCH_MODULES = ("star_box_read", "star_box_itd", "star_box_patches", "star_box_check", "patch_invalid_check", "collar_complex", "collar_check")
+NO_CONDITIONS = ("__init__.py", "errors.py", "claims.py")  # of the Python checker, the same
 PATCH_TESTS = ("star_box_test", "star_box_hostile_test", "star_box_itd_test", "star_box_turned_test", "patch_invalid_test", "collar_test")
 CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
 
@@ -150,9 +150,9 @@ def corpus():
     for seed in range(40):
         cases += [(c.bytes, cert) for _, c, cert in attacks.honest_certificates(random.Random(seed)) if cert]
     for seed in range(600):
-        cases.append(differential.damaged_model(py, random.Random(seed))[1:])
+        cases.append(differential.damaged_model(random.Random(seed))[1:])
     for seed in range(40):
-        cases += [c[1:3] for c in differential.damaged_certificate(py, random.Random(seed))]
+        cases += [c[1:3] for c in differential.damaged_certificate(random.Random(seed))]
     cases += differential.unit_cases()
     cases = list(dict.fromkeys(cases))
     random.Random(1).shuffle(cases)
@@ -197,32 +197,31 @@ def patch_corpus():
 # ---------------------------------------------------------------- running
 
 def tree_with(mutant):
-    """A folder with the checkers in Python and their tests, one file of them mutated."""
+    """A folder with the checker in Python and its tests, one file of it mutated."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="mutant", dir="/dev/shm" if os.path.isdir("/dev/shm") else None))
     shutil.copytree(HERE.parent / "checker_py", folder / "tests" / "checker_py")
-    (folder / "verify" / "checker").mkdir(parents=True)
-    for f in CHECKER.glob("*.py"):
-        shutil.copy(f, folder / "verify" / "checker")
-    (folder / "verify" / "checker" / mutant[0].name).write_text(mutant[4])
+    shutil.copytree(CHECKER, folder / "verify" / "checker", ignore=shutil.ignore_patterns("__pycache__", "*.cc", "*.h"))
+    (folder / "verify" / "checker" / mutant[0].relative_to(CHECKER)).write_text(mutant[4])
     return folder
 
 
-def judge_python_patches(mutant, cases, options):
-    """As judge_python, in a process of its own, which may lose the modules that it has loaded."""
+def judge_python(mutant, cases, options):
+    """The number of the first case with another verdict, or None; in a process of its own, which loses the modules that it has loaded."""
     folder = tree_with(mutant)
+    program = folder / "verify" / "checker" / "veritope_check.py"
     try:
-        for name in PATCH_MODULES:
-            sys.modules.pop(name, None)
         sys.path[:] = [p for p in sys.path if pathlib.Path(p).resolve() != CHECKER.resolve()]
         sys.dont_write_bytecode = True
         try:
-            module = attacks.load_checker(folder / "verify" / "checker" / "veritope_check.py", "mutant")
+            module = attacks.load_checker(program)
             for i, (model, cert, expected) in enumerate(cases):
                 if attacks.condition_of(*module.check(model, cert)) != expected:
                     return i
         except Exception:
             return 0
-        return 0 if not options.corpus_only and patch_tests_fail(folder / "tests" / "checker_py", {}) else None
+        if options.kind == "python_patches":
+            return 0 if not options.corpus_only and patch_tests_fail(folder / "tests" / "checker_py", {}) else None
+        return 0 if unit_tests_fail(program) else None
     finally:
         shutil.rmtree(folder)
 
@@ -236,30 +235,10 @@ def unit_tests_of_patches_fail(program):
     return patch_tests_fail(HERE.parent / "checker", {"VERITOPE_CHECK": str(program)})
 
 
-def judge_python(text, cases):
-    """The number of the first case with another verdict, or None."""
-    module = types.ModuleType("mutant")
-    module.__dict__["__name__"] = "mutant"
-    try:
-        exec(compile(text, "mutant", "exec"), module.__dict__)
-    except Exception:
-        return 0
-    for i, (model, cert, expected) in enumerate(cases):
-        try:
-            if attacks.condition_of(*module.check(model, cert)) != expected:
-                return i
-        except Exception:
-            return i
-    return None
-
-
-def unit_tests_fail(text):
-    with tempfile.TemporaryDirectory() as d:
-        path = pathlib.Path(d) / "veritope_check.py"
-        path.write_text(text)
-        env = dict(os.environ, VERITOPE_CHECK_PY=str(path))
-        test = HERE.parent / "checker_py" / "veritope_check_test.py"
-        return subprocess.run([sys.executable, str(test)], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
+def unit_tests_fail(program):
+    test = HERE.parent / "checker_py" / "veritope_check_test.py"
+    env = dict(os.environ, VERITOPE_CHECK_PY=str(program))
+    return subprocess.run([sys.executable, str(test)], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
 
 
 def unit_tests_of_cpp_fail(program):
@@ -280,18 +259,17 @@ def judge_cpp(mutant, objects, cases, options):
     """As judge_python, for a C++ file: compiles, links, runs; 'build' if it does not compile."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="mutant", dir="/dev/shm" if os.path.isdir("/dev/shm") else None))
     try:
-        for f in CHECKER.glob("*.[hc]*"):
-            if f.suffix in (".h", ".cc"):
-                shutil.copy(f, folder)
-        (folder / mutant[0].name).write_text(mutant[4])
-        sources = [mutant[0].name] if mutant[0].suffix == ".cc" else [p.name for p in sorted(CHECKER.glob("*.cc")) if p.name in options.users[mutant[0].name]]
+        alone = folder / "checker"
+        shutil.copytree(CHECKER, alone, ignore=shutil.ignore_patterns("__pycache__", "*.py"))
+        (alone / mutant[0].relative_to(CHECKER)).write_text(mutant[4])
+        sources = [mutant[0]] if mutant[0].suffix == ".cc" else [p for p in cpp_sources() if p.name in options.users[mutant[0].name]]
         compiler = [options.compiler, "-std=c++11", "-O1", "-w"]
         built = []
         for s in sources:
-            if subprocess.run(compiler + ["-c", s, "-o", s + ".o"], cwd=folder, stderr=subprocess.DEVNULL).returncode:
+            built.append(str(folder / (s.name + ".o")))
+            if subprocess.run(compiler + ["-c", str(alone / s.relative_to(CHECKER)), "-o", built[-1]], stderr=subprocess.DEVNULL).returncode:
                 return "build"
-            built.append(str(folder / (s + ".o")))
-        rest = [o for o in objects if pathlib.Path(o).name[:-2] not in sources]
+        rest = [o for o in objects if pathlib.Path(o).name[:-2] not in {s.name for s in sources}]
         if subprocess.run(compiler + built + rest + ["-o", str(folder / "check")], stderr=subprocess.DEVNULL).returncode:
             return "build"
         model, cert, last = folder / "model", folder / "cert", None
@@ -332,19 +310,16 @@ def run(kind, options):
     print("%d cases" % len(cases))
     options.unit_tests_fail = (lambda program: False) if options.corpus_only else unit_tests_of_patches_fail if patches else unit_tests_of_cpp_fail
     # Else every mutant would count as killed.
-    if kind == "python" and unit_tests_fail(attacks.CHECKER_PY.read_text()):
+    if kind == "python" and unit_tests_fail(attacks.CHECKER_PY):
         sys.exit("checker_mutants: the unit tests fail on the checker itself")
-    if kind == "python":
-        found = list(mutants(attacks.CHECKER_PY, "class Refused"))
+    if kind.startswith("python"):
+        folders = ("patches", "collar") if patches else ("mesh", "common", "veritope_checker")
+        files = [f for f in sorted(CHECKER.rglob("*.py")) if f.parent.name in folders and f.name not in NO_CONDITIONS]
+        found = [m for f in files for m in mutants(f, "import ")]
         def job(m):
-            first = judge_python(m[4], cases)
-            return 0 if first is None and unit_tests_fail(m[4]) else first
-    elif kind == "python_patches":
-        found = [m for name in PATCH_MODULES for m in mutants(CHECKER / (name + ".py"), "import ")]
-        def job(m):
-            return judge_python_patches(m, cases, options)
+            return judge_python(m, cases, options)
     else:
-        files = [f for f in sorted(CHECKER.glob("*.cc")) + sorted(CHECKER.glob("*.h")) if is_about(f, patches)]
+        files = [f for f in cpp_sources() + sorted(CHECKER.rglob("*.h")) if is_about(f, patches)]
         found = [m for f in files for m in mutants(f)]
         objects = build_objects(options, files)
         if fails_unchanged(objects, options):
@@ -365,8 +340,12 @@ def run(kind, options):
 def is_about(f, patches):
     """Does a C++ file hold conditions of the claims about patches, or of those about meshes?"""
     if f.suffix == ".cc":
-        return f.name.startswith(("star_", "itd_", "collar_", "invalid_") if patches else "mesh_")
-    return f.name not in NOT_CONDITIONS and any(is_about(CHECKER / user, patches) for user in users_of(f.name))
+        return f.parent.name in (("patches", "collar") if patches else ("mesh",))
+    return f.name not in NOT_CONDITIONS and any(s.name in users_of(f.name) and is_about(s, patches) for s in cpp_sources())
+
+
+def cpp_sources():
+    return sorted(CHECKER.rglob("*.cc"))
 
 
 def agreed(cases, objects, options):
@@ -387,7 +366,7 @@ def build_objects(options, files):
         if f.suffix == ".h":
             options.users[f.name] = users_of(f.name)
     out = []
-    for s in sorted(CHECKER.glob("*.cc")):
+    for s in cpp_sources():
         o = folder / (s.name + ".o")
         subprocess.run([options.compiler, "-std=c++11", "-O1", "-c", str(s), "-o", str(o)], check=True)
         out.append(str(o))
@@ -397,9 +376,9 @@ def build_objects(options, files):
 def users_of(header):
     """The .cc files that include a header, directly or through others."""
     names, grown = {header}, True
-    texts = {p.name: p.read_text() for p in CHECKER.iterdir() if p.suffix in (".h", ".cc")}
+    texts = {p.name: p.read_text() for p in CHECKER.rglob("*") if p.suffix in (".h", ".cc")}
     while grown:
-        more = {n for n, t in texts.items() if any('#include "%s"' % h in t for h in names)} - names
+        more = {n for n, t in texts.items() if any(re.search(r'#include "(\S*/)?%s"' % re.escape(h), t) for h in names)} - names
         names, grown = names | more, bool(more)
     return {n for n in names if n.endswith(".cc")}
 

@@ -27,6 +27,10 @@ import attacks                                            # noqa: E402
 import forge                                              # noqa: E402
 import solids                                             # noqa: E402
 
+attacks.load_checker()
+from veritope_checker.common import errors                # noqa: E402
+from veritope_checker.mesh import mesh_reader as reader   # noqa: E402
+
 NUMBERS = [b"1", b"+1", b"-1", b"1.", b".5", b"-.5", b".", b"+", b"-", b"1e", b"1e1", b"1E+1", b"1e-1", b"1e+", b"e1", b"-0", b"+0.0", b"0e5",
            b"nan", b"inf", b"NaN", b"-inf", b"Infinity", b"0x1", b"0x1p3", b"1e400", b"-1e400", b"1e-400", b"1e308", b"2e308",
            b"1.7976931348623158e308", b"1.7976931348623159e308", b"4.9e-324", b"2.4703282292062327e-324", b"2.4703282292062328e-324",
@@ -174,11 +178,11 @@ def odd_ply(m, rng):
     return b"\n".join(head) + b"".join(p[1] for p in parts)
 
 
-def certify(py, data, model, rng):
+def certify(data, model, rng):
     """A certificate for what the Python checker reads in the damaged bytes."""
     try:
-        mesh = forge.Mesh(*py.read_model(data, model.fmt, model.as_indexed))
-    except py.Refused:
+        mesh = forge.Mesh(*reader.read_model(data, model.fmt, model.as_indexed))
+    except errors.Refused:
         mesh = forge.mesh_of(model)
     truth = forge.Truth(mesh, pairs=False)
     true = forge.true_witnesses(truth, rng) if truth.broken else {}
@@ -187,14 +191,14 @@ def certify(py, data, model, rng):
     return forge.Plan(mesh, rng, .5).certificate(data, model)
 
 
-def damaged_model(py, rng):
+def damaged_model(rng):
     model, data = small_model(rng)
     for _ in range(rng.choice((0, 1, 1, 1, 2, 3))):
         data = rng.choice(DAMAGES)(data, model.fmt, rng)
-    return model.fmt, data, certify(py, data, model, rng)
+    return model.fmt, data, certify(data, model, rng)
 
 
-def damaged_certificate(py, rng):
+def damaged_certificate(rng):
     case = attacks.valid_case(rng) if rng.random() < .5 else attacks.false_case(rng)[0]
     true = forge.true_witnesses(case.truth, rng)
     if true and rng.random() < .8:
@@ -275,7 +279,7 @@ def unit_cases():
     spec = importlib.util.spec_from_file_location("veritope_check_test", str(path))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    seen, files, check, read = [], [], module.vc.check, module.vc.read_model
+    seen, files, check, read = [], [], module.vc.check, module.reader.read_model
 
     def spy(model, cert):
         if cert is not None:
@@ -285,11 +289,11 @@ def unit_cases():
     def spy_reader(data, fmt, as_indexed):
         files.append((data, forge.Model([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)], fmt, as_indexed)))
         return read(data, fmt, as_indexed)
-    module.vc.check, module.vc.read_model = spy, spy_reader
+    module.vc.check, module.reader.read_model = spy, spy_reader
     suite = unittest.defaultTestLoader.loadTestsFromModule(module)
     unittest.TextTestRunner(stream=io.StringIO()).run(suite)
-    module.vc.read_model = read
-    return list(dict.fromkeys(seen + [(data, certify(module.vc, data, model, random.Random(1))) for data, model in files]))
+    module.reader.read_model = read
+    return list(dict.fromkeys(seen + [(data, certify(data, model, random.Random(1))) for data, model in files]))
 
 
 def worker(options, first, count, queue):
@@ -302,9 +306,9 @@ def worker(options, first, count, queue):
             seed += options.jobs
             rng = random.Random(seed)
             if rng.random() < .96:
-                cases = [damaged_model(run.py, rng) + (None,)]
+                cases = [damaged_model(rng) + (None,)]
             else:
-                cases = damaged_certificate(run.py, rng)
+                cases = damaged_certificate(rng)
             for name, data, cert, broken in cases:
                 found = compare(run, data, cert, seed, name)
                 if found == "ACCEPT" and broken is not None and is_false(cert, broken):

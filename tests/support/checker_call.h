@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "verify/checker/checker.h"
+#include "verify/checker/claims.h"
 
 namespace veritope {
 
@@ -13,8 +13,8 @@ namespace veritope {
 inline std::string check_in_process(const std::string& model_file, const std::string& certificate) {
   try {
     ::Body body = {nullptr, nullptr};
-    const ::Statement s = ::read_statement(certificate, model_file, &body);
-    return "ACCEPT " + s.text.at("claim") + ": " + ::check_claim(s, model_file, body);
+    const ::Statement s = ::read_statement(::all_claims(), certificate, model_file, &body);
+    return std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, model_file, body);
   } catch (const ::Rejected& r) {
     return "REJECT " + r.id + ": " + r.why;
   } catch (const ::Refused& r) {

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-#include "checker.h"
+#include "claims.h"
 
 namespace {
 
@@ -15,7 +15,8 @@ const char kUsage[] =
     "with\n"
     "1. Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the reading rule "
     "refuses\n"
-    "the model, or the answer cannot be printed; 5 a bug.";
+    "the model, or the answer cannot be printed; 5 a bug.\n"
+    "--claims prints the claims that it decides, with the keys of their statements.";
 
 std::string read_file(const std::string& name) {
   std::FILE* const file = std::fopen(name.c_str(), "rb");
@@ -43,6 +44,7 @@ int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   if (argc == 2 && (first == "--help" || first == "-h")) return say(stdout, kUsage, 0);
   if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
+  if (argc == 2 && first == "--claims") return say(stdout, claims_as_text(), 0);
   if (argc != 3 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
   std::string name = argv[2];  // of the file that may be refused
   try {
@@ -50,9 +52,11 @@ int main(int argc, char** argv) {
     name = first;
     std::string file = read_file(name);
     Body body = {nullptr, nullptr};
-    const Statement s = read_statement(certificate, file, &body);
-    const std::string claim = s.text.at("claim");
-    return say(stdout, "ACCEPT " + claim + ": " + check_claim(s, std::move(file), body), 0);
+    const Statement s = read_statement(all_claims(), certificate, file, &body);
+    return say(
+        stdout,
+        std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, std::move(file), body),
+        0);
   } catch (const Rejected& r) {
     return say(stdout, "REJECT " + r.id + ": " + r.why, 1);
   } catch (const Refused& r) {

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// mesh_valid.cc: the claim mesh-valid-1; conditions B1 and V1 to V11 of docs/certificates/mesh.md.
+#include <array>
+
+#include "geometry.h"
+#include "mesh_claims.h"
+
+namespace {
+
+const int kStars[13][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
+                           {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
+                           {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+
+Vec<1> direction(int64_t x, int64_t y, int64_t z) {
+  return Vec<1>{{fixed<1>(x), fixed<1>(y), fixed<1>(z)}};
+}
+
+struct Separator {
+  uint64_t gap;
+  Vec<1> d;
+};
+
+struct Ids {  // a set of vertices; four stand for any greater number
+  uint32_t id[4];
+  size_t n;
+  void add(uint32_t v) {
+    if (n < 4 && std::find(id, id + n, v) == id + n) id[n++] = v;
+  }
+};
+
+enum Outcome { kFails, kHolds, kOpen };
+
+uint64_t varint(Body* body) {
+  uint64_t v = 0, b = 128;
+  for (int shift = 0; b >= 128; shift += 7) {
+    b = body->natural(1);
+    require((shift == 0 || b != 0) && (shift < 63 || b <= 1), "B1",
+            "a varint is not in its shortest form or not below 2^64");
+    v |= (b & 127) << shift;
+  }
+  return v;
+}
+
+template <int C>
+class ValidCheck {
+ public:
+  ValidCheck(const Statement& statement, const Model& model, const Body& body)
+      : statement_(statement),
+        model_(model),
+        body_(body),
+        surface_(model),
+        allowed_(model, body),
+        work_(allowed_) {}
+
+  std::string result() {
+    read_body();
+    std::vector<bool> seen(model_.faces());
+    for (uint32_t f : order_) {
+      require(f < seen.size() && !seen[f], "V1", "out of range or twice in the order: triangle", f);
+      seen[f] = true;
+    }
+    check_positions();
+    for (size_t c = 0; c < model_.tri.size(); c += 3) {
+      const uint32_t* const t = &model_.tri[c];
+      require(t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && !is_zero(normal(t)), "V3",
+              "degenerate: triangle", c / 3);
+    }
+    const char* const ids[] = {"V4", "V5", "V6"};
+    for (int i = 0; i < 3; ++i)
+      require(surface_.bad[i] == kNone, ids[i], "fails at vertex", surface_.bad[i]);
+    check_stars();
+    const Tree tree(model_, order_, star_);
+    tree_ = &tree;
+    check_pairs();
+    return check_quantities(check_nesting(model_, surface_, tree, nesting_, allowed_));
+  }
+
+ private:
+  void read_body() {
+    const uint32_t faces = model_.faces(), vertices = model_.vertices();
+    require(body_.begins_with(statement_.claim->magic), "B1", "the body does not start with VTMV");
+    require(body_.natural(4) == faces, "B1", "the model's number of triangles is", faces);
+    require(body_.natural(4) == vertices, "B1", "the model's number of vertices is", vertices);
+    for (uint32_t i = 0; i < faces; ++i) order_.push_back(uint32_t(body_.natural(4)));
+    for (uint32_t v = 0; v < vertices; ++v) {
+      star_.push_back(uint8_t(body_.natural(1)));
+      require(star_[v] <= 14, "B1", "unknown star code at vertex", v);
+    }
+    const uint64_t vectors = body_.count(12);
+    require(vectors == uint64_t(std::count(star_.begin(), star_.end(), 14)), "B1",
+            "not one star vector for each code 14, but", vectors);
+    for (uint64_t i = 0; i < vectors; ++i) {
+      int32_t d[3];
+      for (int32_t& x : d) x = int32_t(body_.natural(4));
+      vector_.push_back(direction(d[0], d[1], d[2]));
+    }
+    const uint64_t separators = body_.count(4);
+    for (uint64_t i = 0; i < separators; ++i) {
+      const uint64_t gap = varint(&body_);
+      int64_t d[3];
+      for (int64_t& x : d) {
+        const uint64_t z = varint(&body_);
+        require(z < 0xffffffff, "B1", "a component is not below 2^31: separator", i);
+        x = z % 2 == 0 ? int64_t(z / 2) : -int64_t(z / 2) - 1;
+      }
+      separator_.push_back(Separator{gap, direction(d[0], d[1], d[2])});
+    }
+    const uint64_t codes = body_.count(1);
+    code_.assign(body_.p, body_.p + codes);
+    nesting_.assign(body_.p + codes, body_.end);
+    require(nesting_.size() == (surface_.shells > 1 ? surface_.shells : 0), "B1",
+            "not one byte a shell behind the axis codes, but", nesting_.size());
+    for (uint8_t code : nesting_) require(code <= 5, "B1", "unknown nesting code", code);
+  }
+
+  void check_positions() {  // V2; merged vertices differ
+    const int low = Lattice(model_).low;
+    point_.resize(model_.vertices());
+    std::vector<std::array<int64_t, 4>> places;
+    for (uint32_t v : model_.tri) {
+      const int64_t* const k = &model_.key[3 * size_t(v)];
+      point_[v] = lattice_point<C>(k, low);
+      if (statement_.flag.at("as_indexed")) places.push_back({{k[0], k[1], k[2], v}});
+    }
+    std::sort(places.begin(), places.end());
+    for (size_t i = 1; i < places.size(); ++i)
+      require(places[i][3] == places[i - 1][3] ||
+                  !std::equal(&places[i][0], &places[i][3], &places[i - 1][0]),
+              "V2", "another vertex has the position of vertex", uint64_t(places[i][3]));
+  }
+
+  Vec<C> edge(const uint32_t* t, int i) const { return point_[t[(i + 1) % 3]] - point_[t[i]]; }
+  Vec<2 * C> normal(const uint32_t* t) const { return cross(edge(t, 0), edge(t, 1)); }
+
+  void check_stars() const {  // V7
+    size_t used = 0;
+    for (uint32_t v = 0; v < star_.size(); ++v) {
+      if (star_[v] == 0) continue;
+      const int* const d = kStars[(star_[v] - 1) % 13];
+      require(star_holds(v, star_[v] == 14 ? vector_[used++] : direction(d[0], d[1], d[2])), "V7",
+              "the star code does not hold at vertex", v);
+    }
+  }
+  bool star_holds(uint32_t v, const Vec<1>& d) const {
+    const Fixed<1> zero = fixed<1>(0);
+    const bool along_x = sign(d.x[1]) == 0 && sign(d.x[2]) == 0;
+    const Vec<1> g = along_x ? direction(0, 0, 1) : Vec<1>{{zero, d.x[2], zero - d.x[1]}};
+    int side = 0, turns = 0;
+    uint32_t e = surface_.first[v];
+    if (e == kNone) return false;
+    do {  // edge e is v p, the next one of its triangle p q
+      const uint32_t* const t = &model_.tri[e - e % 3];
+      const Vec<C> p = point_[t[(e + 1) % 3]] - point_[v], q = point_[t[(e + 2) % 3]] - point_[v];
+      const int s = sign(dot(cross(p, q), d));  // p x q is the normal
+      if (s == 0 || s == -side) return false;
+      side = s;
+      const int gp = sign(dot(p, g)), gq = sign(dot(q, g));
+      turns += s > 0 ? gp >= 0 && gq < 0 : gq >= 0 && gp < 0;
+      e = surface_.around(e);
+    } while (e != surface_.first[v]);
+    return turns == 1;
+  }
+
+  void check_pairs() {  // V8 and V9
+    steps_left_ = separator_.empty() ? 0 : separator_[0].gap;
+    self(tree_->root());
+    require(used_separators_ == separator_.size(), "V8", "not used: separator", used_separators_);
+    require(bad_leaf_ == kNone, "V9", "the codes do not hold for a pair with triangle", bad_leaf_);
+    require(used_codes_ == code_.size(), "V9", "not used: code", used_codes_);
+  }
+  void self(const Range& r) {
+    if (r.size() == 1) return;
+    self(r.left());
+    self(r.right());
+    cross_nodes(r.left(), r.right());
+  }
+  void cross_nodes(const Range& a, const Range& b) {
+    work_.add(1);
+    const Node &m = tree_->nodes[a.node], &n = tree_->nodes[b.node];
+    for (int k = 0; k < 3; ++k)
+      if (m.max[k] < n.min[k] || n.max[k] < m.min[k]) return;
+    if (n.has(m.common[0]) || n.has(m.common[1]) || n.has(m.common[2])) return;
+    const uint32_t* const p = &tree_->corners[3 * size_t(a.lo)];
+    const uint32_t* const q = &tree_->corners[3 * size_t(b.lo)];
+    if (used_separators_ < separator_.size() && steps_left_-- == 0) {
+      work_.add(uint64_t(a.size()) + b.size());
+      Ids unused[2];
+      const Vec<1>& d = separator_[used_separators_].d;
+      require(test(d, 1, p, 3 * size_t(a.size()), q, 3 * size_t(b.size()), unused) == kHolds, "V8",
+              "does not hold: separator", used_separators_);
+      if (++used_separators_ < separator_.size()) steps_left_ = separator_[used_separators_].gap;
+    } else if (a.size() == 1 && b.size() == 1) {
+      // A later failure of V8 comes before this one of V9 and has to be looked for.
+      if (bad_leaf_ == kNone && !leaves_apart(p, q)) bad_leaf_ = order_[a.lo];
+    } else if (a.size() >= b.size()) {
+      cross_nodes(a.left(), b);
+      cross_nodes(a.right(), b);
+    } else {
+      cross_nodes(a, b.left());
+      cross_nodes(a, b.right());
+    }
+  }
+
+  // Where d.x is greatest (sense 1) or least (-1) among n vertices.
+  template <int D>
+  Fixed<D + C> extreme(const Vec<D>& d, int sense, const uint32_t* v, size_t n, Ids* where) const {
+    Fixed<D + C> best = dot(d, point_[v[0]]);
+    where->n = 0;
+    for (size_t i = 0; i < n; ++i) {
+      const Fixed<D + C> x = dot(d, point_[v[i]]);
+      const int s = sense * sign(x - best);
+      if (s > 0) best = x, where->n = 0;
+      if (s >= 0) where->add(v[i]);
+    }
+    return best;
+  }
+  // The test of d (sense 1) or -d (sense -1). `where` must not be p or q and becomes P', Q'.
+  template <int D>
+  Outcome test(const Vec<D>& d, int sense, const uint32_t* p, size_t np, const uint32_t* q,
+               size_t nq, Ids* where) const {
+    const Fixed<D + C> most = extreme(d, sense, p, np, &where[0]);
+    const int s = sense * sign(most - extreme(d, -sense, q, nq, &where[1]));
+    if (s != 0) return s < 0 ? kHolds : kFails;
+    Ids k = where[0];
+    for (size_t i = 0; i < where[1].n; ++i) k.add(where[1].id[i]);
+    return k.n <= 2 || (k.n == 3 && !is_zero(normal(k.id))) ? kHolds : kOpen;
+  }
+  template <int D>
+  Outcome narrow(const Vec<D>& d, int sense, Ids* pq) const {
+    const Ids p = pq[0], q = pq[1];
+    return test(d, sense, p.id, p.n, q.id, q.n, pq);
+  }
+  bool leaves_apart(const uint32_t* a, const uint32_t* b) {
+    Ids pq[2] = {{{a[0], a[1], a[2], 0}, 3}, {{b[0], b[1], b[2], 0}, 3}};
+    for (int byte = 0; byte < 4 && used_codes_ < code_.size(); ++byte) {
+      const int code = code_[used_codes_++], axis = code & 31, sense = (code & 32) != 0 ? -1 : 1;
+      if (code >= 128 || axis > 16) return false;
+      const uint32_t* const t = axis == 0 || (axis >= 11 && axis <= 13) ? a : b;
+      const Vec<2 * C> d = axis < 2 || axis > 10
+                               ? normal(t)
+                               : cross(edge(a, (axis - 2) / 3), edge(b, (axis - 2) % 3));
+      const Outcome is =
+          axis <= 10 ? narrow(d, sense, pq) : narrow(cross(d, edge(t, (axis - 11) % 3)), sense, pq);
+      const bool more = (code & 64) != 0;
+      if (is != kOpen || !more) return is == kHolds && !more;
+    }
+    return false;
+  }
+
+  std::string check_quantities(const Nesting& nesting) const {  // V11
+    const uint64_t v = surface_.vertices, e = surface_.edges, f = model_.faces(),
+                   s = surface_.shells;
+    const std::pair<const char*, uint64_t> numbers[] = {{"vertices", v},
+                                                        {"edges", e},
+                                                        {"faces", f},
+                                                        {"shells", s},
+                                                        {"bodies", nesting.bodies},
+                                                        {"genus", (2 * s + e - v - f) / 2}};
+    std::string all;
+    for (const auto& n : numbers) {
+      require(statement_.number.at(n.first) == n.second, "V11", n.first, n.second);
+      all += std::to_string(n.second) + ' ' + n.first + ", ";
+    }
+    all += "volume " + nesting.volume;
+    require(statement_.text.at("volume") == nesting.volume, "V11", all.c_str());
+    return all;
+  }
+
+  const Statement& statement_;
+  const Model& model_;
+  Body body_;
+  const Surface surface_;
+  const Work allowed_;
+  Work work_;
+  std::vector<uint32_t> order_;
+  std::vector<uint8_t> star_, code_, nesting_;
+  std::vector<Vec<1>> vector_;
+  std::vector<Separator> separator_;
+  std::vector<Vec<C>> point_;  // of the referenced vertices, as integers
+  const Tree* tree_ = nullptr;
+  size_t used_separators_ = 0, used_codes_ = 0;
+  uint64_t steps_left_ = 0;    // steps 3 of section 5 before the next separator
+  uint32_t bad_leaf_ = kNone;  // a triangle of the first leaf pair that fails
+};
+
+}  // namespace
+
+void check_volume(const Statement& statement) {
+  const std::string& volume = statement.text.at("volume");
+  const size_t slash = std::min(volume.find('/'), volume.size());
+  require(is_natural(volume.substr(0, slash)) && slash < volume.size() &&
+              is_natural(volume.substr(slash + 1)) && volume[slash + 1] != '0',
+          "S1", "volume is not p/q");
+}
+
+std::string check_mesh_valid(const Statement& statement, std::string file, const Body& body) {
+  const Model model = read_model(std::move(file), statement.text.at("subject_format"),
+                                 statement.flag.at("as_indexed"));
+  return with_limbs<ValidCheck, std::string>(Lattice(model).bits, statement, model, body);
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// big.h: integers of any size, sign and magnitude. Schoolbook arithmetic, O(n m) limb operations.
+#pragma once
+#include "../common/numbers.h"
+
+// Limbs, the first few of them without an allocation: most integers here have one to three.
+class LimbList {
+ public:
+  size_t size() const { return far_.empty() ? near_size_ : far_.size(); }
+  bool empty() const { return size() == 0; }
+  const uint64_t* begin() const { return far_.empty() ? near_ : far_.data(); }
+  const uint64_t* end() const { return begin() + size(); }
+  uint64_t* begin() { return far_.empty() ? near_ : far_.data(); }
+  uint64_t* end() { return begin() + size(); }
+  uint64_t operator[](size_t i) const { return begin()[i]; }
+  uint64_t& operator[](size_t i) { return begin()[i]; }
+  uint64_t back() const { return begin()[size() - 1]; }
+  uint64_t& back() { return begin()[size() - 1]; }
+  void push_back(uint64_t limb) { resize(size() + 1, limb); }
+  void resize(size_t n, uint64_t limb) {
+    if (far_.empty() && n <= kNear) {
+      for (size_t i = near_size_; i < n; ++i) near_[i] = limb;
+      near_size_ = n;
+    } else {
+      if (far_.empty()) far_.assign(near_, near_ + near_size_);
+      near_size_ = 0;
+      far_.resize(n, limb);
+    }
+  }
+  friend bool operator==(const LimbList& a, const LimbList& b) {
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+  }
+
+ private:
+  static constexpr size_t kNear = 4;
+  uint64_t near_[kNear] = {};
+  size_t near_size_ = 0;  // 0 if there are far ones
+  std::vector<uint64_t> far_;
+};
+
+struct Big {
+  bool neg = false;
+  LimbList m;  // least significant limb first, the last one is not 0; zero: empty
+
+  Big(int64_t v = 0) : neg(v < 0) {
+    if (v != 0) m.push_back(magnitude(v));
+  }
+  static Big of(const uint64_t* limbs, int n) {  // a two's complement number
+    Big r;
+    r.neg = limbs[n - 1] >> 63 != 0;
+    u128 carry = r.neg;
+    for (int i = 0; i < n; ++i, carry >>= 64) {
+      carry += r.neg ? ~limbs[i] : limbs[i];
+      r.m.push_back(uint64_t(carry));
+    }
+    return r.trim();
+  }
+  void store(uint64_t* limbs, int n) const {  // REQUIRES bits() < 64 n
+    u128 carry = neg;
+    for (int i = 0; i < n; ++i, carry >>= 64) {
+      const uint64_t limb = size_t(i) < m.size() ? m[size_t(i)] : 0;
+      carry += neg ? ~limb : limb;
+      limbs[i] = uint64_t(carry);
+    }
+  }
+  Big& trim() {
+    size_t n = m.size();
+    while (n > 0 && m[n - 1] == 0) --n;
+    m.resize(n, 0);
+    neg = neg && !m.empty();
+    return *this;
+  }
+  int sign() const { return m.empty() ? 0 : neg ? -1 : 1; }
+  int64_t bits() const {  // of the magnitude
+    return m.empty() ? 0 : 64 * int64_t(m.size()) - 64 + bit_length(m.back());
+  }
+  int64_t zeros() const {  // how often 2 divides it; 2^60 if it is 0
+    for (size_t i = 0; i < m.size(); ++i)
+      if (m[i] != 0) return 64 * int64_t(i) + __builtin_ctzll(m[i]);
+    return int64_t(1) << 60;
+  }
+};
+
+inline int compare_magnitudes(const Big& a, const Big& b) {
+  if (a.m.size() != b.m.size()) return a.m.size() < b.m.size() ? -1 : 1;
+  for (size_t i = a.m.size(); i-- > 0;)
+    if (a.m[i] != b.m[i]) return a.m[i] < b.m[i] ? -1 : 1;
+  return 0;
+}
+inline Big operator-(Big a) {
+  a.neg = !a.neg && !a.m.empty();
+  return a;
+}
+inline Big operator+(const Big& a, const Big& b) {
+  const bool is_less = compare_magnitudes(a, b) < 0, differ = a.neg != b.neg;
+  const Big &l = is_less ? b : a, &s = is_less ? a : b;
+  Big r = l;
+  u128 carry = differ;  // l - s = l + ~s + 1
+  for (size_t i = 0; i < r.m.size(); ++i, carry >>= 64) {
+    const uint64_t limb = i < s.m.size() ? s.m[i] : 0;
+    carry += u128(r.m[i]) + (differ ? ~limb : limb);
+    r.m[i] = uint64_t(carry);
+  }
+  if (!differ && carry != 0) r.m.push_back(1);
+  return r.trim();
+}
+inline Big operator-(const Big& a, const Big& b) { return a + -b; }
+inline Big operator*(const Big& a, const Big& b) {
+  Big r;
+  r.neg = a.neg != b.neg;
+  r.m.resize(a.m.size() + b.m.size(), 0);
+  for (size_t i = 0; i < a.m.size(); ++i) {
+    u128 carry = 0;
+    for (size_t j = 0; j < b.m.size(); ++j, carry >>= 64) {
+      carry += u128(a.m[i]) * b.m[j] + r.m[i + j];
+      r.m[i + j] = uint64_t(carry);
+    }
+    r.m[i + b.m.size()] = uint64_t(carry);
+  }
+  return r.trim();
+}
+inline Big shifted(const Big& a, int64_t up) {  // a 2^up; down: the magnitude is rounded down
+  Big r;
+  r.neg = a.neg;
+  const int64_t limbs = up >= 0 ? up / 64 : -((63 - up) / 64), n = int64_t(a.m.size());
+  const int low = int(up - 64 * limbs);
+  r.m.resize(size_t(std::max<int64_t>(0, n + limbs + 1)), 0);
+  for (int64_t k = std::max<int64_t>(0, -limbs - 1); k < n; ++k) {
+    const u128 limb = u128(a.m[size_t(k)]) << low;
+    if (k + limbs >= 0) r.m[size_t(k + limbs)] |= uint64_t(limb);
+    r.m[size_t(k + limbs + 1)] |= uint64_t(limb >> 64);
+  }
+  return r.trim();
+}
+inline int compare(const Big& a, const Big& b) { return (a - b).sign(); }
+inline bool operator==(const Big& a, const Big& b) { return a.neg == b.neg && a.m == b.m; }
+inline bool operator<(const Big& a, const Big& b) { return compare(a, b) < 0; }
+
+// The quotient rounded towards zero; *rest has the sign of a. REQUIRES b != 0. [Knuth, 4.3.1 D]
+inline Big divide(const Big& a, const Big& b, Big* rest) {
+  Big q;
+  const int up = 64 - bit_length(b.m.back());
+  Big r = shifted(a, up);
+  const Big d = shifted(b, up);
+  const size_t n = d.m.size();
+  r.m.resize(std::max(r.m.size(), n) + 1, 0);
+  q.m.resize(r.m.size() - n, 0);
+  for (size_t k = q.m.size(); k-- > 0;) {
+    const u128 top = u128(r.m[k + n]) << 64 | r.m[k + n - 1];
+    u128 guess = std::min<u128>(top / d.m[n - 1], ~uint64_t(0));  // at most 2 too large
+    for (;; --guess) {
+      u128 carry = 0, borrow = 0;
+      std::vector<uint64_t> next(n + 1);
+      for (size_t i = 0; i <= n; ++i, carry >>= 64) {
+        carry += i < n ? guess * d.m[i] : 0;
+        const u128 t = u128(r.m[k + i]) - uint64_t(carry) - borrow;
+        next[i] = uint64_t(t);
+        borrow = t >> 64 != 0;
+      }
+      if (borrow != 0) continue;
+      std::copy(next.begin(), next.end(), r.m.begin() + k);
+      break;
+    }
+    q.m[k] = uint64_t(guess);
+  }
+  q.neg = a.neg != b.neg;
+  if (rest != nullptr) *rest = shifted(r.trim(), -up);
+  return q.trim();
+}
+inline Big gcd(Big a, Big b) {  // >= 0
+  a.neg = b.neg = false;
+  const int64_t twos = std::min(a.zeros(), b.zeros());
+  while (!b.m.empty()) {  // two has been counted: it may be divided out of either
+    if (!a.m.empty()) a = shifted(a, -a.zeros());
+    b = shifted(b, -b.zeros());
+    if (b == Big(1)) return shifted(b, twos);
+    Big rest;
+    if (!a.m.empty()) divide(a, b, &rest);
+    a = b;
+    b = rest;
+  }
+  return a.m.empty() ? a : shifted(shifted(a, -a.zeros()), twos);
+}
+
+struct Ratio {  // n / d, d > 0, in lowest terms if it comes out of a function
+  Big n, d;
+  Ratio(const Big& num = Big(), const Big& den = Big(1)) : n(num), d(den) {}
+};
+inline int compare(const Ratio& a, const Ratio& b) { return compare(a.n * b.d, b.n * a.d); }
+inline Ratio lowest(const Ratio& a) {
+  const Big g = gcd(a.n, a.d);
+  if (g == Big(1)) return a;
+  return Ratio(divide(a.n, g, nullptr), divide(a.d, g, nullptr));
+}
+inline Ratio operator-(const Ratio& a, const Ratio& b) {
+  return lowest(Ratio(a.n * b.d - b.n * a.d, a.d * b.d));
+}
+inline Ratio scaled(const Ratio& a, int64_t up) {  // a 2^up; lowest terms stay lowest
+  const int64_t both = std::min(up < 0 ? -up : up, (up < 0 ? a.n : a.d).zeros());
+  if (up < 0) return Ratio(shifted(a.n, -both), shifted(a.d, -up - both));
+  return Ratio(shifted(a.n, up - both), shifted(a.d, -both));
+}

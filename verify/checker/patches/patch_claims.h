@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// patch_claims.h: the claims of docs/certificates/star-box.md and patch-invalid.md, for the table.
+#pragma once
+#include "../common/checker.h"
+
+void check_finding(const Statement& statement);  // of patch-invalid-1
+std::string check_star_box(const Statement& statement, std::string model, const Body& body);
+std::string check_patch_invalid(const Statement& statement, std::string model, const Body& body);

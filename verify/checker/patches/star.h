@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star.h: what the parts of star-box-1 share. The page: docs/certificates/star-box.md.
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "big.h"
+#include "../common/checker.h"
+
+const uint32_t kNoPair = 0xffffffff;
+const int kLevels = 24;                        // below the roots
+const int64_t kFarthest = int64_t(1) << 61;    // coordinates are less in absolute value
+const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
+const int kMostDegree = 15, kMostUnit = 4096;  // of patches; of |E| and s
+const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
+
+// A surface or triangle of the model.
+struct Entity {
+  enum Kind { kOther, kSurface, kTriangle } kind = kOther;
+  bool is_rational = false;
+  int64_t components = 0;
+  std::vector<int64_t> degrees;           // of a triangle: one
+  std::vector<std::vector<Ratio>> knots;  // of a surface: two axes
+  std::vector<Ratio> points;              // `components` numbers each, v fastest
+};
+// format: "vjson", docs/formats/spline-json.md; "itd", docs/certificates/reading-rule-itd.md
+std::vector<Entity> read_spline_model(const std::string& file, const std::string& format);
+
+// Control points or Bernstein coefficients: of a tensor product of degrees p, q, v fastest; or of a
+// triangle of degree p (= q), first index falling, then the second.
+struct Shape {
+  bool is_triangle;
+  int p, q;
+  int count() const { return is_triangle ? (p + 1) * (p + 2) / 2 : (p + 1) * (q + 1); }
+  int sides() const { return is_triangle ? 3 : 4; }
+  int at(int i, int j) const { return i * (q + 1) + j; }                 // tensor
+  int at3(int j, int k) const { return (j + k) * (j + k + 1) / 2 + k; }  // triangle; i = p - j - k
+  int side_degree(int e) const { return !is_triangle && e % 2 == 0 ? p : e % 2 != 0 ? q : p; }
+  int on_side(int e, int k) const;  // the k-th of the row of side e, in its direction of travel
+};
+inline int Shape::on_side(int e, int k) const {
+  if (is_triangle) return e == 0 ? at3(p - k, k) : e == 1 ? at3(0, p - k) : at3(k, 0);
+  return e == 0 ? at(k, 0) : e == 1 ? at(p, k) : e == 2 ? at(p - k, q) : at(0, q - k);
+}
+
+struct Patch {
+  Shape shape;
+  bool is_rational, is_flipped;
+  uint8_t roots[2];
+  uint64_t first_root;
+  std::vector<Big> net;  // of shape.count() points (X, Y, Z, W), in units 2^E, no common factor
+  uint64_t cost;         // units of work for a node
+  uint32_t pair[4];      // of each side; collapsed: kNoPair
+  bool is_second[4];     // of its pair
+  uint32_t vertex[4], component;
+
+  bool is_collapsed(int e) const { return pair[e] == kNoPair; }
+  bool is_flat() const { return shape.is_triangle && shape.p == 1 && !is_rational; }
+  uint64_t num_roots() const { return uint64_t(1) << (roots[0] + roots[1]); }
+};
+
+struct Box {  // closed, in units 2^E, its corners and c-, c+
+  bool is_mesh;
+  int64_t lo[3], hi[3], c[2][3];
+  uint32_t component;
+};
+struct Walk {
+  uint64_t box, end_box;
+  int sign, end, end_sign;
+  std::vector<int64_t> points;  // three coordinates each
+  // The polyline from `first`, without the ray of an end at infinity.
+  std::vector<int64_t> polyline(const int64_t* first, const std::vector<Box>& boxes) const {
+    std::vector<int64_t> r(first, first + 3);
+    r.insert(r.end(), points.begin(), points.end());
+    const int64_t* const last = end < 6 ? first : boxes[end_box].c[end_sign];
+    if (end == 6) r.insert(r.end(), last, last + 3);
+    return r;
+  }
+};
+struct StarBody {
+  std::vector<Patch> patches;
+  std::vector<Box> boxes;
+  std::vector<uint32_t> symbols;  // of the trees, in the body's order: 0, or 1 + a box
+  std::vector<Walk> walks;
+  uint64_t flipped = 0, leaves = 0, num_roots = 0;
+};
+
+struct Place {  // of a patch: its entity, and the numbers of its intervals along u and v
+  const Entity* entity;
+  size_t surface, interval[2];  // surface: breaks 2 surface and 2 surface + 1 are its axes'
+};
+// B2 for the coefficients; use(patch) for each patch, in order.
+void cut_patches(const std::vector<Place>& places, int64_t unit,
+                 const std::vector<std::vector<Ratio>>& breaks,
+                 const std::function<void(Patch&&)>& use);
+
+struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
+  explicit Gluing(std::vector<Patch>* patches);
+  uint64_t edges = 0, vertices = 0, genus = 0;
+  uint32_t components = 0;
+  std::vector<int64_t> chi;  // of each component
+};
+
+struct Units {  // the work of the page's last paragraph
+  uint64_t done, limit;
+  const char* id;
+  void add(uint64_t units) {
+    done += units;
+    require(done <= limit, id, "more work than allowed, units", limit);
+  }
+};

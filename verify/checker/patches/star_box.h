@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_box.h: what is decided in one box, and the walks.
+#pragma once
+#include "star_bytes.h"
+#include "star_forest.h"
+
+struct Piece {  // a tested node
+  const Patch* patch;
+  Node* node;
+};
+// C3: REQUIRES that S1 holds on the pieces and that they are all that meet the box.
+int64_t crossing_number(const std::vector<Piece>& pieces, const Box& b, Units* units);
+// C4: the closed triangle and the closed box have no common point.
+bool triangle_misses(const Patch& p, const Node& node, const Box& b);
+// C4: no normal is 0, and any two triangles meet exactly in their common face in X.
+bool meet_properly(const std::vector<Piece>& pieces, Units* units);
+struct Walks {
+  uint64_t bodies;  // if W2 holds
+  int64_t last;     // w(c-) on the last walk's component
+  uint64_t wrong;   // the first walk on whose component w(c-) is not 1; none: 2^64 - 1
+};
+Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Units* units);  // W1
+// The descents of a walk, or shore, with this number drop everything; else units->id fails.
+void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
+                    Units* units);
+
+struct MoreThanBoxes {  // what a claim on top of star-box-1 adds
+  virtual ~MoreThanBoxes() {}
+  virtual void read(StarBytes* bytes) = 0;  // after the walks
+  // After W3; what ACCEPT prints of it.
+  virtual std::string check(const Statement& statement, const StarBody& body, const Gluing& x,
+                            Forest* forest, Units* units) = 0;
+};
+std::string check_star_boxes(const Statement& statement, const std::string& model, const Body& body,
+                             MoreThanBoxes* more);

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""The table of claims: one row for each that this checker decides. tests/claims_table_test.py compares it with the C++ checker's."""
+from collections import namedtuple
+
+from .common.statement import keys_of
+
+# magic: the first bytes of the body.  keys: of the statement, besides those that every statement has.  module: its
+# check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds.
+Claim = namedtuple("Claim", "name magic formats keys module")
+
+MESHES, SPLINES = ("stl", "obj", "ply", "off"), ("vjson", "itd")
+OF_MESHES = {"reading_rule": r".*", "as_indexed": bool}
+OF_PATCHES = {"patches": int, "flipped": int}
+OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
+
+CLAIMS = {claim.name: claim for claim in (
+    Claim("mesh-valid-1", b"VTMV", MESHES,
+          {**OF_MESHES, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int, "genus": int,
+           "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"},       # lowest terms: V11
+          "mesh.mesh_valid"),
+    Claim("mesh-invalid-1", b"VTMI", MESHES, {**OF_MESHES, "rules": r"M[1-9]( M[1-9])*"}, "mesh.mesh_invalid"),
+    Claim("star-box-1", b"VTSB", SPLINES, OF_STARS, "patches.star_box_check"),
+    Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
+    Claim("patch-invalid-1", b"VTPI", SPLINES, {**OF_PATCHES, "finding": "crossing|side", "same": int, "opposite": int},
+          "patches.patch_invalid_check"),
+    Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"))}
+
+def lines():
+    """What --claims prints, a line for each claim: name, magic, formats, keys with the kinds of their values."""
+    kinds = {int: "number", bool: "flag"}
+    for claim in CLAIMS.values():
+        keys = ["%s=%s" % (key, kinds.get(rule, "text")) for key, rule in sorted(keys_of(claim).items())]
+        yield " ".join((claim.name, claim.magic.decode(), ",".join(claim.formats), ",".join(keys)))

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""veritope_check.py MODEL CERT: does this certificate prove its claim about this model?
+
+Written from docs/certificates/ and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only: the file
+veritope_check.py and the folder veritope_checker beside it; copy both where you need them.
+
+Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
+memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
+printed; 5: a bug of this program.  --claims prints the claims that it decides, with the keys of their statements.
+All decisions are taken on Python integers and fractions.
+"""
+import importlib
+import os
+import sys
+
+from .claims import CLAIMS, lines
+from .common.errors import Refused, Reject
+from .common.statement import read_statement
+
+VERSION = "veritope_check.py 1 (%s; reading rule v1)" % ", ".join(CLAIMS)
+
+def check(model_bytes, cert_bytes):
+    """(exit code, line to print) for a model and a certificate given as bytes."""
+    return _check(model_bytes, cert_bytes, frozenset())
+
+def _check(model_bytes, cert_bytes, skip):
+    """check() with some conditions disabled: for tests only, main() has no way to reach it."""
+    try:
+        statement, body = read_statement(CLAIMS, cert_bytes, model_bytes)
+        claim = CLAIMS[statement["claim"]]
+        try:
+            module = importlib.import_module("." + claim.module, __package__)
+        except ImportError as e:
+            return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (claim.module.split(".")[-1], e)
+        module.check(claim, statement, body, model_bytes, skip)
+    except Refused as e:
+        return 4, "ERROR: the model is refused: %s" % e
+    except Reject as e:
+        return 1, "REJECT %s: %s" % (e.condition, e.why)
+    except MemoryError:
+        return 3, "ERROR: out of memory"
+    except Exception as e:                                  # our bug: never an ACCEPT
+        return 5, "BUG: %s: %s" % (type(e).__name__, e)
+    return 0, "ACCEPT " + statement["claim"]
+
+
+# ---------------------------------------------------------------- command line
+
+def main(argv):
+    if argv[1:] in (["--help"], ["-h"]):
+        return say(__doc__.strip(), 0)
+    if argv[1:] == ["--version"]:
+        return say(VERSION, 0)
+    if argv[1:] == ["--claims"]:
+        return say("\n".join(lines()), 0)
+    if len(argv) != 3 or any(a.startswith("--") for a in argv[1:]):
+        print("usage: veritope_check.py MODEL CERT", file=sys.stderr)
+        return 2
+    try:
+        data = []
+        for name in argv[1:]:
+            with open(name, "rb") as file:
+                data.append(file.read())
+    except OSError as e:
+        return say("ERROR: %s" % e, 4)
+    except MemoryError:
+        return say("ERROR: out of memory", 3)
+    code, message = check(data[0], data[1])
+    return say(message, code)
+
+def say(message, code):
+    """The exit code; an answer that is not printed is none."""
+    try:
+        print(message, file=sys.stdout if code < 2 else sys.stderr, flush=True)
+        return code
+    except OSError:
+        os._exit(4)                                         # not even the interpreter's own flush

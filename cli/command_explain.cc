@@ -13,8 +13,7 @@
 #include "cli/text_style.h"
 #include "io/base/file_bytes.h"
 #include "solids/polyhedron/rules.h"
-#include "verify/format/mesh_certificate.h"
-#include "verify/format/patch_certificate_text.h"
+#include "verify/format/claims.h"
 
 namespace veritope::cli {
 namespace {
@@ -98,12 +97,7 @@ ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
   }
   const std::span<const unsigned char> file(bytes->data(), bytes->size());
   std::string why;
-  std::optional<std::string> text;
-  if (certificate::is_patch_certificate(file)) {
-    text = certificate::explain_patch_certificate(file, options.max_items, why);
-  } else if (const auto certificate = certificate::decode(file, why)) {
-    text = certificate::explain(*certificate, options.max_items);
-  }
+  std::optional<std::string> text = certificate::explain_certificate(file, options.max_items, why);
   if (!text) {
     complain(harmless(path +
                       ": not a certificate (those that certify --certificate writes are): " + why));

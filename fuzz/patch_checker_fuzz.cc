@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/patch_checker_fuzz.cc: any spline model and any certificate of star-box-1, star-box-turned-1, collar-1 or patch-invalid-1, straight into
-// the C++ checker: it must not crash or hang, and must not accept two claims about one model that contradict one another. What it accepts
-// can be explained, too. The mutator changes the model's digits, the statement's numbers and the body, and then makes sizes and hashes
+// fuzz/patch_checker_fuzz.cc: any spline model and any certificate of a claim about patches, straight into the C++ checker: it must
+// not crash or hang, and must not accept two claims about one model that contradict one another. What it accepts can be explained,
+// and encoded again. The mutator changes the model's digits, the statement's numbers and the body, and then makes sizes and hashes
 // true again.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,7 +12,7 @@
 
 #include "fuzz/certificate_input.h"
 #include "tests/support/checker_call.h"
-#include "verify/format/patch_certificate_text.h"
+#include "verify/format/claims.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
@@ -46,12 +47,15 @@ void check(const Input& in) {
   const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
   const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(in.certificate.data()), in.certificate.size());
   std::string why;
-  const bool is_explained = certificate::explain_patch_certificate(bytes, 4, why).has_value();
+  const bool is_explained = certificate::explain_certificate(bytes, 4, why).has_value();
+  const auto decoded = certificate::decode_certificate(bytes, why);
   if (get(statement, "claim").substr(0, 4) == "mesh") return;  // fuzz/checker_fuzz.cc
   const std::string answer = check_in_process(in.model, in.certificate);
   if (answer.substr(0, 4) == "BUG ") fail(answer);
   if (answer.substr(0, 7) != "ACCEPT ") return;
   if (!is_explained) fail(answer + "\nbut it is not explained: " + why);
+  if (!std::ranges::equal(decoded->claim->encode(decoded->body), bytes.subspan(statement.size() + 1)))
+    fail(answer + "\nbut what is decoded is encoded otherwise");
   static std::map<std::string, unsigned>* const known = new std::map<std::string, unsigned>;
   unsigned& all = (*known)[hash(in.model)];
   all |= facts(statement);
@@ -115,9 +119,9 @@ class Mutator {
   void change_statement() {
     static const char* const kNumbers[] = {"patches", "edges",   "vertices", "shells", "bodies",  "genus",
                                            "boxes",   "flipped", "winding",  "cells",  "same",    "opposite"};
-    static const char* const kClaims[] = {"star-box-1", "star-box-turned-1", "collar-1", "patch-invalid-1"};
+    const std::span<const certificate::Claim> claims = certificate::all_claims();
     switch (pick(4)) {
-      case 0: set(statement_, "claim", kClaims[pick(4)]); break;
+      case 0: set(statement_, "claim", std::string(claims[pick(claims.size())].name)); break;
       case 1: set(statement_, "finding", pick(2) == 0 ? "side" : "crossing"); break;
       case 2: change_byte(statement_); break;
       default: set(statement_, kNumbers[pick(12)], std::to_string(pick(30)));

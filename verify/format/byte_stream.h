@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace veritope::certificate::internal {
@@ -21,9 +22,15 @@ class ByteWriter {
     bytes_.push_back(static_cast<unsigned char>(v));
   }
   void zigzag(std::int64_t z) {
-    varint(z >= 0 ? 2 * static_cast<std::uint64_t>(z) : 2 * (static_cast<std::uint64_t>(-(z + 1))) + 1);
+    varint(z >= 0 ? 2 * static_cast<std::uint64_t>(z)
+                  : 2 * (static_cast<std::uint64_t>(-(z + 1))) + 1);
   }
-  void raw(std::span<const unsigned char> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+  void raw(std::span<const unsigned char> bytes) {
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+  void text(std::string_view s) {
+    for (const char c : s) u8(static_cast<std::uint8_t>(c));
+  }
   void reserve(std::size_t n) { bytes_.reserve(n); }
   std::vector<unsigned char> take() { return std::move(bytes_); }
 
@@ -64,7 +71,8 @@ class ByteReader {
   }
   std::int64_t zigzag() {
     const std::uint64_t v = varint();
-    return (v & 1u) != 0 ? -static_cast<std::int64_t>(v >> 1) - 1 : static_cast<std::int64_t>(v >> 1);
+    return (v & 1u) != 0 ? -static_cast<std::int64_t>(v >> 1) - 1
+                         : static_cast<std::int64_t>(v >> 1);
   }
   std::span<const unsigned char> raw(std::size_t n) {
     if (!need(n)) return {};

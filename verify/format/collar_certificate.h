@@ -30,4 +30,9 @@ Bytes encode(const CollarBody& body);
 /// The whole certificate. REQUIRES collapses.size() == cells.size().
 Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const CollarBody& body);
 
+namespace internal {
+/// What follows the entities, of so many patches.
+void read(ByteReader& r, std::uint64_t patches, CollarBody& out);
+}  // namespace internal
+
 }  // namespace veritope::certificate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// The text form of a certificate.
+// The text form of certificates about meshes.
 #include <string>
 
 #include "verify/format/mesh_certificate.h"
@@ -12,7 +12,8 @@ using internal::append_list;
 using internal::statement_text;
 
 std::string vector_text(const std::array<std::int32_t, 3>& d) {
-  return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) + ")";
+  return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) +
+         ")";
 }
 
 std::string axis_text(std::uint8_t code) {
@@ -25,12 +26,18 @@ std::string pair_code_text(std::uint8_t code) {
   const int axis = code & 31;
   const auto edge = [](int i, char of) { return "e" + std::to_string(i) + "(" + of + ")"; };
   std::string text = (code & 32) != 0 ? "-" : "";
-  if (axis == 0) text += "n(a)";
-  else if (axis == 1) text += "n(b)";
-  else if (axis <= 10) text += edge((axis - 2) / 3, 'a') + " x " + edge((axis - 2) % 3, 'b');
-  else if (axis <= 13) text += "n(a) x " + edge(axis - 11, 'a');
-  else if (axis <= 16) text += "n(b) x " + edge(axis - 14, 'b');
-  else text += "unknown axis " + std::to_string(axis);
+  if (axis == 0)
+    text += "n(a)";
+  else if (axis == 1)
+    text += "n(b)";
+  else if (axis <= 10)
+    text += edge((axis - 2) / 3, 'a') + " x " + edge((axis - 2) % 3, 'b');
+  else if (axis <= 13)
+    text += "n(a) x " + edge(axis - 11, 'a');
+  else if (axis <= 16)
+    text += "n(b) x " + edge(axis - 14, 'b');
+  else
+    text += "unknown axis " + std::to_string(axis);
   return text + ((code & 64) != 0 ? ", then" : "");
 }
 
@@ -41,14 +48,18 @@ std::string explain_valid(const ValidBody& b, std::size_t max_items) {
               [&](std::size_t i) { return std::to_string(b.order[i]); });
   std::vector<std::size_t> by_code(256);
   for (std::uint8_t c : b.stars) ++by_code[c];
-  out += "stars: " + std::to_string(b.stars.size() - by_code[0]) + " of " + std::to_string(b.stars.size()) + "\n";
+  out += "stars: " + std::to_string(b.stars.size() - by_code[0]) + " of " +
+         std::to_string(b.stars.size()) + "\n";
   for (std::size_t c = 1; c < by_code.size(); ++c)
-    if (by_code[c] != 0) out += "  direction " + std::to_string(c) + ": " + std::to_string(by_code[c]) + " vertices\n";
+    if (by_code[c] != 0)
+      out += "  direction " + std::to_string(c) + ": " + std::to_string(by_code[c]) + " vertices\n";
   append_list(out, "star vectors", b.star_vectors.size(), max_items,
               [&](std::size_t i) { return vector_text(b.star_vectors[i]); });
-  append_list(out, "separators (pair of nodes, direction)", b.separators.size(), max_items, [&](std::size_t i) {
-    return "pair " + std::to_string(b.separators[i].index) + ", " + vector_text(b.separators[i].direction);
-  });
+  append_list(out, "separators (pair of nodes, direction)", b.separators.size(), max_items,
+              [&](std::size_t i) {
+                return "pair " + std::to_string(b.separators[i].index) + ", " +
+                       vector_text(b.separators[i].direction);
+              });
   append_list(out, "codes of leaf pairs", b.codes.size(), max_items,
               [&](std::size_t i) { return pair_code_text(b.codes[i]); });
   append_list(out, "nesting rays", b.nesting.size(), max_items,
@@ -82,19 +93,28 @@ std::string witness_text(const Witness& w) {
       return text;
     }
     default:
-      return "M" + std::to_string(w.rule) + ": just outside face " + a + " the winding number is not 0 (ray along " +
-             std::string(1, "xyz"[w.axis % 3]) + ")";
+      return "M" + std::to_string(w.rule) + ": just outside face " + a +
+             " the winding number is not 0 (ray along " + std::string(1, "xyz"[w.axis % 3]) + ")";
   }
 }
 
 }  // namespace
 
+std::string explain(const ValidBody& body, std::string_view, std::size_t max_items) {
+  return explain_valid(body, max_items);
+}
+
+std::string explain(const InvalidBody& body, std::string_view, std::size_t max_items) {
+  std::string out;
+  append_list(out, "witnesses", body.witnesses.size(), max_items,
+              [&](std::size_t i) { return witness_text(body.witnesses[i]); });
+  return out;
+}
+
 std::string explain(const Certificate& c, std::size_t max_items) {
   std::string out = statement_text(c.statement) + "\n";
-  if (c.valid) out += explain_valid(*c.valid, max_items);
-  if (c.invalid)
-    append_list(out, "witnesses", c.invalid->witnesses.size(), max_items,
-                [&](std::size_t i) { return witness_text(c.invalid->witnesses[i]); });
+  if (c.valid) out += explain(*c.valid, kValidClaim, max_items);
+  if (c.invalid) out += explain(*c.invalid, kInvalidClaim, max_items);
   return out;
 }
 

@@ -16,8 +16,6 @@ using internal::join;
 using internal::StatementWriter;
 
 constexpr std::size_t kMaxStatement = 64 << 10;
-constexpr unsigned char kValidMagic[] = {'V', 'T', 'M', 'V'};
-constexpr unsigned char kInvalidMagic[] = {'V', 'T', 'M', 'I'};
 
 void state_mesh(StatementWriter& w, const Subject& s, std::string_view claim, const Bytes& body) {
   internal::state_subject(w, s, claim);
@@ -69,7 +67,9 @@ Witness read_witness(ByteReader& r) {
   return x;
 }
 
-std::optional<ValidBody> read_valid(ByteReader r) {
+}  // namespace
+
+std::optional<ValidBody> internal::read_valid(ByteReader r) {
   ValidBody b;
   r.raw(4);
   const std::uint32_t faces = r.count(4);
@@ -102,7 +102,7 @@ std::optional<ValidBody> read_valid(ByteReader r) {
   return b;
 }
 
-std::optional<InvalidBody> read_invalid(ByteReader r) {
+std::optional<InvalidBody> internal::read_invalid(ByteReader r) {
   InvalidBody b;
   r.raw(4);
   b.num_faces = r.u32();
@@ -113,12 +113,10 @@ std::optional<InvalidBody> read_invalid(ByteReader r) {
   return b;
 }
 
-}  // namespace
-
 Bytes encode(const ValidBody& b) {
   ByteWriter w;
   w.reserve(64 + 4 * b.order.size() + b.stars.size() + 12 * b.separators.size() + b.codes.size());
-  w.raw(kValidMagic);
+  w.text(kValidMagic);
   w.u32(static_cast<std::uint32_t>(b.order.size()));
   w.u32(b.num_vertex_ids);
   for (std::uint32_t f : b.order) w.u32(f);
@@ -141,7 +139,7 @@ Bytes encode(const ValidBody& b) {
 
 Bytes encode(const InvalidBody& b) {
   ByteWriter w;
-  w.raw(kInvalidMagic);
+  w.text(kInvalidMagic);
   w.u32(b.num_faces);
   w.u32(b.num_vertex_ids);
   w.u32(static_cast<std::uint32_t>(b.witnesses.size()));
@@ -181,11 +179,11 @@ std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::str
   Certificate out;
   out.statement.assign(head.begin(), end);
   const auto body = bytes.subspan(static_cast<std::size_t>(end - head.begin()) + 1);
-  const auto has_magic = [&](const unsigned char(&magic)[4]) {
-    return body.size() >= 4 && std::equal(magic, magic + 4, body.begin());
+  const auto has_magic = [&](std::string_view magic) {
+    return body.size() >= 4 && std::equal(magic.begin(), magic.end(), body.begin());
   };
-  if (has_magic(kValidMagic)) out.valid = read_valid(ByteReader(body));
-  if (has_magic(kInvalidMagic)) out.invalid = read_invalid(ByteReader(body));
+  if (has_magic(kValidMagic)) out.valid = internal::read_valid(ByteReader(body));
+  if (has_magic(kInvalidMagic)) out.invalid = internal::read_invalid(ByteReader(body));
   if (!out.valid && !out.invalid) {
     why = has_magic(kValidMagic) || has_magic(kInvalidMagic)
               ? "the body ends too early, is too long, or holds a malformed number"

@@ -18,12 +18,13 @@ using Bytes = std::vector<unsigned char>;
 inline constexpr std::string_view kFormatName = "veritope-certificate-1";
 inline constexpr std::string_view kValidClaim = "mesh-valid-1";
 inline constexpr std::string_view kInvalidClaim = "mesh-invalid-1";
+inline constexpr std::string_view kValidMagic = "VTMV", kInvalidMagic = "VTMI";
 
 /// The file that a certificate speaks about, and how it was read.
 struct Subject {
-  std::string sha256;        ///< 64 lower-case hex digits
+  std::string sha256;  ///< 64 lower-case hex digits
   std::uint64_t bytes = 0;
-  std::string format;        ///< "stl", "obj", "ply", "off"
+  std::string format;  ///< "stl", "obj", "ply", "off"
   bool as_indexed = false;
   std::string reading_rule;  ///< the rule's text
   std::string tool;          ///< who wrote the certificate
@@ -57,15 +58,16 @@ using Natural = std::vector<unsigned char>;
 
 /// One witness of mesh-invalid-1. Which fields count depends on the rule; see section 7 of the page.
 struct Witness {
-  std::uint8_t rule = 0;              ///< 1..9
-  std::uint32_t first = 0, second = 0;  ///< faces (1, 2, 7; 8, 9: first), vertices (3, 4, 5; 6: first)
-  std::uint8_t axis = 0;              ///< 8, 9
-  std::array<Natural, 6> weights;     ///< 7: of the first face, then of the second
+  std::uint8_t rule = 0;  ///< 1..9
+  std::uint32_t first = 0,
+                second = 0;        ///< faces (1, 2, 7; 8, 9: first), vertices (3, 4, 5; 6: first)
+  std::uint8_t axis = 0;           ///< 8, 9
+  std::array<Natural, 6> weights;  ///< 7: of the first face, then of the second
 };
 
 struct InvalidBody {
   std::uint32_t num_faces = 0, num_vertex_ids = 0;
-  std::vector<Witness> witnesses;     ///< rules ascend, at least one
+  std::vector<Witness> witnesses;  ///< rules ascend, at least one
 };
 
 Bytes encode(const ValidBody& body);
@@ -88,5 +90,14 @@ std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::str
 
 /// A text that a person can read: the statement, key by key, then the body; lists longer than `max_items` are cut, and say so.
 std::string explain(const Certificate& certificate, std::size_t max_items);
+std::string explain(const ValidBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const InvalidBody& body, std::string_view claim, std::size_t max_items);
+
+namespace internal {
+class ByteReader;
+/// A whole body, with its magic.
+std::optional<ValidBody> read_valid(ByteReader body);
+std::optional<InvalidBody> read_invalid(ByteReader body);
+}  // namespace internal
 
 }  // namespace veritope::certificate

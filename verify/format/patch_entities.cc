@@ -8,6 +8,7 @@
 namespace veritope::certificate {
 namespace {
 
+using internal::ByteReader;
 using internal::ByteWriter;
 
 // Nothing if it does not fit 63 bits.
@@ -34,6 +35,35 @@ void write_fraction(ByteWriter& w, const Fraction& f) {
   w.raw(f.denominator);
 }
 
+Natural natural(std::uint64_t v) {
+  Natural n;
+  for (; v != 0; v >>= 8) n.push_back(static_cast<unsigned char>(v));
+  return n;
+}
+
+Natural read_natural(ByteReader& r, std::uint64_t size) {
+  if (size > r.left()) r.fail();
+  const auto bytes = r.ok() ? r.raw(size) : std::span<const unsigned char>();
+  return Natural(bytes.begin(), bytes.end());
+}
+
+Fraction read_fraction(ByteReader& r) {
+  const std::int64_t p = r.zigzag();
+  const std::uint64_t q = r.varint();
+  if (q != 0)
+    return {p < 0,
+            natural(p < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(p)
+                          : static_cast<std::uint64_t>(p)),
+            natural(q)};
+  Fraction f;
+  const std::uint64_t size = r.varint();  // of the sign's byte and the numerator
+  if (size == 0) r.fail();
+  f.is_negative = r.u8() == 1;
+  f.numerator = read_natural(r, size == 0 ? 0 : size - 1);
+  f.denominator = read_natural(r, r.varint());
+  return f;
+}
+
 }  // namespace
 
 std::uint64_t num_flipped(const std::vector<PatchEntity>& entities) {
@@ -52,6 +82,23 @@ void internal::write(ByteWriter& w, const std::vector<PatchEntity>& entities) {
       for (const Fraction& f : axis) write_fraction(w, f);
     }
   }
+}
+
+bool internal::read(ByteReader& r, const std::vector<bool>& is_surface,
+                    std::vector<PatchEntity>& out) {
+  out.assign(r.count(1), PatchEntity());
+  if (!r.ok() || out.size() != is_surface.size()) return false;
+  for (PatchEntity& e : out) e.is_reversed = r.u8() == 1;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].is_surface = is_surface[i];
+    if (!is_surface[i]) continue;
+    for (auto& axis : out[i].breaks) {
+      const std::uint32_t n = r.count(2);
+      if (n < 2) r.fail();
+      for (std::uint32_t k = 0; k < n && r.ok(); ++k) axis.push_back(read_fraction(r));
+    }
+  }
+  return r.ok();
 }
 
 }  // namespace veritope::certificate

@@ -27,9 +27,12 @@ struct PatchEntity {
 std::uint64_t num_flipped(const std::vector<PatchEntity>& entities);
 
 namespace internal {
+class ByteReader;
 class ByteWriter;
 /// Their number, all flags, then the breaks of the surfaces.
 void write(ByteWriter& w, const std::vector<PatchEntity>& entities);
+/// Reads that; false unless there are as many as is_surface says, with at least two breaks an axis.
+bool read(ByteReader& r, const std::vector<bool>& is_surface, std::vector<PatchEntity>& out);
 }  // namespace internal
 
 }  // namespace veritope::certificate

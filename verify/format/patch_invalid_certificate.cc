@@ -8,9 +8,8 @@
 namespace veritope::certificate {
 namespace {
 
+using internal::ByteReader;
 using internal::ByteWriter;
-
-constexpr unsigned char kMagic[] = {'V', 'T', 'P', 'I'};
 
 void write(ByteWriter& w, const UnitInterval& t) {
   w.varint(t.bits);
@@ -41,11 +40,40 @@ void write(ByteWriter& w, const SideFinding& finding) {
   w.varint(finding.point);
 }
 
+UnitInterval read_interval(ByteReader& r) {
+  const std::uint64_t bits = r.varint(), low = r.varint();
+  return {bits, low, r.varint()};
+}
+
+CrossingFinding read_crossing(ByteReader& r) {
+  CrossingFinding finding;
+  for (RestrictedPatch& sheet : finding.sheets) {
+    sheet.patch = r.varint();
+    for (UnitInterval& t : sheet.at) t = read_interval(r);
+  }
+  for (auto& row : finding.rows)
+    for (std::int64_t& v : row) v = r.zigzag();
+  return finding;
+}
+
+SideFinding read_sides(ByteReader& r) {
+  SideFinding finding;
+  for (std::uint32_t i = 0, n = r.count(5); i < n && r.ok(); ++i) {
+    const std::uint64_t patch = r.varint();
+    const std::uint8_t side = r.u8();
+    finding.arcs.push_back({patch, side, read_interval(r)});
+  }
+  finding.axis = r.u8();
+  finding.point_bits = r.varint();
+  finding.point = r.varint();
+  return finding;
+}
+
 }  // namespace
 
 Bytes encode(const PatchInvalidBody& body) {
   ByteWriter w;
-  for (const unsigned char c : kMagic) w.u8(c);
+  w.text(kPatchInvalidMagic);
   internal::write(w, body.entities);
   std::visit([&](const auto& finding) { write(w, finding); }, body.finding);
   return w.take();
@@ -63,6 +91,15 @@ Bytes encode(const Subject& subject, std::uint64_t patches, const PatchInvalidBo
   w.number("same", sides != nullptr ? sides->same : 0);
   w.number("opposite", sides != nullptr ? sides->opposite : 0);
   return internal::join(w.take(), bytes);
+}
+
+void internal::read(ByteReader& r, std::uint64_t, PatchInvalidBody& out) {
+  const std::uint8_t kind = r.u8();
+  if (kind > 1) return r.fail();
+  if (kind == 0)
+    out.finding = read_crossing(r);
+  else
+    out.finding = read_sides(r);
 }
 
 }  // namespace veritope::certificate

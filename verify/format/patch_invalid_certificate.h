@@ -13,6 +13,7 @@
 namespace veritope::certificate {
 
 inline constexpr std::string_view kPatchInvalidClaim = "patch-invalid-1";
+inline constexpr std::string_view kPatchInvalidMagic = "VTPI";
 
 /// [low / 2^bits, high / 2^bits].
 struct UnitInterval {
@@ -49,5 +50,10 @@ struct PatchInvalidBody {
 Bytes encode(const PatchInvalidBody& body);
 /// The whole certificate of a model with so many patches. `subject.reading_rule` and `as_indexed` are not used.
 Bytes encode(const Subject& subject, std::uint64_t patches, const PatchInvalidBody& body);
+
+namespace internal {
+/// What follows the entities; same and opposite are the statement's.
+void read(ByteReader& r, std::uint64_t patches, PatchInvalidBody& out);
+}  // namespace internal
 
 }  // namespace veritope::certificate

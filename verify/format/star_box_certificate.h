@@ -16,6 +16,7 @@ namespace veritope::certificate {
 
 inline constexpr std::string_view kStarBoxClaim = "star-box-1";
 inline constexpr std::string_view kTurnedShellClaim = "star-box-turned-1";
+inline constexpr std::string_view kStarBoxMagic = "VTSB";  ///< of collar-1, too
 
 /// In units of 2^(exponent + shift); the exponent is the body's.
 struct StarBoxItem {
@@ -65,5 +66,14 @@ Bytes encode(const StarBoxBody& body);
 /// @param turned  nothing: the claim is kStarBoxClaim; else kTurnedShellClaim, and this is the winding number of the last walk's inner side
 Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const StarBoxBody& body,
              std::optional<std::int64_t> turned = {});
+
+namespace internal {
+class ByteReader;
+/// What follows the entities, of so many patches.
+void read(ByteReader& r, std::uint64_t patches, StarBoxBody& out);
+WalkPath read_path(ByteReader& r);
+/// The levels of the leaves of all trees, in order.
+std::vector<std::uint8_t> leaf_levels(const StarBoxBody& body);
+}  // namespace internal
 
 }  // namespace veritope::certificate

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/format/claims.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "tests/support/paths.h"
+
+namespace veritope::certificate {
+namespace {
+
+std::string output_of(const std::string& command) {
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::string out;
+  char part[4096];
+  for (std::size_t n; (n = std::fread(part, 1, sizeof part, pipe)) > 0;) out.append(part, n);
+  EXPECT_EQ(::pclose(pipe), 0) << command;
+  return out;
+}
+std::string file_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream all;
+  all << file.rdbuf();
+  return all.str();
+}
+
+// "key" -> text, number or flag, of a flat object.
+std::map<std::string, std::string> kinds_of(const std::string& statement) {
+  std::map<std::string, std::string> kinds;
+  for (std::size_t at = 0; (at = statement.find("\":", at)) != statement.npos; at += 2) {
+    const std::size_t open = statement.rfind('"', at - 1);
+    const char first = statement[at + 2];
+    kinds[statement.substr(open + 1, at - open - 1)] = first == '"'                   ? "text"
+                                                       : first == 't' || first == 'f' ? "flag"
+                                                                                      : "number";
+  }
+  return kinds;
+}
+std::string line_of(const Claim& claim) {
+  std::istringstream all(claims_as_text());
+  for (std::string line; std::getline(all, line);)
+    if (line.starts_with(std::string(claim.name) + " ")) return line;
+  return {};
+}
+
+PatchEntity square() {
+  PatchEntity e;
+  for (auto& axis : e.breaks)
+    axis = {{false, {}, {1}}, {true, {3}, {7}}, {false, {5, 1}, Natural(9, 200)}};
+  return e;
+}
+PatchEntity triangle() {
+  PatchEntity e;
+  e.is_surface = false;
+  e.is_reversed = true;
+  return e;
+}
+StarBoxBody star() {
+  StarBoxBody b;
+  b.entities = {triangle(), square(), triangle()};
+  b.roots = {{0, 0}, {1, 2}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+  b.exponent = -7;
+  b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, {1, 1, 1}, {2, 2, 2}});
+  b.boxes.push_back({true, 0, {-1, 0, 5}, {4, 4, 4}, {}, {}});
+  for (const auto& [u, v] : b.roots) b.trees.insert(b.trees.end(), std::size_t{1} << (u + v), 1);
+  b.trees.insert(b.trees.begin() + 3, {kSplit, 0, 1, kSplit, 0, 0, 0, 0});
+  b.walks.push_back({0, true, {{{0, {1, 2, 3}}}, 3, 0, false}});
+  b.walks.push_back({1, false, {{}, 6, 1, true}});
+  return b;
+}
+CollarBody collar() {
+  CollarBody b;
+  b.star = star();
+  b.shift = 1;
+  b.corner = {-5, 0, 5};
+  b.cells = {std::uint64_t{1} << 57, std::uint64_t{3} << 57};
+  b.sides = {1};
+  b.collapses = {4, 1};
+  for (const std::int64_t symbol : b.star.trees)
+    if (symbol != kSplit) b.leaves.push_back(1);
+  b.leaves.insert(b.leaves.begin(), {0, 1, 1, 1});
+  b.shores = {{{}, 6, 0, false}};
+  return b;
+}
+PatchInvalidBody invalid(bool is_side) {
+  PatchInvalidBody b;
+  b.entities = {square(), triangle()};
+  if (is_side) {
+    b.finding = SideFinding{{{1, 2, {3, 1, 2}}, {0, 0, {0, 0, 1}}}, 1, 4, 7, 1, 2};
+  } else {
+    CrossingFinding crossing;
+    crossing.sheets[0] = {3, {UnitInterval{2, 1, 2}, UnitInterval{3, 1, 7}}};
+    crossing.rows[1] = {-4, 0, std::int64_t{1} << 60};
+    b.finding = crossing;
+  }
+  return b;
+}
+
+// A certificate of each claim, and bodies that fit it. All claims of the table must be here.
+struct Example {
+  Bytes certificate;
+  std::vector<AnyBody> bodies;
+  ModelKinds kinds;
+};
+std::map<std::string, Example, std::less<>> examples() {
+  Subject subject;
+  subject.sha256 = std::string(64, '0');
+  subject.format = "vjson";
+  subject.tool = "test";
+  ValidBody valid;
+  valid.num_vertex_ids = 4;
+  valid.order = {2, 0, 1, 3};
+  valid.stars = {0, 14, 3, 1};
+  valid.star_vectors = {{1, -2, 3}};
+  valid.separators = {{5, {1, 0, -7}}, {900, {-1, 1, 1}}};
+  valid.codes = {3, 70, 2};
+  valid.nesting = {0, 5};
+  InvalidBody broken{4,
+                     5,
+                     {{1, 2, 0, 0, {}},
+                      {5, 1, 3, 0, {}},
+                      {7, 1, 2, 0, {Natural{1}, {}, {2, 9}, {}, {4}, {}}},
+                      {8, 3, 0, 2, {}}}};
+  StarBoxQuantities q;
+  q.patches = 6;
+  const ModelKinds mixed{{false, true, false}};
+  std::map<std::string, Example, std::less<>> all;
+  all["mesh-valid-1"] = {encode(subject, Quantities{}, valid), {valid}, {}};
+  all["mesh-invalid-1"] = {encode(subject, broken), {broken}, {}};
+  all["star-box-1"] = {encode(subject, q, star()), {star()}, mixed};
+  all["star-box-turned-1"] = {encode(subject, q, star(), -3), {star()}, mixed};
+  all["collar-1"] = {encode(subject, q, collar()), {collar()}, mixed};
+  all["patch-invalid-1"] = {
+      encode(subject, 5, invalid(true)), {invalid(true), invalid(false)}, {{true, false}}};
+  return all;
+}
+
+TEST(Claims, BothCheckersHaveTheSameTable) {
+  EXPECT_EQ(claims_as_text(), output_of("'" + test::program_dir() + "/veritope-check' --claims"));
+  EXPECT_EQ(claims_as_text(), output_of("'" + test::python() + "' -B '" + test::source_dir() +
+                                        "/verify/checker/veritope_check.py' --claims"));
+}
+
+TEST(Claims, EveryRowHasAPageThatNamesTheClaimAndItsMagic) {
+  for (const Claim& c : all_claims()) {
+    const std::string page =
+        file_text(std::filesystem::path(test::source_dir()) / "docs/certificates" / c.page);
+    EXPECT_NE(page.find("`" + std::string(c.name) + "`"), page.npos) << c.name;
+    EXPECT_NE(page.find("`" + std::string(c.magic) + "`"), page.npos) << c.name;
+    EXPECT_EQ(find_claim(c.name), &c);
+  }
+  EXPECT_EQ(find_claim("star-box-9"), nullptr);
+}
+
+TEST(Claims, StatementsHaveTheKeysOfTheirRow) {
+  const auto all = examples();
+  for (const Claim& c : all_claims()) {
+    ASSERT_TRUE(all.contains(c.name)) << c.name;
+    const Bytes& bytes = all.find(c.name)->second.certificate;
+    const std::string statement(bytes.begin(), std::find(bytes.begin(), bytes.end(), '\n'));
+    std::string keys;
+    for (const auto& [key, kind] : kinds_of(statement))
+      keys += (keys.empty() ? " " : ",") + key + "=" + kind;
+    const std::string line = line_of(c);
+    EXPECT_EQ(keys, line.substr(line.rfind(' '))) << c.name;
+  }
+}
+
+TEST(Claims, WhatIsEncodedIsDecodedWithItsModelAndExplained) {
+  const auto all = examples();
+  for (const Claim& c : all_claims())
+    for (const AnyBody& body : all.at(std::string(c.name)).bodies) {
+      const Bytes bytes = c.encode(body);
+      ASSERT_EQ(std::string(bytes.begin(), bytes.begin() + 4), c.magic);
+      std::string why;
+      const ModelKinds& kinds = all.at(std::string(c.name)).kinds;
+      const auto decoded = c.decode(bytes, "{\"patches\":0}", &kinds, why);
+      ASSERT_TRUE(decoded) << c.name << ": " << why;
+      EXPECT_EQ(decoded->index(), body.index()) << c.name;
+      EXPECT_EQ(c.encode(*decoded), bytes) << c.name;
+      EXPECT_EQ(c.explain(*decoded, c.name, 3), c.explain(body, c.name, 3)) << c.name;
+      for (std::size_t n = 4; n < bytes.size(); ++n)
+        if (c.decode(std::span(bytes).first(n), "{}", &kinds, why)) {
+          EXPECT_EQ(c.name, "mesh-valid-1")
+              << n;  // whose last field has no count: the nesting of the shells
+        }
+    }
+}
+
+TEST(Claims, WithoutTheModelVersion1GuessesTheNumberOfSurfaces) {
+  const auto all = examples();
+  for (const Claim& c : all_claims()) {
+    const Example& example = all.at(std::string(c.name));
+    std::string why, ignored;
+    const auto decoded = decode_certificate(example.certificate, why);
+    ASSERT_TRUE(decoded) << c.name << ": " << why;
+    EXPECT_EQ(decoded->claim, &c);
+    EXPECT_EQ(c.encode(decoded->body), c.encode(example.bodies[0])) << c.name;
+    EXPECT_EQ(explain_certificate(example.certificate, 3, why),
+              explain_certificate(example.certificate, 3, ignored, &example.kinds))
+        << c.name;
+  }
+}
+
+TEST(Claims, AModelOfOtherKindsIsRefused) {
+  const Example example = examples().at("star-box-1");
+  std::string why;
+  for (const ModelKinds& kinds : {ModelKinds{{false, true}}, ModelKinds{{true, true, false}},
+                                  ModelKinds{{false, false, false}}})
+    EXPECT_FALSE(decode_certificate(example.certificate, why, &kinds));
+  EXPECT_EQ(why, "the body is not complete");
+}
+
+TEST(Claims, AnUnknownClaimIsReadByItsMagic) {
+  Bytes bytes = examples().at("mesh-valid-1").certificate;
+  const std::string name = "mesh-valid-1", other = "mesh-valid-9";
+  std::copy(other.begin(), other.end(),
+            std::search(bytes.begin(), bytes.end(), name.begin(), name.end()));
+  std::string why;
+  const auto decoded = decode_certificate(bytes, why);
+  ASSERT_TRUE(decoded) << why;
+  EXPECT_EQ(decoded->claim->name, "mesh-valid-1");
+  *std::search(bytes.begin(), bytes.end(), decoded->claim->magic.begin(),
+               decoded->claim->magic.end()) = 'X';
+  EXPECT_FALSE(decode_certificate(bytes, why));
+}
+
+}  // namespace
+}  // namespace veritope::certificate

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+#include "verify/format/claims.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "verify/format/entities_of_body_internal.h"
+#include "verify/format/patch_certificate_text_internal.h"
+#include "verify/format/text_parts.h"
+
+namespace veritope::certificate {
+namespace {
+
+using internal::ByteReader;
+
+constexpr std::size_t kMaxStatement = 64 << 10;
+constexpr std::string_view kMeshes = "stl,obj,ply,off", kSplines = "vjson,itd";
+constexpr std::string_view kStarNumbers =
+    "bodies boxes edges flipped genus patches shells vertices";
+
+// The text after "key":, up to a quotation mark, comma or brace.
+std::string_view value_of(std::string_view statement, std::string_view key) {
+  const std::size_t at = statement.find("\"" + std::string(key) + "\":");
+  if (at == statement.npos) return {};
+  statement.remove_prefix(at + key.size() + 3);
+  if (statement.starts_with('"')) statement.remove_prefix(1);
+  return statement.substr(0, statement.find_first_of("\",}"));
+}
+
+std::uint64_t number_of(std::string_view statement, std::string_view key) {
+  std::uint64_t n = 0;
+  for (const char c : value_of(statement, key))
+    if (c >= '0' && c <= '9' && n < std::uint64_t{1} << 40)
+      n = 10 * n + static_cast<std::uint64_t>(c - '0');
+  return n;
+}
+
+bool begins_with(std::span<const unsigned char> body, std::string_view magic) {
+  return body.size() >= magic.size() && std::equal(magic.begin(), magic.end(), body.begin());
+}
+
+template <class BodyOfClaim>
+Bytes encode_as(const AnyBody& body) {
+  return encode(std::get<BodyOfClaim>(body));
+}
+template <class BodyOfClaim>
+std::string explain_as(const AnyBody& body, std::string_view name, std::size_t max_items) {
+  return explain(std::get<BodyOfClaim>(body), name, max_items);
+}
+
+template <auto Read>
+std::optional<AnyBody> decode_mesh(std::span<const unsigned char> body, std::string_view,
+                                   const ModelKinds*, std::string& why) {
+  why = "the body ends too early, is too long, or holds a malformed number";
+  if (auto read = Read(ByteReader(body))) return AnyBody(std::move(*read));
+  return std::nullopt;
+}
+
+StarBoxBody& star_of(StarBoxBody& body) { return body; }
+StarBoxBody& star_of(CollarBody& body) { return body.star; }
+PatchInvalidBody& star_of(PatchInvalidBody& body) { return body; }
+
+template <class BodyOfClaim>
+std::optional<AnyBody> decode_patches(std::span<const unsigned char> body,
+                                      std::string_view statement, const ModelKinds* model,
+                                      std::string& why) {
+  why = "the body is not complete";
+  ByteReader r(body);
+  r.raw(4);
+  BodyOfClaim out;
+  auto entities = internal::read_after_entities(r, number_of(statement, "patches"), model,
+                                                [&](ByteReader& rest, std::uint64_t patches) {
+                                                  out = BodyOfClaim();
+                                                  internal::read(rest, patches, out);
+                                                });
+  if (!entities) return std::nullopt;
+  star_of(out).entities = std::move(*entities);
+  return AnyBody(std::move(out));
+}
+
+constexpr std::array<Claim, 6> kClaims = {{
+    {kValidClaim, kValidMagic, "mesh.md", kMeshes, "reading_rule volume",
+     "bodies edges faces genus shells vertices", "as_indexed", encode_as<ValidBody>,
+     decode_mesh<internal::read_valid>, explain_as<ValidBody>},
+    {kInvalidClaim, kInvalidMagic, "mesh.md", kMeshes, "reading_rule rules", "", "as_indexed",
+     encode_as<InvalidBody>, decode_mesh<internal::read_invalid>, explain_as<InvalidBody>},
+    {kStarBoxClaim, kStarBoxMagic, "star-box.md", kSplines, "", kStarNumbers, "",
+     encode_as<StarBoxBody>, decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
+    {kTurnedShellClaim, kStarBoxMagic, "star-box.md", kSplines, "",
+     "bodies boxes edges flipped genus patches shells vertices winding", "", encode_as<StarBoxBody>,
+     decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
+    {kPatchInvalidClaim, kPatchInvalidMagic, "patch-invalid.md", kSplines, "finding",
+     "flipped opposite patches same", "", encode_as<PatchInvalidBody>,
+     decode_patches<PatchInvalidBody>, explain_as<PatchInvalidBody>},
+    {kCollarClaim, kStarBoxMagic, "collar.md", kSplines, "",
+     "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
+     decode_patches<CollarBody>, explain_as<CollarBody>},
+}};
+
+void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find(' '), names.size());
+    keys[std::string(names.substr(0, end))] = kind;
+    names.remove_prefix(std::min(end + 1, names.size()));
+  }
+}
+
+}  // namespace
+
+std::span<const Claim> all_claims() { return kClaims; }
+
+const Claim* find_claim(std::string_view name) {
+  const auto at =
+      std::find_if(kClaims.begin(), kClaims.end(), [&](const Claim& c) { return c.name == name; });
+  return at == kClaims.end() ? nullptr : &*at;
+}
+
+std::string claims_as_text() {
+  std::string out;
+  for (const Claim& c : kClaims) {
+    std::map<std::string, std::string> keys;
+    for (const std::string_view names : {kCommonTextKeys, c.text_keys})
+      add_keys(names, "text", keys);
+    for (const std::string_view names : {kCommonNumberKeys, c.number_keys})
+      add_keys(names, "number", keys);
+    add_keys(c.flag_keys, "flag", keys);
+    out += std::string(c.name) + " " + std::string(c.magic) + " " + std::string(c.formats);
+    char before = ' ';
+    for (const auto& [key, kind] : keys) {
+      out += before + key + "=" + kind;
+      before = ',';
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned char> bytes,
+                                                     std::string& why, const ModelKinds* model) {
+  const auto head = bytes.first(std::min(bytes.size(), kMaxStatement + 1));
+  const auto end = std::find(head.begin(), head.end(), static_cast<unsigned char>('\n'));
+  why = "no line feed in the first 64 KiB: a certificate starts with one line of JSON";
+  if (end == head.end()) return std::nullopt;
+  DecodedCertificate out;
+  out.statement.assign(head.begin(), end);
+  const auto body = bytes.subspan(out.statement.size() + 1);
+  out.claim = find_claim(value_of(out.statement, "claim"));
+  if (out.claim == nullptr) {
+    const auto fits = [&](const Claim& c) { return begins_with(body, c.magic); };
+    const auto at = std::find_if(kClaims.begin(), kClaims.end(), fits);
+    why = "its claim is none that this program knows, nor are the first bytes of its body";
+    if (at == kClaims.end()) return std::nullopt;
+    out.claim = &*at;
+  }
+  why = "the body does not begin with " + std::string(out.claim->magic);
+  if (!begins_with(body, out.claim->magic)) return std::nullopt;
+  auto decoded = out.claim->decode(body, out.statement, model, why);
+  if (!decoded) return std::nullopt;
+  out.body = std::move(*decoded);
+  return out;
+}
+
+std::optional<std::string> explain_certificate(std::span<const unsigned char> bytes,
+                                               std::size_t max_items, std::string& why,
+                                               const ModelKinds* model) {
+  const auto c = decode_certificate(bytes, why, model);
+  if (!c) return std::nullopt;
+  return internal::statement_text(c->statement) + "\n" +
+         c->claim->explain(c->body, c->claim->name, max_items);
+}
+
+}  // namespace veritope::certificate

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// verify/format/patch_certificate_text_internal.h: bodies about spline models as text, for the table in claims.h. Internal to verify/format.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "verify/format/collar_certificate.h"
+#include "verify/format/patch_invalid_certificate.h"
+
+namespace veritope::certificate {
+
+std::string explain(const StarBoxBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const CollarBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const PatchInvalidBody& body, std::string_view claim, std::size_t max_items);
+
+}  // namespace veritope::certificate

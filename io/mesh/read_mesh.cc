@@ -78,19 +78,17 @@ std::string other_looks(const Source& source, MeshFormat format) {
   return "";
 }
 
-Result<ParsedMesh> parse_and_merge(const Source& source, const ReadOptions& options) {
-  if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
-  const Result<MeshFormat> format = choose_format(source, options);
-  if (!format) return format.error();
-  Result<ParsedMesh> parsed = parse(*format, source, options);
+Result<ParsedMesh> parse_and_merge(MeshFormat format, const Source& source,
+                                   const ReadOptions& options) {
+  Result<ParsedMesh> parsed = parse(format, source, options);
   if (!parsed) {
     Error error = parsed.error();
     const bool is_syntax =
         error.code == Code::kSyntax || error.code == Code::kTruncated || error.code == Code::kEmpty;
-    if (is_syntax) error.message += other_looks(source, *format);
+    if (is_syntax) error.message += other_looks(source, format);
     return error;
   }
-  parsed->report.format = *format;
+  parsed->report.format = format;
   parsed->report.bytes = source.size();
   merge_and_count(*parsed, options.as_indexed);
   return parsed;
@@ -119,14 +117,17 @@ Result<MeshFile> read_buffer(const ByteBuffer& buffer, const std::string& name,
   } catch (const std::system_error&) {
     // The system refuses another thread: this one hashes afterwards.
   }
-  Result<ParsedMesh> parsed = parse_and_merge(source_of(buffer, name), options);
+  const Source source = source_of(buffer, name);
+  if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
+  const Result<MeshFormat> format = choose_format(source, options);
+  if (!format) return format.error();
+  Result<MeshFile> parsed = read_mesh(*format, source, options);
   if (!parsed) return parsed.error();
-  file.seconds_parse = watch.lap();
+  parsed->seconds_parse = watch.lap();
   hashing.joinable() ? hashing.join() : hash(std::stop_token());
-  file.mesh = std::move(parsed->mesh);
-  file.report = std::move(parsed->report);
-  file.polygon_of_face = std::move(parsed->polygon_of_face);
-  return file;
+  parsed->sha256 = std::move(file.sha256);
+  parsed->seconds_hash = file.seconds_hash;
+  return parsed;
 }
 
 std::optional<Error> check_options(const std::string& name, const ReadOptions& options) {
@@ -136,6 +137,16 @@ std::optional<Error> check_options(const std::string& name, const ReadOptions& o
 }
 
 }  // namespace
+
+Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadOptions& options) {
+  Result<ParsedMesh> parsed = parse_and_merge(format, source, options);
+  if (!parsed) return parsed.error();
+  MeshFile file;
+  file.mesh = std::move(parsed->mesh);
+  file.report = std::move(parsed->report);
+  file.polygon_of_face = std::move(parsed->polygon_of_face);
+  return file;
+}
 
 Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& options) {
   if (std::optional<Error> error = check_options(path, options)) return std::move(*error);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/base/read_limits.h"
+#include "io/base/source.h"
 #include "io/mesh/mesh_format.h"
 #include "robust/base/result.h"
 #include "solids/polyhedron/triangle_mesh.h"
@@ -50,6 +51,10 @@ struct MeshFile {
   double seconds_parse = 0;  ///< memory to triangles, merging included
   double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing
 };
+
+/// The bytes as a file of this format; options.format has no effect. Leaves sha256 and the seconds open.
+/// @error  as read_mesh_file; kEmpty and what no reader takes are the caller's to refuse
+Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadOptions& options);
 
 /// Reads a regular file, or standard input if `path` is "-"; then options.format is required.
 /// @error  kCannotOpen, kEmpty, kForeignFormat, kUnknownFormat, kSyntax, kTruncated, kNotFinite,

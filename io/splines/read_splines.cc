@@ -38,18 +38,8 @@ Result<SplineFile> read_buffer(const ByteBuffer& buffer, const std::string& name
   if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
   const Result<SplineFormat> format = choose_format(source, options);
   if (!format) return format.error();
-  Result<SplineFile> file = parse(*format, source, options.limits);
-  if (!file) {
-    Error error = file.error();
-    const auto other = spline_format_from_content(source);
-    const bool is_syntax = error.code == Code::kSyntax || error.code == Code::kTruncated;
-    if (is_syntax && other && *other != *format)
-      error.message += std::string("; it looks like ") + spline_format_name(*other) +
-                       " (--format " + spline_format_name(*other) + ")";
-    return error;
-  }
-  file->format = *format;
-  file->bytes = source.size();
+  Result<SplineFile> file = read_splines(*format, source, options.limits);
+  if (!file) return file.error();
   Sha256 sha;
   sha.update({buffer.data(), buffer.size()});
   file->sha256 = to_hex(sha.finish());
@@ -57,6 +47,23 @@ Result<SplineFile> read_buffer(const ByteBuffer& buffer, const std::string& name
 }
 
 }  // namespace
+
+Result<SplineFile> read_splines(SplineFormat format, const Source& source,
+                                const ReadLimits& limits) {
+  Result<SplineFile> file = parse(format, source, limits);
+  if (!file) {
+    Error error = file.error();
+    const auto other = spline_format_from_content(source);
+    const bool is_syntax = error.code == Code::kSyntax || error.code == Code::kTruncated;
+    if (is_syntax && other && *other != format)
+      error.message += std::string("; it looks like ") + spline_format_name(*other) +
+                       " (--format " + spline_format_name(*other) + ")";
+    return error;
+  }
+  file->format = format;
+  file->bytes = source.size();
+  return file;
+}
 
 Result<SplineFile> read_spline_file(const std::string& path, const SplineReadOptions& options) {
   if (path == "-" && !options.format)

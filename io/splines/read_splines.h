@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/base/read_limits.h"
+#include "io/base/source.h"
 #include "io/splines/spline_format.h"
 #include "io/splines/spline_model.h"
 
@@ -26,7 +27,10 @@ struct SplineFile {
   SplineModel model;
   SplineFormat format = SplineFormat::kItd;
   std::uint64_t bytes = 0;
-  std::string sha256;
+  std::string sha256;        ///< of the bytes that were read, 64 lower-case hex digits
+  double seconds_read = 0;   ///< file to memory
+  double seconds_parse = 0;  ///< memory to splines
+  double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing
   std::vector<LeftOut> left_out;  ///< in the order of their first occurrence
 };
 
@@ -34,6 +38,11 @@ struct SplineReadOptions {
   std::optional<SplineFormat> format;  ///< nothing: from the extension, else from the content
   ReadLimits limits;                   ///< max_faces has no effect
 };
+
+/// The bytes as a file of this format. Leaves sha256 and the seconds open.
+/// @error  as read_spline_file; what no reader takes is the caller's to refuse
+Result<SplineFile> read_splines(SplineFormat format, const Source& source,
+                                const ReadLimits& limits);
 
 /// Reads a regular file, or standard input if `path` is "-"; then options.format is required. A file without any
 /// spline is read, too: the model is empty and left_out says what there is.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/formats.h: the table of formats. A new format is a new row in io/formats.cc, and nothing else outside of its folder.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/base/source.h"
+#include "io/model_file.h"
+
+namespace veritope {
+
+struct ModelFormat {
+  FormatId id;
+  const char* name;  ///< in certificates, reports and --format: "stl"
+  /// Endings of file names, in lower case, without the dot. All of them and the name itself are words for this format.
+  std::vector<std::string_view> endings;
+  /// Whether the bytes look like this format. The first row that says so wins.
+  bool (*looks_like)(const Source& source);
+  /// REQUIRES that the source is not empty. Leaves sha256 and the seconds open.
+  Result<ModelFile> (*read)(const Source& source, const ModelReadOptions& options);
+  /// Null: this format is not written. REQUIRES a file of this format's kind.
+  Result<std::string> (*write)(const ModelFile& file, const ReadLimits& limits);
+
+  ModelKind kind() const { return kind_of(id); }
+};
+
+/// All rows. Their order is the order of lists in messages, and of the attempts to recognise a content.
+std::span<const ModelFormat> model_formats();
+
+/// The row of a format.
+const ModelFormat& model_format(const FormatId& id);
+
+/// Each returns null if no row fits. A name is compared in any case; a path counts with the letters behind its last dot.
+const ModelFormat* format_from_name(std::string_view name);
+const ModelFormat* format_from_path(std::string_view path);
+const ModelFormat* format_from_content(const Source& source);
+/// The same among the formats of one kind.
+const ModelFormat* format_from_name(std::string_view name, ModelKind kind);
+const ModelFormat* format_from_path(std::string_view path, ModelKind kind);
+const ModelFormat* format_from_content(const Source& source, ModelKind kind);
+
+/// "stl, obj, ply or off": the names of the formats of a kind, or of all formats.
+std::string format_names(std::optional<ModelKind> kind = std::nullopt);
+
+}  // namespace veritope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/model_file.h: what a file of a model can hold, and how to read it. Design: docs/design/0020-one-front-door.md.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "io/base/read_limits.h"
+#include "io/mesh/read_mesh.h"
+#include "io/splines/read_splines.h"
+
+namespace veritope {
+
+/// What a file holds, in the order of the alternatives of ModelFile and FormatId.
+enum class ModelKind { kMesh, kSplines };
+
+/// "mesh", "splines".
+const char* model_kind_name(ModelKind kind);
+
+/// The content of a file of a model: one alternative for each kind. Each has the members sha256, seconds_read, seconds_parse and
+/// seconds_hash, which the front door fills.
+using ModelFile = std::variant<MeshFile, SplineFile>;
+
+/// A format, typed by its kind.
+using FormatId = std::variant<MeshFormat, SplineFormat>;
+
+inline ModelKind kind_of(const FormatId& format) { return static_cast<ModelKind>(format.index()); }
+inline ModelKind kind_of(const ModelFile& file) { return static_cast<ModelKind>(file.index()); }
+
+FormatId format_of(const ModelFile& file);
+std::uint64_t num_bytes(const ModelFile& file);
+/// Of the bytes that were read, 64 lower-case hexadecimal digits.
+const std::string& sha256_of(const ModelFile& file);
+
+struct ModelReadOptions {
+  std::optional<FormatId> format;  ///< nothing: from the ending of the name, else from the content
+  std::optional<ModelKind> kind;   ///< nothing: any; else formats of this kind only are considered
+  bool as_indexed = false;         ///< meshes: keep the file's own indices (no effect on STL)
+  ReadLimits limits;               ///< max_faces has an effect on meshes only
+  int jobs = 1;                    ///< threads; the result is the same for every value >= 1
+};
+
+}  // namespace veritope

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/read_model.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <stop_token>
+#include <system_error>
+#include <thread>
+
+#include "io/base/file_bytes.h"
+#include "io/base/foreign_content.h"
+#include "io/formats.h"
+#include "robust/base/stopwatch.h"
+#include "verify/format/sha256.h"
+
+namespace veritope {
+namespace {
+
+// Hashes beside the parser if the options allow another thread and the bytes are worth one.
+class Hashing {
+ public:
+  Hashing(const ByteBuffer& bytes, int jobs) : bytes_(bytes) {
+    constexpr std::size_t kWorthAThread = std::size_t{1} << 16;
+    if (jobs < 2 || bytes.size() <= kWorthAThread) return;
+    try {
+      thread_ = std::jthread([this](const std::stop_token& stop) { hash(stop); });
+    } catch (const std::system_error&) {
+      // The system refuses another thread: finish() hashes.
+    }
+  }
+
+  std::string finish() {
+    thread_.joinable() ? thread_.join() : hash(std::stop_token());
+    return to_hex(sha_.finish());
+  }
+  double seconds() const { return seconds_; }
+
+ private:
+  // In pieces, so that a refused file need not be hashed to its end.
+  void hash(const std::stop_token& stop) {
+    Stopwatch watch;
+    std::span<const unsigned char> rest(bytes_.data(), bytes_.size());
+    while (!rest.empty() && !stop.stop_requested()) {
+      const std::size_t size = std::min<std::size_t>(rest.size(), std::size_t{1} << 20);
+      sha_.update(rest.first(size));
+      rest = rest.subspan(size);
+    }
+    seconds_ = watch.lap();
+  }
+
+  const ByteBuffer& bytes_;
+  Sha256 sha_;
+  double seconds_ = 0;
+  std::jthread thread_;  // last: it uses the others
+};
+
+std::optional<Error> check_options(const std::string& name, const ModelReadOptions& options) {
+  if (options.jobs >= 1) return std::nullopt;
+  return error_in_file(name, Code::kBadArgument,
+                       "jobs must be at least 1, not " + std::to_string(options.jobs));
+}
+
+const ModelFormat* from_path(const std::string& path, std::optional<ModelKind> kind) {
+  return kind ? format_from_path(path, *kind) : format_from_path(path);
+}
+
+const ModelFormat* from_content(const Source& source, std::optional<ModelKind> kind) {
+  return kind ? format_from_content(source, *kind) : format_from_content(source);
+}
+
+Result<const ModelFormat*> choose(const Source& source, const ModelReadOptions& options) {
+  if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
+  if (options.format) {
+    const ModelFormat& row = model_format(*options.format);
+    if (!options.kind || row.kind() == *options.kind) return &row;
+    return error_in_file(
+        *source.name, Code::kBadArgument,
+        std::string("the format must be ") + format_names(options.kind) + ", not " + row.name);
+  }
+  if (const ModelFormat* row = from_path(*source.name, options.kind)) return row;
+  if (const ModelFormat* row = from_content(source, options.kind)) return row;
+  return error_in_file(*source.name, Code::kUnknownFormat,
+                       "neither the ending of the name nor the content says whether this is " +
+                           format_names(options.kind) + " (--format)");
+}
+
+}  // namespace
+
+Result<ModelBytes> load_model(const std::string& path, const ModelReadOptions& options) {
+  if (std::optional<Error> error = check_options(path, options)) return std::move(*error);
+  if (path == "-" && !options.format)
+    return error_in_file(path, Code::kBadArgument, "standard input needs a format (--format)");
+  Stopwatch watch;
+  const std::uint64_t max_bytes = options.limits.max_bytes;
+  Result<ByteBuffer> bytes = path == "-" ? read_descriptor(STDIN_FILENO, path, 0, max_bytes)
+                                         : read_file_bytes(path, max_bytes);
+  if (!bytes) return bytes.error();
+  return ModelBytes{path, std::move(*bytes), watch.lap()};
+}
+
+Result<FormatId> choose_format(const ModelBytes& file, const ModelReadOptions& options) {
+  const Result<const ModelFormat*> row = choose(source_of(file.bytes, file.name), options);
+  if (!row) return row.error();
+  return (*row)->id;
+}
+
+Result<ModelFile> read_model(const ModelBytes& file, const ModelReadOptions& options) {
+  if (std::optional<Error> error = check_options(file.name, options)) return std::move(*error);
+  const Source source = source_of(file.bytes, file.name);
+  const Result<const ModelFormat*> row = choose(source, options);
+  if (!row) return row.error();
+  Hashing hashing(file.bytes, options.jobs);
+  Stopwatch watch;
+  Result<ModelFile> model = (*row)->read(source, options);
+  if (!model) return model.error();
+  const double seconds_parse = watch.lap();
+  const std::string sha256 = hashing.finish();
+  std::visit(
+      [&](auto& m) {
+        m.sha256 = sha256;
+        m.seconds_read = file.seconds_read;
+        m.seconds_parse = seconds_parse;
+        m.seconds_hash = hashing.seconds();
+      },
+      *model);
+  return model;
+}
+
+Result<ModelFile> read_model_file(const std::string& path, const ModelReadOptions& options) {
+  const Result<ModelBytes> file = load_model(path, options);
+  if (!file) return file.error();
+  return read_model(*file, options);
+}
+
+Result<ModelFile> read_model_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                                   const ModelReadOptions& options) {
+  if (bytes.size() > options.limits.max_bytes)
+    return error_in_file(name, Code::kOverLimit,
+                         over_limit("bytes", "--max-bytes", options.limits.max_bytes));
+  return read_model({name, copy_to_buffer(bytes), 0}, options);
+}
+
+}  // namespace veritope

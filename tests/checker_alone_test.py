@@ -129,6 +129,8 @@ class CheckerAlone(Alone):
                 if mark == '"':
                     self.assertTrue((path.parent / header).resolve().is_relative_to(self.alone.resolve()), f"{path.name}: {header}")
                     self.assertTrue((path.parent / header).is_file(), f"{path.name}: {header}")
+                elif (path.name, header) == ("main.cc", "sys/stat.h"):
+                    continue  # what kind of file a name is of: docs/design/0020-one-front-door.md
                 else:
                     self.assertRegex(header, r"^[a-z_0-9]+$", f"{path.name}: {header} is no header of the C++ library")
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // main.cc: veritope-check MODEL CERT. Output and exit codes: docs/certificates/mesh.md.
+#include <sys/stat.h>  // C++11 cannot tell a file from a FIFO, whose opening waits for a writer
+
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -19,6 +21,9 @@ const char kUsage[] =
     "--claims prints the claims that it decides, with the keys of their statements.";
 
 std::string read_file(const std::string& name) {
+  struct stat status;
+  if (stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    throw Refused{"is not a regular file"};
   std::FILE* const file = std::fopen(name.c_str(), "rb");
   if (file == nullptr) throw Refused{"cannot be opened"};
   std::string bytes;

@@ -11,6 +11,7 @@ All decisions are taken on Python integers and fractions.
 """
 import importlib
 import os
+import stat
 import sys
 
 from .claims import CLAIMS, lines
@@ -59,6 +60,8 @@ def main(argv):
     try:
         data = []
         for name in argv[1:]:
+            if not stat.S_ISREG(os.stat(name).st_mode):     # the opening of a FIFO waits for a writer
+                return say("ERROR: %s: is not a regular file" % name, 4)
             with open(name, "rb") as file:
                 data.append(file.read())
     except OSError as e:

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "bench/models.h"
-#include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
+#include "io/read_model.h"
 
 namespace {
 

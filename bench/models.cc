@@ -9,7 +9,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "io/mesh/read_mesh.h"
+#include "io/read_model.h"
 
 namespace veritope::bench {
 namespace {

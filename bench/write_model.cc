@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "bench/models.h"
+#include "io/formats.h"
 #include "io/mesh/write_mesh.h"
 
 int main(int argc, char** argv) {
@@ -13,12 +14,13 @@ int main(int argc, char** argv) {
   }
   const TriangleMesh mesh = bench::named_model(argv[1]);
   for (int i = 2; i < argc; ++i) {
-    const auto format = mesh_format_from_path(argv[i]);
-    if (!format) {
+    const ModelFormat* const row = format_from_path(argv[i], ModelKind::kMesh);
+    if (row == nullptr) {
       std::fprintf(stderr, "%s: no known extension\n", argv[i]);
       return 2;
     }
-    const Status status = write_mesh_file(argv[i], mesh, default_write_options(*format));
+    const Status status =
+        write_mesh_file(argv[i], mesh, default_write_options(std::get<MeshFormat>(row->id)));
     if (!status) {
       std::fprintf(stderr, "%s\n", to_string(status.error()).c_str());
       return 4;

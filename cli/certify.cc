@@ -7,6 +7,7 @@
 
 #include "cli/certification.h"
 #include "cli/defect_picture.h"
+#include "io/formats.h"
 #include "io/mesh/reading_rule.h"
 #include "verify/certify/mesh_certifier.h"
 #include "verify/format/mesh_certificate.h"
@@ -98,7 +99,7 @@ class MeshCertification : public Certification {
     std::string options;
     if (settings_.reading.as_indexed) options += "--as-indexed ";
     if (settings_.reading.format)
-      options += std::string("--format ") + mesh_format_name(*settings_.reading.format) + " ";
+      options += std::string("--format ") + model_format(*settings_.reading.format).name + " ";
     return options;
   }
 

@@ -7,15 +7,13 @@
 
 #include "cli/file_report.h"
 #include "cli/progress.h"
-#include "io/mesh/read_mesh.h"
-#include "io/splines/spline_format.h"
+#include "io/read_model.h"
 #include "solids/patches/patch_complex.h"
 
 namespace veritope::cli {
 
 struct CertifySettings {
-  ReadOptions reading;
-  std::optional<SplineFormat> spline_format;  ///< of a spline file
+  ModelReadOptions reading;
   PatchOrientation orientation = PatchOrientation::kKeep;
   bool with_collar = false;         ///< of a spline file: collar-1 if there is a collar
   std::optional<double> tolerance;  ///< of the volume of a spline file: see PatchDecisionOptions

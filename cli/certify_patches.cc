@@ -5,8 +5,9 @@
 #include "cli/certification.h"
 #include "cli/decimal_text.h"
 #include "cli/patch_report.h"
+#include "io/formats.h"
+#include "io/read_model.h"
 #include "io/splines/patch_model.h"
-#include "io/splines/read_splines.h"
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/patch_certifier.h"
 #include "verify/certify/patch_decision.h"
@@ -48,7 +49,7 @@ class PatchCertification : public Certification {
  private:
   bool read() override {
     phase("reading");
-    Result<SplineFile> file = read_splines(settings_.reading.limits);
+    Result<SplineFile> file = read_splines();
     report_.seconds.read = watch_.lap();
     if (!file) return refuse(fault_of(file.error()));
     PatchReport patches;
@@ -64,34 +65,22 @@ class PatchCertification : public Certification {
     for (const LeftOut& l : file->left_out)
       if (l.is_geometry)
         return undecided("not-covered", "the file has shapes that are not read: " + l.what);
-    return have_short_numbers() && take_patches(file->model);
+    return have_short_numbers(*file) && take_patches(file->model);
   }
 
   // Certificates know numbers within the default limits only.
-  bool have_short_numbers() {
-    const ReadLimits& given = settings_.reading.limits;
-    ReadLimits known = given;
-    known.max_digits = std::min(given.max_digits, ReadLimits().max_digits);
-    known.max_exponent = std::min(given.max_exponent, ReadLimits().max_exponent);
-    if (known.max_digits == given.max_digits && known.max_exponent == given.max_exponent)
-      return true;
-    const Result<SplineFile> again = read_splines(known);
-    if (again || again.error().code != Code::kOverLimit) return true;
+  bool have_short_numbers(const SplineFile& file) {
+    if (!file.beyond_default_limits) return true;
     return undecided("not-covered", "the file has longer numbers than certificates may be about: " +
-                                        fault_text(fault_of(again.error())));
+                                        fault_text(fault_of(*file.beyond_default_limits)));
   }
 
-  Result<SplineFile> read_splines(const ReadLimits& limits) {
-    SplineReadOptions options;
-    options.format = settings_.spline_format;
-    options.limits = limits;
-    if (!needs_copy()) return read_spline_file(report_.path, options);
-    if (spooled_.size() == 0) {
-      Result<ByteBuffer> bytes = read_once();
-      if (!bytes) return bytes.error();
-      spooled_ = std::move(*bytes);
-    }
-    return read_spline_bytes({spooled_.data(), spooled_.size()}, report_.path, options);
+  Result<SplineFile> read_splines() {
+    if (!needs_copy()) return read_spline_file(report_.path, settings_.reading);
+    Result<ByteBuffer> bytes = read_once();
+    if (!bytes) return bytes.error();
+    spooled_ = std::move(*bytes);
+    return read_spline_bytes({spooled_.data(), spooled_.size()}, report_.path, settings_.reading);
   }
 
   bool take_patches(const SplineModel& model) {
@@ -292,8 +281,8 @@ class PatchCertification : public Certification {
     if (settings_.with_collar) options += "--collar ";
     if (settings_.tolerance)
       options += "--tolerance " + short_decimal(*settings_.tolerance, 17) + " ";
-    if (settings_.spline_format)
-      options += std::string("--format ") + spline_format_name(*settings_.spline_format) + " ";
+    if (settings_.reading.format)
+      options += std::string("--format ") + model_format(*settings_.reading.format).name + " ";
     return options;
   }
 

@@ -2,14 +2,14 @@
 // veritope certify.
 #include <sys/stat.h>
 
-#include "cli/certify.h"
 #include "cli/certification.h"
+#include "cli/certify.h"
 #include "cli/checker_process.h"
 #include "cli/commands.h"
+#include "cli/model_input.h"
 #include "cli/output_plan.h"
 #include "cli/report_json.h"
 #include "cli/report_text.h"
-#include "cli/spline_convert.h"
 
 namespace veritope::cli {
 namespace {
@@ -66,16 +66,21 @@ ExitCode write_json(const Options& options, const OutputPlan& plan,
 ExitCode run_certify(const Options& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.files, options.certificate, options.json);
   if (!plan) return fail(plan.error());
-  if (options.picture && is_spline_input(options.files.front(), options))
-    return fail({Code::kBadArgument, {}, "--picture shows the defects of meshes; " + options.files.front() + " is a spline file"});
+  if (options.picture &&
+      ModelInput(options.files.front(), options.reading).kind() == ModelKind::kSplines)
+    return fail(
+        {Code::kBadArgument,
+         {},
+         "--picture shows the defects of meshes; " + options.files.front() + " is a spline file"});
   if (options.picture) {
-    if (Status status = check_output("--picture", *options.picture, options.files, *plan, options.json); !status) {
+    if (Status status =
+            check_output("--picture", *options.picture, options.files, *plan, options.json);
+        !status) {
       return fail(status.error());
     }
   }
   CertifySettings settings;
   settings.reading = options.reading;
-  settings.spline_format = options.spline_format;
   settings.orientation = options.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep;
   settings.with_collar = options.collar;
   settings.tolerance = options.tolerance;
@@ -92,14 +97,17 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     const std::string& file = options.files[i];
-    const auto certify = is_spline_input(file, options) ? certify_patch_file : certify_file;
+    const auto certify = ModelInput(file, options.reading).kind() == ModelKind::kSplines
+                             ? certify_patch_file
+                             : certify_file;
     const FileReport report = certify(file, settings, keeper(*plan, i, out), progress);
     progress.clear();
     exit = first_of(exit, report.exit);
     if (options.json) json.push_back(report_json(report));
     if (options.json != "-") print(report, options.quiet, out);
     complain_beside_verdict(report);
-    if (!report.picture.empty()) exit = first_of(exit, write_picture(*options.picture, report.picture, out));
+    if (!report.picture.empty())
+      exit = first_of(exit, write_picture(*options.picture, report.picture, out));
   }
   return options.json ? first_of(exit, write_json(options, *plan, json, out)) : exit;
 }

@@ -10,6 +10,7 @@
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
 #include "cli/text_style.h"
+#include "io/formats.h"
 #include "io/mesh/write_mesh.h"
 
 namespace veritope::cli {
@@ -34,10 +35,11 @@ Result<WriteOptions> target_of(const Options& o) {
   std::string name;
   if (o.to) {
     name = *o.to;
-  } else if (const auto format = mesh_format_from_path(o.output)) {
-    name = mesh_format_name(*format);
+  } else if (const ModelFormat* const row = format_from_path(o.output, ModelKind::kMesh)) {
+    name = row->name;
   } else {
-    return bad_argument("the name " + o.output + " does not end in stl, obj, ply or off: use --to");
+    return bad_argument("the name " + o.output + " does not end in " +
+                        format_names("or", ModelKind::kMesh) + ": use --to");
   }
   for (const auto& [target, variant] : kTargets) {
     if (target != name) continue;
@@ -144,7 +146,8 @@ void report(const Options& o, const MeshFile& file, const std::string& loss,
 }  // namespace
 
 ExitCode run_convert(const Options& options, StandardOutput& out) {
-  if (is_spline_input(options.files[0], options)) return convert_splines(options, out);
+  ModelInput input(options.files[0], options.reading);
+  if (input.kind() == ModelKind::kSplines) return convert_splines(input, options, out);
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   const Result<WriteOptions> target = target_of(options);
@@ -153,8 +156,9 @@ ExitCode run_convert(const Options& options, StandardOutput& out) {
     return fail(status.error());
   }
   if (const Status status = try_output(options.output); !status) return fail(status.error());
-  const Result<MeshFile> file = read_mesh_file(options.files[0], options.reading);
-  if (!file) return fail(file.error());
+  const Result<ModelFile> model = input.take();
+  if (!model) return fail(model.error());
+  const MeshFile* const file = &std::get<MeshFile>(*model);
   const bool as_indexed = options.reading.as_indexed && file->report.format != MeshFormat::kStl;
   const LossReport loss = loss_of(file->mesh, *target);
   const std::string words = loss_text(loss, as_indexed);

@@ -9,8 +9,8 @@
 #include "cli/patch_report.h"
 #include "cli/progress.h"
 #include "cli/text_style.h"
+#include "io/read_model.h"
 #include "io/splines/patch_model.h"
-#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 namespace {
@@ -31,8 +31,7 @@ class CoverRun {
  private:
   ExitCode look() {
     phase("reading");
-    const Result<SplineFile> file =
-        read_spline_file(options_.files[0], {options_.spline_format, options_.reading.limits});
+    const Result<SplineFile> file = read_spline_file(options_.files[0], options_.reading);
     if (!file) return fail(kExitUnreadable, to_string(file.error()));
     Result<PatchSource> source = patch_source(file->model);
     if (!source) return fail(kExitUnreadable, to_string(source.error()));

@@ -6,7 +6,6 @@
 #include "cli/output_plan.h"
 #include "cli/report_json.h"
 #include "cli/report_text.h"
-#include "cli/spline_convert.h"
 #include "cli/spline_report.h"
 #include "io/mesh/write_mesh.h"
 
@@ -23,19 +22,20 @@ std::vector<std::string> lossless_variants(const MeshFile& file, bool as_indexed
   return names;
 }
 
-InfoReport info_of(const std::string& path, const ReadOptions& reading) {
+InfoReport info_of(const std::string& path, ModelInput& input) {
   InfoReport report;
   report.path = path;
   try {
-    Result<MeshFile> file = read_mesh_file(path, reading);
-    if (file) {
-      report.as_indexed = reading.as_indexed && file->report.format != MeshFormat::kStl;
-      report.lossless = lossless_variants(*file, report.as_indexed);
+    Result<ModelFile> model = input.take();
+    if (model) {
+      MeshFile& file = std::get<MeshFile>(*model);
+      report.as_indexed = file.report.as_indexed;
+      report.lossless = lossless_variants(file, report.as_indexed);
       report.holds_everywhere = report.lossless.size() == write_variant_names().size();
-      report.file = std::move(*file);
+      report.file = std::move(file);
       return report;
     }
-    report.fault = fault_of(file.error());
+    report.fault = fault_of(model.error());
   } catch (const std::bad_alloc&) {
     report.fault = Fault{"out-of-memory", {}, "not enough memory for this file"};
     report.exit = kExitUndecided;
@@ -58,14 +58,14 @@ ExitCode run_info(const Options& options, StandardOutput& out) {
   ExitCode exit = kExitValid;
   for (const std::string& path : options.files) {
     std::string as_json, as_text;
-    if (is_spline_input(path, options)) {
-      const SplineReport report =
-          spline_report(path, {options.spline_format, options.reading.limits});
+    ModelInput input(path, options.reading);
+    if (input.kind() == ModelKind::kSplines) {
+      const SplineReport report = spline_report(path, input);
       exit = first_of(exit, report.exit);
       if (options.json) as_json = spline_json(report);
       as_text = spline_text(report, style);
     } else {
-      const InfoReport report = info_of(path, options.reading);
+      const InfoReport report = info_of(path, input);
       exit = first_of(exit, report.exit);
       if (options.json) as_json = info_json(report);
       as_text = info_text(report, style);

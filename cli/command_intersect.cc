@@ -5,7 +5,7 @@
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "cli/text_style.h"
-#include "io/splines/read_splines.h"
+#include "io/read_model.h"
 
 namespace veritope::cli {
 namespace {
@@ -68,7 +68,7 @@ ExitCode run_intersect(const Options& options, StandardOutput& out) {
   }
   std::array<SplineFile, 2> files;
   for (std::size_t k = 0; k < 2; ++k) {
-    auto file = read_spline_file(options.files[k], {options.spline_format, options.reading.limits});
+    auto file = read_spline_file(options.files[k], options.reading);
     if (!file) {
       complain(harmless(to_string(file.error())));
       return kExitUnreadable;

@@ -4,7 +4,7 @@
 #include "cli/output_plan.h"
 #include "cli/projection_report.h"
 #include "cli/text_style.h"
-#include "io/splines/read_splines.h"
+#include "io/read_model.h"
 
 namespace veritope::cli {
 
@@ -19,8 +19,7 @@ ExitCode run_project(const Options& options, StandardOutput& out) {
     complain(harmless(point.error().message));
     return kExitUsage;
   }
-  const Result<SplineFile> file =
-      read_spline_file(options.files[0], {options.spline_format, options.reading.limits});
+  const Result<SplineFile> file = read_spline_file(options.files[0], options.reading);
   if (!file) {
     complain(harmless(to_string(file.error())));
     return kExitUnreadable;

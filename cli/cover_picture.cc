@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/formats.h"
 #include "io/mesh/write_mesh.h"
 #include "render/cell_grid.h"
 #include "verify/certify/collar_solids.h"
@@ -38,7 +39,9 @@ Result<Box3d> scaled(const Box3d& box, int scale) {
 
 Result<std::string> mesh_bytes(const TriangleMesh& mesh, const std::string& path) {
   if (is_vtu(path)) return vtu_bytes(triangle_grid(mesh));
-  return mesh_to_bytes(mesh, default_write_options(mesh_format_from_path(path).value()));
+  return mesh_to_bytes(
+      mesh,
+      default_write_options(std::get<MeshFormat>(format_from_path(path, ModelKind::kMesh)->id)));
 }
 
 Result<std::string> boxes_bytes(const std::string& path, const PieceForest& forest,
@@ -85,7 +88,7 @@ std::optional<CoverPart> cover_part_from_name(std::string_view name) {
 }
 
 bool is_cover_file(const std::string& path) {
-  return is_vtu(path) || mesh_format_from_path(path).has_value();
+  return is_vtu(path) || format_from_path(path, ModelKind::kMesh) != nullptr;
 }
 
 Result<std::string> cover_picture(CoverPart part, const std::string& path,

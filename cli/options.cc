@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "cli/certify.h"
-#include "io/mesh/mesh_format.h"
+#include "io/formats.h"
 #include "robust/base/parallel.h"
 #include "solids/interval_boxes/condition_sweep.h"
 
@@ -73,15 +73,13 @@ void add_any_format(CLI::App* app, Options& o) {
   app->add_option_function<std::string>(
          "--format",
          [&o](const std::string& name) {
-           o.reading.format = mesh_format_from_name(name);
-           o.spline_format = spline_format_from_name(name);
-           if (!o.reading.format && !o.spline_format) {
-             throw CLI::ValidationError(
-                 "--format",
-                 "must be stl, obj, ply, off, itd, g2, mfem, gismo or vjson, not " + name);
-           }
+           const ModelFormat* const row = format_from_name(name);
+           if (row == nullptr)
+             throw CLI::ValidationError("--format",
+                                        "must be " + format_names("or") + ", not " + name);
+           o.reading.format = row->id;
          },
-         "stl, obj, ply, off, itd, g2, mfem, gismo or vjson")
+         format_names("or"))
       ->type_name("F");
 }
 
@@ -311,8 +309,7 @@ std::string contradiction(const Options& o) {
   const bool reads = o.command == Command::kCertify || o.command == Command::kInfo ||
                      o.command == Command::kConvert || o.command == Command::kIntersect ||
                      o.command == Command::kProject || o.command == Command::kCover;
-  if (reads && inputs > 0 && !o.reading.format && !o.spline_format)
-    return "- is standard input and needs --format";
+  if (reads && inputs > 0 && !o.reading.format) return "- is standard input and needs --format";
   if (inputs > 1) return "standard input can be read once only";
   if (std::find(o.files.begin(), o.files.end(), "") != o.files.end()) {
     return "a file name must not be empty";

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "cli/cover_picture.h"
-#include "io/mesh/read_mesh.h"
-#include "io/splines/spline_format.h"
+#include "io/model_file.h"
 #include "named_predicates/named_predicate.h"
 
 namespace veritope::cli {
@@ -31,12 +30,11 @@ struct Options {
   Command command = Command::kCertify;
   /// certify, info: inputs; convert: IN; project: SURFACE; explain-certificate: F; predicate: FILE
   std::vector<std::string> files;
-  ReadOptions reading;                        ///< certify, info, convert
-  std::optional<SplineFormat> spline_format;  ///< info, convert: --format of a spline file
-  std::optional<std::string> json;            ///< certify, info, cover --sweep, ...
-  std::optional<std::string> certificate;     ///< certify
-  std::optional<std::string> picture;         ///< certify
-  std::uint64_t max_defects = 20;             ///< certify
+  ModelReadOptions reading;                ///< commands that read models
+  std::optional<std::string> json;         ///< certify, info, cover --sweep, ...
+  std::optional<std::string> certificate;  ///< certify
+  std::optional<std::string> picture;      ///< certify
+  std::uint64_t max_defects = 20;          ///< certify
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
   bool orient_auto = false;                      ///< certify, cover, of spline files: --orient auto

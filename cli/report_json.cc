@@ -103,6 +103,14 @@ Json ignored_json(const ReadReport* report) {
   return out;
 }
 
+Json notices_json(const ReadReport* report) {
+  Json out = Json::array();
+  if (report == nullptr) return out;
+  for (const ReadNotice& n : report->notices)
+    out.push_back({{"code", n.code}, {"message", n.message}});
+  return out;
+}
+
 Json defect_json(const ListedDefect& listed) {
   const Defect& d = listed.defect;
   Json edges = Json::array();
@@ -141,6 +149,7 @@ std::string report_json(const FileReport& report) {
   out["bbox"] =
       report.decision ? box_json(report.decision->box_lo, report.decision->box_hi) : Json(nullptr);
   out["ignored"] = ignored_json(r);
+  out["notices"] = notices_json(r);
   out["defects_total"] = optional_json(total_defects(report));
   out["defects"] = std::move(defects);
   out["certificate"] = certificate_json(report.certificate);
@@ -175,6 +184,7 @@ std::string info_json(const InfoReport& report) {
   const Box box = file != nullptr ? bounding_box(file->mesh) : Box{};
   out["bbox"] = file != nullptr ? box_json(box.lo, box.hi) : Json(nullptr);
   out["ignored"] = ignored_json(r);
+  out["notices"] = notices_json(r);
   out["lossless"] = report.lossless;
   out["seconds"] = {{"read", file != nullptr ? seconds_json(file->seconds_read) : Json(nullptr)},
                     {"parse", file != nullptr ? seconds_json(file->seconds_parse) : Json(nullptr)}};

@@ -84,6 +84,12 @@ std::string ignored_text(const ReadReport& reading) {
   return text.empty() ? text : detail_line("ignored", text);
 }
 
+std::string notices_text(const ReadReport& reading) {
+  std::string text;
+  for (const ReadNotice& n : reading.notices) text += detail_line("notice", harmless(n.message));
+  return text;
+}
+
 std::string file_text(const ReadReport& reading, bool as_indexed) {
   std::string text = reading.variant + ", " + counted(reading.bytes, "byte", "bytes");
   if (as_indexed) text += ", as indexed";
@@ -218,6 +224,7 @@ std::string details_text(const FileReport& report, const Style& style) {
   std::string out = file_text(*report.reading, report.as_indexed);
   out += counts_text(report);
   out += ignored_text(*report.reading);
+  out += notices_text(*report.reading);
   out += detail_line("box", point_text(d.box_lo) + " to " + point_text(d.box_hi));
   if (d.volume && report.verdict == FileVerdict::kValid) out += volume_text(*d.volume);
   out += shells_text(d);
@@ -244,6 +251,7 @@ std::string info_text(const InfoReport& report, const Style& style) {
   if (r.strip_joints != 0)
     out += detail_line("strips", std::to_string(r.strip_joints) + " joints dropped");
   out += ignored_text(r);
+  out += notices_text(r);
   out += detail_line("box", point_text(box.lo) + " to " + point_text(box.hi));
   std::string names;
   for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;

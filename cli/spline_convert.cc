@@ -2,18 +2,12 @@
 #include "cli/spline_convert.h"
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <variant>
 
 #include "cli/output_plan.h"
 #include "cli/text_style.h"
-#include "io/base/byte_buffer.h"
-#include "io/base/foreign_content.h"
-#include "io/mesh/mesh_format.h"
-#include "io/mesh/sniff.h"
+#include "io/formats.h"
 #include "io/splines/patch_model.h"
-#include "io/splines/read_splines.h"
 #include "io/splines/volume_faces.h"
 #include "io/splines/write_splines.h"
 #include "render/spline_view.h"
@@ -36,12 +30,15 @@ Result<Target> target_of(const Options& o) {
   const std::size_t dot = o.output.rfind('.');
   const std::string name = o.to ? *o.to : dot == o.output.npos ? "" : o.output.substr(dot + 1);
   if (const auto view = view_format_from_name(name)) return Target(*view);
-  if (const auto format = spline_format_from_name(name); format && can_write(*format))
-    return Target(*format);
-  if (o.to)
-    return bad_argument("of splines --to must be itd, g2, vjson, vtu, obj or gltf, not " + name);
-  return bad_argument("the name " + o.output +
-                      " does not end in itd, g2, vjson, vtu, obj or gltf: use --to");
+  const ModelFormat* const row = format_from_name(name, ModelKind::kSplines);
+  if (row != nullptr && row->write != nullptr) return Target(std::get<SplineFormat>(row->id));
+  std::string names;
+  for (const ModelFormat& known : model_formats())
+    if (known.kind() == ModelKind::kSplines && known.write != nullptr)
+      names += std::string(known.name) + ", ";
+  names += "vtu, obj or gltf";
+  if (o.to) return bad_argument("of splines --to must be " + names + ", not " + name);
+  return bad_argument("the name " + o.output + " does not end in " + names + ": use --to");
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -103,22 +100,7 @@ ExitCode finish(const Options& o, const SplineFile& file, const std::string& byt
 
 }  // namespace
 
-bool is_spline_input(const std::string& path, const Options& options) {
-  if (options.spline_format || options.reading.format) return options.spline_format.has_value();
-  if (mesh_format_from_path(path)) return false;
-  if (spline_format_from_path(path)) return true;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  std::array<char, 4096> head{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), head.size());
-  const ByteBuffer buffer = copy_to_buffer({reinterpret_cast<const unsigned char*>(head.data()),
-                                            static_cast<std::size_t>(file.gcount())});
-  const Source source = source_of(buffer, path);
-  return !mesh_format_from_content(source) && spline_format_from_content(source);
-}
-
-ExitCode convert_splines(const Options& options, StandardOutput& out) {
+ExitCode convert_splines(ModelInput& input, const Options& options, StandardOutput& out) {
   const Result<Target> target = target_of(options);
   if (!target) return fail(target.error());
   const auto* const view = std::get_if<ViewFormat>(&*target);
@@ -128,9 +110,9 @@ ExitCode convert_splines(const Options& options, StandardOutput& out) {
   if (const Status status = refuse_same(options.files, options.output); !status)
     return fail(status.error());
   if (const Status status = try_output(options.output); !status) return fail(status.error());
-  Result<SplineFile> file =
-      read_spline_file(options.files[0], {options.spline_format, options.reading.limits});
-  if (!file) return fail(file.error());
+  Result<ModelFile> model = input.take();
+  if (!model) return fail(model.error());
+  SplineFile* const file = &std::get<SplineFile>(*model);
   auto [lost, dropped] = left_out(*file);
   if (options.faces)
     if (const Status status = take_faces(*file, options.files[0], lost, dropped); !status)

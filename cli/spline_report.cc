@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 
+#include "io/formats.h"
 #include "io/splines/write_splines.h"
 
 namespace veritope::cli {
@@ -29,10 +30,12 @@ void grow(ExactBox& box, const Map& s) {
 
 std::vector<std::string> lossless_formats(const SplineFile& file) {
   std::vector<std::string> names;
-  for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kJson}) {
+  for (const ModelFormat& row : model_formats()) {
+    if (row.kind() != ModelKind::kSplines || row.write == nullptr) continue;
+    const SplineFormat format = std::get<SplineFormat>(row.id);
     const SplineLoss loss = spline_loss(file.model, format, spline_bytes(file.model, format));
     if (loss.shapes.empty() && loss.dropped.empty() && !loss.unreadable)
-      names.emplace_back(spline_format_name(format));
+      names.emplace_back(row.name);
   }
   return names;
 }
@@ -64,14 +67,14 @@ void unite(ExactBox& box, const ExactBox& other) {
     }
 }
 
-SplineReport spline_report(const std::string& path, const SplineReadOptions& options) {
+SplineReport spline_report(const std::string& path, ModelInput& input) {
   SplineReport report;
   report.path = path;
   try {
-    Result<SplineFile> file = read_spline_file(path, options);
+    Result<ModelFile> file = input.take();
     if (file) {
-      report.lossless = lossless_formats(*file);
-      report.file = std::move(*file);
+      report.file = std::get<SplineFile>(std::move(*file));
+      report.lossless = lossless_formats(*report.file);
       return report;
     }
     report.fault = fault_of(file.error());

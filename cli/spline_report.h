@@ -7,8 +7,8 @@
 
 #include "cli/exit_code.h"
 #include "cli/file_report.h"
+#include "cli/model_input.h"
 #include "cli/text_style.h"
-#include "io/splines/read_splines.h"
 
 namespace veritope::cli {
 
@@ -20,7 +20,7 @@ struct SplineReport {
   std::optional<Fault> fault;
 };
 
-SplineReport spline_report(const std::string& path, const SplineReadOptions& options);
+SplineReport spline_report(const std::string& path, ModelInput& input);
 
 /// The element of "files" of veritope-info-1; one line.
 std::string spline_json(const SplineReport& report);

@@ -10,7 +10,7 @@
 
 #include "fuzz/certificate_input.h"
 #include "fuzz/decision_laws.h"
-#include "io/mesh/read_mesh.h"
+#include "io/read_model.h"
 #include "tests/support/checker_call.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
@@ -26,7 +26,7 @@ void check(const Input& in) {
   }
   if (answer.substr(0, 7) != "ACCEPT ") return;
   const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
-  ReadOptions options;
+  ModelReadOptions options;
   options.as_indexed = get(statement, "as_indexed") == "true";
   options.limits = {~std::uint64_t{0}, ~std::uint64_t{0} >> 1, ~std::uint32_t{0} >> 1,
                     ~std::uint32_t{0} >> 1};

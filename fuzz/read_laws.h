@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
+#include "io/read_model.h"
 #include "robust/base/check.h"
 
 namespace veritope::fuzz {
@@ -73,7 +73,7 @@ inline void check_round_trips(const TriangleMesh& mesh) {
     if (!loss_of(mesh, how).is_lossless()) continue;
     const Result<std::string> bytes = mesh_to_bytes(mesh, how);
     VT_CHECK(bytes.has_value(), "a lossless file that cannot be written");
-    ReadOptions options;
+    ModelReadOptions options;
     options.format = how.format;
     options.as_indexed = true;
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.value().data());
@@ -88,7 +88,7 @@ inline void check_round_trips(const TriangleMesh& mesh) {
 }
 
 inline void check_reader(MeshFormat format, std::span<const std::uint8_t> bytes) {
-  ReadOptions options;
+  ModelReadOptions options;
   options.format = format;
   options.limits.max_bytes = 1 << 16;
   options.limits.max_faces = 4000;

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "io/mesh/read_mesh.h"
+#include "io/read_model.h"
 #include "robust/base/check.h"
 #include "verify/checker/mesh/mesh.h"
 
@@ -36,7 +36,7 @@ inline std::int64_t checker_key(double value) {
 inline void check_agreement(MeshFormat format, std::span<const std::uint8_t> bytes) {
   const std::string text(bytes.begin(), bytes.end());
   for (const bool as_indexed : {false, true}) {
-    ReadOptions options;
+    ModelReadOptions options;
     options.format = format;
     options.as_indexed = as_indexed;
     options.limits.max_digits = std::numeric_limits<std::uint32_t>::max();

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/splines/read_splines.h"
+#include "io/read_model.h"
 #include "io/splines/write_splines.h"
 #include "render/spline_view.h"
 #include "robust/base/check.h"
@@ -31,7 +31,7 @@ inline void check_refusal(const Error& error) {
 /// The JSON is canonical and gives the same model; the other writers' bytes are read, unless spline_loss says why not.
 inline void check_writers(const SplineModel& model) {
   const std::string json = spline_json_bytes(model);
-  SplineReadOptions options;
+  ModelReadOptions options;
   options.format = SplineFormat::kJson;
   options.limits.max_digits = options.limits.max_exponent = ~std::uint32_t{0};
   const auto back = read_spline_bytes(bytes_of(json), "json", options);
@@ -53,7 +53,7 @@ inline void check_writers(const SplineModel& model) {
 inline void check_spline_readers(std::span<const unsigned char> data) {
   for (const SplineFormat format : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kMfem,
                                     SplineFormat::kGismo, SplineFormat::kJson}) {
-    SplineReadOptions options;
+    ModelReadOptions options;
     options.format = format;
     options.limits.max_digits = 100;
     options.limits.max_exponent = 400;

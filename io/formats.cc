@@ -6,29 +6,19 @@
 #include "io/base/scan.h"
 #include "io/mesh/sniff.h"
 #include "io/mesh/write_mesh.h"
+#include "io/splines/spline_sniff.h"
 #include "io/splines/write_splines.h"
 #include "robust/base/check.h"
 
 namespace veritope {
 namespace {
 
-template <MeshFormat kFormat>
-bool looks_like(const Source& source) {
-  return mesh_format_from_content(source) == kFormat;
-}
-
-template <SplineFormat kFormat>
-bool looks_like(const Source& source) {
-  return spline_format_from_content(source) == kFormat;
-}
+using LooksLike = bool (*)(const Source&);
+using SecondGuess = std::string (*)(const Source&);
 
 template <MeshFormat kFormat>
 Result<ModelFile> read(const Source& source, const ModelReadOptions& options) {
-  ReadOptions mesh_options;
-  mesh_options.as_indexed = options.as_indexed;
-  mesh_options.limits = options.limits;
-  mesh_options.jobs = options.jobs;
-  Result<MeshFile> file = read_mesh(kFormat, source, mesh_options);
+  Result<MeshFile> file = read_mesh(kFormat, source, options.limits, options.as_indexed);
   if (!file) return file.error();
   return ModelFile(std::move(*file));
 }
@@ -51,37 +41,40 @@ Result<std::string> write(const ModelFile& file, const ReadLimits& limits) {
 }
 
 template <MeshFormat kFormat>
-ModelFormat row(std::vector<std::string_view> endings) {
+ModelFormat mesh(std::vector<std::string_view> endings, LooksLike looks_like,
+                 SecondGuess second_guess = nullptr) {
   return {kFormat,
           mesh_format_name(kFormat),
           std::move(endings),
-          looks_like<kFormat>,
+          looks_like,
           read<kFormat>,
+          second_guess,
           write<kFormat>};
 }
 
 template <SplineFormat kFormat>
-ModelFormat row(std::vector<std::string_view> endings) {
+ModelFormat splines(std::vector<std::string_view> endings, LooksLike looks_like) {
   return {kFormat,
           spline_format_name(kFormat),
           std::move(endings),
-          looks_like<kFormat>,
+          looks_like,
           read<kFormat>,
+          nullptr,
           can_write(kFormat) ? write<kFormat> : nullptr};
 }
 
-// The table.
+// The table. Meshes come first: a content that looks like a mesh and like splines is taken as a mesh.
 const std::vector<ModelFormat>& rows() {
   static const std::vector<ModelFormat> table = {
-      row<MeshFormat::kStl>({"stl"}),
-      row<MeshFormat::kObj>({"obj"}),
-      row<MeshFormat::kPly>({"ply"}),
-      row<MeshFormat::kOff>({"off"}),
-      row<SplineFormat::kItd>({"itd"}),
-      row<SplineFormat::kG2>({"g2"}),
-      row<SplineFormat::kMfem>({"mfem", "mesh"}),
-      row<SplineFormat::kGismo>({"gismo", "xml"}),
-      row<SplineFormat::kJson>({"vjson", "json"}),
+      mesh<MeshFormat::kStl>({"stl"}, looks_like_stl, size_as_binary_stl),
+      mesh<MeshFormat::kObj>({"obj"}, looks_like_obj),
+      mesh<MeshFormat::kPly>({"ply"}, looks_like_ply),
+      mesh<MeshFormat::kOff>({"off"}, looks_like_off),
+      splines<SplineFormat::kItd>({"itd"}, looks_like_itd),
+      splines<SplineFormat::kG2>({"g2"}, looks_like_g2),
+      splines<SplineFormat::kMfem>({"mfem", "mesh"}, looks_like_mfem),
+      splines<SplineFormat::kGismo>({"gismo", "xml"}, looks_like_gismo),
+      splines<SplineFormat::kJson>({"vjson", "json"}, looks_like_spline_json),
   };
   return table;
 }
@@ -108,19 +101,6 @@ const ModelFormat* first(std::optional<ModelKind> kind, Fits fits) {
   return nullptr;
 }
 
-const ModelFormat* from_name(std::string_view name, std::optional<ModelKind> kind) {
-  return first(kind, [&](const ModelFormat& row) { return is_called(row, name); });
-}
-
-const ModelFormat* from_path(std::string_view path, std::optional<ModelKind> kind) {
-  const auto ending = ending_of(path);
-  return ending ? from_name(*ending, kind) : nullptr;
-}
-
-const ModelFormat* from_content(const Source& source, std::optional<ModelKind> kind) {
-  return first(kind, [&](const ModelFormat& row) { return row.looks_like(source); });
-}
-
 }  // namespace
 
 std::span<const ModelFormat> model_formats() { return rows(); }
@@ -132,28 +112,28 @@ const ModelFormat& model_format(const FormatId& id) {
   return *found;
 }
 
-const ModelFormat* format_from_name(std::string_view name) { return from_name(name, std::nullopt); }
-const ModelFormat* format_from_path(std::string_view path) { return from_path(path, std::nullopt); }
-const ModelFormat* format_from_content(const Source& source) {
-  return from_content(source, std::nullopt);
-}
-const ModelFormat* format_from_name(std::string_view name, ModelKind kind) {
-  return from_name(name, std::optional(kind));
-}
-const ModelFormat* format_from_path(std::string_view path, ModelKind kind) {
-  return from_path(path, std::optional(kind));
-}
-const ModelFormat* format_from_content(const Source& source, ModelKind kind) {
-  return from_content(source, std::optional(kind));
+const ModelFormat* format_from_name(std::string_view name, std::optional<ModelKind> kind) {
+  return first(kind, [&](const ModelFormat& row) { return is_called(row, name); });
 }
 
-std::string format_names(std::optional<ModelKind> kind) {
-  std::vector<std::string> names;
+const ModelFormat* format_from_path(std::string_view path, std::optional<ModelKind> kind) {
+  const auto ending = ending_of(path);
+  return ending ? format_from_name(*ending, kind) : nullptr;
+}
+
+const ModelFormat* format_from_content(const Source& source, std::optional<ModelKind> kind) {
+  return first(kind, [&](const ModelFormat& row) { return row.looks_like(source); });
+}
+
+std::string format_names(std::string_view conjunction, std::optional<ModelKind> kind) {
+  std::vector<std::string_view> names;
   for (const ModelFormat& row : rows())
-    if (!kind || row.kind() == *kind) names.emplace_back(row.name);
+    if (!kind || row.kind() == *kind) names.push_back(row.name);
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " " + std::string(conjunction) + " ";
+    text += names[i];
+  }
   return text;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/formats.h: the table of formats. A new format is a new row in io/formats.cc, and nothing else outside of its folder.
+// io/formats.h: the table of formats. A new format is a new row in io/formats.cc, and nothing else outside of its
+// folder.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +22,8 @@ struct ModelFormat {
   bool (*looks_like)(const Source& source);
   /// REQUIRES that the source is not empty. Leaves sha256 and the seconds open.
   Result<ModelFile> (*read)(const Source& source, const ModelReadOptions& options);
+  /// For messages, or null: what a refused file of this format may have been meant as; may be empty.
+  std::string (*second_guess)(const Source& source);
   /// Null: this format is not written. REQUIRES a file of this format's kind.
   Result<std::string> (*write)(const ModelFile& file, const ReadLimits& limits);
 
@@ -32,16 +36,17 @@ std::span<const ModelFormat> model_formats();
 /// The row of a format.
 const ModelFormat& model_format(const FormatId& id);
 
-/// Each returns null if no row fits. A name is compared in any case; a path counts with the letters behind its last dot.
-const ModelFormat* format_from_name(std::string_view name);
-const ModelFormat* format_from_path(std::string_view path);
-const ModelFormat* format_from_content(const Source& source);
-/// The same among the formats of one kind.
-const ModelFormat* format_from_name(std::string_view name, ModelKind kind);
-const ModelFormat* format_from_path(std::string_view path, ModelKind kind);
-const ModelFormat* format_from_content(const Source& source, ModelKind kind);
+/// Each returns null if no row fits; with a kind, only the formats of that kind count. A name is compared in any case;
+/// of a path the letters behind the last dot of the file name count.
+const ModelFormat* format_from_name(std::string_view name,
+                                    std::optional<ModelKind> kind = std::nullopt);
+const ModelFormat* format_from_path(std::string_view path,
+                                    std::optional<ModelKind> kind = std::nullopt);
+const ModelFormat* format_from_content(const Source& source,
+                                       std::optional<ModelKind> kind = std::nullopt);
 
-/// "stl, obj, ply or off": the names of the formats of a kind, or of all formats.
-std::string format_names(std::optional<ModelKind> kind = std::nullopt);
+/// "stl, obj, ply or off" for the conjunction "or": the names of the formats of a kind, or of all formats.
+std::string format_names(std::string_view conjunction,
+                         std::optional<ModelKind> kind = std::nullopt);
 
 }  // namespace veritope

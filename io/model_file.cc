@@ -11,10 +11,10 @@ std::uint64_t bytes_in(const SplineFile& file) { return file.bytes; }
 
 }  // namespace
 
-const char* model_kind_name(ModelKind kind) {
+const char* title_of(ModelKind kind) {
   switch (kind) {
-    case ModelKind::kMesh: return "mesh";
-    case ModelKind::kSplines: return "splines";
+    case ModelKind::kMesh: return "a mesh";
+    case ModelKind::kSplines: return "a file of splines";
   }
   return "unknown";
 }

@@ -15,11 +15,11 @@ namespace veritope {
 /// What a file holds, in the order of the alternatives of ModelFile and FormatId.
 enum class ModelKind { kMesh, kSplines };
 
-/// "mesh", "splines".
-const char* model_kind_name(ModelKind kind);
+/// In sentences: "a mesh", "a file of splines".
+const char* title_of(ModelKind kind);
 
-/// The content of a file of a model: one alternative for each kind. Each has the members sha256, seconds_read, seconds_parse and
-/// seconds_hash, which the front door fills.
+/// The content of a file of a model: one alternative for each kind. Each has the members sha256, seconds_read,
+/// seconds_parse and seconds_hash, which the front door fills.
 using ModelFile = std::variant<MeshFile, SplineFile>;
 
 /// A format, typed by its kind.

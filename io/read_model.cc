@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "io/base/file_bytes.h"
-#include "io/base/foreign_content.h"
+#include "io/foreign_content.h"
 #include "io/formats.h"
 #include "robust/base/stopwatch.h"
 #include "verify/format/sha256.h"
@@ -61,12 +61,21 @@ std::optional<Error> check_options(const std::string& name, const ModelReadOptio
                        "jobs must be at least 1, not " + std::to_string(options.jobs));
 }
 
-const ModelFormat* from_path(const std::string& path, std::optional<ModelKind> kind) {
-  return kind ? format_from_path(path, *kind) : format_from_path(path);
-}
-
-const ModelFormat* from_content(const Source& source, std::optional<ModelKind> kind) {
-  return kind ? format_from_content(source, *kind) : format_from_content(source);
+// Why no format was found.
+Error unknown_format(const Source& source, const ModelReadOptions& options) {
+  const std::string wanted = format_names("or", options.kind);
+  if (const std::string other = unread_format(source); !other.empty())
+    return error_at_byte(source, source.begin, Code::kForeignFormat,
+                         "this is " + other + ": not read yet; the formats that are read are " +
+                             format_names("and"));
+  const ModelFormat* row = format_from_path(*source.name);
+  if (row == nullptr) row = format_from_content(source);
+  return error_in_file(
+      *source.name, Code::kUnknownFormat,
+      row == nullptr ? "neither the ending of the name nor the content says whether this is " +
+                           wanted + " (--format)"
+                     : "this is " + std::string(title_of(row->kind())) + " (" + row->name +
+                           "); needed is " + title_of(options.kind.value()) + ": " + wanted);
 }
 
 Result<const ModelFormat*> choose(const Source& source, const ModelReadOptions& options) {
@@ -76,13 +85,43 @@ Result<const ModelFormat*> choose(const Source& source, const ModelReadOptions& 
     if (!options.kind || row.kind() == *options.kind) return &row;
     return error_in_file(
         *source.name, Code::kBadArgument,
-        std::string("the format must be ") + format_names(options.kind) + ", not " + row.name);
+        "the format must be " + format_names("or", options.kind) + ", not " + row.name);
   }
-  if (const ModelFormat* row = from_path(*source.name, options.kind)) return row;
-  if (const ModelFormat* row = from_content(source, options.kind)) return row;
-  return error_in_file(*source.name, Code::kUnknownFormat,
-                       "neither the ending of the name nor the content says whether this is " +
-                           format_names(options.kind) + " (--format)");
+  if (const ModelFormat* row = format_from_path(*source.name, options.kind)) return row;
+  if (const ModelFormat* row = format_from_content(source, options.kind)) return row;
+  return unknown_format(source, options);
+}
+
+// What the content looks like, for a refusal by the reader of `row`; empty if that says nothing new.
+std::string other_looks(const Source& source, const ModelFormat& row,
+                        const ModelReadOptions& options) {
+  if (looks_like_utf16(source)) return "it looks like UTF-16 text";
+  const ModelFormat* const other = format_from_content(source, options.kind);
+  if (other != nullptr && other != &row)
+    return std::string("it looks like ") + other->name + " (--format " + other->name + ")";
+  if (const std::string unread = unread_format(source); other == nullptr && !unread.empty())
+    return "it looks like " + unread + ", which is not read yet";
+  return row.second_guess == nullptr ? "" : row.second_guess(source);
+}
+
+Error explained(Error error, const Source& source, const ModelFormat& row,
+                const ModelReadOptions& options) {
+  if (error.code != Code::kSyntax && error.code != Code::kTruncated && error.code != Code::kEmpty)
+    return error;
+  const std::string looks = other_looks(source, row, options);
+  if (!looks.empty()) error.message += "; " + looks;
+  return error;
+}
+
+ModelReadOptions only(ModelKind kind, ModelReadOptions options) {
+  options.kind = kind;
+  return options;
+}
+
+template <typename File>
+Result<File> taken(Result<ModelFile> file) {
+  if (!file) return file.error();
+  return std::get<File>(std::move(*file));
 }
 
 }  // namespace
@@ -113,7 +152,7 @@ Result<ModelFile> read_model(const ModelBytes& file, const ModelReadOptions& opt
   Hashing hashing(file.bytes, options.jobs);
   Stopwatch watch;
   Result<ModelFile> model = (*row)->read(source, options);
-  if (!model) return model.error();
+  if (!model) return explained(model.error(), source, **row, options);
   const double seconds_parse = watch.lap();
   const std::string sha256 = hashing.finish();
   std::visit(
@@ -139,6 +178,24 @@ Result<ModelFile> read_model_bytes(std::span<const unsigned char> bytes, const s
     return error_in_file(name, Code::kOverLimit,
                          over_limit("bytes", "--max-bytes", options.limits.max_bytes));
   return read_model({name, copy_to_buffer(bytes), 0}, options);
+}
+
+Result<MeshFile> read_mesh_file(const std::string& path, const ModelReadOptions& options) {
+  return taken<MeshFile>(read_model_file(path, only(ModelKind::kMesh, options)));
+}
+
+Result<MeshFile> read_mesh_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                                 const ModelReadOptions& options) {
+  return taken<MeshFile>(read_model_bytes(bytes, name, only(ModelKind::kMesh, options)));
+}
+
+Result<SplineFile> read_spline_file(const std::string& path, const ModelReadOptions& options) {
+  return taken<SplineFile>(read_model_file(path, only(ModelKind::kSplines, options)));
+}
+
+Result<SplineFile> read_spline_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                                     const ModelReadOptions& options) {
+  return taken<SplineFile>(read_model_bytes(bytes, name, only(ModelKind::kSplines, options)));
 }
 
 }  // namespace veritope

@@ -24,14 +24,14 @@ Result<ModelBytes> load_model(const std::string& path, const ModelReadOptions& o
 
 /// The format in which read_model reads the bytes: options.format, else the one of the name's ending, else the one that
 /// the content looks like.
-/// @error  kEmpty; kForeignFormat for a content that is known and not read; kUnknownFormat; kBadArgument if options.format
-///         is not of options.kind
+/// @error  kEmpty; kForeignFormat for a content that is known and not read; kUnknownFormat; kBadArgument if
+///         options.format is not of options.kind
 Result<FormatId> choose_format(const ModelBytes& file, const ModelReadOptions& options);
 
 /// May be called again with other options.
-/// @error  as choose_format; kSyntax, kTruncated, kEmpty, kNotFinite, kIndexOutOfRange, kOverLimit, kBadSpline, with the
-///         line of a text or the byte of binary data
-/// @cost   O(bytes) time for meshes; memory at most a constant times the bytes, never an announced count
+/// @error  as choose_format; kSyntax, kTruncated, kEmpty, kNotFinite, kIndexOutOfRange, kOverLimit, kBadSpline, with
+///         the line of a text or the byte of binary data
+/// @cost O(bytes) time for meshes; memory at most a constant times the bytes, never an announced count
 Result<ModelFile> read_model(const ModelBytes& file, const ModelReadOptions& options);
 
 /// Both.
@@ -40,5 +40,13 @@ Result<ModelFile> read_model_file(const std::string& path, const ModelReadOption
 /// The same for bytes in memory.
 Result<ModelFile> read_model_bytes(std::span<const unsigned char> bytes, const std::string& name,
                                    const ModelReadOptions& options);
+
+/// The same for files of one kind: options.kind is set. A file of another kind is refused with kUnknownFormat.
+Result<MeshFile> read_mesh_file(const std::string& path, const ModelReadOptions& options);
+Result<MeshFile> read_mesh_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                                 const ModelReadOptions& options);
+Result<SplineFile> read_spline_file(const std::string& path, const ModelReadOptions& options);
+Result<SplineFile> read_spline_bytes(std::span<const unsigned char> bytes, const std::string& name,
+                                     const ModelReadOptions& options);
 
 }  // namespace veritope

@@ -10,8 +10,8 @@ namespace {
 
 class ObjReader : TextReader {
  public:
-  ObjReader(const Source& source, const ReadOptions& options)
-      : TextReader(source, options.limits, kTokenEndOrComment), sink_(options.limits.max_faces) {}
+  ObjReader(const Source& source, const ReadLimits& limits)
+      : TextReader(source, limits, kTokenEndOrComment), sink_(limits.max_faces) {}
 
   Result<ParsedMesh> read() {
     if (!(read_lines() && check_forward_indices())) return take_error();
@@ -193,8 +193,8 @@ class ObjReader : TextReader {
 
 }  // namespace
 
-Result<ParsedMesh> read_obj(const Source& source, const ReadOptions& options) {
-  return ObjReader(source, options).read();
+Result<ParsedMesh> read_obj(const Source& source, const ReadLimits& limits) {
+  return ObjReader(source, limits).read();
 }
 
 }  // namespace veritope

@@ -8,8 +8,8 @@ namespace {
 
 class OffReader : TextReader {
  public:
-  OffReader(const Source& source, const ReadOptions& options)
-      : TextReader(source, options.limits, kTokenEndOrComment), sink_(options.limits.max_faces) {}
+  OffReader(const Source& source, const ReadLimits& limits)
+      : TextReader(source, limits, kTokenEndOrComment), sink_(limits.max_faces) {}
 
   Result<ParsedMesh> read() {
     if (!(read_header() && read_vertices() && read_faces())) return take_error();
@@ -23,6 +23,10 @@ class OffReader : TextReader {
     p_ = skip_space(p_, source_.end);
     ignored_.add("bytes behind the last face", source_.size() - source_.offset(p_));
     parsed.report.ignored = ignored_.take();
+    skip_to_token();  // a comment says nothing about the counts
+    const std::string faces = num_faces_ == 1 ? " face" : " faces";
+    notice_rest(p_ < source_.end ? source_.size() - source_.offset(p_) : 0,
+                "the stated " + std::to_string(num_faces_) + faces, parsed.report);
     return parsed;
   }
 
@@ -171,8 +175,8 @@ class OffReader : TextReader {
 
 }  // namespace
 
-Result<ParsedMesh> read_off(const Source& source, const ReadOptions& options) {
-  return OffReader(source, options).read();
+Result<ParsedMesh> read_off(const Source& source, const ReadLimits& limits) {
+  return OffReader(source, limits).read();
 }
 
 }  // namespace veritope

@@ -42,6 +42,14 @@ bool FaceSink::add_polygon(std::span<const std::uint32_t> corners) {
   return true;
 }
 
+void notice_rest(std::uint64_t bytes, const std::string& what, ReadReport& report) {
+  if (bytes == 0) return;
+  report.notices.push_back(
+      {"data-after-end", std::to_string(bytes) +
+                             (bytes == 1 ? " more byte follows " : " more bytes follow ") + what +
+                             ": the count may be wrong"});
+}
+
 void take_faces(FaceSink& sink, ParsedMesh& parsed) {
   parsed.mesh.faces = std::move(sink.faces);
   parsed.polygon_of_face = std::move(sink.polygon_of_face);

@@ -61,12 +61,15 @@ struct ParsedMesh {
   std::vector<std::uint32_t> polygon_of_face;
 };
 
+/// If `bytes` of them are left: "12 more bytes follow <what>: the count may be wrong".
+void notice_rest(std::uint64_t bytes, const std::string& what, ReadReport& report);
+
 /// Moves the sink's content into `parsed`.
 void take_faces(FaceSink& sink, ParsedMesh& parsed);
 
-Result<ParsedMesh> read_stl(const Source& source, const ReadOptions& options);
-Result<ParsedMesh> read_obj(const Source& source, const ReadOptions& options);
-Result<ParsedMesh> read_ply(const Source& source, const ReadOptions& options);
-Result<ParsedMesh> read_off(const Source& source, const ReadOptions& options);
+Result<ParsedMesh> read_stl(const Source& source, const ReadLimits& limits);
+Result<ParsedMesh> read_obj(const Source& source, const ReadLimits& limits);
+Result<ParsedMesh> read_ply(const Source& source, const ReadLimits& limits);
+Result<ParsedMesh> read_off(const Source& source, const ReadLimits& limits);
 
 }  // namespace veritope

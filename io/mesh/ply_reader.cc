@@ -97,16 +97,22 @@ Result<ParsedMesh> PlyLists::finish(const Source& source, const PlyHeader& heade
   if (header.encoding == PlyEncoding::kAscii) end = skip_space(end, source.end);
   ignored.add("bytes behind the last element", static_cast<std::uint64_t>(source.end - end));
   parsed.report.ignored = ignored.take();
+  if (end < source.end) {
+    const PlyElement& last = header.elements.back();
+    notice_rest(static_cast<std::uint64_t>(source.end - end),
+                "the stated " + std::to_string(last.count) + " of element " + escaped(last.name),
+                parsed.report);
+  }
   return parsed;
 }
 
-Result<ParsedMesh> read_ply(const Source& source, const ReadOptions& options) {
+Result<ParsedMesh> read_ply(const Source& source, const ReadLimits& limits) {
   Result<PlyHeader> header = parse_ply_header(source);
   if (!header) return header.error();
-  const Status checked = check_ply_header(source, options.limits, *header);
+  const Status checked = check_ply_header(source, limits, *header);
   if (!checked) return checked.error();
-  return header->encoding == PlyEncoding::kAscii ? read_ply_ascii(source, options.limits, *header)
-                                                 : read_ply_binary(source, options.limits, *header);
+  return header->encoding == PlyEncoding::kAscii ? read_ply_ascii(source, limits, *header)
+                                                 : read_ply_binary(source, limits, *header);
 }
 
 }  // namespace veritope

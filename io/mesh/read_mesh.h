@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/mesh/read_mesh.h: from the bytes of a file to the triangles that they mean, or to an error with its place.
+// io/mesh/read_mesh.h: from the bytes of a mesh to the triangles that they mean, or to an error with its place.
 // The rule: docs/certificates/reading-rule-1.md, version 1. The checkers implement the same page on their own.
 #pragma once
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,11 +15,10 @@
 
 namespace veritope {
 
-struct ReadOptions {
-  std::optional<MeshFormat> format;  ///< nothing: from the extension, else from the content
-  bool as_indexed = false;           ///< keep the file's own indices (no effect on STL)
-  ReadLimits limits;
-  int jobs = 1;  ///< threads; the result is the same for every value >= 1
+/// Something that the reading rule takes as it is, and that the author of the file may not have meant.
+struct ReadNotice {
+  std::string code;     ///< "data-after-end": the file goes on after what its counts announce
+  std::string message;  ///< "7 more facets follow the stated 5: the count may be wrong"
 };
 
 /// What was read, and what was passed over.
@@ -30,6 +27,7 @@ struct ReadReport {
   std::string variant;  ///< stl-ascii, stl-binary, obj, ply-ascii, ply-binary-little-endian,
                         ///< ply-binary-big-endian, off
   std::uint64_t bytes = 0;
+  bool as_indexed = false;  ///< the file's own vertex indices were kept: asked for, and not STL
   std::uint64_t file_vertices =
       0;  ///< that the file lists; for STL the number of distinct positions
   std::uint64_t distinct_vertices = 0;      ///< positions that differ as numbers
@@ -39,6 +37,7 @@ struct ReadReport {
   std::uint64_t strip_joints = 0;           ///< dropped triangles of strips (two equal indices)
   /// What was ignored, with counts, in a fixed order: {"normals", 12}, {"usemtl lines", 3}, ...
   std::vector<std::pair<std::string, std::uint64_t>> ignored;
+  std::vector<ReadNotice> notices;
 };
 
 struct MeshFile {
@@ -52,19 +51,12 @@ struct MeshFile {
   double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing
 };
 
-/// The bytes as a file of this format; options.format has no effect. Leaves sha256 and the seconds open.
-/// @error  as read_mesh_file; kEmpty and what no reader takes are the caller's to refuse
-Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadOptions& options);
-
-/// Reads a regular file, or standard input if `path` is "-"; then options.format is required.
-/// @error  kCannotOpen, kEmpty, kForeignFormat, kUnknownFormat, kSyntax, kTruncated, kNotFinite,
-///         kIndexOutOfRange, kOverLimit; kBadArgument for "-" without a format and for jobs < 1.
-///         The place holds the line of a text or the byte of binary data.
-/// @cost   O(bytes) time; memory at most a constant times the bytes, never the announced counts
-Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& options);
-
-/// The same for bytes in memory. `name` stands for the file in errors, and its extension counts as one.
-Result<MeshFile> read_mesh_bytes(std::span<const unsigned char> bytes, const std::string& name,
-                                 const ReadOptions& options);
+/// The bytes as a file of this format. Leaves sha256 and the seconds open. Files are read by io/read_model.h.
+/// @param  as_indexed  keep the file's own indices (no effect on STL)
+/// @error  kEmpty, kSyntax, kTruncated, kNotFinite, kIndexOutOfRange, kOverLimit, with the line of a text or the byte
+///         of binary data
+/// @cost O(bytes) time; memory at most a constant times the bytes, never the announced counts
+Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadLimits& limits,
+                           bool as_indexed);
 
 }  // namespace veritope

@@ -38,8 +38,7 @@ std::string_view first_word(const Source& source) {
   return {p, static_cast<std::size_t>(last - p)};
 }
 
-}  // namespace
-
+// A guess for messages, never for decisions: bytes that no text has in a file that has the size of a header.
 bool looks_like_binary_stl(const Source& source) {
   if (source.size() < kStlHeader) return false;
   const auto is_no_text = [](unsigned char c) { return c < 9 || (c > 13 && c < 32); };
@@ -47,15 +46,24 @@ bool looks_like_binary_stl(const Source& source) {
   return std::any_of(source.begin, source.begin + size, is_no_text);
 }
 
-std::optional<MeshFormat> mesh_format_from_content(const Source& source) {
+}  // namespace
+
+bool looks_like_stl(const Source& source) {
   const bool has_header = source.size() >= kStlHeader;
-  if (has_header && source.size() == stl_binary_size(source)) return MeshFormat::kStl;
-  const std::string_view word = first_word(source);
-  if (word == "ply") return MeshFormat::kPly;
-  if (is_off_word(word)) return MeshFormat::kOff;
-  if (is_word(word, "solid")) return MeshFormat::kStl;
-  if (is_obj_word(word)) return MeshFormat::kObj;
-  return std::nullopt;
+  return (has_header && source.size() == stl_binary_size(source)) ||
+         is_word(first_word(source), "solid");
+}
+
+bool looks_like_obj(const Source& source) { return is_obj_word(first_word(source)); }
+bool looks_like_ply(const Source& source) { return first_word(source) == "ply"; }
+bool looks_like_off(const Source& source) { return is_off_word(first_word(source)); }
+
+std::string size_as_binary_stl(const Source& source) {
+  if (!looks_like_binary_stl(source)) return "";
+  const std::uint64_t size = stl_binary_size(source);
+  return "if it is a binary STL: its header announces " +
+         std::to_string((size - kStlHeader) / kStlFacet) + " facets, " + std::to_string(size) +
+         " bytes, but it has " + std::to_string(source.size());
 }
 
 }  // namespace veritope

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/mesh/sniff.h: which of the four mesh formats the bytes of a file look like.
+// io/mesh/sniff.h: whether the bytes of a file look like one of the mesh formats.
 #pragma once
-#include <optional>
+#include <string>
 
 #include "io/base/source.h"
-#include "io/mesh/mesh_format.h"
 
 namespace veritope {
 
-/// From the content alone: `ply`, OFF with its prefixes, `solid`, a line of OBJ, or a binary STL of the exact
-/// size. Nothing if none fits.
-std::optional<MeshFormat> mesh_format_from_content(const Source& source);
+/// The word `solid`, or a binary STL of the exact size.
+bool looks_like_stl(const Source& source);
+/// Each by its first word: a keyword of OBJ, `ply`, OFF with its prefixes.
+bool looks_like_obj(const Source& source);
+bool looks_like_ply(const Source& source);
+bool looks_like_off(const Source& source);
 
-/// A guess for messages, never for decisions: bytes that no text has in a file that has the size of a binary STL's header.
-bool looks_like_binary_stl(const Source& source);
+/// For messages: how long a file would be if it were the binary STL that its bytes may mean; empty for a text.
+std::string size_as_binary_stl(const Source& source);
 
 }  // namespace veritope

@@ -53,6 +53,16 @@ Status check_size(const Source& source, const ReadLimits& limits) {
   return ok_status();
 }
 
+// Bytes that are no whole number of facets are padding as likely as a wrong count.
+void notice_facets(std::uint64_t bytes, std::uint64_t stated, ReadReport& report) {
+  if (bytes == 0 || bytes % kStlFacet != 0) return;
+  const std::uint64_t more = bytes / kStlFacet;
+  report.notices.push_back(
+      {"data-after-end",
+       std::to_string(more) + (more == 1 ? " more facet follows" : " more facets follow") +
+           " the stated " + std::to_string(stated) + ": the count may be wrong"});
+}
+
 }  // namespace
 
 Result<ParsedMesh> read_stl_binary(const Source& source, const ReadLimits& limits) {
@@ -88,6 +98,7 @@ Result<ParsedMesh> read_stl_binary(const Source& source, const ReadLimits& limit
   ignored.add("non-zero attributes", attributes);
   ignored.add("bytes behind the last facet", static_cast<std::uint64_t>(source.end - end));
   parsed.report.ignored = ignored.take();
+  notice_facets(static_cast<std::uint64_t>(source.end - end), num, parsed.report);
   return parsed;
 }
 

@@ -26,9 +26,8 @@ std::uint64_t stl_binary_size(const Source& source) {
   return kStlHeader + kStlFacet * num;
 }
 
-Result<ParsedMesh> read_stl(const Source& source, const ReadOptions& options) {
-  return is_stl_binary(source) ? read_stl_binary(source, options.limits)
-                               : read_stl_ascii(source, options.limits);
+Result<ParsedMesh> read_stl(const Source& source, const ReadLimits& limits) {
+  return is_stl_binary(source) ? read_stl_binary(source, limits) : read_stl_ascii(source, limits);
 }
 
 }  // namespace veritope

@@ -4,7 +4,6 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -27,32 +26,24 @@ struct SplineFile {
   SplineModel model;
   SplineFormat format = SplineFormat::kItd;
   std::uint64_t bytes = 0;
-  std::string sha256;        ///< of the bytes that were read, 64 lower-case hex digits
-  double seconds_read = 0;   ///< file to memory
-  double seconds_parse = 0;  ///< memory to splines
-  double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing
+  std::string sha256;             ///< of the bytes that were read, 64 lower-case hex digits
+  double seconds_read = 0;        ///< file to memory
+  double seconds_parse = 0;       ///< memory to splines
+  double seconds_hash = 0;        ///< SHA-256; with jobs >= 2 at the same time as parsing
   std::vector<LeftOut> left_out;  ///< in the order of their first occurrence
+  /// The refusal of the first number that is beyond the default ReadLimits, if wider limits let it in. Certificates are
+  /// about numbers within the default limits only.
+  std::optional<Error> beyond_default_limits;
 };
 
-struct SplineReadOptions {
-  std::optional<SplineFormat> format;  ///< nothing: from the extension, else from the content
-  ReadLimits limits;                   ///< max_faces has no effect
-};
-
-/// The bytes as a file of this format. Leaves sha256 and the seconds open.
-/// @error  as read_spline_file; what no reader takes is the caller's to refuse
+/// The bytes as a file of this format. Leaves sha256 and the seconds open. Files are read by io/read_model.h. A file
+/// without any spline is read, too: the model is empty and left_out says what there is.
+/// @param  limits  max_faces has no effect
+/// @error  kSyntax, kTruncated, kNotFinite, kIndexOutOfRange, kOverLimit, kBadSpline, with the line and, in a spline,
+///         its entity
+/// @cost memory at most a constant times the bytes (exact numbers: NumberBudget), never an announced count; the stack
+///        does not grow with nesting
 Result<SplineFile> read_splines(SplineFormat format, const Source& source,
                                 const ReadLimits& limits);
-
-/// Reads a regular file, or standard input if `path` is "-"; then options.format is required. A file without any
-/// spline is read, too: the model is empty and left_out says what there is.
-/// @error  kCannotOpen, kEmpty, kForeignFormat, kUnknownFormat, kSyntax, kTruncated, kNotFinite, kIndexOutOfRange,
-///         kOverLimit, kBadSpline, with the line and, in a spline, its entity; kBadArgument for "-" without a format
-/// @cost   memory at most a constant times the bytes (exact numbers: NumberBudget), never an announced count; the stack does not grow with nesting
-Result<SplineFile> read_spline_file(const std::string& path, const SplineReadOptions& options);
-
-/// The same for bytes in memory. `name` stands for the file in errors, and its extension counts as one.
-Result<SplineFile> read_spline_bytes(std::span<const unsigned char> bytes, const std::string& name,
-                                     const SplineReadOptions& options);
 
 }  // namespace veritope

@@ -121,6 +121,34 @@ std::string_view SplineTextReader::peek() {
   return {p_, static_cast<std::size_t>(last - p_)};
 }
 
+ReadLimits SplineTextReader::within_default(ReadLimits limits) {
+  limits.max_digits = std::min(limits.max_digits, ReadLimits().max_digits);
+  limits.max_exponent = std::min(limits.max_exponent, ReadLimits().max_exponent);
+  return limits;
+}
+
+Error SplineTextReader::limit_error(const char* at, std::string_view token, DecimalFault fault,
+                                    const ReadLimits& limits) {
+  const std::string limit = std::to_string(limits.max_exponent);
+  const std::string what =
+      fault == DecimalFault::kDigits
+          ? over_limit("digits in a number", "--max-digits", limits.max_digits)
+          : "an exponent larger than " + limit + " (--max-exponent " + limit + ")";
+  return {Code::kOverLimit, place_of(at), what + ": " + quoted(token)};
+}
+
+void SplineTextReader::note_long(const char* at, std::string_view token,
+                                 DecimalFault (*read)(std::string_view, const ReadLimits&,
+                                                      Rational&)) {
+  const bool are_known =
+      known_.max_digits == limits_.max_digits && known_.max_exponent == limits_.max_exponent;
+  if (are_known || beyond_default_limits_) return;
+  Rational ignored;
+  const DecimalFault fault = read(token, known_, ignored);
+  if (fault == DecimalFault::kDigits || fault == DecimalFault::kExponent)
+    beyond_default_limits_ = limit_error(at, token, fault, known_);
+}
+
 bool SplineTextReader::read_token(const char* at, std::string_view token, Rational& value,
                                   DecimalFault (*read)(std::string_view, const ReadLimits&,
                                                        Rational&)) {
@@ -132,22 +160,20 @@ bool SplineTextReader::read_token(const char* at, std::string_view token, Ration
   const auto over_budget = [&] {
     return fail(at, Code::kOverLimit, budget_.message() + ": " + quoted(token));
   };
-  switch (read(token, limits, value)) {
-    case DecimalFault::kNone: return budget_.spend(value) || over_budget();
+  const DecimalFault fault = read(token, limits, value);
+  switch (fault) {
+    case DecimalFault::kNone:
+      note_long(at, token, read);
+      return budget_.spend(value) || over_budget();
     case DecimalFault::kSyntax: break;
     case DecimalFault::kNotFinite:
       return fail(at, Code::kNotFinite, "the number " + quoted(token) + " is not finite");
     case DecimalFault::kDigits:
-      return fail(at, Code::kOverLimit,
-                  over_limit("digits in a number", "--max-digits", limits_.max_digits) + ": " +
-                      quoted(token));
-    case DecimalFault::kExponent: {
-      if (limits.max_exponent < limits_.max_exponent) return over_budget();
-      const std::string limit = std::to_string(limits_.max_exponent);
-      return fail(
-          at, Code::kOverLimit,
-          "an exponent larger than " + limit + " (--max-exponent " + limit + "): " + quoted(token));
-    }
+    case DecimalFault::kExponent:
+      if (fault == DecimalFault::kExponent && limits.max_exponent < limits_.max_exponent)
+        return over_budget();
+      if (!error_) error_ = limit_error(at, token, fault, limits_);
+      return false;
   }
   return fail(at, Code::kSyntax, "a number expected, but there is " + quoted(token));
 }

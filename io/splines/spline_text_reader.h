@@ -24,6 +24,7 @@ class SplineTextReader {
   SplineTextReader(const Source& source, const ReadLimits& limits)
       : source_(source),
         limits_(limits),
+        known_(within_default(limits)),
         p_(skip_byte_order_mark(source)),
         budget_(source.size()) {}
 
@@ -34,6 +35,7 @@ class SplineTextReader {
     SplineFile file;
     file.model = std::move(model_);
     file.left_out = std::move(left_out_);
+    file.beyond_default_limits = std::move(beyond_default_limits_);
     return file;
   }
 
@@ -96,6 +98,7 @@ class SplineTextReader {
 
   const Source& source_;
   const ReadLimits& limits_;
+  const ReadLimits known_;  ///< the same, but digits and exponents within the default limits
   const char* p_;
   std::uint8_t ends_ = kTokenEnd;        ///< what ends a token
   bool has_comments_ = false;            ///< # to the end of the line
@@ -110,7 +113,14 @@ class SplineTextReader {
   bool charge_repeated(const char* at, const std::vector<Rational>& points,
                        std::span<const bool> is_periodic);
 
-  std::optional<Error> error_;
+  static ReadLimits within_default(ReadLimits limits);
+  /// Of a token that was read, under wider limits perhaps: remembers it if it is beyond the default limits.
+  void note_long(const char* at, std::string_view token,
+                 DecimalFault (*read)(std::string_view, const ReadLimits&, Rational&));
+  Error limit_error(const char* at, std::string_view token, DecimalFault fault,
+                    const ReadLimits& limits);
+
+  std::optional<Error> error_, beyond_default_limits_;
   std::map<std::pair<std::string, std::string>, std::size_t> left_out_index_;
   const char* counted_ = nullptr;  ///< line_of has counted up to here
   std::uint64_t line_ = 1;
@@ -127,7 +137,7 @@ Result<SplineFile> run_reader(const Source& source, const ReadLimits& limits) {
 /// Valid UTF-8 stays; otherwise every byte is the Latin-1 character of its number.
 std::string to_utf8(std::string_view text);
 
-/// The formats, on bytes that refuse_foreign has let pass. Errors as read_spline_file.
+/// The formats. Errors as read_splines.
 Result<SplineFile> read_itd(const Source& source, const ReadLimits& limits);
 Result<SplineFile> read_g2(const Source& source, const ReadLimits& limits);
 Result<SplineFile> read_mfem(const Source& source, const ReadLimits& limits);

@@ -71,16 +71,14 @@ std::string spline_bytes(const SplineModel& model, SplineFormat format, const Re
 SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes,
                        const ReadLimits& limits) {
   SplineLoss loss;
-  SplineReadOptions options;
-  options.format = format;
-  options.limits = limits;
-  options.limits.max_bytes = ~std::uint64_t{0};
   if (bytes.empty()) {
     loss.unreadable = Error{Code::kEmpty, {}, "no spline is left for it to hold"};
     return loss;
   }
-  const auto file = read_spline_bytes(
-      {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "output", options);
+  const ByteBuffer buffer =
+      copy_to_buffer({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+  const std::string name = "output";
+  const auto file = read_splines(format, source_of(buffer, name), limits);
   if (!file) {
     loss.unreadable = file.error();
     return loss;

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <random>
 
-#include "io/splines/read_splines.h"
+#include "io/read_model.h"
 #include "tests/io/spline_test_util.h"
 #include "tests/support/paths.h"
 #include "verify/checker/patches/star.h"

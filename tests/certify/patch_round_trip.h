@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "io/read_model.h"
 #include "io/splines/patch_model.h"
-#include "io/splines/read_splines.h"
 #include "io/splines/write_splines.h"
 #include "verify/certify/patch_certifier.h"
 #include "verify/format/sha256.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/mesh/read_mesh.h"
 #include "io/mesh/reading_rule.h"
 #include "io/mesh/write_mesh.h"
+#include "io/read_model.h"
 #include "solids/polyhedron/validity.h"
 #include "tests/support/shapes.h"
 #include "verify/certify/mesh_certifier.h"
@@ -31,7 +31,7 @@ inline Certified certified_file(std::string file, const std::string& name, bool 
                                 unsigned jobs, std::size_t max_defects = 20) {
   Certified out;
   out.file = std::move(file);
-  ReadOptions read;
+  ModelReadOptions read;
   read.as_indexed = as_indexed;
   const auto bytes =
       std::span(reinterpret_cast<const unsigned char*>(out.file.data()), out.file.size());

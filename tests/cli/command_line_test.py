@@ -104,6 +104,44 @@ class ExitStatus(unittest.TestCase):
             self.assertEqual(done.returncode, 4)
             self.assertRegex(done.stdout, rf"^UNREADABLE  {path}  .*{word}")
 
+    def test_a_fifo_without_a_writer_is_refused_at_once(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            for name in ("fifo", "fifo.stl", "fifo.itd"):
+                fifo = support.os.path.join(folder, name)
+                support.os.mkfifo(fifo)
+                for command in (["certify"], ["info"], ["project", "0,0,0"], ["cover", "--sweep", "0"]):
+                    done = run(*command, fifo, timeout=60)
+                    self.assertEqual(done.returncode, 4, (command, done))
+                    self.assertIn("it is a FIFO", done.stdout + done.stderr)
+
+    def test_files_of_formats_that_are_not_read_are_named_by_every_command(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            part = support.os.path.join(folder, "part.step")
+            with open(part, "w") as file:
+                file.write("ISO-10303-21;\nHEADER;\nENDSEC;\n")
+            output = support.os.path.join(folder, "out.stl")
+            for command in (["certify", part], ["info", part], ["convert", part, output], ["project", "0,0,0", part],
+                            ["cover", part, "-o", output], ["intersect", part, part]):
+                done = run(*command)
+                self.assertEqual(done.returncode, 4, done)
+                self.assertRegex(done.stdout + done.stderr,
+                                 r"byte 0: this is a STEP file: not read yet; the formats that are read are stl, obj, ply, off, "
+                                 r"itd, g2, mfem, gismo and vjson\n", command)
+
+    def test_an_unknown_file_gets_the_list_of_all_formats(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            part = support.os.path.join(folder, "part.txt")
+            with open(part, "w") as file:
+                file.write("hello\n")
+            done = run("certify", part)
+            self.assertEqual(done.returncode, 4)
+            self.assertIn("says whether this is stl, obj, ply, off, itd, g2, mfem, gismo or vjson (--format)", done.stdout)
+
+    def test_a_mesh_where_splines_are_needed_is_named(self):
+        done = run("project", "0,0,0", VALID)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("this is a mesh (off); needed is a file of splines: itd, g2, mfem, gismo or vjson", done.stderr)
+
     def test_the_first_line_is_the_verdict(self):
         self.assertEqual(run("certify", MODELS / "valid_frame.off").stdout.split("\n")[0],
                          f"VALID  {MODELS / 'valid_frame.off'}  1 body, genus 1, volume 8 (checked)")

@@ -179,6 +179,27 @@ class Values(Folder):
         ignored = support.only_file(MODELS / "valid_quads_crlf.obj")["ignored"]
         self.assertIn({"what": "vn lines", "count": 1}, ignored)
 
+    def binary_stl(self, model):
+        path = self.folder / "converted.stl"
+        self.assertEqual(support.run("convert", "--to", "stl", model, path).returncode, 0)
+        return path.read_bytes()
+
+    def test_facets_behind_the_stated_ones_are_named_and_change_no_verdict(self):
+        data = self.binary_stl(MODELS / "valid_frame.off")
+        plain, longer = self.folder / "plain.stl", self.folder / "longer.stl"
+        plain.write_bytes(data)
+        longer.write_bytes(data + 7 * data[84:134])
+        stated = int.from_bytes(data[80:84], "little")
+        for command in ("certify", "info"):
+            files = [json.loads(support.run(command, "--json", "-", path).stdout)["files"][0] for path in (plain, longer)]
+            self.assertEqual(files[0]["notices"], [])
+            message = f"7 more facets follow the stated {stated}: the count may be wrong"
+            self.assertEqual(files[1]["notices"], [{"code": "data-after-end", "message": message}])
+            self.assertEqual(files[0]["counts"], files[1]["counts"])
+            self.assertRegex(support.run(command, longer).stdout, rf"\n  notice +{message}\n")
+            self.assertNotIn("notice", support.run(command, plain).stdout)
+        self.assertEqual(support.only_file(longer)["verdict"], "VALID")
+
     def test_every_shell_is_described(self):
         file = support.only_file(MODELS / "valid_nested_three.off")
         self.assertEqual([(s["depth"], s["outward"], s["genus"], s["euler"]) for s in file["shells"]],

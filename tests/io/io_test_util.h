@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/mesh/read_mesh.h"
+#include "io/read_model.h"
 
 namespace veritope::io_test {
 
@@ -17,7 +17,8 @@ inline std::span<const unsigned char> bytes(std::string_view text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-inline Result<MeshFile> read(MeshFormat format, std::string_view text, ReadOptions options = {}) {
+inline Result<MeshFile> read(MeshFormat format, std::string_view text,
+                             ModelReadOptions options = {}) {
   options.format = format;
   return read_mesh_bytes(bytes(text), "model", options);
 }
@@ -55,6 +56,14 @@ inline std::uint64_t ignored(const MeshFile& file, std::string_view what) {
     if (name == what) return count;
   }
   return 0;
+}
+
+/// "code: message" of every notice, one a line.
+inline std::string notices(const MeshFile& file) {
+  std::string text;
+  for (const ReadNotice& n : file.report.notices)
+    text += (text.empty() ? "" : "\n") + n.code + ": " + n.message;
+  return text;
 }
 
 /// The bytes of numbers, in memory order.

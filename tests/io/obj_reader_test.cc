@@ -11,7 +11,7 @@ using io_test::content;
 using io_test::ignored;
 using io_test::outcome;
 
-Result<MeshFile> obj(std::string_view text, ReadOptions options = {}) {
+Result<MeshFile> obj(std::string_view text, ModelReadOptions options = {}) {
   return io_test::read(MeshFormat::kObj, text, options);
 }
 

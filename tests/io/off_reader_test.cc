@@ -9,7 +9,7 @@ using io_test::content;
 using io_test::ignored;
 using io_test::outcome;
 
-Result<MeshFile> off(std::string_view text, ReadOptions options = {}) {
+Result<MeshFile> off(std::string_view text, ModelReadOptions options = {}) {
   return io_test::read(MeshFormat::kOff, text, options);
 }
 
@@ -60,6 +60,16 @@ TEST(OffReader, WhatFollowsTheCountsOnTheirLineAndTheLastFaceIsIgnored) {
   const auto file = off("OFF\n3 1 many edges\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\ntrailing\n");
   EXPECT_EQ(content(file), kTriangle);
   EXPECT_EQ(ignored(*file, "bytes behind the last face"), 9u);
+}
+
+TEST(OffReader, WhatFollowsTheStatedFacesIsNamedUnlessItIsAComment) {
+  const std::string file = "OFF 4 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n";
+  EXPECT_EQ(io_test::notices(*off(file + "3 0 1 3\n")),
+            "data-after-end: 8 more bytes follow the stated 1 face: the count may be wrong");
+  EXPECT_EQ(io_test::notices(*off(file + "# faces\n\n 3 0 1 3\n3 1 2 3")),
+            "data-after-end: 15 more bytes follow the stated 1 face: the count may be wrong");
+  for (const char* const rest : {"", " \n\n", "# a comment", "\n# a comment\n"})
+    EXPECT_EQ(io_test::notices(*off(file + rest)), "") << rest;
 }
 
 TEST(OffReader, PolygonsAreFans) {

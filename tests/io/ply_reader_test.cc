@@ -14,7 +14,7 @@ using io_test::ignored;
 using io_test::outcome;
 using io_test::packed;
 
-Result<MeshFile> ply(std::string_view text, ReadOptions options = {}) {
+Result<MeshFile> ply(std::string_view text, ModelReadOptions options = {}) {
   return io_test::read(MeshFormat::kPly, text, options);
 }
 
@@ -385,6 +385,23 @@ TEST(PlyHeader, CountsAreComparedWithTheBytesLeft) {
   EXPECT_EQ(with("18446744073709551615", "1", true), "truncated@3");
   EXPECT_EQ(with("3", "18446744073709551614", false), "truncated@7");
   EXPECT_EQ(with("1000000000000000000000000000", "1", false), "truncated@3");
+}
+
+TEST(PlyReader, WhatFollowsTheLastElementIsNamed) {
+  const std::string text = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string body = packed(0., 0., 0., 1., 0., 0., 0., 1., 0.) + "\3" + packed(0, 1, 2);
+  const std::string more = "\3" + packed(2, 1, 0);
+  EXPECT_EQ(io_test::notices(*ply(ascii(kVertices + kFaces, text + "3 2 1 0\n"))),
+            "data-after-end: 8 more bytes follow the stated 1 of element face: the count may be "
+            "wrong");
+  EXPECT_EQ(io_test::notices(*ply(little(kVertices + kFaces, body + more))),
+            "data-after-end: 13 more bytes follow the stated 1 of element face: the count may be "
+            "wrong");
+  EXPECT_EQ(io_test::notices(*ply(little(kVertices + kFaces, body + "x"))),
+            "data-after-end: 1 more byte follows the stated 1 of element face: the count may be "
+            "wrong");
+  EXPECT_EQ(io_test::notices(*ply(ascii(kVertices + kFaces, text + " \n\n"))), "");
+  EXPECT_EQ(io_test::notices(*ply(little(kVertices + kFaces, body))), "");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What the four readers have in common: names, limits, foreign data, merging, the hash.
-#include "io/mesh/read_mesh.h"
+#include "io/read_model.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -41,18 +41,6 @@ Result<MeshFile> read_as(const std::string& name, std::string_view text) {
   return read_mesh_bytes(io_test::bytes(text), name, {});
 }
 
-TEST(MeshFormat, NamesAreReadInAnyCase) {
-  EXPECT_EQ(mesh_format_from_name("PLY"), MeshFormat::kPly);
-  EXPECT_EQ(mesh_format_from_name("ply "), std::nullopt);
-  EXPECT_EQ(mesh_format_from_path("a/b.c/part.StL"), MeshFormat::kStl);
-  EXPECT_EQ(mesh_format_from_path("a.obj/part"), std::nullopt);
-  EXPECT_EQ(mesh_format_from_path("part.off.gz"), std::nullopt);
-  EXPECT_EQ(mesh_format_from_path(""), std::nullopt);
-  for (const char* name : {"stl", "obj", "ply", "off"}) {
-    EXPECT_STREQ(mesh_format_name(mesh_format_from_name(name).value()), name);
-  }
-}
-
 TEST(ReadMesh, TheExtensionDecidesElseTheContent) {
   for (const std::string& text : {kObj, kOff, kPly, kStl, kBinaryStl}) {
     EXPECT_EQ(content(read_as("model", text)), kTriangle) << text;
@@ -64,7 +52,7 @@ TEST(ReadMesh, TheExtensionDecidesElseTheContent) {
   EXPECT_EQ(outcome(read_as("x.off", kObj)), "syntax@1");
   EXPECT_EQ(outcome(read_as("x", "hello world")), "unknown-format");
   EXPECT_EQ(outcome(read_as("x.txt", "   ")), "unknown-format");
-  ReadOptions options;
+  ModelReadOptions options;
   options.format = MeshFormat::kObj;
   EXPECT_EQ(content(read_mesh_bytes(io_test::bytes(kObj), "x.off", options)), kTriangle);
 }
@@ -104,7 +92,7 @@ TEST(ReadMesh, EqualPositionsMergeInEveryFormatUnlessAsIndexed) {
   EXPECT_EQ(merged->report.distinct_vertices, 4u);
   EXPECT_EQ(merged->report.referenced_vertices, 3u);
   EXPECT_EQ(merged->report.unreferenced_vertices, 1u);
-  ReadOptions options;
+  ModelReadOptions options;
   options.as_indexed = true;
   const auto indexed = read(MeshFormat::kObj, obj, options);
   EXPECT_EQ(content(indexed), "0,0,0 9,9,9 0,0,0 1,0,0 0,1,0 | 2,3,4");
@@ -119,7 +107,7 @@ TEST(ReadMesh, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {
   while (text.size() < 1 << 17) text += "# padding that makes hashing in parallel worth while\n";
   const std::string expected = to_hex(sha256(io_test::bytes(text)));
   for (const int jobs : {1, 2, 8}) {
-    ReadOptions options;
+    ModelReadOptions options;
     options.jobs = jobs;
     const auto file = read(MeshFormat::kObj, text, options);
     EXPECT_EQ(content(file), kTriangle);
@@ -128,7 +116,7 @@ TEST(ReadMesh, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {
     EXPECT_EQ(outcome(read(MeshFormat::kObj, text + "f 1 1 9", options)).substr(0, 12),
               "index-out-of");
   }
-  ReadOptions options;
+  ModelReadOptions options;
   options.jobs = 0;
   EXPECT_EQ(outcome(read(MeshFormat::kObj, text, options)), "bad-argument");
 }
@@ -180,7 +168,7 @@ TEST(ReadLimitsTest, BytesFaceCountsDigitsAndExponentsHoldAtNAndFailAtNPlusOne) 
        }()},
       {MeshFormat::kStl, kStl + kStl + kStl}};
   for (const auto& [format, text] : files) {
-    ReadOptions options;
+    ModelReadOptions options;
     options.limits.max_bytes = text.size();
     options.limits.max_faces = 3;
     EXPECT_EQ(outcome(read(format, text, options)), "ok");
@@ -197,14 +185,14 @@ TEST(ReadLimitsTest, BytesFaceCountsDigitsAndExponentsHoldAtNAndFailAtNPlusOne) 
 }
 
 TEST(ReadLimitsTest, AnnouncedFacesOverTheLimitAreRefusedWhereTheyAreAnnounced) {
-  ReadOptions options;
+  ModelReadOptions options;
   options.limits.max_faces = 0;
   EXPECT_EQ(outcome(read(MeshFormat::kOff, kOff, options)), "over-limit@2");
   EXPECT_EQ(outcome(read(MeshFormat::kPly, kPly, options)), "over-limit@7");
 }
 
 TEST(ReadLimitsTest, BinaryFacesHoldAtNAndFailAtNPlusOne) {
-  ReadOptions options;
+  ModelReadOptions options;
   options.limits.max_faces = 1;
   EXPECT_EQ(outcome(read(MeshFormat::kStl, kBinaryStl, options)), "ok");
   options.limits.max_faces = 0;
@@ -239,7 +227,7 @@ TEST(ReadLimitsTest, DigitsAndExponentsAreLimitedInEveryTextFormat) {
         .replace(kPly.find("3 0 1 2"), 7, "3 0 1 " + index)
         .replace(kPly.find("0 0 0"), 5, "0 0 " + number);
   };
-  ReadOptions options;
+  ModelReadOptions options;
   options.limits.max_digits = 12;
   options.limits.max_exponent = 99;
   for (const MeshFormat format :
@@ -286,7 +274,7 @@ TEST(ReadMeshFile, ReadsAFileAndStandardInput) {
   EXPECT_EQ(outcome(read_mesh_file("-", {})), "bad-argument");
   const int saved = ::dup(STDIN_FILENO), input = ::open(path.c_str(), O_RDONLY);
   ::dup2(input, STDIN_FILENO);
-  ReadOptions options;
+  ModelReadOptions options;
   options.format = MeshFormat::kObj;
   EXPECT_EQ(content(read_mesh_file("-", options)), kTriangle);
   ::lseek(STDIN_FILENO, 0, SEEK_SET);
@@ -311,7 +299,7 @@ TEST(ReadMeshFile, ReadsAPipeOfAnyLength) {
   });
   const int saved = ::dup(STDIN_FILENO);
   ::dup2(ends[0], STDIN_FILENO);
-  ReadOptions options;
+  ModelReadOptions options;
   options.format = MeshFormat::kObj;
   const auto file = read_mesh_file("-", options);
   writer.join();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "io/splines/read_splines.h"
+#include "io/read_model.h"
 
+#include "io/formats.h"
 #include "tests/io/spline_test_util.h"
 
 namespace veritope {
@@ -348,7 +349,7 @@ TEST(ReadSplines, EveryPrefixOfASampleIsRefusedOrReadWithoutHarm) {
   for (const char* name : {"groups.itd", "trimmed.itd", "objects.g2", "two_cubes.mesh",
                            "patches.mesh", "surface.xml", "triangles.vjson"}) {
     const std::string text = io_test::slurp(io_test::spline_folder() + name);
-    const SplineFormat format = *spline_format_from_path(name);
+    const SplineFormat format = std::get<SplineFormat>(format_from_path(name)->id);
     for (std::size_t size = 1; size < text.size(); ++size) {
       const auto file = read_splines(format, std::string_view(text).substr(0, size));
       EXPECT_TRUE(file || file.error().place.line) << name << " " << size;
@@ -369,7 +370,7 @@ TEST(ReadSplines, NestingDoesNotGrowTheStack) {
 }
 
 TEST(ReadSplines, LimitsAreObeyed) {
-  SplineReadOptions options;
+  ModelReadOptions options;
   options.limits.max_digits = 3;
   EXPECT_EQ(outcome(read_splines(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [1.234]]", options)),
             "over-limit@1#0");
@@ -406,7 +407,7 @@ TEST(ReadSplines, TheNumbersOfAFileHaveABudgetOfMemory) {
 }
 
 TEST(ReadSplines, OneNumberOverTheBudgetIsNotWrittenOut) {
-  SplineReadOptions options;
+  ModelReadOptions options;
   options.limits.max_exponent = 4'000'000'000;
   const std::string refused =
       sentence(read_splines(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [1e3999999999]]", options));
@@ -423,7 +424,7 @@ TEST(ReadSplines, NumbersThatAreMadeOfTheFilesNumbersAreInTheBudget) {
   for (int i = 0; i < 20; ++i) xml += "1e40000 ";
   xml += "</weights><coefs geoDim=\"1000\">";
   for (int i = 0; i < 20'000; ++i) xml += "1 ";
-  SplineReadOptions options;
+  ModelReadOptions options;
   options.limits.max_exponent = 40000;
   const auto file = read_splines(SplineFormat::kGismo, xml + "</coefs></Geometry></xml>", options);
   EXPECT_EQ(outcome(file), "over-limit@2#0") << sentence(file);
@@ -441,16 +442,13 @@ TEST(ReadSplines, FormatsAreFoundByNameAndByContent) {
     const std::string text = io_test::slurp(io_test::spline_folder() + name);
     const auto file = read_spline_bytes(io_test::bytes(text), "no_extension", {});
     ASSERT_TRUE(file) << name;
-    EXPECT_EQ(file->format, *spline_format_from_path(name));
+    EXPECT_EQ(file->format, std::get<SplineFormat>(format_from_path(name)->id));
   }
   EXPECT_EQ(outcome(read_spline_bytes(io_test::bytes("hello"), "x", {})), "unknown-format");
   EXPECT_EQ(outcome(read_spline_bytes(io_test::bytes("\x1f\x8b"), "x.itd", {})), "foreign-format");
   EXPECT_EQ(outcome(read_spline_bytes({}, "x.itd", {})), "empty");
   EXPECT_EQ(outcome(read_spline_file("/nowhere/x.itd", {})), "cannot-open");
   EXPECT_EQ(outcome(read_spline_file("-", {})), "bad-argument");
-  EXPECT_EQ(spline_format_from_path("a.b/c"), std::nullopt);
-  EXPECT_EQ(spline_format_from_name("VJSON"), SplineFormat::kJson);
-  EXPECT_EQ(spline_format_from_name("stl"), std::nullopt);
 }
 
 TEST(ReadSplines, TextThatIsNoUtf8IsTakenAsLatin1) {

@@ -57,7 +57,7 @@ void expect_read(const std::string& path, const Row& row) {
   EXPECT_EQ(std::to_string(file->mesh.faces.size()), row.at("triangles")) << path;
   EXPECT_EQ(std::to_string(file->report.polygons_split), row.at("polygons_fan_split")) << path;
   EXPECT_EQ(file->sha256.substr(0, 16), row.at("sha256_16")) << path;
-  ReadOptions two;
+  ModelReadOptions two;
   two.jobs = 2;
   const auto again = read_mesh_file(path, two);
   ASSERT_TRUE(again);

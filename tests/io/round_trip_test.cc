@@ -50,7 +50,7 @@ TriangleMesh any_mesh() {
 }
 
 TriangleMesh read_back(std::string_view bytes, MeshFormat format, bool as_indexed) {
-  ReadOptions options;
+  ModelReadOptions options;
   options.as_indexed = as_indexed;
   auto file = io_test::read(format, bytes, options);
   RC_ASSERT(file.has_value());

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "io/formats.h"
 #include "io/splines/write_splines.h"
 #include "tests/io/spline_test_util.h"
 #include "tests/support/paths.h"
@@ -24,7 +25,8 @@ std::map<std::string, std::string> manifest() {
     std::vector<std::string> cells;
     std::istringstream parts(line);
     for (std::string cell; std::getline(parts, cell, '\t');) cells.push_back(cell);
-    if (cells.size() > 10 && spline_format_from_path(cells[0])) rows[cells[0]] = cells[10];
+    if (cells.size() > 10 && format_from_path(cells[0], ModelKind::kSplines) != nullptr)
+      rows[cells[0]] = cells[10];
   }
   return rows;
 }

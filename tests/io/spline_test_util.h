@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/splines/read_splines.h"
+#include "io/read_model.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 #include "tests/io/io_test_util.h"
@@ -16,7 +16,7 @@
 namespace veritope::io_test {
 
 inline Result<SplineFile> read_splines(SplineFormat format, std::string_view text,
-                                       SplineReadOptions options = {}) {
+                                       ModelReadOptions options = {}) {
   options.format = format;
   return read_spline_bytes(bytes(text), "model", options);
 }

@@ -13,7 +13,7 @@ using io_test::ignored;
 using io_test::outcome;
 using io_test::packed;
 
-Result<MeshFile> stl(std::string_view text, ReadOptions options = {}) {
+Result<MeshFile> stl(std::string_view text, ModelReadOptions options = {}) {
   return io_test::read(MeshFormat::kStl, text, options);
 }
 
@@ -51,6 +51,21 @@ TEST(StlBinary, BytesBehindTheLastFacetAreIgnoredAndCounted) {
   const auto file = stl(binary(kFacet, 1) + "abc");
   EXPECT_EQ(content(file), kTriangle);
   EXPECT_EQ(ignored(*file, "bytes behind the last facet"), 3u);
+}
+
+std::string notices(const Result<MeshFile>& file) { return io_test::notices(*file); }
+
+TEST(StlBinary, AWholeNumberOfFacetsBehindTheLastIsNamed) {
+  const std::string three = kFacet + kFacet + kFacet;
+  EXPECT_EQ(notices(stl(binary(kFacet + three, 1))),
+            "data-after-end: 3 more facets follow the stated 1: the count may be wrong");
+  EXPECT_EQ(notices(stl(binary(three + kFacet, 3))),
+            "data-after-end: 1 more facet follows the stated 3: the count may be wrong");
+  EXPECT_EQ(content(stl(binary(kFacet + three, 1))), kTriangle);
+  EXPECT_EQ(ignored(*stl(binary(kFacet + three, 1)), "bytes behind the last facet"), 150u);
+  EXPECT_EQ(notices(stl(binary(three, 3))), "");
+  EXPECT_EQ(notices(stl(binary(kFacet + three + "x", 1))), "");
+  EXPECT_EQ(notices(stl(binary(kFacet + three.substr(1), 1))), "");
 }
 
 TEST(StlBinary, AttributesAreIgnoredAndCounted) {
@@ -112,11 +127,9 @@ TEST(StlAscii, KeywordsMayHaveAnyCaseAndBlanksAnyKind) {
 }
 
 TEST(StlAscii, AnythingMayStandWhereTheNormalStands) {
-  EXPECT_EQ(
-      content(stl(
-          "solid\nfacet solid vertex nan \xFF outer loop\nvertex 0 0 0 vertex 1 0 0 "
-          "vertex 0 1 0 endloop endfacet endsolid x")),
-      kTriangle);
+  EXPECT_EQ(content(stl("solid\nfacet solid vertex nan \xFF outer loop\nvertex 0 0 0 vertex 1 0 0 "
+                        "vertex 0 1 0 endloop endfacet endsolid x")),
+            kTriangle);
 }
 
 TEST(StlAscii, AllSolidBlocksAreOneModel) {
@@ -165,7 +178,7 @@ TEST(StlAscii, MergesManyCornersInTheOrderOfTheirFirstOccurrence) {
 }
 
 TEST(StlReader, IsAlwaysMerged) {
-  ReadOptions options;
+  ModelReadOptions options;
   options.as_indexed = true;
   EXPECT_EQ(content(stl(binary(kFacet + kFacet, 2), options)), "0,0,0 1,0,0 0,1,0 | 0,1,2 0,1,2");
 }

@@ -2,7 +2,7 @@
 // A program outside the tree: tests/install/install_test.py builds it against an installed Veritope. README.md shows it.
 #include <iostream>
 
-#include "io/mesh/read_mesh.h"
+#include "io/read_model.h"
 #include "predicates/orient3d.h"
 #include "solids/polyhedron/validity.h"
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/model_input.h: one input of a command, which is opened and read once, and only when its bytes are needed.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "io/read_model.h"
+
+namespace veritope::cli {
+
+class ModelInput {
+ public:
+  ModelInput(std::string path, const ModelReadOptions& options)
+      : path_(std::move(path)), options_(options) {}
+
+  /// As --format or the ending of the name says, else as the content says. An input that cannot be read or recognised
+  /// counts as a mesh: take() says what is wrong with it.
+  ModelKind kind();
+
+  /// Reads it as read_model_file does. The bytes are gone afterwards.
+  Result<ModelFile> take();
+
+ private:
+  const Result<ModelBytes>& bytes();
+
+  std::string path_;
+  const ModelReadOptions& options_;
+  std::optional<Result<ModelBytes>> bytes_;
+};
+
+}  // namespace veritope::cli

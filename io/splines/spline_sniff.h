@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/splines/spline_sniff.h: whether the first bytes of a file look like one of the spline formats.
+#pragma once
+#include "io/base/source.h"
+
+namespace veritope {
+
+/// A group or a spline in brackets, in a text that is none of the three formats with a first word of their own.
+bool looks_like_itd(const Source& source);
+/// The number of a class of GoTools, and another number behind it.
+bool looks_like_g2(const Source& source);
+bool looks_like_mfem(const Source& source);
+bool looks_like_gismo(const Source& source);
+bool looks_like_spline_json(const Source& source);
+
+}  // namespace veritope

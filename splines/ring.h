@@ -5,6 +5,8 @@
 #include <concepts>
 #include <cstdint>
 
+#include "robust/base/check.h"
+#include "robust/integer.h"
 #include "robust/rational.h"
 
 namespace veritope {
@@ -14,7 +16,8 @@ namespace veritope {
 ///   static R ratio(p, q)             p / q of integers, q > 0
 ///   static R fraction(t, a, b)       (t - a) / (b - a) of a parameter t and knots a < b
 ///   static R of_knot(k)              the knot as a number of the ring
-/// exactly, rounded to nearest, or enclosed, as the ring can. Interval's is interval/ring_numbers.h.
+/// exactly, rounded to nearest, or enclosed, as the ring can. Every specialisation is here or in the one header that makes the type a ring
+/// (Interval: interval/ring_numbers.h): two translation units must not see different ones.
 template <typename R>
 struct RingNumbers;
 
@@ -47,6 +50,20 @@ struct RingNumbers<Rational> {
     return (t - a) / (b - a);
   }
   static Rational of_knot(const Rational& k) { return k; }
+};
+
+/// No fraction is a number of this ring. REQUIRES ratios and knots that are integers.
+template <>
+struct RingNumbers<Integer> {
+  using Knot = Rational;
+  static Integer ratio(std::int64_t p, std::int64_t q) {
+    VT_CHECK(p % q == 0, "a fraction is no number of the ring of integers");
+    return Integer(p / q);
+  }
+  static Integer of_knot(const Rational& k) {
+    VT_CHECK(k.denominator() == Integer(1), "a fraction is no number of the ring of integers");
+    return k.numerator();
+  }
 };
 
 /// a + t (b - a), evaluated as (1 - t) a + t b: on equal ends exact in t = 0 and t = 1 for every ring.

@@ -8,18 +8,6 @@
 
 namespace veritope {
 
-/// Integers as a ring of forms: there are no fractions, and nothing here asks for one.
-template <>
-struct RingNumbers<Integer> {
-  using Knot = Rational;
-  static Integer ratio(std::int64_t p, std::int64_t q) {
-    return divide_exactly(Integer(p), Integer(q));
-  }
-  static Integer of_knot(const Rational& k) {
-    return divide_exactly(k.numerator(), k.denominator());
-  }
-};
-
 namespace {
 
 Integer common_multiple(const Integer& a, const Integer& b) {

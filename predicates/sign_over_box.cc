@@ -68,7 +68,7 @@ struct BoxDomain {
     grid.for_each_line(axis, [&](std::size_t first) {
       line.clear();
       for (std::size_t i = 0; i < grid.size[axis]; ++i) line.push_back(values[first + i * stride]);
-      internal::halve_line(line, left);
+      internal::halve_keeping_right(line, left);
       for (std::size_t i = 0; i < grid.size[axis]; ++i)
         values[first + i * stride] = which == 0 ? left[i] : line[i];
     });

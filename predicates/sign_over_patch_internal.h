@@ -8,9 +8,11 @@
 
 #include "interval/interval.h"
 #include "interval/numeric.h"
+#include "interval/ring_numbers.h"
 #include "interval/upward.h"
 #include "predicates/sign_over_patch.h"
 #include "robust/base/check.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 
@@ -163,16 +165,13 @@ class SignSearch {
 };
 
 inline Rational halved(const Rational& a) { return a * Rational::power_of_two(-1); }
-inline Interval halved(const Interval& a) { return Interval(0.5) * a; }
 
-/// Both halves of a line of `count` Bernstein coefficients, in place: those of [1/2, 1] in the line, of [0, 1/2] in `left`.
+/// Both halves of a line of Bernstein coefficients: those of [1/2, 1] replace it, those of [0, 1/2] go to `left`.
 template <typename R>
-void halve_line(std::vector<R>& line, std::vector<R>& left) {
-  left.clear();
-  for (std::size_t level = line.size(); level > 0; --level) {
-    left.push_back(line.front());
-    for (std::size_t i = 0; i + 1 < level; ++i) line[i] = halved(line[i] + line[i + 1]);
-  }
+void halve_keeping_right(std::vector<R>& line, std::vector<R>& left) {
+  left.resize(line.size());
+  split_keeping_right(line.data(), 1, static_cast<int>(line.size()) - 1, left.data(), 1,
+                      HalfBlend<R>{R(RingNumbers<R>::ratio(1, 2))});
 }
 
 }  // namespace veritope::internal

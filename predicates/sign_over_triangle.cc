@@ -45,7 +45,7 @@ struct TriangleDomain {
     for (int k = 0; k <= degree; ++k) {
       line.clear();
       for (int j = 0; j <= degree - k; ++j) line.push_back(values[index_of(j, k)]);
-      internal::halve_line(line, left);
+      internal::halve_keeping_right(line, left);
       for (int j = 0; j <= degree - k; ++j) {
         const int i = degree - k - j;
         const auto at = static_cast<std::size_t>(j);

@@ -57,9 +57,9 @@ Bezier<R, N> swapped(const Bezier<R, N>& map, std::size_t axis, std::size_t othe
 /// The map of the other variables where that of `axis` is t. @cost degree^2 / 2 blends a line
 template <Ring R, std::size_t N>
 requires(N > 1) Bezier<R, N - 1> isoparametric(Bezier<R, N> map, std::size_t axis, const R& t) {
-  const R s = one<R>() - t;
+  const auto blend = internal::cut_at(t);
   internal::on_lines(map, axis, [&](R* first, std::size_t stride) {
-    internal::keep_right(first, stride, map.degree(axis), s, t);
+    internal::keep_right(first, stride, map.degree(axis), blend);
   });
   return boundary(map, axis, 0);
 }

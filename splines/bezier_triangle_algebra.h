@@ -11,6 +11,7 @@
 
 #include "splines/bezier_triangle.h"
 #include "splines/binomial.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope {
 namespace internal {
@@ -192,9 +193,12 @@ BezierTriangle<R> on_triangle(const BezierSurface<R>& map,
       against[a].c.push_back(one<R>() - corner[a]);
     }
   }
+  struct Blend {  // de Casteljau's scheme with polynomials in the place of numbers
+    const Scaled &q, &x;
+    void into_first(Scaled& f, const Scaled& g) const { f = f * q + g * x; }
+  };
   const auto fold = [](std::vector<Scaled> f, const Scaled& q, const Scaled& x) {
-    for (; f.size() > 1; f.pop_back())
-      for (std::size_t i = 0; i + 1 < f.size(); ++i) f[i] = f[i] * q + f[i + 1] * x;
+    internal::keep_right(f.data(), 1, static_cast<int>(f.size()) - 1, Blend{q, x});
     return std::move(f.front());
   };
   const int p = map.degree(0), q = map.degree(1);

@@ -7,6 +7,7 @@
 
 #include "robust/base/check.h"
 #include "splines/bezier.h"
+#include "splines/de_casteljau.h"
 
 namespace veritope {
 
@@ -23,11 +24,11 @@ std::vector<R> blossom(const Bezier<R, N>& map, const std::array<std::vector<R>,
                "a blossom has as many arguments as the degree");
       // What is left is a grid of the axes from `axis` on; its first slice becomes the result along the axis.
       const std::size_t stride = map.grid().stride(axis);
-      std::size_t left = arguments[axis].size();
+      int left = map.degree(axis);
       for (const R& t : arguments[axis]) {
-        const R s = one<R>() - t;
-        for (std::size_t i = 0; i < left * stride; ++i)
-          work[i] = blend(work[i], work[i + stride], s, t);
+        const auto blend = internal::cut_at(t);
+        for (std::size_t i = 0; i < stride; ++i)
+          internal::blend_forward(work.data() + i, stride, left, blend);
         --left;
       }
     }

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "splines/de_casteljau_line.h"
+
 namespace veritope::internal {
 
 /// The inner map, prepared. Algebra: see PlainAlgebra.
@@ -21,6 +23,17 @@ template <typename Algebra, std::size_t M>
 struct InnerMap {
   using Polynomial = typename Algebra::Polynomial;
   std::array<Polynomial, M> x, q;
+};
+
+/// The blend q F + x G of de Casteljau's scheme with polynomials in the place of numbers.
+template <typename Algebra>
+struct PolynomialBlend {
+  using Polynomial = typename Algebra::Polynomial;
+  const Algebra& algebra;
+  const Polynomial& q;
+  const Polynomial& x;
+
+  void into_first(Polynomial& f, const Polynomial& g) const { f = algebra.blend(f, q, g, x); }
 };
 
 /// C(a, i) x^i q^(a - i) for i = 0..a, by the recurrence of Bernstein polynomials.
@@ -51,9 +64,8 @@ typename Algebra::Polynomial compose_component(
     const auto a = static_cast<std::size_t>(degrees[m]);
     std::vector<typename Algebra::Polynomial> next;
     for (std::size_t first = 0; first < f.size(); first += a + 1) {
-      for (std::size_t level = 1; level <= a; ++level)
-        for (std::size_t i = 0; i + level <= a; ++i)
-          f[first + i] = algebra.blend(f[first + i], inner.q[m], f[first + i + 1], inner.x[m]);
+      keep_right(f.data() + first, 1, degrees[m],
+                 PolynomialBlend<Algebra>{algebra, inner.q[m], inner.x[m]});
       next.push_back(std::move(f[first]));
     }
     f = std::move(next);

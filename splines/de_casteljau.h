@@ -6,27 +6,15 @@
 #include <vector>
 
 #include "splines/bezier.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope {
 namespace internal {
 
-/// The control points of one line, `stride` apart, restricted in place to [0, t].
+/// The blend that cuts at t.
 template <Ring R>
-void keep_left(R* first, std::size_t stride, int degree, const R& one_minus_t, const R& t) {
-  for (int level = 1; level <= degree; ++level)
-    for (int i = degree; i >= level; --i) {
-      R& p = first[static_cast<std::size_t>(i) * stride];
-      p = blend(first[static_cast<std::size_t>(i - 1) * stride], p, one_minus_t, t);
-    }
-}
-/// To [t, 1].
-template <Ring R>
-void keep_right(R* first, std::size_t stride, int degree, const R& one_minus_t, const R& t) {
-  for (int level = 1; level <= degree; ++level)
-    for (int i = 0; i <= degree - level; ++i) {
-      R& p = first[static_cast<std::size_t>(i) * stride];
-      p = blend(p, first[static_cast<std::size_t>(i + 1) * stride], one_minus_t, t);
-    }
+AffineBlend<R> cut_at(const R& t) {
+  return {one<R>() - t, t};
 }
 
 template <Ring R, std::size_t N, typename OnLine>
@@ -44,18 +32,18 @@ void on_lines(Bezier<R, N>& map, std::size_t axis, OnLine on_line) {
 /// The same map on the part [0, t] of `axis`, as a map of [0,1]^N. Any t: outside of [0,1] it extrapolates.
 template <Ring R, std::size_t N>
 Bezier<R, N> left_part(Bezier<R, N> map, std::size_t axis, const R& t) {
-  const R s = one<R>() - t;
+  const auto blend = internal::cut_at(t);
   internal::on_lines(map, axis, [&](R* first, std::size_t stride) {
-    internal::keep_left(first, stride, map.degree(axis), s, t);
+    internal::keep_left(first, stride, map.degree(axis), blend);
   });
   return map;
 }
 /// On the part [t, 1].
 template <Ring R, std::size_t N>
 Bezier<R, N> right_part(Bezier<R, N> map, std::size_t axis, const R& t) {
-  const R s = one<R>() - t;
+  const auto blend = internal::cut_at(t);
   internal::on_lines(map, axis, [&](R* first, std::size_t stride) {
-    internal::keep_right(first, stride, map.degree(axis), s, t);
+    internal::keep_right(first, stride, map.degree(axis), blend);
   });
   return map;
 }
@@ -78,10 +66,9 @@ std::vector<R> evaluate(const Bezier<R, N>& map, const std::array<R, N>& at) {
       std::size_t stride = 1;
       for (std::size_t i = axis + 1; i < N; ++i)
         stride *= static_cast<std::size_t>(map.degree(i)) + 1;
-      const R& t = at[axis];
-      const R s = one<R>() - t;
+      const auto blend = internal::cut_at(at[axis]);
       for (std::size_t i = 0; i < stride; ++i)
-        internal::keep_right(work.data() + i, stride, map.degree(axis), s, t);
+        internal::keep_right(work.data() + i, stride, map.degree(axis), blend);
     }
     values.push_back(work.front());
   }

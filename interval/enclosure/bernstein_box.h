@@ -27,12 +27,12 @@ Bezier<Interval, N> on_box(Bezier<Interval, N> piece, const Box<N>& local) {
     const bool right_first = hi >= 0.5;
     const Interval left_cut = right_first && cuts_right ? begin / end : begin;
     const Interval right_cut = !right_first && cuts_left ? (end - begin) / (one - begin) : end;
-    const Interval not_left = one - left_cut, not_right = one - right_cut;
+    const auto at_left = internal::cut_at(left_cut), at_right = internal::cut_at(right_cut);
     internal::on_lines(piece, a, [&](Interval* first, std::size_t stride) {
       const int n = piece.degree(a);
-      if (cuts_right && right_first) internal::keep_left(first, stride, n, not_right, right_cut);
-      if (cuts_left) internal::keep_right(first, stride, n, not_left, left_cut);
-      if (cuts_right && !right_first) internal::keep_left(first, stride, n, not_right, right_cut);
+      if (cuts_right && right_first) internal::keep_left(first, stride, n, at_right);
+      if (cuts_left) internal::keep_right(first, stride, n, at_left);
+      if (cuts_right && !right_first) internal::keep_left(first, stride, n, at_right);
     });
   }
   return piece;

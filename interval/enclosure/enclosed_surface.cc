@@ -168,11 +168,9 @@ std::array<MpInterval, 4> EnclosedSurface::precise_point(double u, double v, int
     return (number(x) - a) / (b - a);
   };
   const MpInterval tu = in_span(0, i, u), tv = in_span(1, j, v), one = number(1);
-  const MpInterval su = one - tu, sv = one - tv;
-  // De Casteljau's first point of a line.
-  const auto reduce = [](std::vector<MpInterval>* line, const MpInterval& s, const MpInterval& t) {
-    for (std::size_t n = line->size() - 1; n > 0; --n)
-      for (std::size_t k = 0; k < n; ++k) (*line)[k] = s * (*line)[k] + t * (*line)[k + 1];
+  const internal::AffineBlend<MpInterval> cut_u{one - tu, tu}, cut_v{one - tv, tv};
+  const auto value_of = [](std::vector<MpInterval>* line, const auto& cut) {
+    internal::keep_right(line->data(), 1, static_cast<int>(line->size()) - 1, cut);
     return line->front();
   };
   const std::size_t rows = degrees_[0] + 1, columns = degrees_[1] + 1;
@@ -184,9 +182,9 @@ std::array<MpInterval, 4> EnclosedSurface::precise_point(double u, double v, int
       std::vector<MpInterval> line;
       for (std::size_t k = 0; k < columns; ++k)
         line.emplace_back(net[c * net_count() + row * columns + k], precision);
-      ends.push_back(reduce(&line, sv, tv));
+      ends.push_back(value_of(&line, cut_v));
     }
-    out[c] = reduce(&ends, su, tu);
+    out[c] = value_of(&ends, cut_u);
   }
   return out;
 }
@@ -207,15 +205,19 @@ Box3 EnclosedSurface::point_at(std::size_t i, std::size_t j, const Interval& tu,
   WorkNet net(piece(i, j), shape.size());
   // Inside of the piece all factors are positive or zero, and products are cheap.
   const bool is_inside = tu.lo() >= 0 && tu.hi() <= 1 && tv.lo() >= 0 && tv.hi() <= 1;
-  const auto keep_right = is_inside ? internal::keep_right_inside : internal::keep_right_anywhere;
   const Interval one(1.0);
   const Interval su = one - tu, sv = one - tv;
   Interval values[4];
   for (std::size_t c = 0; c < shape.components; ++c) {
     Interval* const block = net.data() + c * shape.count();
-    for (std::size_t k = 0; k < shape.rows; ++k)
-      keep_right(block + k * shape.columns, 1, shape.columns - 1, sv, tv);
-    keep_right(block, shape.columns, shape.rows - 1, su, tu);
+    internal::with_blend(is_inside, sv, tv, [&](const auto& blend) {
+      for (std::size_t k = 0; k < shape.rows; ++k)
+        internal::keep_right(block + k * shape.columns, 1, static_cast<int>(shape.columns) - 1,
+                             blend);
+    });
+    internal::with_blend(is_inside, su, tu, [&](const auto& blend) {
+      internal::keep_right(block, shape.columns, static_cast<int>(shape.rows) - 1, blend);
+    });
     values[c] = block[0];
   }
   if (!is_rational()) return Box3(values[0], values[1], values[2]);

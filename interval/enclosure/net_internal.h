@@ -14,30 +14,24 @@ inline Interval times_nonnegative(const Interval& t, const Interval& a) {
   return Interval::nonnegative_multiple(a, t);
 }
 
-// De Casteljau's scheme as in splines/, with factors in [0, 1] or any.
-inline void keep_left_inside(Interval* first, std::size_t stride, std::size_t degree,
-                             const Interval& s, const Interval& t) {
-  for (std::size_t level = 1; level <= degree; ++level)
-    for (std::size_t i = degree; i >= level; --i) {
-      Interval& p = first[i * stride];
-      p = times_nonnegative(s, first[(i - 1) * stride]) + times_nonnegative(t, p);
-    }
-}
-inline void keep_right_inside(Interval* first, std::size_t stride, std::size_t degree,
-                              const Interval& s, const Interval& t) {
-  for (std::size_t level = 1; level <= degree; ++level)
-    for (std::size_t i = 0; i + level <= degree; ++i) {
-      Interval& p = first[i * stride];
-      p = times_nonnegative(s, p) + times_nonnegative(t, first[(i + 1) * stride]);
-    }
-}
-inline void keep_left_anywhere(Interval* first, std::size_t stride, std::size_t degree,
-                               const Interval& s, const Interval& t) {
-  keep_left(first, stride, static_cast<int>(degree), s, t);
-}
-inline void keep_right_anywhere(Interval* first, std::size_t stride, std::size_t degree,
-                                const Interval& s, const Interval& t) {
-  keep_right(first, stride, static_cast<int>(degree), s, t);
+/// The blend of a cut between 0 and 1, with two products of bounds a factor instead of four.
+struct InsideBlend {
+  Interval s, t;
+
+  void into_first(Interval& a, const Interval& b) const {
+    a = times_nonnegative(s, a) + times_nonnegative(t, b);
+  }
+  void into_second(const Interval& a, Interval& b) const {
+    b = times_nonnegative(s, a) + times_nonnegative(t, b);
+  }
+};
+/// Calls visit(blend) with the blend of the cut at t = 1 - s. REQUIRES s and t in [0, 1] if is_inside.
+template <typename Visit>
+void with_blend(bool is_inside, const Interval& s, const Interval& t, Visit visit) {
+  if (is_inside)
+    visit(InsideBlend{s, t});
+  else
+    visit(AffineBlend<Interval>{s, t});
 }
 
 /// A net of `components` blocks of rows x columns numbers, the column (v) fastest.
@@ -79,18 +73,22 @@ struct Cut {
       for (Interval* f : {&left, &one_minus_left, &right, &one_minus_right})
         *f = intersection(*f, Interval::from_bounds(0, 1));
   }
-  void apply(Interval* line, std::size_t stride, std::size_t degree) const {
-    const auto left_part = is_inside ? keep_left_inside : keep_left_anywhere;
-    const auto right_part = is_inside ? keep_right_inside : keep_right_anywhere;
-    if (left_first) left_part(line, stride, degree, one_minus_left, left);
-    right_part(line, stride, degree, one_minus_right, right);
-    if (!left_first) left_part(line, stride, degree, one_minus_left, left);
+  void apply(Interval* line, std::size_t stride, std::size_t size) const {
+    const int degree = static_cast<int>(size) - 1;
+    const auto cut_left = [&] {
+      with_blend(is_inside, one_minus_left, left,
+                 [&](const auto& blend) { keep_left(line, stride, degree, blend); });
+    };
+    if (left_first) cut_left();
+    with_blend(is_inside, one_minus_right, right,
+               [&](const auto& blend) { keep_right(line, stride, degree, blend); });
+    if (!left_first) cut_left();
   }
 };
 
 inline void restrict_net(Interval* net, const NetShape& shape, const Cut& u, const Cut& v) {
-  on_u_lines(net, shape, [&](Interval* l, std::size_t s) { u.apply(l, s, shape.rows - 1); });
-  on_v_lines(net, shape, [&](Interval* l, std::size_t s) { v.apply(l, s, shape.columns - 1); });
+  on_u_lines(net, shape, [&](Interval* l, std::size_t s) { u.apply(l, s, shape.rows); });
+  on_v_lines(net, shape, [&](Interval* l, std::size_t s) { v.apply(l, s, shape.columns); });
 }
 
 /// The least interval around n numbers.

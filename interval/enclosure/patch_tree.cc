@@ -77,8 +77,8 @@ void PatchTree::append_part(const Node& parent, bool second_u, bool second_v, do
 void PatchTree::split_piece(Id id) {
   const Node n = nodes_[id];
   const double um = middle(n.u0, n.u1), vm = middle(n.v0, n.v1);
-  const Interval one(1.0), tu = fraction(um, n.u0, n.u1), tv = fraction(vm, n.v0, n.v1);
-  const Interval su = one - tu, sv = one - tv;
+  const auto cut_u = internal::cut_at(fraction(um, n.u0, n.u1)),
+             cut_v = internal::cut_at(fraction(vm, n.v0, n.v1));
   const internal::NetShape shape{surface_.degrees()[0] + 1, surface_.degrees()[1] + 1,
                                  static_cast<std::size_t>(surface_.num_components())};
   const int du = static_cast<int>(shape.rows) - 1, dv = static_cast<int>(shape.columns) - 1;
@@ -86,12 +86,12 @@ void PatchTree::split_piece(Id id) {
   for (const bool second_u : {false, true}) {
     std::vector<Interval> half(net(id), net(id) + shape.size());
     internal::on_u_lines(half.data(), shape, [&](Interval* l, std::size_t s) {
-      second_u ? internal::keep_right(l, s, du, su, tu) : internal::keep_left(l, s, du, su, tu);
+      second_u ? internal::keep_right(l, s, du, cut_u) : internal::keep_left(l, s, du, cut_u);
     });
     for (const bool second_v : {false, true}) {
       std::vector<Interval> quarter = half;
       internal::on_v_lines(quarter.data(), shape, [&](Interval* l, std::size_t s) {
-        second_v ? internal::keep_right(l, s, dv, sv, tv) : internal::keep_left(l, s, dv, sv, tv);
+        second_v ? internal::keep_right(l, s, dv, cut_v) : internal::keep_left(l, s, dv, cut_v);
       });
       append_part(n, second_u, second_v, um, vm, quarter.data());
     }

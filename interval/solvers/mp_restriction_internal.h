@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/mp_restriction_internal.h: de Casteljau over intervals of many bits.
+// interval/solvers/mp_restriction_internal.h: polynomials on boxes over intervals of many bits.
 #pragma once
 #include <vector>
 
 #include "interval/exact_box.h"
 #include "interval/mp_interval.h"
+#include "splines/de_casteljau_line.h"
 #include "splines/grid.h"
 
 namespace veritope::internal {
@@ -15,20 +16,15 @@ struct LineCut {
   std::size_t axis;
   int precision;
 
-  // De Casteljau towards t, keeping [0, t] or [t, 1].
-  void keep(std::vector<MpInterval>& values, const Rational& at, bool keep_left) const {
-    const MpInterval t(at, precision), s(Rational(1) - at, precision);
-    const std::size_t stride = grid.stride(axis), degree = grid.size[axis] - 1;
+  // Keeps [0, at] or [at, 1].
+  void keep(std::vector<MpInterval>& values, const Rational& at, bool is_left) const {
+    const AffineBlend<MpInterval> blend{MpInterval(Rational(1) - at, precision),
+                                        MpInterval(at, precision)};
+    const std::size_t stride = grid.stride(axis);
+    const int degree = static_cast<int>(grid.size[axis]) - 1;
     grid.for_each_line(axis, [&](std::size_t first) {
-      const auto value = [&](std::size_t i) -> MpInterval& { return values[first + i * stride]; };
-      for (std::size_t level = 1; level <= degree; ++level) {
-        if (keep_left) {
-          for (std::size_t i = degree; i >= level; --i) value(i) = s * value(i - 1) + t * value(i);
-        } else {
-          for (std::size_t i = 0; i <= degree - level; ++i)
-            value(i) = s * value(i) + t * value(i + 1);
-        }
-      }
+      MpInterval* const line = values.data() + first;
+      is_left ? keep_left(line, stride, degree, blend) : keep_right(line, stride, degree, blend);
     });
   }
 };

@@ -76,8 +76,8 @@ struct Curve {
     error_x = internal::error_after_halving(error_x, largest(x), n);
     error_y = internal::error_after_halving(error_y, largest(y), n);
     *right = *this;
-    internal::halve_line(x.data(), 1, n, right->x.data(), 1);
-    internal::halve_line(y.data(), 1, n, right->y.data(), 1);
+    internal::split_keeping_left(x.data(), 1, n, right->x.data(), 1, internal::kHalves);
+    internal::split_keeping_left(y.data(), 1, n, right->y.data(), 1, internal::kHalves);
     right->begin = end = begin + (end - begin) / 2;
   }
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope {
 
@@ -43,19 +44,14 @@ std::array<Barycentric<Integer>, 3> corners_of(const PieceForest::Node& node) {
 void internal::restrict_line(Integer* first, std::size_t stride, int degree, std::uint64_t from,
                              std::uint64_t to, int bits) {
   const Integer whole = power_of_two(static_cast<std::uint64_t>(bits));
-  const Integer at_from(from), at_to(to), rest_from = whole - at_from, rest_to = whole - at_to;
+  const AffineBlend<Integer> at_from{whole - Integer(from), Integer(from)},
+      at_to{whole - Integer(to), Integer(to)};
   std::vector<Integer> out, work;
   for (int r = 0; r <= degree; ++r) {
     work.clear();
     for (int i = 0; i <= degree; ++i) work.push_back(first[static_cast<std::size_t>(i) * stride]);
-    for (int step = 0; step < degree; ++step) {
-      const Integer &t = step < r ? at_to : at_from, &rest = step < r ? rest_to : rest_from;
-      for (std::size_t i = 0; i + 1 < work.size(); ++i) {
-        work[i] *= rest;
-        work[i].add_product(t, work[i + 1]);
-      }
-      work.pop_back();
-    }
+    for (int step = 0; step < degree; ++step)
+      blend_forward(work.data(), 1, degree - step, step < r ? at_to : at_from);
     out.push_back(work.front());
   }
   for (int i = 0; i <= degree; ++i)

@@ -76,7 +76,7 @@ void PieceForest::make_root_net(Id id, Part part) {
         double* const first = net + at.begin(c);
         for (int k = 0; k <= lines; ++k) {
           double* const line = first + static_cast<std::size_t>(k) * next;
-          internal::halve_line(line, stride, degree, other.data(), 1);
+          internal::split_keeping_left(line, stride, degree, other.data(), 1, internal::kHalves);
           for (int i = 0; upper && i <= degree; ++i)
             line[static_cast<std::size_t>(i) * stride] = other[static_cast<std::size_t>(i)];
         }

@@ -17,14 +17,6 @@ inline void average_into(const double* a, double* b, int n) {
   for (int m = 0; m < n; ++m) b[m] = 0.5 * (a[m] + b[m]);
 }
 
-// halve_line without strides.
-void halve_row(int degree, double* row, double* right) {
-  for (int level = 0; level <= degree; ++level) {
-    right[degree - level] = row[degree];
-    for (int i = degree; i > level; --i) row[i] = 0.5 * (row[i - 1] + row[i]);
-  }
-}
-
 // The half of a triangle at corner `keep`, cut at the midpoint of the side between corners keep and move: corner `move` goes to that midpoint.
 // Along the lines parallel to that side the net is one of curves of degree 0 .. n: step `level` replaces the coefficients whose index of corner `move` is at least
 // `level` by their means with those one step nearer to corner `keep`.
@@ -45,13 +37,11 @@ void keep_half(int degree, int keep, int move, double* net) {
         average_into(row_of(net, r + 1) + (keep == 1 ? 0 : 1), row_of(net, r), r + 1);
     } else if (move == 2) {  // keep 1, within a row: k from k - 1
       for (int r = level; r <= degree; ++r) {
-        double* const row = row_of(net, r);
-        for (int k = r; k >= level; --k) row[k] = 0.5 * (row[k - 1] + row[k]);
+        blend_backward(row_of(net, r) + level - 1, 1, r - level + 1, kHalves);
       }
     } else {  // keep 2, move 1: k from k + 1, j = r - k >= level
       for (int r = level; r <= degree; ++r) {
-        double* const row = row_of(net, r);
-        for (int k = 0; k <= r - level; ++k) row[k] = 0.5 * (row[k + 1] + row[k]);
+        blend_forward(row_of(net, r), 1, r - level + 1, kHalves);
       }
     }
   }
@@ -87,7 +77,7 @@ void middle_quarter(int degree, const double* net, double* out) {
 void quarter_tensor(const FormShape& shape, const double* net, double* const children[4]) {
   const auto columns = static_cast<std::size_t>(shape.q + 1);
   std::copy(net, net + shape.count(), children[0]);
-  // As halve_line, on all columns at once.
+  // As split_keeping_left, on all columns at once: rows are contiguous, columns are not.
   for (int level = 0; level <= shape.p; ++level) {
     const auto row = [&](int i) { return children[0] + static_cast<std::size_t>(i) * columns; };
     std::copy(row(shape.p), row(shape.p) + columns,
@@ -97,7 +87,7 @@ void quarter_tensor(const FormShape& shape, const double* net, double* const chi
   for (const int k : {0, 2})
     for (int i = 0; i <= shape.p; ++i) {
       const std::size_t row = static_cast<std::size_t>(i) * columns;
-      halve_row(shape.q, children[k] + row, children[k + 1] + row);
+      split_keeping_left(children[k] + row, 1, shape.q, children[k + 1] + row, 1, kHalves);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solids/pieces/surface_form.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 
@@ -20,18 +21,8 @@ inline double error_after_halving(double error, double size, int degree) {
   return (error + degree * (kNetUnit * size) + kNetTiny) * (1 + 0x1p-40);
 }
 
-/// first[0], first[stride], ...: the coefficients of the left half stay in place, those of the right half go to `right`, with its stride.
-inline void halve_line(double* first, std::size_t stride, int degree, double* right,
-                       std::size_t right_stride) {
-  for (int level = 0; level <= degree; ++level) {
-    right[static_cast<std::size_t>(degree - level) * right_stride] =
-        first[static_cast<std::size_t>(degree) * stride];
-    for (int i = degree; i > level; --i) {
-      double& b = first[static_cast<std::size_t>(i) * stride];
-      b = 0.5 * (first[static_cast<std::size_t>(i - 1) * stride] + b);
-    }
-  }
-}
+/// The blend of nets of doubles. A power of two times a sum: one rounded operation unless the result is subnormal.
+inline constexpr HalfBlend<double> kHalves{0.5};
 
 /// The four children of a net of one component (children (0,0), (0,1), (1,0), (1,1) of a tensor).
 void quarter_tensor(const FormShape& shape, const double* net, double* const children[4]);

@@ -9,24 +9,27 @@
 #include "splines/bezier.h"
 #include "splines/de_casteljau.h"
 #include "splines/lines.h"
+#include "splines/restriction.h"
 
 namespace veritope {
 
 /// The map on the part [a, b] of `axis`, as a map of [0,1]^N. Coefficients are convex combinations of the old ones if [a, b]
 /// lies in [0, 1]; elsewhere it extrapolates. REQUIRES a < b.  @cost degree^2 blends a line
 template <Ring R, std::size_t N>
-Bezier<R, N> restricted(const Bezier<R, N>& map, std::size_t axis,
-                        const typename RingNumbers<R>::Knot& a,
+Bezier<R, N> restricted(Bezier<R, N> map, std::size_t axis, const typename RingNumbers<R>::Knot& a,
                         const typename RingNumbers<R>::Knot& b) {
   using Numbers = RingNumbers<R>;
   using Knot = typename Numbers::Knot;
   VT_CHECK(a < b, "a part of the domain needs a begin below its end");
-  const Knot unit(1);
-  // Of the two orders the one whose second cut divides by a length of 1/2 or more, if [a, b] lies in [0, 1].
-  if (unit < b + b)
-    return right_part(left_part(map, axis, Numbers::of_knot(b)), axis, Numbers::of_knot(a / b));
-  return left_part(right_part(map, axis, Numbers::of_knot(a)), axis,
-                   Numbers::of_knot((b - a) / (unit - a)));
+  const internal::OrderOfCuts order = internal::order_of_cuts(a, b);
+  const internal::CutPlaces<Knot> places(a, b, Knot(1), order.end_first);
+  const internal::PartCuts<internal::AffineBlend<R>> cuts{
+      order, internal::cut_at(Numbers::of_knot(places.begin)),
+      internal::cut_at(Numbers::of_knot(places.end))};
+  internal::on_lines(map, axis, [&](R* first, std::size_t stride) {
+    cuts.apply(first, stride, map.degree(axis));
+  });
+  return map;
 }
 
 /// u -> F(1 - u) along `axis`.

@@ -9,6 +9,7 @@
 #include "interval/box.h"
 #include "interval/ring_numbers.h"
 #include "splines/de_casteljau.h"
+#include "splines/restriction.h"
 
 namespace veritope {
 
@@ -20,19 +21,13 @@ Bezier<Interval, N> on_box(Bezier<Interval, N> piece, const Box<N>& local) {
   const Interval one(1.0);
   for (std::size_t a = 0; a < N; ++a) {
     const double lo = local[a].lo(), hi = local[a].hi();
-    const Interval begin(lo), end(hi);
-    const bool cuts_left = 0 < lo, cuts_right = hi < 1;
-    if (!cuts_left && !cuts_right) continue;
-    // First the cut that leaves more than a half, so that the other one's place is a quotient by more than a half.
-    const bool right_first = hi >= 0.5;
-    const Interval left_cut = right_first && cuts_right ? begin / end : begin;
-    const Interval right_cut = !right_first && cuts_left ? (end - begin) / (one - begin) : end;
-    const auto at_left = internal::cut_at(left_cut), at_right = internal::cut_at(right_cut);
+    const internal::OrderOfCuts order = internal::order_of_cuts(lo, hi);
+    if (!order.cuts_begin && !order.cuts_end) continue;
+    const internal::CutPlaces<Interval> places(Interval(lo), Interval(hi), one, order.end_first);
+    const internal::PartCuts<internal::AffineBlend<Interval>> cuts{
+        order, internal::cut_at(places.begin), internal::cut_at(places.end)};
     internal::on_lines(piece, a, [&](Interval* first, std::size_t stride) {
-      const int n = piece.degree(a);
-      if (cuts_right && right_first) internal::keep_left(first, stride, n, at_right);
-      if (cuts_left) internal::keep_right(first, stride, n, at_left);
-      if (cuts_right && !right_first) internal::keep_left(first, stride, n, at_right);
+      cuts.apply(first, stride, piece.degree(a));
     });
   }
   return piece;

@@ -6,6 +6,7 @@
 #include "interval/relations.h"
 #include "interval/ring_numbers.h"
 #include "splines/de_casteljau.h"
+#include "splines/restriction.h"
 
 namespace veritope::internal {
 
@@ -54,35 +55,30 @@ void on_v_lines(Interval* net, const NetShape& shape, OnLine on_line) {
       on_line(net + c * shape.count() + i * shape.columns, std::size_t{1});
 }
 
-/// A line of control points restricted to [t0, t1], any two numbers; both divisions stay away from zero.
+/// A line of control points restricted to [t0, t1], any two numbers.
 struct Cut {
-  Interval left, one_minus_left, right, one_minus_right;
-  bool left_first, is_inside;
-  Cut(const Interval& t0, const Interval& t1) {
+  PartCuts<InsideBlend> cuts;
+  bool is_inside;
+
+  Cut(const Interval& t0, const Interval& t1)
+      : cuts{{cuts_end_first(t1.hi()), true, true}, {}, {}},
+        is_inside(t0.lo() >= 0 && t1.hi() <= 1) {
     const Interval one(1.0);
-    left_first = t1.hi() > 0.5;
-    if (left_first) {
-      left = t1, right = t0 / t1;
-    } else {
-      right = t0, left = (t1 - t0) / (one - t0);
-    }
-    one_minus_left = one - left, one_minus_right = one - right;
+    const CutPlaces<Interval> places(t0, t1, one, cuts.order.end_first);
+    cuts.begin = {one - places.begin, places.begin};
+    cuts.end = {one - places.end, places.end};
     // Rounding may take a factor beyond 0; a number below it is then no factor of the exact cut.
-    is_inside = t0.lo() >= 0 && t1.hi() <= 1;
     if (is_inside)
-      for (Interval* f : {&left, &one_minus_left, &right, &one_minus_right})
-        *f = intersection(*f, Interval::from_bounds(0, 1));
+      for (InsideBlend* blend : {&cuts.begin, &cuts.end})
+        for (Interval* f : {&blend->s, &blend->t})
+          *f = intersection(*f, Interval::from_bounds(0, 1));
   }
   void apply(Interval* line, std::size_t stride, std::size_t size) const {
     const int degree = static_cast<int>(size) - 1;
-    const auto cut_left = [&] {
-      with_blend(is_inside, one_minus_left, left,
-                 [&](const auto& blend) { keep_left(line, stride, degree, blend); });
-    };
-    if (left_first) cut_left();
-    with_blend(is_inside, one_minus_right, right,
-               [&](const auto& blend) { keep_right(line, stride, degree, blend); });
-    if (!left_first) cut_left();
+    if (is_inside) return cuts.apply(line, stride, degree);
+    const PartCuts<AffineBlend<Interval>> outside{
+        cuts.order, {cuts.begin.s, cuts.begin.t}, {cuts.end.s, cuts.end.t}};
+    outside.apply(line, stride, degree);
   }
 };
 

@@ -6,15 +6,15 @@
 #include <optional>
 
 #include "splines/bezier.h"
-#include "splines/de_casteljau.h"
+#include "splines/bezier_domain.h"
 
 namespace veritope::internal {
 
 /// The map on [lo, hi] of `axis`, as a map of [0,1]^2; constant along the axis if lo = hi. REQUIRES 0 <= lo <= hi <= 1.
 template <Ring R>
 BezierSurface<R> part_along(BezierSurface<R> map, std::size_t axis, const R& lo, const R& hi) {
-  if (!(lo < hi)) return left_part(right_part(std::move(map), axis, lo), axis, R());
-  return left_part(right_part(std::move(map), axis, lo), axis, R((hi - lo) / (one<R>() - lo)));
+  if (lo < hi) return restricted(std::move(map), axis, lo, hi);
+  return left_part(right_part(std::move(map), axis, lo), axis, R());
 }
 
 template <typename R>

@@ -7,6 +7,7 @@
 #include "solids/patches/patch_sides.h"
 #include "splines/bezier_calculus.h"
 #include "splines/bezier_components.h"
+#include "splines/bezier_domain.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope {
@@ -18,11 +19,8 @@ constexpr int kMaxHalvings = 200;
 constexpr std::uint64_t kWorkPerSide = 2000;  // of the certificate's page
 
 Curve part_of(const PatchComplex& complex, const SideArc& arc) {
-  Curve curve = complex.patch(arc.side.patch).side(arc.side.side);
-  const Rational lo = arc.at.lower(), hi = arc.at.upper();
-  if (lo.sign() != Sign::kZero) curve = right_part(std::move(curve), 0, lo);
-  if (hi == Rational(1)) return curve;
-  return left_part(std::move(curve), 0, (hi - lo) / (Rational(1) - lo));
+  return restricted(complex.patch(arc.side.patch).side(arc.side.side), 0, arc.at.lower(),
+                    arc.at.upper());
 }
 
 bool have_common_interior(const DyadicInterval& a, const DyadicInterval& b) {

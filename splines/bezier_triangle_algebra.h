@@ -12,6 +12,7 @@
 #include "splines/bezier_triangle.h"
 #include "splines/binomial.h"
 #include "splines/de_casteljau_line.h"
+#include "splines/scaled_product.h"
 
 namespace veritope {
 namespace internal {
@@ -47,12 +48,7 @@ struct ScaledTriangle {
   friend ScaledTriangle operator*(const ScaledTriangle& a, const ScaledTriangle& b) {
     ScaledTriangle out{a.degree + b.degree, {}};
     out.c.resize(num_triangle_coefficients(out.degree));
-    for_each_triangle_index(a.degree, [&](int, int j, int k) {
-      for_each_triangle_index(b.degree, [&](int, int m, int n) {
-        R& sum = out.c[triangle_index(j + m, k + n)];
-        sum = sum + a.c[triangle_index(j, k)] * b.c[triangle_index(m, n)];
-      });
-    });
+    add_product_on_triangles(a.c.data(), a.degree, b.c.data(), b.degree, out.c.data());
     return out;
   }
   /// REQUIRES the same degree.

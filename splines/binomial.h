@@ -67,6 +67,20 @@ R inverse_binomial_in(int n, int k) {
   return ring_number<R>(Rational(Integer(1), binomial(n, k)));
 }
 
+namespace internal {
+/// binomial_in<R>(n, k), made once in each thread, for code that asks for the same few very often. REQUIRES 0 <= k <= n.
+template <Ring R>
+const R& known_binomial(int n, int k) {
+  static thread_local std::vector<std::vector<R>> rows;
+  while (rows.size() <= static_cast<std::size_t>(n)) {
+    const int m = static_cast<int>(rows.size());
+    std::vector<R>& row = rows.emplace_back();
+    for (int j = 0; j <= m; ++j) row.push_back(binomial_in<R>(m, j));
+  }
+  return rows[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+}
+}  // namespace internal
+
 /// (p over i) (q over j) / (p + q over i + j), which is at most 1: the factor of a_i b_j in coefficient i + j of the product of
 /// polynomials of degrees p and q in Bernstein form. Rings of double: rounded at most three times. REQUIRES 0 <= i <= p,
 /// 0 <= j <= q.  Source: [FR88].

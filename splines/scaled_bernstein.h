@@ -8,7 +8,7 @@
 
 #include "splines/bezier.h"
 #include "splines/binomial.h"
-#include "splines/lines.h"
+#include "splines/scaled_product.h"
 
 namespace veritope {
 namespace internal {
@@ -33,16 +33,7 @@ void multiply_coefficients(Bezier<R, N>& map, Factor factor) {
   }
 }
 
-/// Where each entry of a net lies within a greater net of shape `out`.
-template <std::size_t N>
-std::vector<std::size_t> offsets_in(const Grid<N>& grid, const Grid<N>& out) {
-  std::vector<std::size_t> offsets;
-  offsets.reserve(grid.count());
-  for (std::size_t i = 0; i < grid.count(); ++i) offsets.push_back(out.at(grid.index_of(i)));
-  return offsets;
-}
-
-/// As many numbers over one positive denominator.
+/// The same numbers over one common positive denominator.
 struct OverOne {
   std::vector<Integer> numerators;
   Integer denominator{1};
@@ -64,7 +55,7 @@ Bezier<R, N> to_scaled(Bezier<R, N> map) {
   internal::multiply_coefficients(map, [](int n, int k) { return binomial_in<R>(n, k); });
   return map;
 }
-/// Back.
+/// The inverse of to_scaled.
 template <Ring R, std::size_t N>
 Bezier<R, N> from_scaled(Bezier<R, N> map) {
   internal::multiply_coefficients(map, [](int n, int k) { return inverse_binomial_in<R>(n, k); });
@@ -76,21 +67,16 @@ Bezier<R, N> from_scaled(Bezier<R, N> map) {
 template <Ring R, std::size_t N>
 void add_scaled_product(std::span<const R> a, const Grid<N>& a_grid, std::span<const R> b,
                         const Grid<N>& b_grid, std::span<R> out, const Grid<N>& out_grid) {
-  const auto of_a = internal::offsets_in(a_grid, out_grid),
-             of_b = internal::offsets_in(b_grid, out_grid);
-  if constexpr (std::same_as<R,
-                             Rational>) {  // one denominator: a gcd for each sum, not for each term
+  if constexpr (std::same_as<R, Rational>) {
+    // One denominator: a gcd for each sum, not for each term.
     const internal::OverOne p(a), q(b);
     std::vector<Integer> sums(out.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = 0; j < b.size(); ++j)
-        sums[of_a[i] + of_b[j]].add_product(p.numerators[i], q.numerators[j]);
+    internal::add_product_on_grids(p.numerators.data(), a_grid, q.numerators.data(), b_grid,
+                                   sums.data(), out_grid);
     const Integer denominator = p.denominator * q.denominator;
     for (std::size_t i = 0; i < out.size(); ++i) out[i] += Rational(sums[i], denominator);
   } else {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = 0; j < b.size(); ++j)
-        internal::accumulate(out[of_a[i] + of_b[j]], a[i] * b[j]);
+    internal::add_product_on_grids(a.data(), a_grid, b.data(), b_grid, out.data(), out_grid);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "splines/binomial.h"
 #include "splines/grid.h"
 #include "splines/ring.h"
+#include "splines/scaled_product.h"
 
 namespace veritope::internal {
 
@@ -19,13 +20,6 @@ struct ScaledPolynomial {
   Grid<N> grid;  // degrees + 1
   std::vector<S> c;
 };
-
-template <typename S>
-void add_product(S& sum, const S& a, const S& b) {
-  sum = sum + a * b;
-}
-inline void add_product(Integer& sum, const Integer& a, const Integer& b) { sum.add_product(a, b); }
-inline void add_product(Rational& sum, const Rational& a, const Rational& b) { sum += a * b; }
 
 /// The grid of a product.
 template <std::size_t N>
@@ -52,13 +46,7 @@ void for_each_index(const Grid<N>& grid, Visit visit) {
 template <typename S, std::size_t N>
 void accumulate_product(ScaledPolynomial<S, N>& out, const ScaledPolynomial<S, N>& a,
                         const ScaledPolynomial<S, N>& b) {
-  std::vector<std::size_t> place(
-      a.grid.count());  // where the product with b's first coefficient goes
-  for_each_index(a.grid, [&](const auto& index, std::size_t i) { place[i] = out.grid.at(index); });
-  for_each_index(b.grid, [&](const auto& index, std::size_t j) {
-    S* const to = out.c.data() + out.grid.at(index);
-    for (std::size_t i = 0; i < place.size(); ++i) add_product(to[place[i]], a.c[i], b.c[j]);
-  });
+  add_product_on_grids(b.c.data(), b.grid, a.c.data(), a.grid, out.c.data(), out.grid);
 }
 
 /// C(n_1, i_1) C(n_2, i_2) ... for every entry of a grid of n_j + 1 entries; the numbers are the ring's knots, or integers.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "interval/enclosure/spline_enclosure_internal.h"
+#include "splines/binomial.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope {
@@ -23,12 +24,6 @@ Bezier<Interval, N> as_intervals(const Bezier<R, N>& map) {
                              std::move(out));
 }
 
-// Binomial coefficients of orders up to 3.
-double choose(int n, int k) {
-  constexpr int kTable[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-  return kTable[n][k];
-}
-
 // The derivatives of X / w from those of X and w: Leibniz' rule for X = w S.
 template <std::size_t N>
 void divide_by_weight(const EnclosureData<N>& data, std::size_t count,
@@ -42,7 +37,7 @@ void divide_by_weight(const EnclosureData<N>& data, std::size_t count,
       for (std::size_t a = 0; a < N; ++a) {
         const int k = data.indices[j][a];
         is_below = is_below && k <= rest[a];
-        if (is_below) times *= choose(rest[a], k), rest[a] -= k;
+        if (is_below) times *= static_cast<double>(binomial_int64(rest[a], k)), rest[a] -= k;
       }
       if (!is_below) continue;
       const Interval factor = Interval(times) * weight[j];

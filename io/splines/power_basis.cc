@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "io/splines/spline_builder.h"
+#include "splines/binomial.h"
 
 namespace veritope {
 namespace {
@@ -22,11 +23,8 @@ struct Factors {
 
 Factors factors_of(std::uint64_t degree) {
   Factors out;
-  std::vector<Integer> binomials(degree + 1);
-  for (std::uint64_t k = 0; k <= degree; ++k) {
-    mpz_bin_uiui(z(binomials[k]), degree, k);
-    mpz_lcm(z(out.common), z(out.common), z(binomials[k]));
-  }
+  const std::vector<Integer> binomials = binomial_row(static_cast<int>(degree));
+  for (const Integer& b : binomials) mpz_lcm(z(out.common), z(out.common), z(b));
   for (const Integer& b : binomials) out.each.push_back(divide_exactly(out.common, b));
   return out;
 }

@@ -11,6 +11,7 @@
 #include "splines/bezier_triangle.h"
 #include "splines/binomial.h"
 #include "splines/ring.h"
+#include "splines/scaled_product.h"
 
 namespace veritope {
 
@@ -33,18 +34,6 @@ inline FormShape determinant_shape(const FormShape& s) {
 }
 
 namespace internal {
-
-/// binomial_in<R>(n, k), made once in each thread: products of forms ask for each of them very often.
-template <Ring R>
-const R& known_binomial(int n, int k) {
-  static thread_local std::vector<std::vector<R>> rows;
-  while (rows.size() <= static_cast<std::size_t>(n)) {
-    const int m = static_cast<int>(rows.size());
-    std::vector<R>& row = rows.emplace_back();
-    for (int j = 0; j <= m; ++j) row.push_back(binomial_in<R>(m, j));
-  }
-  return rows[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
-}
 
 /// R: a ring with division by integers. A polynomial with its coefficients times the binomials (trinomials) that turn products into convolutions; a square array, of which a
 /// triangle uses the indices (j, k) with j + k <= p.
@@ -87,11 +76,9 @@ class ScaledForm {
   }
   friend ScaledForm operator*(const ScaledForm& x, const ScaledForm& y) {
     ScaledForm out({x.shape_.is_triangle, x.shape_.p + y.shape_.p, x.shape_.q + y.shape_.q});
-    for (int a = 0; a < x.rows(); ++a)
-      for (int b = 0; b <= last(x.shape_, a); ++b)
-        for (int c = 0; c < y.rows(); ++c)
-          for (int d = 0; d <= last(y.shape_, c); ++d)
-            add_product(out.at(a + c, b + d), x.at(a, b), y.at(c, d));
+    const auto columns = static_cast<std::size_t>(out.columns_);
+    add_product_of_rows<R>(x.values_.data(), x.own_rows(), y.values_.data(), y.own_rows(),
+                           out.values_.data(), [columns](std::size_t a) { return a * columns; });
     return out;
   }
 
@@ -106,12 +93,13 @@ class ScaledForm {
   }
 
  private:
-  static void add_product(R& sum, const R& a, const R& b) {
-    if constexpr (requires { sum.add_product(a, b); }) {
-      sum.add_product(a, b);
-    } else {
-      sum = sum + a * b;
-    }
+  /// The rows of this form, for products.
+  std::vector<ScaledRow> own_rows() const {
+    std::vector<ScaledRow> out;
+    for (int a = 0; a < rows(); ++a)
+      out.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(a * columns_),
+                     static_cast<std::size_t>(last(shape_, a)) + 1});
+    return out;
   }
   /// The product of binomials in two factors: each alone needs fewer digits.
   static std::array<R, 2> factors(const FormShape& s, int a, int b) {

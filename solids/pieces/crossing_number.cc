@@ -8,6 +8,7 @@
 
 #include "robust/base/check.h"
 #include "solids/pieces/exact_winding.h"
+#include "solids/pieces/piece_bounds.h"
 #include "solids/pieces/piece_net_internal.h"
 
 namespace veritope {
@@ -83,8 +84,8 @@ struct Curve {
 };
 
 std::optional<bool> is_up(const Curve& curve, double y) {
-  if (y > curve.error_y) return true;
-  if (y < -curve.error_y) return false;
+  if (internal::is_surely_positive(y, curve.error_y)) return true;
+  if (internal::is_surely_negative(y, curve.error_y)) return false;
   return std::nullopt;
 }
 
@@ -94,10 +95,10 @@ std::optional<int> winding(Curve& curve, std::uint64_t from, std::uint64_t to, i
   if (from <= curve.begin && curve.end <= to) {
     bool up = true, down = true, back = true, ahead = true;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      up = up && curve.y[i] > curve.error_y;
-      down = down && curve.y[i] < -curve.error_y;
-      back = back && curve.x[i] < -curve.error_x;
-      ahead = ahead && curve.x[i] > curve.error_x;
+      up = up && internal::is_surely_positive(curve.y[i], curve.error_y);
+      down = down && internal::is_surely_negative(curve.y[i], curve.error_y);
+      back = back && internal::is_surely_negative(curve.x[i], curve.error_x);
+      ahead = ahead && internal::is_surely_positive(curve.x[i], curve.error_x);
     }
     if (up || down || back) return 0;
     if (ahead) {
@@ -224,37 +225,30 @@ class CrossingCounter {
     const std::size_t count = form.shape.count();
     const Patch& patch = forest_.complex().patch(forest_.node(on.node).patch);
     const std::size_t length = patch.side_length(on.side);
-    double c[3], size[4], error[4];
+    Point3d c;
+    double error = 0, size = 0;
+    const double w_error = form.is_rational ? forest_.control_error(on.node, 3) : 0;
     for (std::size_t k = 0; k < 3; ++k) {
       c[k] = line_.inside[k] - form.origin[k];
-      error[k] = forest_.control_error(on.node, k);
+      error = std::max(error, forest_.control_error(on.node, k) + w_error * std::abs(c[k]));
     }
-    error[3] = form.is_rational ? forest_.control_error(on.node, 3) : 0;
     Curve curve;
-    size[0] = size[1] = size[2] = size[3] = 0;
     for (std::size_t t = 0; t < length; ++t) {
       const std::size_t at = patch.side_index(on.side, t);
       const double w = form.is_rational ? net[3 * count + at] : 1;
-      double p[3];
+      Point3d p;
       for (std::size_t k = 0; k < 3; ++k) {
-        p[k] = net[k * count + at] - w * c[k];
-        size[k] = std::max(size[k], std::abs(net[k * count + at]) + w * std::abs(c[k]));
+        const double m = net[k * count + at];
+        p[k] = internal::relative_to_centre(m, w, c[k]);
+        size = std::max(size, std::abs(m) + w * std::abs(c[k]));
       }
-      const double px = p[i_] * d_[k_] - p[k_] * d_[i_], py = p[j_] * d_[k_] - p[k_] * d_[j_];
-      curve.x.push_back(turn_[0] * px - turn_[1] * py);
-      curve.y.push_back(turn_[1] * px + turn_[0] * py);
+      const double x = internal::projected(p[i_], p[k_], d_[i_], d_[k_]);
+      const double y = internal::projected(p[j_], p[k_], d_[j_], d_[k_]);
+      const auto xy = internal::turned(turn_[0], turn_[1], x, y);
+      curve.x.push_back(xy[0]);
+      curve.y.push_back(xy[1]);
     }
-    // Of p: that of the net, of w c, and of four roundings (two of c, relative to the origin); of d one.
-    double e = 0, most = 0, reach = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      e = std::max(e, error[k] + error[3] * std::abs(c[k]) + 4 * internal::kNetUnit * size[k]);
-      most = std::max(most, size[k]);
-      reach = std::max(reach, std::abs(d_[k]));
-    }
-    // Two products of p and d, with their own roundings, then two more: |turn| <= 1.
-    const double bound = (4 * e * reach + 24 * internal::kNetUnit * most * reach) * (1 + 0x1p-40) +
-                         internal::kNetTiny;
-    curve.error_x = curve.error_y = bound;
+    curve.error_x = curve.error_y = internal::crossing_bound(error, size, std::abs(d_[k_]), turn_);
     curve.begin = 0, curve.end = on.end - on.begin;
     // In the direction of travel: from on.begin on, or from on.end backwards.
     const std::uint64_t from = on.sign > 0 ? begin - on.begin : on.end - end;

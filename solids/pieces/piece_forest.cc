@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "robust/base/check.h"
+#include "solids/pieces/piece_bounds.h"
 #include "solids/pieces/piece_net_internal.h"
 
 namespace veritope {
 
-using internal::kNetTiny;
-using internal::kNetUnit;
+using internal::CommonSign;
 
 PieceForest::Layout PieceForest::layout(const Form& form, Part part) {
   if (part == Part::kDeterminants) return {form.determinant, 4, form.determinant.count()};
@@ -151,20 +151,18 @@ Box3d PieceForest::hull_of(const Form& form, const double* net) const {
     double lo = kInfinity, hi = -kInfinity;
     for (std::size_t i = 0; i < at.count; ++i) {
       const double x = net[at.begin(c) + i];
-      double a = x - error, b = x + error;
+      std::array<double, 2> ends;
       if (at.components == 4) {
-        const double w_lo = net[at.begin(3) + i] - w_error, w_hi = net[at.begin(3) + i] + w_error;
-        if (!(w_lo > 0))
+        const double w = net[at.begin(3) + i];
+        if (!internal::is_surely_positive(w, w_error))
           return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
-        a /= a < 0 ? w_lo : w_hi;
-        b /= b < 0 ? w_hi : w_lo;
+        ends = internal::hull_ends(x, error, w, w_error);
+      } else {
+        ends = internal::hull_ends(x, error);
       }
-      lo = std::min(lo, a), hi = std::max(hi, b);
+      lo = std::min(lo, ends[0]), hi = std::max(hi, ends[1]);
     }
-    // Differences, sums, quotients, and the sum with the origin: four roundings at most.
-    const double slack =
-        4 * kNetUnit * (std::max(std::abs(lo), std::abs(hi)) + std::abs(form.origin[c]) + error) +
-        kNetTiny;
+    const double slack = internal::hull_slack(lo, hi, form.origin[c], at.components == 4);
     out.lo[c] = form.origin[c] + lo - slack;
     out.hi[c] = form.origin[c] + hi + slack;
   }
@@ -210,32 +208,33 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
   if (collapsed == Collapsed::kAdjacent) return Sign3::kUncertain;
   const double* const net = this->net(id, Part::kDeterminants);
   const Layout at = layout(form, Part::kDeterminants);
-  double x[3], bound = net[at.error(0)], size = net[at.magnitude(0)];
-  for (std::size_t k = 0; k < 3; ++k) {
-    x[k] = c[k] - form.origin[k];
-    bound += std::abs(x[k]) * net[at.error(1 + k)];
-    size += std::abs(x[k]) * net[at.magnitude(1 + k)];
-  }
-  // docs/bounds/piece_net.md, 3: the difference, three products, three sums.
-  bound = (bound + 8 * kNetUnit * size) * (1 + 0x1p-40) + kNetTiny;
+  Point3d x;
+  for (std::size_t k = 0; k < 3; ++k) x[k] = c[k] - form.origin[k];
+  const double* const e = net + at.error(0);
+  const double* const m = net + at.magnitude(0);
+  const double bound = internal::side_bound(internal::side_sum(e[0], e[1], e[2], e[3], x),
+                                            internal::side_sum(m[0], m[1], m[2], m[3], x));
   const double *const g0 = net, *const g1 = net + at.begin(1), *const g2 = net + at.begin(2),
                       *const g3 = net + at.begin(3);
   double lo = std::numeric_limits<double>::infinity(), hi = -lo;
   if (collapsed == Collapsed::kNone) {
     for (std::size_t i = 0; i < at.count; ++i) {
-      const double g = g0[i] + (g1[i] * x[0] + g2[i] * x[1] + g3[i] * x[2]);
+      const double g = internal::side_value(g0[i], g1[i], g2[i], g3[i], x);
       lo = g < lo ? g : lo;
       hi = g > hi ? g : hi;
     }
   } else {
     for_each_kept(node, [&](std::size_t i) {
-      const double g = g0[i] + (g1[i] * x[0] + g2[i] * x[1] + g3[i] * x[2]);
+      const double g = internal::side_value(g0[i], g1[i], g2[i], g3[i], x);
       lo = std::min(lo, g), hi = std::max(hi, g);
     });
   }
-  if (lo > bound) return Sign3::kPositive;
-  if (hi < -bound) return Sign3::kNegative;
-  if (lo < -bound && hi > bound) return Sign3::kUncertain;  // certainly both
+  switch (internal::common_sign(lo, hi, bound)) {
+    case CommonSign::kPositive: return Sign3::kPositive;
+    case CommonSign::kNegative: return Sign3::kNegative;
+    case CommonSign::kMixed: return Sign3::kUncertain;
+    case CommonSign::kUnknown: break;
+  }
   return exact_side_of(id, c);
 }
 

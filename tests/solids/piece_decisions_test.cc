@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The decisions of a PieceForest in doubles, where doubles without a bound would be wrong: against rationals.
+#include <gtest/gtest.h>
+
+#include "robust/base/random.h"
+#include "solids/pieces/crossing_number.h"
+#include "solids/pieces/exact_piece.h"
+#include "tests/solids/patch_support.h"
+
+namespace veritope {
+namespace {
+
+using Vector = std::array<Rational, 3>;
+
+Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector exactly(const Point3d& p) {
+  return {Rational::from_double(p[0]), Rational::from_double(p[1]), Rational::from_double(p[2])};
+}
+
+// The image of the unit cube under a map whose coefficients no double holds.
+struct Parallelepiped {
+  Vector corner, edge[3];
+
+  explicit Parallelepiped(Random& random) {
+    const auto third = [&](int lo, int hi) {
+      return Rational(random.between(lo, hi)) / Rational(3 * 64);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      corner[k] = third(-64, 64);
+      for (std::size_t e = 0; e < 3; ++e) edge[e][k] = third(e == k ? 150 : -40, e == k ? 200 : 40);
+    }
+  }
+  Vector at(const Vector& t) const {
+    Vector out = corner;
+    for (std::size_t e = 0; e < 3; ++e)
+      for (std::size_t k = 0; k < 3; ++k) out[k] += t[e] * edge[e][k];
+    return out;
+  }
+  // The six faces of the unit box, moved; corners in the order of `bilinear`.
+  Patches patches() const {
+    Patches out;
+    for (const Patch& face : unit_box()) {
+      const Patch::Tensor& map = face.tensor();
+      std::array<PatchPoint, 4> p;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t place = std::array<std::size_t, 4>{0, 2, 3, 1}[i];
+        p[i] = at({map.component(0)[place], map.component(1)[place], map.component(2)[place]});
+      }
+      out.push_back(bilinear(p));
+    }
+    return out;
+  }
+};
+
+Point3d rounded(const Vector& p) {
+  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+}
+Rational draw_part(Random& random) { return Rational(random.between(1, 99)) / Rational(100); }
+
+// The forest's frame is exact; the test asks in its coordinates.
+Vector in_frame(const PieceForest& forest, const Vector& p) {
+  return {forest.in_frame(0, p[0]), forest.in_frame(1, p[1]), forest.in_frame(2, p[2])};
+}
+
+TEST(PieceDecisions, SidesOfPointsThatNearlyLieInAPlaneAreExactOnes) {
+  constexpr std::uint64_t kSeed = 5;
+  Random random(kSeed);
+  int different = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Parallelepiped body(random);
+    const PatchComplex complex = complex_of(body.patches());
+    PieceForest forest = PieceForest::make(complex).value();
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) {
+      const Patch& face = complex.patch(forest.node(r).patch);
+      const auto vertex = [&](std::size_t i) {
+        const Patch::Tensor& map = face.tensor();
+        return in_frame(forest, {map.component(0)[i], map.component(1)[i], map.component(2)[i]});
+      };
+      const Vector a = vertex(0), u = minus(vertex(2), a), v = minus(vertex(1), a);
+      Vector p = a;
+      const Rational s = draw_part(random), t = draw_part(random);
+      for (std::size_t k = 0; k < 3; ++k) p[k] += s * u[k] + t * v[k];
+      const Point3d c = rounded(p);
+      const Sign exact = dot(cross(u, v), minus(a, exactly(c))).sign();
+      const Sign3 found = forest.side_of(r, c);
+      EXPECT_EQ(found, exact == Sign::kZero       ? Sign3::kUncertain
+                       : exact == Sign::kPositive ? Sign3::kPositive
+                                                  : Sign3::kNegative)
+          << "seed " << kSeed << ", trial " << trial << ", face " << r;
+      // The sum that the bound guards, without it.
+      const double* const g = forest.approx_determinants(r);
+      const std::size_t n = forest.form(forest.node(r).patch).determinant.count();
+      const Point3d& o = forest.form(forest.node(r).patch).origin;
+      const double value =
+          g[0] + (g[n] * (c[0] - o[0]) + g[2 * n] * (c[1] - o[1]) + g[3 * n] * (c[2] - o[2]));
+      different += (value > 0) != (exact == Sign::kPositive);
+    }
+  }
+  EXPECT_GT(different, 30);  // else the cases are too easy
+}
+
+TEST(PieceDecisions, HullsContainCoordinatesThatRoundInward) {
+  // Relative to the first control point these coordinates are doubles, without an error; added to it again
+  // they round.
+  for (const Rational& side : {Rational(1), Rational(-1)}) {
+    Patches patches;
+    const Rational one(1), tiny = Rational::power_of_two(-60);
+    for (const Patch& face :
+         patch_shapes::box({one, one, one}, {one + side * tiny, Rational(2), Rational(2)}))
+      patches.push_back(face);
+    const PatchComplex complex = make_patch_complex(patches, PatchOrientation::kAuto).value();
+    PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+    for (PieceForest::Id id = 0; id < forest.num_roots(); ++id) {
+      EXPECT_TRUE(is_inside(ExactPiece(forest, forest.node(id)).hull(), forest.node(id).hull))
+          << id;
+      const PieceForest::Id first = forest.children(id);
+      for (PieceForest::Id k = 0; k < 4; ++k)
+        EXPECT_TRUE(is_inside(ExactPiece(forest, forest.node(first + k)).hull(),
+                              forest.node(first + k).hull))
+            << id << ", " << k;
+    }
+  }
+}
+
+// Whether the line meets the inside of the parallelogram a, a + u, a + v: the sign of its passage, or
+// nothing on its boundary.
+std::optional<int> crossing(const Vector& a, const Vector& u, const Vector& v, const Vector& from,
+                            const Vector& d) {
+  const Vector n = cross(u, v);
+  const Rational slope = dot(n, d);
+  const Rational t = dot(n, minus(a, from)) / slope;
+  Vector p = from;
+  for (std::size_t k = 0; k < 3; ++k) p[k] += t * d[k];
+  p = minus(p, a);
+  const Rational s = dot(cross(p, v), n) / dot(n, n), r = dot(cross(u, p), n) / dot(n, n);
+  const Rational one(1), zero;
+  if (s < zero || one < s || r < zero || one < r) return 0;
+  if (s == zero || s == one || r == zero || r == one) return std::nullopt;
+  return slope.sign() == Sign::kPositive ? 1 : -1;
+}
+
+TEST(PieceDecisions, LinesThatPassNextToAnEdgeCrossTheRightFaces) {
+  constexpr std::uint64_t kSeed = 7;
+  Random random(kSeed);
+  int inside = 0, outside = 0, undecided = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Parallelepiped body(random);
+    const PatchComplex complex = complex_of(body.patches());
+    PieceForest forest = PieceForest::make(complex).value();
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) {
+      const Patch::Tensor& map = complex.patch(forest.node(r).patch).tensor();
+      const auto vertex = [&](std::size_t i) {
+        return in_frame(forest, {map.component(0)[i], map.component(1)[i], map.component(2)[i]});
+      };
+      const Vector a = vertex(0), u = minus(vertex(2), a), v = minus(vertex(1), a);
+      Vector on_edge = a;
+      const Rational s = draw_part(random);
+      for (std::size_t k = 0; k < 3; ++k) on_edge[k] += s * u[k];
+      CentreLine line;
+      const Vector n = cross(u, v);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double aside = 0.2 * (random.unit() - 0.5), ahead = nearest_double(n[k]);
+        line.inside[k] = nearest_double(on_edge[k]) - (ahead + aside);
+        line.outside[k] = nearest_double(on_edge[k]) + 0.5 * (ahead + aside);
+      }
+      const Vector from = exactly(line.inside);
+      const auto expected = crossing(a, u, v, from, minus(exactly(line.outside), from));
+      if (!expected) continue;
+      const auto found = crossing_number(forest, {r}, line);
+      if (!found) {
+        ++undecided;  // the budget of halvings is spent: nearer than 2^-60
+        continue;
+      }
+      ++(*expected == 0 ? outside : inside);
+      EXPECT_EQ(*found, *expected) << "seed " << kSeed << ", trial " << trial << ", face " << r;
+    }
+  }
+  EXPECT_LT(undecided, 20);
+  EXPECT_GT(inside, 50);
+  EXPECT_GT(outside, 50);
+}
+
+}  // namespace
+}  // namespace veritope

@@ -103,6 +103,22 @@ TEST(SideWitness, EachConditionIsNeeded) {
   w.arcs[0].at = {1, 1, 1};
   expect(w, SideCondition::kD1);
   w = good;
+  w.arcs[0].at = {0, 0, 2};  // beyond the end of the side
+  expect(w, SideCondition::kD1);
+  w = good;
+  w.arcs.push_back(
+      {{good.arcs[0].side.patch, (good.arcs[0].side.side + 2) % 4}, {1, 1, 1}});  // a point
+  w.same = 2;
+  expect(w, SideCondition::kD1);
+  w.arcs[1].at = {1, 2, 3};  // it begins where the side ends
+  expect(w, SideCondition::kD1);
+  w = good;
+  w.point_bits = 63;
+  expect(w, SideCondition::kD1);
+  w = good;
+  w.point_bits = 0, w.point = 1;  // the other end
+  expect(w, SideCondition::kD1);
+  w = good;
   w.point = 0;  // an end of the arc
   expect(w, SideCondition::kD1);
   w = good;

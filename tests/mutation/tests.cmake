@@ -7,3 +7,7 @@ foreach(name IN ITEMS mutation patch_mutation)
   set_tests_properties(${name} PROPERTIES ENVIRONMENT
                        "PYTHONDONTWRITEBYTECODE=1;VERITOPE_CHECK=$<TARGET_FILE:veritope-check>")
 endforeach()
+
+# What needs no compiler: every layer has places to mutate, and kernel_equivalent.txt names only such places.
+add_test(NAME kernel_mutants_places COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/mutation/kernel_mutants_test.py")
+set_tests_properties(kernel_mutants_places PROPERTIES LABELS quick TIMEOUT 120 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)

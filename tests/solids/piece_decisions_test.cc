@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/base/random.h"
+#include "solids/patches/patch_transform.h"
 #include "solids/pieces/crossing_number.h"
 #include "solids/pieces/exact_piece.h"
 #include "tests/solids/patch_support.h"
@@ -182,6 +183,110 @@ TEST(PieceDecisions, LinesThatPassNextToAnEdgeCrossTheRightFaces) {
   EXPECT_LT(undecided, 20);
   EXPECT_GT(inside, 50);
   EXPECT_GT(outside, 50);
+}
+
+// A flat piece as its corners, exactly.
+struct FlatPiece {
+  Vector a, u, v;
+  bool is_triangle;
+
+  FlatPiece(const PieceForest& forest, PieceForest::Id id) {
+    const Patch& patch = forest.complex().patch(forest.node(id).patch);
+    const ExactPiece piece(forest, forest.node(id));
+    const auto corner = [&](std::uint32_t s) {
+      const auto p = piece.control(patch.side_index(s, 0));
+      return Vector{Rational(*p[0], *p[3]), Rational(*p[1], *p[3]), Rational(*p[2], *p[3])};
+    };
+    is_triangle = patch.is_triangle();
+    a = corner(0), u = minus(corner(1), a), v = minus(corner(is_triangle ? 2 : 3), a);
+  }
+  // As `crossing`, of triangles, too.
+  std::optional<int> crossed_by(const Vector& from, const Vector& d) const {
+    const Vector n = cross(u, v);
+    Vector p = from;
+    const Rational slope = dot(n, d), t = dot(n, minus(a, from)) / slope;
+    for (std::size_t k = 0; k < 3; ++k) p[k] += t * d[k];
+    p = minus(p, a);
+    const Rational s = dot(cross(p, v), n) / dot(n, n), r = dot(cross(u, p), n) / dot(n, n);
+    const Rational one(1), zero, end = is_triangle ? one - r : one;
+    if (s < zero || r < zero || end < s || one < r) return 0;
+    if (s == zero || r == zero || s == end || r == one) return std::nullopt;
+    return slope.sign() == Sign::kPositive ? 1 : -1;
+  }
+};
+
+// The faces of a random tetrahedron, seen counterclockwise from outside.
+Patches tetrahedron(Random& random) {
+  const Parallelepiped body(random);
+  const Rational zero, one(1);
+  const PatchPoint o = body.at({zero, zero, zero}), x = body.at({one, zero, zero}),
+                   y = body.at({zero, one, zero}), z = body.at({zero, zero, one});
+  return {flat(o, y, x), flat(o, x, z), flat(o, z, y), flat(x, y, z)};
+}
+
+// Takes the piece, or some of its children, into the union.
+void take_some(PieceForest& forest, PieceForest::Id id, Random& random,
+               std::vector<PieceForest::Id>* tested) {
+  const auto choice = random.below(3);
+  if (choice == 0 || forest.node(id).level == 3) {
+    if (choice < 2) tested->push_back(id);
+    return;
+  }
+  const PieceForest::Id first = forest.children(id);
+  for (PieceForest::Id k = 0; k < 4; ++k) take_some(forest, first + k, random, tested);
+}
+
+TEST(PieceDecisions, UnionsOfPiecesAreCrossedAsOftenAsTheirParts) {
+  constexpr std::uint64_t kSeed = 9;
+  Random random(kSeed);
+  std::array<int, 5> seen{};  // by the crossing number + 2
+  for (int trial = 0; trial < 60; ++trial) {
+    Patches patches = trial % 3 == 0 ? Parallelepiped(random).patches() : tetrahedron(random);
+    if (trial % 3 == 2) patches = elevated(patches, 1 + trial % 2);
+    const PatchComplex complex = complex_of(patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    std::vector<PieceForest::Id> tested;
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) take_some(forest, r, random, &tested);
+    std::vector<FlatPiece> pieces;
+    for (const PieceForest::Id id : tested) pieces.emplace_back(forest, id);
+    const Box3d all = forest.node(forest.root(0)).hull;
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      CentreLine line;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double middle = 0.5 * (all.lo[k] + all.hi[k]);
+        line.inside[k] = middle + 0.3 * (random.unit() - 0.5);
+        line.outside[k] = middle + 2 * (random.unit() - 0.5);
+      }
+      const Vector from = exactly(line.inside), d = minus(exactly(line.outside), from);
+      int expected = 0;
+      bool is_clear = true;
+      for (const FlatPiece& piece : pieces) {
+        const auto one = piece.crossed_by(from, d);
+        is_clear = is_clear && one.has_value();
+        expected += one.value_or(0);
+      }
+      if (!is_clear) continue;
+      const auto found = crossing_number(forest, tested, line);
+      ASSERT_TRUE(found.has_value()) << "seed " << kSeed << ", trial " << trial;
+      EXPECT_EQ(*found, expected) << "seed " << kSeed << ", trial " << trial << ", attempt "
+                                  << attempt;
+      if (std::abs(expected) <= 2) ++seen[static_cast<std::size_t>(expected + 2)];
+    }
+  }
+  EXPECT_GT(seen[1], 20);
+  EXPECT_GT(seen[2], 20);
+  EXPECT_GT(seen[3], 20);
+}
+
+TEST(PieceDecisions, AClosedSurfaceIsCrossedOutwardsAsOftenAsInwards) {
+  // With collapsed sides, which have no mate.
+  for (const Patches& patches : {patch_shapes::octant_sphere(), patch_shapes::frustum(1, 0, 2)}) {
+    const PatchComplex complex = complex_of(patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    std::vector<PieceForest::Id> tested;
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) tested.push_back(forest.root(r));
+    EXPECT_EQ(crossing_number(forest, tested, {{0.1, 0.2, 0.3}, {0.7, 1.1, 2.3}}), 0);
+  }
 }
 
 }  // namespace

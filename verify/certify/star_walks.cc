@@ -7,6 +7,7 @@
 #include <map>
 
 #include "robust/base/check.h"
+#include "verify/certify/walk_bounds_internal.h"
 
 namespace veritope {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using Id = PieceForest::Id;
 
 constexpr int kMaxVisits = 200'000;
-// A parameter (x - a) / (b - a) is computed in three operations, each with a relative error of at most 2^-52 in any rounding mode.
-constexpr double kRelative = 0x1p-50, kTiny = 0x1p-1000;
 
 // Contains the part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the box; t0 > t1 only if there is none.
 struct Part {
@@ -24,15 +23,14 @@ struct Part {
 Part part_in(const Box3d& box, const Point3d& a, const Point3d& b) {
   Part part;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double d = b[k] - a[k];
-    if (d == 0) {  // then a = b
+    if (b[k] - a[k] == 0) {  // then a = b
       if (a[k] < box.lo[k] || a[k] > box.hi[k]) return {1, 0};
       continue;
     }
-    const double s = (box.lo[k] - a[k]) / d, t = (box.hi[k] - a[k]) / d;
-    const double first = std::min(s, t), last = std::max(s, t);
-    part.t0 = std::max(part.t0, first - kRelative * std::abs(first) - kTiny);
-    part.t1 = std::min(part.t1, last + kRelative * std::abs(last) + kTiny);
+    const double s = internal::segment_parameter(box.lo[k], a[k], b[k]);
+    const double t = internal::segment_parameter(box.hi[k], a[k], b[k]);
+    part.t0 = std::max(part.t0, internal::parameter_below(std::min(s, t)));
+    part.t1 = std::min(part.t1, internal::parameter_above(std::max(s, t)));
   }
   return part;
 }

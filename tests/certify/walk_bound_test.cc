@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The constant of verify/certify/walk_bounds_internal.h: its derivation rerun, and inputs that come near it.
+#include "verify/certify/walk_bounds_internal.h"
+
+#include "tests/predicates/bound_derivation.h"
+#include "tests/support/piece_bound_search.h"
+
+namespace veritope {
+namespace bounds {
+RoundingCount operator/(RoundingCount a, RoundingCount b) { return a * b; }
+}  // namespace bounds
+
+namespace {
+
+using bounds::RoundingCount;
+
+Rational derived(int k, int bound_roundings) {
+  const Rational down = Rational(1) - Rational::power_of_two(-52);
+  return (Rational(1) / bounds::power(down, k) - Rational(1)) /
+         bounds::power(down, bound_roundings);
+}
+
+TEST(WalkBound, ParameterConstantFollowsFromTheRoundings) {
+  constexpr RoundingCount x;
+  const RoundingCount t = internal::segment_parameter(x, x, x);
+  EXPECT_EQ(t.roundings, 3);
+  const int all = ((t - x) - x).roundings;  // as parameter_below does
+  const Rational c = Rational::from_double(internal::kParameterRel);
+  // |t| is a computed number, the product with the constant rounds.
+  const int of_bound = t.roundings + 1;
+  const Rational part = Rational(1) + Rational::power_of_two(-20);
+  EXPECT_LE(derived(all, of_bound), c);
+  EXPECT_LE(c, derived(all, of_bound) * part);
+  EXPECT_GT(derived(all + 1, of_bound), c);
+  EXPECT_GT(c, derived(all - 1, of_bound) * part);
+  EXPECT_LE(Rational(4) * bounds::flush_unit(), Rational::from_double(internal::kParameterTiny));
+}
+
+TEST(WalkBound, FoundSegmentsUseMoreThanHalfOfTheBoundAndNoneBreaksIt) {
+  using namespace piece_bounds;
+  // What the lower end had to pay for, of what it takes away.
+  const auto share = [](Rounding mode) {
+    return [mode](const Numbers& in) {
+      if (in[1] == in[2]) return 0.0;
+      const Numbers found = computed(mode, in, [](const Numbers& v) {
+        const double t = internal::segment_parameter(v[0], v[1], v[2]);
+        return Numbers{internal::parameter_below(t), internal::parameter_above(t),
+                       internal::kParameterRel * std::abs(t) + internal::kParameterTiny};
+      });
+      const auto v = exactly(in);
+      const Rational exact = internal::segment_parameter(v[0], v[1], v[2]);
+      const Rational taken = Rational::from_double(found[2]);
+      const Rational below = Rational::from_double(found[0]) + taken - exact;
+      const Rational above = exact - (Rational::from_double(found[1]) - taken);
+      return nearest_double(std::max(below, above) / taken);
+    };
+  };
+  double most = 0;
+  for (const Rounding mode : {Rounding::kNearest, Rounding::kUpward}) {
+    const Found found = climb(
+        {share(mode), [](Random& r) { return draw_numbers(r, 3); }, change_numbers}, 8, 1000, 1);
+    EXPECT_LE(found.share, 1) << found.in[0] << ' ' << found.in[1] << ' ' << found.in[2];
+    most = std::max(most, found.share);
+  }
+  EXPECT_GT(most, 0.5);
+}
+
+}  // namespace
+}  // namespace veritope

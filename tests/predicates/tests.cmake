@@ -17,6 +17,7 @@ function(veritope_generated_test name label script)
 endfunction()
 veritope_generated_test(gappa quick gappa_test.py)
 veritope_generated_test(gappa_boxes full gappa_test.py --boxes)
+veritope_generated_test(coq_terms quick coq_terms_test.py)
 if(VERITOPE_SANITIZE OR VERITOPE_COVERAGE OR VERITOPE_AUDIT)
   # An instrumented library would need the same flags in what the test compiles.
   veritope_generated_test(generator standard generator_test.py)

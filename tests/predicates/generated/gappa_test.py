@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Runs Gappa on docs/bounds/gappa/*.g: each is proved; a script whose constant is halved, or one unit in the last place smaller, is not.
 
-gappa_test.py               the scripts of the constants (seconds)
-gappa_test.py --boxes       the rounded programs on a box, too
-gappa_test.py --coq FOLDER  exports the proofs as Coq terms, and checks them where coqc and Gappa's Coq library are installed
+gappa_test.py          the scripts of the constants (seconds)
+gappa_test.py --boxes  the rounded programs on a box, too
+
+coq_proofs.py has the same proofs checked by Coq.
 
 Without gappa nothing is proved: exit 77, which CTest reports as skipped.
 """
@@ -83,40 +84,13 @@ class Boxes(unittest.TestCase):
                 self.assertFalse(gappa(fourth, PRECISION[1])[0])
 
 
-def export(folder):
-    """Coq terms of all scripts; 0 if every one that could be checked is right."""
-    folder.mkdir(parents=True, exist_ok=True)
-    scripts, wrong = sorted(SCRIPTS.glob("*.g")), 0
-    coqc = shutil.which("coqc")
-    (folder / "library.v").write_text("Require Import Gappa.Gappa_library.\n")
-    has_library = coqc and subprocess.run([coqc, "library.v"], cwd=folder, capture_output=True, check=False).returncode == 0
-    for script in scripts:
-        proved, term = gappa(script.read_text(), *PRECISION, "-Bcoq")
-        path = folder / (script.stem + ".v")
-        path.write_text(term)
-        if not proved or "Lemma" not in term and "Theorem" not in term:
-            print(f"{script.name}: no proof", file=sys.stderr)
-            wrong += 1
-        elif has_library:
-            done = subprocess.run([coqc, path.name], cwd=folder, capture_output=True, text=True, check=False)
-            if done.returncode:
-                print(f"{path}: coqc rejects it\n{done.stderr}", file=sys.stderr)
-                wrong += 1
-    checked = "checked by coqc" if has_library else "not checked: coqc with Gappa's library (coq, libcoq-gappa) is not installed"
-    print(f'{{"name":"coq","value":{len(scripts) - wrong},"goal":"{len(scripts)} proofs","note":"{checked}"}}')
-    return 1 if wrong else 0
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--boxes", action="store_true")
-    parser.add_argument("--coq", type=pathlib.Path)
     options, rest = parser.parse_known_args()
     if not shutil.which("gappa"):
         print(SKIPPED, file=sys.stderr)
         return NO_GAPPA
-    if options.coq:
-        return export(options.coq)
     suite = "Boxes" if options.boxes else "Constants"
     unittest.main(argv=[sys.argv[0], *rest, *([] if rest else [suite])])
     return 0

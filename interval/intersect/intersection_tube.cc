@@ -136,18 +136,23 @@ void set_offset(IntersectionTube* tube, const Vector& z) {
   for (std::size_t i = 0; i < 3; ++i) tube->offset[static_cast<std::size_t>(rest[i])] = z[i];
 }
 
-/// With K(z) inside of z for all w: sets what is known of the arc. dz/dw = -drift + excess dz/dw.
+/// T2 requires less than 1. A number close to 1 would leave the derivatives without a useful bound.
+constexpr double kMostContraction = 0.999;
+
+/// Checks T2 (THEORY, TUBE-1), with the radii of z as weights, and bounds the derivatives of the arc: they satisfy
+/// dz/dw = -drift + excess dz/dw. Returns false if T2 is not proved. Any positive radii may be used.
 bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tube) {
   double contraction = 0, largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     double sum = 0;
     for (std::size_t j = 0; j < 3; ++j) sum += mag(linear.excess[i][j]) * radius(z[j]);
     const double r = radius(z[i]);
+    if (!(sum / r < kMostContraction)) return false;  // also if it is not a number
     contraction = std::max(contraction, sum / r);
     largest = std::max(largest, mag(linear.drift[i]) / r);
   }
-  if (!(contraction < 0.999) || !std::isfinite(largest)) return false;
-  // Rounded upward throughout; the subtraction below the fraction by the sign.
+  if (!std::isfinite(largest)) return false;
+  // All operations round upward; writing the denominator as -(x - 1) makes it round downward.
   const double bound = largest / -(contraction - 1);
   const auto rest = others(tube->pivot);
   Vector rate;
@@ -221,7 +226,11 @@ Vector newton_step(const EnclosedSurface& s1, const EnclosedSurface& s2,
   return times(tube.inverse, gap_at(s1, s2, tube.center));
 }
 
-/// Whether the arc is proved in the tube with its present center, slope, range and offset; sets what is known of it.
+/// Whether THEORY, TUBE-1 proves the arc in the tube with its present center, slope, range and offset z; sets what is known of it.
+/// Both hypotheses are needed. T1 (the image of z lies in z, borders included) proves that a point exists for every w. T2 proves that
+/// it is the only one, and bounds the derivatives. Strict inclusion would imply T2; beside T2 it would add nothing.
+/// If T1 fails, z becomes its image.
+/// REQUIRES that z contains 0 and the range contains the center's w: the mean value theorem starts from the center.
 bool prove(const EnclosedSurface& s1, const EnclosedSurface& s2, IntersectionTube* tube,
            Vector* z) {
   const Interval range = Interval::from_bounds(tube->w_lo, tube->w_hi);
@@ -232,7 +241,7 @@ bool prove(const EnclosedSurface& s1, const EnclosedSurface& s2, IntersectionTub
   const Linear linear = linearise(*tube, columns);
   const Vector k = image(linear, newton_step(s1, s2, *tube), w, *z);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (is_interior(k[i], (*z)[i])) continue;
+    if (is_subset(k[i], (*z)[i])) continue;
     *z = k;
     return false;
   }

@@ -15,8 +15,9 @@ using Point4 = std::array<double, 4>;
 
 /// Parameters x = (u, v, s, t): u, v of the first surface, s, t of the second, working ones. The tube is
 ///   { x : x[pivot] = w in [w_lo, w_hi], x[i] - center[i] - slope[i] (w - center[pivot]) in offset[i] for i != pivot }.
-/// Claim: for every w in [w_lo, w_hi] the surfaces S1(u, v) = S2(s, t) have exactly one common point in the tube, inside of it.
-/// They form one arc. Beyond their domains the surfaces are continued.
+/// Claim: for every w in [w_lo, w_hi] the surfaces S1(u, v) = S2(s, t) have exactly one common point in the tube, and these points
+/// form one arc. Beyond their domains the surfaces are continued. Proved by THEORY, TUBE-1 from two hypotheses: T1, Krawczyk's image
+/// of the offsets lies in the offsets, borders included, and T2, it contracts. Neither implies the other.
 struct IntersectionTube {
   int pivot = 0;
   double w_lo = 0, w_hi = 0;

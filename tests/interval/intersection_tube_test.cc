@@ -77,6 +77,7 @@ TEST(IntersectionTube, LocatedPointsHoldTheTruth) {
     }
 }
 
+// PROVES TUBE-1.DERIVATIVE
 TEST(IntersectionTube, DirectionAndDerivativesAreThoseOfTheArc) {
   const ScopedUpward upward;
   const auto pair = bowl_and_plane();
@@ -120,6 +121,81 @@ TEST(IntersectionTube, ShortenedTubesKeepTheArc) {
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_LE(wid(half->derivative[i]), wid(tube.derivative[i]) * 1.5);
   }
+}
+
+// Hypotheses of THEORY, TUBE-1, each alone. Parameters run over [0, 1].
+
+/// The plane x = 0 over y, z in [-2, 2].
+BSplineSurface<Rational> wall_plane() {
+  return BSplineSurface<Rational>(
+      {bezier_axis(1), bezier_axis(1)}, 3, false,
+      {q(0), q(0), q(0), q(0), q(-2), q(-2), q(2), q(2), q(-2), q(2), q(-2), q(2)});
+}
+constexpr double kRadius = 0x1p-10;
+/// find_tube widens the region's offsets by this factor before its first try.
+constexpr double kWider = 1.25;
+
+/// v runs along with the pivot. Its last value is 1, so that restricting a net to the tube divides by 1: no rounding there.
+constexpr double kFirst = 0.5, kLast = 1 - kWider * kRadius,
+                 kMiddle = 0.75 - 0.5 * kWider * kRadius;
+
+IntersectionTube region_at(int pivot, const Point4& center, const Point4& slope) {
+  IntersectionTube region;
+  region.pivot = pivot;
+  region.w_lo = kFirst, region.w_hi = kLast;
+  region.center = center, region.slope = slope;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double r = static_cast<int>(i) == pivot ? 0 : kRadius;
+    region.offset[i] = Interval::from_bounds(-r, r);
+    region.derivative[i] = Interval(0);
+  }
+  return region;
+}
+
+/// Around the line u = 1/2, v = s, t = 1/2 in which floor and wall meet, displaced by `off` in u. Half of the inverse Jacobian is
+/// given, so the image of the offsets Z is Z / 2 - off / 2 in u: it contracts by 1/2 and lies in Z iff |off| <= the radius of Z.
+IntersectionTube region_off_the_line(double off) {
+  auto region = region_at(2, {0.5 + off, kMiddle, kMiddle, 0.5}, {0, 1, 1, 0});
+  region.inverse = {{{0.125, 0, 0}, {0, 0.125, 0}, {0, 0, -0.125}}};
+  return region;
+}
+
+// PROVES TUBE-1, TUBE-1.T1
+TEST(IntersectionTube, NoTubeIsProvedWhereTheImageLeavesTheOffsets) {
+  const ScopedUpward upward;
+  const auto s1 = EnclosedSurface::make(floor_plane()), s2 = EnclosedSurface::make(wall_plane());
+  const auto on = find_tube(*s1, *s2, region_off_the_line(0), 0);
+  ASSERT_TRUE(on.has_value());
+  EXPECT_TRUE(
+      on->contains(Box4(Interval(0.5), Interval(kMiddle), Interval(kMiddle), Interval(0.5))));
+  // The second try takes 0.625 (off + first radius), so that this one fails twice.
+  EXPECT_FALSE(find_tube(*s1, *s2, region_off_the_line(0x1p-4), 0).has_value());
+}
+
+// PROVES TUBE-1, TUBE-1.T1
+TEST(IntersectionTube, AnArcOnTheBorderOfTheTubeIsProved) {
+  const ScopedUpward upward;
+  const auto s1 = EnclosedSurface::make(floor_plane()), s2 = EnclosedSurface::make(wall_plane());
+  const double r = kWider * kRadius;
+  for (const double off : {r, -r}) {
+    const auto tube = find_tube(*s1, *s2, region_off_the_line(off), 0);
+    ASSERT_TRUE(tube.has_value());
+    EXPECT_EQ(tube->offset[0], Interval::from_bounds(-r, r)) << "the first try did not succeed";
+    EXPECT_TRUE(
+        tube->contains(Box4(Interval(0.5), Interval(kMiddle), Interval(kMiddle), Interval(0.5))));
+  }
+}
+
+// PROVES TUBE-1, TUBE-1.T2
+TEST(IntersectionTube, NoTubeIsProvedWhereTheImageDoesNotContract) {
+  const ScopedUpward upward;
+  // One plane twice: for each t all (u, v, s) with u = s and v = t are solutions. The image of Z is about Z_s x 0 x Z_s, the last
+  // one without rounding: it lies in Z, and only T2 can refuse it.
+  const auto s1 = EnclosedSurface::make(floor_plane()), s2 = EnclosedSurface::make(floor_plane());
+  auto region = region_at(3, {0.5, kMiddle, 0.5, kMiddle}, {0, 1, 0, 1});
+  region.offset[0] = Interval(2) * region.offset[2];
+  region.inverse = {{{0.25, 0, 0}, {0, 0.25, 0}, {0, 0, 1}}};
+  EXPECT_FALSE(find_tube(*s1, *s2, region, 0).has_value());
 }
 
 TEST(IntersectionCurve, TheBoundOfLebesgueHoldsForTheRoundedNodes) {

@@ -16,12 +16,12 @@
 
 namespace veritope::internal {
 
-/// What of a domain the search asks for. A Cut says where a piece was halved; a Region knows its corners.
+/// What the search needs from a Domain. A Cut says where a piece was halved; a Region knows its corners.
 ///   static constexpr kDimension, kCorners (of reports)
 ///   Region whole(); std::vector<std::pair<std::size_t, Point>> corners(region): coefficient and point
 ///   Cut choose(region, values, depth); std::pair<Region, Region> halves(region, cut)
 ///   std::vector<R> half(values, cut, which): of the coefficients; R Interval or Rational
-///   place(region): for the report
+///   Point middle(region), in its interior, and place(region): for the report
 template <typename Domain>
 class SignSearch {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/integer.h: integers of any size; a thin owner of a GMP mpz. The heap is used as GMP uses
-// it.
+// robust/integer.h: integers of any size; a thin owner of a GMP mpz. Memory comes from GMP's allocator. Elsewhere in the library
+// std::bad_alloc passes through when memory runs out; here it cannot: GMP does not return, it ends the program.
 #pragma once
 #include <compare>
 #include <concepts>
@@ -17,8 +17,8 @@ namespace veritope {
 template <typename T>
 concept BuiltinInteger = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= 8;
 
-/// A mathematical integer. Ring operations never fail and never throw: when memory runs out, GMP
-/// ends the program.
+/// A mathematical integer. Ring operations never fail and never throw:
+/// when memory runs out, the program ends, as the top of this file says.
 class Integer {
  public:
   Integer() noexcept;

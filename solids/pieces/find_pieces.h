@@ -13,7 +13,7 @@ namespace veritope {
 Box3d hull_of_roots(const PieceForest& forest);
 
 /// Pieces that are met by `box`, none longer than `longest`, appended to `tested`; others dropped because their hulls miss the box.
-/// Pieces on the way whose hulls lie in the box, and tested ones, go to `held`, a parent before its children.
+/// Every visited piece whose hull lies in the box, tested or split, is appended to `held`, parents before their children.
 /// False if a piece of the greatest level is still longer, over `most` pieces are met, or 16 times as many on the way.
 bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::size_t most,
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);

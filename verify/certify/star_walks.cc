@@ -106,7 +106,7 @@ class WalkSearch {
     }
   }
 
-  // The centres of a shell that lie farthest in a direction see infinity, or the next shell around.
+  // For each of six directions, tries the farthest centre: from there a ray often reaches infinity or the next shell.
   bool walk_from(std::uint32_t shell) {
     struct Start {
       std::uint32_t box;

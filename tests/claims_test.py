@@ -15,6 +15,9 @@ A test (tests/, in C++ or Python) that fails when the claim is false says so in 
 
 docs/unproved-claims.txt: lines "ID: reason", # starts a comment. This program lists the claims that no test proves; it fails if
 one of them has no line there, if a line there is about a proved or unknown claim, or if a test cites an unknown id.
+
+Random tests do not guard a claim's conditions as examples do. A claim that only random tests cite has a line "random ID: reason" in the
+same file, and no other claim has one. A test is random if it, or a function of its file that it calls, draws numbers.
 """
 import pathlib
 import re
@@ -28,6 +31,7 @@ from tree import ROOT, files  # noqa: E402
 
 ID = r"[A-Z][A-Z0-9]*-\d+(?:\.\w+)*"
 CLAIM = re.compile(r"\{#([\w.-]+)\}")
+RANDOM = re.compile(r"\b[Rr]andom\b|\brc::")
 PROVES = re.compile(r"\bPROVES\s+((?:[\w.-]+)(?:\s*,\s*[\w.-]+)*)")
 
 
@@ -42,6 +46,51 @@ def claims(root):
             faults.append(f"docs/THEORY.md: {{#{claim}}} is there twice")
         ids.append(claim)
     return ids, faults
+
+
+def functions(path, code):
+    """[(first line, last line, name, text)] of a file: its functions and tests, by the shape of well-formatted C++ and Python."""
+    is_python = path.suffix == ".py"
+    start = re.compile(r"^ *(?:async )?def (\w+)\(" if is_python else r"^(?:TEST\w*\(\w+, (\w+)\)|[A-Za-z].*?\b(\w+)\(.*)")
+    found, lines = [], code.splitlines()
+    for number, line in enumerate(lines, 1):
+        match = start.match(line)
+        if match:
+            if found:
+                found[-1][1] = min(found[-1][1], number - 1)
+            found.append([number, len(lines), next(filter(None, match.groups())), []])
+        if found and found[-1][1] == len(lines):
+            found[-1][3].append(line)
+            if not is_python and line.startswith("}"):
+                found[-1][1] = number
+    return [(first, last, name, "\n".join(text)) for first, last, name, text in found]
+
+
+def random_tests(path, code):
+    """[first line] of the functions of a file that draw numbers, or call one that does."""
+    all_of_them = functions(path, code)
+    names = {name for _, _, name, text in all_of_them if RANDOM.search(text)}
+    while True:
+        more = {name for _, _, name, text in all_of_them if names & set(re.findall(r"\b\w+(?=[(<])", text))} - names
+        if not more:
+            return [first for first, _, name, _ in all_of_them if name in names]
+        names |= more
+
+
+def only_random(root, cited):
+    """The ids that only random tests cite. A citation speaks of the first function at or after it, or of the one that it stands in."""
+    places_of, sure = {}, set()
+    for name, places in cited.items():
+        for place in places:
+            path, _, number = place.rpartition(":")
+            places_of.setdefault(path, []).append((int(number), name))
+    for path, places in places_of.items():
+        code = (root / path).read_text()
+        all_of_them, drawn = functions(pathlib.Path(path), code), random_tests(pathlib.Path(path), code)
+        for number, name in places:
+            if next((first for first, last, _, _ in all_of_them if last >= number), None) not in drawn:
+                sure.add(name)
+    return set(cited) - sure
 
 
 def citations(root):
@@ -66,7 +115,15 @@ def unproved(root):
 
 def find_faults(root):
     ids, faults = claims(root)
-    cited, excused = citations(root), unproved(root)
+    cited, lines = citations(root), unproved(root)
+    excused = {name: reason for name, reason in lines.items() if not name.startswith("random ")}
+    said = {name.removeprefix("random ").strip(): reason for name, reason in lines.items() if name not in excused}
+    drawn = only_random(root, cited)
+    for name in sorted(drawn & set(ids)):
+        if not said.get(name):
+            faults.append(f"{cited[name][0]}: only random tests prove {name}, and docs/unproved-claims.txt does not say so")
+    for name in sorted(set(said) - drawn):
+        faults.append(f"docs/unproved-claims.txt: random {name}: no test cites it, or one that is not random does")
     for name, places in cited.items():
         if name not in ids:
             faults.append(f"{places[0]}: PROVES {name}: docs/THEORY.md has no such claim")
@@ -85,7 +142,8 @@ class ClaimsOfTheTree(unittest.TestCase):
     def test_every_claim_is_proved_by_a_test_or_listed_with_a_reason(self):
         ids, _ = claims(ROOT)
         excused = unproved(ROOT)
-        print(f"{len(ids)} claims, {len(excused)} proved by no test" + "".join(f"\n  {n}: {r}" for n, r in excused.items()))
+        drawn = sum(name.startswith("random ") for name in excused)
+        print(f"{len(ids)} claims, {len(excused) - drawn} proved by no test, {drawn} by random ones only" + "".join(f"\n  {n}: {r}" for n, r in excused.items()))
         faults = find_faults(ROOT)
         self.assertFalse(faults, "\n" + "\n".join(faults))
 
@@ -118,6 +176,21 @@ class PlantedFaults(unittest.TestCase):
 
     def test_an_excuse_for_a_proved_claim_is_found(self):
         self.assertIn("is proved in", self.faults({"tests/b_test.py": "# PROVES MESH-2\n"})[0])
+
+    def test_a_claim_that_only_random_tests_prove_is_found(self):
+        drawn = "// PROVES MESH-1, MESH-1.K1\nTEST(A, B) {\n  Random random(1);\n}\n"
+        helper = "void draw() {\n  Random random(1);\n}\n\n// PROVES MESH-1, MESH-1.K1\nTEST(A, B) {\n  draw();\n}\n"
+        for text in (drawn, helper):
+            found = self.faults({"tests/a_test.cc": text})
+            self.assertEqual(len(found), 2)
+            self.assertIn("only random tests prove MESH-1", found[0])
+        said = self.SOUND["docs/unproved-claims.txt"] + "random MESH-1: a\nrandom MESH-1.K1: b\n"
+        self.assertEqual(self.faults({"tests/a_test.cc": helper, "docs/unproved-claims.txt": said}), [])
+        self.assertIn("one that is not random does", self.faults({"docs/unproved-claims.txt": said})[0])
+        plain = "// PROVES MESH-1, MESH-1.K1\nTEST(A, C) {\n}\n"
+        self.assertEqual(self.faults({"tests/a_test.cc": drawn, "tests/b_test.cc": plain}), [])
+        python = "class A:\n    def test_b(self):\n        # PROVES MESH-1, MESH-1.K1\n        self.x = random.random()\n"
+        self.assertEqual(len(self.faults({"tests/a_test.cc": "", "tests/b_test.py": python})), 2)
 
     def test_a_malformed_or_repeated_id_is_found(self):
         theory = self.SOUND["docs/THEORY.md"]

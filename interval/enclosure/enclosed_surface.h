@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/enclosure/enclosed_surface.h: a continuous B-spline surface in space, prepared for enclosures of its points and
-// derivatives over rectangles of parameters. Convex hull property after restriction, [SSP01]; THEORY 4.
+// derivatives over rectangles of parameters. Convex hull property after restriction, [SSP01]; docs/THEORY.md, ENCLOSE-1.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/enclosure/spline_enclosure.h: boxes around the values and derivatives of a spline over a box of parameters.
-// Design, orders of convergence: docs/design/0011-enclosures.md.
+// Proofs: docs/THEORY.md, ENCLOSE-1. Design, orders of convergence: docs/design/0011-enclosures.md.
 #pragma once
 #include <array>
 #include <cstddef>

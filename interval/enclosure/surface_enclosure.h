@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/enclosure/surface_enclosure.h: normals and curvatures of a surface in space over a box of parameters.
-// Design, orders of convergence: docs/design/0011-enclosures.md.
+// Proofs: docs/THEORY.md, ENCLOSE-2. Design, orders of convergence: docs/design/0011-enclosures.md.
 #pragma once
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/solvers/krawczyk.h: the existence and uniqueness test of the solvers, and the small matrices that precondition it.
-// Source: [Neu90] 5.2 (Krawczyk, Moore).
+// Source: [Neu90] 5.2 (Krawczyk, Moore). Proof: docs/THEORY.md, ROOT-1.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/root_report.h: what the solvers of systems of equations answer.
+// interval/solvers/root_report.h: what the solvers of systems of equations answer. Proofs: docs/THEORY.md, ROOT-1, ROOT-2.
 #pragma once
 #include <array>
 #include <cstddef>

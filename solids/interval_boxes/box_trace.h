@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/interval_boxes/box_trace.h: what V is inside a box: nothing, a disk, or a surface of known Euler characteristic; proved, or undecided.
-// Sources: star boxes, docs/THEORY.md §4; condition C2 of [SSP01] 2. Design: docs/design/0019-paper-conditions.md.
+// Proofs: docs/THEORY.md, BOX-1 (monotone boxes), BOX-2. Source: condition C2 of [SSP01] 2. Design: docs/design/0019-paper-conditions.md.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -36,7 +36,7 @@ struct TraceOptions {
 };
 
 /// Claim   the answer about V∩b, or kUndecided.
-/// A box is decided as one if V misses it; if it is a star box about centres on the mean normal (THEORY 4); or by the monotone-box lemma: on a set A of
+/// A box is decided as one if V misses it; if it is a star box about centres on the mean normal (STAR-1); or by the monotone-box lemma, BOX-1: on a set A of
 /// axes all normals of pieces at b have one strict sign, V misses the face, edge or corner L of b that is lowest in A, and the opposite one, H,
 /// and a line from L to H crosses the tested pieces once. (Then V∩b is a disk seen from L: for fixed other coordinates the inside is a
 /// down-set of A.) Otherwise b is cut into two boxes b', b'' that overlap in a slab, and chi(V∩b) = chi(V∩b') + chi(V∩b'') - chi(V∩b'∩b'').

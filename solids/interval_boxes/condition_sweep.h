@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/interval_boxes/condition_sweep.h: which conditions hold at eps, eps / 2, eps / 4, ...: the paper's boxes against A, B1, B2, C1, C2, C3 and C3*, and
-// the octree cells of that size that V meets against K1-K3. Sources: [SSP01] 3, docs/THEORY.md §1, §2. Neither is monotone in eps.
+// the octree cells of that size that V meets against K1-K3. Sources: [SSP01] 3, docs/THEORY.md, SWEEP-1. Neither is monotone in eps.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -55,7 +55,7 @@ CrossingWitness plane_witness() {
   return w;
 }
 
-// PROVES STAR-2
+// PROVES INVALID-1
 TEST(CrossingWitness, OfTwoPlanesIsAProof) {
   EXPECT_EQ(broken_condition(floor_patch(), wall_patch(), plane_witness()), std::nullopt);
 }

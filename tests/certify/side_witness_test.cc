@@ -42,7 +42,7 @@ void expect_witness(const char* name, const Patches& patches, std::uint32_t same
   EXPECT_EQ(w->opposite, opposite) << name;
 }
 
-// PROVES STAR-2
+// PROVES INVALID-2
 TEST(SideWitness, NamesOpenBordersDirectionsAndOverusedEdges) {
   expect_witness("open box", without(unit_box(), 5), 1, 0);
   expect_witness("open octants", without(patch_shapes::octant_sphere(), 2), 1, 0);

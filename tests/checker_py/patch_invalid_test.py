@@ -54,6 +54,7 @@ def crossing_of_triangles(**options):
 
 
 class Crossings(PatchInvalidTest):
+    # PROVES INVALID-1
     def test_two_cubes(self):
         for fixed in (1, 2):                              # z; with both left free the matrix is singular
             self.says("ACCEPT", crossing_of_cubes(fixed=fixed))
@@ -97,6 +98,7 @@ class Crossings(PatchInvalidTest):
 
 
 class Sides(PatchInvalidTest):
+    # PROVES INVALID-2
     def test_an_open_cube(self):
         entities = models.cube()[1:]
         borders = [(n, s) for n in range(5) for s in range(4) if forge.passing(entities, n, s)[1:] == (1, 0)]
@@ -239,6 +241,7 @@ class Lies(PatchInvalidTest):
     def border(self, entities):
         return next((n, s) for n in range(len(entities)) for s in range(4) if forge.passing(entities, n, s)[1:] == (1, 0))
 
+    # PROVES INVALID-1.X1
     def test_x1_two_points_that_are_fixed(self):
         """Opposite faces of a sound cube: a line along y on x = 1 and one along z on x = -1 cross when seen along x."""
         finding = forge.Finding(models.cube())
@@ -260,6 +263,7 @@ class Lies(PatchInvalidTest):
         finding = forge.crossing(broken.pierced(), 1, 0, (1.0, 0.667, 0.5, 0.42), 0, 8)
         self.alone("X1", finding)
 
+    # PROVES INVALID-1.X1
     def test_x1_the_corner_of_a_triangle(self):
         """B is the line from the corner (1, 1, -1) along (2, 1, 3); rows 1 and 2 do not see it, row 3 is -z."""
         finding = crossing_of_triangles()
@@ -279,6 +283,7 @@ class Lies(PatchInvalidTest):
         self.says("X1", touching)
         self.says("X3", touching, {"X1"})
 
+    # PROVES INVALID-1.X2
     def test_x2_is_implied(self):
         """A row that depends on others cannot have its own signs at the corners of the box: X3 implies X2, no lie is left to X2 alone."""
         finding = crossing_of_cubes(fixed=1)
@@ -287,6 +292,7 @@ class Lies(PatchInvalidTest):
             self.says("X2", lie)
             self.says("X3", lie, {"X2"})
 
+    # PROVES INVALID-1.X3
     def test_x3(self):
         finding = crossing_of_cubes(fixed=1)
         a, b = finding.pair
@@ -303,6 +309,7 @@ class Lies(PatchInvalidTest):
         flush = [(middle[0], b[1][1]), b[2]]
         self.alone("X3", self.changed(finding, pair=[(0, (Q(7, 32), Q(9, 32)), (Q(1, 2), Q(1, 2))), (9, *flush)]))
 
+    # PROVES INVALID-2.D1
     def test_d1_an_inner_break_line(self):
         """Of a sound box whose first face has a knot in the middle: nothing else passes there, so D2 to D4 hold."""
         faces = models.cube()
@@ -317,6 +324,7 @@ class Lies(PatchInvalidTest):
                 break
         self.alone("D1", lie)
 
+    # PROVES INVALID-2.D1
     def test_d1_a_side_counted_twice(self):
         """A sound cube: one arc in each direction, and the first once more."""
         finding = forge.side(models.cube(), 0, 0, part=WHOLE)
@@ -344,6 +352,7 @@ class Lies(PatchInvalidTest):
                 self.says("D4", lie, {"D1"})
         self.says("D1", self.changed(finding, t0=(0, 1 << 62)))
 
+    # PROVES INVALID-2.D2
     def test_d2(self):
         cube = forge.side(models.cube(), 0, 0, part=WHOLE)
         self.alone("D2", cube)                            # an edge of a closed surface
@@ -353,6 +362,7 @@ class Lies(PatchInvalidTest):
         for same, opposite in ((0, 1), (2, 0), (1, 1), (0, 0)):
             self.alone("D2", self.changed(finding, values={"same": same, "opposite": opposite}))
 
+    # PROVES INVALID-2.D3
     def test_d3(self):
         entities = models.cube()[1:]
         finding = forge.side(entities, *self.border(entities))
@@ -376,6 +386,7 @@ class Lies(PatchInvalidTest):
             self.says(expected, finding)
             self.says("ACCEPT", finding, {"D3"})
 
+    # PROVES INVALID-2.D4
     def test_d4(self):
         """An edge of a sound model, told as a border."""
         for entities in (models.cube(), models.torus(), models.tetrahedron(), models.octant_sphere(), models.cubic_octahedron()):

@@ -41,6 +41,7 @@ std::array<Rational, 3> exact_point(const BezierPieces<Rational, 2>& pieces, std
   return {values[0] / w, values[1] / w, values[2] / w};
 }
 
+// PROVES ENCLOSE-1.SECANT
 TEST(EnclosedSurface, HoldsExactPointsAndSecants) {
   Random random(5);
   const ScopedUpward upward;

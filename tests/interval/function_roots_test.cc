@@ -17,6 +17,7 @@ ExactBox<2> square(long r) {
 }
 
 // The circle x^2 + y^2 = 1 and y = sin(3 x): by the symmetry in (0, 0) an even number; six.
+// PROVES ROOT-2
 TEST(FunctionRoots, FindWhereASineMeetsACircle) {
   const auto f = [](const Box<2>& b) {
     const Interval three(3);
@@ -39,6 +40,7 @@ TEST(FunctionRoots, FindWhereASineMeetsACircle) {
 }
 
 // exp(x) = 1 + x touches in 0; y = x.
+// PROVES ROOT-2.OPEN
 TEST(FunctionRoots, KeepATouchInACluster) {
   const auto f = [](const Box<2>& b) {
     return ValuesAndDerivatives<2>{
@@ -54,6 +56,7 @@ TEST(FunctionRoots, KeepATouchInACluster) {
   }));
 }
 
+// PROVES ROOT-2.SAME
 TEST(FunctionRoots, FindARootOnACutAndOnTheBoundaryOnce) {
   const auto f = [](const Box<1>& b) {
     return ValuesAndDerivatives<1>{{sin(Interval(4) * b[0])},

@@ -15,6 +15,7 @@ namespace {
 
 Interval around(double m, double r) { return Interval::from_bounds(m - r, m + r); }
 
+// PROVES ROOT-1
 TEST(Krawczyk, ProvesTheRootOfAContraction) {
   const ScopedUpward upward;
   const auto k = krawczyk<1>({Interval(0.25)}, {{{around(1, 0.5)}}});
@@ -22,6 +23,7 @@ TEST(Krawczyk, ProvesTheRootOfAContraction) {
   EXPECT_EQ((*k)[0], Interval::from_bounds(-0.75, 0.25));
 }
 
+// PROVES ROOT-1, ROOT-1.INSIDE
 TEST(Krawczyk, RefusesARootOnTheEdgeAndASlopeThatMayVanish) {
   const ScopedUpward upward;
   EXPECT_FALSE(krawczyk<1>({Interval(0.5)}, {{{around(1, 0.5)}}}).has_value());
@@ -98,6 +100,7 @@ TEST(BernsteinSystem, CombinedIsTheMatrixTimesTheValues) {
   EXPECT_EQ(after[1], Interval(0.5) * before[1]);
 }
 
+// PROVES ROOT-2.NONE
 TEST(BernsteinSystem, ExamineProvesExcludesOrSaysWhereToCut) {
   const ScopedUpward upward;
   using Kind = Examination<1>::Kind;

@@ -220,6 +220,7 @@ TEST(PolynomialRoots, SayThatAnEquationIsIdenticallyZero) {
   EXPECT_EQ(report.clusters[0].box, ExactBox<2>::unit());
 }
 
+// PROVES ROOT-2.OPEN
 TEST(PolynomialRoots, AnswerUndecidedWhenTheBudgetEnds) {
   Random random(8);
   const KnownSystem<3> system = known::draw<3>(random, {2, {}, false, false});

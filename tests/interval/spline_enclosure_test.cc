@@ -193,6 +193,7 @@ TEST(SurfaceEnclosure, HoldsNormalsConesAndCurvatures) {
   EXPECT_GT(cones, 60);  // it is no test of [-inf, inf]
 }
 
+// PROVES ENCLOSE-2, ENCLOSE-2.CURVATURE
 TEST(SurfaceEnclosure, ConesOfACylinderSpanItsAngle) {
   // A quarter of a cylinder, rational: normals turn by 90 degrees; from the bisector 45.
   const auto u = make_knot_axis(2, {0, 0, 0, 1, 1, 1}).value(),
@@ -247,6 +248,7 @@ TEST(SurfaceEnclosure, NoConeWhereThereIsNoNormal) {
 }
 
 // Excess over the exact range of t^2 - t on boxes around its turning point, where the range is known: [-1/4, ...].
+// PROVES ENCLOSE-1, ENCLOSE-1.HULL, ENCLOSE-1.MEAN
 TEST(SplineEnclosure, HullAndMeanValueConvergeQuadratically) {
   const auto axis = make_knot_axis(2, {0, 0, 0, 1, 1, 1}).value();
   const BSplineCurve<Rational> map({axis}, 1, false, {0, Rational(-1) / Rational(2), 0});
@@ -257,12 +259,31 @@ TEST(SplineEnclosure, HullAndMeanValueConvergeQuadratically) {
       const double d = std::ldexp(1.0, -k), lo = 0.5 - d, hi = 0.5 + 2 * d;
       const auto box = enclosure.value(Box<1>(Interval::from_bounds(lo, hi)), form).value()[0];
       const double excess = wid(box) - 4 * d * d;  // range [-1/4, -1/4 + 4 d^2]
+      EXPECT_LE(box.lo(), -0.25) << "the turning point lies between the ends of the box";
+      EXPECT_GE(box.hi(), -0.25 + 4 * d * d);
       if (k > 3) {
         EXPECT_NEAR(std::log2(before / excess), 2, 0.1);
       }
       before = excess;
     }
   }
+}
+
+// t / (1 + t): the derivatives rise or fall over [0, 1], so their ranges are those between the values at the ends.
+// PROVES ENCLOSE-1.RATIONAL
+TEST(SplineEnclosure, HoldsTheRangesOfARationalCurve) {
+  const auto axis = make_knot_axis(1, {0, 0, 1, 1}).value();
+  const BSplineCurve<Rational> map({axis}, 2, true, {0, 1, 1, 2});
+  const auto enclosure = SplineEnclosure<1>::prepare(map, 3).value();
+  const std::array<Interval, 3> exact{Interval::from_bounds(0, 0.5), Interval::from_bounds(0.25, 1),
+                                      Interval::from_bounds(-2, -0.25)};
+  for (const EnclosureForm form : {EnclosureForm::kHull, EnclosureForm::kMeanValue})
+    for (int order = 0; order < 3; ++order) {
+      const auto found = enclosure.derivative({order}, enclosure.domain(), form).value()[0];
+      EXPECT_TRUE(is_subset(exact[static_cast<std::size_t>(order)], found))
+          << "order " << order << ": " << to_string(found);
+      EXPECT_LT(mag(found), 100);
+    }
 }
 
 TEST(RangeEnclosure, ReachesTheWantedExcess) {
@@ -329,6 +350,7 @@ TEST(SplineEnclosure, RefusesBadBoxesOrdersAndWeights) {
 }
 
 // Both sides of a corner are inside, and the rounding mode of the caller does not matter.
+// PROVES ENCLOSE-1.KNOTS
 TEST(SplineEnclosure, HoldsBothSlopesAtACorner) {
   const auto axis = make_knot_axis(1, {0, 0, 1, 2, 2}).value();
   const BSplineCurve<Rational> map({axis}, 1, false, {0, 1, 0});
@@ -341,6 +363,7 @@ TEST(SplineEnclosure, HoldsBothSlopesAtACorner) {
             Interval());
 }
 
+// PROVES ENCLOSE-1.KNOTS
 TEST(SplineEnclosure, HoldsBothSidesOfAJump) {
   const auto axis = make_knot_axis(1, {0, 0, 1, 1, 2, 2}).value();
   const auto enclosure =

@@ -25,7 +25,7 @@ Axis uniform_axis(int degree, int spans) {
   return axis;
 }
 
-/// A polynomial surface of one biquadratic piece: by its control points (row u, column v).
+/// A polynomial surface with these axes and control points, v fastest: any degrees, any number of pieces.
 using Net = std::vector<std::array<Rational, 3>>;
 BSplineSurface<Rational> surface_of(Axis u, Axis v, const Net& net) {
   std::vector<Rational> coefficients;
@@ -151,6 +151,7 @@ TEST(SurfaceIntersection, NearlyCoincidentSurfacesAreNotDecided) {
   EXPECT_TRUE(x.tangencies.empty());
 }
 
+// PROVES TUBE-2.CUT
 TEST(SurfaceIntersection, ASpentBudgetIsNoProof) {
   IntersectionOptions options;
   for (const std::uint64_t pairs : {1u, 5u, 20u, 60u}) {
@@ -195,6 +196,7 @@ BSplineSurface<Rational> double_well(const Rational& b) {
   return surface_of(uniform_axis(4, 1), uniform_axis(4, 1), net);
 }
 
+// PROVES TUBE-2, TUBE-2.EMPTY, TUBE-2.HELD
 TEST(SurfaceIntersection, CountsLoops) {
   const auto floor = plane(q(-2), q(2), q(-2), q(2), q(1, 100));
   const auto four = of(double_well(q(1)), floor);

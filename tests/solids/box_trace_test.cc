@@ -21,6 +21,7 @@ BoxTrace trace_in(BoundaryModel& model, const Box3d& box) {
   return trace(model, model.to_forest(box).value());
 }
 
+// PROVES BOX-2, BOX-2.LEAF, BOX-2.CUT, BOX-2.CONNECTED
 TEST(BoxTrace, KnowsDisksRingsPairsOfDisksAndWholeSpheres) {
   BoundaryModel sphere = model_of(patch_shapes::octant_sphere());
   EXPECT_TRUE(trace_in(sphere, {{0.5, 0.3, 0.1}, {1.5, 1.2, 0.9}}).is_disk());
@@ -48,7 +49,44 @@ TEST(BoxTrace, ATorusAcrossItsHoleAndACubesCorners) {
   EXPECT_TRUE(trace_in(cube, {{-0.5, -0.5, 0.25}, {0.5, 0.25, 0.5}}).is_disk()) << "an edge";
 }
 
+// Near its top a torus has normals that point up, but the box meets it in two caps, and they leave the box through its floor. The line of the
+// monotone-box lemma, in the middle, misses both. Reversed, the torus has its caps at the other end.
+// PROVES BOX-1, BOX-1.ENDS
+TEST(BoxTrace, CapsThatLeaveThroughAnEndAreTwo) {
+  auto patches = patch_shapes::torus(Rational(3), Rational(1));
+  for (const bool is_reversed : {false, true}) {
+    if (is_reversed)
+      for (Patch& p : patches) p = reversed(p);
+    BoundaryModel torus = model_of(patches);
+    const BoxTrace caps = trace_in(torus, {{-3.3, -0.3, 0.9}, {3.3, 0.3, 1.5}});
+    EXPECT_EQ(caps.kind, BoxTrace::Kind::kSurface);
+    EXPECT_EQ(caps.euler, 2);
+    EXPECT_FALSE(caps.is_connected);
+  }
+}
+
+// The line crosses the ball's bottom as well as its top, once up and once down: without one sign of the normals that looks like nothing.
+// PROVES BOX-1.SIGNS
+TEST(BoxTrace, SheetsThatFaceEachOtherAreNotMissed) {
+  BoundaryModel sphere = model_of(patch_shapes::octant_sphere());
+  const BoxTrace two = trace_in(sphere, {{-0.3, -0.2, -1.5}, {0.1, 0.2, 1.5}});
+  EXPECT_EQ(two.kind, BoxTrace::Kind::kSurface);
+  EXPECT_EQ(two.euler, 2);
+}
+
+// Two boxes that overlap: their tops, one above the other, face the same way.
+// PROVES BOX-1.ONCE
+TEST(BoxTrace, TwoSheetsOneAboveTheOtherAreTwoDisks) {
+  BoundaryModel model = model_of(
+      patch_shapes::joined({patch_shapes::box({0, 0, 0}, {1, 1, 1}),
+                            patch_shapes::box({-1, -1, -1}, {2, 2, Rational(5) / Rational(4)})}));
+  const BoxTrace two = trace_in(model, {{0.25, 0.25, 0.5}, {0.75, 0.75, 1.5}});
+  EXPECT_EQ(two.kind, BoxTrace::Kind::kSurface);
+  EXPECT_EQ(two.euler, 2);
+}
+
 // Tangent to the box, or in one of its sides: never a wrong answer.
+// PROVES BOX-2.LEAF
 TEST(BoxTrace, TangenciesAreUndecided) {
   BoundaryModel sphere = model_of(patch_shapes::octant_sphere());
   EXPECT_EQ(trace_in(sphere, {{1, -0.5, -0.5}, {2, 0.5, 0.5}}).kind, BoxTrace::Kind::kUndecided);

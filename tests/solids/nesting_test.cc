@@ -47,6 +47,7 @@ TEST(Nesting, OfOneShellIsZero) {
   EXPECT_EQ(n.depth, (std::vector<std::uint32_t>{0}));
 }
 
+// PROVES MESH-6
 TEST(Nesting, CountsTheShellsAround) {
   for (int depth = 2; depth <= 8; ++depth) {
     std::vector<std::uint32_t> want(static_cast<std::size_t>(depth));
@@ -60,6 +61,7 @@ TEST(Nesting, SideBySideIsNotInside) {
 }
 
 // Octahedra around one centre: every ray from an extreme vertex along an axis runs through vertices of the others.
+// PROVES MESH-7
 TEST(Nesting, RaysThroughVerticesAndEdgesCountOnce) {
   std::vector<TriangleMesh> parts;
   for (double r : {16.0, 1.0, 4.0, 8.0, 2.0}) {
@@ -82,6 +84,7 @@ TEST(Nesting, RaysInThePlanesOfFacetsAndAlongTheirEdgesAreRight) {
   }
 }
 
+// PROVES MESH-7
 TEST(Nesting, LooksAroundATorus) {
   // In the hole, in the tube, and beside it.
   const TriangleMesh mesh = shapes::joined(std::vector<TriangleMesh>{

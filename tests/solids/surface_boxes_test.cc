@@ -110,10 +110,40 @@ TEST(ConditionSweep, FlatAndFarModelsKeepTheModelsAxes) {
   }
 }
 
+// PROVES SWEEP-1.K2
 TEST(ConditionSweep, CoarseCellsFillTheModelAndAreNoCollar) {
   BoundaryModel model = model_of(patch_shapes::octant_sphere());
   const auto rows = sweep_conditions(model, 2, 0).value();
-  EXPECT_NE(rows[0].collar[1], Answer::kTrue);
+  EXPECT_EQ(rows[0].collar, (std::array{Answer::kTrue, Answer::kFalse, Answer::kUndecided}));
+}
+
+// A cube with sides of n cells, its planes 0.328 cells past those of the octree: n + 1 cells along each edge, and those inside are not met.
+// PROVES SWEEP-1, SWEEP-1.COVER
+TEST(ConditionSweep, TheCellsAreThoseThatTheCubeMeets) {
+  BoundaryModel model = model_of(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
+  const auto rows = sweep_conditions(model, 0.5, 3).value();
+  std::uint64_t n = 2;
+  for (const SweepRow& row : rows) {
+    EXPECT_EQ(row.cells, (n + 1) * (n + 1) * (n + 1) - (n - 1) * (n - 1) * (n - 1)) << row.eps;
+    n *= 2;
+  }
+}
+
+// Two cubes near one corner of each: their cells have a vertex in common, or, farther apart, nothing.
+// PROVES SWEEP-1.K1
+TEST(ConditionSweep, CellsThatTouchInAVertexAreNoManifold) {
+  for (const bool touch : {true, false}) {
+    const Rational low = Rational(touch ? 6 : 8) / Rational(5), high = low + Rational(1);
+    BoundaryModel model =
+        model_of(patch_shapes::joined({patch_shapes::box({0, 0, 0}, {1, 1, 1}),
+                                       patch_shapes::box({low, low, low}, {high, high, high})}));
+    const auto row = sweep_conditions(model, 0.25, 0).value()[0];
+    if (touch) {
+      EXPECT_EQ(row.collar, (std::array{Answer::kFalse, Answer::kUndecided, Answer::kUndecided}));
+    } else {
+      EXPECT_EQ(row.collar, (std::array{Answer::kTrue, Answer::kTrue, Answer::kTrue}));
+    }
+  }
 }
 
 // In the forest's coordinates these sizes, or planes two cells beside the model, are no numbers.

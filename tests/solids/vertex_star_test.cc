@@ -116,6 +116,7 @@ TEST(VertexStars, AFlatSaddleHasOne) {
   expect_right(shapes::wave(8, 1));
 }
 
+// PROVES MESH-3
 TEST(VertexStars, FansThatTurnTwiceHaveNone) {
   for (const Vec3d tip : {Vec3d{0, 0, 4}, Vec3d{3, 1, 9}, Vec3d{0.5, 0.25, -4}})
     for (const auto& [sides, turns] : {std::pair{9, 2}, std::pair{17, 2}, std::pair{16, 3}, std::pair{25, 8}}) {

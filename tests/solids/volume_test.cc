@@ -32,6 +32,7 @@ void expect_exact(const TriangleMesh& mesh, unsigned jobs = 1) {
     EXPECT_EQ(spelled(got[s]), spelled(oracle::signed_volume(mesh, topology.shells[s]))) << "shell " << s << " of " << shapes::to_text(mesh);
 }
 
+// PROVES MESH-8
 TEST(Volume, OfBoxesAndTetrahedra) {
   EXPECT_EQ(spelled(one_shell(shapes::box({0, 0, 0}, {1, 1, 1}))[0]), "1");
   EXPECT_EQ(spelled(one_shell(shapes::flipped(shapes::box({0, 0, 0}, {2, 3, 4})))[0]), "-24");

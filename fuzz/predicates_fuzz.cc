@@ -76,6 +76,7 @@ void check_signs(const Input& in) {
     const Sign s = oracle::orient2d(a2, b2, c2);
     require(orient2d(a2, b2, c2) == s, "orient2d", in);
     require(agrees(orient2d_filter(a2, b2, c2), s) &&
+                agrees(internal::orient2d_zero_line(a2, b2, c2), s) &&
                 agrees(internal::orient2d_lattice(a2, b2, c2), s) &&
                 agrees(internal::orient2d_interval(a2, b2, c2), s) &&
                 internal::orient2d_exact(a2, b2, c2) == s,

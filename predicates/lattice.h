@@ -22,13 +22,6 @@ constexpr int lattice_bits(int limbs) {
   return 64 * limbs - 4;
 }  // NOT COVERED: at compile time only
 
-/// Are all the same number? (0 and -0 may count as different; DAZ does not matter.)
-template <typename... Rest>
-inline bool same_bits(double first, Rest... rest) {
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(first);
-  return ((std::bit_cast<std::uint64_t>(rest) == bits) && ...);
-}
-
 /// Do c[Axis], c[Axis + Dim], ... take at most two values? (0 and -0 may count as two.)
 template <std::size_t Dim, std::size_t Axis, std::size_t N>
 [[gnu::always_inline]] inline bool takes_two_values(const std::array<double, N>& c) {

@@ -9,22 +9,32 @@ namespace {
 
 // The sign, if each axis fits a lattice of L limbs.
 template <int L>
-Sign3 on_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+[[gnu::always_inline]] inline Sign3 on_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   std::array<FixedInt<L>, 3> x, y;
   if (!to_lattice<L, 3>({a.x, b.x, c.x}, x) || !to_lattice<L, 3>({a.y, b.y, c.y}, y))
     return Sign3::kUncertain;
   return to_sign3(orient2d_fixed<LatticeWidth<L>>(from_first(x), from_first(y)));
 }
 
-}  // namespace
-
-Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
-  if (same_bits(a.x, b.x, c.x) || same_bits(a.y, b.y, c.y)) return Sign3::kZero;
+// In the body of each caller: a call less for degenerate points.
+[[gnu::always_inline]] inline Sign3 lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   const Sign3 s = on_lattice<1>(a, b, c);
   if (is_certain(s)) return s;
   return has_equal_points<2>(std::array<double, 6>{a.x, a.y, b.x, b.y, c.x, c.y})
              ? Sign3::kZero
              : on_lattice<2>(a, b, c);
+}
+
+[[gnu::noinline]] Sign after_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                                     TierCounts* tally) {
+  return cascade<2>(
+      tally, [&] { return orient2d_interval(a, b, c); }, [&] { return orient2d_exact(a, b, c); });
+}
+
+}  // namespace
+
+Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
+  return lattice(a, b, c);
 }
 
 Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
@@ -41,11 +51,10 @@ Sign orient2d_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   return formulas::Orient2d<T>(v[0], v[1], v[2], v[3], v[4], v[5]).det().sign();
 }
 
-Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
-                           TierCounts* tally) noexcept {
+Sign orient2d_off_axes(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally) noexcept {
   return cascade<1>(
-      tally, [&] { return orient2d_lattice(a, b, c); }, [&] { return orient2d_interval(a, b, c); },
-      [&] { return orient2d_exact(a, b, c); });
+      tally, [&]() VT_TIER { return lattice(a, b, c); },
+      [&](TierCounts* t) VT_TIER { return after_lattice(a, b, c, t); });
 }
 
 }  // namespace veritope::internal

@@ -8,6 +8,7 @@
 #include "predicates/vec.h"
 #include "robust/base/fp_strict.h"
 #include "robust/base/sign.h"
+#include "robust/binary64.h"
 #include "robust/cascade.h"
 #include "robust/filter.h"
 
@@ -35,8 +36,8 @@ inline constexpr double kOrient2dRel = 0x1.8000000000007p-52;
 Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
 Sign orient2d_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept;
-Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
-                           TierCounts* tally) noexcept;
+/// What remains after the filter and orient2d_zero_line.
+Sign orient2d_off_axes(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally) noexcept;
 }  // namespace internal
 
 // Bodies.
@@ -51,6 +52,23 @@ inline Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noe
   const formulas::Orient2d<FilterReal> f(a.x, a.y, b.x, b.y, c.x, c.y);
   return sign_beyond(f.det(), [&](double floor) { return internal::orient2d_error(f, floor); });
 }
+
+namespace internal {
+/// Zero if a column of the determinant is zero (the points lie on a line along an axis) or its first row is (a = b).
+/// Both are frequent in models, and this costs less than a call. By the bits, so that the floating-point environment
+/// does not matter; 0 and -0 count as different, which leaves the answer to the next tier.
+inline Sign3 orient2d_zero_line(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
+  if (same_bits(a.x, b.x) && (same_bits(a.y, b.y) || same_bits(a.x, c.x))) return Sign3::kZero;
+  return same_bits(a.y, b.y, c.y) ? Sign3::kZero : Sign3::kUncertain;
+}
+
+inline Sign orient2d_after_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                                  TierCounts* tally) noexcept {
+  return cascade<1>(
+      tally, [&]() VT_TIER { return orient2d_zero_line(a, b, c); },
+      [&](TierCounts* t) VT_TIER { return orient2d_off_axes(a, b, c, t); });
+}
+}  // namespace internal
 
 inline Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally) noexcept {
   return cascade(

@@ -48,6 +48,15 @@ constexpr std::int64_t binary64_order(double v) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
 }
 
+namespace internal {
+/// Are all the same number? (0 and -0 may count as different; DAZ does not matter.)
+template <typename... Rest>
+inline bool same_bits(double first, Rest... rest) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(first);
+  return ((std::bit_cast<std::uint64_t>(rest) == bits) && ...);
+}
+}  // namespace internal
+
 /// 2^n as a double. REQUIRES -1022 <= n <= 1023.
 constexpr double exp2_int(int n) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);

@@ -40,7 +40,9 @@ std::vector<int> answers(const Points& p) {
   const Vec2d a = xy(p[0]), b = xy(p[1]), c = xy(p[2]), d = xy(p[3]);
   const PlaneCoefficients f{p[0], p[2].x};
   const auto sign3 = [](Sign3 s) { return static_cast<int>(s); };
-  return {sign3(in::orient2d_lattice(a, b, c)),
+  return {sign3(in::orient2d_zero_line(a, b, c)),
+          sign3(in::orient2d_zero_line(a, {a.x, b.y}, {a.x, c.y})),
+          sign3(in::orient2d_lattice(a, b, c)),
           sign3(in::orient2d_interval(a, b, c)),
           to_int(in::orient2d_exact(a, b, c)),
           sign3(in::orient3d_lattice(p[0], p[1], p[2], p[3])),

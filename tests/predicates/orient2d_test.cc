@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/predicates/tier_test.h"
 
 namespace veritope {
@@ -62,6 +64,53 @@ TEST(Orient2d, AsksEachTierOnlyAfterTheOneBefore) {
   expect_decided_by(Tier::kInterval, Sign::kPositive,
                     decide({0x1p-650, 0}, {0x1p-500, 0}, {0, 0x1p-500}));
   expect_decided_by(Tier::kExact, Sign::kZero, decide({0x1p-900, 0x1p-900}, {1, 1}, {3, 3}));
+}
+
+TEST(Orient2d, DecidesLinesAlongAnAxisAndEqualPointsBeforeTheLattice) {
+  // No lattice of one or two limbs holds these coordinates: the tier can only have decided by a zero
+  // column or row.
+  const double tiny = 5e-324, huge = 0x1.fffffffffffffp1023;
+  const auto decide = [](Vec2d a, Vec2d b, Vec2d c) {
+    return [=](TierCounts* tally) { return orient2d(a, b, c, tally); };
+  };
+  for (const double level : {0.0, -0.0, tiny, -0.1, huge, -huge}) {
+    expect_decided_by(Tier::kLattice, Sign::kZero,
+                      decide({level, tiny}, {level, huge}, {level, 0.3}));
+    expect_decided_by(Tier::kLattice, Sign::kZero,
+                      decide({tiny, level}, {huge, level}, {0.3, level}));
+    expect_decided_by(Tier::kLattice, Sign::kZero,
+                      decide({tiny, level}, {tiny, level}, {0.3, huge}));
+  }
+}
+
+TEST(Orient2d, IsExactNextToALineAlongAnAxis) {
+  // Two points at one height, the third off it by the least step: products underflow or overflow.
+  const double tiny = 5e-324, huge = 0x1.fffffffffffffp1023;
+  for (const double level : {0.0, tiny, 0.1, -0.3, 0x1p-1022, 0x1p970, std::nextafter(huge, 0)}) {
+    const double above = std::nextafter(level, huge);
+    for (const double left : {-huge, -1.0, 0.0, -tiny}) {
+      for (const double right : {tiny, 0.7, huge}) {
+        const Vec2d a{left, level}, b{right, level}, c{right, above}, d{left, above};
+        EXPECT_EQ(orient2d(a, b, c), Sign::kPositive) << level << ' ' << left << ' ' << right;
+        EXPECT_EQ(orient2d(b, a, d), Sign::kNegative) << level << ' ' << left << ' ' << right;
+        EXPECT_EQ(orient2d({level, left}, {level, right}, {above, right}), Sign::kNegative);
+        EXPECT_EQ(orient2d({level, right}, {level, left}, {above, right}), Sign::kPositive);
+        EXPECT_EQ(orient2d(a, a, c), Sign::kZero);
+        EXPECT_EQ(orient2d(a, c, a), Sign::kZero);
+        EXPECT_EQ(orient2d(c, a, a), Sign::kZero);
+      }
+    }
+  }
+}
+
+TEST(Orient2d, TakesZerosOfEitherSignForOneNumber) {
+  for (const int signs : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    const auto zero = [&](int bit) { return (signs >> bit & 1) != 0 ? -0.0 : 0.0; };
+    EXPECT_EQ(orient2d({0.1, zero(0)}, {0.7, zero(1)}, {-3, zero(2)}), Sign::kZero) << signs;
+    EXPECT_EQ(orient2d({zero(0), 0.1}, {zero(1), 0.7}, {zero(2), -3}), Sign::kZero) << signs;
+    EXPECT_EQ(orient2d({zero(0), zero(1)}, {zero(2), -0.0}, {1, 5e-324}), Sign::kZero) << signs;
+    EXPECT_EQ(orient2d({zero(0), zero(1)}, {1, zero(2)}, {1, 5e-324}), Sign::kPositive) << signs;
+  }
 }
 
 TEST(Orient2d, FilterIsUncertainWhereADifferenceOverflows) {

@@ -62,6 +62,21 @@ Points small_grid(std::uint32_t seed) {
   return drawn(static_cast<int>(generate::Kind::kSmallGrid), seed);
 }
 
+TEST(OrientationLaws, PointsOnALineAlongAnAxisAreZeroAndOneStepOffItIsNot) {
+  EXPECT_TRUE(holds("orient2d", [](const Points& p, std::uint32_t) {
+    const Vec2d a = xy(p[0]), b = xy(p[1]), c = xy(p[2]);
+    const Vec2d b_x{a.x, b.y}, c_x{a.x, c.y}, b_y{b.x, a.y}, c_y{c.x, a.y};
+    RC_ASSERT(orient2d(a, b_x, c_x) == Sign::kZero);
+    RC_ASSERT(orient2d(a, b_y, c_y) == Sign::kZero);
+    RC_ASSERT(orient2d(a, a, c) == Sign::kZero && orient2d(c, a, a) == Sign::kZero);
+    const double right = std::nextafter(a.x, HUGE_VAL), up = std::nextafter(a.y, HUGE_VAL);
+    const Sign along_x = sign_of((b.x > a.x) - (b.x < a.x));
+    const Sign along_y = sign_of((b.y > a.y) - (b.y < a.y));
+    if (std::isfinite(up)) RC_ASSERT(orient2d(a, b_y, {c.x, up}) == along_x);
+    if (std::isfinite(right)) RC_ASSERT(orient2d(a, b_x, {right, c.y}) == -along_y);
+  }));
+}
+
 TEST(OrientationLaws, SwappingTwoPointsNegates) {
   EXPECT_TRUE(holds("orient2d", [](const Points& p, std::uint32_t) {
     const Vec2d a = xy(p[0]), b = xy(p[1]), c = xy(p[2]);

@@ -48,6 +48,7 @@ TEST(RationalDifferential, Orient2dAndItsTiersAgreeWithTheOracle) {
     const Sign s = oracle::orient2d(a, b, c);
     EXPECT_EQ(orient2d(a, b, c), s);
     expect_agrees(orient2d_filter(a, b, c), s);
+    expect_agrees(internal::orient2d_zero_line(a, b, c), s);
     expect_agrees(internal::orient2d_lattice(a, b, c), s);
     expect_agrees(internal::orient2d_interval(a, b, c), s);
     EXPECT_EQ(internal::orient2d_exact(a, b, c), s);

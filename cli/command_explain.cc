@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/patch_explanations.h"
+#include "cli/reason_explanations.h"
 #include "cli/rule_pictures.h"
 #include "cli/text_style.h"
 #include "io/base/file_bytes.h"
@@ -55,6 +56,15 @@ std::string rule_page(const RuleText& text, std::string_view picture, const Styl
          section("What others call it", text.crosswalk);
 }
 
+std::string reason_page(const ReasonText& text, const Style& style) {
+  const auto section = [&](const char* title, std::string_view words) {
+    return style.bold(title) + "\n" + wrapped(words, "  ");
+  };
+  return style.bold(std::string(text.code) + "  " + std::string(text.name)) + "\n" +
+         wrapped(text.meaning, "  ") + section("Where it comes from", text.causes) +
+         section("What helps", text.remedy);
+}
+
 std::string rule_list(const Style& style) {
   std::string out;
   for (std::size_t i = 0; i < kNumMeshRules; ++i) {
@@ -64,7 +74,10 @@ std::string rule_list(const Style& style) {
   out += "A mesh bounds a solid if it breaks none of these. More: veritope explain M1\n\n";
   for (const PatchExplanation& e : patch_explanations())
     out += style.bold(e.text.id) + "  " + std::string(e.text.name) + "\n";
-  return out + "Answers about patches of spline files. More: veritope explain side-open\n";
+  out += "Answers about patches of spline files. More: veritope explain side-open\n\n";
+  for (const ReasonText& r : reason_texts())
+    out += style.bold(r.code) + "  " + std::string(r.name) + "\n";
+  return out + "Why there is no answer, or no file. More: veritope explain undecided\n";
 }
 
 }  // namespace
@@ -83,8 +96,12 @@ ExitCode run_explain(const Options& options, StandardOutput& out) {
     out.write(rule_page(patches->text, patches->picture, style));
     return kExitValid;
   }
-  complain("there is no rule " + harmless(*options.rule) +
-           "; the rules are M1 to M9, and those that veritope explain lists");
+  if (const ReasonText* const reason = reason_text(*options.rule)) {
+    out.write(reason_page(*reason, style));
+    return kExitValid;
+  }
+  complain("there is no page about " + harmless(*options.rule) +
+           "; veritope explain lists the rules, answers and reasons that have one");
   return kExitUsage;
 }
 

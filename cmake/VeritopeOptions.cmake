@@ -53,6 +53,6 @@ target_compile_options(veritope_flags INTERFACE -ffp-contract=off -Wall -Wextra 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms of GCC 12: sums of a literal and a std::string "overlap" or "overflow" (its bug 105651), a moved-from Error is
   # "uninitialized" once it is inlined into a variant. clang and the sanitizers look for these mistakes.
-  target_compile_options(veritope_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds
+  target_compile_options(veritope_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds
                          -Wno-maybe-uninitialized)
 endif()

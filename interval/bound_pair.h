@@ -38,11 +38,11 @@ constexpr bool is_infinite(Bits v) { return (v & ~kSignBit) == kInfiniteBits; }
 constexpr Bits negated(Bits v) { return v ^ kSignBit; }
 constexpr bool less(Bits a, Bits b) { return key_of(a) < key_of(b); }
 constexpr bool less_equal(Bits a, Bits b) { return key_of(a) <= key_of(b); }
-/// Of two equal ones, that is 0 and -0, the first.
+/// For 0 and -0, which are equal, the first argument.
 constexpr Bits larger(Bits a, Bits b) { return less(a, b) ? b : a; }
 constexpr Bits smaller(Bits a, Bits b) { return less(b, a) ? b : a; }
 
-// The same of doubles, where they are known to be numbers or the flags are ours.
+// These functions for doubles, where they are known to be numbers or the flags are ours.
 constexpr std::int64_t order_key(double v) { return key_of(bits_of(v)); }
 constexpr bool is_nan(double v) { return is_nan(bits_of(v)); }
 constexpr bool is_infinite(double v) { return is_infinite(bits_of(v)); }
@@ -94,8 +94,8 @@ VT_PAIR_OPERATION(smaller, "minpd")  ///< b where either is NaN
   asm volatile("sqrtpd %0, %0" : "+x"(v));
   return v;
 }
-/// 0 where p is the NaN that 0 * infinity makes; an empty operand's NaN stays. Of equal high
-/// halves the low one is zero, so that comparing halves is enough.
+/// 0 where p is the NaN that 0 * infinity makes; an empty operand's NaN stays. Where the
+/// high halves are equal the low one is zero, so that comparing halves is enough.
 inline Pair zero_for_made_nan(Pair p) {
   return _mm_andnot_si128(_mm_cmpeq_epi32(p, make_pair(kMadeNan, kMadeNan)), p);
 }

@@ -52,7 +52,7 @@ class Box {
   friend Box operator*(const Interval& k, const Box& a) {
     return each(a, a, [&k](const Interval& x, const Interval&) { return k * x; });
   }
-  /// The same set.
+  /// Equal as sets.
   friend bool operator==(const Box& a, const Box& b) {
     if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
     return a.sides_ == b.sides_;

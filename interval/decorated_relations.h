@@ -20,7 +20,7 @@ double number_of(Number number, const DecoratedInterval& a) {
 }
 }  // namespace internal
 
-/// The same set; decorations do not count; NaI equals nothing.
+/// Equal as sets; decorations do not count; NaI equals nothing.
 inline bool operator==(const DecoratedInterval& a, const DecoratedInterval& b) {
   return !a.is_nai() && !b.is_nai() && a.interval() == b.interval();
 }

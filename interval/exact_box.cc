@@ -12,7 +12,7 @@ Rational floor_to(const Rational& x, std::int64_t bits) {
   return Rational(floor_of(x * Rational::power_of_two(bits))) * Rational::power_of_two(-bits);
 }
 
-// Of 0 < lo <= hi: by the continued fraction that the ends share.
+// The simplest fraction between 0 < lo and hi >= lo, by the continued fraction that the ends share.
 Rational simplest_positive(Rational lo, Rational hi) {
   std::vector<Integer> quotients;
   for (;;) {

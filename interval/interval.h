@@ -27,7 +27,7 @@ class Interval {
   static constexpr Interval from_bounds(double lo, double hi) {
     return from_bits(internal::bits_of(lo), internal::bits_of(hi));
   }
-  /// The same, of the bits of two numbers; also where the compiler is told that none is infinite.
+  /// [lo, hi] from the bits of two numbers; also where flags let the compiler assume that no number is infinite.
   static constexpr Interval from_bits(internal::Bits lo, internal::Bits hi) {
     return Interval(internal::make_pair(internal::negated(lo), hi));
   }
@@ -70,7 +70,8 @@ class Interval {
         larger(multiplied(h, p),
                larger(multiplied(n, q), larger(multiplied(internal::negated(n), p), fourth))));
   }
-  /// a * t for t >= 0, all bounds finite: two of the four products are enough. The same interval, for less.
+  /// a * t for t >= 0, all bounds finite: two of the four products are enough. Equal to the product of intervals at
+  /// lower cost.
   static Interval nonnegative_multiple(const Interval& a, const Interval& t) {
     using internal::larger, internal::multiplied;
     return Interval(larger(multiplied(internal::negated(internal::both_first(t.v_)), a.v_),
@@ -99,14 +100,14 @@ class Interval {
   friend Interval& operator*=(Interval& a, const Interval& b) { return a = a * b; }
   friend Interval& operator/=(Interval& a, const Interval& b) { return a = a / b; }
 
-  /// The same set.
+  /// Equal as sets.
   friend bool operator==(const Interval& a, const Interval& b) {
     if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
     return internal::key_of(a.lo_bits()) == internal::key_of(b.lo_bits()) &&
            internal::key_of(a.hi_bits()) == internal::key_of(b.hi_bits());
   }
 
-  /// The sign that all members have, or uncertain; uncertain if there is none.
+  /// The sign that all members have; uncertain if they differ, and for the empty set.
   Sign3 sign() const {
     if (is_empty()) return Sign3::kUncertain;
     const std::int64_t n = internal::key_of(internal::first(v_));
@@ -158,7 +159,7 @@ inline Sign3 sign_of(const Interval& a) { return a.sign(); }
 
 /// Is x a member?
 bool contains(const Interval& a, const Rational& x);
-/// The narrowest interval around x.
+/// The narrowest interval that contains x.
 Interval enclose(const Rational& x);
 namespace internal {
 /// As printf does, with a point whatever the locale says.

@@ -188,7 +188,7 @@ MpInterval pown(const MpInterval& a, std::int64_t n) {
   MpInterval out(a.precision());
   const Real *low = &a.bounds_->lo, *high = &a.bounds_->hi;
   const bool even = n % 2 == 0;
-  // Of |x| if n is even.
+  // For even n the power is that of |x|.
   if (even && a.bounds_->sign_hi() <= 0) std::swap(low, high);
   const bool both = even && a.bounds_->sign_lo() < 0 && a.bounds_->sign_hi() > 0;
   if (both && mpfr_cmpabs(low->get(), high->get()) > 0) high = low;

@@ -47,7 +47,7 @@ class MpInterval {
   friend MpInterval operator/(const MpInterval& a, const MpInterval& b);
   friend MpInterval sqr(const MpInterval& a);
   friend MpInterval sqrt(const MpInterval& a);
-  /// For n < 0 with one rounding more. REQUIRES n != INT64_MIN.
+  /// For n < 0 there is one more rounding. REQUIRES n != INT64_MIN.
   friend MpInterval pown(const MpInterval& a, std::int64_t n);
 
   friend bool operator==(const MpInterval& a, const MpInterval& b);
@@ -59,7 +59,7 @@ class MpInterval {
   friend bool contains(const MpInterval& a, const Rational& x);
   /// The sign that all members have, or uncertain.
   Sign3 sign() const;
-  /// The narrowest Interval around it.
+  /// The narrowest Interval that contains it.
   Interval to_interval() const;
 
   class Bounds;  ///< two MPFR numbers

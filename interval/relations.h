@@ -43,7 +43,7 @@ inline bool is_less(const Interval& a, const Interval& b) {
   return internal::less_equal(a.lo_bits(), b.lo_bits()) &&
          internal::less_equal(a.hi_bits(), b.hi_bits());
 }
-/// The same with x < y.
+/// As is_less, with x < y.
 inline bool is_strictly_less(const Interval& a, const Interval& b) {
   if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
   return (internal::less(a.lo_bits(), b.lo_bits()) ||

@@ -14,7 +14,7 @@ namespace {
 using internal::Real;
 using internal::RealFunction;
 
-// Of the points base + k period, k an integer, the least that is not below `from`; `out` gets it, at
+// The least of the points base + k period, k an integer, that is not below `from`; `out` gets it, at
 // most 2^-250 of the larger of it and the period too small, and exact if it is 0. A point as
 // close to `from` as that counts as not below: an enclosure, wider by nothing that binary64 shows.
 void least_not_below(Real& out, const Real& base, const Real& period, const Real& from) {

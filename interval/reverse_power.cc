@@ -161,7 +161,7 @@ Interval hull_of(const std::vector<Piece>& pieces, const Interval& in) {
   return out;
 }
 
-// The positive members; empty if there is none.
+// The positive members; possibly empty.
 Interval positive(const Interval& a) {
   const Interval out = intersection(a, Interval::from_bounds(0, kInfinity));
   return out.sign() == Sign3::kZero ? Interval::empty() : out;

@@ -20,7 +20,7 @@ namespace veritope {
 /// @cost   quadratic in the number of digits
 Signalled<Interval> text_to_interval(std::string_view text);
 
-/// The same with an optional suffix "_com", "_dac", "_def", "_trv", and with "[nai]".
+/// Reads a literal with an optional suffix "_com", "_dac", "_def", "_trv", and with "[nai]".
 /// A decoration that the written interval cannot have is an error, one that only its rounding cannot have (overflow
 /// of _com) is lowered. @error kUndefinedOperation with NaI
 Signalled<DecoratedInterval> text_to_decorated(std::string_view text);

@@ -44,7 +44,7 @@ class ScopedUpward {
 #endif
 };
 
-/// The same value, but the compiler may neither know it nor move its uses before, nor its
+/// Returns the value, but the compiler may neither know it nor move its uses before, nor its
 /// computation after, this point relative to a ScopedUpward's ends: no constant folding and no
 /// hoisting into another rounding mode.
 [[gnu::always_inline]] inline double fenced(double v) {

@@ -14,7 +14,7 @@
 namespace veritope {
 
 /// The exact sign of direction . (p - q): positive iff p comes after q. Swapping p and q, or
-/// turning the direction round, negates it; the zero direction gives zero.
+/// reversing the direction, negates it; the zero direction gives zero.
 /// REQUIRES finite numbers; all are allowed.
 Sign compare_along(const Vec3d& direction, const Vec3d& p, const Vec3d& q,
                    TierCounts* tally = nullptr) noexcept;

@@ -11,7 +11,7 @@
 
 namespace veritope::internal {
 
-/// Bit lengths of what a determinant of differences is made of, if no difference exceeds 2^d.
+/// Bit lengths of the parts of a determinant of differences, if no difference exceeds 2^diff.
 struct LatticeBudget {
   int diff;
   constexpr int product() const { return bits_of_product(diff, diff); }
@@ -28,7 +28,7 @@ template <int L>
 constexpr int bits_held(FixedInt<L>*) {
   return FixedInt<L>::kBits;
 }
-// Of the last column's place: whether the columns hold their sums is asked apart.
+// Bits by the place of the last column only; the static_asserts below show that each column holds its sums.
 template <int N>
 constexpr int bits_held(Columns<N>*) {
   return kDigitBits * (N - 1) + 127;
@@ -102,7 +102,7 @@ static_assert(3 * (4 * 4) < 127 && 3 * (4 * 2 + 2 * 4) < 127, "Columns<3> of in_
 static_assert(4 * (4 * 4) < 127 && 4 * (4 * 4 + 3 * 4) < 127 && 4 * (4 * 3 + 3 * 4) < 127,
               "Columns<4> of in_sphere");
 
-/// Of u = b - a and v = c - a.
+/// The sign of orient2d from u = b - a and v = c - a.
 template <typename W, typename D = typename W::D1>
 [[gnu::always_inline]] inline Sign orient2d_fixed(const std::array<D, 2>& x,
                                                   const std::array<D, 2>& y) {
@@ -110,7 +110,7 @@ template <typename W, typename D = typename W::D1>
   return sign_of(W::minor(x[0], y[1], y[0], x[1]));
 }
 
-/// Of u = b - a, v = c - a, w = d - a, an axis at a time.
+/// The sign of orient3d from u = b - a, v = c - a, w = d - a, given axis by axis.
 template <typename W, typename D = typename W::D1>
 [[gnu::always_inline]] inline Sign orient3d_fixed(const std::array<D, 3>& x,
                                                   const std::array<D, 3>& y,
@@ -123,7 +123,7 @@ template <typename W, typename D = typename W::D1>
                  times<D3>(z[2], W::minor(x[0], y[1], y[0], x[1])));
 }
 
-/// Of a - d, b - d, c - d: x, y, x, y, x, y.
+/// The sign of in_circle from a - d, b - d, c - d: x, y, x, y, x, y.
 template <typename W, typename D = typename W::D1>
 [[gnu::always_inline]] inline Sign in_circle_fixed(const std::array<D, 6>& p) {
   static_assert(W::kBudget.minor() < kBitsHeld<typename W::D2>);
@@ -140,7 +140,7 @@ template <typename W, typename D = typename W::D1>
                  times<Last>(lift(2), minor(0, 1)));
 }
 
-/// Of a - e, b - e, c - e, d - e: x, y, z, x, y, z, ...
+/// The sign of in_sphere from a - e, b - e, c - e, d - e: x, y, z, x, y, z, ...
 template <typename W, typename D = typename W::D1>
 [[gnu::always_inline]] inline Sign in_sphere_fixed(const std::array<D, 12>& p) {
   static_assert(W::kBudget.minor() < kBitsHeld<typename W::D2> &&

@@ -28,8 +28,8 @@ struct Orient2d {
   constexpr T magnitude(Abs abs) const {
     return abs(left) + abs(right);
   }
-  /// The same where left and right have one sign; less where nothing cancels in det() anyway. With an
-  /// operation less.
+  /// Equal to magnitude if left and right have the same sign; smaller where nothing cancels in det()
+  /// anyway. Takes one fewer operation.
   template <typename Abs>
   constexpr T cancelling_magnitude(Abs abs) const {
     return abs(left + right);
@@ -133,8 +133,8 @@ struct InSphere {
   }
 };
 
-/// From x, y, z that no difference on its axis exceeds: before rounding, InSphere's magnitude is at most
-/// 24 times this one, which has a fifth of the operations.
+/// A bound for differences of at most x, y, z along the axes: before rounding, InSphere's magnitude is at
+/// most 24 times this one, which has a fifth of the operations.
 template <typename T>
 struct InSphereBox {
   T volume, lift;

@@ -14,7 +14,7 @@ namespace {
 
 using formulas::Triple;
 
-// Of the defining points; one bit more is left to those of a query.
+// Bits for the coordinates of the defining points; those of a query may have one more.
 constexpr int kBits = lattice_bits(1) - 1;
 
 template <typename P>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // predicates/implicit_cache.h: an implicit point that remembers its exact digits from the first exact
-// question on. For points that are asked often; whoever does not use it pays nothing.
+// question on. For points that occur in many questions; programs without such points pay nothing.
 #pragma once
 #include <array>
 #include <atomic>
@@ -46,7 +46,7 @@ Sign3 orientation_of_digits(const ThreePlanesDigits& p, const Vec3d& a, const Ve
 
 /// A LinePlanePoint or a ThreePlanePoint and, from the first exact question on, its digits: 15 and 33
 /// words. Any number of threads may ask the same point at the same time: none waits; one computes the
-/// digits, the others do without until they are there. No allocation.
+/// digits, the others decide without them until they are there. No allocation.
 template <typename P>
 class CachedPoint {
  public:
@@ -57,7 +57,7 @@ class CachedPoint {
 
   const P& point() const { return point_; }
   bool is_defined() const noexcept { return point_.is_defined(); }
-  /// Null if there are none, or another thread is computing them just now.
+  /// Null if the point has no digits, or another thread is computing them just now.
   const internal::PointDigits<P>* digits() const noexcept {
     const State state = state_.load(std::memory_order_acquire);
     return state == State::kReady ? &digits_ : (state == State::kUnasked ? find() : nullptr);
@@ -68,7 +68,7 @@ class CachedPoint {
 
   const internal::PointDigits<P>* find() const noexcept {
     State state = State::kUnasked;
-    if (!state_.compare_exchange_strong(state, State::kBusy, std::memory_order_acquire)) {  // NOT COVERED: when threads meet
+    if (!state_.compare_exchange_strong(state, State::kBusy, std::memory_order_acquire)) {  // NOT COVERED: a race
       return state == State::kReady ? &digits_ : nullptr;  // NOT COVERED: when threads meet
     }
     const bool found = internal::find_digits(point_, digits_);

@@ -15,7 +15,7 @@ namespace veritope::internal {
 /// five such points 105.
 inline constexpr int kStackLimbs = 44, kManyStackLimbs = 112;
 
-/// value(std::type_identity<T>()) is the polynomial over the ring T. IsLong: of in_circle and in_sphere.
+/// value(std::type_identity<T>()) is the polynomial over the ring T. IsLong: for in_circle and in_sphere.
 template <bool IsLong, typename Value>
 Sign exact_sign(Value value) {
   const Sign3 s = value(std::type_identity<StackInteger<kStackLimbs>>()).sign();

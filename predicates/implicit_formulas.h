@@ -118,7 +118,7 @@ constexpr auto orientation(const Homogeneous<N, D>& h, const Triple<T>& e, const
   return dot(h.numerator, n) + product(h.denominator, dot(e, n));
 }
 
-/// The same number as orientation(line_plane(u, v, w, g), e, v1, w1), with fewer and shorter products.
+/// Equal to orientation(line_plane(u, v, w, g), e, v1, w1), with fewer and shorter products.
 template <typename T>
 constexpr auto line_plane_orientation(const Triple<T>& u, const Triple<T>& v, const Triple<T>& w,
                                       const Triple<T>& g, const Triple<T>& e, const Triple<T>& v1,
@@ -126,7 +126,7 @@ constexpr auto line_plane_orientation(const Triple<T>& u, const Triple<T>& v, co
   const auto n = cross(v, w), m = cross(v1, w1);
   return product(dot(n, g), dot(u, m)) + product(dot(n, u), dot(e, m));
 }
-/// The same number as orientation(three_planes(first, second, third), e, v, w).
+/// Equal to orientation(three_planes(first, second, third), e, v, w).
 template <typename T>
 constexpr auto three_planes_orientation(const PlaneVectors<T>& first, const PlaneVectors<T>& second,
                                         const PlaneVectors<T>& third, const Triple<T>& e,

@@ -26,7 +26,7 @@ template <typename T, std::size_t N>
 constexpr PlaneVectors<T> plane_vectors(const std::array<Triple<T>, N>& t, int i) {
   return {difference(t[i + 1], t[i]), difference(t[i + 2], t[i]), difference(t[i], t[0])};
 }
-/// Of the points that define a LinePlanePoint (5) or a ThreePlanePoint (9).
+/// The point that 5 points (LinePlanePoint) or 9 points (ThreePlanePoint) define, over its denominator.
 template <typename T, std::size_t N>
 constexpr auto homogeneous(const std::array<Triple<T>, N>& t) {
   if constexpr (N == 5) {
@@ -87,7 +87,7 @@ T times_w(T value, const Vector<T>& a) {
   return a.is_whole ? value : value * a.w;
 }
 
-/// Of the determinant of the rows (v w, |v|^2) = (v / w, |v / w|^2) w^2 of two columns of coordinates.
+/// The determinant of the rows (v w, |v|^2) = (v / w, |v / w|^2) w^2, two columns of which are coordinates.
 template <typename T>
 T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
   const auto lift = [](const Vector<T>& r) -> T { return sqr(r.v[0]) + sqr(r.v[1]); };
@@ -96,7 +96,7 @@ T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
   const T ab = times_w(times_w(minor2(a, b, 0, 1), a), b);
   return (lift(a) * bc + lift(b) * ca) + lift(c) * ab;
 }
-/// And of three, signed as InSphere.
+/// The determinant with three columns of coordinates, signed as InSphere.
 template <typename T>
 T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c, const Vector<T>& d) {
   const auto lift = [](const Vector<T>& r) -> T {

@@ -19,7 +19,7 @@ std::array<double, N> normalised(std::array<double, N> weights) {
   return weights;
 }
 
-// Of (b - a) x (d - c). The filter needs no rounding mode: docs/bounds/implicit_point.md.
+// The sign of (b - a) x (d - c). The filter needs no rounding mode: docs/bounds/implicit_point.md.
 Sign turn(const std::array<Vec2d, 4>& p) {
   const double ux = p[1].x - p[0].x, uy = p[1].y - p[0].y, wx = p[3].x - p[2].x,
                wy = p[3].y - p[2].y;

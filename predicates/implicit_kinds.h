@@ -78,7 +78,7 @@ class SegmentSegmentPoint2d {
   bool is_defined() const noexcept { return denominator_ != Sign::kZero; }
   /// a, b, c, d
   const std::array<Vec2d, 4>& points() const { return points_; }
-  /// Of (b - a) x (d - c).
+  /// The sign of (b - a) x (d - c).
   Sign denominator_sign() const { return denominator_; }
 
  private:
@@ -124,7 +124,7 @@ class AnyPoint3 {
   Kind kind_;
 };
 
-/// The same in the plane.
+/// A point of any kind in the plane, as AnyPoint3 in space.
 class AnyPoint2 {
  public:
   enum class Kind : std::uint8_t { kExplicit, kSegment, kSegmentSegment };

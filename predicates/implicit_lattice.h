@@ -46,7 +46,8 @@ template <std::size_t N>
 #endif
 }
 
-/// On which numbers with that biased exponent are less than 2^bits; if they are below about 2^-960, much less.
+/// The lattice on which numbers with that biased exponent are less than 2^bits (much less, if they are below about
+/// 2^-960).
 inline LatticeUnit lattice_of(std::uint64_t biased, int bits) {
   const auto n = static_cast<std::uint64_t>(bits);
   biased = std::max(biased, n);

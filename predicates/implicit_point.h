@@ -24,7 +24,7 @@ struct ImplicitLayer {
 /// The point of the line through p and q on the plane through a, b, c. Immutable.
 class LinePlanePoint {
  public:
-  /// REQUIRES finite coordinates. About 10 ns.
+  /// REQUIRES finite coordinates. Takes approximately 10 ns.
   LinePlanePoint(const Vec3d& p, const Vec3d& q, const Vec3d& a, const Vec3d& b,
                  const Vec3d& c) noexcept;
 
@@ -34,7 +34,7 @@ class LinePlanePoint {
   /// p, q, a, b, c
   const std::array<Vec3d, 5>& points() const { return points_; }
   const internal::ImplicitLayer& layer() const { return layer_; }
-  /// Of (b - a) x (c - a) . (q - p).
+  /// The sign of (b - a) x (c - a) . (q - p).
   Sign denominator_sign() const { return denominator_; }
 
  private:
@@ -47,14 +47,14 @@ class LinePlanePoint {
 class ThreePlanePoint {
  public:
   /// points: three of the first plane, three of the second, three of the third. REQUIRES finite
-  /// coordinates. About 35 ns.
+  /// coordinates. Takes approximately 35 ns.
   explicit ThreePlanePoint(const std::array<Vec3d, 9>& points) noexcept;
 
   /// Is there exactly one such point? Exact.
   bool is_defined() const noexcept { return denominator_ != Sign::kZero; }
   const std::array<Vec3d, 9>& points() const { return points_; }
   const internal::ImplicitLayer& layer() const { return layer_; }
-  /// Of the determinant of the three normals (b - a) x (c - a).
+  /// The sign of the determinant of the three normals (b - a) x (c - a).
   Sign denominator_sign() const { return denominator_; }
 
  private:

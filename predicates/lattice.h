@@ -76,9 +76,9 @@ template <int L>
   }
 }
 
-/// out[i] = c[i] * 2^k, |out[i]| <= 2^lattice_bits(L), for one k. False if no such k is found: some
-/// bit lies that many binary places under the largest coordinate's first, or the coordinates are
-/// below about 2^-960 (L = 1) or 2^-900 (L = 2).
+/// out[i] = c[i] * 2^k, |out[i]| <= 2^lattice_bits(L), for one k. False if no such k is found: the
+/// coordinates' bits span more than that many places, or the coordinates are below about 2^-960 (L = 1) or
+/// 2^-900 (L = 2).
 /// Right under every rounding mode and with FTZ or DAZ, too: each step is exact or is caught by the
 /// comparison of bits.
 /// REQUIRES finite coordinates.
@@ -105,7 +105,7 @@ template <int L, std::size_t N>
   return differs == 0;  // the shift forgives -0
 }
 
-/// Of a difference of lattice coordinates.
+/// The type of a difference of lattice coordinates.
 template <int L>
 using LatticeDifference = std::conditional_t<L == 1, std::int64_t, FixedInt<L>>;
 

@@ -60,7 +60,7 @@ class LatticeSession2d {
   std::vector<Vec2d> points_;  // for the filter; empty if it is never asked
 };
 
-/// The same in space. 24 bytes a vertex; 48 if the differences exceed 2^11 units.
+/// Vertices in space. 24 bytes a vertex; 48 if the differences exceed 2^11 units.
 class LatticeSession3d {
  public:
   /// As LatticeSession2d::of.

@@ -31,7 +31,7 @@ Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
 /// Needs    round to nearest, gradual underflow, no contraction (robust/base/fp_guard.h).
 Sign3 orient3d_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept;
 
-/// The same filter, bit for bit, for one plane and many points d: the products of a, b, c are kept.
+/// The filter above, bit for bit, for one plane and many points d: the products of a, b, c are kept.
 class Orient3dPlaneFilter {
  public:
   Orient3dPlaneFilter(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;

@@ -29,7 +29,7 @@ class Perturbation {
     column_of_.fill(kNone);
   }
 
-  /// Of the first product of amounts, from the largest one, whose coefficient is not zero.
+  /// The sign of the first coefficient that is not zero, in descending order of the products of amounts.
   Sign sign() { return first_below(kNumAmounts); }
 
  private:
@@ -76,7 +76,7 @@ class Perturbation {
     });
   }
 
-  // Of the rows from `row` on and the columns of the mask, as many.
+  // The minor of the rows from `row` on and of equally many columns, those of the mask.
   template <typename T>
   T determinant(const std::array<std::array<T, N>, N>& m, int row, unsigned columns) const {
     if (row == N) return T(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // predicates/perturbed.h: the predicates on points that are moved by infinitesimal amounts, so that no
-// answer is zero: for algorithms that want no degenerate case. An option of each call; no state.
+// answer is zero: for algorithms without degenerate cases. Each call chooses; there is no state.
 // Source: [EM90]; the weights of in_circle and in_sphere come first, as in [DT11].
 #pragma once
 #include <array>
@@ -15,7 +15,7 @@ namespace veritope {
 /// What tells points apart, whatever their coordinates: an index that a point keeps.
 using PointId = std::uint64_t;
 
-// Each answers as the predicate of the same name where that is not zero. Where it is, all points are seen as
+// Each answers as the predicate of the same name where that is not zero. Where it is zero, all points count as
 // moved: coordinate j of the point with the k-th smallest id by an amount e(k, j) > 0, and for in_circle and
 // in_sphere the sum of the squares x^2 + y^2 (+ z^2) of the unmoved point by a further one, e(k). (That is a
 // weight: the circle is that of a power diagram.) Every amount is less than any product of larger ones:

@@ -20,9 +20,10 @@ enum class SegmentTriangleKind : std::uint8_t {
 
 struct SegmentTriangleContact {
   SegmentTriangleKind kind = SegmentTriangleKind::kDisjoint;
-  int part = 0;         ///< see kind; 0 where it says nothing
+  int part = 0;         ///< see kind; 0 for the kinds without a part
   bool at_end = false;  ///< the one common point is an end of the segment
-  friend bool operator==(const SegmentTriangleContact&, const SegmentTriangleContact&) = default;  // NOT COVERED: the compiler counts no outcome false
+  friend bool operator==(const SegmentTriangleContact&,  // NOT COVERED: the compiler counts no outcome false
+                         const SegmentTriangleContact&) = default;
 };
 
 /// The exact classification of the segment p q and the triangle t. The segment may be a point,

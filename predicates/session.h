@@ -14,7 +14,8 @@
 namespace veritope {
 
 /// The exact signs of orient2d and in_circle for points of one box. Immutable: threads may share it.
-/// The wider the box beside the tuples, the more of them leave the filter; the signs stay exact.
+/// The larger the box is compared with the tuples, the more of them the filter leaves to later tiers; the
+/// signs stay exact.
 class Session2d {
  public:
   /// REQUIRES finite lo <= hi.
@@ -35,7 +36,7 @@ class Session2d {
   double orient_error_, circle_error_;
 };
 
-/// The same in space.
+/// The exact signs of orient3d and in_sphere for points of one box in space, as Session2d in the plane.
 class Session3d {
  public:
   /// REQUIRES finite lo <= hi.

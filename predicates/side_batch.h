@@ -9,7 +9,7 @@
 
 namespace veritope {
 
-/// n points, axis by axis. No alignment is asked for.
+/// n points, axis by axis. No alignment is required.
 struct PointArrays {
   const double* x = nullptr;
   const double* y = nullptr;

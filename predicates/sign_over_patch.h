@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/sign_over_patch.h: which signs does a polynomial in Bernstein form take on its box or triangle? Exact or undecided.
+// predicates/sign_over_patch.h: which signs does a polynomial in Bernstein form take on its box or triangle? Exact or
+// undecided.
 // Design: docs/design/0011-enclosures.md.
 #pragma once
 #include <array>
@@ -41,29 +42,30 @@ struct SignReport {
   std::array<std::array<Rational, N>, NumCorners> place{};  ///< of kUndecided: a piece that is left
   std::size_t num_left = 0;                                 ///< of kUndecided: how many are
   std::size_t num_pieces = 0,
-              num_exact = 0;  ///< spent: pieces looked at, and of these in rationals
-  int depth = 0;              ///< of the deepest
+              num_exact = 0;  ///< spent: pieces examined, and how many of them in rationals
+  int depth = 0;              ///< of the deepest piece
 };
 template <std::size_t N>
 using BoxSign = SignReport<N, 2>;
 /// Points by their barycentric coordinates.
 using TriangleSign = SignReport<3, 3>;
 
-/// Of one component on [0,1]^N. Halves the box until the coefficients of every piece have one sign, or corners, which
-/// are values, have two. Intervals first; rationals where those are too wide.
+/// The signs of one component on [0,1]^N. Halves the box until the coefficients of every piece have one sign, or
+/// corners, which are values, have two. Intervals first; rationals where those are too wide.
 /// Zeros that no corner of a dyadic piece meets (f >= 0 that touches 0 at 1/3) end undecided.
-/// REQUIRES 0 <= component < num_components, max_pieces >= 1.  @cost a de Casteljau step and a scan a piece, in intervals
+/// REQUIRES 0 <= component < num_components, max_pieces >= 1.  @cost a de Casteljau step and a scan a piece, in
+/// intervals
 template <std::size_t N>
 BoxSign<N> sign_over_box(const Bezier<Rational, N>& map, int component = 0,
                          const SignBudget& budget = {});
 
-/// Of sum n! / (i! j! k!) u^i v^j w^k b_ijk on the triangle u + v + w = 1, u, v, w >= 0. b_ijk is coefficient
+/// The signs of sum n! / (i! j! k!) u^i v^j w^k b_ijk on the triangle u + v + w = 1, u, v, w >= 0. b_ijk is coefficient
 /// (j + k)(j + k + 1) / 2 + k: rows of falling i, in them k rises.
 /// REQUIRES (degree + 1)(degree + 2) / 2 coefficients, degree >= 0.
 TriangleSign sign_over_triangle(int degree, const std::vector<Rational>& coefficients,
                                 const SignBudget& budget = {});
 
-/// Of one component. REQUIRES 0 <= component < num_components.
+/// The signs of one component. REQUIRES 0 <= component < num_components.
 inline TriangleSign sign_over_triangle(const BezierTriangle<Rational>& map, int component = 0,
                                        const SignBudget& budget = {}) {
   VT_CHECK(component >= 0 && component < map.num_components(), "the component exists");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/sign_over_triangle.cc: sign_over_patch.h on triangles, halved at the middle of the edge opposite of the newest corner.
+// predicates/sign_over_triangle.cc: sign_over_patch.h on triangles, halved at the middle of the edge opposite of the
+// newest corner.
 #include "predicates/sign_over_patch_internal.h"
 
 namespace veritope {

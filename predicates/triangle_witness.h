@@ -10,8 +10,8 @@
 
 namespace veritope {
 
-/// A common point of two triangles outside their common simplex, twice, and how far the triangles
-/// run together.
+/// A common point of two triangles outside their common simplex, in the weights of each, and the extent of the
+/// intersection.
 struct TriangleWitness {
   /// point = sum t_weight[i] * t.point[i] / sum t_weight[i], and the same for u. Weights are >= 0
   /// and of one triangle coprime.

@@ -18,7 +18,7 @@ std::string said(const char* tier, Sign sign) {
 }  // namespace
 
 void audit_failed(Tier tier, Sign says, const TierCounts& other, Sign contradicts) {
-  // A product of cascades counts each: all that spoke are named.
+  // A predicate made of several cascades counts each of them: all tiers that answered are named.
   std::string others;
   for (std::size_t i = 0; i < kNumTiers; ++i) {
     if (other.decided[i] != 0) others += (others.empty() ? "" : ", ") + std::string(kTierNames[i]);

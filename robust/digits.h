@@ -55,7 +55,7 @@ struct Columns {
   }
 };
 
-/// put(i, digit) for the N low digits of the number; returns what is above them.
+/// put(i, digit) for the N low digits of the number; returns the rest above them.
 template <int N, typename Put>
 [[gnu::always_inline]] constexpr int128 carry_digits(const Columns<N>& v, Put put) {
   int128 rest = v.c[0];
@@ -67,7 +67,7 @@ template <int N, typename Put>
   return rest >> kDigitBits;
 }
 
-/// The same number as digits. REQUIRES that it is less than 2^(62 N + 63) in magnitude.
+/// Converts the number to digits. REQUIRES that it is less than 2^(62 N + 63) in magnitude.
 template <int N>
 [[gnu::always_inline]] constexpr Digits<N + 1> settled(const Columns<N>& v) {
   Digits<N + 1> r{};
@@ -76,7 +76,7 @@ template <int N>
   return r;
 }
 
-/// The same number with its carries in a column more.
+/// Carries between the columns; the last carry becomes one more column. The number stays the same.
 template <int N>
 [[gnu::always_inline]] constexpr Columns<N + 1> carried(const Columns<N>& v) {
   Columns<N + 1> r{};

@@ -53,8 +53,8 @@ using FilterReal = double;
 /// The sign of `value` if it is farther from zero than bound(floor), else uncertain; never zero. If
 /// the error of value is at most bound(kFilterFloor), a certain answer is the sign of the exact value.
 /// A NaN on either side, or an infinite bound, is uncertain: overflow is no answer. The floor is
-/// infinite, and nothing certain, in a thread whose floating point is not as bounds assume; in a
-/// translation unit of that kind nothing is certain, either.
+/// infinite, and every answer uncertain, in a thread whose floating point is not as the bounds assume;
+/// in a translation unit of that kind every answer is uncertain, too.
 /// No branch on the sign itself, which is as good as random where it matters: a mispredicted branch
 /// costs more than the predicate (bench/bench_predicates.cc).
 /// REQUIRES bound(floor) >= 0 or NaN, at least the floor.
@@ -75,12 +75,12 @@ requires std::is_invocable_r_v<double, Bound, double>
     return s;
   return internal::probe_filters() ? compared() : s;
 }
-/// The same for bound + floor.
+/// As above, with the bound `bound` + floor.
 [[gnu::always_inline]] inline Sign3 sign_beyond(double value, double bound) {
   return sign_beyond(value, [bound](double floor) { return bound + floor; });
 }
 
-/// The larger one, without a branch: compilers make one of `>` where they think they know better.
+/// The larger number, without a branch: for `>` compilers sometimes emit one.
 /// REQUIRES no NaN.
 [[gnu::always_inline]] inline double larger(double v, double w) {
 #if defined(__SSE2__)

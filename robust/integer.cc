@@ -93,7 +93,7 @@ std::uint64_t Integer::bit_length() const noexcept {
 }
 std::uint64_t Integer::trailing_zeros() const {
   VT_CHECK(!is_zero(), "trailing_zeros of zero");
-  return mpz_scan1(z(*this), 0);  // the same in two's complement and in |this|
+  return mpz_scan1(z(*this), 0);  // equal in two's complement and in |this|
 }
 bool Integer::fits_int64() const noexcept { return mpz_fits_slong_p(z(*this)) != 0; }
 std::int64_t Integer::to_int64() const {

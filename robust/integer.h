@@ -39,7 +39,7 @@ class Integer {
 
   /// The integer sum of limbs[i] * 2^(64 i), limbs unsigned, negated if `negative`.
   static Integer from_limbs(const std::uint64_t* limbs, std::size_t count, bool negative) noexcept;
-  /// Decimal digits with an optional '-'. REQUIRES exactly that.
+  /// REQUIRES decimal digits with an optional '-', and nothing else.
   static Integer from_decimal(std::string_view digits);
 
   Integer& operator+=(const Integer& b) noexcept;
@@ -96,7 +96,7 @@ class Integer {
 Integer abs(Integer a) noexcept;
 /// The greatest common divisor, >= 0; gcd(0, 0) = 0.
 Integer gcd(const Integer& a, const Integer& b) noexcept;
-/// a / b when b divides a. REQUIRES b != 0 and that it does.
+/// a / b. REQUIRES that b != 0 and that b divides a.
 Integer divide_exactly(const Integer& a, const Integer& b);
 /// floor(a / b). REQUIRES b != 0.
 Integer floor_divide(const Integer& a, const Integer& b);

@@ -34,7 +34,7 @@ std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
     }
     Integer q = floor_divide(n, d);
     remainder = n - q * d;
-    // Compare the remainder with half the divisor through its double.
+    // Compare twice the remainder with the divisor.
     remainder.shift_left(1);
     remainder -= d;
     return q;

@@ -21,7 +21,7 @@ struct Operand {
   int high() const { return head.low + head.size; }
 };
 
-// |a| <=> |b| as -1, 0, 1; both not zero. The highest limbs mostly decide.
+// |a| <=> |b| as -1, 0, 1; both not zero. The highest limbs usually decide.
 int compare_magnitudes(const Operand& a, const Operand& b) {
   if (a.high() != b.high()) return a.high() < b.high() ? -1 : 1;
   const int shared = a.head.size < b.head.size ? a.head.size : b.head.size;

@@ -16,8 +16,8 @@ struct WideHead {
   std::int32_t low = 0;
   bool is_negative = false;
 };
-// r = a + b, with b's sign turned if `subtract`; r = a b. r's limbs overlap neither operand's. REQUIRES
-// room for the span of the operands and one limb more, or for as many limbs as both have.
+// r = a + b, with b's sign reversed if `subtract`; r = a b. r's limbs overlap neither operand's. REQUIRES
+// room for the span of the operands and one limb more (sum), or for all limbs of both (product).
 WideHead wide_sum(std::uint64_t* r, const WideHead& a, const std::uint64_t* a_limb, WideHead b,
                   const std::uint64_t* b_limb, bool subtract) noexcept;
 WideHead wide_product(std::uint64_t* r, const WideHead& a, const std::uint64_t* a_limb,

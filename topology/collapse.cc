@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kNone = CommonSubdivision::kNone;
 
-/// What remains of the cells of one dimension below 3: how many cofaces each has, and the exclusive or of their ids, which is
-/// the coface's id when there is one. No list of cofaces is needed.
+/// What remains of the cells of one dimension below 3: how many cofaces each has, and the exclusive or of their ids,
+/// which is the coface's id when there is one. No list of cofaces is needed.
 class Remaining {
  public:
   explicit Remaining(std::size_t size) : state_(size, kAbsent), cofaces_(size, 0) {}

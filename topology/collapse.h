@@ -19,8 +19,8 @@ struct Collapse {
   friend bool operator==(const Collapse&, const Collapse&) = default;
 };
 
-/// First all of `cells`, then `faces`, then `edges`, each in order. Nothing is lost by that: a collapse of a cell of higher
-/// dimension may be moved before one of lower dimension, as this one's cells are no faces of a remaining cell.
+/// First all of `cells`, then `faces`, then `edges`, each in order. This order loses nothing: a collapse of higher
+/// dimension may be moved before one of lower dimension, whose cells are no faces of a remaining cell.
 struct CollapseSequence {
   std::vector<Collapse> cells;  ///< (face, cell)
   std::vector<Collapse> faces;  ///< (edge, face)
@@ -31,31 +31,33 @@ struct CollapseSequence {
 
 /// Which free face goes next while cells remain. What can be collapsed afterwards does not depend on the order.
 enum class CollapseOrder {
-  kBreadthFirst,          ///< from all of d- at once, by number: the front moves like a wave
-  kShuffledBreadthFirst,  ///< the same from d- in a random order
+  kBreadthFirst,          ///< from all faces of d- at once, in the order of their numbers: the front moves like a wave
+  kShuffledBreadthFirst,  ///< as kBreadthFirst, from the faces of d- in a random order
   kRandomFront,           ///< any face of the front
 };
 
-/// What a greedy collapse came to. Finished bodies have their collapses in `sequence`, others have none there.
+/// The result of a greedy collapse. `sequence` holds the collapses of the finished bodies only.
 struct CollapseAttempt {
   CollapseSequence sequence;
   std::vector<std::uint32_t> stuck;  ///< bodies where something outside d+ remains, ascending
   /// Their vertices, edges, faces, cells outside d+ that remain; no cell ever does.
   std::array<std::uint64_t, 4> remaining{};
-  /// Dimension and id of one of these, of the greatest dimension.
+  /// Dimension and id of a remaining cell of the greatest dimension.
   std::array<std::uint32_t, 2> remains_at{};
 };
 
-/// Collapses each body of `bodies` onto the boundary component d_plus[i] (of bodies[i]) as far as the greedy order gets.
-/// REQUIRES boundary = analyse_boundary(complex), is_manifold(), bodies ascending, d_plus[i] a component that bounds bodies[i], not the
-/// only one that does (then some cell has a free face outside d+, and all cells of the body go: it is connected).
+/// Collapses each body of `bodies` onto the boundary component d_plus[i] (of bodies[i]) as far as the greedy order
+/// gets.
+/// REQUIRES boundary = analyse_boundary(complex), is_manifold(), bodies ascending, d_plus[i] a component that bounds
+/// bodies[i] and is not the only one that does (then some cell has a free face outside d+, and all cells of the body
+/// are removed, since it is connected).
 /// @cost O(size of the complex)
 CollapseAttempt collapse_greedily(const CommonSubdivision& complex, const ComplexBoundary& boundary,
                                   std::span<const std::uint32_t> bodies,
                                   std::span<const std::uint32_t> d_plus, CollapseOrder order,
                                   std::uint64_t seed);
 
-/// Why a claimed collapse is none.
+/// Why a claimed sequence is no collapse.
 enum class CollapseFault {
   kNone,
   kNoSuchCell,       ///< an id out of range, or d+ is not ascending
@@ -70,19 +72,21 @@ enum class CollapseFault {
 
 struct CollapseCheck {
   CollapseFault fault = CollapseFault::kNone;
-  std::uint64_t step = 0;  ///< of the sequence: cells, faces, edges counted through
+  std::uint64_t step = 0;  ///< of the sequence: cells, faces and edges are numbered consecutively
   unsigned dimension = 0;  ///< of what the fault is about
   std::uint32_t id = 0;
   std::string message;  ///< a sentence with the place; empty without fault
 };
 
-/// K2 and K3, as a checker decides them: are the faces d_plus whole boundary components, and does the sequence collapse the
-/// complex onto them? Any input; believes nothing. REQUIRES K1 for what follows from it. @cost O(size of the complex)
+/// K2 and K3, as a checker decides them: are the faces d_plus whole boundary components, and does the sequence collapse
+/// the complex onto them? Takes any input and trusts none of it. What follows from the answer REQUIRES K1.
+/// @cost O(size of the complex)
 CollapseCheck replay_collapse(const CommonSubdivision& complex,
                               std::span<const std::uint32_t> d_plus,
                               const CollapseSequence& sequence);
 
-/// "edge (16 16 28)-(16 16 30) / 32": coordinates in units of the finest level that occurs. REQUIRES dimension <= 3, an id of it.
+/// "edge (16 16 28)-(16 16 30) / 32": coordinates in units of the finest level that occurs.
+/// REQUIRES dimension <= 3, an id of it.
 std::string name_of(const CommonSubdivision& complex, unsigned dimension, std::uint32_t id);
 
 }  // namespace veritope

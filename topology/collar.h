@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// topology/collar.h: is a union of octree cells a product, surface x [0, 1]? Topology only: it says nothing about where a surface lies.
+// topology/collar.h: is a union of octree cells a product, surface x [0, 1]? Topology only: it says nothing about where
+// a surface lies.
 // Theory: docs/THEORY.md, COLLAR-1.
 #pragma once
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace veritope {
 enum class CollarOutcome {
   kCollar,  ///< K1, K2, K3 hold: every body is a product, between the two components of its boundary
   kNotManifold,  ///< K1 fails: |K| is no 3-manifold
-  kNotProduct,   ///< |K| is one, but some body has not two boundary components of one genus
+  kNotProduct,   ///< |K| is a 3-manifold, but some body does not have two boundary components of one genus
   kUndecided,    ///< every order that was tried got stuck: it may be a product or not
 };
 
@@ -31,14 +32,14 @@ struct CollarOptions {
 /// One body of |K|; boundary components by their numbers in `boundary`.
 struct CollarBody {
   std::uint32_t d_plus = CommonSubdivision::kNone,
-                d_minus = CommonSubdivision::kNone;  ///< kNone if it has not two of one genus
+                d_minus = CommonSubdivision::kNone;  ///< kNone unless the body has two of one genus
   unsigned attempts = 0;                             ///< orders that were tried
   bool is_product = false;                           ///< proved by collapses
 };
 
 struct Collar {
   CollarOutcome outcome = CollarOutcome::kUndecided;
-  std::string message;  ///< unless it is a collar: why, with the place
+  std::string message;  ///< empty for a collar, else the reason with the place
   ComplexBoundary boundary;
   std::vector<CollarBody> bodies;  ///< beside boundary.bodies; empty if K1 fails
   CollapseSequence collapses;      ///< of the bodies that are products: certificate content
@@ -49,9 +50,11 @@ struct Collar {
   std::vector<std::uint32_t> d_plus_faces() const;
 };
 
-/// Decides K1, K2 and K3. Either side of a product may be d+; unless the caller chooses, the one with fewer faces is tried first.
+/// Decides K1, K2 and K3. Either side of a product may be d+; unless the caller chooses, the side that has the smaller
+/// number of faces is tried first.
 /// The result depends on the cells and the options alone.
-/// @error kBadArgument if max_attempts is 0, a face of options.d_plus is none of the boundary, or two name both sides of a body.
+/// @error kBadArgument if max_attempts is 0, a face of options.d_plus is not on the boundary, or two of them lie on
+///        different sides of one body.
 /// @cost  O(size of the complex) for each order tried
 Result<Collar> find_collar(const CommonSubdivision& complex, const CollarOptions& options = {});
 

@@ -63,8 +63,9 @@ class FaceLister {
            (at > 0 && cells_[at - 1].contains(key));
   }
 
-  /// Lists the part of the cell's side that lies on `across`, which is of the cell's level or finer and contains the cells of
-  /// `range`, if some of these touch it; returns whether. Each node is visited for at most one coarse cell a side: O(n depth) in all.
+  /// Lists the part of the cell's side that lies on `across`, which is of the cell's level or finer and contains the
+  /// cells of `range`, if some of these touch it; returns whether. Each node is visited for at most one coarse cell a
+  /// side: O(n depth) in all.
   bool split(OctreeKey across, Range range) {
     if (range.empty()) return false;
     if (cells_[range.first] == across)

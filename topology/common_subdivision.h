@@ -12,17 +12,18 @@
 
 namespace veritope {
 
-/// The common subdivision of a set of octree cells: the coarsest regular cell complex with these 3-cells whose 2-cells are squares.
+/// The common subdivision of a set of octree cells: the coarsest regular cell complex with these 3-cells whose 2-cells
+/// are squares.
 ///   faces     a face of a cell in which smaller faces of cells lie is split into quadrants, these likewise;
 ///   vertices  the corners of all faces (of the quadrants, where a face is split);
-///   edges     every edge of every face, whatever cells it belongs to, split at each vertex that lies inside it. (Two cells
-///             that touch only along edges of different length share the shorter one.)
-/// Names that do not depend on the program: cells ascend by code; vertices by (z, y, x); an edge is named by its lower vertex and
-/// its direction, a face by its least corner and its normal: both ascend by (vertex, axis).
+///   edges     every edge of every face, whatever cells it belongs to, split at each vertex that lies inside it. (Two
+///             cells that touch only along edges of different length share the shorter one.)
+/// The numbering does not depend on the program: cells ascend by code; vertices by (z, y, x); an edge is named by its
+/// lower vertex and its direction, a face by its least corner and its normal: both ascend by (vertex, axis).
 class CommonSubdivision {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// With no more, all counts and incidences fit 32 bits.
+  /// Up to this number of faces all counts and incidences fit 32 bits.
   static constexpr std::uint32_t kMaxFaces = 1u << 26;
 
   struct Face {

@@ -31,7 +31,8 @@ class Partition {
   std::vector<std::uint32_t> parent_;
 };
 
-/// The 15 pairs of the six directions at a vertex (+x -x +y -y +z -z), as bits: the pairs that a face at the vertex joins.
+/// The 15 pairs of the six directions at a vertex (+x -x +y -y +z -z), as bits: the pairs that a face at the vertex
+/// joins.
 using Corners = std::uint16_t;
 constexpr Corners pair_bit(unsigned p, unsigned q) {
   if (p > q) std::swap(p, q);
@@ -115,7 +116,8 @@ class Analysis {
 
   /// At each vertex of the face, corner or not, the two of its edges that meet there.
   void add_corners(std::uint32_t f, std::span<const std::uint32_t> edges) {
-    // edges_of_face: the sides in the order (0 1) (0 2) (2 3) (1 3) of the corners 0 least, 3 greatest, each from its lower end.
+    // edges_of_face: the sides in the order (0 1) (0 2) (2 3) (1 3) of the corners 0 least, 3 greatest, each from its
+    // lower end.
     const unsigned b = (c_.faces()[f].axis + 1u) % 3, c = (c_.faces()[f].axis + 2u) % 3;
     std::uint32_t prev = kNone;
     for (const std::uint32_t e : edges) {

@@ -14,7 +14,7 @@ struct BadEdge {
   std::uint32_t edge, num_faces;
 };
 
-/// A vertex whose boundary faces fall apart into several cycles.
+/// A vertex whose boundary faces form several cycles.
 struct BadVertex {
   std::uint32_t vertex, num_cycles;
 };
@@ -41,8 +41,9 @@ struct Body {
 struct ComplexBoundary {
   /// K1, edge clause: each edge lies in no or exactly two boundary faces. All exceptions, ascending.
   std::vector<BadEdge> bad_edges;
-  /// K1, vertex clause: the boundary faces at each boundary vertex are connected through edges at it, so that they form one
-  /// cycle if these edges are good. All exceptions, ascending. The ends of a bad edge are listed only if this fails there too.
+  /// K1, vertex clause: the boundary faces at each boundary vertex are connected through edges at it, so that they form
+  /// one cycle if these edges are good. All exceptions, ascending. The ends of a bad edge are listed only if this
+  /// clause fails there, too.
   std::vector<BadVertex> bad_vertices;
   bool is_manifold() const { return bad_edges.empty() && bad_vertices.empty(); }
 

@@ -10,7 +10,7 @@
 
 namespace veritope {
 
-/// The corners at each vertex, as one array. A corner is 4 * face + k: the vertex is the k-th of the face.
+/// The corners at each vertex, as one array. A corner is 4 * face + k: the vertex is number k of the face.
 /// Faces with a repeated id have no corners here.
 class Incidence {
  public:

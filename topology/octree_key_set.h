@@ -17,8 +17,8 @@ class OctreeKeySet {
   static constexpr std::size_t kMaxCells = std::size_t{1} << 24;
 
   /// The cells in any order.
-  /// @error kEmpty if there is none; kOverLimit if there are more than kMaxCells; kBadArgument if a cell is out of range (its
-  ///        position is the place's entity), occurs twice or contains another one: the message names the cells.
+  /// @error kEmpty without a cell; kOverLimit if there are more than kMaxCells; kBadArgument if a cell is out of range
+  ///        (its position is the place's entity), occurs twice or contains another one: the message names the cells.
   /// @cost  O(n log n)
   static Result<OctreeKeySet> make(std::span<const OctreeCell> cells);
   static Result<OctreeKeySet> make(std::vector<OctreeKey> keys);
@@ -28,8 +28,8 @@ class OctreeKeySet {
   std::span<const OctreeKey> keys() const { return keys_; }
   unsigned finest_level() const { return finest_level_; }
 
-  /// The position of the first key whose code is not below `code`; size() if there is none. @cost O(1) for evenly spread cells,
-  /// O(log n) for any.
+  /// The position of the first key whose code is not below `code`; size() if all are below.
+  /// @cost O(1) for evenly spread cells, O(log n) for any.
   std::size_t lower_bound(std::uint64_t code) const;
 
  private:

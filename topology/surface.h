@@ -34,9 +34,9 @@ struct Shell {
   }
 };
 
-/// What the incidences of a triangle complex are. A face with a repeated id is no triangle: it is listed in `collapsed` and
-/// takes part in nothing else. Counts are exact; the lists of defects hold the first `max_listed` of each kind, in ascending
-/// order of (vertex ids), whatever the number of jobs.
+/// What the incidences of a triangle complex are. A face with a repeated id is no triangle: it is listed in `collapsed`
+/// and takes part in nothing else. Counts are exact; the lists of defects hold the first `max_listed` of each kind, in
+/// ascending order of (vertex ids), whatever the number of jobs.
 struct SurfaceTopology {
   std::uint64_t vertices = 0;              ///< referenced by a face that is not collapsed
   std::uint64_t edges = 0, faces = 0;      ///< undirected edges; faces that are not collapsed

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/buffer.h: an array whose elements are not initialised, so that the threads that fill it also touch it first.
+// robust/base/buffer.h: an array whose elements are not initialised, so that the threads that fill it also touch it
+// first.
 #pragma once
 #include <cstddef>
 #include <memory>

@@ -23,7 +23,7 @@ namespace internal {
   ((cond) ? static_cast<void>(0) \
           : ::veritope::internal::check_failed(#cond, why, __FILE__, __LINE__))
 
-/// A check dearer than the function that it guards: on in debug and fuzz builds.
+/// A check that costs more than the function that it guards: on in debug and fuzz builds.
 #if defined(VERITOPE_SLOW_CHECKS) || !defined(NDEBUG)
 #define VT_SLOW_CHECK(cond, why) VT_CHECK(cond, why)
 #else

@@ -22,7 +22,7 @@ constinit thread_local bool fp_is_probed __attribute__((tls_model("initial-exec"
 
 namespace {
 constexpr std::uint64_t kInfinityBits = 0x7ff0000000000000u;
-// A fused product spares a rounding: it cannot hurt where it is not prevented (robust/filter.h).
+// A fused product omits one rounding: it does no harm where it is not prevented (robust/filter.h).
 constexpr unsigned kHarmless = 1u << static_cast<unsigned>(FpProblem::kContraction);
 }  // namespace
 

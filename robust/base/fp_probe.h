@@ -40,7 +40,7 @@ probe_fp_here() {
   const double a = a_v, square = square_v;
   volatile double rest = a * a - square;  // the product's rounding error, if it was not rounded
   const bool to_nearest =
-      (problems & 1u) == 0;  // the next two can only be told apart from another mode then
+      (problems & 1u) == 0;  // only then can the next two be distinguished from another rounding mode
   if (to_nearest && rest != 0) problems |= 1u << 3;
 
   const double half_ulp = half_ulp_v, quarter_ulp = quarter_ulp_v, huge = huge_v, ten = ten_v;

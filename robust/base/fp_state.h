@@ -15,7 +15,7 @@ namespace internal {
 /// in one that does not or was not asked yet. A thread starts with infinity.
 extern constinit thread_local double fp_floor __attribute__((tls_model("initial-exec")));
 extern constinit thread_local bool fp_is_probed __attribute__((tls_model("initial-exec")));
-/// What of it a scope with another control word puts aside and back.
+/// The part of this state that a scope with another control word saves and restores.
 struct FpState {
   double floor;
   bool is_probed;
@@ -27,7 +27,7 @@ void restore_fp(FpState state) noexcept;
 class ScopedNoFilters {
  public:
   ScopedNoFilters() noexcept : outside_{fp_floor, fp_is_probed} {
-    const std::uint64_t infinity = 0x7ff0000000000000u;  // fast-math knows none
+    const std::uint64_t infinity = 0x7ff0000000000000u;  // a build with -ffast-math has no infinities
     std::memcpy(&fp_floor, &infinity, sizeof infinity);
     fp_is_probed = true;
   }
@@ -50,7 +50,7 @@ bool filters_are_sound() noexcept;
 
 /// Probes again: for a thread whose rounding mode, FTZ or DAZ changed after its first decision, say
 /// because a library that was built with -ffast-math has been loaded. Sessions do it when they are
-/// constructed. About 100 ns.
+/// constructed. Takes approximately 100 ns.
 void refresh_fp() noexcept;
 
 }  // namespace veritope

@@ -14,7 +14,7 @@ namespace veritope {
 unsigned hardware_jobs() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 // Threads that wait for the next round of work. A round is offered to the first `wanted` of them; run() returns when
-// they have all done it.
+// they have all finished it.
 class WorkerScope::Crew {
  public:
   explicit Crew(unsigned size) {
@@ -22,7 +22,7 @@ class WorkerScope::Crew {
     try {
       for (unsigned i = 0; i < size; ++i) threads_.emplace_back([this, i] { serve(i); });
     } catch (const std::system_error&) {
-      // The system refuses another thread: those that run are the crew.
+      // The system refuses another thread: those that run do the work.
     }
   }
   ~Crew() {
@@ -80,7 +80,7 @@ class WorkerScope::Crew {
 
   static constexpr int kSpins = 2000;  // about 50 us
 
-  // Written by the owner between rounds, read by the threads behind the round's release.
+  // Written by the owner between rounds, read by the threads after the round's release.
   void (*work_)(void*) = nullptr;
   void* argument_ = nullptr;
   std::size_t wanted_ = 0;

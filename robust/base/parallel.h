@@ -12,9 +12,10 @@ namespace veritope {
 /// Threads that this machine can run at once; at least 1.
 unsigned hardware_jobs();
 
-/// While it lives, the parallel_for calls of the thread that made it share its threads, instead of starting and joining their own
-/// (30 to 100 us each time). Starts min(jobs, hardware_jobs()) - 1 threads (jobs = 0: hardware_jobs() - 1), joins them at its end; a
-/// scope inside another does nothing. Results are the same with and without. Between two calls the threads spin for about 50 us, then sleep.
+/// While it lives, the parallel_for calls of the thread that made it share its threads, instead of starting and
+/// joining their own (30 to 100 us each time). The constructor starts min(jobs, hardware_jobs()) - 1 threads (jobs = 0:
+/// hardware_jobs() - 1), the destructor joins them; a scope inside another does nothing. Results do not depend on it.
+/// Between two calls the threads spin for about 50 us, then sleep.
 class WorkerScope {
  public:
   explicit WorkerScope(unsigned jobs);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/reason_explanations.h: the verdicts without an answer, and every reason and error code that a JSON report can hold.
-// docs/rules/reasons.md has the same texts; tests/cli/reason_codes_test.py compares them, and both with what the sources report.
+// cli/reason_explanations.h: the verdicts without an answer, and every reason and error code that a JSON report can
+// hold. docs/rules/reasons.md has the same texts; tests/cli/reason_codes_test.py compares them, and both with what the
+// sources report.
 #pragma once
 #include <span>
 #include <string_view>
@@ -16,7 +17,8 @@ struct ReasonText {
   std::string_view remedy;   ///< what usually helps
 };
 
-/// Verdicts first, then refused inputs, then proofs that were not found or not confirmed, then critical points left open.
+/// Verdicts first, then refused inputs, then proofs that were not found or not confirmed, then critical points left
+/// open.
 std::span<const ReasonText> reason_texts();
 /// Null for a code that has no page. Letters count in either case: reports print verdicts in capitals.
 const ReasonText* reason_text(std::string_view code);

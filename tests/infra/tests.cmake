@@ -1,4 +1,4 @@
-# Tests of the tree itself: arrows, names, claims, licences, the front door, examples, README, checkers on their own, installation.
+# Tests of the tree itself: arrows, names, words, claims, licences, the front door, examples, README, checkers on their own, installation.
 function(veritope_infra_test name label script)
   add_test(NAME infra_${name} COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/${script}" ${ARGN})
   veritope_tier(${label} infra_${name})
@@ -8,6 +8,7 @@ endfunction()
 
 veritope_infra_test(layering quick layering_test.py)
 veritope_infra_test(doc_links quick doc_links_test.py)
+veritope_infra_test(wording quick wording_test.py)
 veritope_infra_test(claims quick claims_test.py)
 veritope_infra_test(licence quick licence_test.py)
 veritope_infra_test(includes quick includes_test.py)

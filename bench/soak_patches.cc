@@ -10,18 +10,17 @@
 #include <string>
 #include <vector>
 
+#include "io/splines/patch_model.h"
 #include "solids/polyhedron/validity.h"
 #include "splines/de_casteljau.h"
 #include "tests/support/random_solids.h"
-#include "verify/certify/patch_decision.h"
+#include "verify/certify/file_patches.h"
 
 namespace {
 
 using namespace veritope;
 using random_solids::Model;
 using random_solids::Patches;
-
-enum class Verdict { kValid, kInvalid, kUndecided };
 
 struct Judged {
   Verdict verdict = Verdict::kUndecided;
@@ -31,23 +30,15 @@ struct Judged {
 };
 
 Judged judge(const Patches& patches) {
-  PatchInput input;
-  input.patches = patches;
-  const PatchComplex complex = make_patch_complex(std::move(input)).value();
-  PatchDecisionOptions options;
-  options.tolerance = 1e-2;
-  std::optional<PieceForest> forest;
+  FilePatches model = file_patches(model_of(patches), PatchOrientation::kKeep).value();
+  FileDecisionOptions options;
+  options.search.tolerance = 1e-2;
   const auto start = std::chrono::steady_clock::now();
   Judged out;
-  out.decision = decide_patches(complex, options, &forest);
+  out.decision = decide_file_patches(model, options).decision;
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (out.decision.is_valid) {
-    out.verdict = Verdict::kValid;
-  } else if (out.decision.open) {
-    out.why = out.decision.open->message;
-  } else {
-    out.verdict = Verdict::kInvalid;
-  }
+  out.verdict = out.decision.verdict();
+  if (out.decision.open) out.why = out.decision.open->message;
   return out;
 }
 

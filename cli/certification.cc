@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/certification.h"
 
-#include <unistd.h>
-
 #include <new>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "cli/text_style.h"
+#include "cli/checker_process.h"
+#include "cli/scratch_file.h"
+#include "io/formats.h"
+#include "render/defect_picture.h"
+#include "report/decimal_text.h"
+#include "report/text_style.h"
 #include "robust/base/check.h"
+#include "robust/base/stopwatch.h"
 #include "verify/format/sha256.h"
 
 namespace veritope::cli {
 namespace {
+
+using namespace report;
 
 std::string_view as_text(const certificate::Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -28,140 +36,214 @@ std::string shell_word(const std::string& name) {
   return out + "'";
 }
 
+const char* phase_name(Phase phase) {
+  switch (phase) {
+    case Phase::kDeciding: return "deciding";
+    case Phase::kSeekingCollar: return "looking for a collar";
+    case Phase::kCertifying: return "certifying";
+  }
+  return "";
+}
+
+std::optional<double>& seconds_of(Phase phase, PhaseSeconds& seconds) {
+  switch (phase) {
+    case Phase::kDeciding: return seconds.decide;
+    case Phase::kSeekingCollar: return seconds.collar;
+    default: return seconds.certify;
+  }
+}
+
+class Certification {
+ public:
+  Certification(const std::string& path, const CertifySettings& settings,
+                const KeepCertificate& keep, Progress& progress)
+      : settings_(settings), keep_(keep), progress_(progress) {
+    report_.path = path;
+  }
+
+  CertifiedFile run() {
+    try {
+      if (read() && certify() && check()) conclude();
+    } catch (const InternalError& error) {
+      give_up(kExitBug, fault_of("internal", std::string(error.what()) + "; " + how_to_report()));
+    } catch (const std::bad_alloc&) {
+      give_up(kExitUndecided, fault_of("out-of-memory", "not enough memory for this file"));
+    }
+    return {std::move(report_), std::move(picture_)};
+  }
+
+ private:
+  // Always false, as all that end a run without a verdict.
+  bool refuse(Finding fault) { return report::refuse(report_, std::move(fault)), false; }
+  // A verdict that nobody else confirmed is none.
+  bool give_up(ExitCode exit, Finding fault) {
+    picture_.clear();
+    return report::give_up(report_, exit, std::move(fault)), false;
+  }
+
+  void phase(const char* what) {
+    const std::string& path = report_.path;
+    const std::string name = harmless(path.substr(path.rfind('/') + 1));
+    progress_.phase(path == "-" ? "standard input" : name, what);
+    watch_.lap();
+  }
+
+  // Whether the input's name means another file in another process, or one that can be read once only.
+  bool needs_copy() const {
+    const std::string& path = report_.path;
+    return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
+  }
+
+  bool read() {
+    phase("reading");
+    Result<ModelBytes> bytes = load_model(report_.path, settings_.reading);
+    if (!bytes) return refuse(finding_of(bytes.error()));
+    Result<ModelFile> model = read_model(*bytes, settings_.reading);
+    report_.seconds.read = watch_.lap();
+    if (!model) return refuse(finding_of(model.error()));
+    if (needs_copy()) copy_ = std::move(bytes->bytes);
+    model_ = std::move(*model);
+    report_.sha256 = sha256_of(model_);
+    report_.source = source_of(model_);
+    return true;
+  }
+
+  bool certify() {
+    CertifyOptions options = settings_.certify;
+    std::optional<Phase> current;
+    const auto end_phase = [&] {
+      if (current) seconds_of(*current, report_.seconds) = watch_.lap();
+    };
+    options.on_phase = [&](Phase next) {
+      end_phase();
+      current = next;
+      phase(phase_name(next));
+    };
+    Result<Certified> certified = veritope::certify(model_, options);
+    end_phase();
+    if (!certified) return refuse(finding_of(certified.error()));
+    report_.facts = std::move(certified->facts);
+    if (certified->verdict == Verdict::kUndecided)
+      return give_up(kExitUndecided, std::move(certified->findings.front()));
+    report_.defects = std::move(certified->findings);
+    verdict_ = certified->verdict;
+    claim_ = std::move(certified->claim);
+    bytes_ = std::move(certified->certificate);
+    report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
+    const auto* const mesh = std::get_if<MeshFile>(&model_);
+    if (settings_.with_picture && mesh != nullptr)
+      picture_ = defect_picture(mesh->mesh, report_.defects);
+    model_ = {};  // memory for the checker
+    return true;
+  }
+
+  bool check() {
+    if (settings_.checker.empty()) return true;
+    phase("checking");
+    Result<ScratchFile> certificate = ScratchFile::with(as_text(bytes_));
+    if (!certificate) return give_up(kExitUnreadable, finding_of(certificate.error()));
+    std::vector<int> inherited = {certificate->descriptor()};
+    std::string model = report_.path;
+    std::optional<ScratchFile> copy;
+    if (needs_copy()) {
+      Result<ScratchFile> made =
+          ScratchFile::with({reinterpret_cast<const char*>(copy_.data()), copy_.size()});
+      if (!made) return give_up(kExitUnreadable, finding_of(made.error()));
+      copy.emplace(std::move(*made));
+      inherited.push_back(copy->descriptor());
+      model = copy->path();
+    }
+    const CheckerOutcome outcome =
+        run_checker(settings_.checker, model, certificate->path(), claim_, inherited);
+    report_.seconds.check = watch_.lap();
+    report_.certificate->is_checked = outcome.is_accepted;
+    return outcome.is_accepted || judge_refusal(outcome);
+  }
+
+  // Always false.
+  bool judge_refusal(const CheckerOutcome& outcome) {
+    const std::string words = " (" + outcome.words + ")";
+    if (!outcome.is_started)
+      return give_up(kExitUndecided,
+                     fault_of("not-checked", settings_.checker + " " + outcome.words));
+    if (outcome.lacks_resources)
+      return give_up(kExitUndecided,
+                     fault_of("out-of-memory", "not enough memory for veritope-check" + words));
+    if (outcome.exceeds_work)
+      return give_up(kExitUndecided,
+                     fault_of("over-budget", "the proof takes more work or memory than checkers of "
+                                             "this certificate may spend" + words));
+    if (outcome.exceeds_lengths)
+      return give_up(kExitUndecided,
+                     fault_of("not-covered",
+                              "the file has longer numbers than certificates may be about" + words));
+    if (file_has_changed()) {
+      FileReport blank;  // what was found is about bytes that are gone
+      blank.path = report_.path;
+      blank.seconds = report_.seconds;
+      report_ = std::move(blank);
+      return refuse(fault_of("file-changed", "the file changed while it was being certified"));
+    }
+    return give_up(kExitBug, fault_of("internal", "veritope-check did not accept our certificate" +
+                                                      words + "; " + how_to_report()));
+  }
+
+  bool file_has_changed() const {
+    if (needs_copy()) return false;
+    const Result<ModelBytes> now = load_model(report_.path, settings_.reading);
+    return !now || to_hex(sha256({now->bytes.data(), now->bytes.size()})) != report_.sha256;
+  }
+
+  void conclude() {
+    report_.verdict = verdict_;
+    report_.exit = verdict_ == Verdict::kValid ? kExitValid : kExitInvalid;
+    if (!keep_) return;
+    const Result<std::string> kept = keep_(as_text(bytes_));
+    if (kept) {
+      report_.certificate->path = *kept;
+      return;
+    }
+    report_.exit = first_of(report_.exit, kExitUnreadable);
+    report_.fault = finding_of(kept.error());
+  }
+
+  std::string how_to_report() const {
+    const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
+    return "this is a bug of veritope, not of your file: please report it with the file, or with "
+           "what this prints: veritope certify --no-check --certificate bug.cert " +
+           own_options() + name + "; veritope-check " + name + " bug.cert; veritope --version";
+  }
+
+  // Of a command line that repeats this run.
+  std::string own_options() const {
+    std::string out;
+    const CertifyOptions& o = settings_.certify;
+    if (settings_.reading.as_indexed) out += "--as-indexed ";
+    if (o.orientation == PatchOrientation::kAuto) out += "--orient auto ";
+    if (o.with_collar) out += "--collar ";
+    if (o.tolerance) out += "--tolerance " + short_decimal(*o.tolerance, 17) + " ";
+    if (settings_.reading.format)
+      out += std::string("--format ") + model_format(*settings_.reading.format).name + " ";
+    return out;
+  }
+
+  const CertifySettings& settings_;
+  const KeepCertificate& keep_;
+  Progress& progress_;
+  Stopwatch watch_;
+  FileReport report_;
+  ModelFile model_;
+  ByteBuffer copy_;  ///< if needs_copy(): the input, for the checker
+  Verdict verdict_ = Verdict::kUndecided;
+  certificate::Bytes bytes_;
+  std::string claim_, picture_;
+};
+
 }  // namespace
 
-FileReport Certification::run() {
-  try {
-    if (read() && decide() && certify() && check()) conclude();
-  } catch (const InternalError& error) {
-    give_up(kExitBug, {"internal", {}, std::string(error.what()) + "; " + how_to_report()});
-  } catch (const std::bad_alloc&) {
-    give_up(kExitUndecided, {"out-of-memory", {}, "not enough memory for this file"});
-  }
-  return std::move(report_);
-}
-
-bool Certification::refuse(Fault fault) {
-  report_.exit = kExitUnreadable;
-  report_.verdict = FileVerdict::kUnreadable;
-  report_.fault = std::move(fault);
-  return false;
-}
-
-bool Certification::give_up(ExitCode exit, Fault fault) {
-  report_.certificate.reset();
-  report_.picture.clear();
-  forget();
-  report_.exit = exit;
-  report_.verdict = FileVerdict::kUndecided;
-  report_.fault = std::move(fault);
-  return false;
-}
-
-void Certification::phase(const char* what) {
-  const std::string& path = report_.path;
-  const std::string name = harmless(path.substr(path.rfind('/') + 1));
-  progress_.phase(path == "-" ? "standard input" : name, what);
-  watch_.lap();
-}
-
-bool Certification::needs_copy() const {
-  const std::string& path = report_.path;
-  return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
-}
-
-Result<ByteBuffer> Certification::read_once() {
-  const std::string& path = report_.path;
-  const std::uint64_t max_bytes = settings_.reading.limits.max_bytes;
-  return path == "-" ? read_descriptor(STDIN_FILENO, path, 0, max_bytes)
-                     : read_file_bytes(path, max_bytes);
-}
-
-bool Certification::check() {
-  if (settings_.checker.empty()) return true;
-  phase("checking");
-  Result<ScratchFile> certificate = ScratchFile::with(as_text(bytes_));
-  if (!certificate) return give_up(kExitUnreadable, fault_of(certificate.error()));
-  std::vector<int> inherited = {certificate->descriptor()};
-  std::string model = report_.path;
-  if (needs_copy()) {
-    const ByteBuffer& b = spooled_;
-    Result<ScratchFile> copy =
-        ScratchFile::with({reinterpret_cast<const char*>(b.data()), b.size()});
-    if (!copy) return give_up(kExitUnreadable, fault_of(copy.error()));
-    copy_.emplace(std::move(*copy));
-    inherited.push_back(copy_->descriptor());
-    model = copy_->path();
-  }
-  const CheckerOutcome outcome =
-      run_checker(settings_.checker, model, certificate->path(), claim(), inherited);
-  report_.seconds.check = watch_.lap();
-  report_.certificate->is_checked = outcome.is_accepted;
-  return outcome.is_accepted || judge_refusal(outcome);
-}
-
-// Always false.
-bool Certification::judge_refusal(const CheckerOutcome& outcome) {
-  if (!outcome.is_started) {
-    return give_up(kExitUndecided, {"not-checked", {}, settings_.checker + " " + outcome.words});
-  }
-  if (outcome.lacks_resources) {
-    return give_up(
-        kExitUndecided,
-        {"out-of-memory", {}, "not enough memory for veritope-check (" + outcome.words + ")"});
-  }
-  if (outcome.exceeds_work) {
-    return give_up(kExitUndecided, {"over-budget",
-                                    {},
-                                    "the proof takes more work or memory than checkers of "
-                                    "this certificate may spend (" +
-                                        outcome.words + ")"});
-  }
-  if (outcome.exceeds_lengths) {
-    return give_up(kExitUndecided, {"not-covered",
-                                    {},
-                                    "the file has longer numbers than certificates may be about (" +
-                                        outcome.words + ")"});
-  }
-  if (file_has_changed()) {
-    FileReport blank;  // what was found is about bytes that are gone
-    blank.path = report_.path;
-    blank.seconds = report_.seconds;
-    report_ = std::move(blank);
-    return refuse({"file-changed", {}, "the file changed while it was being certified"});
-  }
-  return give_up(kExitBug, {"internal",
-                            {},
-                            "veritope-check did not accept our certificate (" + outcome.words +
-                                "); " + how_to_report()});
-}
-
-bool Certification::file_has_changed() const {
-  if (needs_copy()) return false;
-  const Result<ByteBuffer> now = read_file_bytes(report_.path, settings_.reading.limits.max_bytes);
-  return !now || to_hex(sha256({now->data(), now->size()})) != report_.sha256;
-}
-
-void Certification::conclude() {
-  const bool valid = is_valid();
-  report_.verdict = valid ? FileVerdict::kValid : FileVerdict::kInvalid;
-  report_.exit = valid ? kExitValid : kExitInvalid;
-  if (!keep_) return;
-  const Result<std::string> kept = keep_(as_text(bytes_));
-  if (kept) {
-    report_.certificate->path = *kept;
-    return;
-  }
-  report_.exit = first_of(report_.exit, kExitUnreadable);
-  report_.fault = fault_of(kept.error());
-}
-
-std::string Certification::how_to_report() const {
-  const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
-  const std::string options = "--no-check --certificate bug.cert " + own_options();
-  return "this is a bug of veritope, not of your file: please report it with the file, or with "
-         "what this prints: veritope certify " +
-         options + name + "; veritope-check " + name + " bug.cert; veritope --version";
+CertifiedFile certify_file(const std::string& path, const CertifySettings& settings,
+                           const KeepCertificate& keep, Progress& progress) {
+  return Certification(path, settings, keep, progress).run();
 }
 
 }  // namespace veritope::cli

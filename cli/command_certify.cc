@@ -3,16 +3,17 @@
 #include <sys/stat.h>
 
 #include "cli/certification.h"
-#include "cli/certify.h"
 #include "cli/checker_process.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
 #include "cli/output_plan.h"
-#include "cli/report_json.h"
-#include "cli/report_text.h"
+#include "report/report_json.h"
+#include "report/report_text.h"
 
 namespace veritope::cli {
 namespace {
+
+using namespace report;
 
 // Keeps certificate i where the plan says.
 KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
@@ -26,17 +27,15 @@ KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& ou
   };
 }
 
-void print(const FileReport& report, bool quiet, StandardOutput& out) {
-  const Style style = style_of_stdout();
-  out.write(verdict_line(report, style) + (quiet ? "" : details_text(report, style)));
+void print(const FileReport& report, bool quiet, bool lists_pairs, StandardOutput& out) {
+  const TextOptions options{style_of_stdout(), lists_pairs};
+  out.write(verdict_line(report, options.style) + (quiet ? "" : details_text(report, options)));
 }
 
 // A verdict with a fault beside it: the certificate could not be kept.
 void complain_beside_verdict(const FileReport& report) {
-  const bool is_verdict =
-      report.verdict == FileVerdict::kValid || report.verdict == FileVerdict::kInvalid;
-  if (!is_verdict || !report.fault) return;
-  complain(harmless(report.fault->place.file + ": " + fault_text(*report.fault)));
+  if (!report.has_verdict() || !report.fault) return;
+  complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
 }
 
 ExitCode fail(const Error& error) {
@@ -61,6 +60,18 @@ ExitCode write_json(const Options& options, const OutputPlan& plan,
   return kExitUnreadable;
 }
 
+CertifySettings settings_of(const Options& options) {
+  CertifySettings out;
+  out.reading = options.reading;
+  out.certify.jobs = options.jobs;
+  if (options.max_defects) out.certify.max_findings = *options.max_defects;
+  if (options.orient_auto) out.certify.orientation = PatchOrientation::kAuto;
+  out.certify.with_collar = options.collar;
+  out.certify.tolerance = options.tolerance;
+  out.with_picture = options.picture.has_value();
+  return out;
+}
+
 }  // namespace
 
 ExitCode run_certify(const Options& options, StandardOutput& out) {
@@ -73,20 +84,11 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
          {},
          "--picture shows the defects of meshes; " + options.files.front() + " is a spline file"});
   if (options.picture) {
-    if (Status status =
-            check_output("--picture", *options.picture, options.files, *plan, options.json);
-        !status) {
+    if (Status status = check_output("--picture", *options.picture, options.files, *plan, options.json); !status) {
       return fail(status.error());
     }
   }
-  CertifySettings settings;
-  settings.reading = options.reading;
-  settings.orientation = options.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep;
-  settings.with_collar = options.collar;
-  settings.tolerance = options.tolerance;
-  settings.jobs = options.jobs;
-  settings.max_defects = options.max_defects;
-  settings.with_picture = options.picture.has_value();
+  CertifySettings settings = settings_of(options);
   if (!options.no_check) {
     const Result<std::string> checker = find_checker();
     if (!checker) return complain(checker.error().message), kExitUsage;
@@ -97,17 +99,14 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     const std::string& file = options.files[i];
-    const auto certify = ModelInput(file, options.reading).kind() == ModelKind::kSplines
-                             ? certify_patch_file
-                             : certify_file;
-    const FileReport report = certify(file, settings, keeper(*plan, i, out), progress);
+    const CertifiedFile done = certify_file(file, settings, keeper(*plan, i, out), progress);
+    const FileReport& report = done.report;
     progress.clear();
     exit = first_of(exit, report.exit);
     if (options.json) json.push_back(report_json(report));
-    if (options.json != "-") print(report, options.quiet, out);
+    if (options.json != "-") print(report, options.quiet, options.max_defects.has_value(), out);
     complain_beside_verdict(report);
-    if (!report.picture.empty())
-      exit = first_of(exit, write_picture(*options.picture, report.picture, out));
+    if (!done.picture.empty()) exit = first_of(exit, write_picture(*options.picture, done.picture, out));
   }
   return options.json ? first_of(exit, write_json(options, *plan, json, out)) : exit;
 }

@@ -6,14 +6,16 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/decimal_text.h"
+#include "report/decimal_text.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "io/formats.h"
 #include "io/mesh/write_mesh.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 // The names of --to, and what io/ calls them.

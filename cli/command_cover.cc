@@ -6,13 +6,14 @@
 #include "cli/condition_report.h"
 #include "cli/cover_picture.h"
 #include "cli/output_plan.h"
-#include "cli/patch_report.h"
 #include "cli/progress.h"
-#include "cli/text_style.h"
 #include "io/read_model.h"
-#include "io/splines/patch_model.h"
+#include "report/report_text.h"
+#include "verify/certify/file_patches.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 class CoverRun {
@@ -33,19 +34,12 @@ class CoverRun {
     phase("reading");
     const Result<SplineFile> file = read_spline_file(options_.files[0], options_.reading);
     if (!file) return fail(kExitUnreadable, to_string(file.error()));
-    Result<PatchSource> source = patch_source(file->model);
-    if (!source) return fail(kExitUnreadable, to_string(source.error()));
-    if (!source->foreign.empty())
-      return fail(kExitUndecided, "patches are surfaces and triangles in space; this file has " +
-                                      to_string(source->foreign.front()));
-    if (source->patches.empty())
-      return fail(kExitUnreadable, "there is no surface and no triangle in this file");
-    Result<PatchComplex> complex = make_patch_complex(
-        std::move(source->patches),
-        options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
-    if (!complex) return fail(kExitUnreadable, to_string(complex.error()));
+    Result<FilePatches> patches = file_patches(
+        file->model, options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
+    if (!patches) return fail(kExitUnreadable, to_string(patches.error()));
+    if (patches->not_covered) return fail(kExitUndecided, patches->not_covered->message);
     sha256_ = file->sha256;
-    return options_.sweep ? sweep(std::move(*complex)) : cover(*complex);
+    return options_.sweep ? sweep(*patches->complex) : cover(*patches);
   }
 
   ExitCode sweep(PatchComplex complex) {
@@ -73,12 +67,12 @@ class CoverRun {
     return write(surface_boxes_picture(options_.output, *boxes));
   }
 
-  ExitCode cover(const PatchComplex& complex) {
+  ExitCode cover(FilePatches& patches) {
     phase("looking for star boxes");
-    std::optional<PieceForest> forest;
-    PatchDecisionOptions decision_options;
-    decision_options.in_plain_frame = options_.cover_part != CoverPart::kBoxes;
-    const PatchDecision decision = decide_patches(complex, decision_options, &forest);
+    FileDecisionOptions how;
+    if (options_.cover_part != CoverPart::kBoxes) how.frame = FrameWanted::kPlain;
+    how.may_turn_shells = options_.orient_auto;
+    auto [decision, forest] = decide_file_patches(patches, how);
     if (decision.refutation)
       return fail(kExitInvalid, "the model is invalid: veritope certify says where");
     if (!decision.is_valid) return fail(kExitUndecided, decision.open->message);
@@ -87,7 +81,7 @@ class CoverRun {
     if (options_.cover_part != CoverPart::kBoxes) {
       phase("looking for a collar");
       search = find_patch_collar(*forest, decision.cover);
-      said_ += collar_text(collar_report(search, *forest));
+      said_ += collar_text(collar_facts(search, *forest));
       if (!search.collar)
         return fail(kExitUndecided, "no collar was found, and nothing is written");
     }

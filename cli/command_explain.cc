@@ -11,12 +11,14 @@
 #include "cli/patch_explanations.h"
 #include "cli/reason_explanations.h"
 #include "cli/rule_pictures.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "io/base/file_bytes.h"
 #include "solids/polyhedron/rules.h"
 #include "verify/format/claims.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 constexpr std::size_t kWidth = 78;

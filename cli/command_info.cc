@@ -4,12 +4,15 @@
 
 #include "cli/commands.h"
 #include "cli/output_plan.h"
-#include "cli/report_json.h"
-#include "cli/report_text.h"
+#include "report/file_report.h"
+#include "report/info_report.h"
+#include "report/report_json.h"
 #include "cli/spline_report.h"
 #include "io/mesh/write_mesh.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 // The variants that read back as the same model. Vertex ids are part of it only if they were kept.
@@ -35,9 +38,9 @@ InfoReport info_of(const std::string& path, ModelInput& input) {
       report.file = std::move(file);
       return report;
     }
-    report.fault = fault_of(model.error());
+    report.fault = finding_of(model.error());
   } catch (const std::bad_alloc&) {
-    report.fault = Fault{"out-of-memory", {}, "not enough memory for this file"};
+    report.fault = fault_of("out-of-memory", "not enough memory for this file");
     report.exit = kExitUndecided;
     return report;
   }

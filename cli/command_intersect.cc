@@ -4,10 +4,12 @@
 #include "cli/intersection_report.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "io/read_model.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 bool ends_with(const std::string& text, const char* end) { return text.ends_with(end); }

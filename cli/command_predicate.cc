@@ -5,10 +5,12 @@
 
 #include "cli/commands.h"
 #include "cli/line_reader.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "named_predicates/case_reader.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 class CaseRun {

@@ -3,10 +3,12 @@
 #include "cli/commands.h"
 #include "cli/output_plan.h"
 #include "cli/projection_report.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "io/read_model.h"
 
 namespace veritope::cli {
+
+using namespace report;
 
 ExitCode run_project(const Options& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);

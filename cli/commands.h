@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/commands.h: one function a command. Each prints, and returns the exit status.
 #pragma once
-#include "cli/exit_code.h"
+#include "report/exit_code.h"
 #include "cli/options.h"
 #include "cli/output.h"
 
 namespace veritope::cli {
+
+using namespace report;
 
 ExitCode run_certify(const Options& options, StandardOutput& out);
 ExitCode run_info(const Options& options, StandardOutput& out);

@@ -3,13 +3,15 @@
 
 #include <cmath>
 
-#include "cli/certify.h"
-#include "cli/decimal_text.h"
-#include "cli/json_text.h"
-#include "cli/text_style.h"
+#include "report/decimal_text.h"
+#include "report/json_text.h"
+#include "report/text_style.h"
+#include "verify/certify/certify.h"
 #include "solids/star_box/star_box.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 const char* short_word(Answer a) {

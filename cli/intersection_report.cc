@@ -4,14 +4,16 @@
 
 #include <cstdio>
 
-#include "cli/certify.h"
-#include "cli/decimal_text.h"
-#include "cli/json_text.h"
-#include "cli/text_style.h"
+#include "report/decimal_text.h"
+#include "report/json_text.h"
+#include "report/text_style.h"
+#include "verify/certify/certify.h"
 #include "interval/numeric.h"
 #include "interval/upward.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 Json interval_json(const Interval& a) {

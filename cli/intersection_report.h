@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.h"
+#include "report/exit_code.h"
 #include "interval/intersect/surface_intersection.h"
 #include "io/splines/read_splines.h"
 
 namespace veritope::cli {
+
+using namespace report;
 
 /// A surface of a file: of an entity, from 0, or of a face of a model there.
 struct NamedSurface {

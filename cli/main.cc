@@ -9,11 +9,13 @@
 
 #include "cli/commands.h"
 #include "cli/signals.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "robust/base/check.h"
 #include "robust/base/fp_guard.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 // So that no file that is opened later gets the number of a standard stream. What is written to a stream that was closed

@@ -7,10 +7,10 @@
 #include <limits>
 #include <memory>
 
-#include "cli/certify.h"
 #include "io/formats.h"
 #include "robust/base/parallel.h"
 #include "solids/interval_boxes/condition_sweep.h"
+#include "verify/certify/certify.h"
 
 namespace veritope::cli {
 namespace {

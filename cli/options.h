@@ -34,7 +34,8 @@ struct Options {
   std::optional<std::string> json;         ///< certify, info, cover --sweep, ...
   std::optional<std::string> certificate;  ///< certify
   std::optional<std::string> picture;      ///< certify
-  std::uint64_t max_defects = 20;          ///< certify
+  /// certify; nothing: 20, and pairs of faces are not listed one by one
+  std::optional<std::uint64_t> max_defects;
   unsigned jobs = 1;
   bool no_check = false, quiet = false;          ///< certify
   bool orient_auto = false;                      ///< certify, cover, of spline files: --orient auto

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Projections as JSON and as text. The schema: docs/project.schema.json.
-#include "cli/certify.h"
-#include "cli/decimal_text.h"
-#include "cli/json_text.h"
+#include "report/decimal_text.h"
+#include "report/json_text.h"
 #include "cli/projection_report.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
+#include "verify/certify/certify.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 const char* place_name(RootPlace place) {

@@ -7,11 +7,13 @@
 #include <variant>
 #include <vector>
 
-#include "cli/exit_code.h"
+#include "report/exit_code.h"
 #include "interval/intersect/point_projection.h"
 #include "io/splines/spline_model.h"
 
 namespace veritope::cli {
+
+using namespace report;
 
 /// One curve or surface of the file.
 struct ProjectionTarget {

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "cli/output_plan.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 #include "io/formats.h"
 #include "io/splines/patch_model.h"
 #include "io/splines/volume_faces.h"
@@ -13,6 +13,8 @@
 #include "render/spline_view.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 using Target = std::variant<SplineFormat, ViewFormat>;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Spline reports as JSON. The schema: docs/report.schema.json, info_spline_file.
-#include "cli/decimal_text.h"
-#include "cli/json_text.h"
+#include "report/decimal_text.h"
+#include "report/json_text.h"
 #include "cli/spline_report.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 std::string name_of(const SplineModel& model, const SplineEntity& entity) {

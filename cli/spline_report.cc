@@ -77,11 +77,11 @@ SplineReport spline_report(const std::string& path, ModelInput& input) {
       report.lossless = lossless_formats(*report.file);
       return report;
     }
-    report.fault = fault_of(file.error());
+    report.fault = finding_of(file.error());
     report.exit = kExitUnreadable;
   } catch (const std::bad_alloc&) {
     report.file.reset();
-    report.fault = Fault{"out-of-memory", {}, "not enough memory for this file"};
+    report.fault = fault_of("out-of-memory", "not enough memory for this file");
     report.exit = kExitUndecided;
   }
   return report;

@@ -5,19 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.h"
-#include "cli/file_report.h"
+#include "report/exit_code.h"
+#include "report/file_report.h"
 #include "cli/model_input.h"
-#include "cli/text_style.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
+
+using namespace report;
 
 struct SplineReport {
   std::string path;
   ExitCode exit = kExitValid;
   std::optional<SplineFile> file;     ///< nothing: unreadable
   std::vector<std::string> lossless;  ///< formats that hold it without loss
-  std::optional<Fault> fault;
+  std::optional<Finding> fault;
 };
 
 SplineReport spline_report(const std::string& path, ModelInput& input);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/decimal_text.h"
+#include "report/decimal_text.h"
 #include "cli/spline_report.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 constexpr std::size_t kMostListed = 20;
@@ -81,8 +83,8 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   const std::string path =
       style.bold(report.path == "-" ? "standard input" : harmless(report.path));
   if (!report.file)
-    return style.yellow(verdict_name(FileVerdict::kUnreadable)) + "  " + path + "  " +
-           (report.fault ? harmless(fault_text(*report.fault)) : "") + "\n";
+    return style.yellow(verdict_word(std::nullopt)) + "  " + path + "  " +
+           (report.fault ? harmless(text_of(*report.fault)) : "") + "\n";
   const SplineFile& file = *report.file;
   std::string out = path + "\n";
   out += detail_line("file", std::string(spline_format_name(file.format)) + ", " +

@@ -15,14 +15,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::MeshInput in = fuzz::MeshInput::decode(data, size);
   const bool as_indexed = (in.options & fuzz::MeshInput::kAsIndexed) != 0;
   constexpr std::size_t kMaxDefects = 2;  // listing more is slow at extreme scales
-  const Certified c = certified(in.mesh(), as_indexed, 1, kMaxDefects);
+  const CertifiedMesh c = certified(in.mesh(), as_indexed, 1, kMaxDefects);
   fuzz::check_decision(c.mesh, c.report);
   const std::string answer = check_in_process(c.file, c.certificate());
   const std::string want = c.report.is_valid ? "ACCEPT mesh-valid-1" : "ACCEPT mesh-invalid-1";
   if (answer.substr(0, want.size()) != want) fuzz::fail(answer, c.mesh);
   if (certificate::explain(c.decoded(), 4).empty()) fuzz::fail("no explanation", c.mesh);
   if ((in.options & fuzz::MeshInput::kTwoJobs) != 0) {
-    const Certified two = certified(in.mesh(), as_indexed, 2, kMaxDefects);
+    const CertifiedMesh two = certified(in.mesh(), as_indexed, 2, kMaxDefects);
     if (two.bytes != c.bytes) fuzz::fail("another certificate with two threads", c.mesh);
     if (full_text(two.report) != full_text(c.report)) fuzz::fail("another report with two threads", c.mesh);
   }

@@ -44,6 +44,12 @@ double rounded_root(const Rational& a, int degree) {
   return std::ldexp(degree == 2 ? std::sqrt(near_one) : std::cbrt(near_one), static_cast<int>(exponent));
 }
 
+Finding new_defect(MeshRule rule) {
+  Finding out;
+  out.code = rule_text(rule).id;
+  return out;
+}
+
 std::string list(const std::vector<std::uint32_t>& ids) {
   constexpr std::size_t kMost = 8;
   std::string out;
@@ -75,15 +81,14 @@ void DefectLister::degenerate(const std::vector<std::uint32_t>& faces) {
   for (std::size_t i = 0; i < std::min(faces.size(), max_listed_); ++i) {
     const auto& t = mesh_.faces[faces[i]];
     const bool repeated = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    Defect d;
-    d.rule = MeshRule::kM1;
-    d.faces = {faces[i]};
-    d.vertices.assign(t.begin(), t.end());
-    d.point = {exact(mesh_.positions[t[0]])};
-    d.size = diameter(mesh_, faces[i]);
+    Finding d = new_defect(MeshRule::kM1);
+    d.place.faces = {faces[i]};
+    d.place.vertices.assign(t.begin(), t.end());
+    d.witness.point = RationalPoint{exact(mesh_.positions[t[0]])};
+    d.place.size = diameter(mesh_, faces[i]);
     d.message = "face " + std::to_string(faces[i]) + " has no area: " +
                 (repeated ? "two of its corners are one vertex" : "its corners lie on one line") + " (vertices " +
-                list(d.vertices) + ")";
+                list(d.place.vertices) + ")";
     defects_.push_back(std::move(d));
   }
 }
@@ -91,12 +96,11 @@ void DefectLister::degenerate(const std::vector<std::uint32_t>& faces) {
 void DefectLister::duplicate(const DuplicateFaces& duplicates) {
   for (const auto& [first, later] : duplicates.first) {
     const auto& t = mesh_.faces[later];
-    Defect d;
-    d.rule = MeshRule::kM2;
-    d.faces = {first, later};
-    d.vertices.assign(t.begin(), t.end());
-    d.point = witness_point(mesh_, later);
-    d.size = diameter(mesh_, later);
+    Finding d = new_defect(MeshRule::kM2);
+    d.place.faces = {first, later};
+    d.place.vertices.assign(t.begin(), t.end());
+    d.witness.point = witness_point(mesh_, later);
+    d.place.size = diameter(mesh_, later);
     d.message = "face " + std::to_string(later) + " has the same three vertices as face " + std::to_string(first);
     defects_.push_back(std::move(d));
   }
@@ -104,13 +108,12 @@ void DefectLister::duplicate(const DuplicateFaces& duplicates) {
 
 void DefectLister::add_edges(MeshRule rule, const std::vector<EdgeDefect>& edges) {
   for (const EdgeDefect& e : edges) {
-    Defect d;
-    d.rule = rule;
-    d.faces = e.faces;
-    d.edges = {{e.a, e.b}};
+    Finding d = new_defect(rule);
+    d.place.faces = e.faces;
+    d.place.edges = {{e.a, e.b}};
     const Vec3d &a = mesh_.positions[e.a], &b = mesh_.positions[e.b];
-    d.point = weighted({{1, &a}, {1, &b}});
-    d.size = distance(a, b);
+    d.witness.point = weighted({{1, &a}, {1, &b}});
+    d.place.size = distance(a, b);
     d.message = edge_sentence(rule, e);
     defects_.push_back(std::move(d));
   }
@@ -121,11 +124,10 @@ void DefectLister::topology(const SurfaceTopology& topology) {
   add_edges(MeshRule::kM4, topology.nonmanifold);
   add_edges(MeshRule::kM5, topology.misoriented);
   for (const VertexDefect& v : topology.pinched) {
-    Defect d;
-    d.rule = MeshRule::kM6;
-    d.faces = v.faces;
-    d.vertices = {v.vertex};
-    d.point = {exact(mesh_.positions[v.vertex])};
+    Finding d = new_defect(MeshRule::kM6);
+    d.place.faces = v.faces;
+    d.place.vertices = {v.vertex};
+    d.witness.point = RationalPoint{exact(mesh_.positions[v.vertex])};
     d.message = "the faces at vertex " + std::to_string(v.vertex) + " form " + std::to_string(v.fans) +
                 " fans that touch in this point only (one face of each: " + list(v.faces) + ")";
     defects_.push_back(std::move(d));
@@ -138,19 +140,18 @@ void DefectLister::improper(const ImproperPairs& pairs) {
     return IndexedTriangle{{mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]}, {t[0], t[1], t[2]}};
   };
   for (const auto& [f, g] : pairs.first) {
-    Defect d;
-    d.rule = MeshRule::kM7;
-    d.faces = {f, g};
+    Finding d = new_defect(MeshRule::kM7);
+    d.place.faces = {f, g};
     if (same_vertices(mesh_.faces[f], mesh_.faces[g])) {
-      d.point = witness_point(mesh_, f);
-      d.size = diameter(mesh_, f);
+      d.witness.point = witness_point(mesh_, f);
+      d.place.size = diameter(mesh_, f);
       d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) + " cover each other: same vertices (M2)";
       defects_.push_back(std::move(d));
       continue;
     }
     TriangleWitness w = triangle_witness(indexed(f), indexed(g));
-    d.size = rounded_root(w.squared_extent, 2);
-    d.point.at = std::move(w.point);
+    d.place.size = rounded_root(w.squared_extent, 2);
+    d.witness.point = RationalPoint{std::move(w.point)};
     d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) +
                 (w.squared_extent.sign() == Sign::kZero ? " touch in a point that is no common vertex"
                                                         : " meet outside their common vertex or edge");
@@ -165,11 +166,10 @@ void DefectLister::nesting(const std::vector<ShellReport>& shells) {
       const std::uint32_t depth = *shells[s].depth;
       if (*shells[s].outward == (depth % 2 == 0) || (depth == 0) != (rule == MeshRule::kM8)) continue;
       ++listed;
-      Defect d;
-      d.rule = rule;
-      d.faces = {shells[s].first_face};
-      d.point = witness_point(mesh_, shells[s].first_face);
-      d.size = rounded_root(abs(*shells[s].volume), 3);
+      Finding d = new_defect(rule);
+      d.place.faces = {shells[s].first_face};
+      d.witness.point = witness_point(mesh_, shells[s].first_face);
+      d.place.size = rounded_root(abs(*shells[s].volume), 3);
       d.message = "shell " + std::to_string(s) + " (face " + std::to_string(shells[s].first_face) +
                   " is one of its faces) lies inside " + std::to_string(depth) + " shells and faces " +
                   (*shells[s].outward ? "outward" : "inward") + "; it should face " +

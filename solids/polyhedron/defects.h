@@ -9,7 +9,7 @@
 
 namespace veritope {
 
-/// Turns findings into Defects, at most `max_listed` of each rule, in the order in which the functions are called.
+/// Turns what was found wrong into Findings, whose codes are those of the rules, at most `max_listed` of each rule, in the order in which the functions are called.
 class DefectLister {
  public:
   DefectLister(const TriangleMesh& mesh, std::size_t max_listed) : mesh_(mesh), max_listed_(max_listed) {}
@@ -21,14 +21,14 @@ class DefectLister {
   /// REQUIRES depth, outward and volume of every shell.
   void nesting(const std::vector<ShellReport>& shells);
 
-  std::vector<Defect> take() { return std::move(defects_); }
+  std::vector<Finding> take() { return std::move(defects_); }
 
  private:
   void add_edges(MeshRule rule, const std::vector<EdgeDefect>& edges);
 
   const TriangleMesh& mesh_;
   std::size_t max_listed_;
-  std::vector<Defect> defects_;
+  std::vector<Finding> defects_;
 };
 
 /// The same three ids in any order.

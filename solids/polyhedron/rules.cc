@@ -93,4 +93,10 @@ std::optional<MeshRule> rule_from_id(std::string_view id) {
   return static_cast<MeshRule>(id[1] - '0');
 }
 
+MeshRule rule_of(const Finding& defect) {
+  const std::optional<MeshRule> rule = rule_from_id(defect.code);
+  VT_CHECK(rule.has_value(), "a defect of a mesh has the code of a rule");
+  return *rule;
+}
+
 }  // namespace veritope

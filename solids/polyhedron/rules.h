@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "robust/finding.h"
+
 namespace veritope {
 
 /// Stable ids; the number is part of the certificate format.
@@ -35,6 +37,8 @@ struct RuleText {
 const RuleText& rule_text(MeshRule rule);
 /// "M3" or "m3".
 std::optional<MeshRule> rule_from_id(std::string_view id);
+/// The rule that a defect of a mesh breaks. REQUIRES a finding whose code is the id of a rule.
+MeshRule rule_of(const Finding& defect);
 
 constexpr std::size_t rule_index(MeshRule rule) { return static_cast<std::size_t>(rule) - 1; }
 constexpr MeshRule rule_at(std::size_t index) { return static_cast<MeshRule>(index + 1); }

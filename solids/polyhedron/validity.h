@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "robust/finding.h"
 #include "robust/rational.h"
 #include "solids/polyhedron/nesting.h"
 #include "solids/polyhedron/rules.h"
@@ -17,22 +18,6 @@
 #include "topology/surface.h"
 
 namespace veritope {
-
-/// A point with rational coordinates.
-struct RationalPoint {
-  std::array<Rational, 3> at;
-};
-
-/// One thing that is wrong. Ids are those of the TriangleMesh.
-struct Defect {
-  MeshRule rule = MeshRule::kM1;
-  std::vector<std::uint32_t> faces;                            ///< ascending, except M5 and M6: see SurfaceTopology
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< the edge of M3, M4, M5
-  std::vector<std::uint32_t> vertices;                         ///< the vertex of M6; the corners of M1
-  RationalPoint point;                                         ///< where: an exact point of the defect
-  double size = 0;      ///< extent in model units, rounded: edge length, diameter, length of the intersection
-  std::string message;  ///< one sentence
-};
 
 /// Exact counts. Faces with a repeated id count in `faces` and `degenerate_faces` only.
 struct MeshCounts {
@@ -76,7 +61,7 @@ struct ValidityReport {
   MeshCounts counts;
   std::array<std::uint64_t, kNumMeshRules> rule_counts{};  ///< exact, by rule_index; M8 and M9 are 0 unless M1-M7 hold
   bool nesting_decided = false;                            ///< M1-M7 hold, so M8 and M9 were decided
-  std::vector<Defect> defects;                             ///< by rule, then by place; at most max_defects of each rule
+  std::vector<Finding> defects;                            ///< by rule, then by place; at most max_defects of each rule
   std::vector<ShellReport> shells;
   std::optional<Rational> volume;                          ///< sum over shells
   Vec3d box_lo, box_hi;                                    ///< of the referenced vertices

@@ -41,7 +41,7 @@ class CheckersDiff : public ::testing::Test {
   }
 
   void expect_accepted(const TriangleMesh& mesh, bool as_indexed = false) {
-    const Certified c = certified(mesh, as_indexed);
+    const CertifiedMesh c = certified(mesh, as_indexed);
     const fs::path model = folder_ / "model.ply", certificate = folder_ / "model.cert";
     std::ofstream(model, std::ios::binary) << c.file;
     std::ofstream(certificate, std::ios::binary) << c.certificate();

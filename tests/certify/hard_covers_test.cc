@@ -118,7 +118,7 @@ TEST(Frames, FarAndFlatModelsAreCertifiedWithAsManyBoxes) {
       certified_patches(affine_image(patch_shapes::sphere(), diagonal(1, 1, 1, p2(70))).value())
           .decision;
   ASSERT_TRUE(beyond.open);
-  EXPECT_EQ(beyond.open->kind, OpenQuestion::Kind::kOutOfRange);
+  EXPECT_EQ(beyond.open->code, open_code::kOutOfRange);
 }
 
 TEST(Frames, TinyPartsBesideLargeOnes) {
@@ -141,7 +141,7 @@ TEST(Frames, ShellsThatArePointsAreLeftOpen) {
   patches.push_back(make_patch(point).value());
   const PatchDecision d = certified_patches(patches).decision;
   ASSERT_TRUE(d.open);
-  EXPECT_EQ(d.open->patch, 6u);
+  EXPECT_EQ(d.open->place.patch, 6u);
 }
 
 // Every contact is found at once, at its place, and its distance and angle are told.
@@ -154,8 +154,8 @@ TEST(Contacts, AreUndecidedAtTheirPlace) {
     const PatchDecision d = decide_patches(complex, {}, &forest);
     EXPECT_FALSE(d.is_valid);
     EXPECT_LT(d.boxes_tried, 2000u);
-    ASSERT_TRUE(d.open && d.open->place);
-    const std::array<double, 3> m = approx_centre(*d.open->place);
+    ASSERT_TRUE(d.open && d.open->place.box);
+    const std::array<double, 3> m = approx_centre(*d.open->place.box);
     if (shape.name == "spheres-touching" || shape.name == "thin-shell-touching") {
       EXPECT_LT(std::hypot(m[0] - 1, m[1], m[2]), 1e-3);
       EXPECT_NE(d.open->message.find("face each other pass at about"), std::string::npos);
@@ -241,8 +241,8 @@ TEST(CutBoxes, StayWithinTheBitsOfCertificates) {
   expect_accepted(wide, "2^-8 apart, 2^40 away");
   const PatchDecision narrow = certified_patches(pair(30)).decision;
   ASSERT_TRUE(narrow.open);
-  EXPECT_EQ(narrow.open->kind, OpenQuestion::Kind::kOutOfRange);
-  EXPECT_TRUE(narrow.open->place);
+  EXPECT_EQ(narrow.open->code, open_code::kOutOfRange);
+  EXPECT_TRUE(narrow.open->place.box);
   EXPECT_LT(narrow.boxes_tried, 1000u);
 }
 

@@ -19,8 +19,8 @@ using shapes::Cap;
 std::string start(const std::string& text) { return text.substr(0, 6); }
 
 // The certificate of the model, accepted by the C++ checker; the same bytes for other numbers of jobs.
-Certified expect_accepted(const TriangleMesh& mesh, bool as_indexed = false) {
-  const Certified c = certified(mesh, as_indexed);
+CertifiedMesh expect_accepted(const TriangleMesh& mesh, bool as_indexed = false) {
+  const CertifiedMesh c = certified(mesh, as_indexed);
   const std::string answer = check_in_process(c.file, c.certificate());
   EXPECT_EQ(start(answer), "ACCEPT") << answer << "\n" << shapes::to_text(c.mesh);
   EXPECT_EQ(answer.find("mesh-valid-1") != std::string::npos, c.report.is_valid) << answer;
@@ -29,7 +29,7 @@ Certified expect_accepted(const TriangleMesh& mesh, bool as_indexed = false) {
 }
 
 TEST(MeshCertifier, CertifiesASolid) {
-  const Certified c = expect_accepted(shapes::box({0, 0, 0}, {1, 2, 3}));
+  const CertifiedMesh c = expect_accepted(shapes::box({0, 0, 0}, {1, 2, 3}));
   EXPECT_TRUE(c.report.is_valid);
   const auto body = c.decoded().valid.value();
   EXPECT_EQ(body.order.size(), 12u);
@@ -40,7 +40,7 @@ TEST(MeshCertifier, CertifiesASolid) {
 
 TEST(MeshCertifier, CertifiesNestedShellsAndTheirRays) {
   for (const TriangleMesh& mesh : {shapes::nested_boxes(6), shapes::box_grid(3, 0.5)}) {
-    const Certified c = expect_accepted(mesh);
+    const CertifiedMesh c = expect_accepted(mesh);
     EXPECT_TRUE(c.report.is_valid);
     EXPECT_EQ(c.decoded().valid->nesting.size(), c.report.shells.size());
   }
@@ -50,7 +50,7 @@ TEST(MeshCertifier, LongThinModelsGetSeparators) {
   for (const TriangleMesh& mesh :
        {shapes::tilted_cylinder(150, Cap::kCentreFan), shapes::tilted_cylinder(150, Cap::kRimFan), shapes::tilted_cylinder(150, Cap::kZigzag),
         shapes::hyperboloid(120, 40)}) {
-    const Certified c = expect_accepted(mesh);
+    const CertifiedMesh c = expect_accepted(mesh);
     EXPECT_TRUE(c.report.is_valid);
     EXPECT_TRUE(c.report.long_thin);
     EXPECT_FALSE(c.decoded().valid->separators.empty());
@@ -66,14 +66,14 @@ TEST(MeshCertifierRegression, ThinPlatesOfTwoFansHaveShortCertificates) {
   for (const double height : {1e-6, 1e-3, 0.1})
     for (const Cap cap : {Cap::kRimFan, Cap::kCentreFan}) {
       const TriangleMesh mesh = shapes::tilted_cylinder(800, cap, height);
-      const Certified c = expect_accepted(mesh);
+      const CertifiedMesh c = expect_accepted(mesh);
       EXPECT_TRUE(c.report.is_valid);
       EXPECT_LT(c.certificate().size(), 30 * mesh.faces.size()) << height;
     }
 }
 
 TEST(MeshCertifier, AVertexWithoutADirectionIsSettledByLeafCodes) {
-  const Certified c = expect_accepted(shapes::saddle());
+  const CertifiedMesh c = expect_accepted(shapes::saddle());
   EXPECT_TRUE(c.report.is_valid);
   EXPECT_GT(c.decoded().valid->codes.size(), 10u);
   for (int n : {6, 14, 40}) EXPECT_TRUE(expect_accepted(shapes::wave(n, 30)).report.is_valid);
@@ -83,7 +83,7 @@ TEST(MeshCertifier, DirectionsOfVerticesOfTheirOwnAreCertified) {
   bool own = false;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Random random(seed);
-    const Certified c = expect_accepted(shapes::mapped(shapes::wave(10, 12), shapes::random_matrix(random, 5), {0, 0, 0}));
+    const CertifiedMesh c = expect_accepted(shapes::mapped(shapes::wave(10, 12), shapes::random_matrix(random, 5), {0, 0, 0}));
     if (c.report.is_valid) own = own || !c.decoded().valid->star_vectors.empty();
   }
   EXPECT_TRUE(own);
@@ -97,7 +97,7 @@ TEST(MeshCertifier, EveryRuleHasAWitnessThatIsAccepted) {
         "v 0,0,0 4,0,0 0,4,0 0,0,4 -1,-1,-1 ; f 0,2,1 0,1,3 1,2,3 2,0,3 0,1,4", "v 0,0,0 4,0,0 0,4,0 0,0,4 ; f 0,1,2 0,1,3 1,2,3 2,0,3",
         "tet 0,0,0 4,0,0 0,4,0 0,0,4 ; tet 0,0,0 -4,0,0 0,0,-4 0,-4,0", "tet 0,0,0 4,0,0 0,4,0 0,0,4 ; tet 1,1,0 1,2,-4 2,1,-4 1,1,-5",
         "tet 0,0,0 4,0,0 0,4,0 0,0,4 ; flip", "tet 0,0,0 9,0,0 0,9,0 0,0,9 ; tet 1,1,1 2,1,1 1,2,1 1,1,2"}) {
-    const Certified c = expect_accepted(shapes::parse(text));
+    const CertifiedMesh c = expect_accepted(shapes::parse(text));
     EXPECT_FALSE(c.report.is_valid);
     const auto decoded = c.decoded();
     for (const auto& w : decoded.invalid->witnesses) rules.insert(w.rule);
@@ -107,7 +107,7 @@ TEST(MeshCertifier, EveryRuleHasAWitnessThatIsAccepted) {
 
 // A pair with the same vertices has no point outside its common simplex: it counts for M7, but M2 is its witness.
 TEST(MeshCertifier, PillowsHaveNoWitnessOfM7) {
-  const Certified c = expect_accepted(shapes::parse("v 0,0,0 4,0,0 0,4,0 ; f 0,1,2 0,2,1"));
+  const CertifiedMesh c = expect_accepted(shapes::parse("v 0,0,0 4,0,0 0,4,0 ; f 0,1,2 0,2,1"));
   EXPECT_EQ(c.report.rule_counts[6], 1u);
   ASSERT_EQ(c.decoded().invalid->witnesses.size(), 1u);
   EXPECT_EQ(c.decoded().invalid->witnesses[0].rule, 2);
@@ -117,7 +117,7 @@ TEST(MeshCertifier, PillowsHaveNoWitnessOfM7) {
 TEST(MeshCertifierRegression, WitnessesHoldBesideFacesWithARepeatedId) {
   for (const char* text : {"v 0,0,0 4,0,0 0,4,0 ; f 0,1,2 1,1,2", "v 0,0,0 4,0,0 0,4,0 ; f 0,1,2 1,2,1 0,0,0 0,2,2 1,1,0",
                            "v 0,0,0 4,0,0 0,4,0 0,0,4 9,9,9 9,9,8 ; f 1,0,2 1,4,5 1,1,2 4,1,1", "v 0,0,0 4,0,0 0,4,0 0,0,4 ; f 0,1,2 0,1,3 0,1,1"}) {
-    const Certified c = expect_accepted(shapes::parse(text), true);
+    const CertifiedMesh c = expect_accepted(shapes::parse(text), true);
     std::set<int> rules;
     const auto decoded = c.decoded();
     for (const auto& w : decoded.invalid->witnesses) rules.insert(w.rule);
@@ -129,7 +129,7 @@ TEST(MeshCertifierRegression, WitnessesHoldBesideFacesWithARepeatedId) {
 TEST(MeshCertifier, ModelsReadWithTheirOwnIndicesAreCertified) {
   const TriangleMesh twice = shapes::parse("v 0,0,0 4,0,0 0,4,0 0,0,4 0,0,0 4,0,0 0,4,0 0,0,4 ; f 0,2,1 4,5,3 1,6,7 2,4,7");
   EXPECT_TRUE(expect_accepted(twice).report.is_valid);
-  const Certified own = expect_accepted(twice, true);
+  const CertifiedMesh own = expect_accepted(twice, true);
   EXPECT_FALSE(own.report.is_valid);
   EXPECT_NE(own.decoded().statement.find("\"as_indexed\":true"), std::string::npos);
   // Unreferenced vertices keep their ids, and may lie on others.
@@ -172,10 +172,10 @@ TEST(MeshCertifierLaw, EveryModelGetsACertificateThatTheCheckerAccepts) {
 
 // Several blocks of every parallel loop.
 TEST(MeshCertifierLaw, LargeModelsGetTheSameBytesForEveryNumberOfJobs) {
-  const Certified c = expect_accepted(shapes::torus(130, 80, 30, 12));
+  const CertifiedMesh c = expect_accepted(shapes::torus(130, 80, 30, 12));
   EXPECT_TRUE(c.report.is_valid);
   EXPECT_LE(c.bytes.size(), 12 * c.mesh.faces.size());
-  const Certified thin = expect_accepted(shapes::tilted_cylinder(2000, Cap::kZigzag));
+  const CertifiedMesh thin = expect_accepted(shapes::tilted_cylinder(2000, Cap::kZigzag));
   EXPECT_LE(thin.bytes.size(), 40 * thin.mesh.faces.size());
 }
 

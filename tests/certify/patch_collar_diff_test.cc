@@ -33,7 +33,7 @@ TEST(PatchCollarDiff, EverySoundShapeHasOneOfItsGenusHomologyAndNesting) {
     ASSERT_TRUE(cover.is_complete());
     const PatchCollarSearch search = find_patch_collar(forest, cover);
     const double seconds_collar = watch.lap();
-    ASSERT_TRUE(search.collar.has_value()) << search.open.message;
+    ASSERT_TRUE(search.collar.has_value()) << (search.open ? search.open->message : "");
     const PatchCollar& collar = *search.collar;
     EXPECT_EQ(collar_model::genus_of_shells(collar), shape.genus);
     std::printf(

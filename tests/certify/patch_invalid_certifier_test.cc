@@ -10,7 +10,7 @@
 #include "models/patch_shapes.h"
 #include "robust/base/check.h"
 #include "verify/certify/patch_decision.h"
-#include "verify/certify/refutation_facts.h"
+#include "verify/certify/refutation_finding.h"
 #include "verify/certify/star_box_certifier.h"
 #include "verify/format/byte_stream.h"
 
@@ -173,23 +173,23 @@ TEST(OuterSides, AreThoseOfTheEntitysBorder) {
   EXPECT_EQ(outer_sides(entities, 7), (OuterSides{8 + 1, 1, 1 + 2, 8 + 4, 4, 4 + 2, 15}));
 }
 
-TEST(RefutationFacts, AreInTheFilesTerms) {
+TEST(RefutationFinding, AreInTheFilesTerms) {
   const Decided d(crossing_balls());
-  const RefutationFacts f = facts_of(d.complex, entities_of(d.complex), *d.decision.refutation);
+  const Finding f = finding_of(d.complex, entities_of(d.complex), *d.decision.refutation);
   EXPECT_EQ(f.code, "patches-crossing");
-  ASSERT_EQ(f.parts.size(), 2u);
-  ASSERT_TRUE(f.point && f.box);
-  EXPECT_NEAR((*f.point)[0], 0.5, 1e-5);  // both unit spheres, about (0, 0, 0) and (1, 0, 0)
-  EXPECT_NEAR(std::hypot((*f.point)[0], (*f.point)[1], (*f.point)[2]), 1, 1e-5);
-  EXPECT_TRUE(f.box->lo[0] <= 0.5 && 0.5 <= f.box->hi[0]);
+  ASSERT_EQ(f.place.parts.size(), 2u);
+  ASSERT_TRUE(f.place.near && f.place.box);
+  EXPECT_NEAR((*f.place.near)[0], 0.5, 1e-5);  // both unit spheres, about (0, 0, 0) and (1, 0, 0)
+  EXPECT_NEAR(std::hypot((*f.place.near)[0], (*f.place.near)[1], (*f.place.near)[2]), 1, 1e-5);
+  EXPECT_TRUE(f.place.box->lo[0] <= 0.5 && 0.5 <= f.place.box->hi[0]);
 
   Patches turned = patch_shapes::box({0, 0, 0}, {1, 1, 1});
   turned[2] = reversed(turned[2]);
   const Decided t(turned);
-  EXPECT_EQ(facts_of(t.complex, entities_of(t.complex), *t.decision.refutation).code,
+  EXPECT_EQ(finding_of(t.complex, entities_of(t.complex), *t.decision.refutation).code,
             "side-direction");
   const Decided b(patch_shapes::blocks({{0, 0, 0}, {1, 1, 0}}));
-  EXPECT_EQ(facts_of(b.complex, entities_of(b.complex), *b.decision.refutation).code,
+  EXPECT_EQ(finding_of(b.complex, entities_of(b.complex), *b.decision.refutation).code,
             "side-overused");
 }
 
@@ -221,7 +221,7 @@ TEST(TurnedShells, AreRefutedWithTheirWindingNumber) {
     EXPECT_TRUE(says(made, "\"claim\":\"star-box-turned-1\"")) << made.statement;
     EXPECT_TRUE(says(made, "\"bodies\":0")) << made.statement;
     EXPECT_TRUE(says(made, c.code)) << made.statement;
-    EXPECT_EQ(facts_of(d.complex, entities_of(d.complex), *d.decision.refutation).code,
+    EXPECT_EQ(finding_of(d.complex, entities_of(d.complex), *d.decision.refutation).code,
               "shell-turned");
   }
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/certify/patch_round_trip.h: patches -> .vjson -> reader -> decision -> certificate.
+// tests/certify/patch_round_trip.h: patches -> .vjson -> reader -> decision and certificate, through the functions that certify() is made of.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/read_model.h"
 #include "io/splines/patch_model.h"
 #include "io/splines/write_splines.h"
+#include "verify/certify/file_patches.h"
 #include "verify/certify/patch_certifier.h"
-#include "verify/format/sha256.h"
 
 namespace veritope {
 
@@ -18,31 +19,26 @@ struct CertifiedPatches {
   certificate::Bytes bytes;  ///< empty if undecided
 };
 
+inline SplineFile spline_file_of(const std::string& bytes) {
+  ModelFile file =
+      read_model_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
+                       "model.vjson", {})
+          .value();
+  return std::get<SplineFile>(std::move(file));
+}
+
 inline CertifiedPatches certified_patches(const std::vector<Patch>& patches,
                                           PatchDecisionOptions options = {}) {
   CertifiedPatches out;
   out.file = spline_json_bytes(model_of(patches));
-  const SplineFile file =
-      read_spline_bytes({reinterpret_cast<const unsigned char*>(out.file.data()), out.file.size()},
-                        "model.vjson", {})
-          .value();
-  PatchSource source = patch_source(file.model).value();
-  const PatchComplex complex = make_patch_complex(std::move(source.patches)).value();
-  std::vector<StarBoxEntity> entities;
-  for (std::size_t e = 0; e < source.entities.size(); ++e)
-    entities.push_back({std::holds_alternative<ExactSurface>(file.model.entities[e].shape), false,
-                        static_cast<std::uint32_t>(source.entities[e].first_patch),
-                        source.entities[e].breaks});
-  options.outer = outer_sides(entities, complex.patches().size());
-  std::optional<PieceForest> forest;
-  out.decision = decide_patches(complex, options, &forest);
-  if (out.decision.open) return out;
-  certificate::Subject subject;
-  subject.sha256 = file.sha256;
-  subject.bytes = out.file.size();
-  subject.format = "vjson";
-  subject.tool = "tests";
-  out.bytes = make_patch_certificate(complex, forest, out.decision, entities, subject);
+  const SplineFile file = spline_file_of(out.file);
+  FilePatches model = file_patches(file.model, PatchOrientation::kKeep).value();
+  FileDecisionOptions how;
+  how.search = std::move(options);
+  FileDecision decided = decide_file_patches(model, how);
+  if (!decided.decision.open)
+    out.bytes = make_patch_certificate(model, decided, subject_of(file, "tests"));
+  out.decision = std::move(decided.decision);
   return out;
 }
 

@@ -15,7 +15,7 @@
 
 namespace veritope {
 
-struct Certified {
+struct CertifiedMesh {
   std::string file;   ///< the model's bytes
   TriangleMesh mesh;  ///< as read back
   ValidityReport report;
@@ -27,9 +27,9 @@ struct Certified {
   }
 };
 
-inline Certified certified_file(std::string file, const std::string& name, bool as_indexed,
+inline CertifiedMesh certified_file(std::string file, const std::string& name, bool as_indexed,
                                 unsigned jobs, std::size_t max_defects = 20) {
-  Certified out;
+  CertifiedMesh out;
   out.file = std::move(file);
   ModelReadOptions read;
   read.as_indexed = as_indexed;
@@ -53,7 +53,7 @@ inline Certified certified_file(std::string file, const std::string& name, bool 
 }
 
 /// Through a binary PLY file with doubles: every coordinate survives.
-inline Certified certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1,
+inline CertifiedMesh certified(const TriangleMesh& mesh, bool as_indexed = false, unsigned jobs = 1,
                            std::size_t max_defects = 20) {
   auto file = mesh_to_bytes(mesh, *write_options_from_name("ply-binary-little-endian"));
   return certified_file(std::move(file.value()), "model.ply", as_indexed, jobs, max_defects);

@@ -70,27 +70,27 @@ inline bool is_in_face(const TriangleMesh& mesh, std::uint32_t f, const Rational
 inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport& r, const oracle::BruteDecision& b, std::size_t max_defects) {
   std::array<std::size_t, kNumMeshRules> listed{};
   std::size_t last_rule = 0;
-  for (const Defect& d : r.defects) {
-    const std::size_t rule = rule_index(d.rule);
+  for (const Finding& d : r.defects) {
+    const std::size_t rule = rule_index(rule_of(d));
     EXPECT_GE(rule, last_rule) << "defects are ordered by rule";
     last_rule = rule;
     const std::size_t i = listed[rule]++;
     EXPECT_FALSE(d.message.empty());
-    EXPECT_GE(d.size, 0);
+    EXPECT_GE(d.place.size, 0);
     const auto& t = b.topology;
-    switch (d.rule) {
-      case MeshRule::kM1: EXPECT_EQ(d.faces, (std::vector<std::uint32_t>{b.degenerate[i]})); break;
-      case MeshRule::kM2: EXPECT_EQ(d.faces, (std::vector<std::uint32_t>{t.duplicate_pairs[i].first, t.duplicate_pairs[i].second})); break;
-      case MeshRule::kM3: EXPECT_EQ(d.edges, (std::vector<oracle::Edge>{t.boundary[i]})); break;
-      case MeshRule::kM4: EXPECT_EQ(d.edges, (std::vector<oracle::Edge>{t.nonmanifold[i]})); break;
-      case MeshRule::kM5: EXPECT_EQ(d.edges, (std::vector<oracle::Edge>{t.misoriented[i].second})); break;
-      case MeshRule::kM6: EXPECT_EQ(d.vertices, (std::vector<std::uint32_t>{t.pinched[i]})); break;
+    switch (rule_of(d)) {
+      case MeshRule::kM1: EXPECT_EQ(d.place.faces, (std::vector<std::uint32_t>{b.degenerate[i]})); break;
+      case MeshRule::kM2: EXPECT_EQ(d.place.faces, (std::vector<std::uint32_t>{t.duplicate_pairs[i].first, t.duplicate_pairs[i].second})); break;
+      case MeshRule::kM3: EXPECT_EQ(d.place.edges, (std::vector<oracle::Edge>{t.boundary[i]})); break;
+      case MeshRule::kM4: EXPECT_EQ(d.place.edges, (std::vector<oracle::Edge>{t.nonmanifold[i]})); break;
+      case MeshRule::kM5: EXPECT_EQ(d.place.edges, (std::vector<oracle::Edge>{t.misoriented[i].second})); break;
+      case MeshRule::kM6: EXPECT_EQ(d.place.vertices, (std::vector<std::uint32_t>{t.pinched[i]})); break;
       case MeshRule::kM7:
-        EXPECT_EQ(d.faces, (std::vector<std::uint32_t>{b.improper[i].first, b.improper[i].second}));
-        for (std::uint32_t f : d.faces) EXPECT_TRUE(is_in_face(mesh, f, d.point)) << f;
+        EXPECT_EQ(d.place.faces, (std::vector<std::uint32_t>{b.improper[i].first, b.improper[i].second}));
+        for (std::uint32_t f : d.place.faces) EXPECT_TRUE(is_in_face(mesh, f, *d.witness.point)) << f;
         break;
       case MeshRule::kM8:
-      case MeshRule::kM9: EXPECT_TRUE(is_in_face(mesh, d.faces[0], d.point)); break;
+      case MeshRule::kM9: EXPECT_TRUE(is_in_face(mesh, d.place.faces[0], *d.witness.point)); break;
     }
   }
   for (std::size_t k = 0; k < kNumMeshRules; ++k) EXPECT_EQ(listed[k], std::min<std::uint64_t>(max_defects, r.rule_counts[k])) << "M" << k + 1;

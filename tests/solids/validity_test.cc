@@ -141,17 +141,17 @@ TEST(Validity, SizesAreInModelUnitsAtEveryScale) {
   for (int e : {-1000, -600, -100, 0, 100, 600, 1000}) {
     const ValidityReport r = decide(shapes::scaled(mesh, e));
     bool found = false;
-    for (const Defect& d : r.defects)
-      if (d.rule == MeshRule::kM7) {
+    for (const Finding& d : r.defects)
+      if (rule_of(d) == MeshRule::kM7) {
         found = true;
-        EXPECT_EQ(d.size, std::ldexp(1.0, e)) << e;
+        EXPECT_EQ(d.place.size, std::ldexp(1.0, e)) << e;
       }
     EXPECT_TRUE(found);
   }
   for (int e : {-1000, -600, -400, 0, 600, 1000}) {
     const ValidityReport r = decide(shapes::scaled(shapes::flipped(shapes::box({0, 0, 0}, {2, 2, 2})), e));
     ASSERT_EQ(r.defects.size(), 1u);
-    EXPECT_DOUBLE_EQ(r.defects[0].size, std::ldexp(2.0, e)) << e;
+    EXPECT_DOUBLE_EQ(r.defects[0].place.size, std::ldexp(2.0, e)) << e;
   }
 }
 

@@ -34,16 +34,16 @@ inline std::string full_text(const ValidityReport& r) {
   };
   for (const Vec3d& p : {r.box_lo, r.box_hi})
     for (int k = 0; k < 3; ++k) out += number(p[k]);
-  for (const Defect& d : r.defects) {
-    out += "\nM" + std::to_string(static_cast<int>(d.rule)) + " faces";
-    for (std::uint32_t f : d.faces) out += " " + std::to_string(f);
+  for (const Finding& d : r.defects) {
+    out += "\n" + d.code + " faces";
+    for (std::uint32_t f : d.place.faces) out += " " + std::to_string(f);
     out += " edges";
-    for (const auto& [a, b] : d.edges) out += " " + std::to_string(a) + "-" + std::to_string(b);
+    for (const auto& [a, b] : d.place.edges) out += " " + std::to_string(a) + "-" + std::to_string(b);
     out += " vertices";
-    for (std::uint32_t v : d.vertices) out += " " + std::to_string(v);
+    for (std::uint32_t v : d.place.vertices) out += " " + std::to_string(v);
     out += " at";
-    for (const Rational& c : d.point.at) out += " " + c.to_string();
-    out += " size" + number(d.size) + " " + d.message;
+    for (const Rational& c : d.witness.point->at) out += " " + c.to_string();
+    out += " size" + number(d.place.size) + " " + d.message;
   }
   out += "\nstars";
   for (std::uint8_t c : r.stars.code) out += " " + std::to_string(c);

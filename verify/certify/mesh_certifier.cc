@@ -125,10 +125,12 @@ std::uint8_t axis_of(const TriangleMesh& mesh, std::uint32_t face) {
   return 0;
 }
 
-Witness witness_of(const TriangleMesh& mesh, const Defect& d) {
+Witness witness_of(const TriangleMesh& mesh, const Finding& defect) {
+  const ModelPlace& d = defect.place;
+  const MeshRule rule = rule_of(defect);
   Witness w;
-  w.rule = static_cast<std::uint8_t>(d.rule);
-  switch (d.rule) {
+  w.rule = static_cast<std::uint8_t>(rule);
+  switch (rule) {
     case MeshRule::kM1: w.first = d.faces[0]; break;
     case MeshRule::kM2:
       w.first = d.faces[0];
@@ -165,10 +167,11 @@ InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report)
   InvalidBody body;
   body.num_faces = static_cast<std::uint32_t>(mesh.faces.size());
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const Defect& d : report.defects) {
-    if (!body.witnesses.empty() && body.witnesses.back().rule == static_cast<std::uint8_t>(d.rule)) continue;
+  for (const Finding& d : report.defects) {
+    const MeshRule rule = rule_of(d);
+    if (!body.witnesses.empty() && body.witnesses.back().rule == static_cast<std::uint8_t>(rule)) continue;
     // Two faces with the same vertices have no point outside their common simplex: M2 has their witness.
-    if (d.rule == MeshRule::kM7 && same_vertices(mesh.faces[d.faces[0]], mesh.faces[d.faces[1]])) continue;
+    if (rule == MeshRule::kM7 && same_vertices(mesh.faces[d.place.faces[0]], mesh.faces[d.place.faces[1]])) continue;
     body.witnesses.push_back(witness_of(mesh, d));
   }
   VT_CHECK(!body.witnesses.empty(), "an invalid report lists no defect");

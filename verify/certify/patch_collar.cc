@@ -66,7 +66,10 @@ class Search {
 
  private:
   void fail(std::string message, std::optional<Box3d> place = {}) {
-    out_.open = {place, std::move(message)};
+    Finding& why = out_.open.emplace();
+    why.code = "no-collar";
+    why.message = std::move(message);
+    if (place) why.place.box = forest_.in_model(*place);
     is_done_ = true;
   }
 

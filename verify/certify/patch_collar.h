@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "robust/finding.h"
 #include "solids/collar/octree_root.h"
 #include "topology/collar.h"
 #include "verify/certify/collar_place.h"
@@ -30,15 +31,9 @@ struct PatchCollar {
   std::vector<Shore> shores;  ///< beside collar.boundary.components
 };
 
-/// Why there is none, as far as is known.
-struct NoCollar {
-  std::optional<Box3d> place;  ///< in the coordinates of the forest
-  std::string message;
-};
-
 struct PatchCollarSearch {
   std::optional<PatchCollar> collar;
-  NoCollar open;  ///< iff there is no collar
+  std::optional<Finding> open;  ///< iff there is no collar: why, "no-collar", with a box where the search ended if that is known
   unsigned rounds = 0;
   std::uint64_t cells_tried = 0;  ///< sum over the rounds
 };

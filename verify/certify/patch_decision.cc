@@ -14,8 +14,6 @@
 namespace veritope {
 namespace {
 
-using Kind = OpenQuestion::Kind;
-
 // Crossings are looked for near pieces of at least this level; some searches are free, the others are one for so many boxes tried.
 // All patches are looked at once, at a piece of kTroubleLevel without a box after so many boxes tried as take longer than that, or where there is no cover.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
@@ -43,12 +41,19 @@ std::string text_of(UncoveredPiece::Why why) {
   return "";
 }
 
-Kind kind_of(UncoveredPiece::Why why) {
+const char* code_of(UncoveredPiece::Why why) {
   switch (why) {
-    case UncoveredPiece::Why::kBudget: return Kind::kBudget;
-    case UncoveredPiece::Why::kTooFine: return Kind::kOutOfRange;
-    default: return Kind::kNoStarBox;
+    case UncoveredPiece::Why::kBudget: return open_code::kBudget;
+    case UncoveredPiece::Why::kTooFine: return open_code::kOutOfRange;
+    default: return open_code::kNoStarBox;
   }
+}
+
+Finding question(const char* code, std::string message) {
+  Finding out;
+  out.code = code;
+  out.message = std::move(message);
+  return out;
 }
 
 // About: a gap in the frame, along its axis of the greatest unit; see Obstacle.
@@ -69,13 +74,13 @@ std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame&
   return out;
 }
 
-OpenQuestion complex_question(const PatchComplex& complex) {
-  OpenQuestion open{
-      Kind::kComplex, {}, {}, {}, "the patches are not shown to be a closed oriented surface"};
+Finding complex_question(const PatchComplex& complex) {
+  Finding open = question(open_code::kNoSurface,
+                          "the patches are not shown to be a closed oriented surface");
   for (const PatchFinding& f : complex.findings()) {
     if (f.defect == PatchDefect::kAdjacentPoles) continue;
     open.message += "; " + describe(complex, f);
-    if (!f.sides.empty()) open.patch = f.sides[0].patch;
+    if (!f.sides.empty()) open.place.patch = f.sides[0].patch;
     break;
   }
   return open;
@@ -96,7 +101,7 @@ class Decider {
     Result<PieceForest> forest =
         PieceForest::make(complex_, options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
                                                             : PieceForest::FrameChoice::kFitted);
-    if (!forest) return open({Kind::kOutOfRange, {}, {}, {}, forest.error().message});
+    if (!forest) return open(question(open_code::kOutOfRange, forest.error().message));
     forest_.emplace(std::move(*forest));
     if (auto crossing = cover_or_cross()) return refuted(*crossing);
     if (!out_.cover.is_complete()) return open(cover_question());
@@ -104,8 +109,8 @@ class Decider {
   }
 
  private:
-  PatchDecision open(OpenQuestion question) {
-    out_.open = std::move(question);
+  PatchDecision open(Finding why) {
+    out_.open = std::move(why);
     return std::move(out_);
   }
   PatchDecision refuted(PatchRefutation refutation) {
@@ -152,16 +157,13 @@ class Decider {
 
   PatchDecision decide_sides() {
     if (!fits_certificate(*forest_, out_.cover))
-      return open({Kind::kOutOfRange, {}, {}, {}, kOutOfRangeText});
+      return open(question(open_code::kOutOfRange, kOutOfRangeText));
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();
-      return open(
-          {Kind::kNoWalk,
-           complex_.shells()[shell].first_patch,
-           shell,
-           {},
-           "no straight path from this shell to infinity or to the shell around it was found"});
+      return open(at_shell(shell, question(open_code::kNoWalk,
+                                           "no straight path from this shell to infinity or to the "
+                                           "shell around it was found")));
     }
     const auto& walks = out_.walks.walks;
     const auto wrong = std::find_if(walks.begin(), walks.end(), is_wrong);
@@ -169,8 +171,8 @@ class Decider {
       conclude();
       return std::move(out_);
     }
-    OpenQuestion question = orientation_question(*wrong);
-    if (!put_wrong_walk_last()) return open(std::move(question));
+    Finding why = orientation_question(*wrong);
+    if (!put_wrong_walk_last()) return open(std::move(why));
     const ShellWalk& last = out_.walks.walks.back();
     return refuted(TurnedShell{last.shell, last.winding_inside});
   }
@@ -194,22 +196,30 @@ class Decider {
     return true;
   }
 
-  OpenQuestion cover_question() const {
+  Finding cover_question() const {
     const UncoveredPiece& piece = out_.cover.uncovered.front();
     const PieceForest::Node& node = forest_->node(piece.piece);
-    return {kind_of(piece.why), node.patch, complex_.shell(node.patch),
-            forest_->in_model(node.hull),
-            text_of(piece.why) + obstacle_text(piece, forest_->frame())};
+    Finding out = question(code_of(piece.why),
+                           text_of(piece.why) + obstacle_text(piece, forest_->frame()));
+    out.place.patch = node.patch;
+    out.place.shell = complex_.shell(node.patch);
+    out.place.box = forest_->in_model(node.hull);
+    return out;
   }
-  OpenQuestion orientation_question(const ShellWalk& walk) const {
-    return {Kind::kOrientation,
-            complex_.shells()[walk.shell].first_patch,
-            walk.shell,
-            {},
-            "the winding number is " + std::to_string(walk.winding_inside) +
-                " on the inner side of this shell and " + std::to_string(walk.winding_outside) +
-                " on the outer one, not 1 and 0: its normals point the wrong way, or it is wrongly "
-                "nested"};
+  Finding orientation_question(const ShellWalk& walk) const {
+    return at_shell(
+        walk.shell,
+        question(open_code::kOrientation,
+                 "the winding number is " + std::to_string(walk.winding_inside) +
+                     " on the inner side of this shell and " +
+                     std::to_string(walk.winding_outside) +
+                     " on the outer one, not 1 and 0: its normals point the wrong way, or it is "
+                     "wrongly nested"));
+  }
+  Finding at_shell(std::uint32_t shell, Finding why) const {
+    why.place.patch = complex_.shells()[shell].first_patch;
+    why.place.shell = shell;
+    return why;
   }
   void conclude() {
     out_.is_valid = true;

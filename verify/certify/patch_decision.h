@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "interval/interval.h"
+#include "robust/base/verdict.h"
+#include "robust/finding.h"
 #include "verify/certify/crossing_witness.h"
 #include "verify/certify/side_witness.h"
 #include "verify/certify/star_walks.h"
@@ -22,21 +24,16 @@ struct PatchDecisionOptions {
   bool in_plain_frame = false;  ///< as collars need it: see PieceForest::Frame
 };
 
-/// Where and why there is no proof.
-struct OpenQuestion {
-  enum class Kind {
-    kComplex,     ///< the complex has findings: S0 does not hold, or what the theorem needs besides
-    kOutOfRange,  ///< coordinates beyond binary64
-    kNoStarBox,   ///< no star box of the least size tried
-    kBudget,      ///< too many boxes
-    kNoWalk,      ///< from a shell no free path outwards was found
-    kOrientation,  ///< the winding numbers beside a shell are not 1 inside and 0 outside, and the walks have no order that a certificate needs
-  };
-  Kind kind;
-  std::optional<std::uint32_t> patch, shell;
-  std::optional<Box3d> place;  ///< in the model's units, rounded outward; contains the piece
-  std::string message;
-};
+/// Why there is no proof: codes of PatchDecision::open.
+namespace open_code {
+inline constexpr const char* kNoSurface = "no-surface";  ///< S0 does not hold, or what the theorem needs besides
+inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates beyond binary64
+inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even of the least size tried
+inline constexpr const char* kBudget = "box-budget";        ///< too many boxes
+inline constexpr const char* kNoWalk = "no-walk";  ///< from a shell no free path outwards was found
+/// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks have no order that a certificate needs.
+inline constexpr const char* kOrientation = "orientation";
+}  // namespace open_code
 
 /// The winding number on the inner side of the shell of the last walk is not 1.
 struct TurnedShell {
@@ -55,7 +52,8 @@ struct PatchShellFacts {
 struct PatchDecision {
   bool is_valid = false;
   std::optional<PatchRefutation> refutation;
-  std::optional<OpenQuestion> open;     ///< iff neither
+  /// Iff neither: why, with a code of open_code. The place may have the patch, the shell, and a box that contains the piece.
+  std::optional<Finding> open;
   std::vector<PatchShellFacts> shells;  ///< of a valid complex
   std::uint64_t bodies = 0;
   std::optional<Interval> volume;
@@ -63,6 +61,11 @@ struct PatchDecision {
   /// What a certificate is made of, of a valid complex or one with a turned shell.
   StarCover cover;
   ShellWalks walks;
+
+  Verdict verdict() const {
+    if (is_valid) return Verdict::kValid;
+    return refutation ? Verdict::kInvalid : Verdict::kUndecided;
+  }
 };
 
 /// The forest of `complex` is made in *forest, where the decision's node numbers point to; it refers to the complex.

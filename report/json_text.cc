@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "cli/json_text.h"
+#include "report/json_text.h"
 
 #include <charconv>
 #include <utility>
 
-namespace veritope::cli {
+namespace veritope::report {
 namespace {
 
 // As Json::dump, but floating-point numbers are the shortest that read back as the same: the library's need not be.
@@ -31,9 +31,18 @@ void append(std::string& out, const Json& json) {
 
 }  // namespace
 
-Json fault_json(const std::optional<Fault>& fault) {
+Json point_json(const Point3d& point) {
+  return Json::array({number_json(point[0]), number_json(point[1]), number_json(point[2])});
+}
+
+Json box_json(const std::optional<Box3d>& box) {
+  if (!box || !is_finite(*box)) return nullptr;
+  return {{"min", point_json(box->lo)}, {"max", point_json(box->hi)}};
+}
+
+Json fault_json(const std::optional<Finding>& fault) {
   if (!fault) return nullptr;
-  const Place& p = fault->place;
+  const Place& p = fault->place.source;
   return {{"code", fault->code},
           {"message", fault->message},
           {"line", optional_json(p.line)},
@@ -53,19 +62,4 @@ Json seconds_json(const std::optional<double>& value) {
   return value ? Json(std::round(*value * 1e6) / 1e6) : Json(nullptr);
 }
 
-Json phases_json(const PhaseSeconds& s) {
-  return {{"read", seconds_json(s.read)},
-          {"decide", seconds_json(s.decide)},
-          {"certify", seconds_json(s.certify)},
-          {"check", seconds_json(s.check)}};
-}
-
-Json certificate_json(const std::optional<CertificateReport>& certificate) {
-  if (!certificate) return nullptr;
-  return {{"path", optional_json(certificate->path)},
-          {"sha256", certificate->sha256},
-          {"bytes", certificate->bytes},
-          {"checked", certificate->is_checked}};
-}
-
-}  // namespace veritope::cli
+}  // namespace veritope::report

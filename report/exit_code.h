@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/exit_code.h: what the exit status says. Documented in docs/cli.md.
+// report/exit_code.h: what the exit status says. Documented in docs/cli.md.
 #pragma once
 #include <initializer_list>
 
-namespace veritope::cli {
+namespace veritope::report {
 
 enum ExitCode : int {
   kExitValid = 0,
@@ -22,4 +22,4 @@ constexpr ExitCode first_of(ExitCode a, ExitCode b) {
   return kExitValid;
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

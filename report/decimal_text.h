@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/decimal_text.h: exact numbers as text for people and programs. Integers only: nothing depends on a rounding mode.
+// report/decimal_text.h: exact numbers as text for people and programs. Integers only: nothing depends on a rounding mode.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "robust/rational.h"
 
-namespace veritope::cli {
+namespace veritope::report {
 
 /// "p/q", always with the denominator: "1/1".
 std::string fraction_text(const Rational& value);
@@ -26,4 +26,4 @@ std::string short_decimal(double value, int digits = 6);
 /// The text, or its start with "..." and a total of `size` characters if it is longer. REQUIRES size >= 4.
 std::string cut(std::string_view text, std::size_t size);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

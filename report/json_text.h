@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/json_text.h: what the JSON reports share. Only their .cc files include it.
+// report/json_text.h: what the JSON reports share. Only .cc files include it.
 #pragma once
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "cli/file_report.h"
+#include "robust/base/box3d.h"
+#include "robust/finding.h"
 
-namespace veritope::cli {
+namespace veritope::report {
 
 using Json = nlohmann::ordered_json;
 
@@ -17,16 +18,23 @@ Json optional_json(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+/// Null if it is empty.
+inline Json text_json(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
 /// JSON has no infinity: null.
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json fault_json(const std::optional<Fault>& fault);
+Json point_json(const Point3d& point);
+/// Null if there is none, or if it has bounds beyond binary64.
+Json box_json(const std::optional<Box3d>& box);
+/// What went wrong with a file: a code, a sentence, and the place in the file.
+Json fault_json(const std::optional<Finding>& fault);
 /// Microseconds are more than enough.
 Json seconds_json(const std::optional<double>& value);
-Json phases_json(const PhaseSeconds& seconds);
-Json certificate_json(const std::optional<CertificateReport>& certificate);
 
 /// One line; floating-point numbers are the shortest that read back as the same; what is no UTF-8 becomes U+FFFD.
 std::string dump(const Json& json);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

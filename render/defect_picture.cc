@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "cli/defect_picture.h"
+#include "render/defect_picture.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
-#include "cli/bounding_box.h"
-#include "robust/rational.h"
+#include "solids/polyhedron/box_order.h"
 
-namespace veritope::cli {
+namespace veritope {
 namespace {
 
 constexpr Colour kModel{190, 190, 190};
@@ -26,7 +25,7 @@ constexpr std::array<Colour, kNumMeshRules> kColours = {{{0, 0, 0},
 constexpr double kMarker = 1.0 / 160;  // of the longest side of the model's box
 
 double marker_radius(const TriangleMesh& mesh) {
-  const Box box = bounding_box(mesh);
+  const BoundingBox box = bounding_box_of_faces(mesh, 1);
   const double side = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
   return std::isfinite(side) ? side * kMarker : 0;
 }
@@ -51,20 +50,20 @@ void add_octahedron(const Vec3d& centre, double radius, TriangleMesh& mesh) {
 
 Colour colour_of(MeshRule rule) { return kColours[rule_index(rule)]; }
 
-std::string defect_picture(const TriangleMesh& mesh, std::span<const ListedDefect> defects) {
+std::string defect_picture(const TriangleMesh& mesh, std::span<const Finding> defects) {
   TriangleMesh picture = mesh;
   std::vector<Colour> colours(mesh.faces.size(), kModel);
   const double radius = marker_radius(mesh);
   for (std::size_t i = defects.size(); i-- > 0;)
-    for (const std::uint32_t f : defects[i].defect.faces) colours[f] = colour_of(defects[i].defect.rule);
-  for (const ListedDefect& listed : defects) {
-    const auto& at = listed.defect.point.at;
+    for (const std::uint32_t f : defects[i].place.faces) colours[f] = colour_of(rule_of(defects[i]));
+  for (const Finding& defect : defects) {
+    const auto& at = defect.witness.point->at;
     const Vec3d centre{nearest_double(at[0]), nearest_double(at[1]), nearest_double(at[2])};
     if (!(std::isfinite(centre.x + radius) && std::isfinite(centre.y + radius) && std::isfinite(centre.z + radius))) continue;
     add_octahedron(centre, radius, picture);
-    colours.resize(picture.faces.size(), colour_of(listed.defect.rule));
+    colours.resize(picture.faces.size(), colour_of(rule_of(defect)));
   }
   return coloured_ply(picture, colours);
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope

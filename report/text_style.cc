@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "cli/text_style.h"
+#include "report/text_style.h"
 
 #include <algorithm>
 
 #include <stdlib.h>
 #include <unistd.h>
 
-namespace veritope::cli {
+namespace veritope::report {
 namespace {
 
 // Bytes of the UTF-8 character at the start, 0 if it is a control character (C0, DEL, C1) or no UTF-8. REQUIRES a byte.
@@ -61,4 +61,4 @@ std::string detail_line(std::string_view name, const std::string& value) {
          value + "\n";
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "cli/decimal_text.h"
+#include "report/decimal_text.h"
 
 #include <cmath>
 #include <cstdint>
 
-namespace veritope::cli {
+namespace veritope::report {
 namespace {
 
 // (-1)^is_negative * 0.d1d2d3... * 10^exponent, d1 != 0; zero has the digits "000...".
@@ -118,4 +118,4 @@ std::string cut(std::string_view text, std::size_t size) {
   return std::string(text.substr(0, size - 3)) + "...";
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "verify/certify/refutation_facts.h"
+#include "verify/certify/refutation_finding.h"
 
 #include <algorithm>
 #include <charconv>
@@ -35,32 +35,33 @@ class FactFinder {
   FactFinder(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities)
       : complex_(complex), entities_(entities) {}
 
-  RefutationFacts operator()(const CrossingWitness& found) const {
+  Finding operator()(const CrossingWitness& found) const {
     std::array<Patch, 2> patches{file_patch(found.sheets[0].patch),
                                  file_patch(found.sheets[1].patch)};
     const CrossingWitness w = with_reversed(
         complex_.patch(found.sheets[0].patch), complex_.patch(found.sheets[1].patch),
         {is_reversed(found.sheets[0].patch), is_reversed(found.sheets[1].patch)}, found);
-    RefutationFacts out;
+    Finding out;
     out.code = "patches-crossing";
-    for (const PatchRectangle& sheet : w.sheets) out.parts.push_back(part_of(sheet));
-    out.point = middle_of(patches[0], w.sheets[0]);
-    out.box = common(hull_of(patches[0], w.sheets[0]), hull_of(patches[1], w.sheets[1]));
-    const std::uint64_t a = out.parts[0].entity, b = out.parts[1].entity;
+    for (const PatchRectangle& sheet : w.sheets) out.place.parts.push_back(part_of(sheet));
+    out.place.near = middle_of(patches[0], w.sheets[0]);
+    out.place.box = common(hull_of(patches[0], w.sheets[0]), hull_of(patches[1], w.sheets[1]));
+    const std::uint64_t a = out.place.parts[0].entity, b = out.place.parts[1].entity;
     out.message =
         (a == b ? "entity " + std::to_string(a) + " crosses itself"
                 : "entities " + std::to_string(a) + " and " + std::to_string(b) + " cross") +
-        " near " + point_text(*out.point);
+        " near " + point_text(*out.place.near);
     return out;
   }
 
-  RefutationFacts operator()(const SideWitness& found) const {
-    RefutationFacts out;
+  Finding operator()(const SideWitness& found) const {
+    Finding out;
     const std::size_t n = found.arcs.size();
-    for (const SideArc& arc : found.arcs) out.parts.push_back(part_of(arc));
+    for (const SideArc& arc : found.arcs) out.place.parts.push_back(part_of(arc));
     const PatchPoint p = point_of(complex_, found);
-    out.point = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
-    const RefutedPart& first = out.parts.front();
+    out.witness.point = RationalPoint{{p[0], p[1], p[2]}};
+    out.place.near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+    const EntityPart& first = out.place.parts.front();
     const std::string side =
         "side " + std::to_string(*first.side) + " of entity " + std::to_string(first.entity);
     if (n == 1) {
@@ -68,27 +69,27 @@ class FactFinder {
       out.message = side + " is an open border";
     } else if (n == 2) {
       out.code = "side-direction";
-      out.message = side + " and side " + std::to_string(*out.parts[1].side) + " of entity " +
-                    std::to_string(out.parts[1].entity) + " run in the same direction";
+      out.message = side + " and side " + std::to_string(*out.place.parts[1].side) + " of entity " +
+                    std::to_string(out.place.parts[1].entity) + " run in the same direction";
     } else {
       out.code = "side-overused";
       out.message = side + " and " + std::to_string(n - 1) + " other sides are one curve";
     }
-    if (is_finite(*out.point)) out.message += ", near " + point_text(*out.point);
+    if (is_finite(*out.place.near)) out.message += ", near " + point_text(*out.place.near);
     return out;
   }
 
-  RefutationFacts operator()(const TurnedShell& turned) const {
-    RefutationFacts out;
+  Finding operator()(const TurnedShell& turned) const {
+    Finding out;
     out.code = "shell-turned";
-    out.shell = turned.shell;
-    out.winding = turned.winding;
+    out.place.shell = turned.shell;
+    out.witness.winding = turned.winding;
     const std::uint32_t patch = complex_.shells()[turned.shell].first_patch;
-    out.parts.push_back(
+    out.place.parts.push_back(
         part_of(PatchRectangle{patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
     out.message =
         "the winding number is " + std::to_string(turned.winding) + " on the inner side of shell " +
-        std::to_string(turned.shell) + " (entity " + std::to_string(out.parts[0].entity) +
+        std::to_string(turned.shell) + " (entity " + std::to_string(out.place.parts[0].entity) +
         ") and " + std::to_string(turned.winding - 1) +
         " on its outer side, not 1 and 0: its normals point the wrong way, or it is wrongly "
         "nested";
@@ -108,9 +109,9 @@ class FactFinder {
   }
 
   // Of the file's patch.
-  RefutedPart part_of(const PatchRectangle& where) const {
+  EntityPart part_of(const PatchRectangle& where) const {
     const std::size_t e = entity_of(where.patch);
-    RefutedPart out;
+    EntityPart out;
     out.entity = e;
     const Bounds s = bounds_of(where.at[0]), t = bounds_of(where.at[1]);
     if (!complex_.patch(where.patch).is_triangle()) {
@@ -123,13 +124,13 @@ class FactFinder {
     return out;
   }
   // Of the complex's patch.
-  RefutedPart part_of(const SideArc& arc) const {
+  EntityPart part_of(const SideArc& arc) const {
     const std::uint32_t p = arc.side.patch, n = complex_.patch(p).num_sides();
     const std::size_t e = entity_of(p);
     const bool is_back = entities_[e].is_reversed;
     const std::uint32_t side = is_back ? n - 1 - arc.side.side : arc.side.side;
     const Bounds along = is_back ? mirrored(bounds_of(arc.at)) : bounds_of(arc.at);
-    RefutedPart out;
+    EntityPart out;
     out.entity = e;
     out.side = static_cast<std::uint8_t>(side);
     const Rational zero(0), one(1);
@@ -181,21 +182,13 @@ class FactFinder {
     }
     return out;
   }
-  static Box3d common(Box3d a, const Box3d& b) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      a.lo[k] = std::max(a.lo[k], b.lo[k]);
-      a.hi[k] = std::min(a.hi[k], b.hi[k]);
-    }
-    return a;
-  }
-
   const PatchComplex& complex_;
   const std::vector<StarBoxEntity>& entities_;
 };
 
 }  // namespace
 
-RefutationFacts facts_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,
+Finding finding_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,
                          const PatchRefutation& refutation) {
   return std::visit(FactFinder(complex, entities), refutation);
 }

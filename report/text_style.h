@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/text_style.h: what makes a text pleasant on a terminal and harmless anywhere.
+// report/text_style.h: what makes a text pleasant on a terminal and harmless anywhere.
 #pragma once
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace veritope::cli {
+namespace veritope::report {
 
 /// Colours, or nothing.
 struct Style {
@@ -37,4 +37,4 @@ std::string counted(std::uint64_t count, std::string_view one, std::string_view 
 /// A line of a report: indented, the name in a column of its own.
 std::string detail_line(std::string_view name, const std::string& value);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "report/file_report.h"
+
+#include <utility>
+
+#include "io/formats.h"
+
+namespace veritope::report {
+namespace {
+
+Source source_in(const MeshFile& file) { return file.report; }
+Source source_in(const SplineFile& file) {
+  return SplineSource{file.format, file.bytes, file.model.entities.size()};
+}
+
+void forget(std::monostate&) {}
+// A mesh has no counts without its verdict.
+void forget(MeshFacts&) {}
+// The counts of the complex stand without a verdict.
+void forget(PatchFacts& facts) {
+  PatchFacts kept;
+  kept.patches = facts.patches, kept.edges = facts.edges;
+  kept.vertices = facts.vertices, kept.shells = facts.shells;
+  kept.reversed = std::move(facts.reversed);
+  kept.boxes_tried = facts.boxes_tried;
+  facts = std::move(kept);
+}
+
+}  // namespace
+
+const char* verdict_word(std::optional<Verdict> verdict) {
+  return verdict ? verdict_name(*verdict) : "UNREADABLE";
+}
+
+Source source_of(const ModelFile& file) {
+  return std::visit(
+      [&](const auto& kind) -> Source {
+        if constexpr (requires { source_in(kind); }) return source_in(kind);
+        return PlainSource{model_format(format_of(file)).name, num_bytes(file)};
+      },
+      file);
+}
+
+void give_up(FileReport& report, ExitCode exit, Finding fault) {
+  report.certificate.reset();
+  report.defects.clear();
+  if (std::holds_alternative<MeshFacts>(report.facts)) report.facts = std::monostate();
+  std::visit([](auto& facts) { forget(facts); }, report.facts);
+  report.exit = exit;
+  report.verdict = Verdict::kUndecided;
+  report.fault = std::move(fault);
+}
+
+void refuse(FileReport& report, Finding fault) {
+  report.exit = kExitUnreadable;
+  report.verdict.reset();
+  report.fault = std::move(fault);
+}
+
+Finding fault_of(std::string code, std::string message) {
+  Finding out;
+  out.code = std::move(code);
+  out.message = std::move(message);
+  return out;
+}
+
+}  // namespace veritope::report

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// report/file_report.h: everything that veritope certify says about one file, before it is JSON or text: one shape for all kinds.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/model_file.h"
+#include "report/exit_code.h"
+#include "robust/base/verdict.h"
+#include "robust/finding.h"
+#include "verify/certify/certify.h"
+
+namespace veritope::report {
+
+/// "VALID", "INVALID", "UNDECIDED"; nothing: "UNREADABLE".
+const char* verdict_word(std::optional<Verdict> verdict);
+
+/// A certificate that was made, and whether veritope-check accepted it.
+struct CertificateReport {
+  std::optional<std::string> path;  ///< nothing: a temporary one
+  std::string sha256;
+  std::uint64_t bytes = 0;
+  bool is_checked = false;  ///< false: --no-check
+};
+
+/// Wall-clock seconds of the phases that took place.
+struct PhaseSeconds {
+  std::optional<double> read, decide, collar, certify, check;
+};
+
+/// What was read of a spline file.
+struct SplineSource {
+  SplineFormat format = SplineFormat::kJson;
+  std::uint64_t bytes = 0, entities = 0;
+};
+/// What was read of a file of a kind that reports know nothing else about.
+struct PlainSource {
+  std::string format;
+  std::uint64_t bytes = 0;
+};
+/// Nothing: the file could not be read.
+using Source = std::variant<std::monostate, ReadReport, SplineSource, PlainSource>;
+Source source_of(const ModelFile& file);
+
+struct FileReport {
+  std::string path;  ///< as given
+  std::optional<Verdict> verdict = Verdict::kUndecided;  ///< nothing: it could not be read
+  ExitCode exit = kExitUndecided;
+  std::string sha256;  ///< empty: unknown
+  Source source;
+  Facts facts;
+  std::vector<Finding> defects;  ///< of an INVALID model: what was proved, at most --max-defects
+  std::optional<CertificateReport> certificate;
+  PhaseSeconds seconds;
+  /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify, and
+  /// "internal", "not-checked", "out-of-memory", "over-budget", "file-changed".
+  std::optional<Finding> fault;
+
+  /// VALID or INVALID.
+  bool has_verdict() const { return verdict && *verdict != Verdict::kUndecided; }
+};
+
+/// Takes the verdict back: what a checker did not confirm is none, and its counts, defects and certificate are none.
+void give_up(FileReport& report, ExitCode exit, Finding fault);
+/// A file that cannot be read.
+void refuse(FileReport& report, Finding fault);
+
+/// A finding without a place in the model.
+Finding fault_of(std::string code, std::string message);
+
+}  // namespace veritope::report

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "report/info_report.h"
+
+#include "report/mesh_report_internal.h"
+#include "report/report_text.h"
+#include "solids/polyhedron/box_order.h"
+
+namespace veritope::report {
+
+std::string info_json(const InfoReport& report) {
+  const MeshFile* const file = report.file ? &*report.file : nullptr;
+  const ReadReport* const r = file != nullptr ? &file->report : nullptr;
+  const auto count = [r](std::uint64_t ReadReport::*member) {
+    return r != nullptr ? Json(r->*member) : Json(nullptr);
+  };
+  Json out;
+  out["path"] = report.path;
+  out["sha256"] = file != nullptr ? Json(file->sha256) : Json(nullptr);
+  out["bytes"] = count(&ReadReport::bytes);
+  out["format"] = r != nullptr ? Json(mesh_format_name(r->format)) : Json(nullptr);
+  out["variant"] = r != nullptr ? Json(r->variant) : Json(nullptr);
+  out["as_indexed"] = report.as_indexed;
+  out["exit"] = static_cast<int>(report.exit);
+  out["error"] = fault_json(report.fault);
+  out["counts"] = {
+      {"vertices", count(&ReadReport::file_vertices)},
+      {"faces", file != nullptr ? Json(file->mesh.faces.size()) : Json(nullptr)},
+      {"distinct_vertices", count(&ReadReport::distinct_vertices)},
+      {"referenced_vertices", count(&ReadReport::referenced_vertices)},
+      {"unreferenced_vertices", count(&ReadReport::unreferenced_vertices)},
+      {"polygons_split", count(&ReadReport::polygons_split)},
+      {"strip_joints", count(&ReadReport::strip_joints)},
+  };
+  const BoundingBox box = file != nullptr ? bounding_box_of_faces(file->mesh, 1) : BoundingBox{};
+  out["bbox"] = file != nullptr ? internal::box_json(box.lo, box.hi) : Json(nullptr);
+  out["ignored"] = internal::ignored_json(r);
+  out["notices"] = internal::notices_json(r);
+  out["lossless"] = report.lossless;
+  out["seconds"] = {{"read", file != nullptr ? seconds_json(file->seconds_read) : Json(nullptr)},
+                    {"parse", file != nullptr ? seconds_json(file->seconds_parse) : Json(nullptr)}};
+  return dump(out);
+}
+
+std::string info_text(const InfoReport& report, const Style& style) {
+  const std::string path = style.bold(shown_path(report.path));
+  if (!report.file) {
+    return style.yellow(verdict_word(std::nullopt)) + "  " + path + "  " +
+           (report.fault ? harmless(text_of(*report.fault)) : "") + "\n";
+  }
+  const ReadReport& r = report.file->report;
+  const BoundingBox box = bounding_box_of_faces(report.file->mesh, 1);
+  std::string out = path + "\n" + internal::file_text(r);
+  out += detail_line("sha256", report.file->sha256);
+  out += detail_line("mesh",
+              counted(report.file->mesh.faces.size(), "face", "faces") + ", " + internal::vertices_text(r));
+  if (r.polygons_split != 0) {
+    out += detail_line("polygons", std::to_string(r.polygons_split) + " cut into triangles");
+  }
+  if (r.strip_joints != 0)
+    out += detail_line("strips", std::to_string(r.strip_joints) + " joints dropped");
+  out += internal::ignored_text(r);
+  out += internal::notices_text(r);
+  out += internal::box_text(box.lo, box.hi);
+  std::string names;
+  for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;
+  out += detail_line("lossless as", report.holds_everywhere ? "every format" : names);
+  return out + style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
+}
+
+}  // namespace veritope::report

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What reports say about the patches of spline files, as JSON.
+#include <algorithm>
+
+#include "report/patch_report_internal.h"
+
+namespace veritope::report {
+namespace {
+
+constexpr std::size_t kMostShellsListed = 100'000;
+
+Json bounds_json(const std::optional<Interval>& v) {
+  if (!v) return nullptr;
+  return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
+}
+
+Json part_json(const EntityPart& part) {
+  Json parameters = Json::array();
+  for (const auto& [lo, hi] : part.parameters)
+    parameters.push_back({{"lo", number_json(lo)}, {"hi", number_json(hi)}});
+  return {{"entity", part.entity},
+          {"side", optional_json(part.side)},
+          {"parameters", std::move(parameters)}};
+}
+
+Json defect_json(const Finding& f) {
+  Json parts = Json::array();
+  for (const EntityPart& part : f.place.parts) parts.push_back(part_json(part));
+  return {{"code", f.code},
+          {"message", f.message},
+          {"parts", std::move(parts)},
+          {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
+          {"box", box_json(f.place.box)},
+          {"shell", optional_json(f.place.shell)},
+          {"winding", optional_json(f.witness.winding)}};
+}
+
+Json collar_json(const std::optional<CollarFacts>& c) {
+  if (!c) return nullptr;
+  Json out = {{"found", !c->open}};
+  if (c->open) {
+    out["message"] = c->open->message;
+    out["place"] = box_json(c->open->place.box);
+    return out;
+  }
+  out["cells"] = c->cells;
+  out["levels"] = {{"coarsest", c->coarsest_level}, {"finest", c->finest_level}};
+  out["edges"] = {{"longest", number_json(c->longest_edge)},
+                  {"shortest", number_json(c->shortest_edge)}};
+  return out;
+}
+
+Json shells_json(const PatchFacts& facts) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < std::min(kMostShellsListed, facts.shell_facts.size()); ++i) {
+    const PatchShellFacts& s = facts.shell_facts[i];
+    out.push_back({{"genus", s.genus},
+                   {"euler", s.euler},
+                   {"outward", s.is_outward},
+                   {"volume", bounds_json(s.volume)}});
+  }
+  return out;
+}
+
+Json counts_json(const FileReport& report, const PatchFacts& f) {
+  const bool is_valid = report.verdict == Verdict::kValid;
+  const auto if_valid = [&](std::uint64_t n) { return is_valid ? Json(n) : Json(nullptr); };
+  return {{"entities", std::get<SplineSource>(report.source).entities},
+          {"patches", f.patches},
+          {"edges", f.edges},
+          {"vertices", f.vertices},
+          {"shells", f.shells},
+          {"bodies", if_valid(f.bodies)},
+          {"genus", if_valid(f.genus)},
+          {"boxes", if_valid(f.boxes)},
+          {"boxes_tried", f.boxes_tried}};
+}
+
+void put_source(const FileReport&, Json&) {}
+
+void put_facts(const FileReport& report, Json& out) {
+  const PatchFacts& f = internal::facts_of(report);
+  out["place"] = box_json(report.fault ? report.fault->place.box : std::nullopt);
+  out["counts"] = counts_json(report, f);
+  out["defects"] = Json::array();
+  for (const Finding& d : report.defects) out["defects"].push_back(defect_json(d));
+  out["flipped"] = f.reversed;
+  out["shells"] = shells_json(f);
+  out["volume"] = bounds_json(f.volume);
+  out["collar"] = collar_json(f.collar);
+}
+
+}  // namespace
+
+namespace internal {
+
+const PatchFacts& facts_of(const FileReport& report) {
+  static const PatchFacts kNone;
+  const auto* const facts = std::get_if<PatchFacts>(&report.facts);
+  return facts != nullptr ? *facts : kNone;
+}
+
+const ReportKind kPatchReports = {put_source,    put_facts,     true,
+                                  patch_summary, patch_details, patch_last_details};
+
+}  // namespace internal
+}  // namespace veritope::report

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// report/patch_report_internal.h: the parts of reports about patches.
+#pragma once
+#include <string>
+
+#include "report/report_kinds_internal.h"
+
+namespace veritope::report::internal {
+
+/// Those of a model of which nothing is known are all zero.
+const PatchFacts& facts_of(const FileReport& report);
+
+std::string patch_summary(const FileReport& report);
+std::string patch_details(const FileReport& report, const TextOptions& options);
+std::string patch_last_details(const FileReport& report, const TextOptions& options);
+
+}  // namespace veritope::report::internal

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What reports say about the patches of spline files, for people.
+#include <algorithm>
+#include <cmath>
+
+#include "interval/numeric.h"
+#include "report/decimal_text.h"
+#include "report/patch_report_internal.h"
+#include "report/report_text.h"
+
+namespace veritope::report {
+namespace {
+
+constexpr std::size_t kMostShells = 8, kMostReversed = 8;
+
+std::string parameters_text(const EntityPart& part) {
+  const bool is_triangle = part.parameters.size() == 3;
+  std::string out = "entity " + std::to_string(part.entity);
+  if (part.side) out += ", side " + std::to_string(*part.side);
+  constexpr const char* kNames[] = {"u", "v"};
+  for (std::size_t i = 0; i < part.parameters.size(); ++i) {
+    const auto& [lo, hi] = part.parameters[i];
+    out += std::string(i == 0 ? ": " : ", ") +
+           (is_triangle ? "b" + std::to_string(i) : std::string(kNames[i])) +
+           (lo == hi ? " = " + short_decimal(lo, 10)
+                     : " in [" + short_decimal(lo, 10) + ", " + short_decimal(hi, 10) + "]");
+  }
+  return out;
+}
+
+std::string defect_details(const Finding& f) {
+  std::string out = detail_line("defect", f.code + ": " + f.message);
+  for (const EntityPart& part : f.place.parts) out += detail_line("", parameters_text(part));
+  return out;
+}
+
+std::string bounds_text(const Interval& v) {
+  return "between " + short_decimal(v.lo(), 10) + " and " + short_decimal(v.hi(), 10);
+}
+
+// A middle is said only of an enclosure that has one.
+std::string volume_words(const Interval& v) {
+  if (std::isfinite(v.lo()) && std::isfinite(v.hi())) return "about " + short_decimal(mid(v));
+  if (v.lo() > 0) return "at least " + short_decimal(v.lo());
+  return "not bounded";
+}
+
+std::string shells_text(const PatchFacts& r) {
+  if (r.shell_facts.size() < 2) return "";
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kMostShells, r.shell_facts.size()); ++i) {
+    const PatchShellFacts& s = r.shell_facts[i];
+    out += detail_line("shell " + std::to_string(i),
+                       std::string(s.is_outward ? "outward" : "inward") + ", genus " +
+                           std::to_string(s.genus) + ", volume " + bounds_text(s.volume));
+  }
+  if (r.shell_facts.size() > kMostShells)
+    out += detail_line("...", std::to_string(r.shell_facts.size() - kMostShells) +
+                                  " more shells (--json lists them)");
+  return out;
+}
+
+std::string place_text(const Box3d& box) {
+  const auto corner = [](const Point3d& p) {
+    return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) +
+           ")";
+  };
+  return "in the box " + corner(box.lo) + " to " + corner(box.hi);
+}
+
+std::string where_line(const Finding& finding) {
+  const std::optional<Box3d>& box = finding.place.box;
+  return box && is_finite(*box) ? detail_line("where", place_text(*box)) : "";
+}
+
+std::string reversed_text(const std::vector<std::uint64_t>& reversed) {
+  if (reversed.empty()) return "";
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kMostReversed, reversed.size()); ++i)
+    list += (i == 0 ? "" : ", ") + std::to_string(reversed[i]);
+  return detail_line("reversed", counted(reversed.size(), "entity", "entities") + ": " + list +
+                                     (reversed.size() > kMostReversed ? ", ..." : ""));
+}
+
+std::string file_text(const FileReport& report, const PatchFacts& f) {
+  const auto& source = std::get<SplineSource>(report.source);
+  std::string out = detail_line("file", std::string(spline_format_name(source.format)) + ", " +
+                                            counted(source.bytes, "byte", "bytes") + ", " +
+                                            counted(source.entities, "entity", "entities"));
+  if (f.patches == 0) return out;
+  return out + detail_line("patches", counted(f.patches, "patch", "patches") + ", " +
+                                          counted(f.vertices, "vertex", "vertices") + ", " +
+                                          counted(f.edges, "edge", "edges") + ", " +
+                                          counted(f.shells, "shell", "shells"));
+}
+
+std::string valid_text(const PatchFacts& f) {
+  std::string out = detail_line("proof", counted(f.boxes, "star box", "star boxes") + " (" +
+                                             std::to_string(f.boxes_tried) + " tried)");
+  if (f.volume) out += detail_line("volume", bounds_text(*f.volume));
+  out += shells_text(f);
+  return f.collar ? out + collar_text(*f.collar) : out;
+}
+
+std::string defects_text(const std::vector<Finding>& defects) {
+  std::string out;
+  for (const Finding& f : defects) out += defect_details(f);
+  return out + detail_line("more", "veritope explain " + defects.front().code);
+}
+
+}  // namespace
+
+std::string collar_text(const CollarFacts& c) {
+  if (c.open)
+    return detail_line("collar", "none found: " + c.open->message) + where_line(*c.open);
+  const bool is_even = c.coarsest_level == c.finest_level;
+  return detail_line("coarsest collar",
+                     counted(c.cells, "cell", "cells") + ", edge " +
+                         short_decimal(c.shortest_edge) +
+                         (is_even ? "" : " to " + short_decimal(c.longest_edge)) +
+                         (is_even ? ", level " : ", levels ") + std::to_string(c.coarsest_level) +
+                         (is_even ? "" : " to " + std::to_string(c.finest_level)));
+}
+
+namespace internal {
+
+std::string patch_summary(const FileReport& report) {
+  if (!report.defects.empty()) return report.defects.front().message;
+  const PatchFacts& f = facts_of(report);
+  std::string text = counted(f.bodies, "body", "bodies") + ", genus " + std::to_string(f.genus);
+  return f.volume ? text + ", volume " + volume_words(*f.volume) : text;
+}
+
+std::string patch_details(const FileReport& report, const TextOptions&) {
+  const PatchFacts& f = facts_of(report);
+  std::string out = file_text(report, f) + reversed_text(f.reversed);
+  if (report.verdict == Verdict::kValid) return out + valid_text(f);
+  if (!report.defects.empty()) return out + defects_text(report.defects);
+  const bool is_open = report.fault && report.fault->code == "not-certified";
+  return is_open ? out + where_line(*report.fault) +
+                       detail_line("more", "veritope explain not-certified")
+                 : out;
+}
+
+std::string patch_last_details(const FileReport&, const TextOptions&) { return ""; }
+
+}  // namespace internal
+}  // namespace veritope::report

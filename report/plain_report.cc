@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Reports about models of a kind that has no row of its own: the verdict, its findings, and the certificate.
+#include "report/report_kinds_internal.h"
+
+namespace veritope::report {
+namespace {
+
+void put_source(const FileReport&, Json&) {}
+
+Json defect_json(const Finding& f) {
+  return {{"code", f.code},
+          {"message", f.message},
+          {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
+          {"box", box_json(f.place.box)}};
+}
+
+void put_facts(const FileReport& report, Json& out) {
+  out["defects"] = Json::array();
+  for (const Finding& d : report.defects) out["defects"].push_back(defect_json(d));
+}
+
+std::string summary(const FileReport& report) {
+  return report.defects.empty() ? "a solid" : harmless(report.defects.front().message);
+}
+
+std::string details(const FileReport& report, const TextOptions&) {
+  const auto& source = std::get<PlainSource>(report.source);
+  std::string out =
+      detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes"));
+  for (const Finding& d : report.defects)
+    out += detail_line("defect", harmless(d.code + ": " + d.message));
+  return out;
+}
+
+std::string last_details(const FileReport&, const TextOptions&) { return ""; }
+
+}  // namespace
+
+const internal::ReportKind internal::kPlainReports = {put_source, put_facts, false,
+                                                      summary,    details,   last_details};
+
+}  // namespace veritope::report

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "report/report_json.h"
+
+#include "report/report_kinds_internal.h"
+
+namespace veritope::report {
+namespace {
+
+std::optional<std::uint64_t> bytes_of(const FileReport& report) {
+  if (const auto* mesh = std::get_if<ReadReport>(&report.source)) return mesh->bytes;
+  if (const auto* splines = std::get_if<SplineSource>(&report.source)) return splines->bytes;
+  if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->bytes;
+  return std::nullopt;
+}
+
+std::optional<std::string> format_name(const FileReport& report) {
+  if (const auto* mesh = std::get_if<ReadReport>(&report.source))
+    return mesh_format_name(mesh->format);
+  if (const auto* splines = std::get_if<SplineSource>(&report.source))
+    return spline_format_name(splines->format);
+  if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->format;
+  return std::nullopt;
+}
+
+Json certificate_json(const std::optional<CertificateReport>& certificate) {
+  if (!certificate) return nullptr;
+  return {{"path", optional_json(certificate->path)},
+          {"sha256", certificate->sha256},
+          {"bytes", certificate->bytes},
+          {"checked", certificate->is_checked}};
+}
+
+Json phases_json(const PhaseSeconds& s, bool has_collar) {
+  Json out = {{"read", seconds_json(s.read)},
+              {"decide", seconds_json(s.decide)},
+              {"certify", seconds_json(s.certify)},
+              {"check", seconds_json(s.check)}};
+  if (has_collar) out["collar"] = seconds_json(s.collar);
+  return out;
+}
+
+}  // namespace
+
+const internal::ReportKind& internal::kind_of(const FileReport& report) {
+  if (std::holds_alternative<SplineSource>(report.source)) return kPatchReports;
+  if (std::holds_alternative<PlainSource>(report.source)) return kPlainReports;
+  return kMeshReports;
+}
+
+std::string report_json(const FileReport& report) {
+  const internal::ReportKind& kind = internal::kind_of(report);
+  Json out;
+  out["path"] = report.path;
+  out["sha256"] = text_json(report.sha256);
+  out["bytes"] = optional_json(bytes_of(report));
+  out["format"] = optional_json(format_name(report));
+  kind.put_source(report, out);
+  out["verdict"] = verdict_word(report.verdict);
+  out["exit"] = static_cast<int>(report.exit);
+  out["error"] = fault_json(report.fault);
+  kind.put_facts(report, out);
+  out["certificate"] = certificate_json(report.certificate);
+  out["seconds"] = phases_json(report.seconds, kind.has_collar);
+  return dump(out);
+}
+
+std::string document_json(const std::string& schema, const std::vector<std::string>& files) {
+  std::string out = "{\"schema\":\"" + schema + "\",\"tool\":\"" + tool_name() + "\",\"files\":[";
+  for (std::size_t i = 0; i < files.size(); ++i) out += (i == 0 ? "\n" : ",\n") + files[i];
+  return out + "\n]}\n";
+}
+
+}  // namespace veritope::report

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// report/report_kinds_internal.h: what each kind of model adds to the reports: one row a kind.
+#pragma once
+#include <string>
+
+#include "report/file_report.h"
+#include "report/json_text.h"
+#include "report/report_text.h"
+
+namespace veritope::report::internal {
+
+struct ReportKind {
+  /// Keys between "format" and "verdict", and between "error" and "certificate".
+  void (*put_source)(const FileReport& report, Json& out);
+  void (*put_facts)(const FileReport& report, Json& out);
+  bool has_collar;  ///< "seconds" has the key "collar"
+  /// What stands behind the verdict and the path. REQUIRES has_verdict().
+  std::string (*summary)(const FileReport& report);
+  /// The lines below them, in two parts: the certificate's line stands between these.
+  std::string (*details)(const FileReport& report, const TextOptions& options);
+  std::string (*last_details)(const FileReport& report, const TextOptions& options);
+};
+
+extern const ReportKind kMeshReports;   // mesh_json.cc, mesh_text.cc; files that could not be read, too
+extern const ReportKind kPatchReports;  // patch_json.cc, patch_text.cc
+extern const ReportKind kPlainReports;  // plain_report.cc: every other kind
+
+/// The table: a kind of files without a row here has plain reports.
+const ReportKind& kind_of(const FileReport& report);
+
+}  // namespace veritope::report::internal

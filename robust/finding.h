@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// robust/finding.h: what was found about a model, where, and what shows it: the same shape for every kind of model.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robust/base/box3d.h"
+#include "robust/base/result.h"
+#include "robust/rational.h"
+
+namespace veritope {
+
+/// A point with rational coordinates.
+struct RationalPoint {
+  std::array<Rational, 3> at;
+};
+
+/// A part of an entity of a spline file: bounds of its parameters, rounded outward. A surface has two parameters, u and v; a
+/// triangle has three, its barycentric coordinates.
+struct EntityPart {
+  std::uint64_t entity = 0;
+  std::optional<std::uint8_t> side;  ///< of the entity, in its own direction, if the part lies in a side
+  std::vector<std::array<double, 2>> parameters;
+};
+
+/// Where in a model. Only what is known is set. All numbers count from 0; lengths are in the model's units.
+struct ModelPlace {
+  Place source;  ///< in the file: a line, a byte, an entity
+
+  // Meshes. Ids of faces and vertices are those of the TriangleMesh.
+  std::vector<std::uint32_t> faces;                            ///< ascending, except M5 and M6: see SurfaceTopology
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< the edge of M3, M4, M5
+  std::vector<std::uint32_t> vertices;                         ///< the vertex of M6; the corners of M1 and M2
+  std::vector<std::uint32_t> polygons;  ///< of the file, one for each face that was cut from it; empty: all are triangles
+
+  // Patches.
+  std::vector<EntityPart> parts;       ///< of the file's entities
+  std::optional<std::uint32_t> patch;  ///< of a PatchComplex
+  std::optional<std::uint32_t> shell;
+
+  std::optional<Point3d> near;  ///< a point of the place, rounded
+  std::optional<Box3d> box;     ///< contains what was found; may be infinite
+  double size = 0;              ///< extent, rounded: edge length, diameter, length of the intersection
+};
+
+/// What shows a finding. Only what is known is set; the certificate has the whole proof.
+struct Witness {
+  std::optional<RationalPoint> point;  ///< an exact point of the defect
+  std::optional<int> winding;          ///< the winding number on the inner side of place.shell, which is not 1
+};
+
+/// One thing that was found.
+struct Finding {
+  /// A stable word: a mesh rule ("M7"), what is proved wrong with patches ("side-open"), or why there is no verdict ("not-certified").
+  std::string code;
+  ModelPlace place;
+  std::string message;  ///< one sentence
+  Witness witness;
+};
+
+/// The same as a finding: code_name(error.code), the place in the file, the message.
+Finding finding_of(const Error& error);
+
+/// "line 12: <message>": the place in the file without the file's name.
+std::string text_of(const Finding& finding);
+
+}  // namespace veritope

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/certify.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/mesh/write_mesh.h"
+#include "io/read_model.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/write_splines.h"
+#include "models/patch_shapes.h"
+#include "solids/patches/patch_transform.h"
+#include "tests/support/checker_call.h"
+#include "tests/support/shapes.h"
+
+namespace veritope {
+namespace {
+
+using patch_shapes::Patches;
+
+ModelFile read(const std::string& bytes, const std::string& name, ModelReadOptions options = {}) {
+  return read_model_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, name,
+                          options)
+      .value();
+}
+std::string bytes_of(const Patches& patches) { return spline_json_bytes(model_of(patches)); }
+std::string bytes_of(const TriangleMesh& mesh) {
+  return mesh_to_bytes(mesh, *write_options_from_name("ply-ascii")).value();
+}
+const PatchFacts& patch_facts(const Certified& c) { return std::get<PatchFacts>(c.facts); }
+
+Certified certify_patches(const Patches& patches, const CertifyOptions& options = {}) {
+  return certify(read(bytes_of(patches), "model.vjson"), options).value();
+}
+
+void expect_undecided(const Certified& c, const std::string& code, const std::string& words) {
+  EXPECT_EQ(c.verdict, Verdict::kUndecided);
+  ASSERT_EQ(c.findings.size(), 1u);
+  EXPECT_EQ(c.findings[0].code, code);
+  EXPECT_NE(c.findings[0].message.find(words), std::string::npos) << c.findings[0].message;
+  EXPECT_TRUE(c.certificate.empty() && c.claim.empty());
+}
+
+void expect_accepted(const std::string& file, const Certified& c) {
+  const std::string answer =
+      check_in_process(file, std::string(c.certificate.begin(), c.certificate.end()));
+  EXPECT_EQ(answer.rfind("ACCEPT " + c.claim, 0), 0u) << answer;
+}
+
+TEST(Certify, AMeshIsValidOrInvalidAndItsCertificateIsAccepted) {
+  const std::string box = bytes_of(shapes::box({0, 0, 0}, {1, 2, 3}));
+  const Certified valid = certify(read(box, "box.ply")).value();
+  EXPECT_EQ(valid.verdict, Verdict::kValid);
+  EXPECT_EQ(valid.claim, "mesh-valid-1");
+  EXPECT_TRUE(valid.findings.empty());
+  EXPECT_EQ(std::get<MeshFacts>(valid.facts).decision.counts.faces, 12u);
+
+  const std::string inside_out = bytes_of(shapes::flipped(shapes::box({0, 0, 0}, {1, 2, 3})));
+  const Certified invalid = certify(read(inside_out, "box.ply")).value();
+  EXPECT_EQ(invalid.verdict, Verdict::kInvalid);
+  EXPECT_EQ(invalid.claim, "mesh-invalid-1");
+  ASSERT_EQ(invalid.findings.size(), 1u);
+  EXPECT_EQ(invalid.findings[0].code, "M8");
+  EXPECT_FALSE(invalid.certificate.empty());
+}
+
+TEST(Certify, FindingsOfMeshesAreSharedOutAmongTheRules) {
+  TriangleMesh mesh = shapes::box({0, 0, 0}, {1, 1, 1});
+  mesh.faces.push_back(mesh.faces[0]);
+  mesh.faces.push_back(mesh.faces[1]);
+  CertifyOptions options;
+  options.max_findings = 2;
+  const Certified two = certify(read(bytes_of(mesh), "two.ply"), options).value();
+  ASSERT_EQ(two.findings.size(), 2u);
+  EXPECT_EQ(two.findings[0].code, "M2");
+  EXPECT_EQ(two.findings[1].code, "M4");
+  options.max_findings = 0;
+  const Certified none = certify(read(bytes_of(mesh), "two.ply"), options).value();
+  EXPECT_TRUE(none.findings.empty());
+  EXPECT_EQ(none.certificate, two.certificate);
+}
+
+TEST(Certify, TheCertificateSpeaksOfTheBytesAndTheTool) {
+  const std::string file = bytes_of(patch_shapes::sphere());
+  CertifyOptions options;
+  options.tool = "a test";
+  const ModelFile model = read(file, "ball.vjson");
+  const Certified c = certify(model, options).value();
+  const std::string text(c.certificate.begin(), c.certificate.end());
+  EXPECT_NE(text.find(sha256_of(model)), std::string::npos);
+  EXPECT_NE(text.find("\"tool\":\"a test\""), std::string::npos) << text.substr(0, 300);
+  expect_accepted(file, c);
+}
+
+TEST(Certify, PatchesAreValidInvalidOrUndecided) {
+  const std::string ball = bytes_of(patch_shapes::sphere());
+  const Certified valid = certify(read(ball, "ball.vjson")).value();
+  EXPECT_EQ(valid.verdict, Verdict::kValid);
+  EXPECT_EQ(valid.claim, "star-box-1");
+  EXPECT_EQ(patch_facts(valid).bodies, 1u);
+  expect_accepted(ball, valid);
+
+  Patches open = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  open.pop_back();
+  const std::string file = bytes_of(open);
+  const Certified invalid = certify(read(file, "open.vjson")).value();
+  EXPECT_EQ(invalid.verdict, Verdict::kInvalid);
+  EXPECT_EQ(invalid.claim, "patch-invalid-1");
+  ASSERT_EQ(invalid.findings.size(), 1u);
+  EXPECT_EQ(invalid.findings[0].code, "side-open");
+  EXPECT_TRUE(invalid.findings[0].witness.point.has_value());
+  expect_accepted(file, invalid);
+
+  const Certified touching = certify_patches(patch_shapes::joined(
+      {patch_shapes::sphere(), patch_shapes::placed(patch_shapes::sphere(), 1, {2, 0, 0})}));
+  expect_undecided(touching, "not-certified", "several sheets pass near this piece");
+  EXPECT_TRUE(touching.findings[0].place.box.has_value());
+  EXPECT_TRUE(touching.findings[0].place.source.entity.has_value());
+  EXPECT_EQ(patch_facts(touching).shells, 2u);
+}
+
+TEST(Certify, PhasesAreReportedInTheirOrder) {
+  CertifyOptions options;
+  std::vector<Phase> seen;
+  options.on_phase = [&](Phase phase) { seen.push_back(phase); };
+  options.with_collar = true;
+  certify_patches(patch_shapes::sphere(), options);
+  EXPECT_EQ(seen, (std::vector{Phase::kDeciding, Phase::kSeekingCollar, Phase::kCertifying}));
+}
+
+TEST(Certify, ACollarIsPartOfTheClaimIfOneIsFound) {
+  CertifyOptions options;
+  options.with_collar = true;
+  const std::string ball = bytes_of(patch_shapes::sphere());
+  const Certified c = certify(read(ball, "ball.vjson"), options).value();
+  EXPECT_EQ(c.claim, "collar-1");
+  ASSERT_TRUE(patch_facts(c).collar.has_value());
+  EXPECT_FALSE(patch_facts(c).collar->open.has_value());
+  expect_accepted(ball, c);
+
+  // Flat: the frame that fits it has other units along z than octrees have, and the plain one would need too many boxes.
+  const Rational one(1), thin = Rational::power_of_two(-60);
+  const Patches flat = affine_image(patch_shapes::sphere(),
+                                    {{{one, 0, 0, 0}, {0, one, 0, 0}, {0, 0, thin, 0}}})
+                           .value();
+  const Certified without = certify_patches(flat, options);
+  EXPECT_EQ(without.verdict, Verdict::kValid);
+  EXPECT_EQ(without.claim, "star-box-1");
+  ASSERT_TRUE(patch_facts(without).collar->open.has_value());
+  EXPECT_EQ(patch_facts(without).collar->open->code, "no-collar");
+}
+
+// A model that fits a frame of its own still gets a collar where the plain frame costs little more.
+TEST(Certify, ThePlainFrameIsTriedAgainForACollar) {
+  const Rational one(1), half = Rational::power_of_two(-3);
+  const Patches egg = affine_image(patch_shapes::sphere(),
+                                   {{{one, 0, 0, 0}, {0, one, 0, 0}, {0, 0, half, 0}}})
+                          .value();
+  CertifyOptions options;
+  options.with_collar = true;
+  EXPECT_EQ(certify_patches(egg, options).claim, "collar-1");
+}
+
+TEST(Certify, OrientationIsMendedOnlyWhenAskedFor) {
+  Patches turned = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  turned[2] = reversed(turned[2]);
+  EXPECT_EQ(certify_patches(turned).findings.at(0).code, "side-direction");
+  CertifyOptions options;
+  options.orientation = PatchOrientation::kAuto;
+  const std::string file = bytes_of(turned);
+  const Certified mended = certify(read(file, "box.vjson"), options).value();
+  EXPECT_EQ(mended.verdict, Verdict::kValid);
+  EXPECT_EQ(patch_facts(mended).reversed, (std::vector<std::uint64_t>{2}));
+  expect_accepted(file, mended);
+}
+
+// Which shells are inside out takes winding numbers to see: the patches of each fit together.
+TEST(Certify, ShellsThatAreInsideOutAreTurnedAsAWhole) {
+  Patches inside_out;
+  for (const Patch& p : patch_shapes::sphere()) inside_out.push_back(reversed(p));
+  const Certified wrong = certify_patches(inside_out);
+  EXPECT_EQ(wrong.verdict, Verdict::kInvalid);
+  EXPECT_EQ(wrong.claim, "star-box-turned-1");
+  EXPECT_EQ(wrong.findings.at(0).witness.winding, 0);
+  CertifyOptions options;
+  options.orientation = PatchOrientation::kAuto;
+  const std::string file = bytes_of(inside_out);
+  const Certified mended = certify(read(file, "ball.vjson"), options).value();
+  EXPECT_EQ(mended.verdict, Verdict::kValid);
+  EXPECT_EQ(patch_facts(mended).reversed.size(), inside_out.size());
+  expect_accepted(file, mended);
+}
+
+// A file of bilinear surfaces: the faces of boxes between z = 0 and z = 1, some of them missing.
+class Boxes {
+ public:
+  // The lid of a box from x0 to x0 + 1, a surface with the knot 1/2 twice: it may jump there.
+  Boxes& torn_lid(const std::string& x0, const std::string& left, const std::string& right,
+                  const std::string& x1) {
+    return add("\"0\", \"0\", \"1/2\", \"1/2\", \"1\", \"1\"",
+               {{x0, "0", "1"}, {x0, "1", "1"}, {left, "0", "1"}, {left, "1", "1"},
+                {right, "0", "1"}, {right, "1", "1"}, {x1, "0", "1"}, {x1, "1", "1"}});
+  }
+  Boxes& lid(const std::string& knots, const std::vector<std::array<std::string, 3>>& points) {
+    return add(knots, points);
+  }
+  // Without lid; with a bottom only if asked for.
+  Boxes& cup(int x0, bool has_bottom = true, bool is_inside_out = false) {
+    const std::string a = std::to_string(x0), b = std::to_string(x0 + 1);
+    if (has_bottom) face({{{a, "0", "0"}, {b, "0", "0"}, {a, "1", "0"}, {b, "1", "0"}}}, is_inside_out);
+    face({{{b, "0", "0"}, {b, "0", "1"}, {b, "1", "0"}, {b, "1", "1"}}}, is_inside_out);
+    face({{{a, "0", "0"}, {a, "1", "0"}, {a, "0", "1"}, {a, "1", "1"}}}, is_inside_out);
+    face({{{a, "1", "0"}, {b, "1", "0"}, {a, "1", "1"}, {b, "1", "1"}}}, is_inside_out);
+    face({{{a, "0", "0"}, {a, "0", "1"}, {b, "0", "0"}, {b, "0", "1"}}}, is_inside_out);
+    return *this;
+  }
+  std::string bytes() const {
+    return "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [" + entities_ + "]}";
+  }
+  SplineFile file(const ReadLimits& limits = {}) const {
+    ModelReadOptions options;
+    options.limits = limits;
+    return std::get<SplineFile>(read(bytes(), "boxes.vjson", options));
+  }
+  Certified certified(const CertifyOptions& options = {}) const {
+    return certify(file(), options).value();
+  }
+
+ private:
+  using Point = std::array<std::string, 3>;
+  void face(std::array<Point, 4> points, bool is_reversed) {
+    if (is_reversed) std::swap(points[1], points[2]);
+    add("\"0\", \"0\", \"1\", \"1\"", {points.begin(), points.end()});
+  }
+  Boxes& add(const std::string& knots, const std::vector<Point>& points) {
+    std::string list;
+    for (const Point& p : points)
+      list += (list.empty() ? "[\"" : ", [\"") + p[0] + "\", \"" + p[1] + "\", \"" + p[2] + "\"]";
+    entities_ += (entities_.empty() ? "" : ", ") +
+                 std::string("{\"kind\": \"surface\", \"group\": null, \"attributes\": [], \"shape\": {"
+                             "\"degrees\": [1, 1], \"periodic\": [false, false], \"knots\": [[") +
+                 knots + "], [\"0\", \"0\", \"1\", \"1\"]], \"rational\": false, \"components\": 3, " +
+                 "\"points\": [" + list + "]}}";
+    return *this;
+  }
+  std::string entities_;
+};
+
+CertifyOptions oriented() {
+  CertifyOptions out;
+  out.orientation = PatchOrientation::kAuto;
+  return out;
+}
+
+// A knot of a multiplicity above the degree: the surface may be in pieces there, and what is true of pieces need not be of surfaces.
+TEST(Certify, ATornSurfaceIsNeverRefuted) {
+  const Boxes whole = Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0);
+  const Certified valid = whole.certified();
+  EXPECT_EQ(valid.verdict, Verdict::kValid);
+  expect_accepted(whole.bytes(), valid);
+  expect_undecided(Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0, false).certified(), "not-covered",
+                   "an inner knot of a multiplicity above its degree; side");
+}
+
+// "These normals disagree" is no fact about the file once some were reversed. Box A's lid stays open: another fact, and one of the file.
+TEST(Certify, ARefutationOfReversedNormalsIsNone) {
+  const Patches moebius = patch_shapes::one_patch_torus(2, 1);
+  EXPECT_EQ(certify_patches(moebius, oriented()).verdict, Verdict::kValid);
+  Patches turned = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  turned.pop_back();
+  turned[2] = reversed(turned[2]);
+  const Certified open = certify_patches(turned, oriented());
+  EXPECT_EQ(open.verdict, Verdict::kInvalid);
+  EXPECT_EQ(open.findings.at(0).code, "side-open");
+}
+
+// Certificates reverse whole entities: here one half of a surface is the lid of a box, the other half that of an inside-out one.
+TEST(Certify, HalvesOfASurfaceAreNotReversedOneByOne) {
+  const Boxes mixed = Boxes().torn_lid("0", "1", "3", "4").cup(0).cup(3, true, true);
+  expect_undecided(mixed.certified(oriented()), "not-covered",
+                   "pieces of entity 0 would have to be reversed one by one");
+}
+
+TEST(Certify, CertificatesSpeakOfTwoFormatsOnly) {
+  SplineFile file = Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0).file();
+  for (const SplineFormat format : {SplineFormat::kG2, SplineFormat::kMfem, SplineFormat::kGismo}) {
+    file.format = format;
+    expect_undecided(certify(file).value(), "not-covered", "of .vjson and .itd files only");
+  }
+}
+
+TEST(Certify, ShapesThatAreNotReadAreNotCovered) {
+  SplineFile file = Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0).file();
+  file.left_out.push_back({"matrices", "", false, 1});
+  EXPECT_EQ(certify(file).value().verdict, Verdict::kValid);
+  file.left_out.push_back({"polygons", "", true, 1});
+  expect_undecided(certify(file).value(), "not-covered", "shapes that are not read: polygons");
+}
+
+TEST(Certify, CurvesAreNotCovered) {
+  const std::string with_curve =
+      "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [{\"kind\": \"curve\", "
+      "\"group\": null, \"attributes\": [], \"shape\": {\"degrees\": [1], \"periodic\": [false], "
+      "\"knots\": [[\"0\", \"0\", \"1\", \"1\"]], \"rational\": false, \"components\": 3, "
+      "\"points\": [[\"0\", \"0\", \"0\"], [\"1\", \"0\", \"0\"]]}}]}";
+  expect_undecided(certify(read(with_curve, "curve.vjson")).value(), "not-covered",
+                   "this file has entity 0, a curve");
+}
+
+// A knot with 700 decimals takes more than the 2048 bits of a certificate; a coordinate of 1,200 more than the default limits of readers.
+TEST(Certify, LongNumbersAreNotCovered) {
+  const std::string knot = "0." + std::string(699, '3') + "1", long_number = "0." + std::string(1200, '3');
+  const auto lid = [](const std::string& knots, const std::string& middle) {
+    return Boxes().lid(knots, {{"0", "0", "1"}, {"0", "1", "1"}, {middle, "0", "1"}, {middle, "1", "1"}, {"1", "0", "1"}, {"1", "1", "1"}}).cup(0);
+  };
+  expect_undecided(lid("\"0\", \"0\", \"" + knot + "\", \"1\", \"1\"", knot).certified(),
+                   "not-covered", "entity 0 has longer knots");
+  ReadLimits wide;
+  wide.max_digits = 2000;
+  const Boxes digits = lid("\"0\", \"0\", \"1/2\", \"1\", \"1\"", long_number);
+  expect_undecided(certify(digits.file(wide)).value(), "not-covered",
+                   "longer numbers than certificates may be about: ");
+  EXPECT_FALSE(Boxes().cup(0).file(wide).beyond_default_limits.has_value());
+}
+
+TEST(Certify, AFileWithoutAModelOfItsKindIsAnError) {
+  const std::string curve =
+      "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": []}";
+  const Result<ModelFile> file = read_model_bytes(
+      {reinterpret_cast<const unsigned char*>(curve.data()), curve.size()}, "none.vjson", {});
+  ASSERT_TRUE(file.has_value()) << to_string(file.error());
+  const Result<Certified> c = certify(*file);
+  ASSERT_FALSE(c.has_value());
+  EXPECT_EQ(c.error().code, Code::kEmpty);
+}
+
+}  // namespace
+}  // namespace veritope

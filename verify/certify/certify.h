@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/certify.h: the front door: from a model file that was read to a verdict and its certificate.
+// Design: docs/design/0021-front-door.md.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/model_file.h"
+#include "robust/base/result.h"
+#include "robust/base/verdict.h"
+#include "robust/finding.h"
+#include "verify/certify/mesh_facts.h"
+#include "verify/certify/patch_facts.h"
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope {
+
+/// What certify is doing, in this order; kSeekingCollar only if a collar was asked for and the model is valid.
+enum class Phase { kDeciding, kSeekingCollar, kCertifying };
+
+/// "veritope 0.1.0": the tool that certificates name.
+std::string tool_name();
+
+struct CertifyOptions {
+  std::string tool = tool_name();  ///< named in the certificate's statement
+  unsigned jobs = 1;               ///< threads, of meshes; the result is the same for every number >= 1
+  std::size_t max_findings = 20;   ///< of meshes, in all, shared out among the broken rules; all are counted
+  std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one
+
+  // Models of patches; the other kinds ignore them.
+  PatchOrientation orientation = PatchOrientation::kKeep;  ///< kAuto also turns shells that are wrongly oriented as a whole
+  bool with_collar = false;         ///< seek a collar; if one is found the claim is collar-1
+  std::optional<double> tolerance;  ///< of the volume: see PatchDecisionOptions; nothing: its default
+};
+
+/// What else is known of the model, by its kind; nothing: a kind that has no facts of its own.
+using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
+
+struct Certified {
+  Verdict verdict = Verdict::kUndecided;
+  /// VALID: none. INVALID: what is proved wrong, at most max_findings. UNDECIDED: one, why: "not-certified" (neither proved right nor
+  /// wrong) or "not-covered" (no certificate can speak of this file).
+  std::vector<Finding> findings;
+  Facts facts;
+  certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
+  std::string claim;               ///< that the certificate states; empty with it
+};
+
+/// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes that were read
+/// (their SHA-256 and number are in `file`), so that checkers can read them again. Nothing here has been confirmed by a checker.
+/// @error kEmpty, kOverLimit, kBadArgument: the file was read, but holds no model of its kind (a spline file without any surface)
+/// @cost  as decide_validity and make_mesh_certificate; as decide_patches. Throws InternalError for a bug of ours, and bad_alloc.
+Result<Certified> certify(const ModelFile& file, const CertifyOptions& options = {});
+
+}  // namespace veritope

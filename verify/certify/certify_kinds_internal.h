@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/certify_kinds_internal.h: the kinds of models that certify knows: one overload a kind, each in a file of its own.
+#pragma once
+#include "verify/certify/certify.h"
+
+namespace veritope::internal {
+
+// As certify. A new alternative of ModelFile needs an overload here: without it certify.cc does not compile.
+Result<Certified> certify_kind(const MeshFile& file, const CertifyOptions& options);    // certify_mesh.cc
+Result<Certified> certify_kind(const SplineFile& file, const CertifyOptions& options);  // certify_patches.cc
+
+inline void enter(Phase phase, const CertifyOptions& options) {
+  if (options.on_phase) options.on_phase(phase);
+}
+
+}  // namespace veritope::internal

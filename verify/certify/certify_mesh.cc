@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// certify for meshes: every one is decided and has a certificate.
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "io/mesh/reading_rule.h"
+#include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/mesh_certifier.h"
+
+namespace veritope {
+namespace {
+
+certificate::Subject subject_of(const MeshFile& file, const CertifyOptions& options) {
+  certificate::Subject out;
+  out.sha256 = file.sha256;
+  out.bytes = file.report.bytes;
+  out.format = mesh_format_name(file.report.format);
+  out.as_indexed = file.report.as_indexed;
+  out.reading_rule = kReadingRule;
+  out.tool = options.tool;
+  return out;
+}
+
+// The first `most` of the defects, shared out among the rules: one of each broken rule, then a second one of each, and so on; sorted by
+// rule as before.
+std::vector<Finding> share_out(std::vector<Finding> defects, std::size_t most) {
+  if (defects.size() <= most) return defects;
+  // turn[i] = how many of the same rule come before i. The chosen ones have the least (turn, rule).
+  std::array<std::size_t, kNumMeshRules> seen{};
+  std::vector<std::size_t> turn, order(defects.size());
+  for (const Finding& d : defects) turn.push_back(seen[rule_index(rule_of(d))]++);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return turn[a] < turn[b]; });
+  order.resize(most);
+  std::sort(order.begin(), order.end());
+  std::vector<Finding> chosen;
+  for (const std::size_t i : order) chosen.push_back(std::move(defects[i]));
+  return chosen;
+}
+
+std::vector<Finding> listed(std::vector<Finding> defects, const MeshFile& file, std::size_t most) {
+  std::vector<Finding> out = share_out(std::move(defects), most);
+  if (file.polygon_of_face.empty()) return out;
+  for (Finding& d : out)
+    for (const std::uint32_t f : d.place.faces)
+      d.place.polygons.push_back(file.polygon_of_face[f]);
+  return out;
+}
+
+}  // namespace
+
+Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOptions& options) {
+  Certified out;
+  MeshFacts& facts = out.facts.emplace<MeshFacts>();
+  enter(Phase::kDeciding, options);
+  ValidityOptions how;
+  how.jobs = options.jobs;
+  how.max_defects = std::max<std::size_t>(options.max_findings, 1);  // the certificate needs one of each rule
+  ValidityReport& decision = facts.decision = decide_validity(file.mesh, how);
+  enter(Phase::kCertifying, options);
+  out.certificate =
+      make_mesh_certificate(file.mesh, decision, subject_of(file, options), options.jobs);
+  out.verdict = decision.is_valid ? Verdict::kValid : Verdict::kInvalid;
+  out.claim = decision.is_valid ? certificate::kValidClaim : certificate::kInvalidClaim;
+  out.findings = listed(std::move(decision.defects), file, options.max_findings);
+  decision.defects.clear();
+  decision.stars = {};
+  return out;
+}
+
+}  // namespace veritope

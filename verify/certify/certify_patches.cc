@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// certify for spline files: their surfaces and triangles are the patches of one complex.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/collar_certifier.h"
+#include "verify/certify/file_patches.h"
+#include "verify/certify/refutation_finding.h"
+#include "verify/format/patch_invalid_certificate.h"
+
+namespace veritope {
+namespace {
+
+Finding why(const char* code, std::string message) {
+  Finding out;
+  out.code = code;
+  out.message = std::move(message);
+  return out;
+}
+Finding not_covered(std::string message) { return why("not-covered", std::move(message)); }
+
+// What the file has that no certificate can speak of, before anything is known of its patches.
+std::optional<Finding> uncovered_content(const SplineFile& file) {
+  if (file.format != SplineFormat::kJson && file.format != SplineFormat::kItd)
+    return not_covered(
+        "certificates speak of .vjson and .itd files only: veritope convert writes this model as "
+        "one");
+  for (const LeftOut& l : file.left_out)
+    if (l.is_geometry) return not_covered("the file has shapes that are not read: " + l.what);
+  if (file.beyond_default_limits)
+    return not_covered("the file has longer numbers than certificates may be about: " +
+                       text_of(finding_of(*file.beyond_default_limits)));
+  return std::nullopt;
+}
+
+// The same, of its patches.
+std::optional<Finding> uncovered_patches(const FilePatches& patches) {
+  if (patches.mixed_entity)
+    return not_covered("pieces of entity " + std::to_string(*patches.mixed_entity) +
+                       " would have to be reversed one by one");
+  const auto at = std::find_if_not(patches.entities.begin(), patches.entities.end(),
+                                   breaks_fit_certificate);
+  if (at != patches.entities.end())
+    return not_covered("entity " + std::to_string(at - patches.entities.begin()) +
+                       " has longer knots than certificates may be about");
+  return std::nullopt;
+}
+
+// Whether the refutation is about the directions of normals. If entities were reversed it is about the model as it became, not as it is
+// in the file.
+bool is_of_orientation(const PatchRefutation& refutation) {
+  if (const auto* const sides = std::get_if<SideWitness>(&refutation))
+    return sides->same == 2 && sides->opposite == 0;
+  return std::holds_alternative<TurnedShell>(refutation);
+}
+
+std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
+  if (!decision.refutation)
+    return has_collar ? certificate::kCollarClaim : certificate::kStarBoxClaim;
+  return std::holds_alternative<TurnedShell>(*decision.refutation)
+             ? certificate::kTurnedShellClaim
+             : certificate::kPatchInvalidClaim;
+}
+
+class Certification {
+ public:
+  Certification(const SplineFile& file, const CertifyOptions& options)
+      : file_(file), options_(options), facts_(out_.facts.emplace<PatchFacts>()) {}
+
+  Result<Certified> run() {
+    if (auto finding = uncovered_content(file_)) return undecided(std::move(*finding));
+    Result<FilePatches> patches = file_patches(file_.model, options_.orientation);
+    if (!patches) return patches.error();
+    patches_ = std::move(*patches);
+    if (patches_.not_covered) return undecided(std::move(*patches_.not_covered));
+    count();
+    if (auto finding = uncovered_patches(patches_)) return undecided(std::move(*finding));
+    internal::enter(Phase::kDeciding, options_);
+    decided_ = decide_file_patches(patches_, decision_options());
+    facts_.reversed = patches_.reversed();
+    facts_.boxes_tried = decision().boxes_tried;
+    if (auto finding = doubt()) return undecided(std::move(*finding));
+    if (decision().is_valid) conclude_valid();
+    certify();
+    return std::move(out_);
+  }
+
+ private:
+  const PatchDecision& decision() const { return decided_.decision; }
+
+  // With the facts that are known so far.
+  Result<Certified> undecided(Finding finding) {
+    out_.verdict = Verdict::kUndecided;
+    out_.findings.assign(1, std::move(finding));
+    return std::move(out_);
+  }
+
+  void count() {
+    const PatchComplex& complex = *patches_.complex;
+    facts_.patches = complex.patches().size();
+    facts_.edges = complex.num_edges();
+    facts_.vertices = complex.num_vertices();
+    facts_.shells = complex.shells().size();
+    facts_.reversed = patches_.reversed();
+    if (patches_.mixed_entity)  // the search for whole entities ended there
+      std::erase_if(facts_.reversed, [&](std::uint64_t e) { return e >= *patches_.mixed_entity; });
+  }
+
+  FileDecisionOptions decision_options() const {
+    FileDecisionOptions out;
+    if (options_.tolerance) out.search.tolerance = *options_.tolerance;
+    if (options_.with_collar) out.frame = FrameWanted::kPlainIfCheap;
+    out.may_turn_shells = options_.orientation == PatchOrientation::kAuto;
+    return out;
+  }
+
+  // Why the decision is no verdict; if there is none, out_ has the verdict.
+  std::optional<Finding> doubt() {
+    if (decision().refutation) return doubt_about_refutation();
+    if (decision().is_valid) {
+      out_.verdict = Verdict::kValid;
+      return std::nullopt;
+    }
+    Finding open = *decision().open;
+    open.code = "not-certified";
+    if (open.place.patch)
+      open.place.source.entity = patches_.complex->patch(*open.place.patch).origin().number;
+    return open;
+  }
+  std::optional<Finding> doubt_about_refutation() {
+    Finding defect = finding_of(*patches_.complex, patches_.entities, *decision().refutation);
+    if (patches_.is_torn)
+      return not_covered("a surface has an inner knot of a multiplicity above its degree; " +
+                         defect.message);
+    if (!facts_.reversed.empty() && is_of_orientation(*decision().refutation))
+      return why("not-certified", "with the entities that were reversed " + defect.message);
+    out_.verdict = Verdict::kInvalid;
+    out_.findings.push_back(std::move(defect));
+    return std::nullopt;
+  }
+
+  void conclude_valid() {
+    facts_.bodies = decision().bodies;
+    facts_.boxes = decision().cover.boxes.size();
+    facts_.shell_facts = decision().shells;
+    for (const PatchShellFacts& s : decision().shells)
+      facts_.genus += static_cast<std::uint64_t>(s.genus);
+    facts_.volume = decision().volume;
+    if (options_.with_collar) seek_collar();
+  }
+
+  void seek_collar() {
+    internal::enter(Phase::kSeekingCollar, options_);
+    if (decided_.forest->frame().is_plain())
+      collar_ = find_patch_collar(*decided_.forest, decision().cover);
+    else
+      collar_.open = why("no-collar",
+                         "octrees have cubes around the origin's grid: the model lies too far "
+                         "away, or is too flat");
+    facts_.collar = collar_facts(collar_, *decided_.forest);
+  }
+
+  void certify() {
+    internal::enter(Phase::kCertifying, options_);
+    const certificate::Subject subject = subject_of(file_, options_.tool);
+    out_.certificate =
+        collar_.collar
+            ? make_collar_certificate(*decided_.forest, decision().cover, decision().walks,
+                                      *collar_.collar, patches_.entities, subject)
+            : make_patch_certificate(patches_, decided_, subject);
+    out_.claim = claim_of(decision(), collar_.collar.has_value());
+  }
+
+  const SplineFile& file_;
+  const CertifyOptions& options_;
+  Certified out_;
+  PatchFacts& facts_;
+  FilePatches patches_;
+  FileDecision decided_;
+  PatchCollarSearch collar_;
+};
+
+}  // namespace
+
+Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
+  return Certification(file, options).run();
+}
+
+CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest) {
+  CollarFacts out;
+  out.open = search.open;
+  if (!search.collar) return out;
+  const OctreeKeySet& cells = search.collar->complex.cells();
+  out.cells = cells.size();
+  out.finest_level = cells.finest_level();
+  out.coarsest_level = out.finest_level;
+  for (const OctreeKey key : cells.keys())
+    out.coarsest_level = std::min(out.coarsest_level, key.level());
+  const double edge = std::ldexp(search.collar->root.edge(), -forest.scale());
+  out.longest_edge = std::ldexp(edge, -static_cast<int>(out.coarsest_level));
+  out.shortest_edge = std::ldexp(edge, -static_cast<int>(out.finest_level));
+  return out;
+}
+
+}  // namespace veritope

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/file_patches.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "io/splines/patch_model.h"
+#include "robust/base/check.h"
+#include "verify/certify/patch_collar.h"
+
+namespace veritope {
+namespace {
+
+// Boxes that are tried in the plain frame of a collar, for each one in the frame that fits the model.
+constexpr std::size_t kBoxesInPlainFrame = 16, kFreeBoxes = 256;
+
+// Whether the surface may be in pieces inside of its domain.
+bool has_torn_knot(const ExactSurface& surface) {
+  for (const auto& axis : surface.axes()) {
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < axis.knots.size(); ++i) {
+      run = i > 0 && axis.knots[i] == axis.knots[i - 1] ? run + 1 : 1;
+      const bool is_inner =
+          axis.domain_begin() < axis.knots[i] && axis.knots[i] < axis.domain_end();
+      if (is_inner && run > static_cast<std::size_t>(axis.degree)) return true;
+    }
+  }
+  return false;
+}
+
+std::size_t end_of(const FilePatches& patches, std::size_t entity) {
+  return entity + 1 < patches.entities.size() ? patches.entities[entity + 1].first_patch
+                                              : patches.complex->patches().size();
+}
+
+// Certificates reverse whole entities.
+void note_reversed(FilePatches& patches) {
+  std::vector<bool> is_reversed(patches.complex->patches().size());
+  for (const std::uint32_t p : patches.complex->flipped()) is_reversed[p] = true;
+  for (std::size_t e = 0; e < patches.entities.size(); ++e) {
+    StarBoxEntity& entity = patches.entities[e];
+    const std::size_t first = entity.first_patch, last = end_of(patches, e);
+    entity.is_reversed = first < last && is_reversed[first];
+    for (std::size_t p = first; p < last; ++p)
+      if (is_reversed[p] != entity.is_reversed && !patches.mixed_entity) patches.mixed_entity = e;
+  }
+}
+
+PatchDecisionOptions with_outer_sides(const FilePatches& patches, PatchDecisionOptions options) {
+  // Which sides are outer is known of whole entities only; without the list all are.
+  if (!patches.mixed_entity)
+    options.outer = outer_sides(patches.entities, patches.complex->patches().size());
+  return options;
+}
+
+FileDecision decide_in_frame(const FilePatches& patches, const PatchDecisionOptions& options) {
+  FileDecision out;
+  out.decision = decide_patches(*patches.complex, options, &out.forest);
+  return out;
+}
+
+FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& wanted) {
+  PatchDecisionOptions options = with_outer_sides(patches, wanted.search);
+  options.in_plain_frame = wanted.frame == FrameWanted::kPlain;
+  FileDecision fitted = decide_in_frame(patches, options);
+  if (wanted.frame != FrameWanted::kPlainIfCheap || !fitted.decision.is_valid ||
+      fitted.forest->frame().is_plain() || !may_have_octree(*patches.complex))
+    return fitted;
+  options.in_plain_frame = true;
+  options.cover.max_boxes = kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes);
+  FileDecision plain = decide_in_frame(patches, options);
+  return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
+}
+
+// Those whose normals point the wrong way, ascending: it takes winding numbers to see them.
+std::vector<std::uint32_t> wrong_shells(const ShellWalks& walks) {
+  if (walks.walks.empty() || !walks.missing.empty()) return {};
+  return shells_to_turn(walks);
+}
+
+// Each entity lies in one shell.
+void turn(FilePatches& patches, const std::vector<std::uint32_t>& shells) {
+  std::vector<Patch> turned(patches.complex->patches().begin(), patches.complex->patches().end());
+  for (std::size_t e = 0; e < patches.entities.size(); ++e) {
+    StarBoxEntity& entity = patches.entities[e];
+    const std::size_t first = entity.first_patch, last = end_of(patches, e);
+    if (first == last) continue;
+    const std::uint32_t shell = patches.complex->shell(entity.first_patch);
+    if (!std::binary_search(shells.begin(), shells.end(), shell)) continue;
+    entity.is_reversed = !entity.is_reversed;
+    for (std::size_t p = first; p < last; ++p) turned[p] = reversed(turned[p]);
+  }
+  patches.complex =
+      std::make_unique<PatchComplex>(make_patch_complex(std::move(turned)).value());
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> FilePatches::reversed() const {
+  std::vector<std::uint64_t> out;
+  for (std::size_t e = 0; e < entities.size(); ++e)
+    if (entities[e].is_reversed) out.push_back(e);
+  return out;
+}
+
+Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation) {
+  Result<PatchSource> source = patch_source(model);
+  if (!source) return source.error();
+  FilePatches out;
+  if (!source->foreign.empty()) {
+    out.not_covered.emplace();
+    out.not_covered->code = "not-covered";
+    out.not_covered->place.parts.push_back({*source->foreign.front().place.entity, {}, {}});
+    out.not_covered->message = "patches are surfaces and triangles in space; this file has " +
+                               to_string(source->foreign.front());
+    return out;
+  }
+  if (source->patches.empty())
+    return Error{Code::kEmpty, {}, "there is no surface and no triangle in this file"};
+  for (std::size_t e = 0; e < source->entities.size(); ++e) {
+    const auto* const surface = std::get_if<ExactSurface>(&model.entities[e].shape);
+    out.is_torn = out.is_torn || (surface != nullptr && has_torn_knot(*surface));
+    out.entities.push_back({surface != nullptr, false,
+                            static_cast<std::uint32_t>(source->entities[e].first_patch),
+                            std::move(source->entities[e].breaks)});
+  }
+  Result<PatchComplex> complex = make_patch_complex(std::move(source->patches), orientation);
+  if (!complex) return complex.error();
+  out.complex = std::make_unique<PatchComplex>(std::move(*complex));
+  note_reversed(out);
+  return out;
+}
+
+FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions& options) {
+  VT_CHECK(patches.complex != nullptr, "a file without patches is not decided");
+  FileDecision out = decide_once(patches, options);
+  if (!options.may_turn_shells || patches.mixed_entity) return out;
+  const std::vector<std::uint32_t> shells = wrong_shells(out.decision.walks);
+  if (shells.empty()) return out;
+  out = {};  // its forest refers to the complex
+  turn(patches, shells);
+  return decide_once(patches, options);
+}
+
+certificate::Subject subject_of(const SplineFile& file, const std::string& tool) {
+  certificate::Subject out;
+  out.sha256 = file.sha256;
+  out.bytes = file.bytes;
+  out.format = spline_format_name(file.format);
+  out.tool = tool;
+  return out;
+}
+
+certificate::Bytes make_patch_certificate(const FilePatches& patches, const FileDecision& decided,
+                                          const certificate::Subject& subject) {
+  return make_patch_certificate(*patches.complex, decided.forest, decided.decision,
+                                patches.entities, subject);
+}
+
+}  // namespace veritope

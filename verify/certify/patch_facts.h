@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/patch_facts.h: what certify says of a model of patches beside its verdict.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interval/interval.h"
+#include "verify/certify/patch_collar.h"
+#include "verify/certify/patch_decision.h"
+
+namespace veritope {
+
+/// The coarsest collar that was found around the surface, or why none was.
+struct CollarFacts {
+  std::optional<Finding> open;  ///< iff none was found
+  std::uint64_t cells = 0;
+  /// The edge of a cell of level l is 2^-l of the root's edge; lengths are in the model's units.
+  unsigned coarsest_level = 0, finest_level = 0;
+  double longest_edge = 0, shortest_edge = 0;
+};
+/// `forest` is the one that was searched.
+CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest);
+
+struct PatchFacts {
+  std::uint64_t patches = 0, edges = 0, vertices = 0, shells = 0;  ///< 0 patches: none were made
+  std::vector<std::uint64_t> reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
+  std::uint64_t boxes_tried = 0;
+  // Of a valid model; otherwise 0, or nothing.
+  std::uint64_t bodies = 0, genus = 0, boxes = 0;
+  std::vector<PatchShellFacts> shell_facts;
+  std::optional<Interval> volume;     ///< an enclosure, not part of the certificate
+  std::optional<CollarFacts> collar;  ///< if it was asked for
+};
+
+}  // namespace veritope

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/refutation_finding.h: what a refutation says of a model, in the file's entities, parameters and units.
+#pragma once
+#include <vector>
+
+#include "robust/finding.h"
+#include "verify/certify/certificate_entities.h"
+#include "verify/certify/patch_decision.h"
+
+namespace veritope {
+
+/// Codes: "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned". The place has the parts of entities;
+/// a point near it; of a crossing a box that contains the common point; of a turned shell its number.
+/// REQUIRES the entities of the complex in order.
+Finding finding_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,
+                   const PatchRefutation& refutation);
+
+}  // namespace veritope

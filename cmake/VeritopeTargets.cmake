@@ -3,25 +3,25 @@ set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_D
 file(STRINGS "${PROJECT_SOURCE_DIR}/docs/layers.txt" rows REGEX "^[a-z]")
 list(TRANSFORM rows REPLACE " *\\|.*" "" OUTPUT_VARIABLE VERITOPE_ROOMS)
 
-# The standard headers that most units of the layers include, compiled once: parsing them takes about a third of a unit's time.
-# None of our headers is among them, so no edit of ours compiles them again. A precompiled header can hide a missing include in
-# a .cc file: the presets debug, fuzz and coverage build without it.
+# The standard headers that most units of the layers include, compiled once: parsing them takes about a third of a
+# unit's time. None of our headers is among them, so no edit of ours compiles them again. A precompiled header can hide
+# a missing include in a .cc file: the presets debug, fuzz and coverage build without it.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/veritope_pch.cc" CONTENT "")
 add_library(veritope_pch OBJECT "${PROJECT_BINARY_DIR}/veritope_pch.cc")
 target_compile_features(veritope_pch PUBLIC cxx_std_20)
 target_link_libraries(veritope_pch PRIVATE veritope_flags)
-set(VERITOPE_PRECOMPILED <algorithm> <array> <bit> <cmath> <cstddef> <cstdint> <functional> <limits> <map> <memory> <numeric>
-                         <optional> <span> <string> <string_view> <utility> <variant> <vector>)
+set(VERITOPE_PRECOMPILED <algorithm> <array> <bit> <cmath> <cstddef> <cstdint> <functional> <limits> <map> <memory>
+                         <numeric> <optional> <span> <string> <string_view> <utility> <variant> <vector>)
 target_precompile_headers(veritope_pch PRIVATE ${VERITOPE_PRECOMPILED})
 
-# veritope_file_options(FLAGS FILE...): gives files of the current folder FLAGS besides those of the layer. A precompiled header is
-# valid for one set of flags only, so these files do without it.
+# veritope_file_options(FLAGS FILE...): gives files of the current folder FLAGS besides those of the layer. A
+# precompiled header is valid for one set of flags only, so these files do without it.
 function(veritope_file_options flags)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}" SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
-# veritope_layer(NAME FOLDER LINK...): one library a row of docs/layers.txt, from the .cc files that belong to its folder. LINK
-# names the layers that the row allows, so that the linker knows the same arrows as the test.
+# veritope_layer(NAME FOLDER LINK...): one library a row of docs/layers.txt, from the .cc files that belong to its
+# folder. LINK names the layers that the row allows, so that the linker knows the same arrows as the test.
 function(veritope_layer name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.cc")
   foreach(room IN LISTS VERITOPE_ROOMS)

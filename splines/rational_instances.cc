@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/rational_instances.cc: the exact algebra that most units above use, compiled here only. Each header declares its
-// instances as extern; the list below must name the same ones, or a program that uses one does not link.
+// splines/rational_instances.cc: the exact algebra that most units above use, compiled here only. Each header declares
+// its instances as extern; the list below must name the same ones, or a program that uses one does not link.
 #include "splines/bezier_degree.h"
 #include "splines/bezier_product.h"
 #include "splines/bspline_pieces.h"

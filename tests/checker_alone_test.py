@@ -21,6 +21,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CHECKER = ROOT / "verify" / "checker"
 COMPILERS = [name for name in ("g++", "clang++", "clang++-14") if shutil.which(name)]
+STRICT = ("-std=c++11", "-pedantic-errors", "-Wall", "-Wextra", "-Werror")
 MOST_LINES_OF_A_FILE, MOST_COMMON_LINES = 300, 600
 PARTS = ("common", "mesh", "patches", "collar")  # the folders; what lies beside them serves every claim, as common does
 LANGUAGES = {"C++": (".h", ".cc"), "Python": (".py",)}
@@ -66,8 +67,12 @@ class CheckerBuilds(Alone):
         for compiler in COMPILERS:
             # Two at a time, then as one program: what `g++ -std=c++11 *.cc` does.
             def compiled(source):
+<<<<<<< ours
                 return self.run_here(compiler, "-std=c++11", "-pedantic-errors", "-Wall", "-Wextra", "-Werror", "-c", source,
                                      "-o", source.replace(".cc", ".o"))
+=======
+                return self.run_here(compiler, *STRICT, "-c", source)
+>>>>>>> theirs
 
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
                 for source, build in zip(sources, pool.map(compiled, sources)):

@@ -106,7 +106,8 @@ class Packages(unittest.TestCase):
             self.assertEqual(ran, labels)
 
     def test_wrong_usage_is_exit_2(self):
-        for arguments in (["nonsense"], ["demo", "x"], ["test", "all"], ["test", "quick", "full"], ["bench", "a", "b"], ["fuzz", "a", "b", "c"], ["fuzz", "a", "soon"]):
+        for arguments in (["nonsense"], ["demo", "x"], ["test", "all"], ["test", "quick", "full"], ["bench", "a", "b"],
+                          ["fuzz", "a", "b", "c"], ["fuzz", "a", "soon"]):
             status, error, calls = self.dev(*arguments)
             self.assertEqual((status, calls), (2, []), arguments)
             self.assertIn("./dev demo", error)

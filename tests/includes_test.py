@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Every file of the layers and of the program includes the standard headers whose names it uses. The builds compile with a precompiled
-header that has them all (cmake/VeritopeTargets.cmake), so no compiler would report one that is missing. A file may get a header through
-one of our headers that it includes. infra_headers_alone compiles each header for itself; this test finds the usual mistake in seconds,
-and in .cc files, too."""
+"""Every file of the layers and of the program includes the standard headers whose names it uses. The builds compile
+with a precompiled header that has them all (cmake/VeritopeTargets.cmake), so no compiler would report one that is
+missing. A file may get a header through one of our headers that it includes. infra_headers_alone compiles each
+header for itself; this test finds the usual mistake in seconds, and in .cc files, too."""
 import functools
 import pathlib
 import re
@@ -12,25 +12,29 @@ import unittest
 from infra import comments
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify/format", "verify/certify",
-           "verify/checker", "render", "named_predicates", "cli", "interop")
+FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify/format",
+           "verify/certify", "verify/checker", "render", "named_predicates", "cli", "interop")
 
 # Names of std:: by the header that the standard puts them in.
 NAMES = {
-    "algorithm": """adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal equal_range fill fill_n find
-        find_if find_if_not generate includes inplace_merge is_permutation is_sorted lexicographical_compare lower_bound max max_element merge
-        min min_element minmax minmax_element mismatch next_permutation none_of nth_element partial_sort partition partition_point prev_permutation
-        remove remove_if replace reverse reverse_copy rotate search set_difference set_intersection set_union shuffle sort stable_sort
-        swap_ranges transform unique upper_bound""",
+    "algorithm": """adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal equal_range fill
+        fill_n find find_if find_if_not generate includes inplace_merge is_permutation is_sorted
+        lexicographical_compare lower_bound max max_element merge min min_element minmax minmax_element mismatch
+        next_permutation none_of nth_element partial_sort partition partition_point prev_permutation remove
+        remove_if replace reverse reverse_copy rotate search set_difference set_intersection set_union shuffle sort
+        stable_sort swap_ranges transform unique upper_bound""",
     "array": "array to_array",
-    "bit": "bit_cast bit_ceil bit_floor bit_width countl_one countl_zero countr_one countr_zero endian has_single_bit popcount rotl rotr",
-    "cmath": """atan2 cbrt ceil copysign cos exp exp2 fabs floor fma fmax fmin fmod fpclassify frexp hypot ilogb isfinite isinf isnan ldexp log
-        log10 log2 logb lround modf nearbyint nextafter pow remainder rint round scalbn signbit sin sqrt tan trunc""",
-    "functional": "bind cref function greater hash invoke less mem_fn minus multiplies not_fn plus ref reference_wrapper",
+    "bit": """bit_cast bit_ceil bit_floor bit_width countl_one countl_zero countr_one countr_zero endian has_single_bit
+        popcount rotl rotr""",
+    "cmath": """atan2 cbrt ceil copysign cos exp exp2 fabs floor fma fmax fmin fmod fpclassify frexp hypot ilogb isfinite
+        isinf isnan ldexp log log10 log2 logb lround modf nearbyint nextafter pow remainder rint round scalbn
+        signbit sin sqrt tan trunc""",
+    "functional": """bind cref function greater hash invoke less mem_fn minus multiplies not_fn plus ref reference_wrapper""",
     "limits": "numeric_limits",
     "map": "map multimap",
     "memory": "addressof allocator enable_shared_from_this make_shared make_unique shared_ptr unique_ptr weak_ptr",
-    "numeric": "accumulate adjacent_difference exclusive_scan gcd inclusive_scan inner_product iota lcm midpoint partial_sum reduce",
+    "numeric": """accumulate adjacent_difference exclusive_scan gcd inclusive_scan inner_product iota lcm midpoint partial_sum
+        reduce""",
     "optional": "make_optional nullopt optional",
     "span": "as_bytes as_writable_bytes span",
     "string": "basic_string getline stod stoi stol stoul stoull string to_string u8string",
@@ -39,7 +43,7 @@ NAMES = {
     "vector": "vector",
 }
 # What another header gives as well, by the standard or in every library there is.
-ALSO = {"hash": {"string", "memory", "optional"}, "copy": {"cstring"}, "remove": {"cstdio"}, "string_view": {"string"}, "abs": {"cstdlib"}}
+ALSO = {"hash": {"string", "memory", "optional"}, "remove": {"cstdio"}, "string_view": {"string"}}
 HEADER_OF = {name: header for header, names in NAMES.items() for name in names.split()}
 USE = re.compile(r"\bstd::(\w+)")
 INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)')
@@ -88,7 +92,8 @@ def missing(path):
 
 class Includes(unittest.TestCase):
     def test_every_file_includes_what_it_uses(self):
-        files = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".h", ".cc")]
+        paths = (path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*")))
+        files = [path for path in paths if path.suffix in (".h", ".cc")]
         self.assertGreater(len(files), 600)
         for path in files:
             with self.subTest(path=str(path.relative_to(ROOT))):

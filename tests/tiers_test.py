@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The tiers quick, standard and full lose no test: each ctest entry has one of the labels and a time limit; the cases that
-tests/standard_cases.txt moves to standard exist; a Python file that is split by class is registered with all of its classes.
+"""The tiers quick, standard and full lose no test: each ctest entry has one of the labels and a time limit; the cases
+that tests/standard_cases.txt moves to standard exist; a Python file that is split by class is registered with all
+of its classes.
 
 usage: tiers_test.py CTEST BUILD_FOLDER
 """
@@ -18,9 +19,12 @@ LIMITS = {"quick": 600, "standard": 1800, "full": 6000}
 CTEST = BUILD = None
 
 
+def output_of(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
 def entries():
-    text = subprocess.run([CTEST, "--test-dir", BUILD, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
-    return json.loads(text)["tests"]
+    return json.loads(output_of(CTEST, "--test-dir", BUILD, "--show-only=json-v1"))["tests"]
 
 
 def property_of(entry, name):
@@ -30,7 +34,7 @@ def property_of(entry, name):
 def cases_of(program):
     """{Suite.Case} of a GoogleTest program."""
     out, suite = set(), ""
-    for line in subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout.splitlines():
+    for line in output_of(program, "--gtest_list_tests").splitlines():
         name = line.split("#")[0].strip()
         if line.startswith(" "):
             out.add(suite + name)
@@ -42,7 +46,8 @@ def cases_of(program):
 def test_classes(script):
     """Names of the script's classes that hold tests."""
     classes = [node for node in ast.parse(script.read_text()).body if isinstance(node, ast.ClassDef)]
-    return {node.name for node in classes if any(isinstance(f, ast.FunctionDef) and f.name.startswith("test") for f in node.body)}
+    return {node.name for node in classes
+            if any(isinstance(f, ast.FunctionDef) and f.name.startswith("test") for f in node.body)}
 
 
 class Tiers(unittest.TestCase):
@@ -59,14 +64,16 @@ class Tiers(unittest.TestCase):
                 self.assertGreaterEqual(property_of(entry, "TIMEOUT"), LIMITS[tiers[0]])
 
     def test_the_standard_cases_exist_and_run_as_standard(self):
-        rows = [line.split() for line in (ROOT / "tests" / "standard_cases.txt").read_text().splitlines() if line and line[0] != "#"]
+        lines = (ROOT / "tests" / "standard_cases.txt").read_text().splitlines()
+        rows = [line.split() for line in lines if line and line[0] != "#"]
         wanted = collections.defaultdict(set)
         for binary, case in rows:
             wanted[binary].add(case)
         for binary, cases in wanted.items():
             runs = [entry for entry in self.entries if pathlib.Path(entry["command"][0]).name == binary]
             self.assertEqual(cases - cases_of(runs[0]["command"][0]), set(), binary)
-            filters = {label: {entry["command"][1] for entry in runs if label in property_of(entry, "LABELS")} for label in LIMITS}
+            filters = {label: {entry["command"][1] for entry in runs if label in property_of(entry, "LABELS")}
+                       for label in LIMITS}
             (quick,), (standard,) = filters["quick"], filters["standard"]
             self.assertEqual(set(quick.removeprefix("--gtest_filter=-").split(":")), cases)
             self.assertEqual(set(standard.removeprefix("--gtest_filter=").split(":")), cases)

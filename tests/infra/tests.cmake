@@ -23,5 +23,6 @@ set_tests_properties(infra_headers_alone PROPERTIES PROCESSORS 2)
 veritope_infra_test(claims_table quick claims_table_test.py "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 if(NOT VERITOPE_SANITIZE AND NOT VERITOPE_COVERAGE)
   # An instrumented library would need the same flags in the consumer.
-  veritope_infra_test(install standard install/install_test.py "${PROJECT_BINARY_DIR}" "${CMAKE_COMMAND}" "${CMAKE_CXX_COMPILER}")
+  veritope_infra_test(install standard install/install_test.py "${PROJECT_BINARY_DIR}" "${CMAKE_COMMAND}"
+                      "${CMAKE_CXX_COMPILER}")
 endif()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Every header of the tree, installed or not, compiles alone: it includes all that it needs. No precompiled header takes part. (Those of
-bench/ are left out: they need the libraries that are compared there.)
+"""Every header of the tree, installed or not, compiles alone: it includes all that it needs. No precompiled header
+takes part. (Those of bench/ are left out: they need the libraries that are compared there.)
 
 usage: headers_test.py CXX_COMPILER
 """
@@ -13,8 +13,8 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify", "render", "named_predicates", "cli",
-           "interop", "fuzz", "tests")
+FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify", "render",
+           "named_predicates", "cli", "interop", "fuzz", "tests")
 FLAGS = ["-fsyntax-only", "-Wall", "-Wextra", "-Wno-unused-parameter", "-Werror", "-ffp-contract=off", f"-I{ROOT}"]
 INTEROP_FLAGS = ["-isystem", "/usr/include/eigen3", "-frounding-math"]  # where Debian puts Eigen; what CGAL asks for
 COMPILER = "c++"

@@ -74,8 +74,8 @@ class Installation(unittest.TestCase):
         self.assert_consumer_works(program)
 
     def test_the_installed_headers_compile_and_include_installed_headers_only(self):
-        """tests/install/headers_test.py compiles each header of the tree alone; an installed one then does, too, if all that it includes
-        is there."""
+        """tests/install/headers_test.py compiles each header of the tree alone. An installed one then compiles alone, too,
+        if all that it includes is there."""
         headers = sorted(path.relative_to(self.include) for path in self.include.rglob("*") if path.is_file())
         self.assertIn(pathlib.Path("predicates/orient3d.h"), headers)
         for header in headers:
@@ -84,8 +84,10 @@ class Installation(unittest.TestCase):
         cflags = self.pkg_config("--cflags")
         for place, more in (("", []), ("interop", INTEROP_FLAGS)):
             source = self.folder / f"all_headers_{place}.cc"
-            source.write_text("".join(f'#include "{header}"\n' for header in headers if header.is_relative_to("interop") == bool(place)))
-            self.succeed(self.COMPILER, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *cflags, *more, source)
+            wanted = [header for header in headers if header.is_relative_to("interop") == bool(place)]
+            source.write_text("".join(f'#include "{header}"\n' for header in wanted))
+            flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *cflags, *more]
+            self.succeed(self.COMPILER, *flags, source)
 
     def test_the_programs_of_the_interop_page_print_what_it_shows(self):
         pairs = re.findall(r"(?ms)^```cpp\n(.*?)^```\n```text\n(.*?)^```", INTEROP_PAGE.read_text())

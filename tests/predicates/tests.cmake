@@ -22,6 +22,7 @@ if(VERITOPE_SANITIZE OR VERITOPE_COVERAGE OR VERITOPE_AUDIT)
   # An instrumented library would need the same flags in what the test compiles.
   veritope_generated_test(generator standard generator_test.py)
 else()
-  veritope_generated_test(generator standard generator_test.py "${CMAKE_CXX_COMPILER}" $<TARGET_FILE:veritope_predicates>
+  veritope_generated_test(generator standard generator_test.py "${CMAKE_CXX_COMPILER}"
+                          $<TARGET_FILE:veritope_predicates>
                           $<TARGET_FILE:veritope_interval> $<TARGET_FILE:veritope_robust> $<TARGET_FILE:veritope_base>)
 endif()

@@ -13,7 +13,7 @@
 
 namespace veritope {
 
-/// The derivative along `axis`. Polynomial: of one degree less along it (of degree 0 from degree 0).
+/// The derivative along `axis`. Polynomial: of a degree lower by one along it (of degree 0 from degree 0).
 /// Rational: (w P' - w' P) / w^2, of twice the degrees, the weight squared.
 template <Ring R, std::size_t N>
 Bezier<R, N> derivative(const Bezier<R, N>& map, std::size_t axis) {

@@ -49,7 +49,7 @@ Bezier<R, N> quotient(const Bezier<R, N>& numerators, const Bezier<R, N>& weight
   VT_CHECK(weight.num_components() == 1, "a rational map has one weight");
   return joined(numerators, weight, true);
 }
-/// The same map in homogeneous form: with the weight 1 if it is polynomial.
+/// Converts the map to homogeneous form: with the weight 1 if it is polynomial.
 template <Ring R, std::size_t N>
 Bezier<R, N> to_rational(const Bezier<R, N>& map) {
   return map.is_rational() ? map : quotient(map, weight(map));

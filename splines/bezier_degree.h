@@ -14,7 +14,7 @@
 
 namespace veritope {
 
-/// The same map with the degree along `axis` raised by `by`. Each new coefficient is a convex combination of old ones.
+/// Raises the degree along `axis` by `by`; the map stays the same. Each new coefficient is a convex combination of old ones.
 /// REQUIRES by >= 0.  @cost (degree + 1)(by + 1) products a line.  @source [FR88]
 template <Ring R, std::size_t N>
 Bezier<R, N> elevate(const Bezier<R, N>& map, std::size_t axis, int by) {
@@ -35,7 +35,7 @@ Bezier<R, N> elevate(const Bezier<R, N>& map, std::size_t axis, int by) {
           })};
 }
 
-/// The same map with the given degrees. REQUIRES none below the map's.
+/// Raises the degrees to the given ones; the map stays the same. REQUIRES none below the map's.
 template <Ring R, std::size_t N>
 Bezier<R, N> elevate_to(Bezier<R, N> map, const std::array<int, N>& degrees) {
   for (std::size_t axis = 0; axis < N; ++axis)

@@ -152,7 +152,7 @@ BSpline<R, N> elevate_once(const BSpline<R, N>& map, std::size_t axis) {
 
 }  // namespace internal
 
-/// The same map with the degree along `axis` raised by `by`. Every knot of the domain occurs `by` times more, so that the map
+/// Raises the degree along `axis` by `by`; the map stays the same. Every knot of the domain occurs `by` times more, so that the map
 /// is as smooth there as before; of the knots outside of it those are left that the degree needs. A clamped axis stays clamped, a
 /// periodic one periodic. Each new control point is a convex combination of old ones.
 /// REQUIRES degree >= 1, by >= 0.

@@ -17,7 +17,7 @@
 namespace veritope {
 namespace internal {
 
-/// Control points i = factors[i] (from[index[i]] - from[index[i] - 1]), of a degree less.
+/// Control points i = factors[i] (from[index[i]] - from[index[i] - 1]), of a degree lower by one.
 /// Over an empty span, between the two values of a jump, there is no difference: its knot becomes one less.
 template <typename Knot>
 struct DerivativeAxis {
@@ -38,7 +38,7 @@ struct DerivativeAxis {
     }
   }
 
-  /// Of the derivative along a periodic axis, extended, what is stored.
+  /// Cuts the extended derivative along a periodic axis down to the stored part.
   void cut_like(const KnotAxis<Knot>& periodic) {
     const PeriodCut cut(axis.knots, static_cast<std::size_t>(axis.degree), periodic);
     axis.knots.assign(axis.knots.begin() + static_cast<std::ptrdiff_t>(cut.first),
@@ -110,7 +110,7 @@ BSpline<R, N> quotient_derivative(const BSpline<R, N>& map, std::size_t axis) {
 }  // namespace internal
 
 /// The derivative along `axis`; at a knot inside the domain where it jumps, that from the right.
-/// Polynomial: of one degree less along the axis, with the same knots but the first and the last, periodic if the map is. From degree 1,
+/// Polynomial: of a degree lower by one along the axis, with the same knots but the first and the last, periodic if the map is. From degree 1,
 /// a piecewise constant map of degree 0, which has no derivative itself.
 /// Rational: (w P' - w' P) / w^2, rational, of twice the degrees along all axes, clamped; the knots as often as its
 /// smoothness needs, its weight w^2.

@@ -80,7 +80,7 @@ Result<BSpline<R, N>> restricted(const BSpline<R, N>& map,
     part = restricted(part.value(), axis, a[axis], b[axis]);
   return part;
 }
-/// The same map, clamped at both ends of an axis; knots outside of the domain are gone.
+/// Clamps the map at both ends of an axis; knots outside of the domain are gone.
 template <Ring R, std::size_t N>
 BSpline<R, N> clamped(const BSpline<R, N>& map, std::size_t axis) {
   return internal::clamped_part(map, axis, map.axis(axis).domain_begin(),

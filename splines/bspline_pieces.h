@@ -19,7 +19,7 @@
 
 namespace veritope {
 
-/// The same map as a B-spline without inner knots, moved from [0,1]^N to the box from `begin` to `end`.
+/// Converts the map to a B-spline without inner knots, moved from [0,1]^N to the box from `begin` to `end`.
 /// REQUIRES begin < end in every axis.
 template <Ring R, std::size_t N>
 BSpline<R, N> to_bspline(const Bezier<R, N>& map,
@@ -78,7 +78,7 @@ BSpline<R, N> joined(const BezierPieces<R, N>& in) {
 namespace internal {
 
 /// The map on an axis with fewer knots, by blossoms at its knots; each from the middle one of the spans where the control point
-/// counts. The same map iff it has such a form. REQUIRES a clamped axis of the same degree and domain, its knots among those of the map.
+/// counts. Equal to `map` iff the map has such a form. REQUIRES a clamped axis of the same degree and domain, its knots among those of the map.
 /// @cost degree^2 / 2 quotients a control point, and degree products for each line
 template <Ring R, std::size_t N>
 BSpline<R, N> with_fewer_knots(const BSpline<R, N>& map, std::size_t axis,
@@ -125,7 +125,7 @@ KnotAxis<Knot> clamped_axis(int degree, const std::vector<Knot>& breaks,
 
 }  // namespace internal
 
-/// The same map without some of its knots.
+/// Removes some knots; the map stays the same.
 /// @error kBadArgument for a knot that the axis does not have, or not strictly inside of the domain; kLossy if no map with the
 ///        other knots is the same.
 template <std::size_t N>

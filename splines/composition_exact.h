@@ -30,7 +30,7 @@ struct ScaledBezier {
 
 /// Integers longer than this are computed as such, not by remainders: 512 primes.
 inline constexpr std::uint64_t kMaxRemainderBits = 31000;
-/// Of all coefficients together: 1 GiB.
+/// All coefficients together: 1 GiB.
 inline constexpr std::uint64_t kMaxExactBits = std::uint64_t{1} << 33;
 
 /// outer(inner(x)) exactly: to_rational() is what compose() over Rational says, bit for bit. All finite doubles are taken. Time grows

@@ -18,7 +18,7 @@ class ControlNet {
   /// The weight included.
   int num_components() const { return num_components_; }
   bool is_rational() const { return is_rational_; }
-  /// Of the points: without the weight.
+  /// The dimension of the points, without the weight.
   int dimension() const { return num_components_ - (is_rational_ ? 1 : 0); }
   std::span<const R> coefficients() const { return coefficients_; }
   std::span<R> coefficients() { return coefficients_; }

@@ -19,10 +19,10 @@ Result<Bezier<double, N>> nearest_double(const Bezier<Rational, N>& map);
 template <std::size_t N>
 Result<BSpline<double, N>> nearest_double(const BSpline<Rational, N>& map);
 
-/// The same numbers. @error kNotFinite, with the coefficient, if one is no number.
+/// Keeps the numbers. @error kNotFinite, with the coefficient, if one is no number.
 template <std::size_t N>
 Result<Bezier<Rational, N>> exact(const Bezier<double, N>& map);
-/// The same numbers, accepted by make_bspline. @error kNotFinite, with the coefficient or knot; what make_bspline refuses.
+/// Keeps the numbers; make_bspline accepts them. @error kNotFinite, with the coefficient or knot; what make_bspline refuses.
 template <std::size_t N>
 Result<BSpline<Rational, N>> exact(const BSpline<double, N>& map);
 

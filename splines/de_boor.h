@@ -84,7 +84,7 @@ Result<std::vector<R>> point(const BSpline<R, N>& map,
   if (!values || !map.is_rational()) return values;
   return internal::divided_by_weight(std::move(values).value());
 }
-/// Of a Bezier map, anywhere. REQUIRES that the weight is not 0 there.
+/// The point of a Bezier map at any parameter. REQUIRES that the weight is not 0 there.
 template <Ring R, std::size_t N>
 std::vector<R> point(const Bezier<R, N>& map, const std::array<R, N>& at) {
   auto values = evaluate(map, at);

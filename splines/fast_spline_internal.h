@@ -7,7 +7,7 @@
 
 namespace veritope::internal {
 
-/// Of rational maps, where the bound is made of the value (docs/bounds/fast_spline.md, 6).
+/// For rational maps, where the bound is made of the value (docs/bounds/fast_spline.md, 6).
 inline constexpr double kFastQuotientRel = 0x1p-52, kFastQuotientSlack = 0x1.00000000001p0,
                         kFastQuotientFloor = 0x1p-1000;
 

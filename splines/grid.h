@@ -18,7 +18,7 @@ struct Grid {
     for (const std::size_t s : size) product *= s;
     return product;
   }
-  /// The same, or nothing if it is over the limit; no overflow on the way: for sizes that a file claims.
+  /// count(), or nothing if it is over the limit; no overflow on the way: for sizes that a file claims.
   std::optional<std::size_t> count_up_to(std::size_t limit) const {
     if (std::find(size.begin(), size.end(), std::size_t{0}) != size.end()) return 0;
     std::size_t product = 1;

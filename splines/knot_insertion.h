@@ -97,7 +97,7 @@ class Refinement {
 
 }  // namespace internal
 
-/// The same map with more knots on an axis. A periodic axis becomes an unclamped one. Each new control point is a convex
+/// Inserts knots on an axis; the map stays the same. A periodic axis becomes an unclamped one. Each new control point is a convex
 /// combination of old ones. REQUIRES knots in the domain, not decreasing, of which none becomes more than degree + 1 times one.
 /// @cost degree blends an inserted knot, and one copy a control point, for each line
 template <Ring R, std::size_t N>

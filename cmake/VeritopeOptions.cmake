@@ -51,15 +51,8 @@ add_library(veritope_flags INTERFACE)
 target_compile_options(veritope_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic
                        -Wno-unused-parameter $<$<BOOL:${VERITOPE_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-<<<<<<< ours
-  # False alarms of GCC 12: sums of a literal and a std::string "overlap" or "overflow" (its bug 105651), a moved-from Error is
-  # "uninitialized" once it is inlined into a variant. clang and the sanitizers look for these mistakes.
-  target_compile_options(veritope_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds
-                         -Wno-maybe-uninitialized)
-=======
   # False alarms of GCC 12: sums of a literal and a std::string "overlap" or "overflow" (its bug 105651), a moved-from
   # Error is "uninitialized" once it is inlined into a variant. clang and the sanitizers look for these mistakes.
   target_compile_options(veritope_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
                          -Wno-array-bounds -Wno-maybe-uninitialized)
->>>>>>> theirs
 endif()

@@ -67,12 +67,7 @@ class CheckerBuilds(Alone):
         for compiler in COMPILERS:
             # Two at a time, then as one program: what `g++ -std=c++11 *.cc` does.
             def compiled(source):
-<<<<<<< ours
-                return self.run_here(compiler, "-std=c++11", "-pedantic-errors", "-Wall", "-Wextra", "-Werror", "-c", source,
-                                     "-o", source.replace(".cc", ".o"))
-=======
-                return self.run_here(compiler, *STRICT, "-c", source)
->>>>>>> theirs
+                return self.run_here(compiler, *STRICT, "-c", source, "-o", source.replace(".cc", ".o"))
 
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
                 for source, build in zip(sources, pool.map(compiled, sources)):

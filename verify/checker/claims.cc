@@ -2,6 +2,8 @@
 // claims.cc: the table of claims. tests/claims_table_test.py compares it with the Python checker's.
 #include "claims.h"
 
+#include <algorithm>
+
 #include "collar/collar_claim.h"
 #include "mesh/mesh_claims.h"
 #include "patches/patch_claims.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // verify/format/entities_of_body_internal.h: the entities with which bodies about patches begin. Internal to verify/format.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 

@@ -278,22 +278,22 @@ SplineFile ItdReader::take() {
   for (const SplineEntity& e : model_.entities)
     for (auto g = e.group; g && !is_used[*g]; g = model_.groups[*g].parent) is_used[*g] = true;
   std::vector<std::size_t> renamed(model_.groups.size());
-  SplineFile file;
+  SplineModel model;
   for (std::size_t g = 0; g < model_.groups.size(); ++g) {
     if (!is_used[g]) {
       leave_out("groups without splines", "", false);
       continue;
     }
-    renamed[g] = file.model.groups.size();
+    renamed[g] = model.groups.size();
     SplineGroup& group = model_.groups[g];
     if (group.parent) group.parent = renamed[*group.parent];
-    file.model.groups.push_back(std::move(group));
+    model.groups.push_back(std::move(group));
   }
   for (SplineEntity& e : model_.entities)
     if (e.group) e.group = renamed[*e.group];
-  file.model.entities = std::move(model_.entities);
-  file.left_out = std::move(left_out_);
-  return file;
+  model.entities = std::move(model_.entities);
+  model_ = std::move(model);
+  return ItdSplineReader::take();
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ R inverse_binomial_in(int n, int k) {
 }
 
 namespace internal {
-/// binomial_in<R>(n, k), made once in each thread, for code that asks for the same few very often. REQUIRES 0 <= k <= n.
+/// binomial_in<R>(n, k), made once in each thread, for code that asks for the same few very often. REQUIRES 0 <= k
+/// <= n.
 template <Ring R>
 const R& known_binomial(int n, int k) {
   static thread_local std::vector<std::vector<R>> rows;

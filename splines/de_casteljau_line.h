@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/de_casteljau_line.h: de Casteljau's scheme on one line of Bernstein coefficients, for any numbers and any way to blend two
-// neighbours. Evaluation, subdivision and restriction in all layers call these loops. Design: docs/design/0023-one-toolbox-of-splines.md.
+// splines/de_casteljau_line.h: de Casteljau's scheme on one line of Bernstein coefficients, for any numbers and any
+// way to blend two neighbours. Evaluation, subdivision and restriction in all layers call these loops. Design:
+// docs/design/0023-one-toolbox-of-splines.md.
 #pragma once
 #include <cstddef>
 
@@ -10,8 +11,8 @@ namespace veritope::internal {
 //   into_first(a, b)    a <- blend of a and b
 //   into_second(a, b)   b <- blend of a and b
 
-/// s a + t b. With s = 1 - t the scheme cuts at t. With other s and t, s + t not 0, it cuts at t / (s + t), and the result of n blends one
-/// after the other is (s + t)^n times as large: so do integers without a division.
+/// s a + t b. With s = 1 - t the scheme cuts at t. With other s and t, s + t not 0, it cuts at t / (s + t), and the
+/// result of n blends one after the other is (s + t)^n times as large: so do integers without a division.
 template <typename R>
 struct AffineBlend {
   R s, t;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/restriction.h: a line of Bernstein coefficients restricted to a part [a, b]: which of the two cuts comes first, and where
-// they are. Restrictions in all layers follow this rule. Design: docs/design/0023-one-toolbox-of-splines.md.
+// splines/restriction.h: a line of Bernstein coefficients restricted to a part [a, b]: which of the two cuts comes
+// first, and where they are. Restrictions in all layers follow this rule. Design:
+// docs/design/0023-one-toolbox-of-splines.md.
 #pragma once
 #include <cstddef>
 
@@ -13,8 +14,9 @@ struct OrderOfCuts {
   bool end_first, cuts_begin, cuts_end;
 };
 
-/// The rule: the first cut leaves a part of length 1/2 or more, [0, b] if b >= 1/2 and [a, 1] otherwise. The place of the second cut
-/// is a quotient by that length: no divisor is small, wherever a <= b lie. Knots are exact numbers with an order.
+/// The rule: the first cut leaves a part of length 1/2 or more, [0, b] if b >= 1/2 and [a, 1] otherwise. The place
+/// of the second cut is a quotient by that length: no divisor is small, wherever a <= b lie. Knots are exact numbers
+/// with an order.
 template <typename Knot>
 bool cuts_end_first(const Knot& b) {
   return !(b + b < Knot(1));

@@ -16,8 +16,8 @@ namespace veritope {
 ///   static R ratio(p, q)             p / q of integers, q > 0
 ///   static R fraction(t, a, b)       (t - a) / (b - a) of a parameter t and knots a < b
 ///   static R of_knot(k)              the knot as a number of the ring
-/// exactly, rounded to nearest, or enclosed, as the ring can. Every specialisation is here or in the one header that makes the type a ring
-/// (Interval: interval/ring_numbers.h): two translation units must not see different ones.
+/// exactly, rounded to nearest, or enclosed, as the ring can. Every specialisation is here or in the one header
+/// that makes the type a ring (Interval: interval/ring_numbers.h): two translation units must not see different ones.
 template <typename R>
 struct RingNumbers;
 

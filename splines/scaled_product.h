@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/scaled_product.h: products of polynomials in scaled Bernstein form are convolutions of their coefficients; this is the
-// convolution, for any numbers, and for coefficients on boxes as well as on triangles. Design: docs/design/0023-one-toolbox-of-splines.md.
+// splines/scaled_product.h: products of polynomials in scaled Bernstein form are convolutions of their
+// coefficients; this is the convolution, for any numbers, and for coefficients on boxes as well as on triangles.
+// Design: docs/design/0023-one-toolbox-of-splines.md.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -22,14 +23,15 @@ void add_product(S& sum, const S& a, const S& b) {
   }
 }
 
-/// `size` coefficients one after the other, the first at `first`. Row m of one factor times row n of the other one falls into row
-/// m + n of the product, coefficient i times coefficient j into its coefficient i + j.
+/// `size` coefficients one after the other, the first at `first`. Row m of one factor times row n of the other one
+/// falls into row m + n of the product, coefficient i times coefficient j into its coefficient i + j.
 struct ScaledRow {
   std::size_t number, first, size;
 };
 
-/// Adds the product of two polynomials to `out`, whose row m begins at row_begin(m). The terms of each coefficient are added in the order
-/// of the first factor's coefficients.  @cost a product of numbers for every pair of coefficients
+/// Adds the product of two polynomials to `out`, whose row m begins at row_begin(m). The terms of each coefficient
+/// are added in the order of the first factor's coefficients.  @cost a product of numbers for every pair of
+/// coefficients
 template <typename S, typename RowBegin>
 void add_product_of_rows(const S* a, std::span<const ScaledRow> a_rows, const S* b,
                          std::span<const ScaledRow> b_rows, S* out, RowBegin row_begin) {
@@ -62,7 +64,8 @@ void add_product_on_grids(const S* a, const Grid<N>& a_grid, const S* b, const G
   add_product_of_rows<S>(a, a_rows, b, b_rows, out, [size](std::size_t m) { return m * size; });
 }
 
-/// out += a b for triangles in the order of triangle_index: rows of constant j + k. `out` has the degree a_degree + b_degree.
+/// out += a b for triangles in the order of triangle_index: rows of constant j + k. `out` has the degree a_degree +
+/// b_degree.
 template <typename S>
 void add_product_on_triangles(const S* a, int a_degree, const S* b, int b_degree, S* out) {
   const auto begin = [](std::size_t row) { return row * (row + 1) / 2; };

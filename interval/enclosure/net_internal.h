@@ -60,7 +60,8 @@ struct Cut {
   PartCuts<InsideBlend> cuts;
   bool is_inside;
 
-  // At 1/2 itself both orders are good; here the begin comes first, which keeps the last bits of published intersections.
+  // At 1/2 itself both orders are good; here the begin comes first, which keeps the last bits of published
+  // intersections.
   Cut(const Interval& t0, const Interval& t1)
       : cuts{{cuts_end_first(t1.hi()) && t1.hi() != 0.5, true, true}, {}, {}},
         is_inside(t0.lo() >= 0 && t1.hi() <= 1) {

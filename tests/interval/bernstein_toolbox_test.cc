@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// De Casteljau's scheme, restriction and products of splines/ over Interval and MpInterval: results contain those over the rationals.
+// De Casteljau's scheme, restriction and products of splines/ over Interval and MpInterval: results contain those
+// over the rationals.
 #include <gtest/gtest.h>
 
 #include "interval/enclosure/bernstein_box.h"

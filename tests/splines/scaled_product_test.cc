@@ -90,7 +90,8 @@ TEST(ScaledProduct, OnTrianglesHasTheProductOfTheValues) {
   });
 }
 
-// Doubles: terms are added in the order of the first factor's coefficients, which is what bounds and golden hashes rest on.
+// Doubles: terms are added in the order of the first factor's coefficients, which is what bounds and golden hashes
+// rest on.
 TEST(ScaledProduct, AddsInTheOrderOfTheFirstFactor) {
   const double big = 0x1p60;
   const std::vector<double> a{big, 1, -big}, b{1, 1, 1};

@@ -362,7 +362,7 @@ def main(argv):
             wrong += is_known and killed
             count["equivalent" if is_known and not killed else "killed" if killed else "survived"] += 1
             if options.list or is_known == killed:
-                word = "NOT EQUIVALENT" if is_known and killed else "killed" if killed else "SURVIVED" if m.number in reached else "NOT REACHED"
+                word = "NOT EQUIVALENT" if is_known and killed else "killed" if killed else "equivalent" if is_known else "SURVIVED" if m.number in reached else "NOT REACHED"
                 print("%s %s:%d | %s | %d | %s" % (word, m.file, m.line, m.what, m.place, m.text), flush=True)
     real = count["killed"] + count["survived"]
     for name, value, goal in (("kernel_mutants_" + options.layer, real, 200), ("kernel_mutants_equivalent_" + options.layer, count["equivalent"], None),

@@ -207,6 +207,17 @@ TEST(PieceNetBound, CrossingConstantsFollowFromTheRoundings) {
   expect_slack_pays_for(3 + 1 + 6 + turned.roundings);
 }
 
+// Where all errors add up: p and p_k err by 1 in opposite directions, both coordinates in the worst one.
+TEST(PieceNetBound, CrossingBoundPaysForBothTermsOfBothCoordinates) {
+  const double x = internal::projected(1.0, -1.0, 1.0, 1.0);
+  for (const auto& turn : {std::array<double, 2>{1, 0}, std::array<double, 2>{0.8125, 0.59375},
+                           std::array<double, 2>{-0.375, 0.90625}}) {
+    const double worst = internal::turned(std::abs(turn[0]), std::abs(turn[1]), x, x)[1];
+    EXPECT_GE(internal::crossing_bound(1, 0, 1, turn), worst);
+    EXPECT_LE(internal::crossing_bound(1, 0, 1, turn), worst * (1 + 0x1p-20));
+  }
+}
+
 TEST(PieceNetBound, CrossingUnderflowIsPaidFor) {
   for (const Rational& lost : {bounds::underflow_unit(), bounds::flush_unit()}) {
     // Symbols: 0 the homogeneous coordinates, 1 what is relative to the centre, 2 the direction.

@@ -143,10 +143,9 @@ TEST(Certify, ACollarIsPartOfTheClaimIfOneIsFound) {
   expect_accepted(ball, c);
 
   // Flat: the frame that fits it has other units along z than octrees have, and the plain one would need too many boxes.
-  const Rational one(1), thin = Rational::power_of_two(-60);
-  const Patches flat = affine_image(patch_shapes::sphere(),
-                                    {{{one, 0, 0, 0}, {0, one, 0, 0}, {0, 0, thin, 0}}})
-                           .value();
+  const Rational z, one(1), thin = Rational::power_of_two(-60);
+  const AffineMap flatten = {3, 3, {one, z, z, z, one, z, z, z, thin}, {z, z, z}};
+  const Patches flat = affine_image(patch_shapes::sphere(), flatten).value();
   const Certified without = certify_patches(flat, options);
   EXPECT_EQ(without.verdict, Verdict::kValid);
   EXPECT_EQ(without.claim, "star-box-1");
@@ -156,10 +155,9 @@ TEST(Certify, ACollarIsPartOfTheClaimIfOneIsFound) {
 
 // A model that fits a frame of its own still gets a collar where the plain frame costs little more.
 TEST(Certify, ThePlainFrameIsTriedAgainForACollar) {
-  const Rational one(1), half = Rational::power_of_two(-3);
-  const Patches egg = affine_image(patch_shapes::sphere(),
-                                   {{{one, 0, 0, 0}, {0, one, 0, 0}, {0, 0, half, 0}}})
-                          .value();
+  const Rational z, one(1), eighth = Rational::power_of_two(-3);
+  const AffineMap flatten = {3, 3, {one, z, z, z, one, z, z, z, eighth}, {z, z, z}};
+  const Patches egg = affine_image(patch_shapes::sphere(), flatten).value();
   CertifyOptions options;
   options.with_collar = true;
   EXPECT_EQ(certify_patches(egg, options).claim, "collar-1");

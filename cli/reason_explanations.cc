@@ -114,6 +114,24 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "MFEM, G+Smo and GoTools files, trimmed surfaces, curves beside surfaces, volumes.",
      "veritope convert writes many of these models as .vjson; the message says what is not "
      "covered."},
+    {"no-collar", "no octree collar found",
+     "The model is decided, and --collar found no cells around the surface that form a collar. The "
+     "verdict and its "
+     "certificate stand without one.",
+     "Sheets or edges nearer to each other than the smallest cells allowed, a model far from the "
+     "origin or so flat that "
+     "octrees, which are cubes, would need too many cells.",
+     "The message names the place and what was tried; bring the model near to the origin, or do "
+     "without --collar."},
+    {"data-after-end", "bytes after the declared end",
+     "A notice, not an error: the counts of the file end before its bytes do. The file is read as "
+     "its counts say, which is "
+     "what the certificate speaks about.",
+     "A count that was not updated when facets were added, two files joined into one, an exporter "
+     "that appends data of its own.",
+     "If the message says that the rest is a whole number of facets, the count is probably wrong: "
+     "export the file again, or "
+     "correct the count."},
     {"over-budget", "proof that is too long",
      "A proof was found, but checking it takes more work or memory than every checker of this "
      "certificate may spend. "

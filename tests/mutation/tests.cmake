@@ -10,4 +10,5 @@ endforeach()
 
 # What needs no compiler: every layer has places to mutate, and kernel_equivalent.txt names only such places.
 add_test(NAME kernel_mutants_places COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/mutation/kernel_mutants_test.py")
-set_tests_properties(kernel_mutants_places PROPERTIES LABELS quick TIMEOUT 120 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+veritope_tier(quick kernel_mutants_places)
+set_tests_properties(kernel_mutants_places PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)

@@ -3,7 +3,7 @@
 
 namespace veritope {
 
-Projection projection_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
+AxisProjection projection_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
   for (const int axis : {2, 0, 1}) {
     const Sign3 s = orient2d_filter(drop_axis(a, axis), drop_axis(b, axis), drop_axis(c, axis));
     if (is_certain(s)) return {axis, to_sign(s)};

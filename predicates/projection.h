@@ -15,12 +15,12 @@ constexpr Vec2d drop_axis(const Vec3d& p, int axis) {
 
 /// An axis along which a, b, c are not seen as a line, and how they turn there; sign kZero iff a,
 /// b, c lie on one line in space.
-struct Projection {
+struct AxisProjection {
   int axis;
   Sign sign;  ///< of orient2d of the three projected points
 };
 /// REQUIRES finite coordinates.
-Projection projection_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
+AxisProjection projection_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
 
 /// Do a, b, c lie on one line (or point)? Exact. REQUIRES finite coordinates.
 inline bool collinear(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {

@@ -87,7 +87,7 @@ class InPlane {
   Vec2d see(const Vec3d& v) const { return drop_axis(v, view_.axis); }
   Sign turn(Vec2d a, Vec2d b, Vec2d c) const { return view_.sign * orient2d(a, b, c, tally_); }
 
-  const Projection view_;
+  const AxisProjection view_;
   TierCounts* const tally_;
   const Vec2d p_, q_;
   std::array<Vec2d, 3> t_;

@@ -71,7 +71,7 @@ class PlaneView {
   }
 
  private:
-  const Projection projection_;
+  const AxisProjection projection_;
   TierCounts* const tally_;
 };
 

@@ -92,7 +92,7 @@ Rational area(const Point& a, const Point& b, const Point& c, int axis) {
 }
 
 // t cut with the three half-planes of u.
-std::vector<Point> coplanar(const Corners& t, const Corners& u, const Projection& u_view) {
+std::vector<Point> coplanar(const Corners& t, const Corners& u, const AxisProjection& u_view) {
   std::vector<Point> polygon(t.begin(), t.end());
   for (int e = 0; e < 3; ++e) {
     const Point &a = u[e], &b = u[(e + 1) % 3];
@@ -136,8 +136,8 @@ TriangleWitness triangle_witness(const IndexedTriangle& t, const IndexedTriangle
   VT_CHECK(contact == TriangleContact::kImproper || contact == TriangleContact::kCoplanarOverlap,
            "triangle_witness of a pair that meets properly");
   const Corners a = corners(t), b = corners(u);
-  const Projection t_view = projection_of(t.point[0], t.point[1], t.point[2]);
-  const Projection u_view = projection_of(u.point[0], u.point[1], u.point[2]);
+  const AxisProjection t_view = projection_of(t.point[0], t.point[1], t.point[2]);
+  const AxisProjection u_view = projection_of(u.point[0], u.point[1], u.point[2]);
   std::vector<Point> meet;
   if (contact == TriangleContact::kImproper) {
     meet = transversal(a, b);

@@ -13,17 +13,13 @@ namespace veritope {
 using NormalSigns = std::uint8_t;
 
 struct FacetSigns {
-  std::vector<NormalSigns> signs;         ///< a facet; 0 iff it is degenerate
-  std::vector<std::uint32_t> degenerate;  ///< facets with a repeated id or exactly collinear corners, ascending
+  std::vector<NormalSigns> signs;  ///< a facet; 0 iff it is degenerate
+  std::vector<std::uint32_t>
+      degenerate;  ///< facets with a repeated id or exactly collinear corners, ascending
 };
 
 /// Every facet that is not degenerate gets at least one certain bit. @cost O(F); exact arithmetic only where no component is
 /// certain in floating point.
 FacetSigns facet_signs(const TriangleMesh& mesh, unsigned jobs);
-
-/// The corner without coordinate `axis`, the others in cyclic order: the plane in which component `axis` of a normal is an area.
-inline Vec2d drop_axis(const Vec3d& p, int axis) {
-  return axis == 0 ? Vec2d{p.y, p.z} : (axis == 1 ? Vec2d{p.z, p.x} : Vec2d{p.x, p.y});
-}
 
 }  // namespace veritope

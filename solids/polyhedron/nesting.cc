@@ -6,6 +6,7 @@
 
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
+#include "predicates/projection.h"
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
 #include "solids/polyhedron/facet_signs.h"
@@ -26,7 +27,8 @@ bool counts(Vec2d a, Vec2d b, Vec2d v) {
 // The vertices of each shell that are greatest (code 2k) or least (2k + 1) in coordinate k; the least id of several.
 using Extremes = std::array<std::uint32_t, 6>;
 
-std::vector<Extremes> extreme_vertices(const TriangleMesh& mesh, std::span<const std::uint32_t> shell_of_face,
+std::vector<Extremes> extreme_vertices(const TriangleMesh& mesh,
+                                       std::span<const std::uint32_t> shell_of_face,
                                        std::size_t num_shells) {
   Extremes none;
   none.fill(kNoVertex);
@@ -59,12 +61,14 @@ Ray choose_ray(const TriangleMesh& mesh, const BoxGroups& boxes, const Extremes&
   for (std::size_t few = kFewBoxes;; few *= 8)
     for (ray.code = 0; ray.code < 6; ++ray.code) {
       ray.facets.clear();
-      if (boxes.stabbed(mesh.positions[extremes[ray.code]], ray.code / 2, ray.code % 2 == 0, few, ray.facets)) return ray;
+      if (boxes.stabbed(mesh.positions[extremes[ray.code]], ray.code / 2, ray.code % 2 == 0, few,
+                        ray.facets))
+        return ray;
     }
 }
 
-std::uint32_t depth_along(const TriangleMesh& mesh, const Ray& ray, const Vec3d& from, std::uint32_t shell,
-                          std::span<const std::uint32_t> shell_of_face) {
+std::uint32_t depth_along(const TriangleMesh& mesh, const Ray& ray, const Vec3d& from,
+                          std::uint32_t shell, std::span<const std::uint32_t> shell_of_face) {
   std::vector<std::uint32_t> hit_shells;
   for (std::uint32_t f : ray.facets) {
     if (shell_of_face[f] == shell) continue;
@@ -83,7 +87,8 @@ std::uint32_t depth_along(const TriangleMesh& mesh, const Ray& ray, const Vec3d&
 
 }  // namespace
 
-Stab stab_facet(const TriangleMesh& mesh, std::uint32_t facet, const Vec3d& from, int axis, bool positive) {
+Stab stab_facet(const TriangleMesh& mesh, std::uint32_t facet, const Vec3d& from, int axis,
+                bool positive) {
   const auto& t = mesh.faces[facet];
   const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
   const Vec2d pa = drop_axis(a, axis), pb = drop_axis(b, axis), pc = drop_axis(c, axis);
@@ -95,7 +100,8 @@ Stab stab_facet(const TriangleMesh& mesh, std::uint32_t facet, const Vec3d& from
 }
 
 Nesting nest_shells(const TriangleMesh& mesh, const BoxGroups& boxes,
-                    std::span<const std::uint32_t> shell_of_face, std::size_t num_shells, unsigned jobs) {
+                    std::span<const std::uint32_t> shell_of_face, std::size_t num_shells,
+                    unsigned jobs) {
   Nesting out;
   out.depth.assign(num_shells, 0);
   out.axis_code.assign(num_shells, 0);

@@ -6,7 +6,7 @@
 namespace veritope {
 namespace {
 
-TEST(Projection, KeepsTheOrientationAlongEachAxis) {
+TEST(AxisProjection, KeepsTheOrientationAlongEachAxis) {
   EXPECT_EQ(drop_axis({1, 2, 3}, 0), (Vec2d{2, 3}));
   EXPECT_EQ(drop_axis({1, 2, 3}, 1), (Vec2d{3, 1}));
   EXPECT_EQ(drop_axis({1, 2, 3}, 2), (Vec2d{1, 2}));
@@ -22,7 +22,7 @@ TEST(Vectors, AreEqualIfAllCoordinatesAre) {
   EXPECT_FALSE((Vec3d{1, 2, 3}) == (Vec3d{1, 2, 0}));
 }
 
-TEST(Projection, FindsAnAxisAlongWhichATriangleIsSeen) {
+TEST(AxisProjection, FindsAnAxisAlongWhichATriangleIsSeen) {
   const Vec3d o{}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   EXPECT_EQ(projection_of(o, x, y).axis, 2);
   EXPECT_EQ(projection_of(o, y, z).axis, 0);
@@ -34,7 +34,7 @@ TEST(Projection, FindsAnAxisAlongWhichATriangleIsSeen) {
   EXPECT_EQ(projection_of(o, {0, 0, 5e-324}, {5e-324, 0, 0}).axis, 1);
 }
 
-TEST(Projection, CallsThreePointsCollinearExactlyWhenTheyAre) {
+TEST(AxisProjection, CallsThreePointsCollinearExactlyWhenTheyAre) {
   EXPECT_TRUE(collinear({0, 0, 0}, {1, 2, 3}, {2, 4, 6}));
   EXPECT_TRUE(collinear({0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}, {7, 8, 9}));
   EXPECT_FALSE(collinear({0, 0, 0}, {1, 2, 3}, {2, 4, 0x1.8000000000001p2}));

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "predicates/orient2d.h"
+#include "predicates/projection.h"
 #include "predicates/triangle_witness.h"
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
@@ -59,17 +60,21 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
   return out;
 }
 
-void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs, ValidBody& body) {
+void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
+              ValidBody& body) {
   const auto facets = all_facets(mesh);
-  const BoxTree tree(mesh,
-                     report.long_thin ? median_order(mesh, facets, jobs)
-                                      : morton_order(mesh, facets, UnitScale(BoundingBox{report.box_lo, report.box_hi}), jobs),
-                     report.stars, jobs);
+  const BoxTree tree(
+      mesh,
+      report.long_thin
+          ? median_order(mesh, facets, jobs)
+          : morton_order(mesh, facets, UnitScale(BoundingBox{report.box_lo, report.box_hi}), jobs),
+      report.stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<PartWitness> found(parts.size());
   parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
-    const std::size_t i = parts.size() - 1 - k;  // the longest parts are the last ones: they start first
+    const std::size_t i =
+        parts.size() - 1 - k;  // the longest parts are the last ones: they start first
     CertifyingWalk walk{mesh, tree, report.long_thin, SeparatorFinder(mesh, largest), {}};
     walk.out.pairs = tree.walk(parts[i], walk);
     found[i] = std::move(walk.out);
@@ -146,7 +151,8 @@ Witness witness_of(const TriangleMesh& mesh, const Finding& defect) {
     case MeshRule::kM7: {
       w.first = d.faces[0];
       w.second = d.faces[1];
-      const TriangleWitness point = triangle_witness(indexed(mesh, w.first), indexed(mesh, w.second));
+      const TriangleWitness point =
+          triangle_witness(indexed(mesh, w.first), indexed(mesh, w.second));
       for (std::size_t i = 0; i < 3; ++i) {
         w.weights[i] = to_natural(point.t_weight[i]);
         w.weights[3 + i] = to_natural(point.u_weight[i]);
@@ -169,9 +175,12 @@ InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report)
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
   for (const Finding& d : report.defects) {
     const MeshRule rule = rule_of(d);
-    if (!body.witnesses.empty() && body.witnesses.back().rule == static_cast<std::uint8_t>(rule)) continue;
+    if (!body.witnesses.empty() && body.witnesses.back().rule == static_cast<std::uint8_t>(rule))
+      continue;
     // Two faces with the same vertices have no point outside their common simplex: M2 has their witness.
-    if (rule == MeshRule::kM7 && same_vertices(mesh.faces[d.place.faces[0]], mesh.faces[d.place.faces[1]])) continue;
+    if (rule == MeshRule::kM7 &&
+        same_vertices(mesh.faces[d.place.faces[0]], mesh.faces[d.place.faces[1]]))
+      continue;
     body.witnesses.push_back(witness_of(mesh, d));
   }
   VT_CHECK(!body.witnesses.empty(), "an invalid report lists no defect");
@@ -183,7 +192,8 @@ InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report)
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
                                          const certificate::Subject& subject, unsigned jobs) {
   const WorkerScope workers(std::max(1u, jobs));
-  if (report.is_valid) return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
+  if (report.is_valid)
+    return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
   return certificate::encode(subject, invalid_body(mesh, report));
 }
 

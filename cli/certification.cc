@@ -171,12 +171,15 @@ class Certification {
                      fault_of("out-of-memory", "not enough memory for veritope-check" + words));
     if (outcome.exceeds_work)
       return give_up(kExitUndecided,
-                     fault_of("over-budget", "the proof takes more work or memory than checkers of "
-                                             "this certificate may spend" + words));
+                     fault_of("over-budget",
+                              "the proof takes more work or memory than checkers of "
+                              "this certificate may spend" +
+                                  words));
     if (outcome.exceeds_lengths)
-      return give_up(kExitUndecided,
-                     fault_of("not-covered",
-                              "the file has longer numbers than certificates may be about" + words));
+      return give_up(
+          kExitUndecided,
+          fault_of("not-covered",
+                   "the file has longer numbers than certificates may be about" + words));
     if (file_has_changed()) {
       FileReport blank;  // what was found is about bytes that are gone
       blank.path = report_.path;

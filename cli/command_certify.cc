@@ -84,7 +84,9 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
          {},
          "--picture shows the defects of meshes; " + options.files.front() + " is a spline file"});
   if (options.picture) {
-    if (Status status = check_output("--picture", *options.picture, options.files, *plan, options.json); !status) {
+    if (Status status =
+            check_output("--picture", *options.picture, options.files, *plan, options.json);
+        !status) {
       return fail(status.error());
     }
   }
@@ -106,7 +108,8 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
     if (options.json) json.push_back(report_json(report));
     if (options.json != "-") print(report, options.quiet, options.max_defects.has_value(), out);
     complain_beside_verdict(report);
-    if (!done.picture.empty()) exit = first_of(exit, write_picture(*options.picture, done.picture, out));
+    if (!done.picture.empty())
+      exit = first_of(exit, write_picture(*options.picture, done.picture, out));
   }
   return options.json ? first_of(exit, write_json(options, *plan, json, out)) : exit;
 }

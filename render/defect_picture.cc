@@ -40,7 +40,8 @@ void add_octahedron(const Vec3d& centre, double radius, TriangleMesh& mesh) {
       mesh.positions.push_back(p);
     }
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    const std::uint32_t a = first + (corner & 1), b = first + 2 + (corner >> 1 & 1), c = first + 4 + (corner >> 2);
+    const std::uint32_t a = first + (corner & 1), b = first + 2 + (corner >> 1 & 1),
+                        c = first + 4 + (corner >> 2);
     const bool is_even = std::popcount(corner) % 2 == 0;
     mesh.faces.push_back(is_even ? std::array{a, c, b} : std::array{a, b, c});
   }
@@ -55,11 +56,14 @@ std::string defect_picture(const TriangleMesh& mesh, std::span<const Finding> de
   std::vector<Colour> colours(mesh.faces.size(), kModel);
   const double radius = marker_radius(mesh);
   for (std::size_t i = defects.size(); i-- > 0;)
-    for (const std::uint32_t f : defects[i].place.faces) colours[f] = colour_of(rule_of(defects[i]));
+    for (const std::uint32_t f : defects[i].place.faces)
+      colours[f] = colour_of(rule_of(defects[i]));
   for (const Finding& defect : defects) {
     const auto& at = defect.witness.point->at;
     const Vec3d centre{nearest_double(at[0]), nearest_double(at[1]), nearest_double(at[2])};
-    if (!(std::isfinite(centre.x + radius) && std::isfinite(centre.y + radius) && std::isfinite(centre.z + radius))) continue;
+    if (!(std::isfinite(centre.x + radius) && std::isfinite(centre.y + radius) &&
+          std::isfinite(centre.z + radius)))
+      continue;
     add_octahedron(centre, radius, picture);
     colours.resize(picture.faces.size(), colour_of(rule_of(defect)));
   }

@@ -46,7 +46,7 @@ using Source = std::variant<std::monostate, ReadReport, SplineSource, PlainSourc
 Source source_of(const ModelFile& file);
 
 struct FileReport {
-  std::string path;  ///< as given
+  std::string path;                                      ///< as given
   std::optional<Verdict> verdict = Verdict::kUndecided;  ///< nothing: it could not be read
   ExitCode exit = kExitUndecided;
   std::string sha256;  ///< empty: unknown

@@ -51,8 +51,8 @@ std::string info_text(const InfoReport& report, const Style& style) {
   const BoundingBox box = bounding_box_of_faces(report.file->mesh, 1);
   std::string out = path + "\n" + internal::file_text(r);
   out += detail_line("sha256", report.file->sha256);
-  out += detail_line("mesh",
-              counted(report.file->mesh.faces.size(), "face", "faces") + ", " + internal::vertices_text(r));
+  out += detail_line("mesh", counted(report.file->mesh.faces.size(), "face", "faces") + ", " +
+                                 internal::vertices_text(r));
   if (r.polygons_split != 0) {
     out += detail_line("polygons", std::to_string(r.polygons_split) + " cut into triangles");
   }

@@ -19,9 +19,7 @@ Json optional_json(const std::optional<T>& value) {
 }
 
 /// Null if it is empty.
-inline Json text_json(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
+inline Json text_json(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 /// JSON has no infinity: null.
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

@@ -63,8 +63,8 @@ Json rules_json(const FileReport& report) {
   const ValidityReport* const d = decision_of(report);
   for (std::size_t i = 0; i < kNumMeshRules; ++i) {
     const MeshRule rule = rule_at(i);
-    const bool is_known = d != nullptr && (d->nesting_decided || (rule != MeshRule::kM8 &&
-                                                                  rule != MeshRule::kM9));
+    const bool is_known =
+        d != nullptr && (d->nesting_decided || (rule != MeshRule::kM8 && rule != MeshRule::kM9));
     out[std::string(rule_text(rule).id)] = is_known ? Json(d->rule_counts[i]) : Json(nullptr);
   }
   return out;

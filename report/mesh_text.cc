@@ -40,7 +40,8 @@ std::string valid_summary(const FileReport& report) {
   const MeshCounts& c = decision_of(report)->counts;
   std::string text = counted(c.bodies.value_or(0), "body", "bodies");
   if (c.genus) text += ", genus " + std::to_string(*c.genus);
-  if (decision_of(report)->volume) text += ", volume " + short_decimal(*decision_of(report)->volume);
+  if (decision_of(report)->volume)
+    text += ", volume " + short_decimal(*decision_of(report)->volume);
   return text;
 }
 
@@ -59,9 +60,9 @@ std::string invalid_summary(const FileReport& report) {
 
 std::string counts_text(const FileReport& report) {
   const MeshCounts& c = decision_of(report)->counts;
-  std::string text = counted(c.faces, "face", "faces") + ", " + internal::vertices_text(*reading_of(report)) +
-                     ", " + counted(c.edges, "edge", "edges") + ", " +
-                     counted(c.shells, "shell", "shells");
+  std::string text =
+      counted(c.faces, "face", "faces") + ", " + internal::vertices_text(*reading_of(report)) +
+      ", " + counted(c.edges, "edge", "edges") + ", " + counted(c.shells, "shell", "shells");
   if (reading_of(report)->polygons_split != 0) {
     text += "; " + counted(reading_of(report)->polygons_split, "polygon", "polygons") +
             " cut into triangles";
@@ -71,7 +72,8 @@ std::string counts_text(const FileReport& report) {
 
 std::string volume_text(const Rational& volume) {
   const std::string exact = volume.to_string(), decimal = short_decimal(volume, 12);
-  return detail_line("volume", exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
+  return detail_line("volume",
+                     exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
 }
 
 std::string shells_text(const ValidityReport& decision) {
@@ -79,14 +81,14 @@ std::string shells_text(const ValidityReport& decision) {
   std::string text;
   for (std::size_t i = 0; i < std::min(decision.shells.size(), kMostShells); ++i) {
     const ShellReport& s = decision.shells[i];
-    text += detail_line("shell " + std::to_string(i), std::string(*s.outward ? "outward" : "inward") +
-                                                   ", depth " + std::to_string(*s.depth) +
-                                                   ", genus " + std::to_string(*s.genus) +
-                                                   ", volume " + short_decimal(*s.volume));
+    text += detail_line("shell " + std::to_string(i),
+                        std::string(*s.outward ? "outward" : "inward") + ", depth " +
+                            std::to_string(*s.depth) + ", genus " + std::to_string(*s.genus) +
+                            ", volume " + short_decimal(*s.volume));
   }
   if (decision.shells.size() > kMostShells) {
     text += detail_line("...", std::to_string(decision.shells.size() - kMostShells) +
-                            " more shells (--json lists them)");
+                                   " more shells (--json lists them)");
   }
   return text;
 }
@@ -119,8 +121,7 @@ std::string defect_text(const Finding& d) {
   return text;
 }
 
-std::string rule_section(const FileReport& report, MeshRule rule,
-                         const TextOptions& options) {
+std::string rule_section(const FileReport& report, MeshRule rule, const TextOptions& options) {
   const RuleText& text = rule_text(rule);
   const std::uint64_t count = decision_of(report)->rule_counts[rule_index(rule)];
   std::string out = "  " + options.style.bold(std::string(text.id) + " " + std::string(text.name)) +
@@ -143,11 +144,12 @@ std::string invalid_text(const FileReport& report, const TextOptions& options) {
     if (first.empty()) first = rule_text(rule_at(i)).id;
   }
   if (!decision_of(report)->nesting_decided) {
-    out += options.style.dim("  M8 and M9 (which side is inside) are decided once M1 to M7 hold.") + "\n";
+    out += options.style.dim("  M8 and M9 (which side is inside) are decided once M1 to M7 hold.") +
+           "\n";
   }
   return out +
          options.style.dim("  What it means and what helps: veritope explain " + first +
-                   ".  More defects: --max-defects N; for programs, with --json F.") +
+                           ".  More defects: --max-defects N; for programs, with --json F.") +
          "\n";
 }
 

@@ -111,8 +111,7 @@ std::string defects_text(const std::vector<Finding>& defects) {
 }  // namespace
 
 std::string collar_text(const CollarFacts& c) {
-  if (c.open)
-    return detail_line("collar", "none found: " + c.open->message) + where_line(*c.open);
+  if (c.open) return detail_line("collar", "none found: " + c.open->message) + where_line(*c.open);
   const bool is_even = c.coarsest_level == c.finest_level;
   return detail_line("coarsest collar",
                      counted(c.cells, "cell", "cells") + ", edge " +

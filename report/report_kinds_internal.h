@@ -21,7 +21,8 @@ struct ReportKind {
   std::string (*last_details)(const FileReport& report, const TextOptions& options);
 };
 
-extern const ReportKind kMeshReports;   // mesh_json.cc, mesh_text.cc; files that could not be read, too
+extern const ReportKind
+    kMeshReports;  // mesh_json.cc, mesh_text.cc; files that could not be read, too
 extern const ReportKind kPatchReports;  // patch_json.cc, patch_text.cc
 extern const ReportKind kPlainReports;  // plain_report.cc: every other kind
 

@@ -23,7 +23,8 @@ struct RationalPoint {
 /// triangle has three, its barycentric coordinates.
 struct EntityPart {
   std::uint64_t entity = 0;
-  std::optional<std::uint8_t> side;  ///< of the entity, in its own direction, if the part lies in a side
+  std::optional<std::uint8_t>
+      side;  ///< of the entity, in its own direction, if the part lies in a side
   std::vector<std::array<double, 2>> parameters;
 };
 
@@ -32,10 +33,11 @@ struct ModelPlace {
   Place source;  ///< in the file: a line, a byte, an entity
 
   // Meshes. Ids of faces and vertices are those of the TriangleMesh.
-  std::vector<std::uint32_t> faces;                            ///< ascending, except M5 and M6: see SurfaceTopology
+  std::vector<std::uint32_t> faces;  ///< ascending, except M5 and M6: see SurfaceTopology
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< the edge of M3, M4, M5
-  std::vector<std::uint32_t> vertices;                         ///< the vertex of M6; the corners of M1 and M2
-  std::vector<std::uint32_t> polygons;  ///< of the file, one for each face that was cut from it; empty: all are triangles
+  std::vector<std::uint32_t> vertices;  ///< the vertex of M6; the corners of M1 and M2
+  std::vector<std::uint32_t>
+      polygons;  ///< of the file, one for each face that was cut from it; empty: all are triangles
 
   // Patches.
   std::vector<EntityPart> parts;       ///< of the file's entities
@@ -44,13 +46,14 @@ struct ModelPlace {
 
   std::optional<Point3d> near;  ///< a point of the place, rounded
   std::optional<Box3d> box;     ///< contains what was found; may be infinite
-  double size = 0;              ///< extent, rounded: edge length, diameter, length of the intersection
+  double size = 0;  ///< extent, rounded: edge length, diameter, length of the intersection
 };
 
 /// What shows a finding. Only what is known is set; the certificate has the whole proof.
 struct Witness {
   std::optional<RationalPoint> point;  ///< an exact point of the defect
-  std::optional<int> winding;          ///< the winding number on the inner side of place.shell, which is not 1
+  std::optional<int>
+      winding;  ///< the winding number on the inner side of place.shell, which is not 1
 };
 
 /// One thing that was found.

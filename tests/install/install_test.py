@@ -65,6 +65,16 @@ class Installation(unittest.TestCase):
         self.succeed(self.CMAKE, "--build", build, "-j", 2)
         self.assert_consumer_works(build / "consumer")
         self.assert_consumer_works(build / "consumer_of_io")
+        self.assert_certified_models_are_accepted(build / "certify")
+
+    def assert_certified_models_are_accepted(self, program):
+        for name, claim in [("sound_part.stl", "VALID mesh-valid-1"), ("self_crossing.off", "INVALID mesh-invalid-1"),
+                            ("quarter_pipe.itd", "VALID star-box-1")]:
+            certificate = self.folder / (name + ".cert")
+            self.assertEqual(self.succeed(program, EXAMPLES / name, certificate).splitlines()[0], claim)
+            self.succeed(self.prefix / "bin" / "veritope-check", EXAMPLES / name, certificate)
+            checker = self.prefix / "share" / "veritope" / "veritope_check.py"
+            self.succeed(sys.executable, "-I", checker, EXAMPLES / name, certificate)
 
     def test_pkg_config_gives_a_consumer_all_that_it_needs(self):
         program = self.folder / "by_pkg_config"

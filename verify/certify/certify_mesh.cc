@@ -45,8 +45,7 @@ std::vector<Finding> listed(std::vector<Finding> defects, const MeshFile& file, 
   std::vector<Finding> out = share_out(std::move(defects), most);
   if (file.polygon_of_face.empty()) return out;
   for (Finding& d : out)
-    for (const std::uint32_t f : d.place.faces)
-      d.place.polygons.push_back(file.polygon_of_face[f]);
+    for (const std::uint32_t f : d.place.faces) d.place.polygons.push_back(file.polygon_of_face[f]);
   return out;
 }
 
@@ -58,7 +57,8 @@ Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOpti
   enter(Phase::kDeciding, options);
   ValidityOptions how;
   how.jobs = options.jobs;
-  how.max_defects = std::max<std::size_t>(options.max_findings, 1);  // the certificate needs one of each rule
+  how.max_defects =
+      std::max<std::size_t>(options.max_findings, 1);  // the certificate needs one of each rule
   ValidityReport& decision = facts.decision = decide_validity(file.mesh, how);
   enter(Phase::kCertifying, options);
   out.certificate =

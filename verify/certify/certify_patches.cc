@@ -40,8 +40,8 @@ std::optional<Finding> uncovered_patches(const FilePatches& patches) {
   if (patches.mixed_entity)
     return not_covered("pieces of entity " + std::to_string(*patches.mixed_entity) +
                        " would have to be reversed one by one");
-  const auto at = std::find_if_not(patches.entities.begin(), patches.entities.end(),
-                                   breaks_fit_certificate);
+  const auto at =
+      std::find_if_not(patches.entities.begin(), patches.entities.end(), breaks_fit_certificate);
   if (at != patches.entities.end())
     return not_covered("entity " + std::to_string(at - patches.entities.begin()) +
                        " has longer knots than certificates may be about");
@@ -165,11 +165,10 @@ class Certification {
   void certify() {
     internal::enter(Phase::kCertifying, options_);
     const certificate::Subject subject = subject_of(file_, options_.tool);
-    out_.certificate =
-        collar_.collar
-            ? make_collar_certificate(*decided_.forest, decision().cover, decision().walks,
-                                      *collar_.collar, patches_.entities, subject)
-            : make_patch_certificate(patches_, decided_, subject);
+    out_.certificate = collar_.collar ? make_collar_certificate(*decided_.forest, decision().cover,
+                                                                decision().walks, *collar_.collar,
+                                                                patches_.entities, subject)
+                                      : make_patch_certificate(patches_, decided_, subject);
     out_.claim = claim_of(decision(), collar_.collar.has_value());
   }
 

@@ -90,8 +90,7 @@ void turn(FilePatches& patches, const std::vector<std::uint32_t>& shells) {
     entity.is_reversed = !entity.is_reversed;
     for (std::size_t p = first; p < last; ++p) turned[p] = reversed(turned[p]);
   }
-  patches.complex =
-      std::make_unique<PatchComplex>(make_patch_complex(std::move(turned)).value());
+  patches.complex = std::make_unique<PatchComplex>(make_patch_complex(std::move(turned)).value());
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ struct FileDecisionOptions {
 
 struct FileDecision {
   PatchDecision decision;
-  std::optional<PieceForest> forest;  ///< the decision's node numbers point into it; it refers to the complex
+  std::optional<PieceForest>
+      forest;  ///< the decision's node numbers point into it; it refers to the complex
 };
 
 /// Changes `patches` only where shells are turned. REQUIRES patches.complex.

@@ -33,7 +33,8 @@ struct PatchCollar {
 
 struct PatchCollarSearch {
   std::optional<PatchCollar> collar;
-  std::optional<Finding> open;  ///< iff there is no collar: why, "no-collar", with a box where the search ended if that is known
+  std::optional<Finding>
+      open;  ///< iff there is no collar: why, "no-collar", with a box where the search ended if that is known
   unsigned rounds = 0;
   std::uint64_t cells_tried = 0;  ///< sum over the rounds
 };

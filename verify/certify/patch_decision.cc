@@ -75,8 +75,8 @@ std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame&
 }
 
 Finding complex_question(const PatchComplex& complex) {
-  Finding open = question(open_code::kNoSurface,
-                          "the patches are not shown to be a closed oriented surface");
+  Finding open =
+      question(open_code::kNoSurface, "the patches are not shown to be a closed oriented surface");
   for (const PatchFinding& f : complex.findings()) {
     if (f.defect == PatchDefect::kAdjacentPoles) continue;
     open.message += "; " + describe(complex, f);
@@ -199,8 +199,8 @@ class Decider {
   Finding cover_question() const {
     const UncoveredPiece& piece = out_.cover.uncovered.front();
     const PieceForest::Node& node = forest_->node(piece.piece);
-    Finding out = question(code_of(piece.why),
-                           text_of(piece.why) + obstacle_text(piece, forest_->frame()));
+    Finding out =
+        question(code_of(piece.why), text_of(piece.why) + obstacle_text(piece, forest_->frame()));
     out.place.patch = node.patch;
     out.place.shell = complex_.shell(node.patch);
     out.place.box = forest_->in_model(node.hull);

@@ -19,14 +19,15 @@ namespace veritope {
 
 struct PatchDecisionOptions {
   StarCoverOptions cover;
-  OuterSides outer;         ///< which sides may be named as open, or passed in a wrong way
-  double tolerance = 1e-5;  ///< of the volume: see shell_volumes
+  OuterSides outer;             ///< which sides may be named as open, or passed in a wrong way
+  double tolerance = 1e-5;      ///< of the volume: see shell_volumes
   bool in_plain_frame = false;  ///< as collars need it: see PieceForest::Frame
 };
 
 /// Why there is no proof: codes of PatchDecision::open.
 namespace open_code {
-inline constexpr const char* kNoSurface = "no-surface";  ///< S0 does not hold, or what the theorem needs besides
+inline constexpr const char* kNoSurface =
+    "no-surface";  ///< S0 does not hold, or what the theorem needs besides
 inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates beyond binary64
 inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even of the least size tried
 inline constexpr const char* kBudget = "box-budget";        ///< too many boxes

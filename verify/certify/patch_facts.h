@@ -25,7 +25,8 @@ CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& for
 
 struct PatchFacts {
   std::uint64_t patches = 0, edges = 0, vertices = 0, shells = 0;  ///< 0 patches: none were made
-  std::vector<std::uint64_t> reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
+  std::vector<std::uint64_t>
+      reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
   std::uint64_t boxes_tried = 0;
   // Of a valid model; otherwise 0, or nothing.
   std::uint64_t bodies = 0, genus = 0, boxes = 0;

@@ -189,7 +189,7 @@ class FactFinder {
 }  // namespace
 
 Finding finding_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,
-                         const PatchRefutation& refutation) {
+                   const PatchRefutation& refutation) {
   return std::visit(FactFinder(complex, entities), refutation);
 }
 

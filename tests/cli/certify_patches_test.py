@@ -293,6 +293,15 @@ class CertifyPatches(Folder):
         for bad in ("0", "-1", "inf", "x"):
             self.assertEqual(run("certify", self.file([surface(UNIT[0])]), "--tolerance", bad).returncode, 2)
 
+    def test_a_torn_surface_may_be_proved_valid_and_is_never_refuted(self):
+        lid = surface([(x, y, 1) for x in (0, "1/2", "1/2", 1) for y in (0, 1)])
+        lid["shape"]["knots"][0] = ["0", "0", "1/2", "1/2", "1", "1"]  # the inner knot twice, of degree 1: it may jump there
+        sides = [surface(face) for face in UNIT if any(p[2] != 1 for p in face)]
+        self.assertEqual(self.certify([lid, *sides])["verdict"], "VALID")
+        one = self.certify([lid, *sides[1:]])
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-covered"))
+        self.assertIn("multiplicity above its degree", one["error"]["message"])
+
     def test_what_certificates_do_not_cover_is_named(self):
         curve = {"kind": "curve", "group": None, "attributes": [],
                  "shape": {"degrees": [1], "periodic": [False], "knots": [["0", "0", "1", "1"]], "rational": False,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_composition.cc: T(t) for a trivariate of 3 components in another: seconds, one thread, least of the repetitions. Rows
-// composition_<outer degrees>_of_<inner degree>_<way>: bounded = binary64 with error bounds beside the generic ring over double (no bounds);
-// exact = by remainders beside the nested products over integers; to_rational: the exact map in lowest terms; rational: exact and
-// to_rational beside the generic ring over Rational, for degrees at which that ends. A tile is seven tricubic trivariates in one cage.
+// bench/bench_composition.cc: T(t) for a trivariate of 3 components in another: seconds, one thread, least of the
+// repetitions. Rows composition_<outer degrees>_of_<inner degree>_<way>: bounded = binary64 with error bounds beside
+// the generic ring over double (no bounds); exact = by remainders beside the nested products over integers;
+// to_rational: the exact map in lowest terms; rational: exact and to_rational beside the generic ring over Rational,
+// for degrees at which that ends. A tile is seven tricubic trivariates in one cage.
 #include <algorithm>
 #include <cstdio>
 #include <string>

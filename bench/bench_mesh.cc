@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The mesh decision beside CGAL's, and what certificates and checkers cost. One JSON row a line; figures in docs/benchmarks.md.
+// The mesh decision beside CGAL's, and what certificates and checkers cost. One JSON row a line; figures in
+// docs/benchmarks.md.
 #include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -93,8 +94,8 @@ std::uint64_t busy_work(std::uint64_t seed) {
   return x ^ y ^ z ^ w ^ a ^ b ^ c ^ d;
 }
 
-// How much slower two threads of busy work are than one: 1 on two cores, 2 on two hardware threads of one core. Virtual machines move
-// between the two, so every run with two threads stands between two of these.
+// How much slower two threads of busy work are than one: 1 on two cores, 2 on two hardware threads of one core. Virtual
+// machines move between the two, so every run with two threads stands between two of these.
 double two_thread_slowdown() {
   std::atomic<std::uint64_t> sink{0};
   const double alone = seconds([&] { sink += busy_work(1); });
@@ -106,8 +107,9 @@ double two_thread_slowdown() {
   return together / alone;
 }
 
-// Ours with one thread, with two, and CGAL's in turn; medians. The parts are of the last run. Of the runs with two threads those count
-// during which the machine had two cores to give; kAttempts at most, all of them if it never had ("cores":1).
+// Ours with one thread, with two, and CGAL's in turn; medians. The parts are of the last run. Of the runs with two
+// threads those count during which the machine had two cores to give; kAttempts at most, all of them if it never had
+// ("cores":1).
 void decision_rows(const std::string& name, bool with_peer) {
   const TriangleMesh mesh = named_model(name);
   const double facets = static_cast<double>(mesh.faces.size());
@@ -150,8 +152,8 @@ double status_bytes(const std::string& key) {
   return 0;
 }
 
-// Peak memory of the decision, the mesh's arrays included, in a process of its own. What making the model needed is returned to
-// the system and the peak reset before the decision starts.
+// Peak memory of the decision, the mesh's arrays included, in a process of its own. What making the model needed is
+// returned to the system and the peak reset before the decision starts.
 void memory_row(const std::string& name) {
   int ends[2];
   VT_CHECK(pipe(ends) == 0, "pipe");

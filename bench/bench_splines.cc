@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_splines.cc: ns a point of a bicubic surface (10 x 10 control points in space) and a tricubic volume (8 x 8 x 8)
-// at random parameters, one thread, all candidates turn by turn. A pass is 4,096 points, each with other parameters; a figure is
-// the least of the passes. Rows without a peer have a goal in million points a second. agrees: the greatest difference of the
-// two candidates' coordinates, for peers with a value. Enclosures: of the same surface over boxes of a quarter of a span, a row a quantity.
+// bench/bench_splines.cc: ns a point of a bicubic surface (10 x 10 control points in space) and a tricubic volume (8 x
+// 8 x 8) at random parameters, one thread, all candidates turn by turn. A pass is 4,096 points, each with other
+// parameters; a figure is the least of the passes. Rows without a peer have a goal in million points a second. agrees:
+// the greatest difference of the two candidates' coordinates, for peers with a value. Enclosures: of the same surface
+// over boxes of a quarter of a span, a row a quantity.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_star_boxes.cc: [most patches]. Growth of the search for star boxes: models of about 1,000, 10,000 and 100,000 patches, one thread: seconds to
-// make the complex and to decide, boxes, bytes of the boxes' and trees' part of the certificate, nodes, MiB at the peak. Then every model of patch_shapes that touches itself: seconds until
-// the search is given up.
+// bench/bench_star_boxes.cc: [most patches]. Growth of the search for star boxes: models of about 1,000, 10,000 and
+// 100,000 patches, one thread: seconds to make the complex and to decide, boxes, bytes of the boxes' and trees' part of
+// the certificate, nodes, MiB at the peak. Then every model of patch_shapes that touches itself: seconds until the
+// search is given up.
 #include <sys/resource.h>
 
 #include <cstdio>

@@ -7,7 +7,8 @@
 
 namespace veritope::bench {
 
-/// A real model of $VERITOPE_DATA (default ../shared/data), read by the reading rule. Ends the program if it is not there.
+/// A real model of $VERITOPE_DATA (default ../shared/data), read by the reading rule. Ends the program if it is not
+/// there.
 TriangleMesh data_model(const std::string& name);
 
 /// One step of Loop subdivision: four facets for one, points in generic position. REQUIRES a closed manifold.
@@ -18,11 +19,12 @@ TriangleMesh flat_step(const TriangleMesh& mesh);
 
 enum class Caps { kCentreFan, kRimFan, kZigzag };
 
-/// A tilted cylinder of radius 1 with `sides` sides, 4 * sides facets (4 * sides - 4 without centres), all long and thin if the cylinder is long,
-/// those of the caps if it is a plate.
+/// A tilted cylinder of radius 1 with `sides` sides, 4 * sides facets (4 * sides - 4 without centres), all long and
+/// thin if the cylinder is long, those of the caps if it is a plate.
 TriangleMesh sliver_cylinder(unsigned sides, Caps caps, double length = 10);
 
-/// bunny70k, blade199k, loop1115k, flat1115k, sliver20k, sliver80k; sliver20k_rim, ... with other caps; plate20k_rim, ... of length 0.001.
+/// bunny70k, blade199k, loop1115k, flat1115k, sliver20k, sliver80k; sliver20k_rim, ... with other caps; plate20k_rim,
+/// ... of length 0.001.
 TriangleMesh named_model(const std::string& name);
 
 }  // namespace veritope::bench

@@ -22,8 +22,8 @@ inline KnotAxis<Rational> cubic_axis(int n) {
   return axis;
 }
 
-/// The graph of a random bicubic over the unit square: n x n control points, heights uniform in [-1, 1], the others on the
-/// Greville abscissae, rounded to binary64.
+/// The graph of a random bicubic over the unit square: n x n control points, heights uniform in [-1, 1], the others on
+/// the Greville abscissae, rounded to binary64.
 inline BSplineSurface<Rational> random_graph(int n, Random& random) {
   const auto axis = cubic_axis(n);
   const auto greville = [&](int i) {
@@ -42,8 +42,8 @@ inline BSplineSurface<Rational> random_graph(int n, Random& random) {
   return BSplineSurface<Rational>({axis, axis}, 3, false, std::move(c));
 }
 
-/// A bump over the unit square with its top, the height 0, at a random place, tilted; and the plane that it pierces by h: the
-/// intersection is one small loop.
+/// A bump over the unit square with its top, the height 0, at a random place, tilted; and the plane that it pierces by
+/// h: the intersection is one small loop.
 inline std::pair<BSplineSurface<Rational>, BSplineSurface<Rational>> bump_and_plane(
     double h, Random& random) {
   const Rational x0 = Rational::from_double(0.4 + 0.2 * unit(random)),

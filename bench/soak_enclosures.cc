@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_enclosures.cc: --trials N --seed S. A trial is a random (surface patch, parameter box, point of the box) and asks of every
-// enclosure over the box that it holds what rationals find at the point: the three coordinates, their five first and second derivatives, the
-// normal, the Gauss, mean and principal curvatures, by hull and by mean value, and the cone of normals. Patches: degrees 2 to 4,
-// up to three spans an axis, polynomial or rational, knots and control points that are not binary64 in half of them. A patch has 64
-// points at distances 2^0 .. 2^-31 of a centre, a knot now and then, each evaluated once, and 128 boxes around the centre of widths
-// 2^1 .. 2^-31, some without width: a point is tried with every box that it lies in. Then the orders of convergence. One JSON line a figure.
+// bench/soak_enclosures.cc: --trials N --seed S. A trial is a random (surface patch, parameter box, point of the box)
+// and asks of every enclosure over the box that it holds what rationals find at the point: the three coordinates, their
+// five first and second derivatives, the normal, the Gauss, mean and principal curvatures, by hull and by mean value,
+// and the cone of normals. Patches: degrees 2 to 4, up to three spans an axis, polynomial or rational, knots and
+// control points that are not binary64 in half of them. A patch has 64 points at distances 2^0 .. 2^-31 of a centre, a
+// knot now and then, each evaluated once, and 128 boxes around the centre of widths 2^1 .. 2^-31, some without width: a
+// point is tried with every box that it lies in. Then the orders of convergence. One JSON line a figure.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -209,8 +210,8 @@ void soak_patch(Random& random, Counts& counts, std::uint64_t seed) {
   ++counts.patches;
 }
 
-// Orders. Excess: the width beyond the hull of 4 x 4 parts, by both forms. Where a quantity is monotone hulls are exact, so
-// that the worst box of a partition counts; the curvatures, whose hull form is exact nowhere, take one box.
+// Orders. Excess: the width beyond the hull of 4 x 4 parts, by both forms. Where a quantity is monotone hulls are
+// exact, so that the worst box of a partition counts; the curvatures, whose hull form is exact nowhere, take one box.
 using Quantity = std::vector<Interval> (*)(const SplineEnclosure<2>&, const Box2&, EnclosureForm);
 struct Named {
   const char* name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_itf1788.cc: runs the .itl files in the folder itf1788 of VERITOPE_DATA (default: ../shared/data). One JSON line a
-// figure.
+// bench/soak_itf1788.cc: runs the .itl files in the folder itf1788 of VERITOPE_DATA (default: ../shared/data). One JSON
+// line a figure.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

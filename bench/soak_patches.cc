@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_patches.cc: --count N --unknown M --seed S [--only embedded|opposed|crossing|touching|unknown]. Random patch models of known truth (tests/support/random_solids.h), N of
-// each kind (M with opposed faces), and M of which nothing is known, cross-checked by the mesh certifier on tessellations of three densities. One JSON line a figure; wrong and undecided models in full on standard error.
+// bench/soak_patches.cc: --count N --unknown M --seed S [--only embedded|opposed|crossing|touching|unknown]. Random
+// patch models of known truth (tests/support/random_solids.h), N of each kind (M with opposed faces), and M of which
+// nothing is known, cross-checked by the mesh certifier on tessellations of three densities. One JSON line a figure;
+// wrong and undecided models in full on standard error.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -100,7 +102,8 @@ Tally run(const char* kind, Make make, bool is_embedded, std::size_t count, std:
   return t;
 }
 
-// Each patch as a grid of m x m quadrangles, or m x m triangles; vertices are one where their exact points round to the same doubles.
+// Each patch as a grid of m x m quadrangles, or m x m triangles; vertices are one where their exact points round to the
+// same doubles.
 TriangleMesh tessellated(const Patches& patches, int m) {
   TriangleMesh mesh;
   std::map<std::array<double, 3>, std::uint32_t> known;
@@ -145,8 +148,8 @@ bool crosses_in_fine_tessellation(const Model& model, const PatchDecision& decis
   return decide_validity(tessellated(two, kFine), {}).rule_counts[rule_index(MeshRule::kM7)] > 0;
 }
 
-/// Wrong: the finest tessellation is no solid's boundary though the patches are VALID, or is one though they are INVALID and no crossing is seen in
-/// much finer ones either: to be looked at, as a tessellation is another surface.
+/// Wrong: the finest tessellation is no solid's boundary though the patches are VALID, or is one though they are
+/// INVALID and no crossing is seen in much finer ones either: to be looked at, as a tessellation is another surface.
 Tally run_unknown(std::size_t count, std::uint64_t seed) {
   static constexpr int kDensities[] = {4, 8, 16};
   Tally t;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_predicates.cc: --cases N --seed S [--jobs J]. Signs of orient2d, orient3d, in_circle
-// and in_sphere, with and without a session, against an oracle of this file's own: mpz integers on one common exponent, expanded
-// relative to another point than the subject uses; one case in 4096 is checked a third time, by
+// and in_sphere, with and without a session, against an oracle of this file's own: mpz integers on one common exponent,
+// expanded relative to another point than the subject uses; one case in 4096 is checked a third time, by
 // Gaussian elimination of the homogeneous determinant over mpq. One JSON line a figure.
 #include <gmpxx.h>
 

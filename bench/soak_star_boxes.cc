@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_star_boxes.cc: --rounds N --planted N --seed S. Models of known truth, and other descriptions of them, against the search for star boxes and crossings: sound
-// ones must be valid with their genus and bodies, those that cross themselves invalid with a witness, those that touch themselves never valid. Planted:
-// so many models of two shells, and of one, with a common point. One JSON line a figure; what is wrong or undecided in full on standard error.
+// bench/soak_star_boxes.cc: --rounds N --planted N --seed S. Models of known truth, and other descriptions of them,
+// against the search for star boxes and crossings: sound ones must be valid with their genus and bodies, those that
+// cross themselves invalid with a witness, those that touch themselves never valid. Planted: so many models of two
+// shells, and of one, with a common point. One JSON line a figure; what is wrong or undecided in full on standard
+// error.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/condition_report.h: what veritope cover --sweep says: the paper's conditions at eps, eps / 2, ... (solids/interval_boxes/condition_sweep.h).
+// cli/condition_report.h: what veritope cover --sweep says: the paper's conditions at eps, eps / 2, ...
+// (solids/interval_boxes/condition_sweep.h).
 #pragma once
 #include <string>
 #include <vector>

@@ -18,8 +18,8 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-// So that no file that is opened later gets the number of a standard stream. What is written to a stream that was closed
-// fails: it is not lost in silence.
+// So that no file that is opened later gets the number of a standard stream. What is written to a stream that was
+// closed fails: it is not lost in silence.
 void occupy_standard_streams() {
   int descriptor = 0;
   do {

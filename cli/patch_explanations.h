@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/patch_explanations.h: what veritope explain says of the answers about patches of spline files. docs/rules/ says it at length.
+// cli/patch_explanations.h: what veritope explain says of the answers about patches of spline files. docs/rules/ says
+// it at length.
 #pragma once
 #include <optional>
 #include <span>

@@ -1,5 +1,6 @@
-# What goes into an installation: the layers as static libraries with their public headers, the programs, the checker in Python,
-# the documents; a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc. tests/install/ uses them all.
+# What goes into an installation: the layers as static libraries with their public headers, the programs, the checker in
+# Python, the documents; a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc.
+# tests/install/ uses them all.
 include(CMakePackageConfigHelpers)
 
 # veritope_programs: every executable of cli/ and verify/checker/, without the tests.

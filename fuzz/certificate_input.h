@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/certificate_input.h: a model and a certificate as one input: the size of the model (4 bytes, little-endian), the model, the
-// certificate.
+// fuzz/certificate_input.h: a model and a certificate as one input: the size of the model (4 bytes, little-endian), the
+// model, the certificate.
 #pragma once
 #include <algorithm>
 #include <cstdint>

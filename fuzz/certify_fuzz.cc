@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/certify_fuzz.cc: a small mesh is written, read back, decided and certified; the C++ checker must accept the certificate, M7 must be
-// right pair by pair, and the bytes must be the same with two threads. The mutator knows places, facets and parts.
+// fuzz/certify_fuzz.cc: a small mesh is written, read back, decided and certified; the C++ checker must accept the
+// certificate, M7 must be right pair by pair, and the bytes must be the same with two threads. The mutator knows
+// places, facets and parts.
 #include <cstring>
 
 #include "fuzz/decision_laws.h"
@@ -29,7 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
   using namespace veritope::fuzz;
   if (seed % 8 == 0) return LLVMFuzzerMutate(data, size, max_size);
   MeshMutator mutator(MeshInput::decode(data, size), seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/certify_patches_fuzz.cc: a small patch model, pulled about as the bytes say, is written, read back, decided and certified: whatever the
-// verdict, the C++ checker must accept its certificate. Four bytes a change: what, where, how much; points in equal places move together, unless the change is a tear.
+// fuzz/certify_patches_fuzz.cc: a small patch model, pulled about as the bytes say, is written, read back, decided and
+// certified: whatever the verdict, the C++ checker must accept its certificate. Four bytes a change: what, where, how
+// much; points in equal places move together, unless the change is a tear.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/checker_fuzz.cc: any model and any certificate, straight into the C++ checker: it must not crash, and what it accepts must be so. The
-// input is the size of the model (4 bytes, little-endian), the model, the certificate. The mutator changes either, and then makes the statement's
-// sizes and hashes true again, so that changes get past S3 and S4.
+// fuzz/checker_fuzz.cc: any model and any certificate, straight into the C++ checker: it must not crash, and what it
+// accepts must be so. The input is the size of the model (4 bytes, little-endian), the model, the certificate. The
+// mutator changes either, and then makes the statement's sizes and hashes true again, so that changes get past S3 and
+// S4.
 #include <algorithm>
 #include <cstring>
 #include <random>

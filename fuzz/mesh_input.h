@@ -12,8 +12,8 @@
 
 namespace veritope::fuzz {
 
-/// Byte 0: options. Byte 1: scale. Byte 2: number of vertices. Then 6 bytes a vertex (a grid byte and a nudge byte for each coordinate),
-/// then 3 bytes a face (vertex ids modulo the number of vertices).
+/// Byte 0: options. Byte 1: scale. Byte 2: number of vertices. Then 6 bytes a vertex (a grid byte and a nudge byte for
+/// each coordinate), then 3 bytes a face (vertex ids modulo the number of vertices).
 struct MeshInput {
   static constexpr std::size_t kMaxVertices = 40, kMaxFaces = 64;
   static constexpr std::uint8_t kAsIndexed = 1, kTwoJobs = 2, kMixedScales = 4;
@@ -97,10 +97,18 @@ class MeshMutator {
       case 5: std::swap(face()[0], face()[1]); break;
       case 6: turn_over(); break;
       case 7: face()[pick(3)] = static_cast<std::uint8_t>(pick(in_.vertices.size())); break;
-      case 8: in_.faces.size() > 1 && pick(2) == 0 ? in_.faces.erase(in_.faces.begin() + static_cast<std::ptrdiff_t>(pick(in_.faces.size()))), void() : add_face(face()); break;
+      case 8:
+        in_.faces.size() > 1 && pick(2) == 0
+            ? in_.faces.erase(in_.faces.begin() +
+                              static_cast<std::ptrdiff_t>(pick(in_.faces.size()))),
+            void() : add_face(face());
+        break;
       case 9: add_tetrahedron(); break;
       case 10: add_copy(); break;
-      case 11: pick(2) == 0 ? in_.options ^= static_cast<std::uint8_t>(1u << pick(3)) : in_.scale = pick(2) == 0 ? 0 : static_cast<std::uint8_t>(pick(256)); break;
+      case 11:
+        pick(2) == 0 ? in_.options ^= static_cast<std::uint8_t>(1u << pick(3))
+                     : in_.scale = pick(2) == 0 ? 0 : static_cast<std::uint8_t>(pick(256));
+        break;
       default: split_face();
     }
   }
@@ -131,7 +139,8 @@ class MeshMutator {
   }
   void add_tetrahedron() {
     std::array<std::uint8_t, 4> id{};
-    const auto x = static_cast<std::uint8_t>(pick(9)), y = static_cast<std::uint8_t>(pick(9)), z = static_cast<std::uint8_t>(pick(9));
+    const auto x = static_cast<std::uint8_t>(pick(9)), y = static_cast<std::uint8_t>(pick(9)),
+               z = static_cast<std::uint8_t>(pick(9));
     const auto s = static_cast<std::uint8_t>(1 + pick(5));
     id[0] = add_vertex({x, 0, y, 0, z, 0});
     id[1] = add_vertex({static_cast<std::uint8_t>(x + s), 0, y, 0, z, 0});
@@ -146,7 +155,9 @@ class MeshMutator {
   void add_copy() {
     const std::size_t n = in_.vertices.size(), m = in_.faces.size();
     if (2 * n > MeshInput::kMaxVertices || 2 * m > MeshInput::kMaxFaces) return;
-    const std::uint8_t by[3] = {static_cast<std::uint8_t>(pick(7)), static_cast<std::uint8_t>(pick(7)), static_cast<std::uint8_t>(pick(7))};
+    const std::uint8_t by[3] = {static_cast<std::uint8_t>(pick(7)),
+                                static_cast<std::uint8_t>(pick(7)),
+                                static_cast<std::uint8_t>(pick(7))};
     const bool over = pick(2) == 0;
     for (std::size_t i = 0; i < n; ++i) {
       auto v = in_.vertices[i];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/patch_checker_fuzz.cc: any spline model and any certificate of a claim about patches, straight into the C++ checker: it must
-// not crash or hang, and must not accept two claims about one model that contradict one another. What it accepts can be explained,
-// and encoded again. The mutator changes the model's digits, the statement's numbers and the body, and then makes sizes and hashes
-// true again.
+// fuzz/patch_checker_fuzz.cc: any spline model and any certificate of a claim about patches, straight into the C++
+// checker: it must not crash or hang, and must not accept two claims about one model that contradict one another. What
+// it accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers and
+// the body, and then makes sizes and hashes true again.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -24,7 +24,8 @@ namespace {
   std::abort();
 }
 
-// What is true of a model if a claim about it is. Flags are the prover's choice: with flags a certificate speaks of another orientation.
+// What is true of a model if a claim about it is. Flags are the prover's choice: with flags a certificate speaks of
+// another orientation.
 enum Fact : unsigned {
   kEmbedded = 1,   // the patches can be oriented and are mapped injectively
   kSolid = 2,      // and as they are they bound a solid
@@ -45,7 +46,8 @@ bool contradict(unsigned all) {
 
 void check(const Input& in) {
   const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
-  const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(in.certificate.data()), in.certificate.size());
+  const std::span<const unsigned char> bytes(
+      reinterpret_cast<const unsigned char*>(in.certificate.data()), in.certificate.size());
   std::string why;
   const bool is_explained = certificate::explain_certificate(bytes, 4, why).has_value();
   const auto decoded = certificate::decode_certificate(bytes, why);
@@ -113,7 +115,8 @@ class Mutator {
     const std::size_t n = 1 + pick(8);
     if (body_.size() < 2 * n) return;
     const std::size_t at = pick(body_.size() - 2 * n + 1);
-    std::swap_ranges(body_.begin() + static_cast<std::ptrdiff_t>(at), body_.begin() + static_cast<std::ptrdiff_t>(at + n),
+    std::swap_ranges(body_.begin() + static_cast<std::ptrdiff_t>(at),
+                     body_.begin() + static_cast<std::ptrdiff_t>(at + n),
                      body_.begin() + static_cast<std::ptrdiff_t>(at + n));
   }
   void change_statement() {
@@ -141,7 +144,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
   using namespace veritope::fuzz;
   if (seed % 32 == 0) return LLVMFuzzerMutate(data, size, max_size);
   Mutator mutator(Input::decode(data, size), seed);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/reader_agreement.h: the kernel's readers and the C++ checker's, which share no code, read the same mesh from any bytes.
+// fuzz/reader_agreement.h: the kernel's readers and the C++ checker's, which share no code, read the same mesh from any
+// bytes.
 #pragma once
 #include <bit>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// models/patch_shapes.h: example models as patches with exact rational control points, their truth known by construction: sound ones, and
-// broken ones whose names say what is wrong.
+// models/patch_shapes.h: example models as patches with exact rational control points, their truth known by
+// construction: sound ones, and broken ones whose names say what is wrong.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,40 +15,42 @@ namespace veritope::patch_shapes {
 using Point = PatchPoint;
 using Patches = std::vector<Patch>;
 
-// All normals point out of the solid. Circles are cut into quarters at the directions +x, +y, -x, -y; the weights of a quarter's ends
-// are 1 and 2, so that they agree where quarters meet.
+// All normals point out of the solid. Circles are cut into quarters at the directions +x, +y, -x, -y; the weights of a
+// quarter's ends are 1 and 2, so that they agree where quarters meet.
 
 /// Six bilinear faces. REQUIRES low < high in every coordinate.
 Patches box(const Point& low, const Point& high);
-/// The unit sphere as six rational biquartic patches without a singular point: the images of a square around either pole by stereographic
-/// projection, and four patches between them. chi = 8 - 12 + 6.
+/// The unit sphere as six rational biquartic patches without a singular point: the images of a square around either
+/// pole by stereographic projection, and four patches between them. chi = 8 - 12 + 6.
 Patches sphere();
 /// The unit sphere as eight biquadratic octants with collapsed sides at the poles. chi = 6 - 12 + 8.
 Patches octant_sphere();
-/// Distance R from the z axis to the middle of a circle of radius r: 16 rational biquadratic patches. Embedded iff r < R; r = R has the
-/// origin as two poles (genus 0), r > R meets itself in two points of the axis, where S_u = 0.
+/// Distance R from the z axis to the middle of a circle of radius r: 16 rational biquadratic patches. Embedded iff r <
+/// R; r = R has the origin as two poles (genus 0), r > R meets itself in two points of the axis, where S_u = 0.
 Patches torus(const Rational& big_radius, const Rational& radius);
 /// The same torus as one patch of degrees (5, 5), glued to itself along both pairs of opposite sides. chi = 1 - 2 + 1.
 Patches one_patch_torus(const Rational& big_radius, const Rational& radius);
 
-/// Radius `bottom` at z = 0, `top` at z = height, with flat ends of five patches each, no singular point; a cylinder if the radii are
-/// equal. With top = 0 a cone whose apex is a pole, without the upper end. REQUIRES bottom > 0, top >= 0, height > 0.
+/// Radius `bottom` at z = 0, `top` at z = height, with flat ends of five patches each, no singular point; a cylinder if
+/// the radii are equal. With top = 0 a cone whose apex is a pole, without the upper end. REQUIRES bottom > 0, top >= 0,
+/// height > 0.
 Patches frustum(const Rational& bottom, const Rational& top, const Rational& height);
-/// The faces of unit cubes at integer places, each face between a cube and none a bilinear patch. A solid iff the cubes' union is a manifold;
-/// REQUIRES that for a sound model.
+/// The faces of unit cubes at integer places, each face between a cube and none a bilinear patch. A solid iff the
+/// cubes' union is a manifold; REQUIRES that for a sound model.
 Patches blocks(const std::vector<std::array<int, 3>>& cubes);
 /// A plate of cubes with g square holes in a row, bent by two quadratic shears: patches of degrees (4, 4), genus g.
 Patches plate(int g);
 /// The unit sphere with a spherical hole of radius 1 - thickness in its middle: two shells. REQUIRES 0 < thickness < 1.
 Patches thin_shell(const Rational& thickness);
-/// A tube around a trefoil: uniform biquadratic B-splines around `around` and `along` control points, whose frames are rounded to
-/// multiples of 2^-12 and closed exactly; polynomial patches, C1. Embedded for radius <= 1/4, around >= 5, along >= 40. Genus 1.
+/// A tube around a trefoil: uniform biquadratic B-splines around `around` and `along` control points, whose frames are
+/// rounded to multiples of 2^-12 and closed exactly; polynomial patches, C1. Embedded for radius <= 1/4, around >= 5,
+/// along >= 40. Genus 1.
 Patches knotted_tube(const Rational& radius, int around, int along);
-/// A bellied pot with a neck and a knob: 20 patches of degrees (2, 3), smooth poles at both ends. Its height rises along the whole profile, so
-/// it is embedded.
+/// A bellied pot with a neck and a knob: 20 patches of degrees (2, 3), smooth poles at both ends. Its height rises
+/// along the whole profile, so it is embedded.
 Patches teapot();
-/// PN triangles over a torus (3, 1) of 2 m n triangles, coordinates rounded to multiples of 2^-20, control points to binary64: embedded for
-/// m >= 12, n >= 8, of which (12, 8) has 192 cubic Bezier triangles.
+/// PN triangles over a torus (3, 1) of 2 m n triangles, coordinates rounded to multiples of 2^-20, control points to
+/// binary64: embedded for m >= 12, n >= 8, of which (12, 8) has 192 cubic Bezier triangles.
 Patches pn_torus(int m, int n);
 /// A torus of m times n bilinear patches: for counting time.
 Patches grid_torus(int m, int n);
@@ -60,15 +62,16 @@ Patches joined(std::initializer_list<Patches> parts);
 /// Every normal the other way.
 Patches inside_out(const Patches& patches);
 
-/// The cube [-4,4]^3 of 38 flat triangles whose top is folded like a Z without leaving its plane: three sheets in the middle, S0 true. Every
-/// point set in it looks like that of a sound cube: it must be refused all the same.
+/// The cube [-4,4]^3 of 38 flat triangles whose top is folded like a Z without leaving its plane: three sheets in the
+/// middle, S0 true. Every point set in it looks like that of a sound cube: it must be refused all the same.
 Patches wrinkled_cube();
 
 /// What is known of a model's map by construction.
 enum class Truth {
   kEmbedded,  ///< one to one
   kCrossing,  ///< two sheets cross transversally somewhere: a witness can be proved
-  kTouching,  ///< not one to one, but nowhere with a crossing that need be found: tangent, in contact, or folded onto itself
+  /// not one to one, but nowhere with a crossing that need be found: tangent, in contact, or folded onto itself
+  kTouching,
 };
 struct Shape {
   std::string name;

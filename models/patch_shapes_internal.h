@@ -79,11 +79,13 @@ PlaneCurve quarter_circle(int quarter);
 /// The unit circle, once around from (1, 0), of degree 5 with positive weights, those of the ends 1.
 PlaneCurve whole_circle();
 
-/// Profiles (rho, z) turned about the z axis, each by four quarters. The normals point to the right of the profile's direction of travel
-/// in the half-plane rho >= 0, z up: counterclockwise profiles give normals that point out. Points with rho = 0 become poles.
+/// Profiles (rho, z) turned about the z axis, each by four quarters. The normals point to the right of the profile's
+/// direction of travel in the half-plane rho >= 0, z up: counterclockwise profiles give normals that point out. Points
+/// with rho = 0 become poles.
 void add_revolved(Patches& to, const std::vector<PlaneCurve>& profiles);
 
-/// An end of a turned solid: a circle at `height`, joined by four patches to a level square of half-diagonal radius / 2 around `centre`.
+/// An end of a turned solid: a circle at `height`, joined by four patches to a level square of half-diagonal radius / 2
+/// around `centre`.
 struct EndDisk {
   Rational radius, height;
   Point centre;

@@ -8,8 +8,8 @@ namespace {
 
 const Rational kHalf = Rational(1) / 2, kQuarter = Rational(1) / 4;
 
-// The bottom of the sphere, its inner control points lifted by 4: above each point of the lower cap the way up leaves the ball through other
-// patches, and the middle is lifted by over 2, so that it lies beyond them.
+// The bottom of the sphere, its inner control points lifted by 4: above each point of the lower cap the way up leaves
+// the ball through other patches, and the middle is lifted by over 2, so that it lies beyond them.
 Patches pushed_through_sphere() {
   Patches out = sphere();
   Patch::Tensor map = out[0].tensor();
@@ -20,8 +20,8 @@ Patches pushed_through_sphere() {
   return out;
 }
 
-// The top of the unit box as a bicubic patch in the same plane with inner control points at x = 2 and x = -1, in this order: it runs to
-// and fro, three sheets deep in the middle.
+// The top of the unit box as a bicubic patch in the same plane with inner control points at x = 2 and x = -1, in this
+// order: it runs to and fro, three sheets deep in the middle.
 Patches folded_box() {
   Patches out = box({0, 0, 0}, {1, 1, 1});
   Patch::Tensor map = elevate_to(out[5].tensor(), {3, 3});
@@ -52,7 +52,8 @@ Patches pushed_through_cylinder() {
   internal::add_end(out, {1, 2, {0, 0, -1}, true});
   return out;
 }
-// The middle of the base moved up and aside, out of the cone: segments from the far side of the rim enter the cone and leave it.
+// The middle of the base moved up and aside, out of the cone: segments from the far side of the rim enter the cone and
+// leave it.
 Patches pushed_through_cone() {
   Patches out;
   internal::add_revolved(out, {{{1, 0}, {0, 2}, {1, 1}}});
@@ -69,7 +70,8 @@ Patches crossed_plate(int g) {
   });
 }
 
-// The neck turns outwards and down, and returns through the belly: from outside of the lower part of the profile to inside.
+// The neck turns outwards and down, and returns through the belly: from outside of the lower part of the profile to
+// inside.
 Patches crossed_teapot() {
   auto profile = internal::teapot_profile();
   const std::vector<Rational> w{1, 1, 1, 1};
@@ -153,8 +155,9 @@ std::vector<Shape> broken_shapes() {
        0},
       // Collapsed sides, so a sphere with both poles in one place.
       {"torus-touching-itself", torus(1, 1), Truth::kTouching, {0}, 0},
-      // They meet themselves in two cone points only, where S_u = 0. Near one, (t cos s, t sin s, t), they are a limit of embedded
-      // hyperboloids (t cos s - e sin s, t sin s + e cos s, t): no crossing that stays under small changes can be proved.
+      // They meet themselves in two cone points only, where S_u = 0. Near one, (t cos s, t sin s, t), they are a limit
+      // of embedded hyperboloids (t cos s - e sin s, t sin s + e cos s, t): no crossing that stays under small changes
+      // can be proved.
       {"spindle-torus", torus(1, 2), Truth::kTouching, {1}, 0},
       {"one-patch-spindle-torus", one_patch_torus(1, 2), Truth::kTouching, {1}, 0},
       {"one-patch-torus-crossing-itself", pulled_torus(), Truth::kCrossing, {1}, 0},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/hard_cases.h: the cases of `veritope selftest` and `veritope corpus`: hard to decide, the same on every
-// machine.
+// named_predicates/hard_cases.h: the cases of `veritope selftest` and `veritope corpus`: hard to decide, the same on
+// every machine.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/hard_explicit_operands.h: operands of the predicates on explicit points that are hard to decide: half of them from
-// hard_points.h as they come, the others made to be zero, exactly where the numbers allow it and nearly elsewhere.
+// named_predicates/hard_explicit_operands.h: operands of the predicates on explicit points that are hard to decide:
+// half of them from hard_points.h as they come, the others made to be zero, exactly where the numbers allow it and
+// nearly elsewhere.
 #pragma once
 #include <algorithm>
 #include <array>

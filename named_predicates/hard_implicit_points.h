@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/hard_implicit_points.h: hard cases for predicates on implicit points, seeded. Integer points that are
-// exactly degenerate (on a plane, on a sphere, on a small grid, coincident) are disguised: written as points of
+// named_predicates/hard_implicit_points.h: hard cases for predicates on implicit points, seeded. Integer points that
+// are exactly degenerate (on a plane, on a sphere, on a small grid, coincident) are disguised: written as points of
 // another kind. Then all is scaled, or moved by some units in the last place; or the defining points are any.
 #pragma once
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/hard_points.h: seeded points for self-tests and differential tests. Each class is one way in which predicates
-// have been wrong.
+// named_predicates/hard_points.h: seeded points for self-tests and differential tests. Each class is one way in which
+// predicates have been wrong.
 #pragma once
 #include <array>
 #include <bit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/implicit_names.h: predicates on implicit points by their names. Which points a line holds: the letters of
-// named_predicates/hard_implicit_points.h.
+// named_predicates/implicit_names.h: predicates on implicit points by their names. Which points a line holds: the
+// letters of named_predicates/hard_implicit_points.h.
 #pragma once
 #include <span>
 

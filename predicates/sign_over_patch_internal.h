@@ -83,8 +83,8 @@ class SignSearch {
       has_zero_corner |= signs[coefficient] == Sign3::kZero;
       if (is_done_) return;
     }
-    // Coefficients >= 0, not all 0, and corners > 0: a face of the closed set has a positive coefficient at its corner, and
-    // Bernstein polynomials are positive inside their face.
+    // Coefficients >= 0, not all 0, and corners > 0: a face of the closed set has a positive coefficient at its corner,
+    // and Bernstein polynomials are positive inside their face.
     const bool has_one_sign = !all.uncertain && all.positive != all.negative;
     if (has_one_sign && !has_zero_corner) return;
     if (has_one_sign) return note_inside(piece, all);

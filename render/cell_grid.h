@@ -30,7 +30,8 @@ CellGrid triangle_grid(const TriangleMesh& mesh);
 /// The 12 triangles of each box, outward.
 TriangleMesh box_mesh(const std::vector<Box3d>& boxes);
 
-/// A .vtu file in ASCII; coordinates as shortest decimals that read back as the same binary64. REQUIRES finite coordinates, values of num_cells() each.
+/// A .vtu file in ASCII; coordinates as shortest decimals that read back as the same binary64. REQUIRES finite
+/// coordinates, values of num_cells() each.
 std::string vtu_bytes(const CellGrid& grid);
 
 }  // namespace veritope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/coloured_ply.h: a mesh to look at: binary PLY whose faces have colours, as MeshLab, Blender and others show them.
+// render/coloured_ply.h: a mesh to look at: binary PLY whose faces have colours, as MeshLab, Blender and others show
+// them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,7 +15,8 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Little-endian, coordinates in binary64. REQUIRES one colour a face, ids in range, fewer than 2^32 faces and vertices.
+/// Little-endian, coordinates in binary64. REQUIRES one colour a face, ids in range, fewer than 2^32 faces and
+/// vertices.
 std::string coloured_ply(const TriangleMesh& mesh, std::span<const Colour> colours);
 
 }  // namespace veritope

@@ -56,8 +56,9 @@ double mixed_difference(const Bezier<double, N>& piece, std::size_t axis, std::s
 }
 
 // Pieces of each span of an axis. A chord over 1/n of a Bezier curve of degree p is off by at most
-// p (p - 1) max |second difference| / (8 n^2). A surface adds up both axes and the twist of its cells: two triangles are off the
-// bilinear cell by a quarter of it, p q max |mixed difference| / (4 n m). Each of the three terms gets a third of the chord.
+// p (p - 1) max |second difference| / (8 n^2). A surface adds up both axes and the twist of its cells: two triangles
+// are off the bilinear cell by a quarter of it, p q max |mixed difference| / (4 n m). Each of the three terms gets a
+// third of the chord.
 template <std::size_t N>
 std::vector<std::size_t> divisions(const RoundedPieces<N>& s, std::size_t axis, double chord) {
   const Grid<N> cells = s.grid();

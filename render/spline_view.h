@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/spline_view.h: spline models for viewers: Bezier cells (.vtu) and tessellations (.obj, .gltf). Pictures: everything is
-// rounded to binary64 (gltf: binary32), trimmed surfaces are shown whole with their loops as lines.
+// render/spline_view.h: spline models for viewers: Bezier cells (.vtu) and tessellations (.obj, .gltf). Pictures:
+// everything is rounded to binary64 (gltf: binary32), trimmed surfaces are shown whole with their loops as lines.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -34,8 +34,8 @@ struct Tessellation {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// One for each entity. Of volumes the boundary; of trimmed surfaces and models also the loops. All Bezier triangles are cut alike, as fine as
-/// the most bent one needs, so that they fit at common sides.
+/// One for each entity. Of volumes the boundary; of trimmed surfaces and models also the loops. All Bezier triangles
+/// are cut alike, as fine as the most bent one needs, so that they fit at common sides.
 /// @error kNotFinite for a coordinate beyond binary64, with the entity; kOverLimit for more than 2^25 points
 Result<std::vector<Tessellation>> tessellate(const SplineModel& model, const ViewOptions& options);
 
@@ -52,8 +52,9 @@ std::size_t vtk_point_index(const std::array<std::size_t, 2>& index,
 std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,
                             const std::array<int, 3>& degrees);
 
-/// Of control point b_ijk of a Bezier triangle, whose corners 0, 1, 2 are VTK's: corners, edges from corner to corner, then the triangle
-/// inside, likewise. Source: VTK 9.1, vtkHigherOrderTriangle::Index with its coordinates (j, k, i). REQUIRES i, j, k >= 0, not all 0.
+/// Of control point b_ijk of a Bezier triangle, whose corners 0, 1, 2 are VTK's: corners, edges from corner to corner,
+/// then the triangle inside, likewise. Source: VTK 9.1, vtkHigherOrderTriangle::Index with its coordinates (j, k, i).
+/// REQUIRES i, j, k >= 0, not all 0.
 std::size_t vtk_triangle_index(int i, int j, int k);
 
 /// RFC 4648.

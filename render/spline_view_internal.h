@@ -113,16 +113,20 @@ Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std:
 Result<BezierTriangle<double>> rounded_triangle(const ExactTriangle& triangle,
                                                 std::uint64_t entity);
 
-/// Into how many pieces each side of a triangle is cut, so that its small flat triangles are as near to it as `chord`; at most 256.
+/// Into how many pieces each side of a triangle is cut, so that its small flat triangles are as near to it as `chord`;
+/// at most 256.
 /// Bound    f, a map of degree p, differs from its linear interpolant at the corners c_i of a triangle at most by
-///          1/2 sum l_i |second derivative along c_i - x| at x of barycentric coordinates l. Cut in n, c_i - x is 1/n times a
-///          combination of two edges with coefficients of sum 1 - l_i, and second derivatives along edges are averages of p (p - 1)
-///          second differences of control points, at most D: the sum is at most (4/9) p (p - 1) D / n^2, since l (1 - l)^2 <= 4/27.
+///          1/2 sum l_i |second derivative along c_i - x| at x of barycentric coordinates l. Cut in n, c_i - x is 1/n
+///          times a
+///          combination of two edges with coefficients of sum 1 - l_i, and second derivatives along edges are averages
+///          of p (p - 1)
+///          second differences of control points, at most D: the sum is at most (4/9) p (p - 1) D / n^2, since l (1 -
+///          l)^2 <= 4/27.
 ///          Up to rounding; of rational triangles an estimate.
 std::size_t triangle_divisions(const BezierTriangle<double>& triangle, double chord);
 
-/// The points at (i, j, k) / divisions in the order of triangle_index. Sides with the same control points give the same points, bit for
-/// bit, in either direction. REQUIRES divisions > 0.
+/// The points at (i, j, k) / divisions in the order of triangle_index. Sides with the same control points give the same
+/// points, bit for bit, in either direction. REQUIRES divisions > 0.
 std::vector<std::array<double, 3>> triangle_grid(const BezierTriangle<double>& triangle,
                                                  std::size_t divisions);
 /// The small triangles of such a grid, counterclockwise, numbered from `first` on.

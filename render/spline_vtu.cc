@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// VTK's unstructured grids with Bezier cells. Version 2.2 of the file format: the order of points within a hexahedron is that
-// of VTK 9.1 and later, which older versions of the format do not have.
+// VTK's unstructured grids with Bezier cells. Version 2.2 of the file format: the order of points within a hexahedron
+// is that of VTK 9.1 and later, which older versions of the format do not have.
 #include <algorithm>
 
 #include "render/spline_view_internal.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/wide_float.h: floating-point numbers of 256 bits as a ring for splines, for pictures of splines whose exact pieces
-// would take too long to cut.
+// render/wide_float.h: floating-point numbers of 256 bits as a ring for splines, for pictures of splines whose exact
+// pieces would take too long to cut.
 #pragma once
 #include "robust/rational.h"
 #include "splines/ring.h"
 
 namespace veritope::internal {
 
-/// mantissa * 2^exponent. Every operation rounds down to kBits bits: an error below 2^-255 of its result. Exponents have
-/// no bounds that a number in memory reaches. A result is 0 only if the exact one is: weights stay positive when a spline is
-/// cut, which takes convex combinations only.
+/// mantissa * 2^exponent. Every operation rounds down to kBits bits: an error below 2^-255 of its result. Exponents
+/// have no bounds that a number in memory reaches. A result is 0 only if the exact one is: weights stay positive when a
+/// spline is cut, which takes convex combinations only.
 class WideFloat {
  public:
   static constexpr std::uint64_t kBits = 256;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// report/decimal_text.h: exact numbers as text for people and programs. Integers only: nothing depends on a rounding mode.
+// report/decimal_text.h: exact numbers as text for people and programs. Integers only: nothing depends on a rounding
+// mode.
 #pragma once
 #include <cstddef>
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// report/file_report.h: everything that veritope certify says about one file, before it is JSON or text: one shape for all kinds.
+// report/file_report.h: everything that veritope certify says about one file, before it is JSON or text: one shape for
+// all kinds.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -55,8 +56,8 @@ struct FileReport {
   std::vector<Finding> defects;  ///< of an INVALID model: what was proved, at most --max-defects
   std::optional<CertificateReport> certificate;
   PhaseSeconds seconds;
-  /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify, and
-  /// "internal", "not-checked", "out-of-memory", "over-budget", "file-changed".
+  /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify,
+  /// and "internal", "not-checked", "out-of-memory", "over-budget", "file-changed".
   std::optional<Finding> fault;
 
   /// VALID or INVALID.

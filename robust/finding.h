@@ -19,8 +19,8 @@ struct RationalPoint {
   std::array<Rational, 3> at;
 };
 
-/// A part of an entity of a spline file: bounds of its parameters, rounded outward. A surface has two parameters, u and v; a
-/// triangle has three, its barycentric coordinates.
+/// A part of an entity of a spline file: bounds of its parameters, rounded outward. A surface has two parameters, u and
+/// v; a triangle has three, its barycentric coordinates.
 struct EntityPart {
   std::uint64_t entity = 0;
   std::optional<std::uint8_t>
@@ -58,7 +58,8 @@ struct Witness {
 
 /// One thing that was found.
 struct Finding {
-  /// A stable word: a mesh rule ("M7"), what is proved wrong with patches ("side-open"), or why there is no verdict ("not-certified").
+  /// A stable word: a mesh rule ("M7"), what is proved wrong with patches ("side-open"), or why there is no verdict
+  /// ("not-certified").
   std::string code;
   ModelPlace place;
   std::string message;  ///< one sentence

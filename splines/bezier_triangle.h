@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/bezier_triangle.h: maps in triangular Bernstein form: evaluation, blossom, derivative, subdivision, restriction. Their
-// algebra (sum, product, elevation, conversions): bezier_triangle_algebra.h.
+// splines/bezier_triangle.h: maps in triangular Bernstein form: evaluation, blossom, derivative, subdivision,
+// restriction. Their algebra (sum, product, elevation, conversions): bezier_triangle_algebra.h.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -26,7 +26,8 @@ inline std::size_t num_triangle_coefficients(int degree) {
   const auto n = static_cast<std::size_t>(degree);
   return (n + 1) * (n + 2) / 2;
 }
-/// The place of the coefficient of u^i v^j w^k, i + j + k = n, whatever n is: rows of constant i from corner 0 on, in them k rises.
+/// The place of the coefficient of u^i v^j w^k, i + j + k = n, whatever n is: rows of constant i from corner 0 on, in
+/// them k rises.
 inline std::size_t triangle_index(int j, int k) {
   return static_cast<std::size_t>((j + k) * (j + k + 1) / 2 + k);
 }
@@ -37,8 +38,9 @@ void for_each_triangle_index(int degree, Visit visit) {
     for (int k = 0; k <= row; ++k) visit(degree - row, row - k, k);
 }
 
-/// sum over i + j + k = n of n! / (i! j! k!) u^i v^j w^k b_ijk, with num_components() coordinates. Rational maps are homogeneous: the last
-/// component is the weight w, the others are w times the coordinates. Coefficients lie component by component.
+/// sum over i + j + k = n of n! / (i! j! k!) u^i v^j w^k b_ijk, with num_components() coordinates. Rational maps are
+/// homogeneous: the last component is the weight w, the others are w times the coordinates. Coefficients lie component
+/// by component.
 template <Ring R>
 class BezierTriangle {
  public:
@@ -83,7 +85,8 @@ class BezierTriangle {
   std::vector<R> coefficients_;
 };
 
-/// @error kOverLimit for a degree over kMaxSplineDegree; kBadArgument for one below 0, no component, or the wrong number of coefficients.
+/// @error kOverLimit for a degree over kMaxSplineDegree; kBadArgument for one below 0, no component, or the wrong
+/// number of coefficients.
 template <Ring R>
 Result<BezierTriangle<R>> make_bezier_triangle(int degree, int num_components, bool is_rational,
                                                std::vector<R> coefficients) {
@@ -106,7 +109,8 @@ Result<BezierTriangle<R>> make_bezier_triangle(int degree, int num_components, b
 
 namespace internal {
 
-/// One step of de Casteljau in place: the first coefficients become those of the form of degree - 1 with one argument of the blossom set.
+/// One step of de Casteljau in place: the first coefficients become those of the form of degree - 1 with one argument
+/// of the blossom set.
 template <Ring R>
 void set_argument(R* b, int degree, const Barycentric<R>& at) {
   for_each_triangle_index(degree - 1, [&](int, int j, int k) {
@@ -140,8 +144,8 @@ std::vector<R> evaluate(const BezierTriangle<R>& map, const Barycentric<R>& at) 
   return blossom<R>(map, arguments);
 }
 
-/// The derivative of each component along a direction, of one degree less (of degree 0 for a constant). Of a rational map: of the
-/// homogeneous components, not of the quotients.
+/// The derivative of each component along a direction, of one degree less (of degree 0 for a constant). Of a rational
+/// map: of the homogeneous components, not of the quotients.
 template <Ring R>
 BezierTriangle<R> directional_derivative(const BezierTriangle<R>& map,
                                          const Barycentric<R>& direction) {
@@ -177,8 +181,9 @@ std::array<BezierTriangle<R>, 3> split_at(const BezierTriangle<R>& map, const Ba
   return parts;
 }
 
-/// The map on the triangle with these corners, as a map of the whole parameter triangle: its composition with an affine map of the
-/// parameters. The corners may lie anywhere; equal ones give a map that is constant along lines. @cost O(degree^5) products a component
+/// The map on the triangle with these corners, as a map of the whole parameter triangle: its composition with an affine
+/// map of the parameters. The corners may lie anywhere; equal ones give a map that is constant along lines. @cost
+/// O(degree^5) products a component
 template <Ring R>
 BezierTriangle<R> restricted(const BezierTriangle<R>& map,
                              const std::array<Barycentric<R>, 3>& corners) {
@@ -201,8 +206,9 @@ BezierTriangle<R> restricted(const BezierTriangle<R>& map,
   return out;
 }
 
-/// The four triangles between the corners and the midpoints of the edges: number e < 3 keeps corner e in its place, number 3 is the middle
-/// one, with the midpoint of the edge opposite to corner e in the place of corner e. All keep the orientation.
+/// The four triangles between the corners and the midpoints of the edges: number e < 3 keeps corner e in its place,
+/// number 3 is the middle one, with the midpoint of the edge opposite to corner e in the place of corner e. All keep
+/// the orientation.
 template <Ring R>
 std::array<BezierTriangle<R>, 4> split_in_four(const BezierTriangle<R>& map) {
   const R h = RingNumbers<R>::ratio(1, 2), o = one<R>(), z = R();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/bezier_triangle_algebra.h: sums, products, elevation, integrals and affine images of triangular Bernstein forms, and their
-// conversion from and to tensor-product form.
+// splines/bezier_triangle_algebra.h: sums, products, elevation, integrals and affine images of triangular Bernstein
+// forms, and their conversion from and to tensor-product form.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -152,7 +152,8 @@ std::vector<R> integral(const BezierTriangle<R>& map) {
   return out;
 }
 
-/// matrix * (point of the map) + shift. matrix: row by row, each of dimension() numbers; as many rows as `shift` has entries.
+/// matrix * (point of the map) + shift. matrix: row by row, each of dimension() numbers; as many rows as `shift` has
+/// entries.
 template <Ring R>
 BezierTriangle<R> affine_image(const BezierTriangle<R>& map, std::span<const R> matrix,
                                std::span<const R> shift) {
@@ -212,8 +213,8 @@ BezierTriangle<R> on_triangle(const BezierSurface<R>& map,
   return out;
 }
 
-/// The same points as a tensor-product map of degrees (n, n): S(s, t) = map(1 - s, s (1 - t), s t). Its edge s = 0 is collapsed to
-/// corner 0; s = 1 is the boundary opposite to it.
+/// The same points as a tensor-product map of degrees (n, n): S(s, t) = map(1 - s, s (1 - t), s t). Its edge s = 0 is
+/// collapsed to corner 0; s = 1 is the boundary opposite to it.
 template <Ring R>
 BezierSurface<R> as_tensor_product(const BezierTriangle<R>& map) {
   const int n = map.degree();

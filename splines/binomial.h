@@ -82,9 +82,9 @@ const R& known_binomial(int n, int k) {
 }
 }  // namespace internal
 
-/// (p over i) (q over j) / (p + q over i + j), which is at most 1: the factor of a_i b_j in coefficient i + j of the product of
-/// polynomials of degrees p and q in Bernstein form. Rings of double: rounded at most three times. REQUIRES 0 <= i <= p,
-/// 0 <= j <= q.  Source: [FR88].
+/// (p over i) (q over j) / (p + q over i + j), which is at most 1: the factor of a_i b_j in coefficient i + j of the
+/// product of polynomials of degrees p and q in Bernstein form. Rings of double: rounded at most three times. REQUIRES
+/// 0 <= i <= p, 0 <= j <= q.  Source: [FR88].
 template <Ring R>
 R product_weight(int p, int i, int q, int j) {
   if (p + q <=

@@ -23,9 +23,9 @@ std::size_t find_span(const KnotAxis<Knot>& axis, const Knot& u) {
   return static_cast<std::size_t>(above - begin) - 1;
 }
 
-/// The factors of control points span - degree, ..., span in the blossom, at the given arguments, of the polynomial on a span
-/// that is not empty. Arguments all equal to a u in the span: the values there of the basis functions, none negative, computed
-/// without a difference of nearly equal terms. REQUIRES `degree` arguments, in any order.
+/// The factors of control points span - degree, ..., span in the blossom, at the given arguments, of the polynomial on
+/// a span that is not empty. Arguments all equal to a u in the span: the values there of the basis functions, none
+/// negative, computed without a difference of nearly equal terms. REQUIRES `degree` arguments, in any order.
 /// @cost degree^2 / 2 quotients.  @source [Ram89], [PT97] A2.2
 template <typename Knot>
 std::vector<Knot> blossom_weights(const KnotAxis<Knot>& axis, std::size_t span,

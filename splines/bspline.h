@@ -15,8 +15,8 @@
 namespace veritope {
 
 /// A piecewise polynomial (rational) map from the product of the axes' domains. Rational maps are homogeneous: the last
-/// component is the weight, the others are the weight times the coordinates. Coefficients lie component by component; within
-/// one as Grid says, the last axis fastest.
+/// component is the weight, the others are the weight times the coordinates. Coefficients lie component by component;
+/// within one as Grid says, the last axis fastest.
 template <Ring R, std::size_t N>
 class BSpline : public ControlNet<R> {
  public:

@@ -28,8 +28,8 @@ std::vector<Knot> doubled(const std::vector<Knot>& knots) {
   return out;
 }
 
-/// The axis with knots and control points in front and behind, so that every old knot lies in the domain: those of the other
-/// periods, or any.
+/// The axis with knots and control points in front and behind, so that every old knot lies in the domain: those of the
+/// other periods, or any.
 template <typename Knot>
 KnotAxis<Knot> padded_axis(const KnotAxis<Knot>& axis) {
   if (axis.is_periodic) return extended_axis(axis);
@@ -42,8 +42,8 @@ KnotAxis<Knot> padded_axis(const KnotAxis<Knot>& axis) {
   return padded;
 }
 
-/// Every knot once more, and of those outside of the domain as many as a degree raised by one needs. Without a period the
-/// domain begins and ends at the copies next to its inside: then the new control points depend on old ones only.
+/// Every knot once more, and of those outside of the domain as many as a degree raised by one needs. Without a period
+/// the domain begins and ends at the copies next to its inside: then the new control points depend on old ones only.
 template <typename Knot>
 KnotAxis<Knot> raised_axis(const KnotAxis<Knot>& axis) {
   const std::size_t q = static_cast<std::size_t>(axis.degree) + 1;
@@ -63,8 +63,8 @@ KnotAxis<Knot> raised_axis(const KnotAxis<Knot>& axis) {
           axis.is_periodic};
 }
 
-/// One of the degree + 1 refined nets whose mean is the net of the raised degree: that whose knots are those of the raised axis
-/// but every (degree + 1)th. Control point i of the mean takes point position[i] of it.
+/// One of the degree + 1 refined nets whose mean is the net of the raised degree: that whose knots are those of the
+/// raised axis but every (degree + 1)th. Control point i of the mean takes point position[i] of it.
 template <Ring R>
 class ElevationPart {
  public:
@@ -100,10 +100,11 @@ class ElevationPart {
   }
 
  private:
-  // The control point of the refined knots whose blossom arguments are raised[i + 1], ..., raised[i + q] without the one whose
-  // number is `residue` modulo q. They follow each other in `refined`: knots between the first and the last argument occur
-  // equally often in both, and of the first argument the last copies are meant. Unless all arguments are one knot u, of which
-  // `refined` may have q copies: then the map jumps at u, and it is the point left of u if raised[i] < u, else that right of it.
+  // The control point of the refined knots whose blossom arguments are raised[i + 1], ..., raised[i + q] without the
+  // one whose number is `residue` modulo q. They follow each other in `refined`: knots between the first and the last
+  // argument occur equally often in both, and of the first argument the last copies are meant. Unless all arguments are
+  // one knot u, of which `refined` may have q copies: then the map jumps at u, and it is the point left of u if
+  // raised[i] < u, else that right of it.
   static std::size_t find(const std::vector<Knot>& refined, const KnotAxis<Knot>& raised,
                           std::size_t i, std::size_t residue) {
     const auto q = static_cast<std::size_t>(raised.degree);
@@ -152,9 +153,9 @@ BSpline<R, N> elevate_once(const BSpline<R, N>& map, std::size_t axis) {
 
 }  // namespace internal
 
-/// Raises the degree along `axis` by `by`; the map stays the same. Every knot of the domain occurs `by` times more, so that the map
-/// is as smooth there as before; of the knots outside of it those are left that the degree needs. A clamped axis stays clamped, a
-/// periodic one periodic. Each new control point is a convex combination of old ones.
+/// Raises the degree along `axis` by `by`; the map stays the same. Every knot of the domain occurs `by` times more, so
+/// that the map is as smooth there as before; of the knots outside of it those are left that the degree needs. A
+/// clamped axis stays clamped, a periodic one periodic. Each new control point is a convex combination of old ones.
 /// REQUIRES degree >= 1, by >= 0.
 /// @cost `by` times for each line: degree + 1 refinements, each with one knot or none for every different knot
 /// @source [Pra84], here for knots of any multiplicity and ends of any kind

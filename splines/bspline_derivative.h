@@ -74,7 +74,8 @@ BSpline<R, N> component_derivative(const BSpline<R, N>& map, std::size_t axis) {
           })};
 }
 
-/// The multiplicities at which a product of degree 2p, or with `by` = 1 of a map and its derivative, is as smooth as it must be.
+/// The multiplicities at which a product of degree 2p, or with `by` = 1 of a map and its derivative, is as smooth as it
+/// must be.
 template <typename Knot>
 std::vector<int> product_multiplicities(const KnotAxis<Knot>& axis, const std::vector<Knot>& breaks,
                                         int by) {
@@ -110,8 +111,8 @@ BSpline<R, N> quotient_derivative(const BSpline<R, N>& map, std::size_t axis) {
 }  // namespace internal
 
 /// The derivative along `axis`; at a knot inside the domain where it jumps, that from the right.
-/// Polynomial: of a degree lower by one along the axis, with the same knots but the first and the last, periodic if the map is. From degree 1,
-/// a piecewise constant map of degree 0, which has no derivative itself.
+/// Polynomial: of a degree lower by one along the axis, with the same knots but the first and the last, periodic if the
+/// map is. From degree 1, a piecewise constant map of degree 0, which has no derivative itself.
 /// Rational: (w P' - w' P) / w^2, rational, of twice the degrees along all axes, clamped; the knots as often as its
 /// smoothness needs, its weight w^2.
 template <Ring R, std::size_t N>

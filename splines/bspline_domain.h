@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/bspline_domain.h: B-splines on parts of their domain, clamped, reversed, with axes permuted, on other domains.
+// splines/bspline_domain.h: B-splines on parts of their domain, clamped, reversed, with axes permuted, on other
+// domains.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -58,8 +59,9 @@ BSpline<R, N> with_knots(const BSpline<R, N>& map, std::size_t axis,
 
 }  // namespace internal
 
-/// The map on the part [a, b] of the domain of `axis`, clamped: a and b are its first and last degree + 1 knots. Where the map
-/// jumps at a or b, with its value inside. @error kBadArgument, with the axis and the value, unless a < b in the domain.
+/// The map on the part [a, b] of the domain of `axis`, clamped: a and b are its first and last degree + 1 knots. Where
+/// the map jumps at a or b, with its value inside. @error kBadArgument, with the axis and the value, unless a < b in
+/// the domain.
 template <Ring R, std::size_t N>
 Result<BSpline<R, N>> restricted(const BSpline<R, N>& map, std::size_t axis,
                                  const typename RingNumbers<R>::Knot& a,
@@ -108,7 +110,8 @@ requires std::same_as<typename RingNumbers<R>::Knot, Rational> BSpline<R, N> rev
 }
 
 /// u -> F(the point of the domain in the place that u has in [begin, end]): all knots moved by one affine map.
-/// @error kBadArgument unless begin < end; kLossy, with a knot, where rounded knots (double) would not stay apart or finite.
+/// @error kBadArgument unless begin < end; kLossy, with a knot, where rounded knots (double) would not stay apart or
+/// finite.
 template <Ring R, std::size_t N>
 Result<BSpline<R, N>> with_domain(const BSpline<R, N>& map, std::size_t axis,
                                   const typename RingNumbers<R>::Knot& begin,

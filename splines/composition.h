@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/composition.h: T(t(...)) of Bezier maps as a Bezier map: curves, surfaces and volumes in volumes and surfaces, over any
-// ring. With an error bound in double: composition_bounded.h; exact and fast: composition_exact.h; in B-splines: composition_span.h.
-// Design: docs/design/0009-composition.md.
+// splines/composition.h: T(t(...)) of Bezier maps as a Bezier map: curves, surfaces and volumes in volumes and
+// surfaces, over any ring. With an error bound in double: composition_bounded.h; exact and fast: composition_exact.h;
+// in B-splines: composition_span.h. Design: docs/design/0009-composition.md.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -51,9 +51,10 @@ Bezier<R, M> with_weight_if(bool inner_is_rational, const Bezier<R, M>& outer, c
 
 }  // namespace internal
 
-/// The map x -> outer(inner(x)), of the degrees composed_degrees(). If one of the two is rational, so is the result (homogeneous: if
-/// only the inner one is, the weight is the inner weight to the power of the sum of the outer degrees). The inner map may leave [0,1]^M.
-/// Exact for Rational, an enclosure for Interval; for double no bound is given: see composition_bounded.h.
+/// The map x -> outer(inner(x)), of the degrees composed_degrees(). If one of the two is rational, so is the result
+/// (homogeneous: if only the inner one is, the weight is the inner weight to the power of the sum of the outer
+/// degrees). The inner map may leave [0,1]^M. Exact for Rational, an enclosure for Interval; for double no bound is
+/// given: see composition_bounded.h.
 /// @error as internal::check_composition says.
 /// @cost  see composition_nested.h; Rational numbers are for small degrees
 template <Ring R, std::size_t M, std::size_t N>

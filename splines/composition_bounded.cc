@@ -134,7 +134,8 @@ int internal::composition_roundings(const std::array<int, M>& outer,
   const int last = outer[M - 1];
   int sum = 0;
   for (const int a : outer) sum += a;
-  // The last variable's triangle begins with a product, not a blend; whatever is blended later begins with x, not q = 1 - x.
+  // The last variable's triangle begins with a product, not a blend; whatever is blended later begins with x, not q = 1
+  // - x.
   const int first_product =
       last == 0 ? 0 : filter_roundings(small, 2) - filter_roundings(small, 1) + (last == 1 ? 0 : 1);
   return sum * (filter_roundings(small, 2) + factor) - first_product + (1 + last) +

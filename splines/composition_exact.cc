@@ -47,8 +47,9 @@ Homogeneous homogenised(std::span<const double> values, std::int64_t most) {
   return out;
 }
 
-// An upper bound of |scaled coefficients|. In Bernstein form the coefficients of a product are weighted means of products of coefficients, so
-// none is larger than the product of the largest; the sum over k of C(a, k) |x|^k |q|^(a - k) is (|x| + |q|)^a.
+// An upper bound of |scaled coefficients|. In Bernstein form the coefficients of a product are weighted means of
+// products of coefficients, so none is larger than the product of the largest; the sum over k of C(a, k) |x|^k |q|^(a -
+// k) is (|x| + |q|)^a.
 template <std::size_t M, std::size_t N>
 Integer largest_result(const internal::IntegerProblem<M, N>& problem,
                        std::span<const Integer> unscaled_x, std::span<const Integer> unscaled_q) {

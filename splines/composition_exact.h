@@ -33,11 +33,13 @@ inline constexpr std::uint64_t kMaxRemainderBits = 31000;
 /// All coefficients together: 1 GiB.
 inline constexpr std::uint64_t kMaxExactBits = std::uint64_t{1} << 33;
 
-/// outer(inner(x)) exactly: to_rational() is what compose() over Rational says, bit for bit. All finite doubles are taken. Time grows
-/// with the bits of the result's integers, about (1 + sum of outer degrees) times the bits between the highest and the lowest bit of all coefficients of
-/// a map: 56 in doubles of one magnitude, 2098 at most.
-/// @error as compose(); kNotFinite with the offending coefficient's number; kOverLimit if the integers could exceed kMaxExactBits.
-/// @cost  for a tricubic map in a tricubic volume 11 primes, and for each about 4 million products modulo it a component
+/// outer(inner(x)) exactly: to_rational() is what compose() over Rational says, bit for bit. All finite doubles are
+/// taken. Time grows with the bits of the result's integers, about (1 + sum of outer degrees) times the bits between
+/// the highest and the lowest bit of all coefficients of a map: 56 in doubles of one magnitude, 2098 at most.
+/// @error as compose(); kNotFinite with the offending coefficient's number; kOverLimit if the integers could exceed
+/// kMaxExactBits.
+/// @cost  for a tricubic map in a tricubic volume 11 primes, and for each about 4 million products modulo it a
+/// component
 template <std::size_t M, std::size_t N>
 Result<ScaledBezier<N>> compose_exact(const Bezier<double, M>& outer,
                                       const Bezier<double, N>& inner);

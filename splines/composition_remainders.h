@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/composition_remainders.h: the coefficients of a composition modulo one prime after the other, by evaluation and interpolation.
+// splines/composition_remainders.h: the coefficients of a composition modulo one prime after the other, by evaluation
+// and interpolation.
 //
-// In the variables z = x / (1 - x) the scaled coefficients are those of ordinary polynomials. Modulo a prime p the inner map is evaluated at
-// z in {0, ..., D}^N, the outer map at its values, and the result, of degree D in each variable, interpolated: exact, as modulo p nothing is
-// ill-conditioned. In floating point the same is forbidden: its condition grows like 2^D an axis.
+// In the variables z = x / (1 - x) the scaled coefficients are those of ordinary polynomials. Modulo a prime p the
+// inner map is evaluated at z in {0, ..., D}^N, the outer map at its values, and the result, of degree D in each
+// variable, interpolated: exact, as modulo p nothing is ill-conditioned. In floating point the same is forbidden: its
+// condition grows like 2^D an axis.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -18,7 +20,8 @@
 
 namespace veritope::internal {
 
-/// A composition in integers: the outer map's coefficients and, component by component, the inner map's scaled x and q = w - x.
+/// A composition in integers: the outer map's coefficients and, component by component, the inner map's scaled x and q
+/// = w - x.
 template <std::size_t M, std::size_t N>
 struct IntegerProblem {
   std::array<int, M> degrees;

@@ -61,9 +61,11 @@ Result<std::size_t> span_of_hull(const KnotAxis<Knot>& axis,
 
 }  // namespace internal
 
-/// Of every axis the number k of the knot span [knots[k], knots[k + 1]], not empty and in the domain, that contains all control points of
-/// the inner map. The hull decides, in exact numbers: a map that stays in a span while a control point does not is refused, too: split it.
-/// @error kBadArgument with the coordinate and its range, or with a weight that is not positive; inner.dimension() != M.
+/// Of every axis the number k of the knot span [knots[k], knots[k + 1]], not empty and in the domain, that contains all
+/// control points of the inner map. The hull decides, in exact numbers: a map that stays in a span while a control
+/// point does not is refused, too: split it.
+/// @error kBadArgument with the coordinate and its range, or with a weight that is not positive; inner.dimension() !=
+/// M.
 template <ComparableRing R, std::size_t M, std::size_t N>
 Result<std::array<std::size_t, M>> containing_span(const BSpline<R, M>& outer,
                                                    const Bezier<R, N>& inner) {
@@ -83,8 +85,8 @@ Result<std::array<std::size_t, M>> containing_span(const BSpline<R, M>& outer,
   return spans;
 }
 
-/// The piece of a B-spline on one product of knot spans, as a map of [0,1]^M: only the coefficients and knots that it needs are looked at.
-/// REQUIRES of every axis a span in the domain that is not empty.
+/// The piece of a B-spline on one product of knot spans, as a map of [0,1]^M: only the coefficients and knots that it
+/// needs are looked at. REQUIRES of every axis a span in the domain that is not empty.
 template <Ring R, std::size_t M>
 Bezier<R, M> bezier_piece(const BSpline<R, M>& map, const std::array<std::size_t, M>& spans) {
   std::array<typename BSpline<R, M>::Axis, M> axes;
@@ -105,8 +107,8 @@ Bezier<R, M> bezier_piece(const BSpline<R, M>& map, const std::array<std::size_t
   return bezier_pieces(part).pieces.front();
 }
 
-/// outer(inner(x)) for an inner map that stays in one knot span of the outer one, as containing_span says. Exact for Rational; for double
-/// rounded, without a bound.
+/// outer(inner(x)) for an inner map that stays in one knot span of the outer one, as containing_span says. Exact for
+/// Rational; for double rounded, without a bound.
 /// @error as containing_span and compose.
 template <ComparableRing R, std::size_t M, std::size_t N>
 Result<Bezier<R, N>> compose_on_span(const BSpline<R, M>& outer, const Bezier<R, N>& inner) {

@@ -22,7 +22,8 @@ Result<BSpline<double, N>> nearest_double(const BSpline<Rational, N>& map);
 /// Keeps the numbers. @error kNotFinite, with the coefficient, if one is no number.
 template <std::size_t N>
 Result<Bezier<Rational, N>> exact(const Bezier<double, N>& map);
-/// Keeps the numbers; make_bspline accepts them. @error kNotFinite, with the coefficient or knot; what make_bspline refuses.
+/// Keeps the numbers; make_bspline accepts them. @error kNotFinite, with the coefficient or knot; what make_bspline
+/// refuses.
 template <std::size_t N>
 Result<BSpline<Rational, N>> exact(const BSpline<double, N>& map);
 

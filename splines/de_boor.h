@@ -74,8 +74,8 @@ Result<std::vector<R>> evaluate(const BSpline<R, N>& map,
   return values;
 }
 
-/// The point at a place of the domain: without the weight, divided by it. Weights of control points are positive in maps
-/// that make_bspline returned, and so is then the weight everywhere. REQUIRES, of others, that it is not 0 there.
+/// The point at a place of the domain: without the weight, divided by it. Weights of control points are positive in
+/// maps that make_bspline returned, and so is then the weight everywhere. REQUIRES, of others, that it is not 0 there.
 /// @error as evaluate
 template <Ring R, std::size_t N>
 Result<std::vector<R>> point(const BSpline<R, N>& map,

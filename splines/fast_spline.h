@@ -39,7 +39,8 @@ template <std::size_t N>
 class FastSpline {
  public:
   /// @error kOverLimit for a coefficient or a derivative's scale beyond 2^200, weights whose ratio exceeds 2^40
-  ///        or that change in a span between neighbouring doubles, more than 2^26 coefficients; kBadArgument for weights that are not positive; kNotFinite for doubles that are not.
+  ///        or that change in a span between neighbouring doubles, more than 2^26 coefficients; kBadArgument for
+  ///        weights that are not positive; kNotFinite for doubles that are not.
   /// @cost  knot insertion in rationals: milliseconds for 1,000 control points.
   static Result<FastSpline> prepare(const BSpline<Rational, N>& map);
   static Result<FastSpline> prepare(const BSpline<double, N>& map);

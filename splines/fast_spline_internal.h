@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // splines/fast_spline_internal.h: the tables of fast_spline.h and its kernels. A kernel's file is compiled with the
-// flags of its instruction set, and so includes nothing that the linker could share with files that must run everywhere.
+// flags of its instruction set, and so includes nothing that the linker could share with files that must run
+// everywhere.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,8 @@ inline constexpr double kFastQuotientRel = 0x1p-52, kFastQuotientSlack = 0x1.000
                         kFastQuotientFloor = 0x1p-1000;
 
 /// One axis: `pieces` cells, breaks[i] <= u < breaks[i + 1] for the binary64 numbers u of cell i, the last one closed.
-/// u lies in bucket trunc((u - breaks[0]) * per_bucket), and then in one of the cells first[bucket] .. first[bucket + 1].
+/// u lies in bucket trunc((u - breaks[0]) * per_bucket), and then in one of the cells first[bucket] .. first[bucket +
+/// 1].
 struct FastAxis {
   const double* breaks;        // pieces + 1
   const double* origin;        // the cell's begin, to nearest

@@ -15,8 +15,8 @@ inline constexpr int kMaxSplineDegree = 63;
 
 /// The knots of one axis. For n control points of degree p: n + p + 1 knots, not decreasing, the domain
 /// [knots[p], knots[n]] not empty, no knot more than p + 1 times. Clamped and unclamped alike. Periodic: also
-/// knots[n + i] - knots[p + i] = knots[n] - knots[p] wherever both exist, and the first p control points along the axis equal
-/// the last p: stored in full, so that nothing but the flag tells a periodic axis from an unclamped one.
+/// knots[n + i] - knots[p + i] = knots[n] - knots[p] wherever both exist, and the first p control points along the axis
+/// equal the last p: stored in full, so that nothing but the flag tells a periodic axis from an unclamped one.
 template <typename Knot>
 struct KnotAxis {
   int degree = 0;

@@ -97,8 +97,9 @@ class Refinement {
 
 }  // namespace internal
 
-/// Inserts knots on an axis; the map stays the same. A periodic axis becomes an unclamped one. Each new control point is a convex
-/// combination of old ones. REQUIRES knots in the domain, not decreasing, of which none becomes more than degree + 1 times one.
+/// Inserts knots on an axis; the map stays the same. A periodic axis becomes an unclamped one. Each new control point
+/// is a convex combination of old ones. REQUIRES knots in the domain, not decreasing, of which none becomes more than
+/// degree + 1 times one.
 /// @cost degree blends an inserted knot, and one copy a control point, for each line
 template <Ring R, std::size_t N>
 BSpline<R, N> refine(const BSpline<R, N>& map, std::size_t axis,

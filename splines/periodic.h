@@ -10,7 +10,8 @@
 
 namespace veritope::internal {
 
-/// A periodic axis with `degree` knots more, and so many control points more, at both ends. No longer marked as periodic.
+/// A periodic axis with `degree` knots more, and so many control points more, at both ends. No longer marked as
+/// periodic.
 template <typename Knot>
 KnotAxis<Knot> extended_axis(const KnotAxis<Knot>& axis) {
   const auto p = static_cast<std::size_t>(axis.degree);
@@ -44,9 +45,9 @@ std::size_t first_copy(const std::vector<Knot>& knots, const Knot& u) {
   return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), u) - knots.begin());
 }
 
-/// The first of the knots of a periodic axis `like` another one, but of this degree, in a list of knots that reaches beyond both
-/// ends of the domain far enough; and one past the last. The domain starts and ends at the same copy of its knot as there, or at
-/// the last if that is gone.
+/// The first of the knots of a periodic axis `like` another one, but of this degree, in a list of knots that reaches
+/// beyond both ends of the domain far enough; and one past the last. The domain starts and ends at the same copy of its
+/// knot as there, or at the last if that is gone.
 struct PeriodCut {
   std::size_t first, past;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/pn_triangle.h: the cubic patch and the quadratic normal field over a triangle with normals at its corners [VPBM01], as seed
-// 001 uses them [GRF03], section 3.1; exactly in rationals, without square roots.
+// splines/pn_triangle.h: the cubic patch and the quadratic normal field over a triangle with normals at its corners
+// [VPBM01], as seed 001 uses them [GRF03], section 3.1; exactly in rationals, without square roots.
 #pragma once
 #include <array>
 
@@ -11,17 +11,19 @@ namespace veritope {
 
 using PnPoint = std::array<Rational, 3>;
 
-/// points: degree 3. It interpolates the corners, where its tangent planes are orthogonal to the normals; its boundary over an edge
-/// depends on that edge's ends and their normals only. The lengths of the normals do not matter.
-/// normals: degree 2, not normalised. At the corners the given normals with their lengths; over an edge it depends on the edge alone. It is not
-/// the normal of `points`, only like it. [VPBM01] has all coefficients normalised: here the middle coefficient of an edge is theirs
-/// times the cosine of half the angle between the two normals if these are of length 1, so that no root is needed.
+/// points: degree 3. It interpolates the corners, where its tangent planes are orthogonal to the normals; its boundary
+/// over an edge depends on that edge's ends and their normals only. The lengths of the normals do not matter.
+/// normals: degree 2, not normalised. At the corners the given normals with their lengths; over an edge it depends on
+/// the edge alone. It is not the normal of `points`, only like it. [VPBM01] has all coefficients normalised: here the
+/// middle coefficient of an edge is theirs times the cosine of half the angle between the two normals if these are of
+/// length 1, so that no root is needed.
 struct PnTriangle {
   BezierTriangle<Rational> points;
   BezierTriangle<Rational> normals;
 };
 
-/// @error kBadArgument: a degenerate triangle; a normal that is zero, or 90 degrees or more off the triangle's plane normal
+/// @error kBadArgument: a degenerate triangle; a normal that is zero, or 90 degrees or more off the triangle's plane
+/// normal
 ///        (p1 - p0) x (p2 - p0), with the corner, from 0, as Place::vertex.
 Result<PnTriangle> make_pn_triangle(const std::array<PnPoint, 3>& corners,
                                     const std::array<PnPoint, 3>& normals);
@@ -47,8 +49,8 @@ PnPoint pn_edge_normal(const std::array<S, 3>& p, const std::array<S, 3>& q,
 template <typename S>
 PnPoint pn_centre(const PnCorners<S>& corners);
 
-/// The forms from their coefficients, of any ring. edge_points[e]: of the edge opposite to corner e, the one next to corner e + 1, then the
-/// one next to corner e + 2 (modulo 3); edge_normals[e]: of that edge.
+/// The forms from their coefficients, of any ring. edge_points[e]: of the edge opposite to corner e, the one next to
+/// corner e + 1, then the one next to corner e + 2 (modulo 3); edge_normals[e]: of that edge.
 template <Ring R>
 BezierTriangle<R> pn_points(const std::array<std::array<R, 3>, 3>& corners,
                             const std::array<std::array<std::array<R, 3>, 2>, 3>& edge_points,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/polynomial_filter.h: products of scaled polynomials in binary64, as filters over arrays with zeros between the rows.
+// splines/polynomial_filter.h: products of scaled polynomials in binary64, as filters over arrays with zeros between
+// the rows.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -42,9 +43,10 @@ struct DoubleLanes {
   }
 };
 
-/// The arithmetic of composition_nested.h in the numbers of Lanes: doubles, or what a test counts in their place. Polynomials of fewer
-/// than three variables have leading sizes of 1. Every coefficient is a sum of products in this order: within a row of the small
-/// factor, rows of both products in turn, planes. A polynomial of degree 3 in 3 variables is read once for 64 products a result.
+/// The arithmetic of composition_nested.h in the numbers of Lanes: doubles, or what a test counts in their place.
+/// Polynomials of fewer than three variables have leading sizes of 1. Every coefficient is a sum of products in this
+/// order: within a row of the small factor, rows of both products in turn, planes. A polynomial of degree 3 in 3
+/// variables is read once for 64 products a result.
 template <typename Lanes>
 struct FilterAlgebra {
   using Scalar = typename Lanes::Scalar;
@@ -69,7 +71,8 @@ struct FilterAlgebra {
   }
 
  private:
-  // The large factor's coefficients where the product's array has them, behind as many zeros as the small factor reaches back.
+  // The large factor's coefficients where the product's array has them, behind as many zeros as the small factor
+  // reaches back.
   struct Spread {
     Grid<3> grid;  // of the product
     std::size_t front;
@@ -120,8 +123,9 @@ struct FilterAlgebra {
 
 using DoubleAlgebra = FilterAlgebra<DoubleLanes>;
 
-/// The most roundings that one term of a sum of `products` (1 or 2) products goes through, for small factors of this grid: one of the
-/// multiplication, and a sum less than there are summands in its row, of rows in its plane, and of planes.
+/// The most roundings that one term of a sum of `products` (1 or 2) products goes through, for small factors of this
+/// grid: one of the multiplication, and a sum less than there are summands in its row, of rows in its plane, and of
+/// planes.
 inline int filter_roundings(const Grid<3>& small, int products) {
   return static_cast<int>(small.size[0] + small.size[2]) +
          products * static_cast<int>(small.size[1]) - 2;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/prime_field.h: numbers modulo primes just below 2^61, and integers from their remainders (Chinese remainder theorem).
+// splines/prime_field.h: numbers modulo primes just below 2^61, and integers from their remainders (Chinese remainder
+// theorem).
 #pragma once
 #include <array>
 #include <cstddef>
@@ -56,8 +57,9 @@ class PrimeField {
   Number c_, p_;
 };
 
-/// The `count` largest primes below 2^61, in descending order: the first is 2^61 - 1. REQUIRES count <= 4096: then c < 2^24.
-/// Proved prime by the strong test to the first twelve prime bases, which decides all numbers below 3.1 10^23 [SW17].
+/// The `count` largest primes below 2^61, in descending order: the first is 2^61 - 1. REQUIRES count <= 4096: then c <
+/// 2^24. Proved prime by the strong test to the first twelve prime bases, which decides all numbers below 3.1 10^23
+/// [SW17].
 std::vector<PrimeField> largest_primes(std::size_t count);
 
 /// Integers of less than 2^bits in magnitude from their remainders modulo the fewest largest primes that suffice.

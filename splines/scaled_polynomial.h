@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/scaled_polynomial.h: polynomials of N variables in scaled Bernstein form: the coefficient of x^i (1 - x)^(n - i),
-// that is, the Bernstein coefficient times C(n, i), in each variable. Products are convolutions, and no number is divided.
+// splines/scaled_polynomial.h: polynomials of N variables in scaled Bernstein form: the coefficient of x^i (1 - x)^(n -
+// i), that is, the Bernstein coefficient times C(n, i), in each variable. Products are convolutions, and no number is
+// divided.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -42,14 +43,16 @@ void for_each_index(const Grid<N>& grid, Visit visit) {
   }
 }
 
-/// out += a b. REQUIRES out.grid = product_grid(a.grid, b.grid). @cost a product of numbers for every pair of coefficients
+/// out += a b. REQUIRES out.grid = product_grid(a.grid, b.grid). @cost a product of numbers for every pair of
+/// coefficients
 template <typename S, std::size_t N>
 void accumulate_product(ScaledPolynomial<S, N>& out, const ScaledPolynomial<S, N>& a,
                         const ScaledPolynomial<S, N>& b) {
   add_product_on_grids(b.c.data(), b.grid, a.c.data(), a.grid, out.c.data(), out.grid);
 }
 
-/// C(n_1, i_1) C(n_2, i_2) ... for every entry of a grid of n_j + 1 entries; the numbers are the ring's knots, or integers.
+/// C(n_1, i_1) C(n_2, i_2) ... for every entry of a grid of n_j + 1 entries; the numbers are the ring's knots, or
+/// integers.
 template <typename Number, std::size_t N>
 std::vector<Number> binomial_grid(const Grid<N>& grid) {
   std::array<std::vector<Number>, N> rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Three boxes that satisfy C1, C2 and C3 of [SSP01] with the unit sphere, and hold the whole ball: Corollary 2.6 would have the empty set homeomorphic to a
-// ball. With six slabs around [-4,4]^3 they refute Theorem 2.5, too. C3* fails, at the three boxes together. docs/THEORY.md §1.
+// Three boxes that satisfy C1, C2 and C3 of [SSP01] with the unit sphere, and hold the whole ball: Corollary 2.6 would
+// have the empty set homeomorphic to a ball. With six slabs around [-4,4]^3 they refute Theorem 2.5, too. C3* fails, at
+// the three boxes together. docs/THEORY.md §1.
 #include <cstdio>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Figure 5 of [SSP01]: exceptions to C3, at the top of the unit circle: (a) due to varying sizes of boxes, (b) due to small features; and a contact, which a
-// dyadic step eliminates.
+// Figure 5 of [SSP01]: exceptions to C3, at the top of the unit circle: (a) due to varying sizes of boxes, (b) due to
+// small features; and a contact, which a dyadic step eliminates.
 #include <cstdio>
 #include <vector>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/bernstein_box.h: Bezier maps with interval coefficients on boxes of parameters: restriction, hull, derivative.
+// interval/enclosure/bernstein_box.h: Bezier maps with interval coefficients on boxes of parameters: restriction, hull,
+// derivative.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,8 +14,8 @@
 
 namespace veritope {
 
-/// The map on the part `local` of [0,1]^N, as a map of [0,1]^N: coefficients that contain those of every map that `piece`
-/// stands for. The ends of `local` are taken as exact numbers.
+/// The map on the part `local` of [0,1]^N, as a map of [0,1]^N: coefficients that contain those of every map that
+/// `piece` stands for. The ends of `local` are taken as exact numbers.
 /// REQUIRES local inside [0,1]^N and a live ScopedUpward.  @cost 2 (degree + 1)^2 / 2 blends a line and axis
 template <std::size_t N>
 Bezier<Interval, N> on_box(Bezier<Interval, N> piece, const Box<N>& local) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/bernstein_product_internal.h: products and differences of polynomials of two variables in Bernstein form with
-// interval coefficients. Scaled coefficients (times their binomials) turn products into sums without further factors.
+// interval/enclosure/bernstein_product_internal.h: products and differences of polynomials of two variables in
+// Bernstein form with interval coefficients. Scaled coefficients (times their binomials) turn products into sums
+// without further factors.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,8 +16,8 @@
 
 namespace veritope::internal {
 
-/// REQUIRES of all operations a live ScopedUpward. The signs of the scaled coefficients are those of the coefficients, and
-/// what a convex cone says of the ones it says of the others.
+/// REQUIRES of all operations a live ScopedUpward. The signs of the scaled coefficients are those of the coefficients,
+/// and what a convex cone says of the ones it says of the others.
 class ScaledBernstein2 {
  public:
   ScaledBernstein2() = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/enclosed_surface.h: a continuous B-spline surface in space, prepared for enclosures of its points and
-// derivatives over rectangles of parameters. Convex hull property after restriction, [SSP01]; docs/THEORY.md, ENCLOSE-1.
+// interval/enclosure/enclosed_surface.h: a continuous B-spline surface in space, prepared for enclosures of its points
+// and derivatives over rectangles of parameters. Convex hull property after restriction, [SSP01]; docs/THEORY.md,
+// ENCLOSE-1.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,8 +14,8 @@
 
 namespace veritope {
 
-/// Bezier pieces with interval coefficients over *working parameters*: each knot is replaced by the next binary64 number, and
-/// every span is mapped to its new place affinely. Exact wherever the knots are binary64 numbers.
+/// Bezier pieces with interval coefficients over *working parameters*: each knot is replaced by the next binary64
+/// number, and every span is mapped to its new place affinely. Exact wherever the knots are binary64 numbers.
 /// All functions REQUIRE a live ScopedUpward in this thread.
 class EnclosedSurface {
  public:
@@ -30,7 +31,8 @@ class EnclosedSurface {
     Box3 duu, duv, dvv;
   };
 
-  /// @error kBadArgument: not in space; a weight that is not positive; pieces that do not meet along a knot; knots that are the
+  /// @error kBadArgument: not in space; a weight that is not positive; pieces that do not meet along a knot; knots that
+  /// are the
   ///   same binary64 number; kOverLimit: coordinates beyond 2^300 (their products could overflow)
   static Result<EnclosedSurface> make(const BSpline<Rational, 2>& surface);
 
@@ -46,7 +48,8 @@ class EnclosedSurface {
 
   /// The point at working parameters. Beyond the domain the last piece is continued.
   Box3 point(double u, double v) const;
-  /// As point(), in MPFR intervals of `precision` bits from the exact coefficients; homogeneous with weight 1 if polynomial.
+  /// As point(), in MPFR intervals of `precision` bits from the exact coefficients; homogeneous with weight 1 if
+  /// polynomial.
   std::array<MpInterval, 4> precise_point(double u, double v, int precision) const;
   /// Of one piece, continued beyond its borders, at a narrow box of parameters.
   Box3 point_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v) const;
@@ -57,8 +60,8 @@ class EnclosedSurface {
   Range range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v,
                        Want want = Want::kAll) const;
   /// Over a rectangle of working parameters, which may cross knots and the domain's border; there the derivatives
-  /// are the hull of those of both sides. Excess width: first order in the rectangle's size. The whole of space where a continued
-  /// piece's weight is not positive.
+  /// are the hull of those of both sides. Excess width: first order in the rectangle's size. The whole of space where a
+  /// continued piece's weight is not positive.
   Range range(const Interval& u, const Interval& v, Want want = Want::kAll) const;
 
   /// The second derivatives over a rectangle, as range().

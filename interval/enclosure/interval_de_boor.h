@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/interval_de_boor.h: de Boor's algorithm on control boxes and a parameter interval, in midpoint-radius form.
-// Source: [SSP01] appendix, eq. 5-13. Design: docs/design/0011-enclosures.md.
+// interval/enclosure/interval_de_boor.h: de Boor's algorithm on control boxes and a parameter interval, in
+// midpoint-radius form. Source: [SSP01] appendix, eq. 5-13. Design: docs/design/0011-enclosures.md.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -68,11 +68,13 @@ std::vector<MidRadius<R>> values_of_span(const std::vector<MidRadius<R>>& line, 
 /// The spline with control boxes `line` over [lo, hi]: contains its value for every choice of points in the boxes
 /// and every t in [lo, hi]; at hi, if the map jumps there, the value from the left.
 ///   (1) If no knot lies inside (lo, hi): mid is exactly the value of the spline of the mids at the middle of [lo, hi],
-///       and radius follows eq. 13; with fixed hi - lo, and on spans where no |D| changes sign, radius is a polynomial of
+///       and radius follows eq. 13; with fixed hi - lo, and on spans where no |D| changes sign, radius is a polynomial
+///       of
 ///       degree <= degree in the middle.
 ///   (2) A knot inside splits [lo, hi]; the widths add. With parts [t1], [t2] at the knot tau the result is
 ///       [P(t1)] + [P(t2)] - P(tau), which contains both, as both contain P(tau). Its middle is not P(middle): [SSP01]
-///       says nothing of the place of that box, and one around P(middle) with the sum of the widths may miss points of the
+///       says nothing of the place of that box, and one around P(middle) with the sum of the widths may miss points of
+///       the
 ///       curve (tests/interval/interval_de_boor_test.cc). Where the map jumps at tau, the jump's size is added.
 /// REQUIRES lo <= hi in the domain, line.size() = axis.num_control(); over Interval a live ScopedUpward.
 /// @cost degree^2 / 2 products for each span

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/patch_tree.h: a surface as a tree of ever smaller rectangles of parameters, each with a box around its points.
+// interval/enclosure/patch_tree.h: a surface as a tree of ever smaller rectangles of parameters, each with a box around
+// its points.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +10,9 @@
 
 namespace veritope {
 
-/// Nodes above single pieces hold groups of spans; below, a piece is cut in four at binary64 numbers next to the middle. Children cover
-/// their parent. Nodes are made when asked for and kept. All functions REQUIRE a live ScopedUpward.
+/// Nodes above single pieces hold groups of spans; below, a piece is cut in four at binary64 numbers next to the
+/// middle. Children cover their parent. Nodes are made when asked for and kept. All functions REQUIRE a live
+/// ScopedUpward.
 class PatchTree {
  public:
   using Id = std::uint32_t;

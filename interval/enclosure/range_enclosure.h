@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/range_enclosure.h: enclosures narrowed by cutting the box of parameters, with a proof of how much is left.
+// interval/enclosure/range_enclosure.h: enclosures narrowed by cutting the box of parameters, with a proof of how much
+// is left.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -30,8 +31,8 @@ struct RangeEnclosure {
   bool is_reached = false;  ///< excess <= wanted; else the limit on boxes was
 };
 
-/// Encloses the ranges of `enclose` over `at`: enclose(box) is a Result of one interval a component, around its values on
-/// the box, for boxes and points of `at`; it converges as boxes shrink. Cuts, where a component's bound is farthest
+/// Encloses the ranges of `enclose` over `at`: enclose(box) is a Result of one interval a component, around its values
+/// on the box, for boxes and points of `at`; it converges as boxes shrink. Cuts, where a component's bound is farthest
 /// from a value that is taken, until no bound is farther than `wanted` from one.
 /// @error what enclose says; kBadArgument for wanted <= 0.
 template <std::size_t N, typename Enclose>

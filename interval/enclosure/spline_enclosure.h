@@ -26,9 +26,9 @@ template <std::size_t N>
 struct EnclosureData;
 }
 
-/// A spline cut into Bezier pieces, with the pieces of its derivatives up to an order, found exactly and rounded outward.
-/// Rational maps: of their points, not of homogeneous coordinates. Control boxes (BSpline<Interval, N>): the enclosures
-/// contain the values of every spline with points in the boxes.
+/// A spline cut into Bezier pieces, with the pieces of its derivatives up to an order, found exactly and rounded
+/// outward. Rational maps: of their points, not of homogeneous coordinates. Control boxes (BSpline<Interval, N>): the
+/// enclosures contain the values of every spline with points in the boxes.
 /// A box across knots gets the hull over its cells; at a break one-sided derivatives of both sides are inside.
 /// Functions set the rounding mode themselves. Copies share their data.
 template <std::size_t N>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/spline_enclosure_internal.h: any formula in the derivatives of a spline, enclosed over a box of parameters.
+// interval/enclosure/spline_enclosure_internal.h: any formula in the derivatives of a spline, enclosed over a box of
+// parameters.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -71,8 +72,8 @@ struct Jets {
     return values[data->index_of(order) * static_cast<std::size_t>(data->dimension) + c];
   }
 };
-/// Over `local`, a box of [0,1]^N of the cell. Of polynomial maps only the derivatives of `base` and of what is a derivative
-/// of it; the others are empty. REQUIRES order <= max_order.
+/// Over `local`, a box of [0,1]^N of the cell. Of polynomial maps only the derivatives of `base` and of what is a
+/// derivative of it; the others are empty. REQUIRES order <= max_order.
 template <std::size_t N>
 Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& local, int order,
                   const MultiIndex<N>& base);
@@ -112,8 +113,8 @@ template <std::size_t N>
 Result<std::vector<CellPart<N>>> parts_of(const EnclosureData<N>& data, const Box<N>& at,
                                           int order);
 
-/// Formula: std::vector<Number> operator()(view), of derivatives up to `order`; base(), of which all that it reads are derivatives.
-/// `over`: the jets over the part, of one order more.
+/// Formula: std::vector<Number> operator()(view), of derivatives up to `order`; base(), of which all that it reads are
+/// derivatives. `over`: the jets over the part, of one order more.
 template <std::size_t N, typename F>
 std::vector<Interval> mean_value(const EnclosureData<N>& data, const CellPart<N>& part,
                                  const F& formula, int order, const Jets<N>& over) {

@@ -19,7 +19,8 @@ struct CurvatureEnclosure {
   Interval gauss, mean;
   Interval principal_min, principal_max;
 };
-/// Of the points with S_u x S_v != 0; as a rule unbounded where the box does not exclude others. @error needs order 2, mean value 3
+/// Of the points with S_u x S_v != 0; as a rule unbounded where the box does not exclude others. @error needs order 2,
+/// mean value 3
 Result<CurvatureEnclosure> enclose_curvatures(const SplineEnclosure<2>& surface, const Box2& at,
                                               EnclosureForm form = EnclosureForm::kBoth);
 
@@ -30,8 +31,8 @@ struct DirectionCone {
 };
 /// A cone of all normals over the box, or none if the Bernstein coefficients of the normal's numerator are not inside
 /// any half space that was tried (the sum's): the box is to be cut, or has a point without a normal.
-/// The numerator is a polynomial vector: S_u x S_v, or of rational maps (X_u w - X w_u) x (X_v w - X w_v) = w^4 S_u x S_v.
-/// Excess of the angle O(d^2).  @error needs order 1
+/// The numerator is a polynomial vector: S_u x S_v, or of rational maps (X_u w - X w_u) x (X_v w - X w_v) = w^4 S_u x
+/// S_v. Excess of the angle O(d^2).  @error needs order 1
 Result<std::optional<DirectionCone>> enclose_normal_cone(const SplineEnclosure<2>& surface,
                                                          const Box2& at);
 

@@ -15,8 +15,8 @@
 namespace veritope {
 namespace {
 
-// Component c of a piece of K variables as a polynomial of N, its own being those from `first` on; the constant 1 for the weight of a map
-// that has none.
+// Component c of a piece of K variables as a polynomial of N, its own being those from `first` on; the constant 1 for
+// the weight of a map that has none.
 template <std::size_t N, std::size_t K>
 ExactPolynomial<N> lifted(const Bezier<Rational, K>& piece, int c, std::size_t first) {
   std::array<int, N> degrees{};

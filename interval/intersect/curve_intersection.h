@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/curve_intersection.h: where curves meet curves of the plane and surfaces of space, and where two curves of any dimension are
-// nearest. Design: docs/design/0012-certified-solvers.md.
+// interval/intersect/curve_intersection.h: where curves meet curves of the plane and surfaces of space, and where two
+// curves of any dimension are nearest. Design: docs/design/0012-certified-solvers.md.
 #pragma once
 #include <vector>
 
@@ -11,8 +11,9 @@
 
 namespace veritope {
 
-/// All (s, t) with a(s) = b(t), two curves of the plane. Transversal ones are isolated, each proved; touching and overlapping
-/// ones end in clusters. Continuous maps; at torn knots (multiplicity degree + 1) each side counts for itself.
+/// All (s, t) with a(s) = b(t), two curves of the plane. Transversal ones are isolated, each proved; touching and
+/// overlapping ones end in clusters. Continuous maps; at torn knots (multiplicity degree + 1) each side counts for
+/// itself.
 /// @error kBadArgument: not of dimension 2, a weight that is not positive, bad options; kOverLimit
 Result<RootReport<2>> intersect_curves(const BSpline<Rational, 1>& a, const BSpline<Rational, 1>& b,
                                        const SolverOptions& options = {});
@@ -35,9 +36,10 @@ struct NormalChords {
   bool is_complete() const { return clusters.empty(); }
 };
 
-/// All (s, t) with (a(s) - b(t)) . a'(s) = 0 = (a(s) - b(t)) . b'(t): also where the curves meet. In space two curves meet only if three equations in
-/// two unknowns hold, which intervals cannot prove: what is certified is that these are all the places, and how wide each gap is; where
-/// its enclosure excludes 0, the curves do not meet. At knots of multiplicity >= degree, the critical points of either side.
+/// All (s, t) with (a(s) - b(t)) . a'(s) = 0 = (a(s) - b(t)) . b'(t): also where the curves meet. In space two curves
+/// meet only if three equations in two unknowns hold, which intervals cannot prove: what is certified is that these are
+/// all the places, and how wide each gap is; where its enclosure excludes 0, the curves do not meet. At knots of
+/// multiplicity >= degree, the critical points of either side.
 /// @error kBadArgument: different dimensions, a weight that is not positive, bad options; kOverLimit
 Result<NormalChords> normal_chords(const BSpline<Rational, 1>& a, const BSpline<Rational, 1>& b,
                                    const SolverOptions& options = {});

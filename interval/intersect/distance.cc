@@ -104,8 +104,8 @@ Interval hull_over(const Part& part, F f) {
   return out;
 }
 
-// Encloses |y - x|^2 for all x in a, y in b. With d = difference of the centres: |v|^2 |d|^2 = (v.d)^2 + |v x d|^2, and both
-// are linear in v = y - x. Where the parts are small, v is nearly d: the error is that of second order.
+// Encloses |y - x|^2 for all x in a, y in b. With d = difference of the centres: |v|^2 |d|^2 = (v.d)^2 + |v x d|^2, and
+// both are linear in v = y - x. Where the parts are small, v is nearly d: the error is that of second order.
 Interval squared_distances(const Part& a, const Part& b) {
   Interval boxes;
   for (std::size_t k = 0; k < 3; ++k) boxes += sqr(b.hull[k] - a.hull[k]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/distance.h: enclosures of the least and the greatest distance between points, curves and surfaces in up to three dimensions,
-// and of the least distance of parts of one map that are no neighbours. Design: docs/design/0012-certified-solvers.md.
+// interval/intersect/distance.h: enclosures of the least and the greatest distance between points, curves and surfaces
+// in up to three dimensions, and of the least distance of parts of one map that are no neighbours. Design:
+// docs/design/0012-certified-solvers.md.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -29,8 +30,8 @@ class Shape {
 
   int dimension() const { return dimension_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Two pieces that share a point of the domain, or one of a border that is glued: the two borders of an axis along which
-  /// the map closes exactly, or a border that is one point. A piece is its own neighbour.
+  /// Two pieces that share a point of the domain, or one of a border that is glued: the two borders of an axis along
+  /// which the map closes exactly, or a border that is one point. A piece is its own neighbour.
   bool are_neighbours(const Piece& a, const Piece& b) const;
 
  private:
@@ -56,15 +57,17 @@ struct DistanceEnclosure {
   std::uint64_t pairs = 0;   ///< pairs of parts that were looked at
 };
 
-/// min |x - y| and max |x - y| over x in a, y in b. @cost branch and bound; the bounds of a pair of parts are off by the square of their size.
+/// min |x - y| and max |x - y| over x in a, y in b. @cost branch and bound; the bounds of a pair of parts are off by
+/// the square of their size.
 /// @error kBadArgument: of different dimensions, or options not positive
 Result<DistanceEnclosure> least_distance(const Shape& a, const Shape& b,
                                          const DistanceOptions& options = {});
 Result<DistanceEnclosure> greatest_distance(const Shape& a, const Shape& b,
                                             const DistanceOptions& options = {});
 
-/// min |x - y| over x and y in pieces that are no neighbours: the seed's least distance of parts of a boundary that do not meet [SSP01] 3,
-/// for the parts into which the knots cut the map; more knots make finer parts. 0 iff the map meets itself outside of neighbours.
+/// min |x - y| over x and y in pieces that are no neighbours: the seed's least distance of parts of a boundary that do
+/// not meet [SSP01] 3, for the parts into which the knots cut the map; more knots make finer parts. 0 iff the map meets
+/// itself outside of neighbours.
 Result<DistanceEnclosure> least_self_distance(const Shape& shape,
                                               const DistanceOptions& options = {});
 

@@ -64,8 +64,8 @@ class ExactSurface {
   BezierPieces<Rational, 2> pieces_;
 };
 
-/// S1 at (u, v) is S2 at the affine image, on the cell [a0, b0] x [a1, b1] that holds no knot of either inside: both sides are
-/// polynomials, which agree if they do on a grid of degree + 1 points an axis.
+/// S1 at (u, v) is S2 at the affine image, on the cell [a0, b0] x [a1, b1] that holds no knot of either inside: both
+/// sides are polynomials, which agree if they do on a grid of degree + 1 points an axis.
 bool agree_on_cell(const ExactSurface& s1, const ExactSurface& s2, const ExactOverlap& map,
                    const std::array<Rational, 2>& begin, const std::array<Rational, 2>& end) {
   const Rational half = Rational(1) / Rational(2);
@@ -139,8 +139,8 @@ std::optional<ExactOverlap> guess_map(const std::array<Point4, 3>& corners) {
   return out;
 }
 
-/// Where the second surface's knots lie on an axis of the first, with its own knots between; empty if the domains' images do not
-/// overlap.
+/// Where the second surface's knots lie on an axis of the first, with its own knots between; empty if the domains'
+/// images do not overlap.
 std::vector<Rational> common_breaks(const std::vector<Rational>& own,
                                     const std::vector<Rational>& other, const Rational& factor,
                                     const Rational& offset) {
@@ -159,7 +159,8 @@ std::vector<Rational> common_breaks(const std::vector<Rational>& own,
   return out;
 }
 
-/// By the mean value theorem: two coordinates whose derivatives, each taken somewhere in the rectangle, are never dependent.
+/// By the mean value theorem: two coordinates whose derivatives, each taken somewhere in the rectangle, are never
+/// dependent.
 bool is_one_to_one(const EnclosedSurface& s, const Interval& u, const Interval& v) {
   const auto r = s.range(u, v);
   for (std::size_t a = 0; a < 3; ++a) {

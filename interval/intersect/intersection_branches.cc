@@ -176,8 +176,8 @@ class Joiner {
       if (!ids.empty()) out_->chains.push_back(walk(first_of(ids), ids.size()));
   }
 
-  /// Steps on to the arc that goes farthest, until the border, an arc that was passed already, or an unknown place. A long arc
-  /// may overtake the first one, so a loop closes where it meets itself.
+  /// Steps on to the arc that goes farthest, until the border, an arc that was passed already, or an unknown place. A
+  /// long arc may overtake the first one, so a loop closes where it meets itself.
   BranchChain walk(std::size_t first, std::size_t most) {
     const bool starts_open = !starts_on_border(first) && start_holders(first).empty();
     const bool may_close = !starts_on_border(first) && !starts_open;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/intersection_branches.h: from tubes that cover the common points of two surfaces to branches: which
-// tubes hold parts of the same arc, in which order, and where the border of a domain cuts it.
+// interval/intersect/intersection_branches.h: from tubes that cover the common points of two surfaces to branches:
+// which tubes hold parts of the same arc, in which order, and where the border of a domain cuts it.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace veritope {
 
-/// The part of a tube's arc that lies in both closed domains: from w in `begin` to w in `end`, begin < end. At an end on
-/// the border of a domain the interval is an enclosure of the place; elsewhere it is the tube's own end.
+/// The part of a tube's arc that lies in both closed domains: from w in `begin` to w in `end`, begin < end. At an end
+/// on the border of a domain the interval is an enclosure of the place; elsewhere it is the tube's own end.
 struct DomainArc {
   IntersectionTube tube;
   Interval begin, end;
@@ -37,8 +37,8 @@ struct BranchChain {
 struct BranchSet {
   std::vector<DomainArc> arcs;
   std::vector<BranchChain> chains;
-  /// Where an arc touches or runs along a domain's border, or where it is not known whether two arcs are one. Empty: the chains are
-  /// all components of what the tubes hold.
+  /// Where an arc touches or runs along a domain's border, or where it is not known whether two arcs are one. Empty:
+  /// the chains are all components of what the tubes hold.
   std::vector<Box4> unresolved;
 };
 

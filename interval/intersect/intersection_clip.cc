@@ -91,8 +91,8 @@ class Clipper {
     return at[i].hi() < bound ? -1 : (at[i].lo() > bound ? 1 : 0);
   }
 
-  /// Keeps what is behind the place where parameter i is `bound` (keep_behind), or what is before it. False if it is not decided
-  /// whether the tube's range holds that place.
+  /// Keeps what is behind the place where parameter i is `bound` (keep_behind), or what is before it. False if it is
+  /// not decided whether the tube's range holds that place.
   bool cut(DomainArc* arc, std::size_t i, double bound, bool keep_behind) const {
     const IntersectionTube& tube = arc->tube;
     const int rises = tube.derivative[i].sign() == Sign3::kPositive ? 1 : -1;

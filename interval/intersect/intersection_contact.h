@@ -16,13 +16,14 @@ struct CommonNormal {
   IntersectionContact::Shape shape = IntersectionContact::Shape::kUnknown;
 };
 
-/// Krawczyk's operator for (S1 - S2).S1_u = (S1 - S2).S1_v = N1.S2_s = N1.S2_t = 0 about the middle of x. Elliptic iff the
-/// Jacobian's determinant is positive: it is det(I) det(II2 - M^T II1 M) where the surfaces touch.
+/// Krawczyk's operator for (S1 - S2).S1_u = (S1 - S2).S1_v = N1.S2_s = N1.S2_t = 0 about the middle of x. Elliptic iff
+/// the Jacobian's determinant is positive: it is det(I) det(II2 - M^T II1 M) where the surfaces touch.
 /// REQUIRES a live ScopedUpward.
 std::optional<CommonNormal> find_common_normal(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                                const Box4& x);
 
-/// On `first` parameters (u, v) in a rectangle of the first surface, S1(u, v) = S2(s, t) with s and t affine in one of u, v each.
+/// On `first` parameters (u, v) in a rectangle of the first surface, S1(u, v) = S2(s, t) with s and t affine in one of
+/// u, v each.
 struct ExactOverlap {
   Box4 parameters;                               ///< rounded outward
   std::array<std::array<Rational, 2>, 4> exact;  ///< the bounds
@@ -34,7 +35,8 @@ struct ExactOverlap {
 bool holds_all_of(const EnclosedSurface& s1, const EnclosedSurface& s2, const ExactOverlap& overlap,
                   const Box4& x);
 
-/// Looks for one near pairs of points with nearly equal positions, given as (u, v, s, t), and proves it in rational numbers.
+/// Looks for one near pairs of points with nearly equal positions, given as (u, v, s, t), and proves it in rational
+/// numbers.
 std::optional<ExactOverlap> find_overlap(const BSpline<Rational, 2>& first,
                                          const BSpline<Rational, 2>& second,
                                          const std::vector<Point4>& pairs);

@@ -214,8 +214,8 @@ class Tracer {
     segment->length = length_of(derivative_over(tube, r1.du, r1.dv, r2.du, r2.dv), a, b, r1);
   }
 
-  /// At least the chord. At most the integral of t.e times the greatest |t| / t.e, t the tangents, e a unit vector along
-  /// the chord; the integral is the chord's own component along e.
+  /// At least the chord. At most the integral of t.e times the greatest |t| / t.e, t the tangents, e a unit vector
+  /// along the chord; the integral is the chord's own component along e.
   Interval length_of(const Box4& derivative, const Knot& a, const Knot& b,
                      const EnclosedSurface::Range& range) const {
     const Interval sign(b.w < a.w ? -1.0 : 1.0);

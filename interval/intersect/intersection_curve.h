@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/intersection_curve.h: a proved branch as two chains of cubic curves in the parameter domains, with a proved bound
-// of the gap between their images.
+// interval/intersect/intersection_curve.h: a proved branch as two chains of cubic curves in the parameter domains, with
+// a proved bound of the gap between their images.
 #pragma once
 #include <array>
 #include <vector>
@@ -22,8 +22,8 @@ struct CurveSegment {
   Interval length;
 };
 
-/// REQUIRES a live ScopedUpward. Segments are halved until their gap is at most `gap`, or 2^-12 of a step is reached. Cost: some
-/// 20 evaluations of both surfaces a segment.
+/// REQUIRES a live ScopedUpward. Segments are halved until their gap is at most `gap`, or 2^-12 of a step is reached.
+/// Cost: some 20 evaluations of both surfaces a segment.
 std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                        const BranchSet& set, const BranchChain& chain, double gap);
 
@@ -33,14 +33,14 @@ Box4 box_over(const EnclosedSurface& s1, const EnclosedSurface& s2, const Domain
 /// At most how long that part is.
 double length_over(const EnclosedSurface& s1, const DomainArc& arc, const Interval& place);
 
-/// A bound of |S1 - S2| along a cubic that is not known to be close to anything: for curves of others. Infinite if it leaves
-/// the domains by more than a few units in the last place.
+/// A bound of |S1 - S2| along a cubic that is not known to be close to anything: for curves of others. Infinite if it
+/// leaves the domains by more than a few units in the last place.
 double gap_of_cubic(const EnclosedSurface& s1, const EnclosedSurface& s2,
                     const std::array<Point4, 4>& control);
 
 namespace internal {
-/// max over [-1, 1] of |p| <= this times the maximum over the n + 1 nodes of chebyshev_nodes, for polynomials p of degree n.
-/// (2 / pi) ln(n + 1) + 1 for the exact nodes [Riv90]; the rest pays for their rounding.
+/// max over [-1, 1] of |p| <= this times the maximum over the n + 1 nodes of chebyshev_nodes, for polynomials p of
+/// degree n. (2 / pi) ln(n + 1) + 1 for the exact nodes [Riv90]; the rest pays for their rounding.
 double lebesgue_bound(std::size_t degree);
 /// cos((2 k + 1) pi / (2 n + 2)) in [0, 1]'s place: rounded nodes in [0, 1], decreasing.
 std::vector<double> chebyshev_nodes(std::size_t degree);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/intersection_search.h: covers the common points of two surfaces by tubes, by subdivision of the pair of
-// parameter domains. The first half of surface_intersection.h.
+// interval/intersect/intersection_search.h: covers the common points of two surfaces by tubes, by subdivision of the
+// pair of parameter domains. The first half of surface_intersection.h.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -13,8 +13,8 @@ namespace veritope {
 struct IntersectionBudget {
   /// A pair of rectangles is not cut further when its sides are this part of their spans.
   double smallest = 0x1p-30;
-  /// Pairs to be cut that touch form a cluster; one with more pairs than the first and, for each piece of both surfaces, the
-  /// second is given up at that size. Contact along an area or a curve ends so.
+  /// Pairs to be cut that touch form a cluster; one with more pairs than the first and, for each piece of both
+  /// surfaces, the second is given up at that size. Contact along an area or a curve ends so.
   std::size_t pairs_in_cluster = 1500, pairs_per_piece = 15;
   /// Of all pairs looked at.
   std::uint64_t pairs = 200'000'000;

@@ -226,10 +226,10 @@ Vector newton_step(const EnclosedSurface& s1, const EnclosedSurface& s2,
   return times(tube.inverse, gap_at(s1, s2, tube.center));
 }
 
-/// Whether THEORY, TUBE-1 proves the arc in the tube with its present center, slope, range and offset z; sets what is known of it.
-/// Both hypotheses are needed. T1 (the image of z lies in z, borders included) proves that a point exists for every w. T2 proves that
-/// it is the only one, and bounds the derivatives. Strict inclusion would imply T2; beside T2 it would add nothing.
-/// If T1 fails, z becomes its image.
+/// Whether THEORY, TUBE-1 proves the arc in the tube with its present center, slope, range and offset z; sets what is
+/// known of it. Both hypotheses are needed. T1 (the image of z lies in z, borders included) proves that a point exists
+/// for every w. T2 proves that it is the only one, and bounds the derivatives. Strict inclusion would imply T2; beside
+/// T2 it would add nothing. If T1 fails, z becomes its image.
 /// REQUIRES that z contains 0 and the range contains the center's w: the mean value theorem starts from the center.
 bool prove(const EnclosedSurface& s1, const EnclosedSurface& s2, IntersectionTube* tube,
            Vector* z) {
@@ -248,8 +248,8 @@ bool prove(const EnclosedSurface& s1, const EnclosedSurface& s2, IntersectionTub
   return set_derivative(linear, *z, tube);
 }
 
-/// How far Jacobians over x are from the chart's, in x's own scale: below 1 a tube of that size may be proved. Measured on random
-/// bicubics: one in three is at 0.5, one in ten at 1.2.
+/// How far Jacobians over x are from the chart's, in x's own scale: below 1 a tube of that size may be proved. Measured
+/// on random bicubics: one in three is at 0.5, one in ten at 1.2.
 double spread_of(const Linear& linear, const Box4& x, int pivot) {
   const auto rest = others(pivot);
   double excess = 0, drift = 0;
@@ -365,8 +365,8 @@ std::optional<IntersectionTube> find_tube(const EnclosedSurface& s1, const Enclo
 
 namespace {
 
-/// Krawczyk's operator at w about the middle of x: all solutions in x lie in the result, too. `local` has an approximate
-/// inverse, and its excess over x.
+/// Krawczyk's operator at w about the middle of x: all solutions in x lie in the result, too. `local` has an
+/// approximate inverse, and its excess over x.
 Box4 contracted(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
                 double w, const Box4& x, const IntersectionTube& local, bool is_precise) {
   const auto rest = others(tube.pivot);

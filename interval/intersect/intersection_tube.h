@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/intersection_tube.h: proofs that two surfaces meet in exactly one arc inside of a slanted box of their
-// four parameters. Krawczyk's operator for a system of three equations with a parameter; slanted boxes as in
+// interval/intersect/intersection_tube.h: proofs that two surfaces meet in exactly one arc inside of a slanted box of
+// their four parameters. Krawczyk's operator for a system of three equations with a parameter; slanted boxes as in
 // parallelotope continuation [MGG13].
 #pragma once
 #include <array>
@@ -15,9 +15,10 @@ using Point4 = std::array<double, 4>;
 
 /// Parameters x = (u, v, s, t): u, v of the first surface, s, t of the second, working ones. The tube is
 ///   { x : x[pivot] = w in [w_lo, w_hi], x[i] - center[i] - slope[i] (w - center[pivot]) in offset[i] for i != pivot }.
-/// Claim: for every w in [w_lo, w_hi] the surfaces S1(u, v) = S2(s, t) have exactly one common point in the tube, and these points
-/// form one arc. Beyond their domains the surfaces are continued. Proved by THEORY, TUBE-1 from two hypotheses: T1, Krawczyk's image
-/// of the offsets lies in the offsets, borders included, and T2, it contracts. Neither implies the other.
+/// Claim: for every w in [w_lo, w_hi] the surfaces S1(u, v) = S2(s, t) have exactly one common point in the tube, and
+/// these points form one arc. Beyond their domains the surfaces are continued. Proved by THEORY, TUBE-1 from two
+/// hypotheses: T1, Krawczyk's image of the offsets lies in the offsets, borders included, and T2, it contracts. Neither
+/// implies the other.
 struct IntersectionTube {
   int pivot = 0;
   double w_lo = 0, w_hi = 0;
@@ -44,12 +45,14 @@ enum class Contraction {
   kSlanted,  ///< all common points in the box lie in the slanted box
   kUnknown,  ///< too large, or close to tangential
 };
-/// One step of Krawczyk's operator. @param x  a rectangle of parameters of each surface; du, dv, ds, dt: their derivatives over
+/// One step of Krawczyk's operator. @param x  a rectangle of parameters of each surface; du, dv, ds, dt: their
+/// derivatives over
 /// it.  @param region  on kSlanted, a tube without its claim
 Contraction contract(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x,
                      const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt,
                      IntersectionTube* region);
-/// A tube that contains the region of contract(), or nothing. It reaches beyond the region by `reach` times its range on both sides.
+/// A tube that contains the region of contract(), or nothing. It reaches beyond the region by `reach` times its range
+/// on both sides.
 std::optional<IntersectionTube> find_tube(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                           const IntersectionTube& region, double reach);
 
@@ -58,8 +61,8 @@ std::optional<IntersectionTube> find_tube(const EnclosedSurface& s1, const Enclo
 Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
             double w, Point4* slope = nullptr);
 
-/// The derivatives of the arc's parameters by w, over the part of the arc that lies in the box x of the tube: tighter than the
-/// tube's own where x is small. @param du... derivatives of the surfaces over x
+/// The derivatives of the arc's parameters by w, over the part of the arc that lies in the box x of the tube: tighter
+/// than the tube's own where x is small. @param du... derivatives of the surfaces over x
 Box4 derivative_over(const IntersectionTube& tube, const Box3& du, const Box3& dv, const Box3& ds,
                      const Box3& dt);
 

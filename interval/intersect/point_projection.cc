@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kHessianPrecision = 256;
 
-// With Q = P - C w of the homogeneous P, w: derivatives of |Q / w|^2 / 2 times w^3 (times 1 for polynomials), which is positive.
+// With Q = P - C w of the homogeneous P, w: derivatives of |Q / w|^2 / 2 times w^3 (times 1 for polynomials), which is
+// positive.
 template <std::size_t N>
 class DistanceEquations {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/point_projection.h: all critical points of the distance from a point to a curve or surface, and which one is nearest.
-// Design: docs/design/0012-certified-solvers.md.
+// interval/intersect/point_projection.h: all critical points of the distance from a point to a curve or surface, and
+// which one is nearest. Design: docs/design/0012-certified-solvers.md.
 #pragma once
 #include <array>
 #include <optional>
@@ -18,9 +18,10 @@ namespace veritope {
 /// Of the distance, on the part of the map where the held parameters are constant.
 enum class CriticalKind { kMinimum, kSaddle, kMaximum, kUndecided };
 
-/// Exactly one critical point, with the parameters in the box: on free axes the derivative of the distance is 0; a held axis is a
-/// border of the domain or a knot line where the map need not be differentiable. A point on a border that is critical also without holding it is
-/// reported once, with the fewest held axes, if its parameters are exact; else both are reported, each in its own right.
+/// Exactly one critical point, with the parameters in the box: on free axes the derivative of the distance is 0; a held
+/// axis is a border of the domain or a knot line where the map need not be differentiable. A point on a border that is
+/// critical also without holding it is reported once, with the fewest held axes, if its parameters are exact; else both
+/// are reported, each in its own right.
 template <std::size_t N>
 struct CriticalPoint {
   ExactBox<N> parameters;
@@ -56,8 +57,8 @@ struct Projection {
 };
 
 /// Of N = 1 (curves), 2 (surfaces) in any dimension, polynomial or rational.
-/// @error kBadArgument: a point of another dimension, a weight that is not positive, or bad options; kOverLimit: equations of too many
-/// coefficients
+/// @error kBadArgument: a point of another dimension, a weight that is not positive, or bad options; kOverLimit:
+/// equations of too many coefficients
 template <std::size_t N>
 Result<Projection<N>> project_point(std::span<const Rational> point,
                                     const BSpline<Rational, N>& map,

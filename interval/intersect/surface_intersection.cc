@@ -142,8 +142,8 @@ class Intersector {
     return kind == IntersectionContact::Kind::kTangency ? out_.tangencies : out_.unresolved;
   }
 
-  /// One pair of points with a common normal and no proved distance, in a box so small that its place is the answer: inside of
-  /// both domains, and of one piece of each, so that the normals are differentiable.
+  /// One pair of points with a common normal and no proved distance, in a box so small that its place is the answer:
+  /// inside of both domains, and of one piece of each, so that the normals are differentiable.
   bool is_tangency(IntersectionContact* contact) const {
     if (!is_small_and_smooth(contact->parameters)) return false;
     const auto normal = find_common_normal(s1_, s2_, contact->parameters);
@@ -190,8 +190,8 @@ class Intersector {
     contact->reason.clear();
   }
 
-  /// Gauss-Newton for (s, t) with (u, v) fixed at the box's middle, in doubles: nothing if no near point of the second surface is
-  /// as good as equal.
+  /// Gauss-Newton for (s, t) with (u, v) fixed at the box's middle, in doubles: nothing if no near point of the second
+  /// surface is as good as equal.
   std::optional<Point4> foot_points(const Box4& x) const {
     Point4 p{middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])};
     const Box3 at = s1_.point(p[0], p[1]);

@@ -32,8 +32,9 @@ struct IntersectionBranch {
 /// A place where the surfaces are not shown to cross transversally, nor to be apart.
 struct IntersectionContact {
   enum class Kind {
-    kTangency,  ///< exactly one pair of points with parallel normals whose connecting line is normal, too: see separation
-    kOverlap,   ///< the surfaces are the same on `parameters`, proved in rational numbers
+    /// exactly one pair of points with parallel normals whose connecting line is normal, too: see separation
+    kTangency,
+    kOverlap,     ///< the surfaces are the same on `parameters`, proved in rational numbers
     kUnresolved,  ///< neither was shown within the budget
   };
   enum class Shape { kUnknown, kElliptic, kHyperbolic };
@@ -41,8 +42,8 @@ struct IntersectionContact {
   Shape shape = Shape::kUnknown;
   Box4 parameters;  ///< a rectangle of each surface's working parameters
   Box3 space;       ///< around the part of the first surface there
-  /// Tangency: of the pair of points, along the first surface's unit normal; contains 0. If they touch: elliptic, in an isolated
-  /// point; hyperbolic, where two arcs cross. The box is smaller than 2^-12 of a span in every parameter.
+  /// Tangency: of the pair of points, along the first surface's unit normal; contains 0. If they touch: elliptic, in an
+  /// isolated point; hyperbolic, where two arcs cross. The box is smaller than 2^-12 of a span in every parameter.
   Interval separation;
   std::size_t num_boxes = 0;  ///< undecided pairs of rectangles in it
   std::string reason;

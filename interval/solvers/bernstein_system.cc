@@ -89,8 +89,8 @@ bool is_hopeless(const Bezier<Interval, N>& preconditioned) {
   return false;
 }
 
-// The axis along which the equations vary most. Not relative to their ranges on this piece: near a multiple root a box ends with sides
-// in proportion to what they contribute, w and w^2, say.
+// The axis along which the equations vary most. Not relative to their ranges on this piece: near a multiple root a box
+// ends with sides in proportion to what they contribute, w and w^2, say.
 template <std::size_t N>
 std::size_t axis_of_variation(const Bezier<Interval, N>& system) {
   std::array<double, N> variation{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/bernstein_system.h: N polynomials in N variables in Bernstein form with interval coefficients, on one box:
-// what the solver asks of it. All functions: REQUIRES a live ScopedUpward.
+// interval/solvers/bernstein_system.h: N polynomials in N variables in Bernstein form with interval coefficients, on
+// one box: what the solver asks of it. All functions: REQUIRES a live ScopedUpward.
 #pragma once
 #include <optional>
 #include <utility>
@@ -15,8 +15,8 @@ namespace veritope {
 template <std::size_t N>
 struct Examination {
   enum class Kind { kNoRoot, kOneRoot, kUnknown } kind = Kind::kUnknown;
-  /// kOneRoot: in the box inflated by kInflation of its sides on each side lies exactly one root, a simple one, and it lies in this
-  /// box, in coordinates in which the inflated box is [-1,1]^N. It may lie outside of the box examined.
+  /// kOneRoot: in the box inflated by kInflation of its sides on each side lies exactly one root, a simple one, and it
+  /// lies in this box, in coordinates in which the inflated box is [-1,1]^N. It may lie outside of the box examined.
   Box<N> root;
   std::size_t axis = 0;       ///< kUnknown: where to cut
   bool is_exhausted = false;  ///< kUnknown: rounding errors cover what would decide

@@ -34,8 +34,8 @@ ExactPolynomial<N> scalar(const Bezier<Rational, N>& map, int c) {
                             std::vector<Rational>(values.begin(), values.end()));
 }
 
-/// The coefficients of the map restricted to a box, each within 2^-precision of the largest or so. The box may stick out of [0,1]^N.
-/// REQUIRES a live ScopedUpward, no side of the box a point.
+/// The coefficients of the map restricted to a box, each within 2^-precision of the largest or so. The box may stick
+/// out of [0,1]^N. REQUIRES a live ScopedUpward, no side of the box a point.
 template <std::size_t N>
 Bezier<Interval, N> enclosed_on(const Bezier<Rational, N>& map, const ExactBox<N>& box,
                                 int precision);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/function_roots.h: all roots of N equations in N unknowns that are given as a function over boxes, polynomial or not.
+// interval/solvers/function_roots.h: all roots of N equations in N unknowns that are given as a function over boxes,
+// polynomial or not.
 #pragma once
 #include <array>
 #include <optional>
@@ -16,9 +17,9 @@ struct ValuesAndDerivatives {
   IntervalMatrix<N> derivatives;
 };
 
-/// The equations f(x) = 0 for root_isolation.h. `Function` maps a Box<N> to ValuesAndDerivatives<N> that hold on all of it; it must be
-/// continuously differentiable on the domain inflated by kInflation, and more precise numbers than double are not asked of it: roots that double
-/// does not tell apart end in clusters with OpenReason::kPrecision.
+/// The equations f(x) = 0 for root_isolation.h. `Function` maps a Box<N> to ValuesAndDerivatives<N> that hold on all of
+/// it; it must be continuously differentiable on the domain inflated by kInflation, and more precise numbers than
+/// double are not asked of it: roots that double does not tell apart end in clusters with OpenReason::kPrecision.
 template <std::size_t N, typename Function>
 class FunctionSystem {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/krawczyk.h: the existence and uniqueness test of the solvers, and the small matrices that precondition it.
-// Source: [Neu90] 5.2 (Krawczyk, Moore). Proof: docs/THEORY.md, ROOT-1.
+// interval/solvers/krawczyk.h: the existence and uniqueness test of the solvers, and the small matrices that
+// precondition it. Source: [Neu90] 5.2 (Krawczyk, Moore). Proof: docs/THEORY.md, ROOT-1.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -19,18 +19,18 @@ using IntervalMatrix = std::array<std::array<Interval, N>, N>;
 /// Gauss with full pivoting of an approximate Jacobian matrix: combinations of its rows.
 template <std::size_t N>
 struct Elimination {
-  /// Row k: 1 at a row of the matrix, |others| about 1, zero gradient in the first k pivot variables. The last row is the combination
-  /// with the least gradient: where the Jacobian is nearly singular, it is that of least variation.
+  /// Row k: 1 at a row of the matrix, |others| about 1, zero gradient in the first k pivot variables. The last row is
+  /// the combination with the least gradient: where the Jacobian is nearly singular, it is that of least variation.
   ApproxMatrix<N> combination{};
   std::optional<ApproxMatrix<N>> inverse;  ///< if no pivot vanishes
 };
 template <std::size_t N>
 Elimination<N> eliminate(const ApproxMatrix<N>& matrix);
 
-/// Of a map g of the box X = [-1,1]^N with g(0) in `at_centre` and all derivatives in `derivatives` over X: a box K in the interior of
-/// X if that proves that g has exactly one zero in X, that it is simple, and that it lies in K; else empty. The test: K = -g(0) + (I - g'(X)) X.
-/// g is assumed to be preconditioned: its derivative near I. Also for g that is only piecewise differentiable and continuous.
-/// REQUIRES a live ScopedUpward.
+/// Of a map g of the box X = [-1,1]^N with g(0) in `at_centre` and all derivatives in `derivatives` over X: a box K in
+/// the interior of X if that proves that g has exactly one zero in X, that it is simple, and that it lies in K; else
+/// empty. The test: K = -g(0) + (I - g'(X)) X. g is assumed to be preconditioned: its derivative near I. Also for g
+/// that is only piecewise differentiable and continuous. REQUIRES a live ScopedUpward.
 template <std::size_t N>
 std::optional<Box<N>> krawczyk(const std::array<Interval, N>& at_centre,
                                const IntervalMatrix<N>& derivatives);

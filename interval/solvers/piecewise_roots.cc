@@ -91,8 +91,8 @@ class PiecewiseSearch {
     return true;
   }
 
-  // A root of one cell's formulas near an inner border: the root of the system there, if that is shown; nothing, if it is known or
-  // shown not to be one; else a cluster.
+  // A root of one cell's formulas near an inner border: the root of the system there, if that is shown; nothing, if it
+  // is known or shown not to be one; else a cluster.
   void settle(const IsolatedRoot<N>& root) {
     for (int shrink = 4; shrink <= 64; shrink += 6) {
       const Rational margin = domain_.width() * Rational::power_of_two(-shrink);

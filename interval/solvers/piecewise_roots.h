@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/piecewise_roots.h: all roots of N continuous, piecewise polynomial equations in N unknowns: equations of B-splines,
-// cell by cell, with roots on borders of cells reported once. Design: docs/design/0012-certified-solvers.md.
+// interval/solvers/piecewise_roots.h: all roots of N continuous, piecewise polynomial equations in N unknowns:
+// equations of B-splines, cell by cell, with roots on borders of cells reported once. Design:
+// docs/design/0012-certified-solvers.md.
 #pragma once
 #include <array>
 #include <functional>
@@ -12,7 +13,8 @@
 
 namespace veritope {
 
-/// The equations on the grid of cells [breaks[0][i], breaks[0][i + 1]] x ...; the functions must be continuous on the whole domain.
+/// The equations on the grid of cells [breaks[0][i], breaks[0][i + 1]] x ...; the functions must be continuous on the
+/// whole domain.
 template <std::size_t N>
 struct PiecewiseEquations {
   using Cell = std::array<std::size_t, N>;
@@ -27,8 +29,8 @@ struct PiecewiseEquations {
   ExactBox<N> place(const Cell& cell) const;
 };
 
-/// As polynomial_roots, in the coordinates of the breaks. Beyond the domain the equations are continued by the formulas of the
-/// outermost cells. A root at an inner border is proved by Krawczyk's test over all cells that its box meets.
+/// As polynomial_roots, in the coordinates of the breaks. Beyond the domain the equations are continued by the formulas
+/// of the outermost cells. A root at an inner border is proved by Krawczyk's test over all cells that its box meets.
 /// @error as polynomial_roots
 template <std::size_t N>
 Result<RootReport<N>> piecewise_roots(const PiecewiseEquations<N>& system,

@@ -9,9 +9,9 @@
 
 namespace veritope {
 
-/// What RootReport promises, of the equations sum_i c_i B_i(x) = 0 whose Bernstein coefficients the components of `equations` are,
-/// N in all, each map with degrees of its own. Simple roots are isolated as soon as double intervals on a small enough window do; multiple
-/// roots, and roots closer than options.least_width, end in clusters.
+/// What RootReport promises, of the equations sum_i c_i B_i(x) = 0 whose Bernstein coefficients the components of
+/// `equations` are, N in all, each map with degrees of its own. Simple roots are isolated as soon as double intervals
+/// on a small enough window do; multiple roots, and roots closer than options.least_width, end in clusters.
 /// @error as PolynomialSystem::make; kBadArgument also for options out of their range.
 template <std::size_t N>
 Result<RootReport<N>> polynomial_roots(std::span<const Bezier<Rational, N>> equations,

@@ -37,9 +37,10 @@ class WideEquations {
       internal::restrict_to(rows_[r], exact.grid(), frame, precision);
     }
   }
-  // Double intervals of them, each equation times a power of two; empty if their relative errors are too large. Equations of nearly
-  // dependent gradients are replaced by combinations first, until no combination is much smaller than its parts: their difference
-  // would be lost in double. Multipliers are doubles, so that one round gains at most 53 bits.
+  // Double intervals of them, each equation times a power of two; empty if their relative errors are too large.
+  // Equations of nearly dependent gradients are replaced by combinations first, until no combination is much smaller
+  // than its parts: their difference would be lost in double. Multipliers are doubles, so that one round gains at most
+  // 53 bits.
   std::optional<Bezier<Interval, N>> independent() {
     for (int round = 0; round <= precision_ / 32; ++round) {
       const auto out = normalised();
@@ -66,7 +67,8 @@ class WideEquations {
     }
     return out;
   }
-  // REQUIRES normalised rows. Multiplies by the matrix (triangular but for the order of its rows, 1 at the pivots: invertible).
+  // REQUIRES normalised rows. Multiplies by the matrix (triangular but for the order of its rows, 1 at the pivots:
+  // invertible).
   bool shrinks_by(const ApproxMatrix<N>& matrix) {
     std::array<std::vector<MpInterval>, N> out;
     bool shrunk = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/polynomial_system.h: N polynomial equations in N unknowns over exact numbers, seen through a window: the form
-// in which root_isolation.h takes them.
+// interval/solvers/polynomial_system.h: N polynomial equations in N unknowns over exact numbers, seen through a window:
+// the form in which root_isolation.h takes them.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,16 +13,18 @@
 
 namespace veritope {
 
-/// Equations on [0,1]^N with exact coefficients, and a frame, a box: there, independent combinations of the equations are held in double
-/// intervals, computed from the exact coefficients with as many bits (MpInterval) as make their errors at most 2^-40 of the largest
-/// coefficient of each. So double arithmetic tells apart roots 1e-30 from each other, once the frame is that small.
+/// Equations on [0,1]^N with exact coefficients, and a frame, a box: there, independent combinations of the equations
+/// are held in double intervals, computed from the exact coefficients with as many bits (MpInterval) as make their
+/// errors at most 2^-40 of the largest coefficient of each. So double arithmetic tells apart roots 1e-30 from each
+/// other, once the frame is that small.
 template <std::size_t N>
 class PolynomialSystem {
  public:
   using Piece = Bezier<Interval, N>;
 
   /// Of N scalar equations in all: the components of the maps given, each of degrees of its own.
-  /// @error kBadArgument: not N components, or a rational map; kOverLimit: more than kMaxCoefficients after raising degrees.
+  /// @error kBadArgument: not N components, or a rational map; kOverLimit: more than kMaxCoefficients after raising
+  /// degrees.
   static Result<PolynomialSystem> make(std::span<const Bezier<Rational, N>> equations);
   static constexpr std::size_t kMaxCoefficients = std::size_t{1} << 16;  ///< of one equation
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/root_isolation.h: all roots of a system of equations in a box, each proved, the rest proved free of roots.
-// Design: docs/design/0012-certified-solvers.md. Sources: [SP93] (Bernstein subdivision), [Neu90] 5.2.
+// interval/solvers/root_isolation.h: all roots of a system of equations in a box, each proved, the rest proved free of
+// roots. Design: docs/design/0012-certified-solvers.md. Sources: [SP93] (Bernstein subdivision), [Neu90] 5.2.
 #pragma once
 #include <concepts>
 #include <deque>
@@ -14,8 +14,9 @@
 
 namespace veritope {
 
-/// N equations in N unknowns on a box, the frame. A piece stands for the equations on a part of the frame; examine(piece) means what
-/// Examination says, and its proofs hold on that part; zoom(box) is the same system with better numbers on a smaller frame, or empty.
+/// N equations in N unknowns on a box, the frame. A piece stands for the equations on a part of the frame;
+/// examine(piece) means what Examination says, and its proofs hold on that part; zoom(box) is the same system with
+/// better numbers on a smaller frame, or empty.
 template <typename S, std::size_t N>
 concept EquationSystem = requires(const S& s, const typename S::Piece& piece,
                                   const ExactBox<N>& box, std::array<Rational, N> point) {
@@ -102,8 +103,9 @@ std::optional<ExactBox<N>> hull_of_live_parts(const S& system, SolverEffort& eff
 
 }  // namespace internal
 
-/// The box of a proved root narrowed to sides of at most `width`, or as far as max_precision bits and the system's numbers go.
-/// REQUIRES a live ScopedUpward, width > 0. @cost one zoom and one examination a step; steps double the digits once they are many.
+/// The box of a proved root narrowed to sides of at most `width`, or as far as max_precision bits and the system's
+/// numbers go. REQUIRES a live ScopedUpward, width > 0. @cost one zoom and one examination a step; steps double the
+/// digits once they are many.
 template <std::size_t N, EquationSystem<N> S>
 void refine_root(const S& system, const Rational& width, int max_precision, IsolatedRoot<N>& root,
                  SolverEffort& effort) {
@@ -159,7 +161,8 @@ class RootSearch {
     IsolatedRoot<N> root;
     bool is_outside;  // of the domain
   };
-  // Halvings before a piece may count as exhausted; and the least side in a frame: doubles cut it, exactly, at its middle.
+  // Halvings before a piece may count as exhausted; and the least side in a frame: doubles cut it, exactly, at its
+  // middle.
   static constexpr int kMinDepth = 5 * static_cast<int>(N);
   static constexpr double kLeastSide = 0x1p-44;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/root_report.h: what the solvers of systems of equations answer. Proofs: docs/THEORY.md, ROOT-1, ROOT-2.
+// interval/solvers/root_report.h: what the solvers of systems of equations answer. Proofs: docs/THEORY.md, ROOT-1,
+// ROOT-2.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -59,7 +60,8 @@ struct SolverOptions {
 };
 
 /// Every root in the closed domain lies in exactly one roots[i].box, or in clusters; no two roots[i] are the same root.
-/// A root of the equations outside of the domain is reported only as kAtBoundary. The rest of the domain is proved free of roots.
+/// A root of the equations outside of the domain is reported only as kAtBoundary. The rest of the domain is proved free
+/// of roots.
 template <std::size_t N>
 struct RootReport {
   std::vector<IsolatedRoot<N>> roots;

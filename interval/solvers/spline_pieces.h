@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/solvers/spline_pieces.h: exact B-splines as the solvers take them: cut into Bezier pieces, in global parameters.
+// interval/solvers/spline_pieces.h: exact B-splines as the solvers take them: cut into Bezier pieces, in global
+// parameters.
 #pragma once
 #include <array>
 #include <vector>
@@ -38,8 +39,8 @@ template <std::size_t N>
 ExactBox<N> place_of(const ExactPieces<N>& map, const std::array<std::size_t, N>& cell);
 
 /// The coordinates (divided by the weight) of the points with parameters in the box, as far as it lies in the
-/// domain; empty intervals if it does not meet it. Sides may be points. REQUIRES a live ScopedUpward. An interval is entire
-/// where a weight's enclosure contains 0.
+/// domain; empty intervals if it does not meet it. Sides may be points. REQUIRES a live ScopedUpward. An interval is
+/// entire where a weight's enclosure contains 0.
 template <std::size_t N>
 std::vector<Interval> points_of(const ExactPieces<N>& map, const ExactBox<N>& box);
 

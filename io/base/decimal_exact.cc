@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/base/decimal_exact.cc: decimals in big integers: the table of powers of ten, and the rounding that is always right.
+// io/base/decimal_exact.cc: decimals in big integers: the table of powers of ten, and the rounding that is always
+// right.
 #include <gmp.h>
 
 #include <algorithm>

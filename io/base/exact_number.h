@@ -11,17 +11,17 @@
 
 namespace veritope {
 
-/// The exact value of a decimal of io/base/decimal.h's grammar. kNotFinite for the words that programs print for NaN and
-/// infinity; kDigits and kExponent as DecimalReader has them.
+/// The exact value of a decimal of io/base/decimal.h's grammar. kNotFinite for the words that programs print for NaN
+/// and infinity; kDigits and kExponent as DecimalReader has them.
 /// @cost quadratic in the number of digits; the value has at most digits + exponent digits
 DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits, Rational& value);
 
-/// Also "p/q" of integers, q > 0, and C99's hexadecimal floats "-0x1.8p-3". Integers and fractions may have max_digits +
-/// max_exponent digits: as many as a decimal within the limits has when it is written out.
+/// Also "p/q" of integers, q > 0, and C99's hexadecimal floats "-0x1.8p-3". Integers and fractions may have max_digits
+/// + max_exponent digits: as many as a decimal within the limits has when it is written out.
 DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits, Rational& value);
 
-/// A decimal, "-0.5", "1e+30", that is exactly this number and that read_exact_decimal reads within the limits; nothing if
-/// there is none. Equal numbers give equal text. Every number that was read from a decimal within them has one.
+/// A decimal, "-0.5", "1e+30", that is exactly this number and that read_exact_decimal reads within the limits; nothing
+/// if there is none. Equal numbers give equal text. Every number that was read from a decimal within them has one.
 /// @cost near-linear in the digits
 std::optional<std::string> exact_decimal(const Rational& value, const ReadLimits& limits = {});
 

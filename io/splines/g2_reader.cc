@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// GoTools' .g2: a sequence of objects, each "class major minor n aux..." and its numbers. Splines are taken over; of the
-// elementary shapes lines, planes and linear extrusions are, where no square root is needed: the others are left out.
+// GoTools' .g2: a sequence of objects, each "class major minor n aux..." and its numbers. Splines are taken over; of
+// the elementary shapes lines, planes and linear extrusions are, where no square root is needed: the others are left
+// out.
 #include "io/splines/g2_shape_reader.h"
 
 namespace veritope {

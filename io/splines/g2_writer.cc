@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// GoTools' .g2. It has no groups, no periodic flag, no models and no triangles: those axes are written unclamped, the rest as nothing.
+// GoTools' .g2. It has no groups, no periodic flag, no models and no triangles: those axes are written unclamped, the
+// rest as nothing.
 #include "io/splines/write_splines.h"
 
 namespace veritope {

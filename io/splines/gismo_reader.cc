@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// G+Smo's .xml: <Geometry type="BSpline|Nurbs|TensorBSpline2|TensorNurbs3|..."> with a tree of <Basis>, its <KnotVector>s,
-// <weights> and <coefs>. Coefficients are not multiplied by the weights, the first axis runs fastest.
+// G+Smo's .xml: <Geometry type="BSpline|Nurbs|TensorBSpline2|TensorNurbs3|..."> with a tree of <Basis>, its
+// <KnotVector>s, <weights> and <coefs>. Coefficients are not multiplied by the weights, the first axis runs fastest.
 #include <algorithm>
 #include <charconv>
 

@@ -16,8 +16,9 @@
 
 namespace veritope {
 
-/// One entity for each patch, in their order, without groups: tensor patches as surfaces without inner knots on [0,1]^2, triangles as they
-/// are. Where they come from is not kept. REQUIRES positive weights, as a SplineModel has them: the reader refuses others.
+/// One entity for each patch, in their order, without groups: tensor patches as surfaces without inner knots on
+/// [0,1]^2, triangles as they are. Where they come from is not kept. REQUIRES positive weights, as a SplineModel has
+/// them: the reader refuses others.
 SplineModel model_of(std::span<const Patch> patches);
 
 /// What one entity of a model becomes.
@@ -42,8 +43,9 @@ struct PatchSource {
   std::vector<PatchEntity> entities;   ///< one for each of the model's
   std::vector<ForeignEntity> foreign;  ///< if there are any, patches and entities are empty
 };
-/// Surfaces are cut at their knots and, where they share a side as a whole, at each other's (solids/patches/patch_sources.h). Triangles stay whole:
-/// a side that a triangle and a cut surface share does not match. A model without entities has no patches.
+/// Surfaces are cut at their knots and, where they share a side as a whole, at each other's
+/// (solids/patches/patch_sources.h). Triangles stay whole: a side that a triangle and a cut surface share does not
+/// match. A model without entities has no patches.
 /// @error kOverLimit, with the entity, for over kMaxPatches patches or a degree over kMaxSplineDegree.
 ///        kBadArgument for a degree below 1.
 Result<PatchSource> patch_source(const SplineModel& model);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/spline_json_lexer.h: JSON as our exact text form uses it: strings, lists, objects with known keys; numbers as strings.
+// io/splines/spline_json_lexer.h: JSON as our exact text form uses it: strings, lists, objects with known keys; numbers
+// as strings.
 #pragma once
 #include <algorithm>
 #include <initializer_list>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/spline_model.h: what a spline file holds: exact curves, surfaces, trimmed surfaces, volumes, models of faces and Bezier triangles.
+// io/splines/spline_model.h: what a spline file holds: exact curves, surfaces, trimmed surfaces, volumes, models of
+// faces and Bezier triangles.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -87,7 +88,8 @@ struct SplineModel {
 /// "curve", "surface", "volume", "trimmed", "model", "triangle".
 const char* spline_kind_name(const SplineEntity& entity);
 
-/// Calls visit(spline) for every curve, surface and volume, those of trimming included, in file order; not for triangles, which have no axes.
+/// Calls visit(spline) for every curve, surface and volume, those of trimming included, in file order; not for
+/// triangles, which have no axes.
 template <typename Visit>
 void for_each_spline(const SplineEntity& entity, Visit visit);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/spline_text_reader.h: what the readers of spline texts share: tokens, exact numbers, counts, errors with entity.
+// io/splines/spline_text_reader.h: what the readers of spline texts share: tokens, exact numbers, counts, errors with
+// entity.
 #pragma once
 #include <cstdint>
 #include <map>

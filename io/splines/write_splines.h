@@ -15,8 +15,8 @@ namespace veritope {
 /// The formats that are written: itd, g2, vjson.
 bool can_write(SplineFormat format);
 
-/// Canonical: equal models give equal bytes. Numbers that a format's decimals cannot hold, shapes, groups and attributes
-/// that it does not know are left out or rounded to the nearest binary64; spline_loss says which.
+/// Canonical: equal models give equal bytes. Numbers that a format's decimals cannot hold, shapes, groups and
+/// attributes that it does not know are left out or rounded to the nearest binary64; spline_loss says which.
 /// What .itd and .g2 hold reads back within `limits`: a number whose decimal needs more digits is rounded.
 /// REQUIRES can_write(format).
 std::string spline_bytes(const SplineModel& model, SplineFormat format,
@@ -29,7 +29,8 @@ struct SplineLoss {
       shapes;  ///< lost or rounded shapes: a conversion that does this is lossy
   std::vector<std::string>
       dropped;  ///< names, attributes, order of groups: no part of the geometry
-  /// The rounded numbers make no spline, no spline is left, or the bytes are over a limit: this file must not be written.
+  /// The rounded numbers make no spline, no spline is left, or the bytes are over a limit: this file must not be
+  /// written.
   std::optional<Error> unreadable;
 };
 SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes,
@@ -40,8 +41,8 @@ std::string itd_bytes(const SplineModel& model, const ReadLimits& limits = {});
 std::string g2_bytes(const SplineModel& model, const ReadLimits& limits = {});
 std::string spline_json_bytes(const SplineModel& model);
 
-/// An exact decimal within the limits if there is one, else the nearest binary64 in the shortest decimal; beyond binary64
-/// 17 digits or more, cut.
+/// An exact decimal within the limits if there is one, else the nearest binary64 in the shortest decimal; beyond
+/// binary64 17 digits or more, cut.
 std::string decimal_or_nearest(const Rational& value, const ReadLimits& limits = {});
 
 /// A name that .itd can hold as one word, and an attribute that it reads back as it is.

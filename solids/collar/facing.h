@@ -12,8 +12,9 @@ namespace veritope {
 using Facing = std::uint32_t;
 inline constexpr Facing kAllDirections = (Facing{1} << 26) - 1;
 
-/// The directions with which the coefficients of a piece's normals, as approximate numbers, have a positive product, not too small. The intersection over
-/// several pieces is not empty if their normals lie in a cone of half-angle 60 degrees or so: there they are one sheet without a fold, or sheets that face alike.
+/// The directions with which the coefficients of a piece's normals, as approximate numbers, have a positive product,
+/// not too small. The intersection over several pieces is not empty if their normals lie in a cone of half-angle 60
+/// degrees or so: there they are one sheet without a fold, or sheets that face alike.
 class FacingOfPieces {
  public:
   explicit FacingOfPieces(PieceForest& forest) : forest_(forest) {}

@@ -9,8 +9,8 @@
 
 namespace veritope {
 
-/// A cube whose edge is OctreeKey::kGrid units. `unit` is a power of two, the corner a multiple of it of less than 2^52 units, so that every
-/// corner of a cell is a double.
+/// A cube whose edge is OctreeKey::kGrid units. `unit` is a power of two, the corner a multiple of it of less than 2^52
+/// units, so that every corner of a cell is a double.
 struct OctreeRoot {
   Point3d corner{};
   double unit = 1;
@@ -32,9 +32,10 @@ struct OctreeRoot {
   }
 };
 
-/// A root with `inner` in its interior, its edge at most 2.3 times the longest side. On each axis the planes between cells of a level from 3 to 12 stay more
-/// than 0.09 of such a cell away from all multiples of half a cell's edge, and 0.06 from these planes on another axis, mirrored at the diagonal: flat
-/// faces, which like few bits and diagonals, do not lie on the walls of cells.
+/// A root with `inner` in its interior, its edge at most 2.3 times the longest side. On each axis the planes between
+/// cells of a level from 3 to 12 stay more than 0.09 of such a cell away from all multiples of half a cell's edge, and
+/// 0.06 from these planes on another axis, mirrored at the diagonal: flat faces, which like few bits and diagonals, do
+/// not lie on the walls of cells.
 /// @error kOverLimit if `inner` is so small, or so far from the origin, that doubles cannot hold the grid.
 Result<OctreeRoot> root_around(const Box3d& inner);
 

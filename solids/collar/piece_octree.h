@@ -9,9 +9,10 @@
 
 namespace veritope {
 
-/// Cells that cover the surface: the hull of every piece that is small enough lies in their union, and its interior. At first the root alone.
-/// A cell is dropped when all pieces that meet it are so small that their hulls miss it; it stays for good once a hull lies in it, or a piece that meets it
-/// is at most kPiece times as long as it. So the union keeps close to the surface, and pieces are split near the walls of cells only.
+/// Cells that cover the surface: the hull of every piece that is small enough lies in their union, and its interior. At
+/// first the root alone. A cell is dropped when all pieces that meet it are so small that their hulls miss it; it stays
+/// for good once a hull lies in it, or a piece that meets it is at most kPiece times as long as it. So the union keeps
+/// close to the surface, and pieces are split near the walls of cells only.
 class PieceOctree {
  public:
   static constexpr double kPiece = 0.25;

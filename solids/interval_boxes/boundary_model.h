@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/interval_boxes/boundary_model.h: the surface V of the paper's conditions, as a closed complex of patches with its trees of pieces; or a
-// closed plane curve, as the wall over it. Source: [SSP01] 2. Design: docs/design/0019-paper-conditions.md.
+// solids/interval_boxes/boundary_model.h: the surface V of the paper's conditions, as a closed complex of patches with
+// its trees of pieces; or a closed plane curve, as the wall over it. Source: [SSP01] 2. Design:
+// docs/design/0019-paper-conditions.md.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,19 +16,23 @@
 
 namespace veritope {
 
-/// V with pieces that can be asked for. Boxes of the callers are in the model's units; forest() has its own (times 2^scale).
+/// V with pieces that can be asked for. Boxes of the callers are in the model's units; forest() has its own (times
+/// 2^scale).
 ///
-/// A plane curve C is the wall C x [-2, 2] (times the size of C) with two cones that close it; a box of the plane is its product with [-1, 1] (times
-/// 2^-20 of that size: few pieces are near it). What lies in such a box is (C in the box) x [-1, 1]: an arc is a disk, two half-boxes are two balls, components and Euler
-/// characteristics are the same. The cones never meet a box; they may cross each other or the wall's rim.
+/// A plane curve C is the wall C x [-2, 2] (times the size of C) with two cones that close it; a box of the plane is
+/// its product with [-1, 1] (times 2^-20 of that size: few pieces are near it). What lies in such a box is (C in the
+/// box) x [-1, 1]: an arc is a disk, two half-boxes are two balls, components and Euler characteristics are the same.
+/// The cones never meet a box; they may cross each other or the wall's rim.
 ///
-/// Says nothing about whether V is embedded: the conditions are decided from what the abstract surface does in a box, and a box into which two
-/// sheets come is no disk. Embeddedness as a whole is what certificates prove (THEORY 4).
+/// Says nothing about whether V is embedded: the conditions are decided from what the abstract surface does in a box,
+/// and a box into which two sheets come is no disk. Embeddedness as a whole is what certificates prove (THEORY 4).
 class BoundaryModel {
  public:
-  /// @error kBadArgument unless the complex is a closed oriented surface (the message names the first finding); as PieceForest::make
+  /// @error kBadArgument unless the complex is a closed oriented surface (the message names the first finding); as
+  /// PieceForest::make
   static Result<BoundaryModel> make(PatchComplex complex);
-  /// Closed loops of plane curves, each in the direction that has the inside on its left: curve i + 1 begins where curve i ends.
+  /// Closed loops of plane curves, each in the direction that has the inside on its left: curve i + 1 begins where
+  /// curve i ends.
   /// @error kBadArgument unless the walls over them close up; kEmpty without a curve
   static Result<BoundaryModel> make_planar(
       const std::vector<std::vector<BezierCurve<Rational>>>& loops);
@@ -37,13 +42,15 @@ class BoundaryModel {
   const PatchComplex& complex() const { return *complex_; }
   PieceForest& forest() { return *forest_; }
 
-  /// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict sign. At a pole: of the normal
-  /// divided by the distance to it. Kept; what is proved of a piece holds of its parts, and their nets are asked for the other coordinates only.
+  /// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict
+  /// sign. At a pole: of the normal divided by the distance to it. Kept; what is proved of a piece holds of its parts,
+  /// and their nets are asked for the other coordinates only.
   std::array<int, 3> normal_signs(PieceForest::Id piece);
   /// What was found so far, without a net: of the least piece around this one that was asked for.
   std::array<int, 3> known_normal_signs(PieceForest::Id piece) const;
 
-  /// The same box in the forest's coordinates; of a planar model its third side is replaced. Nothing if a coordinate is not finite or would lose bits.
+  /// The same box in the forest's coordinates; of a planar model its third side is replaced. Nothing if a coordinate is
+  /// not finite or would lose bits.
   std::optional<Box3d> to_forest(const Box3d& box) const;
   /// Exact: back to the model's units.
   Box3d from_forest(const Box3d& box) const;
@@ -61,8 +68,8 @@ class BoundaryModel {
   std::vector<NormalSigns> normal_signs_;  // by piece
 };
 
-/// The winding number of V around a point off V, in the forest's coordinates; nothing if it is not decided within the budget. THEORY 6: no direction
-/// is bad. @cost a walk along a ray
+/// The winding number of V around a point off V, in the forest's coordinates; nothing if it is not decided within the
+/// budget. THEORY 6: no direction is bad. @cost a walk along a ray
 std::optional<int> winding_number(PieceForest& forest, const Point3d& at);
 
 }  // namespace veritope

@@ -22,8 +22,9 @@ bool is_in(const Box3d& a, const Box3d& b, int dimension) {
   return true;
 }
 
-// Looks for a reason not to say that V misses the box: a hull inside of it, a piece that crosses it (a rectangle), one at the deepest level, or the end of the budget.
-// Depth first: where V comes into an edge or a corner, the deepest level is reached at once.
+// Looks for a reason not to say that V misses the box: a hull inside of it, a piece that crosses it (a rectangle), one
+// at the deepest level, or the end of the budget. Depth first: where V comes into an edge or a corner, the deepest
+// level is reached at once.
 struct Doubt {
   PieceForest& forest;
   const Box3d& box;
@@ -167,7 +168,8 @@ class Tracer {
     return by_star(box, tested);
   }
 
-  // First with the signs that are at hand: on small pieces they are those of a larger one, and the determinants' nets are most of the cost.
+  // First with the signs that are at hand: on small pieces they are those of a larger one, and the determinants' nets
+  // are most of the cost.
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
     const auto known =
         common_signs(tested, [&](PieceForest::Id id) { return model_.known_normal_signs(id); });
@@ -206,7 +208,8 @@ class Tracer {
       const auto crossings =
           crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
       if (!crossings) continue;
-      // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be met.
+      // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be
+      // met.
       if (*crossings == 0) return missed();
       if (*crossings == 1 && is_met(model_, box)) return disk();
     }
@@ -292,8 +295,8 @@ bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
 
 namespace {
 
-// A piece that may hold one in the box: the nearer its hull to the middle of the box, in units of the box's sides, the sooner it is split; smaller ones first. What
-// touches a side, of which no part lies in the box, comes last.
+// A piece that may hold one in the box: the nearer its hull to the middle of the box, in units of the box's sides, the
+// sooner it is split; smaller ones first. What touches a side, of which no part lies in the box, comes last.
 struct Candidate {
   double distance, size;
   PieceForest::Id id;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/interval_boxes/box_trace.h: what V is inside a box: nothing, a disk, or a surface of known Euler characteristic; proved, or undecided.
-// Proofs: docs/THEORY.md, BOX-1 (monotone boxes), BOX-2. Source: condition C2 of [SSP01] 2. Design: docs/design/0019-paper-conditions.md.
+// solids/interval_boxes/box_trace.h: what V is inside a box: nothing, a disk, or a surface of known Euler
+// characteristic; proved, or undecided. Proofs: docs/THEORY.md, BOX-1 (monotone boxes), BOX-2. Source: condition C2 of
+// [SSP01] 2. Design: docs/design/0019-paper-conditions.md.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -36,18 +37,20 @@ struct TraceOptions {
 };
 
 /// Claim   the answer about V∩b, or kUndecided.
-/// A box is decided as one if V misses it; if it is a star box about centres on the mean normal (STAR-1); or by the monotone-box lemma, BOX-1: on a set A of
-/// axes all normals of pieces at b have one strict sign, V misses the face, edge or corner L of b that is lowest in A, and the opposite one, H,
-/// and a line from L to H crosses the tested pieces once. (Then V∩b is a disk seen from L: for fixed other coordinates the inside is a
-/// down-set of A.) Otherwise b is cut into two boxes b', b'' that overlap in a slab, and chi(V∩b) = chi(V∩b') + chi(V∩b'') - chi(V∩b'∩b'').
-/// V∩b is a surface with its boundary in that of b, since every point of b has a neighbourhood in b inside of one of the boxes decided as one; it is
-/// connected if those that meet V hang together through points of V.
-/// Of a planar model the third axis is never cut.
+/// A box is decided as one if V misses it; if it is a star box about centres on the mean normal (STAR-1); or by the
+/// monotone-box lemma, BOX-1: on a set A of axes all normals of pieces at b have one strict sign, V misses the face,
+/// edge or corner L of b that is lowest in A, and the opposite one, H, and a line from L to H crosses the tested pieces
+/// once. (Then V∩b is a disk seen from L: for fixed other coordinates the inside is a down-set of A.) Otherwise b is
+/// cut into two boxes b', b'' that overlap in a slab, and chi(V∩b) = chi(V∩b') + chi(V∩b'') - chi(V∩b'∩b''). V∩b is a
+/// surface with its boundary in that of b, since every point of b has a neighbourhood in b inside of one of the boxes
+/// decided as one; it is connected if those that meet V hang together through points of V. Of a planar model the third
+/// axis is never cut.
 BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions& options = {});
 
 /// Whether V misses the closed box: by hulls, within a budget; false: not proved.
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits = 2000);
-/// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False: none was found.
+/// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False:
+/// none was found.
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 500);
 
 }  // namespace veritope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/interval_boxes/box_union.h: |B| for boxes in any position, as a regular cell complex: coordinates are compressed to a grid, and the link
-// test of the common subdivision decides whether it is a 3-manifold with boundary. Sources: Prop. 2.1, Cor. 2.1, 2.2 and Remark 2.1 of [SSP01].
+// solids/interval_boxes/box_union.h: |B| for boxes in any position, as a regular cell complex: coordinates are
+// compressed to a grid, and the link test of the common subdivision decides whether it is a 3-manifold with boundary.
+// Sources: Prop. 2.1, Cor. 2.1, 2.2 and Remark 2.1 of [SSP01].
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,11 +17,13 @@
 
 namespace veritope {
 
-/// The cells between neighbouring coordinates of a set of boxes, with a margin of one cell all around; each lies in |B| or has its interior off |B|.
+/// The cells between neighbouring coordinates of a set of boxes, with a margin of one cell all around; each lies in |B|
+/// or has its interior off |B|.
 class BoxGrid {
  public:
   static constexpr std::uint64_t kMaxCells = std::uint64_t{1} << 24;
-  /// @error kEmpty without a box; kBadArgument for a box with a side that is not longer than 0, or not finite; kOverLimit for more than kMaxCells
+  /// @error kEmpty without a box; kBadArgument for a box with a side that is not longer than 0, or not finite;
+  /// kOverLimit for more than kMaxCells
   static Result<BoxGrid> make(std::span<const Box3d> boxes);
 
   /// Cells along an axis.
@@ -30,13 +33,15 @@ class BoxGrid {
   }
   /// The middle of a cell, about; in the margin some point outside of all boxes.
   Point3d approx_middle(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
-  /// Fills the components of the complement that `is_inside` says yes of, for one point of each. The component that reaches to infinity stays empty.
-  /// Nothing if some answer was nothing: not decided. These are V_I∪|B| if V lies in |B| and is_inside says which points lie inside V.
-  /// dimension 2: of boxes of the plane, all with the same third side: components in the plane.
+  /// Fills the components of the complement that `is_inside` says yes of, for one point of each. The component that
+  /// reaches to infinity stays empty. Nothing if some answer was nothing: not decided. These are V_I∪|B| if V lies in
+  /// |B| and is_inside says which points lie inside V. dimension 2: of boxes of the plane, all with the same third
+  /// side: components in the plane.
   std::optional<BoxGrid> filled_where(
       const std::function<std::optional<bool>(const Point3d&)>& is_inside, int dimension = 3) const;
 
-  /// The filled cells as cells of an octree, one level, with the same incidences. @error kOverLimit as CommonSubdivision::build
+  /// The filled cells as cells of an octree, one level, with the same incidences. @error kOverLimit as
+  /// CommonSubdivision::build
   Result<CommonSubdivision> subdivision() const;
 
  private:

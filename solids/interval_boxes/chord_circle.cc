@@ -40,8 +40,9 @@ struct SearchBox {
   friend bool operator<(const SearchBox& a, const SearchBox& b) { return a.bound < b.bound; }
 };
 
-// The greatest value of a function over a box of variables. range: encloses the function over a part, empty where the part has no feasible point;
-// at: a lower bound of it at some feasible point of a part, -infinity if none was found. REQUIRES a live ScopedUpward.
+// The greatest value of a function over a box of variables. range: encloses the function over a part, empty where the
+// part has no feasible point; at: a lower bound of it at some feasible point of a part, -infinity if none was found.
+// REQUIRES a live ScopedUpward.
 struct Maximiser {
   std::function<Interval(const std::vector<Interval>&)> range;
   std::function<double(const std::vector<Interval>&)> at;

@@ -15,7 +15,8 @@ Error over(std::uint64_t max_cells) {
   return {Code::kOverLimit, {}, "over " + std::to_string(max_cells) + " cells"};
 }
 
-// The cells of one level that a piece's closed hull may meet and whose closed box it does not miss within the budget: a cover of V.
+// The cells of one level that a piece's closed hull may meet and whose closed box it does not miss within the budget: a
+// cover of V.
 class CellCover {
  public:
   CellCover(PieceForest& forest, double size) : forest_(forest) {

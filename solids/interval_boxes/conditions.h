@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/interval_boxes/conditions.h: the paper's conditions on a finite set of boxes B and a surface V, each decided or reported undecided with
-// the offending boxes: A, B1, B2, C1, C2, C3 of [SSP01] 2, and C3*, which the theorem needs (docs/THEORY.md §1).
-// Design: docs/design/0019-paper-conditions.md.
+// solids/interval_boxes/conditions.h: the paper's conditions on a finite set of boxes B and a surface V, each decided
+// or reported undecided with the offending boxes: A, B1, B2, C1, C2, C3 of [SSP01] 2, and C3*, which the theorem needs
+// (docs/THEORY.md §1). Design: docs/design/0019-paper-conditions.md.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,7 +32,8 @@ enum class Answer { kTrue, kFalse, kUndecided };
 /// "true", "false", "undecided".
 const char* to_string(Answer answer);
 
-/// What is wrong, or not decided, with the intersection of some boxes of B (one, two, or more for C3*), or with a place of V.
+/// What is wrong, or not decided, with the intersection of some boxes of B (one, two, or more for C3*), or with a place
+/// of V.
 struct BoxOffence {
   enum class Why {
     kTouching,   ///< false: two boxes that meet in a face, an edge or a point only
@@ -71,15 +72,19 @@ struct ConditionOptions {
   std::size_t max_intersections =
       1'000'000;  ///< distinct boxes for C3*; over it: undecided, unless C2 or C3 refutes it
   std::size_t max_listed = 100;               ///< offences of each condition
-  /// Of all traces together, in cells; once they are spent, further boxes are undecided. Nothing else stops a set of many hard boxes soon.
+  /// Of all traces together, in cells; once they are spent, further boxes are undecided. Nothing else stops a set of
+  /// many hard boxes soon.
   std::uint64_t max_cells = std::numeric_limits<std::uint64_t>::max();
-  /// B2, C2, C3 and C3* end with their first refutation, C3* with that of C2 or C3: the answers stay, counts and lists are shorter.
+  /// B2, C2, C3 and C3* end with their first refutation, C3* with that of C2 or C3: the answers stay, counts and lists
+  /// are shorter.
   bool stops_at_refutation = false;
 };
 
 /// Every condition. `boxes` in the model's units (of a planar model the third side is not looked at).
-/// C1-C3 alone prove nothing about M∪|B| (three boxes refute Theorem 2.5: examples/counterexample_c3): C3* does, for an embedded V.
-/// @error kEmpty without a box; kBadArgument for a box with a side of length 0 or less or a coordinate out of range: the message names it
+/// C1-C3 alone prove nothing about M∪|B| (three boxes refute Theorem 2.5: examples/counterexample_c3): C3* does, for an
+/// embedded V.
+/// @error kEmpty without a box; kBadArgument for a box with a side of length 0 or less or a coordinate out of range:
+/// the message names it
 Result<PaperConditions> decide_conditions(BoundaryModel& model, std::span<const Box3d> boxes,
                                           const ConditionOptions& options = {});
 /// Condition A alone: it needs no surface. REQUIRES lo < hi on the first `dimension` axes.
@@ -89,7 +94,8 @@ ConditionResult decide_a(std::span<const Box3d> boxes, int dimension = 3,
 /// The pairs (i < j) of closed boxes that have a common point, ascending. @cost about n log n + pairs
 std::vector<std::array<std::uint32_t, 2>> meeting_pairs(std::span<const Box3d> boxes);
 
-/// The distinct intersections of pairwise meeting boxes, those of one box included; by Helly's theorem these are all non-empty ones.
+/// The distinct intersections of pairwise meeting boxes, those of one box included; by Helly's theorem these are all
+/// non-empty ones.
 struct DistinctIntersections {
   struct Item {
     Box3d box;

@@ -28,11 +28,12 @@ struct CoverOptions {
 };
 
 /// Places are in the forest's coordinates. Of a planar model, V is the part of the wall at height 0.
-/// B1: a hull in the union of closed boxes; a hull that meets none refutes. Undecided where V touches the boundary of |B|.
+/// B1: a hull in the union of closed boxes; a hull that meets none refutes. Undecided where V touches the boundary of
+/// |B|.
 ConditionResult decide_b1(BoundaryModel& model, const std::vector<Box3d>& boxes,
                           const CoverOptions& options);
-/// C1: a hull in the interior of one box. Refuted by a hull that meets no box, or by a piece that runs from one side of a plane of a box's face to the other
-/// while in that plane no interior of a box meets its hull.
+/// C1: a hull in the interior of one box. Refuted by a hull that meets no box, or by a piece that runs from one side of
+/// a plane of a box's face to the other while in that plane no interior of a box meets its hull.
 ConditionResult decide_c1(BoundaryModel& model, const std::vector<Box3d>& boxes,
                           const CoverOptions& options);
 

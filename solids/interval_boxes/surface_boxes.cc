@@ -16,7 +16,8 @@ using Id = PieceForest::Id;
 constexpr std::uint64_t kWhole = std::uint64_t{1}
                                  << 48;  // parameters of edges: integers times 2^-48
 
-// A stretch of an edge, in the direction of travel of its first side, and a piece that has it as a side (or a point of it).
+// A stretch of an edge, in the direction of travel of its first side, and a piece that has it as a side (or a point of
+// it).
 struct Contact {
   std::uint32_t edge;
   std::uint64_t begin, end;
@@ -162,7 +163,8 @@ class CoverMaker {
     contacts_.clear(), groups_.clear(), poles_.clear();
     for (const Id id : leaves_) add_contacts(id);
     std::sort(contacts_.begin(), contacts_.end());
-    // Stretches are nested or apart; points come after the stretches that begin there, or lie at the end of the last one.
+    // Stretches are nested or apart; points come after the stretches that begin there, or lie at the end of the last
+    // one.
     for (const Contact& c : contacts_) {
       if (!groups_.empty() && groups_.back().edge == c.edge && c.end <= groups_.back().end)
         groups_.back().pieces.push_back(c.piece);

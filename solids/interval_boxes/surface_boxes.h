@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/interval_boxes/surface_boxes.h: face, edge and vertex boxes of a patch complex at a resolution eps, as the paper makes them from interval
-// evaluation and interval intersections. Source: [SSP01] 3. Design: docs/design/0019-paper-conditions.md.
+// solids/interval_boxes/surface_boxes.h: face, edge and vertex boxes of a patch complex at a resolution eps, as the
+// paper makes them from interval evaluation and interval intersections. Source: [SSP01] 3. Design:
+// docs/design/0019-paper-conditions.md.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,8 +13,8 @@
 namespace veritope {
 
 struct SurfaceBoxOptions {
-  /// Of eps: how far a box is larger than the hull of what it stands for, on every side. [SSP01] gets this from rounded interval arithmetic over
-  /// an interval of parameters (eq. 13), whose widths are positive along every axis.
+  /// Of eps: how far a box is larger than the hull of what it stands for, on every side. [SSP01] gets this from rounded
+  /// interval arithmetic over an interval of parameters (eq. 13), whose widths are positive along every axis.
   double margin = 0.125;
   std::size_t max_boxes = 1'000'000;
   int max_level = 18;  ///< of pieces
@@ -33,8 +34,8 @@ struct SurfaceBox {
 };
 const char* to_string(SurfaceBox::Kind kind);
 
-/// A connected component of intersections of boxes of two edge chains at a vertex, the component that holds the vertex: the proved common point of
-/// its edges (they end in it exactly). Its boxes are the vertex boxes.
+/// A connected component of intersections of boxes of two edge chains at a vertex, the component that holds the vertex:
+/// the proved common point of its edges (they end in it exactly). Its boxes are the vertex boxes.
 struct VertexCluster {
   std::uint32_t vertex = 0;
   std::vector<std::uint32_t> boxes;  ///< ascending
@@ -49,12 +50,13 @@ struct SurfaceCover {
   std::vector<Box3d> plain_boxes() const;
 };
 
-/// Pieces are split until their closed hulls, grown by margin * eps on every side, are no larger than eps; those with a point on an edge go to edge
-/// boxes together with what lies across the edge, split to the same stretches; where this makes a box too large, both sides are split. Smooth edges of
-/// the complex are edges here, too. Of a planar model, the curve's pieces are faces and its ends are edges of the wall: the boxes around them
-/// are called vertex boxes.
+/// Pieces are split until their closed hulls, grown by margin * eps on every side, are no larger than eps; those with a
+/// point on an edge go to edge boxes together with what lies across the edge, split to the same stretches; where this
+/// makes a box too large, both sides are split. Smooth edges of the complex are edges here, too. Of a planar model, the
+/// curve's pieces are faces and its ends are edges of the wall: the boxes around them are called vertex boxes.
 /// Every leaf is in the interior of its box: C1 and B1 hold by construction, C2 and C3 are asked of conditions.h.
-/// @error kBadArgument unless eps is finite and positive, or margin in (0, 1/2); kOverLimit if the boxes or the levels do not suffice
+/// @error kBadArgument unless eps is finite and positive, or margin in (0, 1/2); kOverLimit if the boxes or the levels
+/// do not suffice
 Result<SurfaceCover> make_surface_cover(BoundaryModel& model, double eps,
                                         const SurfaceBoxOptions& options = {});
 

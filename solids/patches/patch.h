@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch.h: one piece of a surface: a tensor-product Bezier piece or a Bezier triangle in space, polynomial or rational, with exact
-// coefficients; its sides and corners in the counterclockwise order of the domain.
+// solids/patches/patch.h: one piece of a surface: a tensor-product Bezier piece or a Bezier triangle in space,
+// polynomial or rational, with exact coefficients; its sides and corners in the counterclockwise order of the domain.
 // Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace veritope {
 
-/// The greatest degree, along each axis or of a triangle, of which a patch complex is sound; a patch of more is read, matched and named
-/// as a finding (PatchDefect::kDegree). Of more than kMaxSplineDegree it is refused.
+/// The greatest degree, along each axis or of a triangle, of which a patch complex is sound; a patch of more is read,
+/// matched and named as a finding (PatchDefect::kDegree). Of more than kMaxSplineDegree it is refused.
 inline constexpr int kMaxPatchDegree = 15;
 
 using PatchPoint = std::array<Rational, 3>;
@@ -36,10 +36,10 @@ struct PatchOrigin {
 /// "surface 3, span (0, 2)", "facet 17", "triangle 2", "patch 4".
 std::string to_string(const PatchOrigin& origin);
 
-/// A map of [0,1]^2, S(u, v) with u = axis 0 and v = axis 1, or of the standard triangle, into space. Its normal is S_u x S_v; of a
-/// triangle (corner 1 - corner 0) x (corner 2 - corner 0) where it is flat.
-/// Corners: (0,0), (1,0), (1,1), (0,1); of a triangle its corners 0, 1, 2. Side s runs from corner s to corner s + 1 (the last one to
-/// corner 0): counterclockwise, seen from where the normal points.
+/// A map of [0,1]^2, S(u, v) with u = axis 0 and v = axis 1, or of the standard triangle, into space. Its normal is S_u
+/// x S_v; of a triangle (corner 1 - corner 0) x (corner 2 - corner 0) where it is flat.
+/// Corners: (0,0), (1,0), (1,1), (0,1); of a triangle its corners 0, 1, 2. Side s runs from corner s to corner s + 1
+/// (the last one to corner 0): counterclockwise, seen from where the normal points.
 class Patch {
  public:
   using Tensor = BezierSurface<Rational>;
@@ -85,15 +85,18 @@ class Patch {
   PatchOrigin origin_;
 };
 
-/// @error kBadArgument unless the map has three coordinates and all degrees are 1 or more; kOverLimit for a degree over kMaxSplineDegree.
+/// @error kBadArgument unless the map has three coordinates and all degrees are 1 or more; kOverLimit for a degree over
+/// kMaxSplineDegree.
 ///        Weights are not looked at: see PatchDefect::kWeight.
 Result<Patch> make_patch(Patch::Tensor map, PatchOrigin origin = {});
 Result<Patch> make_patch(Patch::Triangle map, PatchOrigin origin = {});
 
-/// The same points with the other normal: a tensor with its axes exchanged, a triangle with corners 1 and 2 exchanged. Side s becomes side
-/// num_sides() - 1 - s, travelled the other way, and corner c becomes corner (num_sides() - c) mod num_sides(). Twice: the patch itself.
+/// The same points with the other normal: a tensor with its axes exchanged, a triangle with corners 1 and 2 exchanged.
+/// Side s becomes side num_sides() - 1 - s, travelled the other way, and corner c becomes corner (num_sides() - c) mod
+/// num_sides(). Twice: the patch itself.
 Patch reversed(const Patch& patch);
-/// The same surface with corner `by` as corner 0: the domain turned. Sides and corners are renumbered, nothing else changes.
+/// The same surface with corner `by` as corner 0: the domain turned. Sides and corners are renumbered, nothing else
+/// changes.
 Patch turned(const Patch& patch, std::uint32_t by);
 
 /// The point of homogeneous coefficients (three, or four with the weight last); nothing if the weight is 0.

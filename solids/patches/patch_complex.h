@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_complex.h: patches glued along equal boundary curves: edges, vertices, shells, orientation, Euler characteristic; and what
-// keeps them from being a closed oriented surface, named and placed.
+// solids/patches/patch_complex.h: patches glued along equal boundary curves: edges, vertices, shells, orientation,
+// Euler characteristic; and what keeps them from being a closed oriented surface, named and placed.
 // Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <cstddef>
@@ -30,7 +30,8 @@ struct PatchCorner {
   friend auto operator<=>(const PatchCorner&, const PatchCorner&) = default;
 };
 
-/// What is wrong. Up to kNotFinite S0, or what the theorems need besides, does not hold; the rest is known to be refused later.
+/// What is wrong. Up to kNotFinite S0, or what the theorems need besides, does not hold; the rest is known to be
+/// refused later.
 enum class PatchDefect {
   kOpenSide,      ///< a side that occurs once
   kNearMiss,      ///< two open sides that differ by little; each is listed as open, too
@@ -47,8 +48,8 @@ inline constexpr std::size_t kNumPatchDefects = 10;
 /// "open-side", for reports.
 const char* defect_name(PatchDefect defect);
 
-/// One defect. What `sides` holds: kOpenSide the side; kNearMiss, kDirection, kOneSided two; kOverusedSide all; kAdjacentPoles the two;
-/// the others one for each patch, with side 0. kNotFinite: none, see `facet`.
+/// One defect. What `sides` holds: kOpenSide the side; kNearMiss, kDirection, kOneSided two; kOverusedSide all;
+/// kAdjacentPoles the two; the others one for each patch, with side 0. kNotFinite: none, see `facet`.
 struct PatchFinding {
   PatchDefect defect = PatchDefect::kOpenSide;
   std::vector<PatchSide> sides;
@@ -81,7 +82,9 @@ struct PatchShell {
 
 enum class PatchOrientation {
   kKeep,
-  kAuto,  ///< flips whole patches, the fewest in each shell that make all directions agree (of equally many: not its first patch)
+  /// flips whole patches, the fewest in each shell that make all directions agree (of equally many: not its first
+  /// patch)
+  kAuto,
 };
 
 /// Patches as they come from a file or a mesh: what could not be made a patch is named.
@@ -90,8 +93,8 @@ struct PatchInput {
   std::vector<PatchFinding> findings;
 };
 
-/// The abstract surface X that the patches are a map of. Vertices are the classes of corners that paired sides and collapsed sides
-/// generate, never corners in equal places; an edge is a class of equal sides that are not collapsed.
+/// The abstract surface X that the patches are a map of. Vertices are the classes of corners that paired sides and
+/// collapsed sides generate, never corners in equal places; an edge is a class of equal sides that are not collapsed.
 class PatchComplex {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -109,10 +112,12 @@ class PatchComplex {
     return std::span(sides_of_edges_)
         .subspan(first_side_[edge], first_side_[edge + 1] - first_side_[edge]);
   }
-  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the same patch. Where
-  /// X is a closed oriented surface, the point at t of a side is that at 1 - t of its mate, exactly, for all t of [0,1].
+  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the
+  /// same patch. Where X is a closed oriented surface, the point at t of a side is that at 1 - t of its mate, exactly,
+  /// for all t of [0,1].
   std::optional<PatchSide> mate(PatchSide side) const;
-  /// How a side runs along the canonical form of its curve; two mates fit iff one runs forward and one backward, or both are kBoth.
+  /// How a side runs along the canonical form of its curve; two mates fit iff one runs forward and one backward, or
+  /// both are kBoth.
   Travel travel(PatchSide side) const { return travel_[slot(side)]; }
   std::uint32_t vertex(PatchCorner corner) const {
     return vertex_of_corner_[slot({corner.patch, corner.corner})];
@@ -130,8 +135,8 @@ class PatchComplex {
   std::uint64_t count(PatchDefect defect) const {
     return counts_[static_cast<std::size_t>(defect)];
   }
-  /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, its map as the certificates of star boxes ask.
-  /// Says nothing about the image. kAdjacentPoles is allowed.
+  /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, its map as the
+  /// certificates of star boxes ask. Says nothing about the image. kAdjacentPoles is allowed.
   bool is_closed_oriented_surface() const;
 
  private:

@@ -34,8 +34,9 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item) is called where a
-/// hash occurs again: the forms of one hash are held at a time. Items of a class ascend; the order of the classes is not fixed.
+/// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item)
+/// is called where a hash occurs again: the forms of one hash are held at a time. Items of a class ascend; the order of
+/// the classes is not fixed.
 /// @cost O(n log n) comparisons of hashes, and of forms where hashes are equal
 template <typename Item, typename FormOf>
 std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t, Item>> hashed,
@@ -73,7 +74,8 @@ void for_each_side(std::span<const Patch> patches, Visit visit) {
     for (std::uint32_t s = 0; s < patches[p].num_sides(); ++s) visit(PatchSide{p, s});
 }
 
-/// Four slots a patch; PatchComplex::kNone for collapsed sides and unused slots. Edges are numbered by their first sides.
+/// Four slots a patch; PatchComplex::kNone for collapsed sides and unused slots. Edges are numbered by their first
+/// sides.
 struct MatchedSides {
   std::vector<std::uint32_t> edge_of_side;
   std::vector<Travel> travel;
@@ -85,8 +87,8 @@ MatchedSides match_sides(std::span<const Patch> patches);
 /// Two sides of one edge that would fit, did their patches agree: neither is its own reverse and both run alike.
 inline bool run_alike(Travel a, Travel b) { return a == b && a != Travel::kBoth; }
 
-/// For each patch whether it is to be reversed, so that no edge with two sides has them run alike; no patch of a shell where that
-/// cannot be. `conflicts`: one edge of each such shell.
+/// For each patch whether it is to be reversed, so that no edge with two sides has them run alike; no patch of a shell
+/// where that cannot be. `conflicts`: one edge of each such shell.
 struct Flips {
   std::vector<bool> flip;
   std::vector<std::uint32_t> conflicts;
@@ -100,8 +102,9 @@ void find_bad_patches(std::span<const Patch> patches, const MatchedSides& matche
 /// Each patch that occurs before, once, with the one before it.
 void find_repeated_patches(std::span<const Patch> patches, const MatchedSides& matched,
                            std::vector<PatchFinding>& out);
-/// For each open side the nearest other one, if their ends lie within a small part (2^-16) of the largest coordinate of each other; each pair
-/// once. It compares a side with the few next ones only, so it may miss a pair: a hint for people, not a decision.
+/// For each open side the nearest other one, if their ends lie within a small part (2^-16) of the largest coordinate of
+/// each other; each pair once. It compares a side with the few next ones only, so it may miss a pair: a hint for
+/// people, not a decision.
 void find_near_misses(std::span<const Patch> patches, std::span<const PatchSide> open,
                       std::vector<PatchFinding>& out);
 

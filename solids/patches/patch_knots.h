@@ -22,14 +22,15 @@ struct CommonBreaks {
     return lists[list_of[surface][axis]];
   }
 };
-/// The least breaks that hold each axis' own knots, such that two axes (or one and itself) along whose ends equal curves run have the same
-/// ones, reversed where the curves run in opposite directions. Collapsed sides tie nothing.
+/// The least breaks that hold each axis' own knots, such that two axes (or one and itself) along whose ends equal
+/// curves run have the same ones, reversed where the curves run in opposite directions. Collapsed sides tie nothing.
 /// REQUIRES clamped axes, surfaces in space.
 CommonBreaks common_breaks(std::span<const BSplineSurface<Rational>> surfaces);
 
 namespace internal {
 
-/// A B-spline curve on [0,1] whatever its degree and knots: the breaks at which it is no polynomial, and a form of each piece.
+/// A B-spline curve on [0,1] whatever its degree and knots: the breaks at which it is no polynomial, and a form of each
+/// piece.
 struct SplineCurveForm {
   std::vector<Rational> breaks;  ///< inner ones
   std::vector<CanonicalCurve> pieces;
@@ -37,8 +38,8 @@ struct SplineCurveForm {
 
   friend std::strong_ordering operator<=>(const SplineCurveForm& a, const SplineCurveForm& b);
 };
-/// Equal iff the curves are, in one of the two directions. Of a rational curve each piece counts up to a factor of its own; a break where
-/// the factor jumps is kept.
+/// Equal iff the curves are, in one of the two directions. Of a rational curve each piece counts up to a factor of its
+/// own; a break where the factor jumps is kept.
 SplineCurveForm canonical_spline(const BSplineCurve<Rational>& curve);
 std::uint64_t hash_of(const SplineCurveForm& form);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_net.h: one form for each patch, whatever its degrees, factor, corner 0 and normal: two patches are the same map of their
-// domain, up to a symmetry of it, iff their forms are equal.
+// solids/patches/patch_net.h: one form for each patch, whatever its degrees, factor, corner 0 and normal: two patches
+// are the same map of their domain, up to a symmetry of it, iff their forms are equal.
 #pragma once
 #include <compare>
 #include <vector>
@@ -18,8 +18,8 @@ struct CanonicalNet {
   friend std::strong_ordering operator<=>(const CanonicalNet& a, const CanonicalNet& b);
 };
 
-/// Of the least degrees, divided by the absolute value of the first weight, without weights if all are then 1; of the 8 (6) symmetries of
-/// the domain that one whose values come first. @cost O(size * degree)
+/// Of the least degrees, divided by the absolute value of the first weight, without weights if all are then 1; of the 8
+/// (6) symmetries of the domain that one whose values come first. @cost O(size * degree)
 CanonicalNet canonical_net(const Patch& patch);
 
 /// The same maps with the least degree along each axis.

@@ -204,8 +204,8 @@ bool SideForm::is_one_point() const {
   return true;
 }
 
-// What canonical does, for all but rare cases: false, and nothing done, if the degree can be lowered, weights are equal or 0, or the ends
-// are one point.
+// What canonical does, for all but rare cases: false, and nothing done, if the degree can be lowered, weights are equal
+// or 0, or the ends are one point.
 bool SideForm::make_in_place() {
   const std::size_t last = num_points() - 1;
   bool has_full_degree = false;

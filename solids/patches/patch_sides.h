@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_sides.h: one form for each boundary curve, whatever the degree, the factor and the direction that it is given in: two
-// sides are the same curve in the sense of S0 iff their forms are equal.
+// solids/patches/patch_sides.h: one form for each boundary curve, whatever the degree, the factor and the direction
+// that it is given in: two sides are the same curve in the sense of S0 iff their forms are equal.
 // Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <compare>
@@ -15,8 +15,9 @@ namespace veritope {
 /// In which direction the curve runs along its canonical form. kBoth: it is its own reverse, C(t) = C(1 - t).
 enum class Travel : std::uint8_t { kForward, kBackward, kBoth };
 
-/// Homogeneous control points, each x, y, z (w), of the least degree, divided by the absolute value of the first weight that is not 0;
-/// without weights if all are then 1. Of the two directions that one which comes first in the order below.
+/// Homogeneous control points, each x, y, z (w), of the least degree, divided by the absolute value of the first weight
+/// that is not 0; without weights if all are then 1. Of the two directions that one which comes first in the order
+/// below.
 struct CanonicalCurve {
   std::size_t width = 3;  ///< 3, or 4 with weights
   std::vector<Rational> values;
@@ -30,7 +31,8 @@ struct CanonicalCurve {
   }
 };
 
-/// Claim   canonical(a) == canonical(b) iff a, or a run backwards, and b are equal after elevation to one degree, as polynomial maps or
+/// Claim   canonical(a) == canonical(b) iff a, or a run backwards, and b are equal after elevation to one degree, as
+///         polynomial maps or
 ///         as homogeneous ones up to one positive factor; a polynomial map is homogeneous with the weight 1.
 /// A common polynomial factor of all components is not cancelled: S0 does not ask for it.
 /// @cost   O(degree^2) at most; no product at all for a polynomial curve of its least degree but the test of it
@@ -41,17 +43,18 @@ CanonicalCurve directed_form(const Patch::Curve& curve);
 /// The directed form of the curve run backwards, from its own.
 CanonicalCurve run_backwards(const CanonicalCurve& directed);
 
-/// All control points are one point: S0's collapsed row. Where a weight is 0 there is no point, and the row is not collapsed.
+/// All control points are one point: S0's collapsed row. Where a weight is 0 there is no point, and the row is not
+/// collapsed.
 bool is_collapsed(const Patch::Curve& curve);
 
-/// Equal values have equal hashes. The low 64 bits and the lengths of numerators and denominators count: unequal hashes decide, equal
-/// ones do not.
+/// Equal values have equal hashes. The low 64 bits and the lengths of numerators and denominators count: unequal hashes
+/// decide, equal ones do not.
 std::uint64_t hash_of(const CanonicalCurve& curve);
 
 namespace internal {
 
-/// The canonical form of a side, with few copies: where the side already has it but for the direction it points at the numbers of the
-/// patch, which must live as long. Not to be copied: its pointers may point into itself.
+/// The canonical form of a side, with few copies: where the side already has it but for the direction it points at the
+/// numbers of the patch, which must live as long. Not to be copied: its pointers may point into itself.
 class SideForm {
  public:
   SideForm(const Patch& patch, std::uint32_t side);

@@ -208,7 +208,8 @@ Result<std::vector<Patch>> faces_of(std::span<const BezierVolume<Rational>> volu
   for (std::size_t v = 0; v < volumes.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const int end : {0, 1}) {
-        // The rest of the axes in their order: dS/du x dS/dv points along +axis for axes 0 and 2, along -axis for axis 1.
+        // The rest of the axes in their order: dS/du x dS/dv points along +axis for axes 0 and 2, along -axis for axis
+        // 1.
         Result<Patch> face = make_patch(
             boundary(volumes[v], axis, end),
             {PatchOrigin::Kind::kSurface, 6 * v + 2 * axis + static_cast<std::size_t>(end), {}});

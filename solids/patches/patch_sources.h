@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_sources.h: patches from triangles, PN triangles, B-spline surfaces and the faces of Bezier volumes.
-// Design: docs/design/0015-patch-complex.md.
+// solids/patches/patch_sources.h: patches from triangles, PN triangles, B-spline surfaces and the faces of Bezier
+// volumes. Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -20,15 +20,18 @@ namespace veritope {
 /// @error kIndexOutOfRange with the facet; kOverLimit.
 Result<PatchInput> patches_of(const TriangleMesh& mesh);
 
-/// A cubic Bezier triangle for each face, with the same numbers. Of a rounded mesh: all finite, since make_pn_mesh says so.
+/// A cubic Bezier triangle for each face, with the same numbers. Of a rounded mesh: all finite, since make_pn_mesh says
+/// so.
 std::vector<Patch> patches_of(const PnMesh<Rational>& mesh);
 std::vector<Patch> patches_of(const PnMesh<double>& mesh);
 
-/// The Bezier pieces of B-spline surfaces, surface by surface, along axis 0 slowest. One or several surfaces are one complex: where a side
-/// of one surface is a side of another (or of itself) as a whole, as the same curve over [0,1] in either direction and of whatever degree and
-/// knots, both are cut at the knots of both, and so on along opposite sides, until no cut is missing. Surfaces that share only a part of
-/// a side do not fit, nor do those whose common curve runs at another speed.
-/// @error kBadArgument for a surface not in space; kOverLimit if there would be over kMaxPatches pieces, or a degree is over
+/// The Bezier pieces of B-spline surfaces, surface by surface, along axis 0 slowest. One or several surfaces are one
+/// complex: where a side of one surface is a side of another (or of itself) as a whole, as the same curve over [0,1] in
+/// either direction and of whatever degree and knots, both are cut at the knots of both, and so on along opposite
+/// sides, until no cut is missing. Surfaces that share only a part of a side do not fit, nor do those whose common
+/// curve runs at another speed.
+/// @error kBadArgument for a surface not in space; kOverLimit if there would be over kMaxPatches pieces, or a degree is
+/// over
 ///        kMaxSplineDegree, with the surface.
 /// @cost  near-linear in the pieces, but for the comparison of sides: O(spans degree^2) each
 Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> surfaces);
@@ -36,18 +39,19 @@ Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> 
 /// The same pieces, and where each surface is cut.
 struct SurfacePieces {
   std::vector<Patch> patches;
-  /// Of each surface, along u and v, in its own parameters: ascending, from the domain's begin to its end, with every knot between. The
-  /// surface has a piece for each two neighbours along u and two along v.
+  /// Of each surface, along u and v, in its own parameters: ascending, from the domain's begin to its end, with every
+  /// knot between. The surface has a piece for each two neighbours along u and two along v.
   std::vector<std::array<std::vector<Rational>, 2>> breaks;
 };
-/// @param numbers  of the surfaces, in origins and errors; none: they are numbered from 0. REQUIRES none or one a surface.
+/// @param numbers  of the surfaces, in origins and errors; none: they are numbered from 0. REQUIRES none or one a
+/// surface.
 /// @error as patches_of
 Result<SurfacePieces> pieces_of(std::span<const BSplineSurface<Rational>> surfaces,
                                 std::span<const std::uint64_t> numbers = {});
 
-/// The faces of each volume, their normals out of it if its Jacobian determinant is positive; surface number 6 v + 2 axis + end. Walls, which
-/// two volumes share as a whole, with opposite normals and in whatever way they are turned, are left out. @error kBadArgument for a volume not
-/// in space.
+/// The faces of each volume, their normals out of it if its Jacobian determinant is positive; surface number 6 v + 2
+/// axis + end. Walls, which two volumes share as a whole, with opposite normals and in whatever way they are turned,
+/// are left out. @error kBadArgument for a volume not in space.
 Result<std::vector<Patch>> faces_of(std::span<const BezierVolume<Rational>> volumes);
 
 }  // namespace veritope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_transform.h: other descriptions of the same model, and images of it, exactly: what a verdict must not depend on.
+// solids/patches/patch_transform.h: other descriptions of the same model, and images of it, exactly: what a verdict
+// must not depend on.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,13 +13,13 @@
 
 namespace veritope {
 
-/// The image of each patch under x -> linear x + translation; reversed if the determinant is negative, so that normals that pointed out
-/// still do. @error kBadArgument unless it is a map of space with a determinant other than 0.
+/// The image of each patch under x -> linear x + translation; reversed if the determinant is negative, so that normals
+/// that pointed out still do. @error kBadArgument unless it is a map of space with a determinant other than 0.
 Result<std::vector<Patch>> affine_image(std::span<const Patch> patches, const AffineMap& map);
 
-/// The image under the automorphism of space that adds factor * x_i * x_j to coordinate `target`: one to one, of determinant 1, so the image
-/// of an embedded surface is embedded, with the same topology, volume and orientation. Degrees are doubled.
-/// REQUIRES target, i, j < 3; i and j other than target; degrees of at most kMaxSplineDegree / 2.
+/// The image under the automorphism of space that adds factor * x_i * x_j to coordinate `target`: one to one, of
+/// determinant 1, so the image of an embedded surface is embedded, with the same topology, volume and orientation.
+/// Degrees are doubled. REQUIRES target, i, j < 3; i and j other than target; degrees of at most kMaxSplineDegree / 2.
 struct QuadraticShear {
   std::size_t target, i, j;
   Rational factor;
@@ -29,8 +30,8 @@ std::vector<Patch> sheared(std::span<const Patch> patches, const QuadraticShear&
 std::vector<Patch> relabelled(std::span<const Patch> patches, Random& random);
 /// Each patch cut into 4: a tensor at u, v = 1/2, a triangle at the middles of its sides.
 std::vector<Patch> subdivided(std::span<const Patch> patches);
-/// Tensor patches cut in the middle of u, of v, of both or of neither: along closed belts of patches, which opposite sides connect, each cut or
-/// left as `random` says. Belts that end at a triangle or at a defect are left.
+/// Tensor patches cut in the middle of u, of v, of both or of neither: along closed belts of patches, which opposite
+/// sides connect, each cut or left as `random` says. Belts that end at a triangle or at a defect are left.
 std::vector<Patch> cut_along_belts(std::span<const Patch> patches, Random& random);
 /// Every degree raised by `by`: the same maps. REQUIRES by >= 0.
 std::vector<Patch> elevated(std::span<const Patch> patches, int by);

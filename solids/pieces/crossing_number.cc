@@ -33,7 +33,8 @@ struct Stretch {
 constexpr std::uint64_t kShared = ~std::uint64_t{0};
 constexpr std::uint64_t kWhole = std::uint64_t{1} << kUnitBits;
 
-// Where a side of a node lies: on line `place` of its family, between two parameters; sign -1 if it is travelled downwards.
+// Where a side of a node lies: on line `place` of its family, between two parameters; sign -1 if it is travelled
+// downwards.
 struct Location {
   std::uint64_t family, place, begin, end;
   int sign;
@@ -42,7 +43,8 @@ struct Location {
 Location locate(const PieceForest::Form& form, const PieceForest::Node& node, std::uint32_t side) {
   if (form.shape.is_triangle) {
     const std::uint64_t unit = kWhole >> node.level;
-    // Side s runs from corner s to corner s + 1; the coordinate of corner s + 2 is constant, that of corner s + 1 grows along it.
+    // Side s runs from corner s to corner s + 1; the coordinate of corner s + 2 is constant, that of corner s + 1 grows
+    // along it.
     const std::uint64_t sum = std::uint64_t{1} << node.level;
     const std::uint64_t a = (node.is_upside_down ? sum + 1 : sum - 1) - node.i - node.j;
     const std::uint64_t x[3] = {a, node.i, node.j};
@@ -60,8 +62,8 @@ Location locate(const PieceForest::Form& form, const PieceForest::Node& node, st
   }
 }
 
-// What a curve contributes to the winding around the origin: crossings of the half-line y = 0, x > 0 from below. Control points are homogeneous,
-// relative to the centre, projected along d, and turned.
+// What a curve contributes to the winding around the origin: crossings of the half-line y = 0, x > 0 from below.
+// Control points are homogeneous, relative to the centre, projected along d, and turned.
 struct Curve {
   std::vector<double> x, y;
   double error_x, error_y;
@@ -162,7 +164,8 @@ class CrossingCounter {
         const auto mate = complex.mate(side);
         VT_CHECK(mate.has_value(), "an open side in a complex without defects");
         stretch.line[0] = kShared, stretch.line[1] = complex.edge(side);
-        // Along the side that comes first; its mate is travelled the other way. Sides 2 and 3 of a tensor run downwards.
+        // Along the side that comes first; its mate is travelled the other way. Sides 2 and 3 of a tensor run
+        // downwards.
         const bool runs_up = form.shape.is_triangle || s < 2;
         if (runs_up != (side < *mate)) {
           stretch.begin = kWhole - at.end, stretch.end = kWhole - at.begin;

@@ -136,7 +136,8 @@ void ExactPiece::make_determinants() {
   }
 }
 
-// g_c of the piece as stored, times a power of two. Of a polynomial piece the stored points are S times the unit w: n·(S - c) of them is that at w c.
+// g_c of the piece as stored, times a power of two. Of a polynomial piece the stored points are S times the unit w:
+// n·(S - c) of them is that at w c.
 ExactPiece::Side::Side(const ExactPiece& piece, const Point3d& c) : piece_(piece) {
   std::array<Rational, 3> exact;
   Integer denominator(1);  // a power of two

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/exact_piece.h: one node of a PieceForest in integers: its hull, the signs of n·(S - c), its sides; for what doubles do not
-// decide. Theory: docs/THEORY.md §4.
+// solids/pieces/exact_piece.h: one node of a PieceForest in integers: its hull, the signs of n·(S - c), its sides; for
+// what doubles do not decide. Theory: docs/THEORY.md §4.
 #pragma once
 #include <array>
 #include <vector>
@@ -11,7 +11,8 @@
 
 namespace veritope {
 
-/// The node's homogeneous control points F = (x, y, z, w) in the forest's frame, times one positive integer; of a polynomial patch w is that integer.
+/// The node's homogeneous control points F = (x, y, z, w) in the forest's frame, times one positive integer; of a
+/// polynomial patch w is that integer.
 /// @cost to make: O(degree^4) products of integers that grow by the degree a level.
 class ExactPiece {
  public:
@@ -23,8 +24,8 @@ class ExactPiece {
   /// Coordinates x, y, z, then w, of one control point.
   std::array<const Integer*, 4> control(std::size_t i) const;
 
-  /// The coefficients of G0 .. G3, each times the binomials of its place and one positive integer: signs are those of the Bernstein coefficients.
-  /// Made when asked for first. @cost O(degree^6) products
+  /// The coefficients of G0 .. G3, each times the binomials of its place and one positive integer: signs are those of
+  /// the Bernstein coefficients. Made when asked for first. @cost O(degree^6) products
   void make_determinants();
   bool has_determinants() const { return !determinants_[0].empty(); }
   /// The sign of coefficient i of g_c. REQUIRES has_determinants().
@@ -41,8 +42,8 @@ class ExactPiece {
     std::array<Integer, 3> c_;  // times the piece's unit and 2^shift_
     std::uint64_t shift_ = 0;
   };
-  /// Coefficient i of g_c as a function of c, up to a positive factor and rounding: (a, b) of a·(c - m) + b, with the greatest |a_k| between 1/2 and 1; zeros if it does not depend on c.
-  /// REQUIRES has_determinants().
+  /// Coefficient i of g_c as a function of c, up to a positive factor and rounding: (a, b) of a·(c - m) + b, with the
+  /// greatest |a_k| between 1/2 and 1; zeros if it does not depend on c. REQUIRES has_determinants().
   std::array<double, 4> approx_half_space(std::size_t i, const Point3d& m) const;
 
  private:
@@ -56,7 +57,8 @@ class ExactPiece {
 };
 
 namespace internal {
-/// Of a Bezier curve of coefficients first[0], first[stride], ...: those on [from, to] / 2^bits, times 2^(bits degree), in place.
+/// Of a Bezier curve of coefficients first[0], first[stride], ...: those on [from, to] / 2^bits, times 2^(bits degree),
+/// in place.
 /// @cost O(degree^3) products
 void restrict_line(Integer* first, std::size_t stride, int degree, std::uint64_t from,
                    std::uint64_t to, int bits);

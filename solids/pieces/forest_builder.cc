@@ -89,7 +89,8 @@ class ForestBuilder {
       is_first = false;
     }
     PieceForest::Frame& frame = forest_.frame_;
-    // Exponents of the coordinates, of the lengths, and of the greatest of each; of a flat model the lengths do not count.
+    // Exponents of the coordinates, of the lengths, and of the greatest of each; of a flat model the lengths do not
+    // count.
     const Rational half = Rational(1) / Rational(2);
     std::array<Rational, 3> most, length;
     Rational all, longest;
@@ -119,7 +120,8 @@ class ForestBuilder {
   }
   static constexpr int kFar = 16;
   static constexpr int kTinyBits = 32;
-  // Doubles are finest near 0: there goes a patch that is tiny beside the model, so that its boxes have room for their grid. One such place only.
+  // Doubles are finest near 0: there goes a patch that is tiny beside the model, so that its boxes have room for their
+  // grid. One such place only.
   void move_to_least_patch(const Rational& longest) {
     if (least_length_.sign() == Sign::kZero ||
         longest < Rational::power_of_two(kTinyBits) * least_length_)

@@ -37,9 +37,9 @@ Interval mean(const std::vector<Interval>& coefficients) {
   return sum / Interval(static_cast<double>(coefficients.size()));
 }
 
-// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. Nothing is believed of std::cos:
-// `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its coefficients'
-// magnitudes in T_0, ..., T_{K+1} (2 t T_k = T_{k+1} + T_{|k-1|}). It is 2^-K at the zeros themselves.
+// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. Nothing is believed of
+// std::cos: `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its
+// coefficients' magnitudes in T_0, ..., T_{K+1} (2 t T_k = T_{k+1} + T_{|k-1|}). It is 2^-K at the zeros themselves.
 struct InterpolationNodes {
   explicit InterpolationNodes(int order) {
     std::vector<Interval> sum{Interval(1.0)};
@@ -159,7 +159,8 @@ class Integrator {
   // f = (1 + x)^-3 is interpolated at x_j = d c_j, j = 0 .. K. The divided differences of f are
   // (-1)^k h_2(y_0, ..., y_k) y_0 ... y_k, y_j = 1 / (1 + x_j), h_2 the sum of all C(k + 2, 2) products of two (by
   // induction on k, as for 1 / (1 + x), where h_0 = 1 stands for h_2). The error at x is the divided difference of
-  // x_0, ..., x_K, x times the product of all x - x_j, which is at most d^(K + 1) times that of the nodes. Since every y
+  // x_0, ..., x_K, x times the product of all x - x_j, which is at most d^(K + 1) times that of the nodes. Since every
+  // y
   // is at most 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) product.
   // The result times |g| / m^3 bounds what the mean of g / w^3 loses.
   double rest(const Weight& w, double most, int order) const {
@@ -210,7 +211,8 @@ class Integrator {
 std::vector<Interval> shell_volumes(PieceForest& forest, double tolerance) {
   const ScopedUpward upward;
   const PatchComplex& complex = forest.complex();
-  // The volume is a third of the sum over the patches of a closed shell, whatever the centre is: seen from the middle, summands are smallest.
+  // The volume is a third of the sum over the patches of a closed shell, whatever the centre is: seen from the middle,
+  // summands are smallest.
   const Box3d all = hull_of_roots(forest);
   const bool is_bounded = std::isfinite(extent(all));
   const double size = is_bounded ? 0.5 * extent(all) : 1;

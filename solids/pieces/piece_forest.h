@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/piece_forest.h: all patches of a complex as trees of ever smaller pieces, in doubles with proved bounds: closed hulls, and
-// the signs of n·(S - c). Theory: docs/THEORY.md §4. Bound: docs/bounds/piece_net.md.
+// solids/pieces/piece_forest.h: all patches of a complex as trees of ever smaller pieces, in doubles with proved
+// bounds: closed hulls, and the signs of n·(S - c). Theory: docs/THEORY.md §4. Bound: docs/bounds/piece_net.md.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -19,16 +19,18 @@ namespace veritope {
 
 class ExactPiece;
 
-/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the model in a frame, so
-/// that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped and are made again.
+/// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the
+/// model in a frame, so that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped
+/// and are made again.
 class PieceForest {
  public:
   using Id = std::uint32_t;
   static constexpr Id kNone = ~Id{0};
   static constexpr int kMaxLevel = 24;
 
-  /// A tensor piece is [i, i + 1] x [j, j + 1] in units of 2^-(roots + level). A triangle has barycentric coordinates in units of 2^-level: upright, corner e is
-  /// (a, b, c) plus the unit vector e, with a + b + c = 2^level - 1, b = i, c = j; upside down, minus it, with a + b + c = 2^level + 1.
+  /// A tensor piece is [i, i + 1] x [j, j + 1] in units of 2^-(roots + level). A triangle has barycentric coordinates
+  /// in units of 2^-level: upright, corner e is (a, b, c) plus the unit vector e, with a + b + c = 2^level - 1, b = i,
+  /// c = j; upside down, minus it, with a + b + c = 2^level + 1.
   struct Node {
     Box3d hull;  ///< contains the closed hull of the exact control points
     std::uint32_t patch;
@@ -52,20 +54,24 @@ class PieceForest {
     std::vector<double> root_control, root_determinants;  ///< nets of the whole patch
   };
 
-  /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no shift) unless the model lies far from the
-  /// origin, by 16 times its size, or an axis is 16 times as long as another: then doubles, or cubes, would have to be too fine; or a patch is 2^32 times
-  /// smaller than the model: then the origin lies in it.
+  /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no
+  /// shift) unless the model lies far from the origin, by 16 times its size, or an axis is 16 times as long as another:
+  /// then doubles, or cubes, would have to be too fine; or a patch is 2^32 times smaller than the model: then the
+  /// origin lies in it.
   struct Frame {
     std::array<int, 3> scale{};
     std::array<Rational, 3>
-        shift;  ///< a dyadic number; without a tiny patch a multiple of 2^-scale[k], so that multiples of a power of two up to 1 stay such multiples
+        /// a dyadic number; without a tiny patch a multiple of 2^-scale[k], so that multiples of a power of two up to 1
+        /// stay such multiples
+        shift;
     bool is_plain() const;
   };
   enum class FrameChoice {
     kFitted,
     kPlain,  ///< for what needs cubes and the model's own origin: collars
   };
-  /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can stand for.
+  /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can
+  /// stand for.
   static Result<PieceForest> make(const PatchComplex& complex,
                                   FrameChoice choice = FrameChoice::kFitted);
 
@@ -88,15 +94,17 @@ class PieceForest {
   Id root(std::uint32_t number) const { return number; }
   std::size_t num_roots() const { return num_roots_; }
 
-  /// Whether side s of the node (as of the patch: of a triangle, from corner s to corner s + 1) lies in side s of the patch.
+  /// Whether side s of the node (as of the patch: of a triangle, from corner s to corner s + 1) lies in side s of the
+  /// patch.
   bool side_of_patch(const Node& node, std::uint32_t side) const;
   /// visit(i) for the places of the determinants' coefficients outside the rows of collapsed sides.
   template <typename Visit>
   void for_each_kept(const Node& node, Visit visit) const;
 
-  /// Uncertain if two sides of the piece lie in collapsed sides and share a corner: there g_c is 0 and the corner is never certified.
-  /// The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides left out; uncertain if they differ or one is 0.
-  /// Where the bound of doubles does not decide, integers do while the budget for them lasts; then it is uncertain, too.
+  /// Uncertain if two sides of the piece lie in collapsed sides and share a corner: there g_c is 0 and the corner is
+  /// never certified. The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides
+  /// left out; uncertain if they differ or one is 0. Where the bound of doubles does not decide, integers do while the
+  /// budget for them lasts; then it is uncertain, too.
   Sign3 side_of(Id id, const Point3d& c);
   /// Coefficients of G0 .. G3 relative to origin(), as approximate numbers: for searches.
   const double* approx_determinants(Id id);
@@ -105,8 +113,8 @@ class PieceForest {
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);
-  /// The node in integers, with or without determinants; nothing if the budget is spent. It stays until limit_memory. Pieces that decide a sign
-  /// are free, the others of a model share kMostExact coefficients: about half a second.
+  /// The node in integers, with or without determinants; nothing if the budget is spent. It stays until limit_memory.
+  /// Pieces that decide a sign are free, the others of a model share kMostExact coefficients: about half a second.
   const ExactPiece* exact(Id id);
   const ExactPiece* exact_determinants(Id id);
   /// Drops all nets if they take more than this; nodes stay.
@@ -114,7 +122,8 @@ class PieceForest {
 
  private:
   friend class ForestBuilder;
-  // A node's control points and its determinants are two nets, each made when it is asked for: hulls need no determinants, which are many times as long.
+  // A node's control points and its determinants are two nets, each made when it is asked for: hulls need no
+  // determinants, which are many times as long.
   enum class Part : std::uint8_t { kControl, kDeterminants };
   // A net: its components one after the other, then their errors, then the greatest absolute value of each.
   struct Layout {
@@ -144,7 +153,8 @@ class PieceForest {
   enum class Collapsed { kNone, kApart, kAdjacent };
   Collapsed collapsed_sides(const Node& node, const Form& form) const;
 
-  // Room for nets. What was handed out stays where it is until all of it is taken back; then the same memory is handed out again, warm.
+  // Room for nets. What was handed out stays where it is until all of it is taken back; then the same memory is handed
+  // out again, warm.
   class NetStore {
    public:
     double* take(std::size_t n) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/surface_form.h: of a patch, the four polynomials whose signs condition S1 asks for, as Bernstein coefficients over any ring.
-// Theory: docs/THEORY.md §4.
+// solids/pieces/surface_form.h: of a patch, the four polynomials whose signs condition S1 asks for, as Bernstein
+// coefficients over any ring. Theory: docs/THEORY.md §4.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace veritope {
 
-/// Where the coefficients of a polynomial of two parameters stand: tensor (degrees p, q): row by row, the second index fastest; triangle
-/// (degree p): in the order of triangle_index.
+/// Where the coefficients of a polynomial of two parameters stand: tensor (degrees p, q): row by row, the second index
+/// fastest; triangle (degree p): in the order of triangle_index.
 struct FormShape {
   bool is_triangle = false;
   int p = 0, q = 0;
@@ -35,8 +35,8 @@ inline FormShape determinant_shape(const FormShape& s) {
 
 namespace internal {
 
-/// R: a ring with division by integers. A polynomial with its coefficients times the binomials (trinomials) that turn products into convolutions; a square array, of which a
-/// triangle uses the indices (j, k) with j + k <= p.
+/// R: a ring with division by integers. A polynomial with its coefficients times the binomials (trinomials) that turn
+/// products into convolutions; a square array, of which a triangle uses the indices (j, k) with j + k <= p.
 template <Ring R>
 class ScaledForm {
  public:
@@ -110,7 +110,8 @@ class ScaledForm {
   std::vector<R> values_;
 };
 
-/// Of Bernstein coefficients: the derivative along the first or second parameter; of a triangle, along corner 1 - corner 0 or corner 2 - corner 0.
+/// Of Bernstein coefficients: the derivative along the first or second parameter; of a triangle, along corner 1 -
+/// corner 0 or corner 2 - corner 0.
 template <Ring R>
 ScaledForm<R> derivative_form(const FormShape& s, const R* c, int axis) {
   FormShape less = s;
@@ -165,7 +166,8 @@ std::array<internal::ScaledForm<R>, 4> scaled_determinant_form(const FormShape& 
     for (std::size_t i = 0; i < 3; ++i) out[i + 1] -= identity * normal[i];
     return out;
   }
-  // Cofactors of the last row (c, 1): G_i = (-1)^(i + 1) times the determinant of the other three components (i from 0).
+  // Cofactors of the last row (c, 1): G_i = (-1)^(i + 1) times the determinant of the other three components (i from
+  // 0).
   const auto triple = [&](std::size_t i, std::size_t j, std::size_t k) {
     Form d = minor(f, u, i, j) * v[k];
     d -= minor(f, u, i, k) * v[j];

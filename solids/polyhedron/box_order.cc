@@ -68,8 +68,8 @@ struct Centre {
   std::uint32_t group = 0;
 };
 
-// Items of several groups: moves those of lower groups before `mid`, those of higher ones behind it, and narrows [begin, end) to
-// those of the group that `mid` cuts.
+// Items of several groups: moves those of lower groups before `mid`, those of higher ones behind it, and narrows
+// [begin, end) to those of the group that `mid` cuts.
 void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mid, std::size_t& end) {
   const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(it(begin), it(mid), it(end), [](const Centre& a, const Centre& b) { return a.group < b.group; });
@@ -80,8 +80,9 @@ void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mi
   end = static_cast<std::size_t>(last - items.begin());
 }
 
-// Halves [begin, end) as the certificate's tree does, floor(n / 2) positions to the left: between groups; inside a group at the median along
-// the longest side of the centres' box. The result does not depend on the order of the items. Returns the middle.
+// Halves [begin, end) as the certificate's tree does, floor(n / 2) positions to the left: between groups; inside a
+// group at the median along the longest side of the centres' box. The result does not depend on the order of the items.
+// Returns the middle.
 std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
   const std::size_t mid = begin + (end - begin) / 2;
   if (std::any_of(items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end),
@@ -123,7 +124,9 @@ void arrange_all(std::vector<Centre>& items, unsigned jobs) {
     finer.back() = cuts.back();
     cuts = std::move(finer);
   }
-  parallel_for(cuts.size() - 1, 1, jobs, [&](std::size_t i, std::size_t, std::size_t) { arrange(items, cuts[i], cuts[i + 1]); });
+  parallel_for(cuts.size() - 1, 1, jobs, [&](std::size_t i, std::size_t, std::size_t) {
+    arrange(items, cuts[i], cuts[i + 1]);
+  });
 }
 
 Centre centre_of(const TriangleMesh& mesh, std::uint32_t facet) {
@@ -138,8 +141,8 @@ Centre centre_of(const TriangleMesh& mesh, std::uint32_t facet) {
   return c;
 }
 
-// Large fans become groups of their own, numbered from 1 as their apexes lie in space: facets of a fan need no test, and the fan of one side of a
-// thin plate is apart from that of the other side, which no halves of both would be.
+// Large fans become groups of their own, numbered from 1 as their apexes lie in space: facets of a fan need no test,
+// and the fan of one side of a thin plate is apart from that of the other side, which no halves of both would be.
 void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned jobs) {
   constexpr std::uint32_t kLarge = 64;  // facets
   std::vector<std::uint32_t> degree(mesh.positions.size());
@@ -234,7 +237,8 @@ std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vec
   return order;
 }
 
-std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, unsigned jobs) {
+std::vector<std::uint32_t> median_order(const TriangleMesh& mesh,
+                                        const std::vector<std::uint32_t>& facets, unsigned jobs) {
   std::vector<Centre> items(facets.size());
   parallel_for(facets.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) items[i] = centre_of(mesh, facets[i]);

@@ -26,8 +26,9 @@ BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs);
 /// Of the vertices of the faces: a stray vertex that no face has would spoil every scale. REQUIRES at least one face.
 BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
 
-/// A monotone map of coordinates to [0, 1] floats: x <= y implies map(x) <= map(y), because subtraction, scaling by a power of two
-/// and conversion are rounded monotonically. So boxes that overlap still do after it; no outward rounding is needed.
+/// A monotone map of coordinates to [0, 1] floats: x <= y implies map(x) <= map(y), because subtraction, scaling by a
+/// power of two and conversion are rounded monotonically. So boxes that overlap still do after it; no outward rounding
+/// is needed.
 class UnitScale {
  public:
   /// Of the points in a box. REQUIRES a finite box that is not empty.
@@ -42,13 +43,15 @@ class UnitScale {
   double scale_ = 1;
 };
 
-/// The facets along a Morton curve through the centres of their boxes (2048^3 cells), ties by facet number. The result does not
-/// depend on jobs. REQUIRES fewer than 2^32 facets. @cost O(F).
+/// The facets along a Morton curve through the centres of their boxes (2048^3 cells), ties by facet number. The result
+/// does not depend on jobs. REQUIRES fewer than 2^32 facets. @cost O(F).
 std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
                                         const UnitScale& scale, unsigned jobs);
 
-/// The facets in the leaf order of a balanced tree whose nodes are halved at the median centre along their longest axis, large fans (64 facets
-/// at one vertex) apart from the rest: dearer than morton_order, but long thin facets stay beside their neighbours. @cost O(F log F).
-std::vector<std::uint32_t> median_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, unsigned jobs);
+/// The facets in the leaf order of a balanced tree whose nodes are halved at the median centre along their longest
+/// axis, large fans (64 facets at one vertex) apart from the rest: dearer than morton_order, but long thin facets stay
+/// beside their neighbours. @cost O(F log F).
+std::vector<std::uint32_t> median_order(const TriangleMesh& mesh,
+                                        const std::vector<std::uint32_t>& facets, unsigned jobs);
 
 }  // namespace veritope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/box_tree.h: the certificate's box tree and its walk, exactly as docs/certificates/mesh.md section 5 says.
+// solids/polyhedron/box_tree.h: the certificate's box tree and its walk, exactly as docs/certificates/mesh.md section 5
+// says.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -42,7 +43,8 @@ class BoxTree {
   std::vector<WalkPart> parts() const;
 
   /// Walks one part. The visitor has
-  ///   bool node_pair(a, b, k): a pair of nodes at step 3, k counted from 0 in this part; true: settled, go on behind it;
+  ///   bool node_pair(a, b, k): a pair of nodes at step 3, k counted from 0 in this part; true: settled, go on behind
+  ///   it;
   ///   void leaf_pair(i, j): facets order()[i], order()[j] at step 4.
   ///   bool stop(): true ends the walk early.
   /// Returns the number of times that step 3 was reached.

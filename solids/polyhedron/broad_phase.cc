@@ -21,7 +21,8 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kFlush = 1 << 12;
 constexpr std::uint64_t kWorkPerPair = 8;  // deciding a pair costs as much as comparing so many facets with a group
 constexpr float kInf = std::numeric_limits<float>::infinity();
-constexpr std::size_t kTaskGoal = 256;  // enough to keep several threads busy to the end; a constant, so tasks do not depend on jobs
+// enough to keep several threads busy to the end; a constant, so tasks do not depend on jobs
+constexpr std::size_t kTaskGoal = 256;
 
 std::atomic<bool> only_baseline_boxes{false};
 

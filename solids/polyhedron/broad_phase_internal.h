@@ -4,7 +4,8 @@
 
 namespace veritope::internal {
 
-/// From now on, in this process: true = the walk uses no instruction that some x86-64 lacks. The pairs found are the same.
+/// From now on, in this process: true = the walk uses no instruction that some x86-64 lacks. The pairs found are the
+/// same.
 void use_baseline_boxes(bool only_baseline);
 
 }  // namespace veritope::internal

@@ -9,7 +9,8 @@
 
 namespace veritope {
 
-/// Turns what was found wrong into Findings, whose codes are those of the rules, at most `max_listed` of each rule, in the order in which the functions are called.
+/// Turns what was found wrong into Findings, whose codes are those of the rules, at most `max_listed` of each rule, in
+/// the order in which the functions are called.
 class DefectLister {
  public:
   DefectLister(const TriangleMesh& mesh, std::size_t max_listed) : mesh_(mesh), max_listed_(max_listed) {}

@@ -28,8 +28,8 @@ DuplicateFaces among(std::vector<Entry> entries, std::size_t max_listed) {
 
 }  // namespace
 
-// If every edge has at most two faces, a face and its duplicate have all three edges to themselves: they are a shell of two
-// faces on three vertices.
+// If every edge has at most two faces, a face and its duplicate have all three edges to themselves: they are a shell of
+// two faces on three vertices.
 DuplicateFaces find_duplicate_faces(std::span<const std::array<std::uint32_t, 3>> faces,
                                     const SurfaceTopology& topology, std::size_t max_listed) {
   const bool all = topology.nonmanifold_edges > 0;

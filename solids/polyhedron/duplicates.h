@@ -13,7 +13,8 @@ namespace veritope {
 
 struct DuplicateFaces {
   std::uint64_t count = 0;                                      ///< faces with the same vertices as an earlier one
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> first;   ///< (first such face, later one), by the later; at most max_listed
+  /// (first such face, later one), by the later; at most max_listed
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> first;
 };
 
 /// Collapsed faces are left out. @cost O(shells) if no edge has more than two faces, else a sort of the faces.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/facet_signs.h: the signs of the components of every facet's normal, and which facets are degenerate.
+// solids/polyhedron/facet_signs.h: the signs of the components of every facet's normal, and which facets are
+// degenerate.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace veritope {
 
-/// Bit 2k: component k of the normal (v1 - v0) x (v2 - v0) is positive; bit 2k + 1: it is negative. Neither: it is zero or
-/// was not decided.
+/// Bit 2k: component k of the normal (v1 - v0) x (v2 - v0) is positive; bit 2k + 1: it is negative. Neither: it is zero
+/// or was not decided.
 using NormalSigns = std::uint8_t;
 
 struct FacetSigns {
@@ -18,8 +19,8 @@ struct FacetSigns {
       degenerate;  ///< facets with a repeated id or exactly collinear corners, ascending
 };
 
-/// Every facet that is not degenerate gets at least one certain bit. @cost O(F); exact arithmetic only where no component is
-/// certain in floating point.
+/// Every facet that is not degenerate gets at least one certain bit. @cost O(F); exact arithmetic only where no
+/// component is certain in floating point.
 FacetSigns facet_signs(const TriangleMesh& mesh, unsigned jobs);
 
 }  // namespace veritope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/normal_along.h: the sign of a facet's normal along an integer direction, in floating point with a bound.
-// Bound: docs/bounds/normal_along.md.
+// solids/polyhedron/normal_along.h: the sign of a facet's normal along an integer direction, in floating point with a
+// bound. Bound: docs/bounds/normal_along.md.
 #pragma once
 #include <array>
 #include <cmath>

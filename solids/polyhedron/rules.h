@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/rules.h: the rules that the triangles of a solid's boundary obey. Catalogue with pictures: docs/rules/.
+// solids/polyhedron/rules.h: the rules that the triangles of a solid's boundary obey. Catalogue with pictures:
+// docs/rules/.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -80,7 +80,8 @@ class Simplex {
   bool on_tetrahedron(Vec3d& out) {
     double least = std::numeric_limits<double>::infinity();
     unsigned kept = 0;
-    for (const auto& f : {std::array{0, 1, 2, 3}, std::array{0, 1, 3, 2}, std::array{0, 2, 3, 1}, std::array{1, 2, 3, 0}}) {
+    for (const auto& f : {std::array{0, 1, 2, 3}, std::array{0, 1, 3, 2}, std::array{0, 2, 3, 1},
+                          std::array{1, 2, 3, 0}}) {
       const Vec3d n = cross(minus(at_[f[1]], at_[f[0]]), minus(at_[f[2]], at_[f[0]]));
       const double origin = -dot(n, at_[f[0]]), fourth = dot(n, minus(at_[f[3]], at_[f[0]]));
       if (origin * fourth > 0) continue;  // the origin is on the inner side of this face
@@ -178,8 +179,8 @@ bool SeparatorFinder::proves_apart(const IntVec3& d, std::span<const std::uint32
   return false;
 }
 
-// The corners of up to kSampleFacets facets, few of them twice. Of the second group: vertices of the first are noticed (and left
-// out); false if there are two.
+// The corners of up to kSampleFacets facets, few of them twice. Of the second group: vertices of the first are noticed
+// (and left out); false if there are two.
 bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out) {
   out.clear();
   ++stamp_;
@@ -249,7 +250,8 @@ std::optional<IntVec3> SeparatorFinder::find_at_common(std::span<const std::uint
   return std::nullopt;
 }
 
-// Claim    true only if d.p < d.v < d.q for v = common_ and all other vertices p of a, q of b. A second common vertex fails.
+// Claim    true only if d.p < d.v < d.q for v = common_ and all other vertices p of a, q of b. A second common vertex
+//          fails.
 // Bound    docs/bounds/separator.md, rays from a vertex; tests/solids/separator_bound_test.cc.
 // Needs    as above.
 bool SeparatorFinder::proves_at_common(const IntVec3& d, std::span<const std::uint32_t> a,
@@ -264,7 +266,9 @@ bool SeparatorFinder::proves_at_common(const IntVec3& d, std::span<const std::ui
         if (id == common_) continue;
         const Vec3d r = minus(mesh_.positions[id], centre);
         const double size = (std::abs(v.x * r.x) + std::abs(v.y * r.y)) + std::abs(v.z * r.z);
-        if (side * dot(v, r) > internal::kSeparatorRayRel * size + internal::kSeparatorAbs) continue;  // false if one overflows
+        // false if one overflows
+        if (side * dot(v, r) > internal::kSeparatorRayRel * size + internal::kSeparatorAbs)
+          continue;
         rays.push_back(unit({side * r.x, side * r.y, side * r.z}));
         return false;
       }

@@ -38,11 +38,11 @@ inline bool is_worth_separating(const TreeRange& a, const TreeRange& b) {
   return a.size() >= 4 && b.size() >= 4;
 }
 
-/// Finds d with d.p < d.q for every vertex p of a facet of the first group and q of the second, exactly; or, if the groups have
-/// one vertex v in common, d.p < d.v < d.q for all others. Either way each two facets of the groups meet exactly in their
-/// common simplex (docs/THEORY.md, MESH-4). The direction is searched for in floating point (the point of a convex hull nearest
-/// to the origin, [GJK88], on a sample that grows where it was wrong), then proved: the computed gap exceeds the
-/// rounding errors of both sides. One finder a thread: it keeps its buffers.
+/// Finds d with d.p < d.q for every vertex p of a facet of the first group and q of the second, exactly; or, if the
+/// groups have one vertex v in common, d.p < d.v < d.q for all others. Either way each two facets of the groups meet
+/// exactly in their common simplex (docs/THEORY.md, MESH-4). The direction is searched for in floating point (the point
+/// of a convex hull nearest to the origin, [GJK88], on a sample that grows where it was wrong), then proved: the
+/// computed gap exceeds the rounding errors of both sides. One finder a thread: it keeps its buffers.
 class SeparatorFinder {
  public:
   /// `largest` = largest_coordinate(mesh), asked for once for all finders of a model.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/triangle_mesh.h: the triangles that a file means (docs/certificates/reading-rule-1.md), as plain arrays.
+// solids/polyhedron/triangle_mesh.h: the triangles that a file means (docs/certificates/reading-rule-1.md), as plain
+// arrays.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/validity.h: are these triangles the boundary of a solid? Decided exactly and completely; if not, what and where.
-// Theory: docs/THEORY.md, polyhedra.  Design: docs/design/0001-mesh-decision.md.
+// solids/polyhedron/validity.h: are these triangles the boundary of a solid? Decided exactly and completely; if not,
+// what and where. Theory: docs/THEORY.md, polyhedra.  Design: docs/design/0001-mesh-decision.md.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -30,7 +30,8 @@ struct MeshCounts {
   std::uint64_t nonmanifold_vertices = 0;
   std::uint64_t degenerate_faces = 0;
   std::uint64_t duplicate_faces = 0;   ///< faces with the same three ids as an earlier one
-  std::uint64_t selfint_pairs = 0;     ///< unordered pairs of non-degenerate faces that meet outside their common simplex
+  /// unordered pairs of non-degenerate faces that meet outside their common simplex
+  std::uint64_t selfint_pairs = 0;
   std::uint64_t shells = 0;            ///< components through edges
   std::int64_t euler = 0;              ///< V - E + F
   std::optional<std::uint64_t> bodies; ///< shells at even depth; known if M1-M7 hold
@@ -74,7 +75,8 @@ struct ValidityReport {
 };
 
 /// Decides rules M1-M9. REQUIRES finite coordinates, ids in range, fewer than 2^30 faces, at least one face.
-/// @cost about 0.3 microseconds a facet on ordinary meshes; near-linear on long thin facets; plus the number of intersecting pairs.
+/// @cost about 0.3 microseconds a facet on ordinary meshes; near-linear on long thin facets; plus the number of
+/// intersecting pairs.
 ValidityReport decide_validity(const TriangleMesh& mesh, const ValidityOptions& options);
 
 }  // namespace veritope

@@ -27,7 +27,8 @@ struct Fan {
   }
 };
 
-// Facets with g.(p - v) >= 0 > g.(q - v); p and q exchanged if the fan is seen from behind. `before(x)` says g.(x - v) < 0.
+// Facets with g.(p - v) >= 0 > g.(q - v); p and q exchanged if the fan is seen from behind. `before(x)` says g.(x - v)
+// < 0.
 template <typename Before>
 bool turns_once(const Fan& fan, bool reversed, Before before) {
   unsigned turns = 0;

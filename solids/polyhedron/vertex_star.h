@@ -25,8 +25,8 @@ inline constexpr std::array<IntVec3, 14> kStarDirections{{{0, 0, 0},  {1, 0, 0},
 inline constexpr std::uint8_t kNoStar = 0;
 inline constexpr std::uint8_t kOwnDirection = 14;
 
-/// If vertex v has code[v] != kNoStar, then along its direction d every facet at v has n.d of one sign, not zero, and the
-/// facets turn around v exactly once; hence any two facets that share v meet exactly in their common simplex. The
+/// If vertex v has code[v] != kNoStar, then along its direction d every facet at v has n.d of one sign, not zero, and
+/// the facets turn around v exactly once; hence any two facets that share v meet exactly in their common simplex. The
 /// converse does not hold: kNoStar says nothing.
 struct VertexStars {
   std::vector<std::uint8_t> code;                            ///< a vertex
@@ -34,8 +34,8 @@ struct VertexStars {
   bool operator[](std::uint32_t v) const { return code[v] != kNoStar; }
 };
 
-/// Looks for a direction at every vertex but those of `irregular` (ascending): all whose facets are not one closed, oriented
-/// fan must be there (the lemma needs the fan). The result does not depend on jobs. @cost O(F).
+/// Looks for a direction at every vertex but those of `irregular` (ascending): all whose facets are not one closed,
+/// oriented fan must be there (the lemma needs the fan). The result does not depend on jobs. @cost O(F).
 VertexStars find_vertex_stars(const TriangleMesh& mesh, const Incidence& incidence, const FacetSigns& signs,
                               std::span<const std::uint32_t> irregular, unsigned jobs);
 

@@ -124,7 +124,8 @@ void add_facet(const Vec3d& a, const Vec3d& b, const Vec3d& c, Coordinate at, Sh
   const Int128 ux = at(b.x) - ax, uy = at(b.y) - ay, vx = at(c.x) - ax, vy = at(c.y) - ay;
   const Int128 height = at(a.z) + at(b.z) + at(c.z);
   if (fits64(ux) && fits64(uy) && fits64(vx) && fits64(vy)) [[likely]] {
-    // |u|, |v| < 2^63 would let the difference reach 2^127; a lattice of 120 bits with both products that large is refused below.
+    // |u|, |v| < 2^63 would let the difference reach 2^127; a lattice of 120 bits with both products that large is
+    // refused below.
     constexpr Int128 kLimit = Int128{1} << 62;
     if (ux < kLimit && -ux < kLimit && vy < kLimit && -vy < kLimit && uy < kLimit && -uy < kLimit &&
         vx < kLimit && -vx < kLimit) [[likely]] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// By separating axes: two convex polygons, segments or boxes are disjoint iff their projections are, to one of the normals of their faces, products of their
-// edges' directions, or, in a plane, normals of edges.
+// By separating axes: two convex polygons, segments or boxes are disjoint iff their projections are, to one of the
+// normals of their faces, products of their edges' directions, or, in a plane, normals of edges.
 #include "solids/star_box/mesh_box.h"
 
 #include <array>

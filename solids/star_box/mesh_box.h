@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/star_box/mesh_box.h: boxes in which flat triangles meet as their abstract faces do: for vertices whose normals lie in no open half-space.
-// Theory: docs/THEORY.md §4. The conditions: docs/certificates/star-box.md, section 5.
+// solids/star_box/mesh_box.h: boxes in which flat triangles meet as their abstract faces do: for vertices whose normals
+// lie in no open half-space. Theory: docs/THEORY.md §4. The conditions: docs/certificates/star-box.md, section 5.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -10,9 +10,10 @@
 
 namespace veritope {
 
-/// The patches that meet the closed box, if all of them are polynomial triangles of degree 1 with normals that are not 0, and any two of them meet
-/// exactly in their common vertex or edge of X, or not at all, where they have none in common. Nothing otherwise, or if they are over `most`, or if a
-/// patch that is no such triangle cannot be shown to miss the box. Box in the forest's coordinates.
+/// The patches that meet the closed box, if all of them are polynomial triangles of degree 1 with normals that are not
+/// 0, and any two of them meet exactly in their common vertex or edge of X, or not at all, where they have none in
+/// common. Nothing otherwise, or if they are over `most`, or if a patch that is no such triangle cannot be shown to
+/// miss the box. Box in the forest's coordinates.
 /// @cost a pair of triangles: some 20 separating axes in intervals, in rationals where these do not decide
 std::optional<std::vector<std::uint32_t>> mesh_box_triangles(PieceForest& forest, const Box3d& box,
                                                              std::size_t most);

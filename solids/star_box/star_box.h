@@ -25,8 +25,8 @@ bool find_star_pieces(PieceForest& forest, const StarBox& star, std::size_t most
 bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
                     const StarBox& star);
 
-/// S2: the crossing number of the line through the centres. REQUIRES has_star_signs(forest, tested, star), and `tested` from
-/// find_pieces or find_star_pieces.
+/// S2: the crossing number of the line through the centres. REQUIRES has_star_signs(forest, tested, star), and `tested`
+/// from find_pieces or find_star_pieces.
 inline std::optional<int> crossing_number(PieceForest& forest,
                                           const std::vector<PieceForest::Id>& tested,
                                           const StarBox& star) {

@@ -101,7 +101,8 @@ bool BoxSearch::try_piece(Id id) {
   return try_cut_star() || try_mesh() || fail(why_of_cube);
 }
 
-// At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks begin.
+// At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks
+// begin.
 bool BoxSearch::try_mesh() {
   const PieceForest::Node& node = forest_.node(piece_);
   if (why_ == Why::kTooDeep || node.level == 0 || node.is_upside_down) return false;
@@ -155,7 +156,8 @@ bool BoxSearch::has_star() {
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
 
-// The cube without the pieces that do not touch the hull: along flat sheets boxes are then as thin as a gap, and as long as the sheet.
+// The cube without the pieces that do not touch the hull: along flat sheets boxes are then as thin as a gap, and as
+// long as the sheet.
 bool BoxSearch::try_cut_star() {
   if (why_ == Why::kTooDeep || num_near_ == 1) return false;
   obstacle();  // of the cube
@@ -169,7 +171,8 @@ bool BoxSearch::try_cut_star() {
   return has_star();
 }
 
-// The box with sides halfway to each piece that was met, on the axis on which it is farthest from the hull; nothing if all of them touch it, about.
+// The box with sides halfway to each piece that was met, on the axis on which it is farthest from the hull; nothing if
+// all of them touch it, about.
 std::optional<CoverBox> BoxSearch::cut_back() const {
   const Box3d hull = forest_.node(piece_).hull;
   Box3d box = box_.star.box;
@@ -255,7 +258,8 @@ bool BoxSearch::place_centres() {
   return true;
 }
 
-// First under a few conditions of each piece: where these have no solution there is none, and where they have one it mostly satisfies the others.
+// First under a few conditions of each piece: where these have no solution there is none, and where they have one it
+// mostly satisfies the others.
 bool BoxSearch::search_centres() {
   ++programs_;
   switch (solve_centres(kFewConditions)) {
@@ -289,8 +293,8 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
 }
 
-// A point of the programs, (c - m) / scale_, as c on the box's grid: the nearest one, or, if that lies outside of the half-spaces, on each axis in
-// turn the neighbour that lies deeper in them. Where a box is thin, units are long.
+// A point of the programs, (c - m) / scale_, as c on the box's grid: the nearest one, or, if that lies outside of the
+// half-spaces, on each axis in turn the neighbour that lies deeper in them. Where a box is thin, units are long.
 Point3d BoxSearch::on_grid_near(Point3d point) const {
   const Point3d m = approx_centre(box_.star.box);
   const double unit = box_.unit;
@@ -315,8 +319,8 @@ Point3d BoxSearch::on_grid_near(Point3d point) const {
   return out;
 }
 
-// g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / scale_, m the middle of the box: all of them, or about `most`, evenly
-// spread; whether it were all.
+// g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / scale_, m the middle of the box: all of them, or
+// about `most`, evenly spread; whether it were all.
 bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   const PieceForest::Node& node = forest_.node(id);
   const PieceForest::Form& form = forest_.form(node.patch);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/box_search.h: a star box or a mesh box around one piece: searched in floating point, proved with bounds, where they do not decide in
-// exact arithmetic. Theory: docs/THEORY.md §4.
+// verify/certify/box_search.h: a star box or a mesh box around one piece: searched in floating point, proved with
+// bounds, where they do not decide in exact arithmetic. Theory: docs/THEORY.md §4.
 #pragma once
 #include <optional>
 #include <vector>

@@ -9,8 +9,9 @@
 namespace veritope {
 namespace {
 
-// A linear program in x, y, z, t: maximise t under rows r·(x, y, z, t) + s >= 0. Seidel's incremental method; the bounds of the variables are
-// rows of `bounds`, from which each recursion starts. Few rows: deepest_point adds them one by one.
+// A linear program in x, y, z, t: maximise t under rows r·(x, y, z, t) + s >= 0. Seidel's incremental method; the
+// bounds of the variables are rows of `bounds`, from which each recursion starts. Few rows: deepest_point adds them one
+// by one.
 constexpr int kDimension = 4;
 using Row = std::array<double, kDimension + 1>;  // coefficients, then the constant
 // A search: a tolerance that is off loses a candidate, and what is found is proved elsewhere (has_star_signs).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/centre_search.h: a search, in floating point, for points from which all pieces in a box are seen from one side. Nothing here decides.
+// verify/certify/centre_search.h: a search, in floating point, for points from which all pieces in a box are seen from
+// one side. Nothing here decides.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -19,8 +20,9 @@ struct HalfSpace {
 /// The least a·x + b, about; infinity of none.
 double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& point);
 
-/// The point of the box whose least a·x + b is greatest, and that least value; about, and only if it exceeds `enough`. Half-spaces are taken
-/// into account as they prove to be violated. @cost O(m) a round for m half-spaces, mostly a few rounds
+/// The point of the box whose least a·x + b is greatest, and that least value; about, and only if it exceeds `enough`.
+/// Half-spaces are taken into account as they prove to be violated. @cost O(m) a round for m half-spaces, mostly a few
+/// rounds
 struct DeepestPoint {
   Point3d point;
   double depth;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/certificate_entities.h: how the patches of a complex come from the entities of the model file that a certificate speaks of.
+// verify/certify/certificate_entities.h: how the patches of a complex come from the entities of the model file that a
+// certificate speaks of.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,10 +12,12 @@
 
 namespace veritope {
 
-/// An entity of the model file whose patches are numbered from first_patch on: of a surface (u pieces) x (v pieces), v fastest.
+/// An entity of the model file whose patches are numbered from first_patch on: of a surface (u pieces) x (v pieces), v
+/// fastest.
 struct StarBoxEntity {
   bool is_surface = true;
-  /// The patches of the complex are those of the file with their normals turned: axes exchanged, or corners 1 and 2 of a triangle.
+  /// The patches of the complex are those of the file with their normals turned: axes exchanged, or corners 1 and 2 of
+  /// a triangle.
   bool is_reversed = false;
   std::uint32_t first_patch = 0;
   std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes

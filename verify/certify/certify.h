@@ -45,18 +45,21 @@ using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
 struct Certified {
   Verdict verdict = Verdict::kUndecided;
-  /// VALID: none. INVALID: what is proved wrong, at most max_findings. UNDECIDED: one, why: "not-certified" (neither proved right nor
-  /// wrong) or "not-covered" (no certificate can speak of this file).
+  /// VALID: none. INVALID: what is proved wrong, at most max_findings. UNDECIDED: one, why: "not-certified" (neither
+  /// proved right nor wrong) or "not-covered" (no certificate can speak of this file).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
   std::string claim;               ///< that the certificate states; empty with it
 };
 
-/// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes that were read
-/// (their SHA-256 and number are in `file`), so that checkers can read them again. Nothing here has been confirmed by a checker.
-/// @error kEmpty, kOverLimit, kBadArgument: the file was read, but holds no model of its kind (a spline file without any surface)
-/// @cost  as decide_validity and make_mesh_certificate; as decide_patches. Throws InternalError for a bug of ours, and bad_alloc.
+/// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes
+/// that were read (their SHA-256 and number are in `file`), so that checkers can read them again. Nothing here has been
+/// confirmed by a checker.
+/// @error kEmpty, kOverLimit, kBadArgument: the file was read, but holds no model of its kind (a spline file without
+/// any surface)
+/// @cost  as decide_validity and make_mesh_certificate; as decide_patches. Throws InternalError for a bug of ours, and
+/// bad_alloc.
 Result<Certified> certify(const ModelFile& file, const CertifyOptions& options = {});
 
 }  // namespace veritope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/certify_kinds_internal.h: the kinds of models that certify knows: one overload a kind, each in a file of its own.
+// verify/certify/certify_kinds_internal.h: the kinds of models that certify knows: one overload a kind, each in a file
+// of its own.
 #pragma once
 #include "verify/certify/certify.h"
 

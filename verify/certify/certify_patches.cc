@@ -48,8 +48,8 @@ std::optional<Finding> uncovered_patches(const FilePatches& patches) {
   return std::nullopt;
 }
 
-// Whether the refutation is about the directions of normals. If entities were reversed it is about the model as it became, not as it is
-// in the file.
+// Whether the refutation is about the directions of normals. If entities were reversed it is about the model as it
+// became, not as it is in the file.
 bool is_of_orientation(const PatchRefutation& refutation) {
   if (const auto* const sides = std::get_if<SideWitness>(&refutation))
     return sides->same == 2 && sides->opposite == 0;

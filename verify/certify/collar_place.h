@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/collar_place.h: that the surface lies inside a union of octree cells, shell by shell. Theory: docs/THEORY.md §3.
+// verify/certify/collar_place.h: that the surface lies inside a union of octree cells, shell by shell. Theory:
+// docs/THEORY.md §3.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,7 +15,8 @@ namespace veritope {
 
 /// Conditions I1 and I2 of docs/certificates/collar.md.
 struct CollarPlace {
-  /// Of nodes: those that end the trees below the leaves of the star cover. Between such a leaf and a node of the forest without children lies exactly one.
+  /// Of nodes: those that end the trees below the leaves of the star cover. Between such a leaf and a node of the
+  /// forest without children lies exactly one.
   std::vector<bool> is_leaf;
   std::size_t num_leaves = 0;
   std::vector<std::uint32_t> body_of_shell;

@@ -34,7 +34,8 @@ class ShoreSearch {
     return {root_.plane(0, p[0]), root_.plane(1, p[1]), root_.plane(2, p[2])};
   }
 
-  // Straight from the vertex. Below the least vertex of an outermost component there is nothing; boxes that hold a vertex see it.
+  // Straight from the vertex. Below the least vertex of an outermost component there is nothing; boxes that hold a
+  // vertex see it.
   bool leads_out(std::uint32_t vertex, const CommonSubdivision::Face& near, Shore* shore) {
     const Point3d from = point(vertex);
     if (to_infinity(from, 5, shore) ||
@@ -102,7 +103,8 @@ class ShoreSearch {
     return out;
   }
 
-  // Along edges of the boundary, which miss the surface, to the first vertex of a few that leads out. Vertices at distances 1, 2, 4, ... are asked.
+  // Along edges of the boundary, which miss the surface, to the first vertex of a few that leads out. Vertices at
+  // distances 1, 2, 4, ... are asked.
   std::optional<Shore> along_boundary(std::uint32_t component, std::uint32_t start) {
     collect_edges(component);
     constexpr std::uint32_t kNone = CommonSubdivision::kNone;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/collar_solids.h: the two solids between which a collar holds the boundary of a model. Theory: docs/THEORY.md, COLLAR-2.
+// verify/certify/collar_solids.h: the two solids between which a collar holds the boundary of a model. Theory:
+// docs/THEORY.md, COLLAR-2.
 #pragma once
 #include "solids/collar/collar_mesh.h"
 #include "verify/certify/patch_collar.h"

@@ -12,8 +12,8 @@ namespace veritope {
 namespace {
 
 constexpr int kMaxSteps = 24;
-// A step that is shorter is the last one: quadratic convergence makes the next one as short as rounding allows. Near a tangency steps are only halved, and
-// kMaxSteps of them are not enough.
+// A step that is shorter is the last one: quadratic convergence makes the next one as short as rounding allows. Near a
+// tangency steps are only halved, and kMaxSteps of them are not enough.
 constexpr double kLastStep = 0x1p-28;
 // The fixed parameter gets as many bits as these, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
 constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
@@ -31,7 +31,8 @@ using internal::Tangents;
 using Vector = internal::Vector3;
 using Matrix = internal::Matrix3;
 
-// The row, its numbers times powers of two, of any length: the largest number is between 1 and 2. Nothing: it is 0, or not finite.
+// The row, its numbers times powers of two, of any length: the largest number is between 1 and 2. Nothing: it is 0, or
+// not finite.
 std::optional<Vector> stretched(const Vector& row, const std::array<int, 3>& exponent) {
   std::optional<int> top;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -60,7 +61,8 @@ std::optional<std::array<std::array<std::int64_t, 3>, 3>> integer_rows(
   return rows;
 }
 
-// With a middle near t that is a multiple of 2^-bits, of which the radius is a number; nothing if it does not lie in [0,1].
+// With a middle near t that is a multiple of 2^-bits, of which the radius is a number; nothing if it does not lie in
+// [0,1].
 std::optional<DyadicInterval> interval_around(double t, unsigned bits, double radius) {
   const double all = std::ldexp(1.0, static_cast<int>(bits)), middle = std::nearbyint(t * all);
   if (!(middle - radius >= 0 && middle + radius <= all)) return std::nullopt;
@@ -83,8 +85,8 @@ struct CrossingSolver::Linear {
   std::array<Vector, 4> columns;
 };
 
-// J^T y with J J^T y = difference: the shortest step that solves J step = difference. Rows of J are scaled to length one, about, which changes nothing
-// but rounding.
+// J^T y with J J^T y = difference: the shortest step that solves J step = difference. Rows of J are scaled to length
+// one, about, which changes nothing but rounding.
 std::optional<std::array<double, 4>> CrossingSolver::shortest_step(Linear l) {
   for (std::size_t k = 0; k < 3; ++k) {
     double unit = 0;
@@ -187,7 +189,8 @@ bool CrossingSolver::is_near_unproved(const std::array<SheetPlace, 2>& solution)
   });
 }
 
-// The parameter that is fixed: without it the equations should be conditioned best. A parameter of B on the border must be the fixed one.
+// The parameter that is fixed: without it the equations should be conditioned best. A parameter of B on the border must
+// be the fixed one.
 std::optional<CrossingWitness> CrossingSolver::prove_in_order(
     const std::array<SheetPlace, 2>& solution) {
   const Linear l = linearised(solution);

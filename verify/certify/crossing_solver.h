@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/crossing_solver.h: from two places of patches that lie near each other to a proved common point: Newton in doubles, then a box around the
-// solution that is verified exactly.
+// verify/certify/crossing_solver.h: from two places of patches that lie near each other to a proved common point:
+// Newton in doubles, then a box around the solution that is verified exactly.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -24,14 +24,16 @@ class CrossingSolver {
  public:
   explicit CrossingSolver(const PieceForest& forest) : forest_(forest) {}
 
-  /// Parameters near the guess where the two sheets have about the same image: Gauss-Newton, each step the shortest that solves the linear equations.
-  /// Nothing if it does not converge within `reach`, relative to the parameters' unit, of each coordinate of the guess.
+  /// Parameters near the guess where the two sheets have about the same image: Gauss-Newton, each step the shortest
+  /// that solves the linear equations. Nothing if it does not converge within `reach`, relative to the parameters'
+  /// unit, of each coordinate of the guess.
   std::optional<std::array<SheetPlace, 2>> solve(const std::array<SheetPlace, 2>& guess,
                                                  double reach);
 
-  /// A box around about a solution that is a proof, its first sheet in the open domain: tried with either sheet first, from large boxes to small
-  /// ones; broken_condition said that all conditions hold. Near a solution that was not proved none is tried again, and after kMostExactInAll exact tests
-  /// none at all: at a contact every search ends near the same few points.
+  /// A box around about a solution that is a proof, its first sheet in the open domain: tried with either sheet first,
+  /// from large boxes to small ones; broken_condition said that all conditions hold. Near a solution that was not
+  /// proved none is tried again, and after kMostExactInAll exact tests none at all: at a contact every search ends near
+  /// the same few points.
   std::optional<CrossingWitness> prove(const std::array<SheetPlace, 2>& solution);
 
   static constexpr std::size_t kMostExactInAll = 1024;

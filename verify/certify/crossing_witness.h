@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/crossing_witness.h: a proof that two different points of a patch complex have one image, and the exact test of it: conditions X1 to X3
-// of docs/certificates/patch-invalid.md, section 3.
+// verify/certify/crossing_witness.h: a proof that two different points of a patch complex have one image, and the exact
+// test of it: conditions X1 to X3 of docs/certificates/patch-invalid.md, section 3.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -38,8 +38,9 @@ struct PatchRectangle {
 /// Of different patches, or without a common place: the intervals of one parameter have no number in common.
 bool are_apart(const PatchRectangle& a, const PatchRectangle& b);
 
-/// A and B, exactly one of whose four parameters is fixed, and rows Y_1, Y_2, Y_3: with x_i the other parameters in their order, Y_i·(A - B) is
-/// negative where x_i is least and positive where it is greatest, so all three vanish somewhere (Poincare-Miranda).
+/// A and B, exactly one of whose four parameters is fixed, and rows Y_1, Y_2, Y_3: with x_i the other parameters in
+/// their order, Y_i·(A - B) is negative where x_i is least and positive where it is greatest, so all three vanish
+/// somewhere (Poincare-Miranda).
 struct CrossingWitness {
   std::array<PatchRectangle, 2> sheets;
   std::array<std::array<std::int64_t, 3>, 3> rows{};
@@ -56,7 +57,8 @@ std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b
 CrossingWitness with_reversed(const Patch& a, const Patch& b, const std::array<bool, 2>& reversed,
                               CrossingWitness witness);
 
-/// A tensor patch itself; of a triangle of degree p the map of degrees (p, p) of (s, t), the point with the barycentric coordinates (1 - s, s (1 - t), s t).
+/// A tensor patch itself; of a triangle of degree p the map of degrees (p, p) of (s, t), the point with the barycentric
+/// coordinates (1 - s, s (1 - t), s t).
 BezierSurface<Rational> tensor_form(const Patch& patch);
 
 /// As tensor_form, of a triangle. Row m of its coefficients is a curve of degree m in t.

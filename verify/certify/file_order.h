@@ -10,7 +10,8 @@
 
 namespace veritope {
 
-/// The patches of the forest as those of a file: of an entity that is reversed the axes (of a triangle corners 1 and 2) are exchanged.
+/// The patches of the forest as those of a file: of an entity that is reversed the axes (of a triangle corners 1 and 2)
+/// are exchanged.
 class FileOrder {
  public:
   explicit FileOrder(const PieceForest& forest) : forest_(forest) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/file_patches.h: the surfaces and triangles of a spline file as one complex of patches, and the decision about it: what
-// certify and pictures of proofs have in common.
+// verify/certify/file_patches.h: the surfaces and triangles of a spline file as one complex of patches, and the
+// decision about it: what certify and pictures of proofs have in common.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -24,8 +24,9 @@ struct FilePatches {
   std::vector<StarBoxEntity> entities;
   /// An entity some of whose patches were reversed, not all: no certificate can speak of that.
   std::optional<std::size_t> mixed_entity;
-  /// A surface has an inner knot of a multiplicity above its degree: it may be in pieces, and sides of pieces that other surfaces do not
-  /// know may be open. VALID is proved all the same; INVALID would be about pieces and not about the surfaces.
+  /// A surface has an inner knot of a multiplicity above its degree: it may be in pieces, and sides of pieces that
+  /// other surfaces do not know may be open. VALID is proved all the same; INVALID would be about pieces and not about
+  /// the surfaces.
   bool is_torn = false;
   std::optional<Finding> not_covered;
 

@@ -7,10 +7,11 @@
 
 namespace veritope {
 
-/// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken rule
-/// (but M7 where only M2's pairs break it: M2 is witnessed then).
+/// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken
+/// rule (but M7 where only M2's pairs break it: M2 is witnessed then).
 /// REQUIRES report = decide_validity(mesh, options) with max_defects >= 1. The bytes do not depend on `jobs`.
-/// @cost about as long as the decision. Throws InternalError if a proper pair has no code: a bug, never a property of the model.
+/// @cost about as long as the decision. Throws InternalError if a proper pair has no code: a bug, never a property of
+/// the model.
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
                                          const certificate::Subject& subject, unsigned jobs);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/miranda_internal.h: condition X3 of docs/certificates/patch-invalid.md over any ordered ring: exact with Rational, a forecast with double.
+// verify/certify/miranda_internal.h: condition X3 of docs/certificates/patch-invalid.md over any ordered ring: exact
+// with Rational, a forecast with double.
 #pragma once
 #include <array>
 #include <cstddef>

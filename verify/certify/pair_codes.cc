@@ -57,8 +57,8 @@ struct Ids {
   std::array<std::uint32_t, 3> a, b;
 };
 
-// The supporting planes: +1 if all corners of u that are no corners of t lie strictly on the positive side of t's plane,
-// -1 on the negative side, 0 otherwise. Exact.
+// The supporting planes: +1 if all corners of u that are no corners of t lie strictly on the positive side of t's
+// plane, -1 on the negative side, 0 otherwise. Exact.
 int side_of_plane_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t,
                      const std::array<std::uint32_t, 3>& u) {
   int side = 0;
@@ -209,8 +209,8 @@ class ExactSearch {
 
 }  // namespace
 
-// Codes 0 and 1: with d the normal of t, t lies in d.x = c and the corners of u that t has not lie strictly beyond; what
-// touches is spanned by corners of t, which are not collinear.
+// Codes 0 and 1: with d the normal of t, t lies in d.x = c and the corners of u that t has not lie strictly beyond;
+// what touches is spanned by corners of t, which are not collinear.
 std::vector<std::uint8_t> find_pair_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
   const Ids ids{mesh.faces[a], mesh.faces[b]};
   if (const int side = side_of_plane_of(mesh, ids.a, ids.b); side != 0)

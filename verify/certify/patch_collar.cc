@@ -38,8 +38,8 @@ GapCells count_gap_cells(const StarCover& cover) {
   }
   return out;
 }
-// Unless both sheets lie in one cell with what is between them, as those of a fin may. Covers of few cells show that; beyond these an estimate of
-// this many times the cells that are allowed ends the search.
+// Unless both sheets lie in one cell with what is between them, as those of a fin may. Covers of few cells show that;
+// beyond these an estimate of this many times the cells that are allowed ends the search.
 constexpr double kSurelyTooMany = 8;
 constexpr std::size_t kFewCells = std::size_t{1} << 15;
 

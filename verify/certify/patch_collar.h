@@ -21,8 +21,8 @@ struct CollarSearchOptions {
   std::size_t memory = std::size_t{1} << 29;     ///< bytes, of the nets of pieces
 };
 
-/// Octree cells K, a proof that each component of |K| is a product with one shell inside, and where these lie. All conditions of
-/// docs/certificates/collar.md hold.
+/// Octree cells K, a proof that each component of |K| is a product with one shell inside, and where these lie. All
+/// conditions of docs/certificates/collar.md hold.
 struct PatchCollar {
   OctreeRoot root;  ///< in the coordinates of the forest
   CommonSubdivision complex;
@@ -39,7 +39,8 @@ struct PatchCollarSearch {
   std::uint64_t cells_tried = 0;  ///< sum over the rounds
 };
 
-/// Whether there is a grid of binary64 numbers for cells around the model: it may lie too far from the origin. REQUIRES a complex without defects.
+/// Whether there is a grid of binary64 numbers for cells around the model: it may lie too far from the origin. REQUIRES
+/// a complex without defects.
 bool may_have_octree(const PatchComplex& complex);
 
 /// Starts with 64 cells and splits where the cover is no collar.

@@ -32,7 +32,8 @@ inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates bey
 inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even of the least size tried
 inline constexpr const char* kBudget = "box-budget";        ///< too many boxes
 inline constexpr const char* kNoWalk = "no-walk";  ///< from a shell no free path outwards was found
-/// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks have no order that a certificate needs.
+/// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks have no order that a certificate
+/// needs.
 inline constexpr const char* kOrientation = "orientation";
 }  // namespace open_code
 
@@ -53,7 +54,8 @@ struct PatchShellFacts {
 struct PatchDecision {
   bool is_valid = false;
   std::optional<PatchRefutation> refutation;
-  /// Iff neither: why, with a code of open_code. The place may have the patch, the shell, and a box that contains the piece.
+  /// Iff neither: why, with a code of open_code. The place may have the patch, the shell, and a box that contains the
+  /// piece.
   std::optional<Finding> open;
   std::vector<PatchShellFacts> shells;  ///< of a valid complex
   std::uint64_t bodies = 0;

@@ -5,8 +5,9 @@
 
 namespace veritope {
 
-/// Whether the closed pieces have a common point in the surface that the complex's patches are glued to: in one patch, on a common edge, or in a common vertex, where a
-/// collapsed side is its vertex. True also for some pairs of triangles' pieces in one patch that are near each other and have none.
+/// Whether the closed pieces have a common point in the surface that the complex's patches are glued to: in one patch,
+/// on a common edge, or in a common vertex, where a collapsed side is its vertex. True also for some pairs of
+/// triangles' pieces in one patch that are near each other and have none.
 bool are_neighbours(const PieceForest& forest, PieceForest::Id a, PieceForest::Id b);
 
 }  // namespace veritope

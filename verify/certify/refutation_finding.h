@@ -9,8 +9,8 @@
 
 namespace veritope {
 
-/// Codes: "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned". The place has the parts of entities;
-/// a point near it; of a crossing a box that contains the common point; of a turned shell its number.
+/// Codes: "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned". The place has the parts
+/// of entities; a point near it; of a crossing a box that contains the common point; of a turned shell its number.
 /// REQUIRES the entities of the complex in order.
 Finding finding_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,
                    const PatchRefutation& refutation);

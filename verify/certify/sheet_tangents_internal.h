@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/sheet_tangents_internal.h: points and derivatives of patches in doubles, and matrices of three columns: for searches, nothing decides.
+// verify/certify/sheet_tangents_internal.h: points and derivatives of patches in doubles, and matrices of three
+// columns: for searches, nothing decides.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -26,7 +27,8 @@ inline double largest(const Vector3& a) {
 
 // Determinants of matrices with columns and rows of length one, about.
 inline constexpr double kSingular = 0x1p-40;
-// The inverse of the matrix with these columns; false if it is singular, about, whatever the units of the coordinates and of the columns.
+// The inverse of the matrix with these columns; false if it is singular, about, whatever the units of the coordinates
+// and of the columns.
 inline bool invert(const Matrix3& columns, Matrix3* inverse) {
   Matrix3 c = columns;
   Vector3 unit{};  // of a coordinate

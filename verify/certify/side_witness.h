@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/side_witness.h: a proof that the outer sides of patches pass an arc other than once in each direction, the exact test of it (conditions D1 to D4 of
-// docs/certificates/patch-invalid.md, section 4), and the search.
+// verify/certify/side_witness.h: a proof that the outer sides of patches pass an arc other than once in each direction,
+// the exact test of it (conditions D1 to D4 of docs/certificates/patch-invalid.md, section 4), and the search.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -27,22 +27,25 @@ struct SideWitness {
   friend bool operator==(const SideWitness&, const SideWitness&) = default;
 };
 
-/// Bit s of the patch's number: side s lies on the border of the domain of the entity that the patch is a part of. Empty: all sides do.
+/// Bit s of the patch's number: side s lies on the border of the domain of the entity that the patch is a part of.
+/// Empty: all sides do.
 using OuterSides = std::vector<std::uint8_t>;
 inline bool is_outer(const OuterSides& outer, PatchSide side) {
   return outer.empty() || (outer[side.patch] >> side.side & 1) != 0;
 }
 
 enum class SideCondition { kD1, kD2, kD3, kD4 };
-/// The first condition that does not hold; nothing: the witness is a proof. Exact. @cost for D4, a few comparisons for each side of the complex
+/// The first condition that does not hold; nothing: the witness is a proof. Exact. @cost for D4, a few comparisons for
+/// each side of the complex
 std::optional<SideCondition> broken_condition(const PatchComplex& complex, const OuterSides& outer,
                                               const SideWitness& witness);
 
 /// The point of the witness, exactly. REQUIRES D1.
 PatchPoint point_of(const PatchComplex& complex, const SideWitness& witness);
 
-/// A proof for the first of the complex's findings for which one is found: open sides, sides of three patches and more, equal directions. Nothing where
-/// other sides pass all the points that are tried: they may be the same point set in another parametrisation.
+/// A proof for the first of the complex's findings for which one is found: open sides, sides of three patches and more,
+/// equal directions. Nothing where other sides pass all the points that are tried: they may be the same point set in
+/// another parametrisation.
 /// @cost at most 16 findings times 15 points, each as broken_condition
 std::optional<SideWitness> find_side_witness(const PatchComplex& complex, const OuterSides& outer);
 

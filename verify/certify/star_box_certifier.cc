@@ -17,7 +17,8 @@ using certificate::StarBoxBody;
 using certificate::StarBoxItem;
 using Id = PieceForest::Id;
 
-// Boxes are multiples of their units in the frame; in the model's coordinates, times 2^(the frame's finest scale), of 2^(the result).
+// Boxes are multiples of their units in the frame; in the model's coordinates, times 2^(the frame's finest scale), of
+// 2^(the result).
 int grid_exponent(const PieceForest& forest, const CoverBox& box) {
   const PieceForest::Frame& frame = forest.frame();
   const int finest = *std::max_element(frame.scale.begin(), frame.scale.end());

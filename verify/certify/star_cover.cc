@@ -14,9 +14,10 @@ namespace {
 using Id = PieceForest::Id;
 using Why = UncoveredPiece::Why;
 
-// Pieces in the order of the least size at which they may have boxes: a contact is run down to the greatest level at once, and pieces of one size are taken depth
-// first, the last one first, so that nets are near each other. Those whose surroundings were not looked at yet come before all others: a contact must not wait until
-// wider gaps elsewhere are covered.
+// Pieces in the order of the least size at which they may have boxes: a contact is run down to the greatest level at
+// once, and pieces of one size are taken depth first, the last one first, so that nets are near each other. Those whose
+// surroundings were not looked at yet come before all others: a contact must not wait until wider gaps elsewhere are
+// covered.
 class CoverSearch {
  public:
   CoverSearch(PieceForest& forest, const StarCoverOptions& options)
@@ -47,7 +48,8 @@ class CoverSearch {
     }
   };
   static constexpr int kUnknownScale = -101, kLeastScale = -100, kMostScale = 100;
-  // Where features are small, boxes meet a quarter of the pieces at each level; at a contact near a pole as many at all levels.
+  // Where features are small, boxes meet a quarter of the pieces at each level; at a contact near a pole as many at all
+  // levels.
   static constexpr int kMostCrowded = 6;
 
   void push(Id id, int scale, int crowded = 0) { open_.push({scale, next_number_++, id, crowded}); }

@@ -26,8 +26,8 @@ struct CoverBox {
   StarBox star;
   double unit;
   bool is_mesh = false;  ///< a mesh box: it has no centres
-  /// Where it was cut back between sheets that face each other: the area that they have in common, seen along the axis of the cut, in squares of
-  /// their distance; the most of all cuts.
+  /// Where it was cut back between sheets that face each other: the area that they have in common, seen along the axis
+  /// of the cut, in squares of their distance; the most of all cuts.
   double gap_squares = 0;
 };
 
@@ -41,7 +41,8 @@ struct UncoveredPiece {
 
 struct StarCover {
   std::vector<CoverBox> boxes;
-  /// Of the leaves of the cover: the box that holds the hull; of all other nodes kNone. On the way from a root down there is exactly one leaf.
+  /// Of the leaves of the cover: the box that holds the hull; of all other nodes kNone. On the way from a root down
+  /// there is exactly one leaf.
   std::vector<std::uint32_t> box_of_node;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box
@@ -49,7 +50,8 @@ struct StarCover {
   bool is_complete() const { return uncovered.empty(); }
 };
 
-/// Stops at the first piece that stays uncovered at the greatest level. Where sheets face each other, the nearest ones are taken first.
+/// Stops at the first piece that stays uncovered at the greatest level. Where sheets face each other, the nearest ones
+/// are taken first.
 StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options);
 
 }  // namespace veritope

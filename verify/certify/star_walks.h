@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/star_walks.h: from each shell a path to infinity that meets the surface in star boxes only, and the winding numbers that follow.
-// Theory: docs/THEORY.md §5.
+// verify/certify/star_walks.h: from each shell a path to infinity that meets the surface in star boxes only, and the
+// winding numbers that follow. Theory: docs/THEORY.md §5.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,8 @@
 
 namespace veritope {
 
-/// From a centre of a star box of a shell straight to infinity, or to a centre of a star box of a shell whose walk stands earlier.
+/// From a centre of a star box of a shell straight to infinity, or to a centre of a star box of a shell whose walk
+/// stands earlier.
 struct ShellWalk {
   std::uint32_t shell = 0, box = 0;
   bool starts_outside = true;  ///< at c+
@@ -31,11 +32,13 @@ struct ShellWalks {
   std::uint64_t num_bodies() const;
 };
 
-/// The shells whose normals must be turned so that every one at even depth, counted from outside, points to its unbounded side, and every other one away from
-/// it: then the winding numbers are 1 inside and 0 outside of all. Ascending. REQUIRES walks.missing is empty.
+/// The shells whose normals must be turned so that every one at even depth, counted from outside, points to its
+/// unbounded side, and every other one away from it: then the winding numbers are 1 inside and 0 outside of all.
+/// Ascending. REQUIRES walks.missing is empty.
 std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks);
 
-/// Whether no closed hull of a piece that is small enough meets the closed segment from a to b. False also if the budget is spent.
+/// Whether no closed hull of a piece that is small enough meets the closed segment from a to b. False also if the
+/// budget is spent.
 bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b);
 
 /// REQUIRES cover.is_complete().

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/claims.h: the table of claims, and certificates of any of them. Each checker has the same table, written apart.
-// The pages: docs/certificates. A new claim is one row here (docs/how-to/add-a-certificate.md).
+// verify/format/claims.h: the table of claims, and certificates of any of them. Each checker has the same table,
+// written apart. The pages: docs/certificates. A new claim is one row here (docs/how-to/add-a-certificate.md).
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -19,7 +19,8 @@ namespace veritope::certificate {
 /// The body of a certificate as plain data.
 using AnyBody = std::variant<ValidBody, InvalidBody, StarBoxBody, CollarBody, PatchInvalidBody>;
 
-/// What bodies of version 1 about patches leave to the model: which of its entities are surfaces. The others are triangles.
+/// What bodies of version 1 about patches leave to the model: which of its entities are surfaces. The others are
+/// triangles.
 struct ModelKinds {
   std::vector<bool> is_surface;
 };
@@ -28,14 +29,17 @@ struct Claim {
   std::string_view name, magic;  ///< magic: the body's first bytes
   std::string_view page;         ///< of docs/certificates
   std::string_view formats;      ///< of the model, separated by commas
-  /// The statement's keys by the kind of their values, separated by blanks; kCommonTextKeys and kCommonNumberKeys come on top.
+  /// The statement's keys by the kind of their values, separated by blanks; kCommonTextKeys and kCommonNumberKeys come
+  /// on top.
   std::string_view text_keys, number_keys, flag_keys;
   /// REQUIRES a body of this claim's type.
   Bytes (*encode)(const AnyBody& body);
-  /// The layout alone: nothing is checked. Counts are compared with the bytes left before anything is allocated; memory is linear in the
-  /// bytes. @param statement, model  needed for version 1 of the claims about patches: the number of patches, and the kinds of the model's
-  /// entities. Without a model their kinds are guessed; then only the number of surfaces is known, not which entities they are, and the
-  /// first ones are taken for surfaces. @return nothing, and a sentence in `why`, if the bytes are no body of this claim.
+  /// The layout alone: nothing is checked. Counts are compared with the bytes left before anything is allocated; memory
+  /// is linear in the
+  /// bytes. @param statement, model  needed for version 1 of the claims about patches: the number of patches, and the
+  /// kinds of the model's entities. Without a model their kinds are guessed; then only the number of surfaces is known,
+  /// not which entities they are, and the first ones are taken for surfaces. @return nothing, and a sentence in `why`,
+  /// if the bytes are no body of this claim.
   std::optional<AnyBody> (*decode)(std::span<const unsigned char> body, std::string_view statement,
                                    const ModelKinds* model, std::string& why);
   /// For people; lists longer than `max_items` are cut, and say so. REQUIRES a body of this claim's type.
@@ -49,7 +53,8 @@ inline constexpr std::string_view kCommonNumberKeys = "subject_bytes";
 std::span<const Claim> all_claims();
 /// Null if there is none of that name.
 const Claim* find_claim(std::string_view name);
-/// A line for each claim: name, magic, formats, keys with the kinds of their values. Both checkers print the same for --claims.
+/// A line for each claim: name, magic, formats, keys with the kinds of their values. Both checkers print the same for
+/// --claims.
 std::string claims_as_text();
 
 struct DecodedCertificate {
@@ -57,7 +62,8 @@ struct DecodedCertificate {
   std::string statement;  ///< the line of JSON
   AnyBody body;
 };
-/// The claim is the one that the statement names; if it names none of the table, the first one whose magic the body has.
+/// The claim is the one that the statement names; if it names none of the table, the first one whose magic the body
+/// has.
 /// @return nothing, and a sentence in `why`, if the bytes are no certificate
 std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned char> bytes,
                                                      std::string& why,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/entities_of_body_internal.h: the entities with which bodies about patches begin. Internal to verify/format.
+// verify/format/entities_of_body_internal.h: the entities with which bodies about patches begin. Internal to
+// verify/format.
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -17,9 +18,10 @@ struct AfterEntities {
   ByteReader rest;
 };
 
-/// Version 1 only: a body does not say which of its entities are surfaces, so that without the model their number is a guess. These are
-/// the numbers with which the body has the patches that its statement says, at most kMostGuesses of them: the greatest first, since the
-/// roots of patches can be read as the breaks of a few more surfaces, but hardly of fewer.
+/// Version 1 only: a body does not say which of its entities are surfaces, so that without the model their number is a
+/// guess. These are the numbers with which the body has the patches that its statement says, at most kMostGuesses of
+/// them: the greatest first, since the roots of patches can be read as the breaks of a few more surfaces, but hardly of
+/// fewer.
 /// @param body  at the number of entities
 /// Bodies of later versions begin with their counts and kinds (docs/certificates/versions.md) and never come here.
 inline constexpr std::size_t kMostGuesses = 16;

@@ -84,11 +84,12 @@ struct Certificate {
   std::optional<InvalidBody> invalid;
 };
 
-/// Decodes the layout alone: neither the statement's values nor the claim are looked at. Counts are compared with the bytes left
-/// before anything is allocated. @return nothing, and a sentence in `why`, if the bytes are no certificate.
+/// Decodes the layout alone: neither the statement's values nor the claim are looked at. Counts are compared with the
+/// bytes left before anything is allocated. @return nothing, and a sentence in `why`, if the bytes are no certificate.
 std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::string& why);
 
-/// A text that a person can read: the statement, key by key, then the body; lists longer than `max_items` are cut, and say so.
+/// A text that a person can read: the statement, key by key, then the body; lists longer than `max_items` are cut, and
+/// say so.
 std::string explain(const Certificate& certificate, std::size_t max_items);
 std::string explain(const ValidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const InvalidBody& body, std::string_view claim, std::size_t max_items);

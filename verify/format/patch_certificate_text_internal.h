@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/patch_certificate_text_internal.h: bodies about spline models as text, for the table in claims.h. Internal to verify/format.
+// verify/format/patch_certificate_text_internal.h: bodies about spline models as text, for the table in claims.h.
+// Internal to verify/format.
 #pragma once
 #include <cstddef>
 #include <string>

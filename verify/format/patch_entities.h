@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/patch_entities.h: how certificates of patch models describe the entities of the file: as plain data, and its encoding.
-// The page: docs/certificates/star-box.md, section 2.
+// verify/format/patch_entities.h: how certificates of patch models describe the entities of the file: as plain data,
+// and its encoding. The page: docs/certificates/star-box.md, section 2.
 #pragma once
 #include <array>
 #include <cstdint>

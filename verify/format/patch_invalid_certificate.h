@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/patch_invalid_certificate.h: the certificate of an invalid patch model, version 1, as plain data, and its encoding.
-// The page: docs/certificates/patch-invalid.md. Integers and bytes only; nothing here decides anything.
+// verify/format/patch_invalid_certificate.h: the certificate of an invalid patch model, version 1, as plain data, and
+// its encoding. The page: docs/certificates/patch-invalid.md. Integers and bytes only; nothing here decides anything.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -63,7 +63,8 @@ struct StarBoxQuantities {
 
 Bytes encode(const StarBoxBody& body);
 /// The whole certificate. `subject.reading_rule` and `as_indexed` are not used.
-/// @param turned  nothing: the claim is kStarBoxClaim; else kTurnedShellClaim, and this is the winding number of the last walk's inner side
+/// @param turned  nothing: the claim is kStarBoxClaim; else kTurnedShellClaim, and this is the winding number of the
+/// last walk's inner side
 Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const StarBoxBody& body,
              std::optional<std::int64_t> turned = {});
 

@@ -28,7 +28,7 @@ Patches octant_sphere();
 /// Distance R from the z axis to the middle of a circle of radius r: 16 rational biquadratic patches. Embedded iff r <
 /// R; r = R has the origin as two poles (genus 0), r > R meets itself in two points of the axis, where S_u = 0.
 Patches torus(const Rational& big_radius, const Rational& radius);
-/// The same torus as one patch of degrees (5, 5), glued to itself along both pairs of opposite sides. chi = 1 - 2 + 1.
+/// That torus as one patch of degrees (5, 5), glued to itself along both pairs of opposite sides. chi = 1 - 2 + 1.
 Patches one_patch_torus(const Rational& big_radius, const Rational& radius);
 
 /// Radius `bottom` at z = 0, `top` at z = height, with flat ends of five patches each, no singular point; a cylinder if

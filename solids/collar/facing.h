@@ -19,7 +19,8 @@ class FacingOfPieces {
  public:
   explicit FacingOfPieces(PieceForest& forest) : forest_(forest) {}
   Facing of(PieceForest::Id id);
-  /// Of the parts of the piece that meet the box, none much longer than half of it.
+  /// How the parts of the piece that meet the box face; the piece is cut until no part is much longer than half of the
+  /// box.
   Facing of_part(PieceForest::Id id, const Box3d& box);
 
  private:

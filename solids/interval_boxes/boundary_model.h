@@ -49,8 +49,8 @@ class BoundaryModel {
   /// What was found so far, without a net: of the least piece around this one that was asked for.
   std::array<int, 3> known_normal_signs(PieceForest::Id piece) const;
 
-  /// The same box in the forest's coordinates; of a planar model its third side is replaced. Nothing if a coordinate is
-  /// not finite or would lose bits.
+  /// Converts a box to the forest's coordinates; in a planar model the box's third side is replaced. Nothing if a
+  /// coordinate is not finite or would lose bits.
   std::optional<Box3d> to_forest(const Box3d& box) const;
   /// Exact: back to the model's units.
   Box3d from_forest(const Box3d& box) const;

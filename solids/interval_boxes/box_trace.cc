@@ -237,7 +237,7 @@ class Tracer {
     return std::nullopt;
   }
 
-  // About, and not normalised: it only says where to look for centres.
+  // Approximate, and not normalised: it only says where to look for centres.
   Point3d mean_normal(const Ids& tested) {
     Point3d sum{};
     for (const PieceForest::Id id : tested) {

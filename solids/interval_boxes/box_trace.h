@@ -43,7 +43,7 @@ struct TraceOptions {
 /// once. (Then V∩b is a disk seen from L: for fixed other coordinates the inside is a down-set of A.) Otherwise b is
 /// cut into two boxes b', b'' that overlap in a slab, and chi(V∩b) = chi(V∩b') + chi(V∩b'') - chi(V∩b'∩b''). V∩b is a
 /// surface with its boundary in that of b, since every point of b has a neighbourhood in b inside of one of the boxes
-/// decided as one; it is connected if those that meet V hang together through points of V. Of a planar model the third
+/// decided as one; it is connected if those that meet V hang together through points of V. In a planar model the third
 /// axis is never cut.
 BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions& options = {});
 

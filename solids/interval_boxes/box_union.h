@@ -70,7 +70,7 @@ struct UnionTopology {
 };
 Result<UnionTopology> topology_of(const BoxGrid& grid);
 
-/// |B| itself. Of planar boxes (dimension 2) the product with an interval.
+/// |B| itself. Planar boxes (dimension 2) stand for their product with an interval.
 Result<UnionTopology> union_topology(std::span<const Box3d> boxes, int dimension = 3);
 
 }  // namespace veritope

@@ -55,7 +55,7 @@ struct ExceptionOptions {
   std::size_t max_failures = 1000;
 };
 
-/// Of the refuted pairs among `c3.offences`, in order. REQUIRES c3 = decide_conditions(model, boxes)[kC3].
+/// Explains the refuted pairs among `c3.offences`, in order. REQUIRES c3 = decide_conditions(model, boxes)[kC3].
 std::vector<C3Failure> explain_c3(BoundaryModel& model, std::span<const Box3d> boxes,
                                   const ConditionResult& c3, const ExceptionOptions& options = {});
 

@@ -55,17 +55,17 @@ struct RadiusEnclosure {
 /// @error kBadArgument unless the half-widths are positive and finite
 Result<RadiusEnclosure> greatest_chord_radius(const HalfWidths& half_widths,
                                               const RadiusOptions& options = {});
-/// The same for boxes in space whose surface is nearly level along axis `up` (figure 8): in the vertical plane through
-/// both centres, by tangent circles, with the greatest horizontal distance of centres and the vertical half-widths. A
-/// geodesic from c1 to c2 is no more curved than the surface, so it stays in the lens of that circle turned about the
-/// chord, whose lowest point is in this plane.
+/// The chord circle's radius for boxes in space whose surface is nearly level along axis `up` (figure 8): in the
+/// vertical plane through both centres, by tangent circles, with the greatest horizontal distance of centres and the
+/// vertical half-widths. A geodesic from c1 to c2 is no more curved than the surface, so it stays in the lens of that
+/// circle turned about the chord, whose lowest point is in this plane.
 Result<RadiusEnclosure> greatest_chord_radius(const std::array<Interval, 3>& half_widths,
                                               std::size_t up, const RadiusOptions& options = {});
 
-/// R_kappa: a lower and an upper bound of the least radius of curvature; hi is infinite for what is straight. Of a
-/// curve in the plane, or of a surface in space (1 / the greatest principal curvature). @error kBadArgument for another
-/// dimension, where curvatures stay unbounded, and for a knot of multiplicity degree or more inside the domain: there
-/// may be a corner, which no curvature shows
+/// R_kappa: a lower and an upper bound of the least radius of curvature; hi is infinite for what is straight. The first
+/// overload is for a curve in the plane, the second for a surface in space (1 / the greatest principal curvature).
+/// @error kBadArgument for another dimension, where curvatures stay unbounded, and for a knot of multiplicity degree or
+/// more inside the domain: there may be a corner, which no curvature shows
 Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 1>& curve,
                                                const RadiusOptions& options = {});
 Result<RadiusEnclosure> least_curvature_radius(const BSpline<Rational, 2>& surface,

@@ -34,7 +34,7 @@ struct SweepOptions {
 
 inline constexpr int kMaxSweep = 20;
 
-/// Rows for eps, eps / 2, ..., eps / 2^halvings. Of a planar model the collar is not asked.
+/// Rows for eps, eps / 2, ..., eps / 2^halvings. No collar is sought for a planar model.
 /// @error kBadArgument unless eps is finite and positive and 0 <= halvings <= kMaxSweep. Limits end a row, not the
 /// sweep.
 Result<std::vector<SweepRow>> sweep_conditions(BoundaryModel& model, double eps, int halvings,

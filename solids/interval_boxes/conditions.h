@@ -72,8 +72,8 @@ struct ConditionOptions {
   std::size_t max_intersections =
       1'000'000;  ///< distinct boxes for C3*; over it: undecided, unless C2 or C3 refutes it
   std::size_t max_listed = 100;               ///< offences of each condition
-  /// Of all traces together, in cells; once they are spent, further boxes are undecided. Nothing else stops a set of
-  /// many hard boxes soon.
+  /// Budget of all traces together, in cells; once it is spent, further boxes are undecided. Without it a set of many
+  /// hard boxes would take very long.
   std::uint64_t max_cells = std::numeric_limits<std::uint64_t>::max();
   /// B2, C2, C3 and C3* end with their first refutation, C3* with that of C2 or C3: the answers stay, counts and lists
   /// are shorter.

@@ -70,7 +70,7 @@ class CoverCheck {
   void visit(Id id) {
     if (is_spent_) return;
     const Box3d hull = forest_.node(id).hull;
-    // Of a wall only what is near height 0.
+    // Only what is near height 0 counts in a wall.
     if (dimension_ == 2 && (hull.hi[2] < 0 || hull.lo[2] > 0)) return;
     found_.count();
     std::vector<Box3d> near;

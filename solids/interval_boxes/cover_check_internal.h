@@ -27,8 +27,8 @@ struct CoverOptions {
   std::size_t max_pieces, max_listed;
 };
 
-/// Places are in the forest's coordinates. Of a planar model, V is the part of the wall at height 0.
-/// B1: a hull in the union of closed boxes; a hull that meets none refutes. Undecided where V touches the boundary of
+/// Places are in the forest's coordinates. In a planar model, V is the part of the wall at height 0. B1: a hull in the
+/// union of closed boxes; a hull that meets none refutes. Undecided where V touches the boundary of
 /// |B|.
 ConditionResult decide_b1(BoundaryModel& model, const std::vector<Box3d>& boxes,
                           const CoverOptions& options);

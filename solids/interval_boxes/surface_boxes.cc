@@ -76,7 +76,7 @@ class CoverMaker {
                      : "pieces below level " + std::to_string(options_.max_level)};
   }
 
-  // Of a planar model one layer of the wall's pieces is kept: those that reach up from height 0.
+  // For a planar model, one layer of the wall's pieces is kept: those that reach up from height 0.
   bool is_wanted(const PieceForest::Node& node) const {
     if (!model_.is_planar()) return true;
     return node.patch % 3 == 1 && node.hull.lo[2] <= 0 && node.hull.hi[2] > 0 &&

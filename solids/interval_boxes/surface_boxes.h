@@ -13,8 +13,9 @@
 namespace veritope {
 
 struct SurfaceBoxOptions {
-  /// Of eps: how far a box is larger than the hull of what it stands for, on every side. [SSP01] gets this from rounded
-  /// interval arithmetic over an interval of parameters (eq. 13), whose widths are positive along every axis.
+  /// As a part of eps: how far a box extends beyond the hull of what it stands for, on every side. [SSP01] gets this
+  /// from rounded interval arithmetic over an interval of parameters (eq. 13), whose widths are positive along every
+  /// axis.
   double margin = 0.125;
   std::size_t max_boxes = 1'000'000;
   int max_level = 18;  ///< of pieces
@@ -52,9 +53,9 @@ struct SurfaceCover {
 
 /// Pieces are split until their closed hulls, grown by margin * eps on every side, are no larger than eps; those with a
 /// point on an edge go to edge boxes together with what lies across the edge, split to the same stretches; where this
-/// makes a box too large, both sides are split. Smooth edges of the complex are edges here, too. Of a planar model, the
-/// curve's pieces are faces and its ends are edges of the wall: the boxes around them are called vertex boxes.
-/// Every leaf is in the interior of its box: C1 and B1 hold by construction, C2 and C3 are asked of conditions.h.
+/// makes a box too large, both sides are split. Smooth edges of the complex are edges here, too. In a planar model, the
+/// curve's pieces are faces and its ends are edges of the wall: the boxes around them are called vertex boxes. Every
+/// leaf is in the interior of its box: C1 and B1 hold by construction; conditions.h decides C2 and C3.
 /// @error kBadArgument unless eps is finite and positive, or margin in (0, 1/2); kOverLimit if the boxes or the levels
 /// do not suffice
 Result<SurfaceCover> make_surface_cover(BoundaryModel& model, double eps,

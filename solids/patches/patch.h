@@ -19,7 +19,7 @@
 namespace veritope {
 
 /// The greatest degree, along each axis or of a triangle, of which a patch complex is sound; a patch of more is read,
-/// matched and named as a finding (PatchDefect::kDegree). Of more than kMaxSplineDegree it is refused.
+/// matched and named as a finding (PatchDefect::kDegree). A patch of degree greater than kMaxSplineDegree is refused.
 inline constexpr int kMaxPatchDegree = 15;
 
 using PatchPoint = std::array<Rational, 3>;
@@ -70,7 +70,7 @@ class Patch {
   /// All control points, one component after the other; see Bezier and BezierTriangle.
   std::span<const Rational> coefficients() const;
   std::span<const Rational> component(int c) const;
-  /// Of a component.
+  /// The number of control points.
   std::size_t num_control() const { return component(0).size(); }
 
   friend bool operator==(const Patch&, const Patch&) = default;
@@ -91,12 +91,11 @@ class Patch {
 Result<Patch> make_patch(Patch::Tensor map, PatchOrigin origin = {});
 Result<Patch> make_patch(Patch::Triangle map, PatchOrigin origin = {});
 
-/// The same points with the other normal: a tensor with its axes exchanged, a triangle with corners 1 and 2 exchanged.
-/// Side s becomes side num_sides() - 1 - s, travelled the other way, and corner c becomes corner (num_sides() - c) mod
-/// num_sides(). Twice: the patch itself.
+/// The patch with its normal reversed and all its points kept: a tensor with its axes exchanged, a triangle with
+/// corners 1 and 2 exchanged. Side s becomes side num_sides() - 1 - s, travelled the other way, and corner c becomes
+/// corner (num_sides() - c) mod num_sides(). Reversing twice gives the patch itself.
 Patch reversed(const Patch& patch);
-/// The same surface with corner `by` as corner 0: the domain turned. Sides and corners are renumbered, nothing else
-/// changes.
+/// Turns the domain so that corner `by` becomes corner 0. Sides and corners are renumbered, nothing else changes.
 Patch turned(const Patch& patch, std::uint32_t by);
 
 /// The point of homogeneous coefficients (three, or four with the weight last); nothing if the weight is 0.

@@ -38,8 +38,8 @@ struct SplineCurveForm {
 
   friend std::strong_ordering operator<=>(const SplineCurveForm& a, const SplineCurveForm& b);
 };
-/// Equal iff the curves are, in one of the two directions. Of a rational curve each piece counts up to a factor of its
-/// own; a break where the factor jumps is kept.
+/// The forms of two curves are equal iff the curves are, in one of the two directions. Each piece of a rational curve
+/// counts up to a factor of its own; a break where the factor jumps is kept.
 SplineCurveForm canonical_spline(const BSplineCurve<Rational>& curve);
 std::uint64_t hash_of(const SplineCurveForm& form);
 

@@ -42,7 +42,8 @@ bool are_neighbours(const Rational& a, const Rational& b) {
   return x == y || std::nextafter(x, y) == y;
 }
 
-// Of the coordinates of control points, and of weights divided by the first. REQUIRES the same degree, weights not 0.
+// The differences of the control points' coordinates, and of weights divided by the first weight. REQUIRES the same
+// degree, weights not 0.
 Difference difference(const Patch::Curve& a, const Patch::Curve& b) {
   Rational most;
   bool is_one_ulp = true;

@@ -12,7 +12,7 @@
 namespace veritope {
 namespace {
 
-// The map of one degree less along the axis, if it is one: see lowered in patch_sides.cc.
+// The map with the degree along the axis lowered by one, if that is possible: see lowered in patch_sides.cc.
 std::optional<Patch::Tensor> lowered(const Patch::Tensor& map, std::size_t axis) {
   const int n = map.degree(axis);
   if (n <= 1) return std::nullopt;

@@ -18,11 +18,11 @@ struct CanonicalNet {
   friend std::strong_ordering operator<=>(const CanonicalNet& a, const CanonicalNet& b);
 };
 
-/// Of the least degrees, divided by the absolute value of the first weight, without weights if all are then 1; of the 8
-/// (6) symmetries of the domain that one whose values come first. @cost O(size * degree)
+/// The net in the least degrees, divided by the absolute value of the first weight, without weights if all are then 1;
+/// among the 8 (6) symmetries of the domain, the one whose values come first. @cost O(size * degree)
 CanonicalNet canonical_net(const Patch& patch);
 
-/// The same maps with the least degree along each axis.
+/// Lowers the degree along each axis as far as the map allows.
 Patch with_least_degrees(const Patch& patch);
 
 }  // namespace veritope

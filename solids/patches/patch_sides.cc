@@ -86,7 +86,8 @@ std::vector<Rational> backwards(const std::vector<Rational>& values, std::size_t
   return out;
 }
 
-// Divides by the absolute value of the first weight that is not 0; if there is none, of the first number that is not 0.
+// Divides by the absolute value of the first weight that is not 0; if all weights are 0, of the first number that is
+// not 0.
 void normalise(std::vector<Rational>& values, std::size_t width) {
   const Rational* factor = nullptr;
   for (std::size_t i = 3; i < values.size() && factor == nullptr; i += width)

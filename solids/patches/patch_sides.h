@@ -15,8 +15,8 @@ namespace veritope {
 /// In which direction the curve runs along its canonical form. kBoth: it is its own reverse, C(t) = C(1 - t).
 enum class Travel : std::uint8_t { kForward, kBackward, kBoth };
 
-/// Homogeneous control points, each x, y, z (w), of the least degree, divided by the absolute value of the first weight
-/// that is not 0; without weights if all are then 1. Of the two directions that one which comes first in the order
+/// Homogeneous control points, each x, y, z (w), in the least degree, divided by the absolute value of the first weight
+/// that is not 0; without weights if all are then 1. The direction is the one of the two that comes first in the order
 /// below.
 struct CanonicalCurve {
   std::size_t width = 3;  ///< 3, or 4 with weights
@@ -38,7 +38,8 @@ struct CanonicalCurve {
 /// @cost   O(degree^2) at most; no product at all for a polynomial curve of its least degree but the test of it
 CanonicalCurve canonical(const Patch::Curve& curve);
 
-/// The same without the choice of a direction: travel is kForward. Equal iff the curves are, run the same way.
+/// The canonical form in the given direction: travel is kForward. Two forms are equal iff the curves are, in the same
+/// direction of travel.
 CanonicalCurve directed_form(const Patch::Curve& curve);
 /// The directed form of the curve run backwards, from its own.
 CanonicalCurve run_backwards(const CanonicalCurve& directed);
@@ -86,7 +87,7 @@ class SideForm {
   std::vector<const Rational*> values_;
 };
 
-/// Of the least degree: the same polynomials.
+/// The same polynomials in the least degree.
 Patch::Curve with_least_degree(Patch::Curve curve);
 std::uint64_t hash_step(std::uint64_t hash, std::uint64_t word);
 std::uint64_t hash_step(std::uint64_t hash, const Rational& value);

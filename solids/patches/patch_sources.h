@@ -20,8 +20,8 @@ namespace veritope {
 /// @error kIndexOutOfRange with the facet; kOverLimit.
 Result<PatchInput> patches_of(const TriangleMesh& mesh);
 
-/// A cubic Bezier triangle for each face, with the same numbers. Of a rounded mesh: all finite, since make_pn_mesh says
-/// so.
+/// A cubic Bezier triangle for each face, with the same numbers. The numbers of a rounded mesh are all finite, as
+/// make_pn_mesh promises.
 std::vector<Patch> patches_of(const PnMesh<Rational>& mesh);
 std::vector<Patch> patches_of(const PnMesh<double>& mesh);
 
@@ -36,11 +36,11 @@ std::vector<Patch> patches_of(const PnMesh<double>& mesh);
 /// @cost  near-linear in the pieces, but for the comparison of sides: O(spans degree^2) each
 Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> surfaces);
 
-/// The same pieces, and where each surface is cut.
+/// The pieces of the surfaces, and where each surface is cut.
 struct SurfacePieces {
   std::vector<Patch> patches;
-  /// Of each surface, along u and v, in its own parameters: ascending, from the domain's begin to its end, with every
-  /// knot between. The surface has a piece for each two neighbours along u and two along v.
+  /// Each surface's breaks along u and v, in its own parameters: ascending, from the domain's begin to its end, with
+  /// every knot between. The surface has one piece for each pair of neighbours along u and pair along v.
   std::vector<std::array<std::vector<Rational>, 2>> breaks;
 };
 /// @param numbers  of the surfaces, in origins and errors; none: they are numbered from 0. REQUIRES none or one a

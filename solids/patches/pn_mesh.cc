@@ -105,7 +105,7 @@ class PnMeshBuilder {
                                                     const std::array<std::uint32_t, 3>& face) {
     return {values[face[0]], values[face[1]], values[face[2]]};
   }
-  // Of a face's edges, along each from corner e + 1 to corner e + 2.
+  // For each edge of a face, from corner e + 1 to corner e + 2.
   template <Ring R>
   static std::array<std::array<std::array<R, 3>, 2>, 3> edge_points(const PnMesh<R>& mesh,
                                                                     std::size_t face) {

@@ -91,7 +91,7 @@ std::optional<bool> is_up(const Curve& curve, double y) {
   return std::nullopt;
 }
 
-// Of the part of the curve between two parameters, which are integers times those of its halves.
+// The winding number of the part of the curve between two parameters, which are integers times those of its halves.
 std::optional<int> winding(Curve& curve, std::uint64_t from, std::uint64_t to, int halvings) {
   if (curve.end <= from || to <= curve.begin) return 0;
   if (from <= curve.begin && curve.end <= to) {
@@ -221,7 +221,7 @@ class CrossingCounter {
     return sum;
   }
 
-  // Of the part of a node's side, in the side's direction of travel.
+  // The winding number of that part of a node's side, in the side's direction of travel.
   std::optional<int> winding_of(const Stretch& on, std::uint64_t begin, std::uint64_t end) {
     const PieceForest::Form& form = forest_.form(forest_.node(on.node).patch);
     const double* const net = forest_.control(on.node);

@@ -77,7 +77,7 @@ ExactPiece::ExactPiece(const PieceForest& forest, const PieceForest::Node& node)
   shorten();
 }
 
-// Of the whole patch.
+// Reads the control points of the node's whole patch.
 void ExactPiece::set_control(const PieceForest& forest, const PieceForest::Node& node) {
   const Patch& patch = forest.complex().patch(node.patch);
   const std::size_t n = shape_.count();
@@ -136,8 +136,8 @@ void ExactPiece::make_determinants() {
   }
 }
 
-// g_c of the piece as stored, times a power of two. Of a polynomial piece the stored points are S times the unit w:
-// n·(S - c) of them is that at w c.
+// g_c of the piece as stored, times a power of two. The stored points of a polynomial piece are S times the unit w;
+// their n·(S - c) is therefore evaluated at w c.
 ExactPiece::Side::Side(const ExactPiece& piece, const Point3d& c) : piece_(piece) {
   std::array<Rational, 3> exact;
   Integer denominator(1);  // a power of two

@@ -57,8 +57,8 @@ class ExactPiece {
 };
 
 namespace internal {
-/// Of a Bezier curve of coefficients first[0], first[stride], ...: those on [from, to] / 2^bits, times 2^(bits degree),
-/// in place.
+/// Replaces the coefficients first[0], first[stride], ... of a Bezier curve by those on [from, to] / 2^bits, times
+/// 2^(bits degree).
 /// @cost O(degree^3) products
 void restrict_line(Integer* first, std::size_t stride, int degree, std::uint64_t from,
                    std::uint64_t to, int bits);

@@ -54,7 +54,7 @@ class ForestBuilder {
   struct ExactBox {
     std::array<Rational, 3> lo, hi;
   };
-  // Of the control points.
+  // The box of the control points.
   static ExactBox box_of(const Patch& patch) {
     ExactBox out;
     for (std::size_t i = 0; i < patch.num_control(); ++i)
@@ -211,7 +211,7 @@ class ForestBuilder {
            std::all_of(form.root_determinants.begin(), form.root_determinants.end(), is_small);
   }
 
-  // As many halves along the longer parameter as make the pieces about as long as wide.
+  // Chooses the number of halves along the longer parameter so that the pieces are approximately as long as wide.
   static void choose_roots(PieceForest::Form* form) {
     if (form->shape.is_triangle) return;
     const auto layout = PieceForest::layout(*form, Part::kControl);
@@ -271,7 +271,7 @@ class ForestBuilder {
 
   PieceForest::FrameChoice choice_;
   ExactBox least_;         // of the smallest patch that is no point
-  Rational least_length_;  // its; 0 if there is none
+  Rational least_length_;  // the least of its lengths; 0 without one
   PieceForest forest_;
 };
 

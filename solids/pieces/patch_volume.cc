@@ -78,7 +78,7 @@ class Integrator {
     for (int order = 0; order <= kMostOrder; ++order) nodes_.emplace_back(order);
   }
 
-  // Of n·(S - centre) du dv over a whole patch.
+  // The integral of n·(S - centre) du dv over a whole patch.
   Interval over_patch(std::uint32_t patch) {
     const PieceForest::Form& form = forest_.form(patch);
     Interval sum;
@@ -173,7 +173,7 @@ class Integrator {
     return out.hi();
   }
 
-  // About, and not more than, what rounding adds to the mean of g / w^3 anyway.
+  // Approximates from below what rounding adds to the mean of g / w^3 in any case.
   static double rounding(const Weight& w, double most) {
     const double m = w.m.lo();
     return 0x1p-48 * most / (m * m * m);

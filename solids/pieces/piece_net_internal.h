@@ -34,9 +34,9 @@ template <typename Number>
 void quarter_triangle(int degree, const Number* net, Number* const children[4]);
 extern template void quarter_tensor(const FormShape&, const double*, double* const[4]);
 extern template void quarter_triangle(int, const double*, double* const[4]);
-/// The greatest number of averages that follow each other in a coefficient of a child. Of a triangle:
-/// coefficient (j, k) of a corner child takes j in the first halving and k in the second; in the middle child
-/// i for the arguments m0, then j + k.
+/// The greatest number of averages that follow each other in a coefficient of a child. In a triangle, coefficient (j,
+/// k) of a corner child takes j in the first halving and k in the second; in the middle child i for the arguments m0,
+/// then j + k.
 inline int quarter_depth(const FormShape& shape) {
   return shape.is_triangle ? shape.p : shape.p + shape.q;
 }

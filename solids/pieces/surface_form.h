@@ -27,7 +27,7 @@ struct FormShape {
   }
   friend bool operator==(const FormShape&, const FormShape&) = default;
 };
-/// Of the polynomials of determinant_form: (3p - 1, 3q - 1), or 3p - 2 for a triangle.
+/// The degrees of the polynomials of determinant_form: (3p - 1, 3q - 1), or 3p - 2 for a triangle.
 inline FormShape determinant_shape(const FormShape& s) {
   if (s.is_triangle) return {true, 3 * s.p - 2, 0};
   return {false, 3 * s.p - 1, 3 * s.q - 1};
@@ -110,7 +110,7 @@ class ScaledForm {
   std::vector<R> values_;
 };
 
-/// Of Bernstein coefficients: the derivative along the first or second parameter; of a triangle, along corner 1 -
+/// The Bernstein coefficients of the derivative along the first or second parameter; for a triangle, along corner 1 -
 /// corner 0 or corner 2 - corner 0.
 template <Ring R>
 ScaledForm<R> derivative_form(const FormShape& s, const R* c, int axis) {
@@ -188,8 +188,8 @@ std::array<internal::ScaledForm<R>, 4> scaled_determinant_form(const FormShape& 
 
 /// Bernstein coefficients of G0, G1, G2, G3 in determinant_shape(shape), with
 ///   G0 + c0 G1 + c1 G2 + c2 G3 = det(F, F_u, F_v, (c, 1)) = w^3 n·(S - c),  n = S_u x S_v,
-/// F = (w S, w) the homogeneous map. Of a polynomial map (no w): n·(S - c).
-/// control: component by component, 3 or 4 of them, of shape.count() coefficients each. REQUIRES degrees >= 1.
+/// F = (w S, w) the homogeneous map. For a polynomial map (no w) the value is n·(S - c). control: component by
+/// component, 3 or 4 of them, of shape.count() coefficients each. REQUIRES degrees >= 1.
 template <Ring R>
 std::array<std::vector<R>, 4> determinant_form(const FormShape& shape, bool is_rational,
                                                const R* control) {

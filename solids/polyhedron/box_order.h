@@ -23,7 +23,8 @@ struct BoundingBox {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs);
-/// Of the vertices of the faces: a stray vertex that no face has would spoil every scale. REQUIRES at least one face.
+/// The box of the vertices that faces have: a stray vertex that no face has would spoil every scale. REQUIRES at least
+/// one face.
 BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
 
 /// A monotone map of coordinates to [0, 1] floats: x <= y implies map(x) <= map(y), because subtraction, scaling by a
@@ -31,7 +32,7 @@ BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
 /// is needed.
 class UnitScale {
  public:
-  /// Of the points in a box. REQUIRES a finite box that is not empty.
+  /// The scale for points in a box. REQUIRES a finite box that is not empty.
   explicit UnitScale(const BoundingBox& box);
   float x(double v) const { return static_cast<float>((v * pre_ - low_[0]) * scale_); }
   float y(double v) const { return static_cast<float>((v * pre_ - low_[1]) * scale_); }

@@ -32,7 +32,7 @@ class DefectLister {
   std::vector<Finding> defects_;
 };
 
-/// The same three ids in any order.
+/// Whether both faces have the same three ids, in any order.
 bool same_vertices(std::array<std::uint32_t, 3> f, std::array<std::uint32_t, 3> g);
 
 /// The interior point (2a + b + c) / 4 of a face: the certificate's witness point of M8 and M9.

@@ -24,7 +24,7 @@ struct NormalAlong {
   constexpr NormalAlong(const T& ax, const T& ay, const T& az, const T& bx, const T& by,
                         const T& bz, const T& cx, const T& cy, const T& cz, Abs abs)
       : NormalAlong(bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az, abs) {}
-  /// Of the edges u = b - a and v = c - a.
+  /// The normal of the edges u = b - a and v = c - a.
   template <typename Abs>
   constexpr NormalAlong(const T& ux, const T& uy, const T& uz, const T& vx, const T& vy,
                         const T& vz, Abs abs) {

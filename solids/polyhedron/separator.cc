@@ -179,8 +179,8 @@ bool SeparatorFinder::proves_apart(const IntVec3& d, std::span<const std::uint32
   return false;
 }
 
-// The corners of up to kSampleFacets facets, few of them twice. Of the second group: vertices of the first are noticed
-// (and left out); false if there are two.
+// The corners of up to kSampleFacets facets, few of them twice. In the second group, vertices of the first are noticed
+// (and left out); false if there are two of them.
 bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out) {
   out.clear();
   ++stamp_;

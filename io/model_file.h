@@ -30,7 +30,7 @@ inline ModelKind kind_of(const ModelFile& file) { return static_cast<ModelKind>(
 
 FormatId format_of(const ModelFile& file);
 std::uint64_t num_bytes(const ModelFile& file);
-/// Of the bytes that were read, 64 lower-case hexadecimal digits.
+/// The digest of the bytes that were read: 64 lower-case hexadecimal digits.
 const std::string& sha256_of(const ModelFile& file);
 
 struct ModelReadOptions {

@@ -37,11 +37,11 @@ Result<ModelFile> read_model(const ModelBytes& file, const ModelReadOptions& opt
 /// Both.
 Result<ModelFile> read_model_file(const std::string& path, const ModelReadOptions& options);
 
-/// The same for bytes in memory.
+/// Reads bytes in memory by the same rules.
 Result<ModelFile> read_model_bytes(std::span<const unsigned char> bytes, const std::string& name,
                                    const ModelReadOptions& options);
 
-/// The same for files of one kind: options.kind is set. A file of another kind is refused with kUnknownFormat.
+/// Reads a file of one kind: sets options.kind. A file of another kind is refused with kUnknownFormat.
 Result<MeshFile> read_mesh_file(const std::string& path, const ModelReadOptions& options);
 Result<MeshFile> read_mesh_bytes(std::span<const unsigned char> bytes, const std::string& name,
                                  const ModelReadOptions& options);

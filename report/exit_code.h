@@ -14,7 +14,7 @@ enum ExitCode : int {
   kExitBug = 5,
 };
 
-/// Of two outcomes the first of 5, 1, 4, 3, 0. REQUIRES that neither is kExitUsage.
+/// The one of two outcomes that comes first in 5, 1, 4, 3, 0. REQUIRES that neither is kExitUsage.
 constexpr ExitCode first_of(ExitCode a, ExitCode b) {
   for (const ExitCode code : {kExitBug, kExitInvalid, kExitUnreadable, kExitUndecided}) {
     if (a == code || b == code) return code;

@@ -64,7 +64,7 @@ struct FileReport {
   bool has_verdict() const { return verdict && *verdict != Verdict::kUndecided; }
 };
 
-/// Takes the verdict back: what a checker did not confirm is none, and its counts, defects and certificate are none.
+/// Drops the verdict with its counts, defects and certificate: no checker confirmed it.
 void give_up(FileReport& report, ExitCode exit, Finding fault);
 /// A file that cannot be read.
 void refuse(FileReport& report, Finding fault);

@@ -25,7 +25,7 @@ inline Json text_json(const std::string& text) { return text.empty() ? Json(null
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json point_json(const Point3d& point);
-/// Null if there is none, or if it has bounds beyond binary64.
+/// Null without a box, or if the box has bounds beyond binary64.
 Json box_json(const std::optional<Box3d>& box);
 /// What went wrong with a file: a code, a sentence, and the place in the file.
 Json fault_json(const std::optional<Finding>& fault);

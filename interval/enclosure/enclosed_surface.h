@@ -51,7 +51,7 @@ class EnclosedSurface {
   /// As point(), in MPFR intervals of `precision` bits from the exact coefficients; homogeneous with weight 1 if
   /// polynomial.
   std::array<MpInterval, 4> precise_point(double u, double v, int precision) const;
-  /// Of one piece, continued beyond its borders, at a narrow box of parameters.
+  /// The point of one piece, continued beyond its borders, at a narrow box of parameters.
   Box3 point_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v) const;
   /// The weights of one piece, continued, over a rectangle; 1 for polynomial pieces.
   Interval weight_of_piece(std::size_t i, std::size_t j, const Interval& u,

@@ -32,8 +32,8 @@ namespace internal {
 inline Rational magnitude(const Rational& a) { return abs(a); }
 inline Interval magnitude(const Interval& a) { return Interval::from_bounds(mig(a), mag(a)); }
 
-/// Of the polynomial of one span: d has the control values span - degree .. span. Eq. 12 and 13; every t, but an
-/// enclosure only where t +- eps lies in the span, where 0 <= alpha <= 1.
+/// Evaluates the polynomial of one span by eq. 12 and 13; d has the control values span - degree .. span. Every t is
+/// admitted, but the result is an enclosure only where t +- eps lies in the span, where 0 <= alpha <= 1.
 template <Ring R>
 MidRadius<R> de_boor_in_span(const KnotAxis<Rational>& axis, std::size_t span,
                              std::vector<MidRadius<R>> d, const Rational& t, const Rational& eps) {
@@ -114,8 +114,8 @@ MidRadius<R> interval_de_boor(const KnotAxis<Rational>& axis, const std::vector<
   }
 }
 
-/// The same for a map of N parameters, axis by axis, the last one first, for each component; homogeneous if it is
-/// rational. half_widths: of the control boxes, as many as coefficients; empty for points.
+/// Evaluates a map of N parameters axis by axis, the last axis first, for each component; homogeneous if the map is
+/// rational. half_widths: those of the control boxes, one for each coefficient; empty for points.
 template <Ring R, std::size_t N>
 std::vector<MidRadius<R>> interval_de_boor(const BSpline<R, N>& map,
                                            const std::vector<R>& half_widths,

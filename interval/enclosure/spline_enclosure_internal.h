@@ -72,8 +72,8 @@ struct Jets {
     return values[data->index_of(order) * static_cast<std::size_t>(data->dimension) + c];
   }
 };
-/// Over `local`, a box of [0,1]^N of the cell. Of polynomial maps only the derivatives of `base` and of what is a
-/// derivative of it; the others are empty. REQUIRES order <= max_order.
+/// The jets over `local`, a box of [0,1]^N of the cell. For polynomial maps, only `base` and its derivatives are
+/// computed; the others are empty. REQUIRES order <= max_order.
 template <std::size_t N>
 Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& local, int order,
                   const MultiIndex<N>& base);

@@ -19,8 +19,8 @@ struct CurvatureEnclosure {
   Interval gauss, mean;
   Interval principal_min, principal_max;
 };
-/// Of the points with S_u x S_v != 0; as a rule unbounded where the box does not exclude others. @error needs order 2,
-/// mean value 3
+/// Encloses the curvatures at the points with S_u x S_v != 0; as a rule unbounded where the box may contain other
+/// points. @error needs order 2, mean value 3
 Result<CurvatureEnclosure> enclose_curvatures(const SplineEnclosure<2>& surface, const Box2& at,
                                               EnclosureForm form = EnclosureForm::kBoth);
 

@@ -18,7 +18,8 @@ namespace veritope {
 Result<RootReport<2>> intersect_curves(const BSpline<Rational, 1>& a, const BSpline<Rational, 1>& b,
                                        const SolverOptions& options = {});
 
-/// All (t, u, v) with curve(t) = surface(u, v), in space. The same for touching, errors with dimension 3.
+/// All (t, u, v) with curve(t) = surface(u, v), in space. Transversal and touching solutions and errors are as above,
+/// with dimension 3.
 Result<RootReport<3>> intersect_curve_surface(const BSpline<Rational, 1>& curve,
                                               const BSpline<Rational, 2>& surface,
                                               const SolverOptions& options = {});

@@ -121,7 +121,7 @@ std::array<Point4, 3> spread_out(const std::vector<Point4>& pairs) {
   return out;
 }
 
-// Of binary64, with tolerances: a guess that find_overlap proves in rationals or drops.
+// Guesses in binary64, with tolerances; find_overlap proves the guess in rationals or drops it.
 std::optional<ExactOverlap> guess_map(const std::array<Point4, 3>& corners) {
   const auto s = affine_fit(corners, 2), t = affine_fit(corners, 3);
   if (!s || !t) return std::nullopt;

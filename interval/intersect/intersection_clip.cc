@@ -8,9 +8,9 @@
 namespace veritope {
 namespace {
 
-/// Deeper, a tube gets as narrow as the boxes of single points, and what it holds cannot be told.
+/// At greater depths a tube gets as narrow as the boxes of single points, and its content cannot be decided.
 constexpr int kMostHalvings = 14;
-/// Of one tube. An arc that touches a border needs two at each depth; one that runs along it would need all.
+/// The limit for one tube. An arc that touches a border needs two at each depth; one that runs along it would need all.
 constexpr int kMostHalved = 60;
 
 class Clipper {

@@ -13,7 +13,7 @@ namespace veritope {
 namespace {
 
 constexpr int kMostHalvings = 12;
-/// Of a branch, as far as they come from halving: weights far apart make bounds that nothing improves.
+/// Limits the segments of a branch that come from halving: weights far apart make bounds that nothing improves.
 constexpr std::size_t kMostSegments = 5000;
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
@@ -21,7 +21,7 @@ using internal::dot, internal::norm;
 double middle(const Interval& a) { return internal::approx_middle(a); }
 Point4 middle(const Box4& x) { return {middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])}; }
 
-/// Of |v|, from above.
+/// An upper bound of |v|.
 double norm_above(const Box3& v) { return norm(v).hi(); }
 
 const std::vector<double>& nodes_of(std::size_t degree) {

@@ -18,7 +18,7 @@ struct CurveSegment {
   /// The arc between the ends' true places lies in this box of parameters, and in space.
   Box4 parameters;
   Box3 space;
-  /// Of the arc between the ends' true places.
+  /// The length of the arc between the ends' true places.
   Interval length;
 };
 

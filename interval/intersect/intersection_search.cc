@@ -55,7 +55,7 @@ using Direction = std::array<double, 3>;
 Direction cross(const Direction& a, const Direction& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// Scaled, as numbers to compute with; nothing for directions that are none.
+/// The direction, scaled; nothing if it is zero or not finite.
 std::optional<std::array<Interval, 3>> usable(const Direction& d) {
   const double scale = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
   if (!(scale > 0) || !std::isfinite(scale)) return std::nullopt;
@@ -154,7 +154,7 @@ class Search {
     return false;
   }
 
-  /// Of the pieces that two nodes lie in.
+  /// A key of the two pieces in which the nodes of a pair lie.
   std::uint64_t key_of(const Pair& p) const {
     const auto &a = first_.node(p.a), &b = second_.node(p.b);
     const std::uint64_t piece1 = a.i0 * first_.surface().num_spans(1) + a.j0;
@@ -217,7 +217,7 @@ class Search {
           next->push_back({a + i, b + j, parent});
   }
 
-  /// Of the pairs that this round cut.
+  /// Among the pairs that this round cut, gives up the clusters of more than limit_.
   void give_up_large_clusters(std::vector<Pair>* next) {
     std::vector<Box4> boxes;
     for (const Pair& p : cut_) boxes.push_back(box_of(p));

@@ -16,7 +16,7 @@ struct IntersectionBudget {
   /// Pairs to be cut that touch form a cluster; one with more pairs than the first and, for each piece of both
   /// surfaces, the second is given up at that size. Contact along an area or a curve ends so.
   std::size_t pairs_in_cluster = 1500, pairs_per_piece = 15;
-  /// Of all pairs looked at.
+  /// Limits the number of all pairs examined.
   std::uint64_t pairs = 200'000'000;
   /// Asked now and then; true ends the search, what is left is undecided.
   std::function<bool()> stop;

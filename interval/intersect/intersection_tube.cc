@@ -81,7 +81,7 @@ Box3 gap_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const Point4& 
   return s1.point(x[0], x[1]) - s2.point(x[2], x[3]);
 }
 
-/// The same where cancellation leaves too little of it: in MPFR intervals, from exact coefficients.
+/// The gap in MPFR intervals from exact coefficients, for use where cancellation leaves too little of gap_at.
 Box3 precise_gap_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const Point4& x) {
   constexpr int kPrecision = 160;
   const auto p = s1.precise_point(x[0], x[1], kPrecision),
@@ -171,7 +171,7 @@ bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tub
   return true;
 }
 
-/// The inverse of the columns' middles but the pivot's; false if there is none in doubles.
+/// Inverts the matrix of the columns' middles, the pivot's left out; false if doubles hold no inverse.
 bool choose_inverse(const Columns& columns, IntersectionTube* tube) {
   const auto rest = others(tube->pivot);
   std::array<std::array<double, 3>, 3> kept{};

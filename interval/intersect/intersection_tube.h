@@ -66,7 +66,8 @@ Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const Intersec
 Box4 derivative_over(const IntersectionTube& tube, const Box3& du, const Box3& dv, const Box3& ds,
                      const Box3& dt);
 
-/// The same tube over a part of its range, with tighter offsets and derivatives. Nothing if they do not get tighter.
+/// The tube restricted to a part of its range, with tighter offsets and derivatives. Nothing if they do not get
+/// tighter.
 std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                           const IntersectionTube& tube, double w_lo, double w_hi);
 

@@ -15,7 +15,7 @@
 
 namespace veritope {
 
-/// Of the distance, on the part of the map where the held parameters are constant.
+/// The kind of a critical point of the distance, on the part of the map where the held parameters are constant.
 enum class CriticalKind { kMinimum, kSaddle, kMaximum, kUndecided };
 
 /// Exactly one critical point, with the parameters in the box: on free axes the derivative of the distance is 0; a held
@@ -56,7 +56,7 @@ struct Projection {
   bool is_complete() const { return open.empty(); }
 };
 
-/// Of N = 1 (curves), 2 (surfaces) in any dimension, polynomial or rational.
+/// Projects onto curves (N = 1) and surfaces (N = 2) in any dimension, polynomial or rational.
 /// @error kBadArgument: a point of another dimension, a weight that is not positive, or bad options; kOverLimit:
 /// equations of too many coefficients
 template <std::size_t N>

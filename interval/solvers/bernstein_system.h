@@ -33,7 +33,7 @@ std::pair<Bezier<Interval, N>, Bezier<Interval, N>> halves(const Bezier<Interval
 template <std::size_t N>
 Examination<N> examine(const Bezier<Interval, N>& system);
 
-/// Of the approximate mean of the Jacobian matrix over the box.
+/// The elimination of the approximate mean of the Jacobian matrix over the box.
 template <std::size_t N>
 Elimination<N> elimination(const Bezier<Interval, N>& system);
 

@@ -23,7 +23,7 @@ ExactPolynomial<N> sum(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
                        const Rational& k = Rational(1));
 template <std::size_t N>
 ExactPolynomial<N> derivative(const ExactPolynomial<N>& a, std::size_t axis);
-/// The same polynomial with degrees + 1 along an axis.
+/// Raises the degree along an axis by one; the polynomial is the same.
 template <std::size_t N>
 ExactPolynomial<N> raised(const ExactPolynomial<N>& a, std::size_t axis);
 /// Component c of a map.

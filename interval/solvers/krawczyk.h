@@ -27,10 +27,10 @@ struct Elimination {
 template <std::size_t N>
 Elimination<N> eliminate(const ApproxMatrix<N>& matrix);
 
-/// Of a map g of the box X = [-1,1]^N with g(0) in `at_centre` and all derivatives in `derivatives` over X: a box K in
-/// the interior of X if that proves that g has exactly one zero in X, that it is simple, and that it lies in K; else
-/// empty. The test: K = -g(0) + (I - g'(X)) X. g is assumed to be preconditioned: its derivative near I. Also for g
-/// that is only piecewise differentiable and continuous. REQUIRES a live ScopedUpward.
+/// For a map g of the box X = [-1,1]^N with g(0) in `at_centre` and all derivatives over X in `derivatives`: a box K in
+/// the interior of X if this proves that g has exactly one zero in X, that the zero is simple, and that the zero lies
+/// in K; else empty. The test is K = -g(0) + (I - g'(X)) X. g is assumed to be preconditioned: its derivative is near
+/// I. The test also holds for g that is continuous and only piecewise differentiable. REQUIRES a live ScopedUpward.
 template <std::size_t N>
 std::optional<Box<N>> krawczyk(const std::array<Interval, N>& at_centre,
                                const IntervalMatrix<N>& derivatives);

@@ -148,7 +148,7 @@ class PiecewiseSearch {
       const Look look = look_at(frame);
       ++out_.effort.boxes;
       if (!look.root) return;
-      // At a kink the contraction may be slow; where it is none the box is as narrow as it gets.
+      // At a kink the contraction may be slow; where the box does not contract it is as narrow as it gets.
       const ExactBox<N> next = intersection(shortened(*look.root, options_.root_width), root.box);
       const bool is_progress = next.width() * Rational(16) < root.box.width() * Rational(15);
       root.box = next;
@@ -222,7 +222,7 @@ class PiecewiseSearch {
     }
     return out;
   }
-  // Of one degree, as components of one map.
+  // The equations, raised to one degree, as components of one map.
   const Bezier<Rational, N>& equations(const Cell& cell) {
     auto& slot = cache_[cells_.at(cell)];
     if (!slot) {

@@ -22,7 +22,7 @@ class PolynomialSystem {
  public:
   using Piece = Bezier<Interval, N>;
 
-  /// Of N scalar equations in all: the components of the maps given, each of degrees of its own.
+  /// Makes a system of N scalar equations in all: the components of the given maps, each map of its own degrees.
   /// @error kBadArgument: not N components, or a rational map; kOverLimit: more than kMaxCoefficients after raising
   /// degrees.
   static Result<PolynomialSystem> make(std::span<const Bezier<Rational, N>> equations);
@@ -39,7 +39,7 @@ class PolynomialSystem {
   std::pair<Piece, Piece> halves(const Piece& piece, std::size_t axis) const {
     return veritope::halves(piece, axis);
   }
-  /// The same equations in another frame; empty if max_precision bits do not do. REQUIRES no side a point.
+  /// Converts the equations to another frame; empty if max_precision bits do not suffice. REQUIRES no side a point.
   std::optional<PolynomialSystem> zoom(const ExactBox<N>& frame, int max_precision) const;
   /// All equations vanish there, exactly.
   bool vanishes_at(const std::array<Rational, N>& point) const;

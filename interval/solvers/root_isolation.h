@@ -166,7 +166,7 @@ class RootSearch {
   static constexpr int kMinDepth = 5 * static_cast<int>(N);
   static constexpr double kLeastSide = 0x1p-44;
 
-  // The largest box of doubles in it, in the frame's coordinates; empty sides if there is none.
+  // The largest box of doubles inside `box`, in the frame's coordinates; sides that contain no interval are empty.
   static Box<N> inside(const ExactBox<N>& box, const ExactBox<N>& frame) {
     const ExactBox<N> local = seen_from(box, frame);
     Box<N> out;

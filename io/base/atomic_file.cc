@@ -57,7 +57,7 @@ std::string folder_of(const std::string& path) {
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// Why a file at `path` must not be replaced; nothing if it may, or if there is none.
+// Why a file at `path` must not be replaced; nothing if it may be replaced, or if no file exists.
 std::optional<std::string> refusal(const std::string& path, const struct stat& status) {
   if (S_ISDIR(status.st_mode)) return "it is a directory";
   if (!S_ISREG(status.st_mode)) return "it is not a regular file";

@@ -210,7 +210,7 @@ std::optional<std::string> exact_decimal(const Rational& value, const ReadLimits
   scaled.shift_left(places - twos);
   if (places > fives) scaled *= power(5, places - fives);
   std::string digits = scaled.to_string();
-  // Behind a point the last digit is none: `places` is the least number.
+  // After a point the last digit is not 0: `places` is the least number.
   std::uint64_t zeros = 0;
   while (zeros + 1 < digits.size() && digits[digits.size() - 1 - zeros] == '0') ++zeros;
   digits.resize(digits.size() - zeros);

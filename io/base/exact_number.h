@@ -21,7 +21,8 @@ DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits
 DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits, Rational& value);
 
 /// A decimal, "-0.5", "1e+30", that is exactly this number and that read_exact_decimal reads within the limits; nothing
-/// if there is none. Equal numbers give equal text. Every number that was read from a decimal within them has one.
+/// if no such decimal exists. Equal numbers give equal text. Every number that was read from a decimal within the
+/// limits has one.
 /// @cost near-linear in the digits
 std::optional<std::string> exact_decimal(const Rational& value, const ReadLimits& limits = {});
 

@@ -13,7 +13,7 @@ namespace veritope {
 /// @error kCannotOpen with the reason; for a directory, FIFO, socket or device its name. kOverLimit.
 Result<ByteBuffer> read_file_bytes(const std::string& path, std::uint64_t max_bytes);
 
-/// The same for an open descriptor, which stays open. `size_hint`: expected bytes, 0 if unknown.
+/// Reads the bytes of an open descriptor, which stays open. `size_hint`: expected bytes, 0 if unknown.
 Result<ByteBuffer> read_descriptor(int descriptor, const std::string& name, std::uint64_t size_hint,
                                    std::uint64_t max_bytes);
 

@@ -43,7 +43,7 @@ inline const char* find_eol(const char* p) {
   while (!is_eol(*p)) ++p;
   return p;
 }
-/// First character behind blanks and line ends; `end` if there is none.
+/// The first character after blanks and line ends; `end` if no other follows.
 inline const char* skip_space(const char* p, const char* end) {
   while (p < end && has_class(*p, kTokenEnd)) ++p;
   return p;

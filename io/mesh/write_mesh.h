@@ -55,7 +55,7 @@ LossReport loss_of(const TriangleMesh& mesh, const WriteOptions& options);
 Status write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                        const WriteOptions& options);
 
-/// The same bytes in memory.
+/// Returns these bytes instead of writing them.
 Result<std::string> mesh_to_bytes(const TriangleMesh& mesh, const WriteOptions& options);
 
 }  // namespace veritope

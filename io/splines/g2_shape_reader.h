@@ -33,7 +33,7 @@ enum G2Class : std::int64_t {
 /// "line", "torus", ...: of what may be left out.
 const char* g2_class_name(std::int64_t type);
 
-/// A curve or a surface, or why there is none.
+/// A curve or a surface, or the reason why it is left out.
 template <typename Spline>
 struct G2Shape {
   std::optional<Spline> spline;
@@ -47,7 +47,7 @@ class G2ShapeReader : public SplineTextReader {
  protected:
   template <std::size_t N>
   bool read_spline(std::optional<BSpline<Rational, N>>& spline);
-  /// Of one of the classes; a shape with a reason has no spline.
+  /// Reads a curve of one of the classes; a shape with a reason has no spline.
   bool read_curve(std::int64_t type, G2Shape<ExactCurve>& shape);
   bool read_surface(std::int64_t type, G2Shape<ExactSurface>& shape);
 

@@ -48,7 +48,7 @@ class GismoReader : SplineTextReader {
   bool read();
 
  private:
-  /// The next tag; text before it is passed over. is_end_of_file: there is none.
+  /// The next tag; text before it is skipped. is_end_of_file: no tag follows.
   bool next_tag(Tag& tag, bool& is_end_of_file);
   bool read_tag(Tag& tag);
   bool read_attribute(Tag& tag);

@@ -25,7 +25,7 @@ SplineModel model_of(std::span<const Patch> patches);
 struct PatchEntity {
   std::size_t first_patch = 0;
   std::size_t num_patches = 0;
-  /// Of a surface: where it is cut, along u and v, in its own parameters (SurfacePieces). Of a triangle: none.
+  /// Where a surface is cut, along u and v, in its own parameters (SurfacePieces). Empty for a triangle.
   std::array<std::vector<Rational>, 2> breaks;
 };
 /// An entity that is no surface or triangle in space.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/spline_builder.h: from a file's numbers to a valid spline, or to the sentence that says why there is none.
+// io/splines/spline_builder.h: from a file's numbers to a valid spline, or to the sentence that says why they make no
+// spline.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -17,7 +17,7 @@ std::string_view head_of(const Source& source) {
   return {begin, std::min<std::size_t>(kHead, static_cast<std::size_t>(source.end - begin))};
 }
 
-// The same without white space before the first word.
+// The first bytes without the white space before the first word.
 std::string_view text_of(const Source& source) {
   const std::string_view head = head_of(source);
   const char* const p = skip_space(head.data(), source.end);

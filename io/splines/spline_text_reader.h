@@ -45,7 +45,7 @@ class SplineTextReader {
   bool fail(const char* at, Code code, std::string message);
   /// "<expected> expected, but there is <token>": kSyntax, or kTruncated at the end.
   bool fail_expected(const std::string& expected);
-  /// Of a library function: its code and sentence, our place.
+  /// Passes on an error of a library function: its code and sentence, with our place.
   bool fail_with(const char* at, const Error& error) { return fail(at, error.code, error.message); }
 
   /// Past blanks, line ends and, if has_comments_, # comments.
@@ -55,7 +55,7 @@ class SplineTextReader {
   bool is_at_end() { return peek().empty(); }
 
   bool read_number(Rational& value);
-  /// As many as `into` has elements.
+  /// Reads one number for each element of `into`.
   bool read_all(std::vector<Rational>& into);
   /// Reads `token` as `read` does (read_exact_decimal, read_exact_number); an error is placed at `at`.
   bool read_token(const char* at, std::string_view token, Rational& value,
@@ -115,7 +115,7 @@ class SplineTextReader {
                        std::span<const bool> is_periodic);
 
   static ReadLimits within_default(ReadLimits limits);
-  /// Of a token that was read, under wider limits perhaps: remembers it if it is beyond the default limits.
+  /// Remembers a token that was read, perhaps under wider limits, if it is beyond the default limits.
   void note_long(const char* at, std::string_view token,
                  DecimalFault (*read)(std::string_view, const ReadLimits&, Rational&));
   Error limit_error(const char* at, std::string_view token, DecimalFault fault,

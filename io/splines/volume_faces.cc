@@ -39,7 +39,7 @@ PatchPoint direction(const Piece& piece, std::size_t axis) {
   return out;
 }
 
-// Of the Jacobian determinant in the middle.
+// The sign of the Jacobian determinant at the middle.
 Sign handedness(const Piece& piece) {
   const PatchPoint a = direction(piece, 0), b = direction(piece, 1), c = direction(piece, 2);
   Rational det;

@@ -14,7 +14,7 @@
 namespace veritope {
 namespace {
 
-// The same up to names, attributes, groups.
+// Whether the models are equal up to names, attributes and groups.
 bool same_shapes(const SplineModel& a, const SplineModel& b) {
   if (a.entities.size() != b.entities.size()) return false;
   for (std::size_t i = 0; i < a.entities.size(); ++i)

@@ -271,7 +271,7 @@ class ForestBuilder {
 
   PieceForest::FrameChoice choice_;
   ExactBox least_;         // of the smallest patch that is no point
-  Rational least_length_;  // the least of its lengths; 0 without one
+  Rational least_length_;  // the length of that patch; 0 if all are points
   PieceForest forest_;
 };
 

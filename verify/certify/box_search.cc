@@ -14,16 +14,16 @@ namespace {
 using Id = PieceForest::Id;
 using Why = UncoveredPiece::Why;
 
-// Boxes and centres are multiples of their box's size divided by about this.
+// Boxes and centres are multiples of their box's size divided by approximately this number.
 constexpr double kGrid = 64;
-// In the narrowest strip between a piece and the side of a box that was cut back.
+// Grid units that fit the narrowest strip between a piece and a cut-back side of a box.
 constexpr double kUnitsInStrip = 8;
 constexpr std::size_t kMostPieces = 4096;
-// Of a model, at poles; each costs up to 16 kMostPieces signs.
+// Failures at poles that a model may have; each costs up to 16 kMostPieces signs.
 constexpr std::size_t kMostCrowdedFailures = 16;
-// Of each piece, in the first program for centres.
+// Conditions of each piece in the first linear program for centres.
 constexpr std::size_t kFewConditions = 12;
-// Of a mesh box: it is tried at vertices, and pairs are tested.
+// Triangles in a mesh box, which is tried at vertices and whose pairs are tested.
 constexpr std::size_t kMostTriangles = 48;
 
 // std::hypot is slow, and right where squares leave the range.
@@ -52,7 +52,7 @@ CoverBox cube_around(const Point3d& middle, double half) {
   return on_grid(cube, std::exp2(std::ceil(std::log2(2 * half / kGrid))));
 }
 
-// Of two boxes: the axis on which they are farthest apart.
+// The axis on which two boxes are farthest apart.
 struct Separation {
   std::size_t axis = 0;
   double distance = 0;  ///< 0: they touch
@@ -67,7 +67,7 @@ Separation separation(const Box3d& a, const Box3d& b) {
   return out;
 }
 
-// Of their shadows along the axis.
+// The common area of the boxes' shadows along the axis.
 double common_area(const Box3d& a, const Box3d& b, std::size_t axis) {
   double out = 1;
   for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3})
@@ -258,8 +258,8 @@ bool BoxSearch::place_centres() {
   return true;
 }
 
-// First under a few conditions of each piece: where these have no solution there is none, and where they have one it
-// mostly satisfies the others.
+// Solves with a few conditions of each piece first: if these are infeasible so is the rest; a solution usually
+// satisfies the rest.
 bool BoxSearch::search_centres() {
   ++programs_;
   switch (solve_centres(kFewConditions)) {

@@ -23,7 +23,7 @@ struct Program {
   std::array<double, kDimension> lo, hi;
 };
 
-// The optimum in x[0 .. dimension), or false if there is none.
+// Puts the optimum into x[0 .. dimension); false if the program has no optimum.
 bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num_rows, double* x) {
   const int d = program.dimension;
   for (int i = 0; i < d; ++i) {

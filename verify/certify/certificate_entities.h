@@ -28,7 +28,7 @@ bool breaks_fit_certificate(const StarBoxEntity& entity);
 
 std::vector<certificate::PatchEntity> to_certificate(const std::vector<StarBoxEntity>& entities);
 
-/// Of each of so many patches: whether its entity is reversed.
+/// For each of the patches, whether its entity is reversed.
 std::vector<bool> reversed_patches(const std::vector<StarBoxEntity>& entities,
                                    std::size_t num_patches);
 

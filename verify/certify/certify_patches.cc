@@ -35,7 +35,7 @@ std::optional<Finding> uncovered_content(const SplineFile& file) {
   return std::nullopt;
 }
 
-// The same, of its patches.
+// What the file's patches have that no certificate can speak of.
 std::optional<Finding> uncovered_patches(const FilePatches& patches) {
   if (patches.mixed_entity)
     return not_covered("pieces of entity " + std::to_string(*patches.mixed_entity) +
@@ -116,7 +116,7 @@ class Certification {
     return out;
   }
 
-  // Why the decision is no verdict; if there is none, out_ has the verdict.
+  // Why the decision is no verdict; nothing if out_ has the verdict.
   std::optional<Finding> doubt() {
     if (decision().refutation) return doubt_about_refutation();
     if (decision().is_valid) {

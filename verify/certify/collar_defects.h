@@ -43,7 +43,7 @@ std::vector<BodyDefect> find_body_defects(
     const ComplexBoundary& boundary);
 
 /// For each cell of the cover whether it is to be split: those of the bodies where several shells come together around
-/// a vertex, or in a body of one shell sheets that face in all directions; all of a body's cells if there are none.
+/// a vertex, or in a body of one shell sheets that face in all directions; all cells of a body without such cells.
 std::vector<bool> cells_to_split(PieceForest& forest, FacingOfPieces& facing,
                                  const PieceOctree& cover, const CommonSubdivision& complex,
                                  const ComplexBoundary& boundary,

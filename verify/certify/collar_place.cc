@@ -25,7 +25,7 @@ class HullDescent {
       if (!(all.lo[k] < hull.lo[k] && hull.hi[k] < all.hi[k])) return false;
     return visit(OctreeKey(), hull);
   }
-  /// Of the last hull that was inside: kSeveralBodies if its cells lie in more than one.
+  /// The body of the last hull that was inside; kSeveralBodies if its cells lie in more than one.
   std::uint32_t body() const { return body_; }
   std::uint64_t visits() const { return visits_; }
 

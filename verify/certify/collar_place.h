@@ -15,8 +15,8 @@ namespace veritope {
 
 /// Conditions I1 and I2 of docs/certificates/collar.md.
 struct CollarPlace {
-  /// Of nodes: those that end the trees below the leaves of the star cover. Between such a leaf and a node of the
-  /// forest without children lies exactly one.
+  /// Marks the nodes that end the trees below the leaves of the star cover. Between such a leaf and a node of the
+  /// forest without children lies exactly one of them.
   std::vector<bool> is_leaf;
   std::size_t num_leaves = 0;
   std::vector<std::uint32_t> body_of_shell;

@@ -22,8 +22,8 @@ class CrossingSearch {
   /// each of two or three levels
   std::optional<CrossingWitness> among_patches();
 
-  /// The same for models of any number of patches, seven levels deep. @cost 32 pairs of pieces a root and 16,384 more,
-  /// and 1,024 calls of the solver, at each level
+  /// Searches models of any number of patches, seven levels deep. @cost 32 pairs of pieces a root and 16,384 more, and
+  /// 1,024 calls of the solver, at each level
   std::optional<CrossingWitness> everywhere();
 
   /// Among the pieces, a quarter of this one's size, that are near it, neighbours left out. @cost at most 400 pieces,

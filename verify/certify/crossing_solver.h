@@ -40,7 +40,7 @@ class CrossingSolver {
   std::size_t num_solved = 0, num_exact = 0;  ///< calls of solve, exact tests
 
  private:
-  /// Of one patch in its tensor form, coordinates as PieceForest has them relative to the origin.
+  /// One patch in its tensor form; coordinates are as PieceForest has them relative to the origin.
   struct Sheet {
     BezierSurface<double> map;
     Point3d origin;

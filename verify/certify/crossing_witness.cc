@@ -82,8 +82,8 @@ std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b
   return std::nullopt;
 }
 
-// Of a tensor the axes change places, and with them two rows if neither axis is fixed; of a triangle t becomes 1 - t,
-// and its row changes its sign.
+// In a tensor the axes change places, and two rows with them if neither axis is fixed; in a triangle t becomes 1 - t,
+// and the row of t changes its sign.
 CrossingWitness with_reversed(const Patch& a, const Patch& b, const std::array<bool, 2>& reversed,
                               CrossingWitness w) {
   const std::array<bool, 2> is_triangle{a.is_triangle(), b.is_triangle()};

@@ -23,7 +23,7 @@ struct DyadicInterval {
   bool is_point() const { return lo == hi; }
   Rational lower() const;
   Rational upper() const;
-  /// Of 1 - t. REQUIRES is_part_of_unit().
+  /// The interval of 1 - t. REQUIRES is_part_of_unit().
   DyadicInterval mirrored() const;
   friend bool operator==(const DyadicInterval&, const DyadicInterval&) = default;
 };
@@ -35,7 +35,8 @@ struct PatchRectangle {
   friend bool operator==(const PatchRectangle&, const PatchRectangle&) = default;
 };
 
-/// Of different patches, or without a common place: the intervals of one parameter have no number in common.
+/// Whether the rectangles are of different patches or have no common place: the intervals of one parameter have no
+/// number in common.
 bool are_apart(const PatchRectangle& a, const PatchRectangle& b);
 
 /// A and B, exactly one of whose four parameters is fixed, and rows Y_1, Y_2, Y_3: with x_i the other parameters in
@@ -53,7 +54,7 @@ enum class CrossingCondition { kX1, kX2, kX3 };
 std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b,
                                                   const CrossingWitness& witness);
 
-/// The same for reversed(patch) in the place of a patch, for each sheet whose flag is set: their parameters change.
+/// The witness with reversed(patch) in the place of a patch, for each sheet whose flag is set: their parameters change.
 CrossingWitness with_reversed(const Patch& a, const Patch& b, const std::array<bool, 2>& reversed,
                               CrossingWitness witness);
 

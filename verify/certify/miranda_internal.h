@@ -28,7 +28,7 @@ struct RectangleEnd {
   bool is_upper;
 };
 
-/// Of y·P / w over the control points (P, w), of those on one end only if that is asked for.
+/// The range of y·P / w over the control points (P, w), or over those at one end only if `end` is given.
 template <Ring R>
 ValueRange<R> control_values(const BezierSurface<R>& map, const std::array<R, 3>& y,
                              const std::optional<RectangleEnd>& end) {

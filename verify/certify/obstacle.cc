@@ -19,7 +19,7 @@ struct Facet {
 
 double dot(const Point3d& a, const Point3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// The mean of the control points, and the mean normal of unit length (0 if there is none).
+// The mean of the control points, and the mean normal of unit length (0 if that has no direction).
 Facet facet_of(PieceForest& forest, Id id) {
   Facet out{{}, approx_normal(forest, id)};
   const double length = std::hypot(out.normal[0], out.normal[1], out.normal[2]);

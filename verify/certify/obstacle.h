@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/obstacle.h: what stands in the way of a star box: how near sheets pass that face each other, how far
-// normals spread. About: for the order of a search and for messages; nothing here decides.
+// normals spread. Approximate: for the order of a search and for messages; nothing here decides.
 #pragma once
 #include <limits>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace veritope {
 
 struct Obstacle {
-  /// Between pieces whose normals are over 105 degrees apart, along their normals: infinity if there are none. 0 in a
+  /// Between pieces whose normals are over 105 degrees apart, along their normals: infinity without such pieces. 0 in a
   /// contact.
   double gap = std::numeric_limits<double>::infinity();
   /// The gap less what the piece bends by: sheets may be so near between the points that are looked at. At least 0.
@@ -19,8 +19,8 @@ struct Obstacle {
   double least_cosine = 1;
 };
 
-/// Of the parts of `piece` among `near` to all of `near`. REQUIRES every piece of `near` is the piece, a part of it, or
-/// apart from it.
+/// The obstacle between the parts of `piece` among `near` and all of `near`. REQUIRES every piece of `near` is the
+/// piece, a part of it, or apart from it.
 /// @cost O(64 |near|)
 Obstacle find_obstacle(PieceForest& forest, PieceForest::Id piece,
                        const std::vector<PieceForest::Id>& near);

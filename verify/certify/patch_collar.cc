@@ -14,7 +14,7 @@ namespace {
 
 using Id = PieceForest::Id;
 
-// Of the leaves of the cover: they lie in boxes.
+// The box around the leaves of the cover, which lie in boxes.
 Box3d hull_of_leaves(const PieceForest& forest, const StarCover& cover) {
   std::optional<Box3d> out;
   for (Id id = 0; id < cover.box_of_node.size(); ++id)

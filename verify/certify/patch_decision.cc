@@ -57,7 +57,7 @@ Finding question(const char* code, std::string message) {
   return out;
 }
 
-// About: a gap in the frame, along its axis of the greatest unit; see Obstacle.
+// Approximate: a gap in the frame, along the frame's axis of the greatest unit; see Obstacle.
 std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame& frame) {
   char text[160];
   std::string out;

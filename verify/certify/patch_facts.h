@@ -28,7 +28,7 @@ struct PatchFacts {
   std::vector<std::uint64_t>
       reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
   std::uint64_t boxes_tried = 0;
-  // Of a valid model; otherwise 0, or nothing.
+  // Facts of a valid model; otherwise 0, or nothing.
   std::uint64_t bodies = 0, genus = 0, boxes = 0;
   std::vector<PatchShellFacts> shell_facts;
   std::optional<Interval> volume;     ///< an enclosure, not part of the certificate

@@ -8,7 +8,7 @@ namespace {
 
 certificate::UnitInterval interval_of(const DyadicInterval& t) { return {t.bits, t.lo, t.hi}; }
 
-// Of a triangle, certificates count sides by the opposite corner.
+// Certificates number the sides of a triangle by the opposite corner.
 std::uint8_t side_number(const Patch& patch, std::uint32_t side) {
   return static_cast<std::uint8_t>(patch.is_triangle() ? (side + 2) % 3 : side);
 }

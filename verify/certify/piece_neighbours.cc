@@ -21,7 +21,7 @@ Span span_of(std::uint64_t i, int bits) {
 Span mirrored(const Span& s) { return {kOne - s.hi, kOne - s.lo}; }
 bool meets(const Span& a, const Span& b) { return a.lo <= b.hi && b.lo <= a.hi; }
 
-// Of a tensor piece u and v; of a triangle's the three barycentric coordinates.
+// The spans of u and v of a tensor piece; of a triangle's piece, those of the three barycentric coordinates.
 std::array<Span, 3> spans_of(const PieceForest& forest, const Node& node) {
   const PieceForest::Form& form = forest.form(node.patch);
   if (!form.shape.is_triangle)
@@ -35,7 +35,8 @@ std::array<Span, 3> spans_of(const PieceForest& forest, const Node& node) {
           span_of(node.j - down, node.level)};
 }
 
-// Of side s of the patch, in its direction of travel. REQUIRES that the side of the node lies in it.
+// The span of the node's side on side s of the patch, in that side's direction of travel. REQUIRES that the side of the
+// node lies in it.
 Span span_on_side(const PieceForest& forest, const Node& node, std::uint32_t side) {
   const std::array<Span, 3> spans = spans_of(forest, node);
   if (forest.form(node.patch).shape.is_triangle) return spans[(side + 1) % 3];

@@ -108,7 +108,7 @@ class FactFinder {
     return is_reversed(patch) ? reversed(complex_.patch(patch)) : complex_.patch(patch);
   }
 
-  // Of the file's patch.
+  // In the parameters of the file's patch.
   EntityPart part_of(const PatchRectangle& where) const {
     const std::size_t e = entity_of(where.patch);
     EntityPart out;
@@ -123,7 +123,7 @@ class FactFinder {
                       outward({s[0] * t[0], s[1] * t[1]})};
     return out;
   }
-  // Of the complex's patch.
+  // From the parameters of the complex's patch.
   EntityPart part_of(const SideArc& arc) const {
     const std::uint32_t p = arc.side.patch, n = complex_.patch(p).num_sides();
     const std::size_t e = entity_of(p);

@@ -52,7 +52,7 @@ inline Matrix3 columns_without(const std::array<Vector3, 4>& columns, std::size_
   return out;
 }
 
-// Of degree n at t: values and derivatives of the Bernstein polynomials. REQUIRES n >= 1.
+// Values and derivatives of the Bernstein polynomials of degree n at t. REQUIRES n >= 1.
 struct Basis {
   std::array<double, 64> value, slope;
 };

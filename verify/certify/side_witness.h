@@ -49,7 +49,7 @@ PatchPoint point_of(const PatchComplex& complex, const SideWitness& witness);
 /// @cost at most 16 findings times 15 points, each as broken_condition
 std::optional<SideWitness> find_side_witness(const PatchComplex& complex, const OuterSides& outer);
 
-/// The same for the patches of an entity that is reversed: their sides change numbers and directions.
+/// The witness for the patches of entities that are reversed: their sides change numbers and directions.
 SideWitness with_reversed(const PatchComplex& complex, const std::vector<bool>& is_reversed,
                           SideWitness witness);
 

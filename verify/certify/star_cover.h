@@ -35,14 +35,14 @@ struct CoverBox {
 struct UncoveredPiece {
   PieceForest::Id piece;
   enum class Why { kNoCentres, kCrossings, kTooDeep, kTooFine, kBudget, kStopped } why;
-  /// About, in the forest's coordinates: see Obstacle.
+  /// Approximate, in the forest's coordinates: see Obstacle.
   double gap = 0, least_cosine = 1;
 };
 
 struct StarCover {
   std::vector<CoverBox> boxes;
-  /// Of the leaves of the cover: the box that holds the hull; of all other nodes kNone. On the way from a root down
-  /// there is exactly one leaf.
+  /// For a leaf of the cover the box that holds its hull, for all other nodes kNone. Every way down from a root passes
+  /// exactly one leaf.
   std::vector<std::uint32_t> box_of_node;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box

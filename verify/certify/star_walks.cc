@@ -16,7 +16,7 @@ using Id = PieceForest::Id;
 
 constexpr int kMaxVisits = 200'000;
 
-// Contains the part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the box; t0 > t1 only if there is none.
+// Contains the part [t0, t1] of the segment a + t (b - a), 0 <= t <= 1, in the box; t0 > t1 only if that part is empty.
 struct Part {
   double t0 = 0, t1 = 1;
 };

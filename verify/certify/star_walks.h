@@ -19,7 +19,7 @@ struct ShellWalk {
   std::uint8_t direction = 0;  ///< 0..5: +x -x +y -y +z -z; 6: ends at end_box
   std::uint32_t end_box = 0;
   bool ends_outside = false;
-  /// Of the two sides of the shell.
+  /// Winding numbers on the two sides of the shell.
   int winding_inside = 0, winding_outside = 0;
   std::uint32_t end_shell = 0;  ///< of end_box
 };

@@ -35,7 +35,7 @@ std::string read_file(const std::string& name) {
   return bytes;
 }
 
-// An answer that is not printed is none.
+// An answer that cannot be printed does not count: the exit code says so.
 int say(std::FILE* to, const std::string& text, int exit_code) {
   for (char c : text) std::fputc((c < 32 || c > 126) && c != '\n' ? '?' : c, to);
   std::fputc('\n', to);

@@ -50,7 +50,7 @@ StarWalk read_walk(ByteReader& r) {
   return walk;
 }
 
-// Of all roots of a patch; `last` is the last leaf's box.
+// Reads the trees of all roots of a patch; `last` is the last leaf's box.
 void read_trees(ByteReader& r, std::uint64_t roots, std::int64_t& last, StarBoxBody& out) {
   const auto is_leaf = [&](int) {
     const std::uint64_t symbol = r.varint();

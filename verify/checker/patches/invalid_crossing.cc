@@ -11,8 +11,8 @@ uint64_t choose(int n, int k) {
   for (int i = 0; i < k; ++i) r = r * uint64_t(n - i) / uint64_t(i + 1);
   return k < 0 || k > n ? 0 : r;
 }
-// Of a triangle, in (s, t): B_ijk(1 - s, s (1 - t), s t) = B_(p-i)(s) times B_k(t) of degree p - i, so
-// row m is the row of the triangle with j + k = m, its degree m raised to p; times a positive factor.
+// A triangle's net in (s, t): B_ijk(1 - s, s (1 - t), s t) = B_(p-i)(s) times B_k(t) of degree p - i, so row m is the
+// row of the triangle with j + k = m, its degree m raised to p; times a positive factor.
 Net triangle_net(const Patch& patch) {
   const int p = patch.shape.p;
   Big factor = 1;

@@ -39,7 +39,7 @@ struct Reader : StarBytes {
     points_and_end(&w);
     return w;
   }
-  // Of one root, in preorder; returns the last leaf's box.
+  // Reads the tree of one root, in preorder; returns the last leaf's box.
   int64_t tree(int64_t last) {
     uint64_t open[kLevels + 1] = {1};  // nodes to come, by level
     for (int level = 0; level >= 0;) {

@@ -80,7 +80,7 @@ void cut_behind(std::vector<Big>* d, size_t n, const Part& t) {
   for (size_t i = 0; i <= p; ++i)
     for (size_t j = 0; j < n; ++j) (*d)[i * n + j] = shifted((*d)[i * n + j], t.k * int64_t(p - i));
 }
-// Of what is left of it the part from a / b on, times b^p.
+// Then keeps the part of the curve from a / b on, times b^p.
 void cut_before(std::vector<Big>* d, size_t n, const Part& t) {
   const size_t p = d->size() / n - 1;
   const Big at = t.a, rest = t.b - t.a;

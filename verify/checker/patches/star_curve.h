@@ -7,8 +7,8 @@ typedef std::vector<Big> Curve;  // homogeneous points, X Y Z W each
 
 Curve side_curve(const Patch& p, int e, bool reversed);  // in the patch's own direction of travel
 bool is_point(const Curve& c);                           // all its points are equal
-// Of the lowest degree, without a common factor: two curves are the same, up to one positive factor
-// of their coefficients, iff these are equal, and so are their texts.
+// The curve in its lowest degree, without a common factor: two curves are the same, up to one positive factor of their
+// coefficients, iff these are equal, and so are their texts.
 Curve canonical(Curve c);
 std::string text(const Curve& c, bool reversed);
 

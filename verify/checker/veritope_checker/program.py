@@ -72,7 +72,7 @@ def main(argv):
     return say(message, code)
 
 def say(message, code):
-    """The exit code; an answer that is not printed is none."""
+    """Prints the answer; the exit code. An answer that cannot be printed does not count."""
     try:
         print(message, file=sys.stdout if code < 2 else sys.stderr, flush=True)
         return code

@@ -35,7 +35,7 @@ def spread(i):
     return i
 
 def code_of(p, size):
-    """Of the cell with this least corner."""
+    """The code of the cell with this least corner."""
     return 2 * (spread(p[0]) | spread(p[1]) << 1 | spread(p[2]) << 2) + size ** 3
 
 def cell_of(code):
@@ -147,7 +147,7 @@ class Complex:
         return e // 4, self.next[e % 4][e // 4]
 
     def find_components(self):
-        """Of the boundary: component_of each boundary face; of |K|: body_of each cell."""
+        """Sets component_of, the component of each boundary face, and body_of, the body of |K| of each cell."""
         number = {n: i for i, n in enumerate(self.boundary)}
         faces, cells = Groups(len(self.boundary)), Groups(len(self.cells.cells))
         for around in self.edge_to_boundary.values():
@@ -228,7 +228,7 @@ class Complex:
         return None
 
     def chi(self, component):
-        """Of a component of the boundary."""
+        """The Euler characteristic of a component of the boundary."""
         faces = [n for n, c in self.component_of.items() if c == component]
         edges = {e for n in faces for e in self.edges_of[n]}
         return len({v for e in edges for v in self.ends(e)}) - len(edges) + len(faces)

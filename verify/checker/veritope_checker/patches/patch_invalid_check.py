@@ -145,7 +145,7 @@ def elevated(row, n, factor):
             for i in range(n + 1)]
 
 def tensor_net(patch):
-    """Of a triangle: over (s, t), the point (1 - s, s (1 - t), s t)."""
+    """The patch's net; a triangle's as a tensor over (s, t), at the point (1 - s, s (1 - t), s t)."""
     if patch.is_tensor:
         return patch.net
     n = patch.degrees[0]

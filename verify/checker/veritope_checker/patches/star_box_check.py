@@ -225,7 +225,7 @@ def misses_segment(p, d, is_ray):
 # ---------------------------------------------------------------- section 4: the crossing number
 
 class Crossing:
-    """Of the tested nodes of a star box; spend: called for a curve halved."""
+    """The crossing number of the tested nodes of a star box; spend: called for each curve that is halved."""
 
     def __init__(self, nodes, box, spend):
         self.box, self.spend = box, spend
@@ -275,7 +275,7 @@ class Crossing:
         return total if self.d[self.k] > 0 else -total
 
     def part(self, side, a, b):
-        """Of the part [a, b] of a side."""
+        """The winding number of the part [a, b] of a side."""
         stack, total = [(side[0], side[1], *side[3])], 0
         while stack:
             lo, hi, xs, ys = stack.pop()
@@ -317,7 +317,7 @@ def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 def corners_of(patch):
-    """Of a flat triangle."""
+    """The corners of a flat triangle."""
     return [tuple(Fraction(c, p[3]) for c in p[:3]) for p in (patch.side(1)[1], patch.side(2)[1], patch.side(0)[1])]
 
 def triangle_misses_box(patch, box):

@@ -182,7 +182,7 @@ def factor_of(d):
     return lcm(*[comb(d, r) for r in range(d + 1)])
 
 def bernstein_net(rows):
-    """Of rows of points along both axes: in integers, since sums of long fractions are slow."""
+    """The Bernstein net of rows of points along both axes, in integers, since sums of long fractions are slow."""
     components = []
     for net in [[[point[c] for point in row] for row in rows] for c in range(len(rows[0][0]))]:
         common = lcm(*[x.denominator for row in net for x in row])

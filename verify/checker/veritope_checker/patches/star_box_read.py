@@ -105,7 +105,7 @@ def texts(values):
         raise Refused("half of a surrogate pair")
 
 def not_looked_into(shape):
-    """Of an entity that is neither surface nor triangle: an object."""
+    """Accepts an entity that is neither surface nor triangle: it must be an object."""
     level = [typed(shape, dict)]
     for _ in range(MAX_NESTED):
         texts([*(value for value in level if type(value) is str), *(key for value in level if type(value) is dict for key in value)])

@@ -39,7 +39,7 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// "peer": null if there is none.
+// "peer" is null without a peer.
 void row(const std::string& name, double ours, double peer, const char* unit,
          const std::string& more = "") {
   char buffer[64];
@@ -107,9 +107,9 @@ double two_thread_slowdown() {
   return together / alone;
 }
 
-// Ours with one thread, with two, and CGAL's in turn; medians. The parts are of the last run. Of the runs with two
-// threads those count during which the machine had two cores to give; kAttempts at most, all of them if it never had
-// ("cores":1).
+// Ours with one thread, with two, and CGAL's in turn; medians. The parts are of the last run. A run with two threads
+// counts if the machine had two cores to give during it; at most kAttempts are made, and all of them count if it never
+// had ("cores":1).
 void decision_rows(const std::string& name, bool with_peer) {
   const TriangleMesh mesh = named_model(name);
   const double facets = static_cast<double>(mesh.faces.size());

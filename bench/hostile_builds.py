@@ -34,7 +34,7 @@ COMPILERS = ["g++", "clang++-14", "clang++-19"]
 
 
 def sources():
-    """Of the program under test: the predicates, what they stand on, and their names."""
+    """The sources of the program under test: the predicates, what they stand on, and their names."""
     named = ["hard_cases.cc", "named_predicate.cc", "implicit_names.cc", "generated_names.cc"]
     files = [*(ROOT / "robust").rglob("*.cc"), *(ROOT / "predicates").rglob("*.cc"), *(ROOT / "interval").glob("*.cc"),
              *(p for p in (ROOT / "cli" / n for n in named) if p.exists()), ROOT / "bench" / "hostile_signs.cc"]

@@ -423,7 +423,7 @@ void report_wrong(Predicate predicate, Class kind, const Points& p, int got, int
   std::fprintf(stderr, "%s: %d, expected %d\n", text.c_str(), got, expected);
 }
 
-// The same decision in a session of the tuple's own box.
+// Decides in a session of the tuple's own box.
 Sign subject_in_session(Predicate predicate, const Points& p) {
   std::array<Vec3d, 5> v;
   std::array<Vec2d, 5> w;

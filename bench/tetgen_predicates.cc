@@ -22,7 +22,7 @@ class Tetgen : public PredicatePeer {
     c_.clear();
     for (std::size_t i = 0; i < count; ++i) c_.insert(c_.end(), {points[i].x, points[i].y});
   }
-  // The filters' bounds are for the extents that exactinit is told.
+  // The filters' bounds hold for the extents that are passed to exactinit.
   void load(const Vec3d* points, std::size_t count) override {
     c_.clear();
     Vec3d lo = points[0], hi = points[0];

@@ -75,7 +75,7 @@ class Certification {
  private:
   // Always false, as all that end a run without a verdict.
   bool refuse(Finding fault) { return report::refuse(report_, std::move(fault)), false; }
-  // A verdict that nobody else confirmed is none.
+  // Drops the verdict: no other program confirmed it. Returns false.
   bool give_up(ExitCode exit, Finding fault) {
     picture_.clear();
     return report::give_up(report_, exit, std::move(fault)), false;
@@ -217,7 +217,7 @@ class Certification {
            own_options() + name + "; veritope-check " + name + " bug.cert; veritope --version";
   }
 
-  // Of a command line that repeats this run.
+  // The options of a command line that repeats this run.
   std::string own_options() const {
     std::string out;
     const CertifyOptions& o = settings_.certify;

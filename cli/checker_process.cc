@@ -32,7 +32,7 @@ bool is_program(const std::string& path) {
          ::access(path.c_str(), X_OK) == 0;
 }
 
-// The folder of the running program, with a slash; empty if it cannot be told.
+// The folder of the running program, with a slash; empty if it is unknown.
 std::string own_folder() {
   char path[PATH_MAX];
   const ssize_t size = ::readlink("/proc/self/exe", path, sizeof path);

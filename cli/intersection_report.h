@@ -41,7 +41,7 @@ std::string intersection_json(const IntersectionReport& report);
 std::string intersection_text(const IntersectionReport& report);
 /// The curves alone: control points in both domains.
 std::string curves_json(const IntersectionReport& report);
-/// The same as VTK polygons, 8 pieces a segment, points on the first surfaces in binary64.
+/// The curves as VTK polygons, 8 pieces a segment, with points on the first surfaces in binary64.
 std::string curves_vtu(const IntersectionReport& report);
 
 }  // namespace veritope::cli

@@ -27,7 +27,7 @@ class LineReader {
   /// @error kCannotOpen if reading fails; kOverLimit with the line. Not to be called after an error.
   Result<std::optional<std::string_view>> next();
 
-  /// Of the line that next() gave last, from 1.
+  /// The number of the line that next() returned last, counted from 1.
   std::uint64_t line() const { return line_; }
 
   /// Whether next() will read from the file, and so may wait for another program.

@@ -70,7 +70,7 @@ std::string sentence(DecimalFault fault, std::string_view token) {
   return "not a decimal, fraction or hexadecimal number";
 }
 
-// Of what is not the certified nearest point of its own target: how near it may be.
+// Whether what is not the certified nearest point of its own target may be nearer than this.
 bool may_be_nearer(const ProjectionTarget& target, double than) {
   return !(distance_of(target).lo() > than);
 }

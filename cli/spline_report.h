@@ -32,7 +32,7 @@ std::string spline_text(const SplineReport& report, const Style& style);
 struct ExactBox {
   std::vector<Rational> lo, hi;  ///< empty: no points
 };
-/// Of the surfaces of trimmed surfaces and models, not of their loops.
+/// For trimmed surfaces and models: the box of their surfaces, not of their loops.
 ExactBox control_box(const SplineEntity& entity);
 /// `box` grows to hold `other`; coordinates that only one of them has stay.
 void unite(ExactBox& box, const ExactBox& other);

@@ -105,7 +105,7 @@ class Mutator {
     for (std::size_t n = pick(10); n > 0; --n) out += static_cast<char>(128 + pick(128));
     return out + static_cast<char>(1 + pick(127));
   }
-  // Of the body, which has its elements one after the other.
+  // Repeats a part of the body, whose elements follow each other.
   void repeat_part() {
     if (body_.empty()) return;
     const std::size_t at = pick(body_.size());

@@ -49,7 +49,7 @@ RootReport<N> solve(const std::vector<Bezier<Rational, N>>& equations) {
   return polynomial_roots<N>(std::span<const Bezier<Rational, N>>(equations), options).value();
 }
 
-// Of Bernstein coefficients.
+// Converts Bernstein coefficients to powers.
 sturm::Polynomial powers(std::span<const Rational> c) {
   std::vector<Rational> d(c.begin(), c.end());
   sturm::Polynomial out;

@@ -25,7 +25,8 @@ struct NamedPredicate {
                  TierCounts*);  ///< the library's cascade. REQUIRES finite operands
   /// The predicate's formula over rationals: no filter, no tier. Slow. REQUIRES finite operands
   Sign (*decide_by_formula)(const Operands&);
-  /// Of the points, in order, as letters of named_predicates/hard_implicit_points.h; empty if all are explicit.
+  /// The kinds of the points, in order, as letters of named_predicates/hard_implicit_points.h; empty if all are
+  /// explicit.
   std::string_view kinds = {};
   /// Do the implicit points exist? If not, there is no sign. Null if all are explicit.
   bool (*is_defined)(const Operands&) = nullptr;
@@ -34,7 +35,7 @@ struct NamedPredicate {
 /// Those on explicit points, in the order in which people read them; named_predicates/implicit_names.h has the others.
 std::span<const NamedPredicate> named_predicates();
 
-/// Null if there is none.
+/// Null for an unknown name.
 const NamedPredicate* predicate_from_name(std::string_view name);
 
 /// "orient2d, orient3d, ...".

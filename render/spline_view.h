@@ -20,9 +20,9 @@ enum class ViewFormat { kVtu, kObj, kGltf };
 std::optional<ViewFormat> view_format_from_name(std::string_view name);
 
 struct ViewOptions {
-  /// Of obj and gltf: the aimed-at distance of chords from curves and surfaces; nothing: 1/1000 of the model's
-  /// diagonal. For polynomial splines it is a bound up to rounding unless a span would need more than 256 pieces,
-  /// for rational ones an estimate.
+  /// For obj and gltf: the aimed-at distance of chords from curves and surfaces; by default 1/1000 of the model's
+  /// diagonal. For polynomial splines it is a bound up to rounding unless a span would need more than 256 pieces, for
+  /// rational ones an estimate.
   std::optional<double> chord;
 };
 
@@ -34,8 +34,8 @@ struct Tessellation {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// One for each entity. Of volumes the boundary; of trimmed surfaces and models also the loops. All Bezier triangles
-/// are cut alike, as fine as the most bent one needs, so that they fit at common sides.
+/// One tessellation for each entity: of a volume its boundary, of trimmed surfaces and models also their loops. All
+/// Bezier triangles are cut alike, as finely as the most bent one needs, so that they fit at common sides.
 /// @error kNotFinite for a coordinate beyond binary64, with the entity; kOverLimit for more than 2^25 points
 Result<std::vector<Tessellation>> tessellate(const SplineModel& model, const ViewOptions& options);
 
@@ -52,9 +52,9 @@ std::size_t vtk_point_index(const std::array<std::size_t, 2>& index,
 std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,
                             const std::array<int, 3>& degrees);
 
-/// Of control point b_ijk of a Bezier triangle, whose corners 0, 1, 2 are VTK's: corners, edges from corner to corner,
-/// then the triangle inside, likewise. Source: VTK 9.1, vtkHigherOrderTriangle::Index with its coordinates (j, k, i).
-/// REQUIRES i, j, k >= 0, not all 0.
+/// The index of control point b_ijk of a Bezier triangle, whose corners 0, 1, 2 are VTK's: corners, edges from corner
+/// to corner, then the triangle inside, likewise. Source: VTK 9.1, vtkHigherOrderTriangle::Index with its coordinates
+/// (j, k, i). REQUIRES i, j, k >= 0, not all 0.
 std::size_t vtk_triangle_index(int i, int j, int k);
 
 /// RFC 4648.

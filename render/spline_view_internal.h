@@ -141,7 +141,7 @@ inline std::array<double, 3> to_point(const std::vector<double>& values, bool is
   for (std::size_t c = 0; c < 3 && c < dimension; ++c) point[c] = values[c] / w + 0.0;
   return point;
 }
-/// Of a Bezier map or triangle.
+/// The control points of a Bezier map or triangle.
 template <typename Map>
 std::array<double, 3> control_point(const Map& piece, std::size_t i) {
   std::vector<double> values;

@@ -21,7 +21,7 @@ namespace veritope {
 template <Ring R>
 using Barycentric = std::array<R, 3>;
 
-/// Of degree n: (n + 1)(n + 2) / 2.
+/// (n + 1)(n + 2) / 2 for degree n.
 inline std::size_t num_triangle_coefficients(int degree) {
   const auto n = static_cast<std::size_t>(degree);
   return (n + 1) * (n + 2) / 2;
@@ -144,8 +144,8 @@ std::vector<R> evaluate(const BezierTriangle<R>& map, const Barycentric<R>& at) 
   return blossom<R>(map, arguments);
 }
 
-/// The derivative of each component along a direction, of one degree less (of degree 0 for a constant). Of a rational
-/// map: of the homogeneous components, not of the quotients.
+/// The derivative of each component along a direction, its degree lower by one (degree 0 for a constant). For a
+/// rational map: the derivatives of the homogeneous components, not of the quotients.
 template <Ring R>
 BezierTriangle<R> directional_derivative(const BezierTriangle<R>& map,
                                          const Barycentric<R>& direction) {

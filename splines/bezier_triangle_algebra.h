@@ -60,7 +60,7 @@ struct ScaledTriangle {
 
 }  // namespace internal
 
-/// The same map with one degree more.
+/// Raises the degree by one; the map is the same.
 template <Ring R>
 BezierTriangle<R> elevated(const BezierTriangle<R>& map) {
   const int n = map.degree() + 1;
@@ -213,8 +213,8 @@ BezierTriangle<R> on_triangle(const BezierSurface<R>& map,
   return out;
 }
 
-/// The same points as a tensor-product map of degrees (n, n): S(s, t) = map(1 - s, s (1 - t), s t). Its edge s = 0 is
-/// collapsed to corner 0; s = 1 is the boundary opposite to it.
+/// The triangle's points as a tensor-product map of degrees (n, n): S(s, t) = map(1 - s, s (1 - t), s t). Its edge s =
+/// 0 is collapsed to corner 0; s = 1 is the boundary opposite to it.
 template <Ring R>
 BezierSurface<R> as_tensor_product(const BezierTriangle<R>& map) {
   const int n = map.degree();

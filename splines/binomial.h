@@ -41,7 +41,7 @@ Integer binomial(int n, int k);
 
 /// The greatest n such that all n over k are below 2^63.
 inline constexpr int kMaxBinomialRow = 66;
-/// The same number. REQUIRES 0 <= n <= kMaxBinomialRow.
+/// The binomial coefficient as an integer. REQUIRES 0 <= n <= kMaxBinomialRow.
 std::int64_t binomial_int64(int n, int k);
 
 /// A fraction as a number of the ring: exact, nearest, or enclosed, as RingNumbers says.

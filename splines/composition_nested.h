@@ -2,12 +2,13 @@
 // splines/composition_nested.h: the one algorithm behind all compositions of Bezier maps, over any arithmetic of
 // polynomials.
 //
-// With homogeneous inner coordinates x_m, weight w (1 if there is none) and q_m = w - x_m,
+// With homogeneous inner coordinates x_m, weight w (1 for a polynomial map) and q_m = w - x_m,
 //   w^(a_1 + ... + a_M) T(x / w) = sum over k of P_k prod_m C(a_m, k_m) x_m^k_m q_m^(a_m - k_m).
-// The last variable first: its basis polynomials are made once for all components and added up with the coefficients as
-// factors. Every other variable by de Casteljau's triangle with polynomials in the place of numbers, F_i <- q F_i + x
-// F_(i + 1): each product has one factor of the inner map's own low degree. For a tricubic map in a tricubic volume
-// that is 13 million products of numbers a component; with powers of x and q made beforehand it would be 43 million.
+// The last variable comes first: its basis polynomials are made once for all components and added up with the
+// coefficients as factors. Every other variable is replaced by de Casteljau's triangle with polynomials in the place of
+// numbers, F_i <- q F_i + x F_(i + 1): each product has one factor of the inner map's own low degree. For a tricubic
+// map in a tricubic volume that is 13 million products of numbers a component; with powers of x and q made beforehand
+// it would be 43 million.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -61,8 +61,8 @@ Result<std::size_t> span_of_hull(const KnotAxis<Knot>& axis,
 
 }  // namespace internal
 
-/// Of every axis the number k of the knot span [knots[k], knots[k + 1]], not empty and in the domain, that contains all
-/// control points of the inner map. The hull decides, in exact numbers: a map that stays in a span while a control
+/// For every axis, the number k of the knot span [knots[k], knots[k + 1]], not empty and in the domain, that contains
+/// all control points of the inner map. The hull decides, in exact numbers: a map that stays in a span while a control
 /// point does not is refused, too: split it.
 /// @error kBadArgument with the coordinate and its range, or with a weight that is not positive; inner.dimension() !=
 /// M.

@@ -29,7 +29,8 @@ void on_lines(Bezier<R, N>& map, std::size_t axis, OnLine on_line) {
 
 }  // namespace internal
 
-/// The same map on the part [0, t] of `axis`, as a map of [0,1]^N. Any t: outside of [0,1] it extrapolates.
+/// Restricts the map to the part [0, t] of `axis`, as a map of [0,1]^N. Any t is admitted: beyond [0,1] the map is
+/// extrapolated.
 template <Ring R, std::size_t N>
 Bezier<R, N> left_part(Bezier<R, N> map, std::size_t axis, const R& t) {
   const auto blend = internal::cut_at(t);

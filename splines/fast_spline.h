@@ -71,7 +71,8 @@ constexpr int fast_value_roundings(const std::array<int, N>& degrees) {
   for (const int n : degrees) count += fast_weight_roundings(n) + 1 + n;
   return count;
 }
-/// The same with one axis differentiated: a difference of weights of one degree less, or as many roundings as before.
+/// The bound with one axis differentiated: a difference of weights, the degree lower by one, with the same number of
+/// roundings.
 template <std::size_t N>
 constexpr int fast_partial_roundings(const std::array<int, N>& degrees, std::size_t axis) {
   return fast_value_roundings(degrees) - fast_weight_roundings(degrees[axis]) +

@@ -40,7 +40,7 @@ struct FastTables {
   std::size_t dimension() const {
     return static_cast<std::size_t>(num_components) - (is_rational() ? 1 : 0);
   }
-  /// Of four components each, the last one filled up.
+  /// The number of blocks of four components each, the last block filled up.
   std::size_t num_blocks() const { return (static_cast<std::size_t>(num_components) + 3) / 4; }
 };
 

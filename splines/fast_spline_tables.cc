@@ -46,7 +46,7 @@ Component measure(const Bezier<Rational, N>& piece, int c, std::vector<double>& 
         most = std::max(most,
                         std::abs(rounded[first + i * stride] - rounded[first + (i - 1) * stride]));
     });
-    // The difference is rounded once, in any mode: the factor pays. Of underflow a difference has none.
+    // The difference is rounded once, in any mode: the factor pays. A difference does not underflow.
     out.difference.push_back(exactly(round_up(exactly(most) * exactly(0x1.0000000000002p0))) +
                              Rational(2) * out.conversion);
   }

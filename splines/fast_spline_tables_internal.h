@@ -48,7 +48,7 @@ template <std::size_t N>
 Result<BSpline<Rational, N>> exact_bspline(const BSpline<double, N>& map);
 template <std::size_t N>
 Result<FastStorage<N>> make_fast_storage(const BSpline<Rational, N>& map);
-/// Of the knots breaks[i] < breaks[i + 1].
+/// Makes the tables of the knots breaks[i] < breaks[i + 1].
 Result<FastAxisStorage> make_fast_axis(int degree, const std::vector<Rational>& breaks);
 
 }  // namespace veritope::internal

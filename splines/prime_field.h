@@ -73,7 +73,7 @@ class RemainderBasis {
  private:
   std::uint64_t bits_;
   std::vector<PrimeField> fields_;
-  // Of p_0 p_1 ... p_(k - 1): the inverse modulo p_k, minus itself modulo each later prime, and its limbs.
+  // For the product p_0 p_1 ... p_(k - 1): its inverse modulo p_k, minus itself modulo each later prime, and its limbs.
   std::vector<PrimeField::Number> inverse_;
   std::vector<std::vector<PrimeField::Number>>
       minus_product_;  // [k][j], j < k: minus p_0 ... p_(j - 1) modulo p_k

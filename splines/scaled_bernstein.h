@@ -33,7 +33,7 @@ void multiply_coefficients(Bezier<R, N>& map, Factor factor) {
   }
 }
 
-/// The same numbers over one common positive denominator.
+/// A map's numbers over one common positive denominator.
 struct OverOne {
   std::vector<Integer> numerators;
   Integer denominator{1};

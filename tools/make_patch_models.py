@@ -40,7 +40,7 @@ def moved(faces, old, new):
 
 
 def turned(net):
-    """The same surface, its normal the other one."""
+    """The surface with its normal reversed."""
     a, b, c, d = net
     return [a, c, b, d]
 

@@ -237,8 +237,9 @@ class Complex:
         return corner(min(v for n, c in self.component_of.items() if c == component for e in self.edges_of[n] for v in self.ends(e)))
 
 def greedy(parts_of, free):
-    """Cells and their parts of one dimension less: a free part that lies in exactly one cell is removed with it, until there is none.
-    (cells that are left, free parts that are left)."""
+    """Removes a free part that lies in exactly one cell together with that cell, as long as such a part exists.
+
+    A part is one dimension lower than its cell. Returns (cells that are left, free parts that are left)."""
     of_part = {}
     for cell, parts in parts_of.items():
         for part in parts:

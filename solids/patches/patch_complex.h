@@ -30,15 +30,15 @@ struct PatchCorner {
   friend auto operator<=>(const PatchCorner&, const PatchCorner&) = default;
 };
 
-/// What is wrong. Up to kNotFinite S0, or what the theorems need besides, does not hold; the rest is known to be
-/// refused later.
+/// What is wrong. With one of the defects up to kNotFinite, S0 or another assumption of the theorems does not hold; a
+/// model with one of the others will be refused later.
 enum class PatchDefect {
   kOpenSide,      ///< a side that occurs once
-  kNearMiss,      ///< two open sides that differ by little; each is listed as open, too
+  kNearMiss,      ///< two open sides that differ slightly; each is listed as open, too
   kOverusedSide,  ///< a side that occurs three times or more
   kDirection,     ///< two equal sides that run in the same direction
-  kOneSided,  ///< a shell whose patches cannot be flipped so that all directions agree, as a Moebius strip
-  kRepeatedPatch,  ///< a patch that occurs again, its normal the same or the other
+  kOneSided,  ///< a shell whose patches cannot be reversed so that all directions agree, such as a Moebius strip
+  kRepeatedPatch,  ///< a patch that occurs again, reversed or not
   kWeight,         ///< a weight that is zero or negative
   kDegree,         ///< a degree over kMaxPatchDegree
   kNotFinite,  ///< a facet with a coordinate that is NaN or infinite: left out, so that its neighbours are open
@@ -48,15 +48,16 @@ inline constexpr std::size_t kNumPatchDefects = 10;
 /// "open-side", for reports.
 const char* defect_name(PatchDefect defect);
 
-/// One defect. What `sides` holds: kOpenSide the side; kNearMiss, kDirection, kOneSided two; kOverusedSide all;
-/// kAdjacentPoles the two; the others one for each patch, with side 0. kNotFinite: none, see `facet`.
+/// One defect. `sides` holds the side for kOpenSide; two sides for kNearMiss, kDirection, kOneSided and kAdjacentPoles;
+/// all of them for kOverusedSide; for the others one entry for each patch, with side 0. For kNotFinite it is empty: see
+/// `facet`.
 struct PatchFinding {
   PatchDefect defect = PatchDefect::kOpenSide;
   std::vector<PatchSide> sides;
   std::size_t control =
       0;  ///< kWeight: the first such control point of the patch, in the order of its components
   double distance =
-      0;  ///< kNearMiss: the greatest difference of two coordinates of control points, rounded to nearest
+      0;  ///< kNearMiss: the greatest difference between two coordinates of control points, rounded to nearest
   bool is_one_ulp =
       false;  ///< kNearMiss: every two coordinates are equal or neighbours in binary64
   bool has_other_normal = false;  ///< kRepeatedPatch: one is the other reversed
@@ -82,12 +83,12 @@ struct PatchShell {
 
 enum class PatchOrientation {
   kKeep,
-  /// flips whole patches, the fewest in each shell that make all directions agree (of equally many: not its first
-  /// patch)
+  /// reverses whole patches, the fewest in each shell that make all directions agree (on a tie the first patch keeps
+  /// its orientation)
   kAuto,
 };
 
-/// Patches as they come from a file or a mesh: what could not be made a patch is named.
+/// Patches from a file or a mesh, and the names of what could not be made a patch.
 struct PatchInput {
   std::vector<Patch> patches;
   std::vector<PatchFinding> findings;
@@ -101,7 +102,7 @@ class PatchComplex {
 
   std::span<const Patch> patches() const { return patches_; }
   const Patch& patch(std::uint32_t number) const { return patches_[number]; }
-  /// Those that PatchOrientation::kAuto reversed, ascending; patches() holds them as they are after it.
+  /// The patches that PatchOrientation::kAuto reversed, ascending; patches() holds the reversed ones.
   std::span<const std::uint32_t> flipped() const { return flipped_; }
 
   bool is_collapsed(PatchSide side) const { return edge_of_side_[slot(side)] == kNone; }
@@ -112,9 +113,9 @@ class PatchComplex {
     return std::span(sides_of_edges_)
         .subspan(first_side_[edge], first_side_[edge + 1] - first_side_[edge]);
   }
-  /// The other side of an edge with two; nothing for a collapsed side, an open or an overused one. It may belong to the
-  /// same patch. Where X is a closed oriented surface, the point at t of a side is that at 1 - t of its mate, exactly,
-  /// for all t of [0,1].
+  /// The other side of an edge with two sides; nothing for a collapsed, an open or an overused side. It may belong to
+  /// the same patch. Where X is a closed oriented surface, the point at t of a side is that at 1 - t of its mate,
+  /// exactly, for all t of [0,1].
   std::optional<PatchSide> mate(PatchSide side) const;
   /// How a side runs along the canonical form of its curve; two mates fit iff one runs forward and one backward, or
   /// both are kBoth.
@@ -129,19 +130,19 @@ class PatchComplex {
   std::span<const PatchShell> shells() const { return shells_; }
   std::int64_t euler() const;
 
-  /// The first of each defect, as many as were asked for, ordered by defect and by place.
+  /// The first findings of each defect, at most max_listed, ordered by defect and by place.
   std::span<const PatchFinding> findings() const { return findings_; }
-  /// How many there are, listed or not.
+  /// The number of findings of the defect, listed or not.
   std::uint64_t count(PatchDefect defect) const {
     return counts_[static_cast<std::size_t>(defect)];
   }
   /// S0, positive weights, degrees under the cap, no patch twice: X is a closed oriented surface, its map as the
-  /// certificates of star boxes ask. Says nothing about the image. kAdjacentPoles is allowed.
+  /// certificates of star boxes ask. Nothing is said about the image. kAdjacentPoles is allowed.
   bool is_closed_oriented_surface() const;
 
  private:
   friend class PatchComplexBuilder;
-  // Four slots a patch, of a triangle one is not used.
+  // Four slots a patch; a triangle leaves one unused.
   static std::size_t slot(PatchSide s) { return 4 * std::size_t{s.patch} + s.side; }
 
   std::vector<Patch> patches_;
@@ -156,8 +157,8 @@ class PatchComplex {
   std::array<std::uint64_t, kNumPatchDefects> counts_{};
 };
 
-/// @param max_listed  findings of each defect that are listed; the counts are exact
-/// @error kEmpty without a patch; kOverLimit over kMaxPatches. What is wrong with patches is no error: see findings().
+/// @param max_listed  the most findings of each defect that are listed; the counts are exact
+/// @error kEmpty without a patch; kOverLimit over kMaxPatches. Defects of patches are no error: see findings().
 /// @cost  O(n log n) for n patches, whatever the curves are: sides are sorted by hash, then exactly
 Result<PatchComplex> make_patch_complex(PatchInput input,
                                         PatchOrientation orientation = PatchOrientation::kKeep,

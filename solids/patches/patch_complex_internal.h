@@ -35,8 +35,8 @@ class DisjointSets {
 };
 
 /// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item)
-/// is called where a hash occurs again: the forms of one hash are held at a time. Items of a class ascend; the order of
-/// the classes is not fixed.
+/// is called only where a hash occurs again: at any time only the forms of one hash are held. Items of a class ascend;
+/// the order of the classes is not fixed.
 /// @cost O(n log n) comparisons of hashes, and of forms where hashes are equal
 template <typename Item, typename FormOf>
 std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t, Item>> hashed,
@@ -67,7 +67,7 @@ std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t
   return classes;
 }
 
-/// visit(PatchSide) for every side of every patch, in order.
+/// Calls visit(PatchSide) for every side of every patch, in order.
 template <typename Visit>
 void for_each_side(std::span<const Patch> patches, Visit visit) {
   for (std::uint32_t p = 0; p < patches.size(); ++p)
@@ -79,16 +79,17 @@ void for_each_side(std::span<const Patch> patches, Visit visit) {
 struct MatchedSides {
   std::vector<std::uint32_t> edge_of_side;
   std::vector<Travel> travel;
-  std::vector<std::size_t> first_side;  ///< of each edge in `sides`, and one past the last
+  std::vector<std::size_t> first_side;  ///< the first of each edge in `sides`, and one past the last
   std::vector<PatchSide> sides;
 };
 MatchedSides match_sides(std::span<const Patch> patches);
 
-/// Two sides of one edge that would fit, did their patches agree: neither is its own reverse and both run alike.
+/// Two sides of one edge that would fit if one of their patches were reversed: neither is its own reverse and both run
+/// alike.
 inline bool run_alike(Travel a, Travel b) { return a == b && a != Travel::kBoth; }
 
 /// For each patch whether it is to be reversed, so that no edge with two sides has them run alike; no patch of a shell
-/// where that cannot be. `conflicts`: one edge of each such shell.
+/// where that is impossible. `conflicts`: one edge of each such shell.
 struct Flips {
   std::vector<bool> flip;
   std::vector<std::uint32_t> conflicts;
@@ -99,12 +100,12 @@ Flips find_flips(std::size_t num_patches, const MatchedSides& matched);
 /// kWeight, kDegree and kAdjacentPoles, by patch.
 void find_bad_patches(std::span<const Patch> patches, const MatchedSides& matched,
                       std::vector<PatchFinding>& out);
-/// Each patch that occurs before, once, with the one before it.
+/// Each patch that repeats an earlier one, once, with that earlier patch.
 void find_repeated_patches(std::span<const Patch> patches, const MatchedSides& matched,
                            std::vector<PatchFinding>& out);
 /// For each open side the nearest other one, if their ends lie within a small part (2^-16) of the largest coordinate of
-/// each other; each pair once. It compares a side with the few next ones only, so it may miss a pair: a hint for
-/// people, not a decision.
+/// each other; each pair once. The search compares a side only with the few next ones, so it may miss a pair: a hint
+/// for people, not a decision.
 void find_near_misses(std::span<const Patch> patches, std::span<const PatchSide> open,
                       std::vector<PatchFinding>& out);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_knots.h: where B-spline surfaces that share sides must be cut, so that their pieces do.
+// solids/patches/patch_knots.h: where B-spline surfaces that share sides must be cut so that their pieces share sides.
 // Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <array>
@@ -22,17 +22,17 @@ struct CommonBreaks {
     return lists[list_of[surface][axis]];
   }
 };
-/// The least breaks that hold each axis' own knots, such that two axes (or one and itself) along whose ends equal
-/// curves run have the same ones, reversed where the curves run in opposite directions. Collapsed sides tie nothing.
-/// REQUIRES clamped axes, surfaces in space.
+/// The fewest breaks that contain each axis' own knots, such that two axes (or an axis and itself) along whose ends
+/// equal curves run have the same breaks, reversed where the curves run in opposite directions. Collapsed sides tie no
+/// axes. REQUIRES clamped axes, surfaces in space.
 CommonBreaks common_breaks(std::span<const BSplineSurface<Rational>> surfaces);
 
 namespace internal {
 
-/// A B-spline curve on [0,1] whatever its degree and knots: the breaks at which it is no polynomial, and a form of each
-/// piece.
+/// A B-spline curve on [0,1] whatever its degree and knots: the breaks at which the curve is no polynomial, and a form
+/// of each piece.
 struct SplineCurveForm {
-  std::vector<Rational> breaks;  ///< inner ones
+  std::vector<Rational> breaks;  ///< the inner breaks
   std::vector<CanonicalCurve> pieces;
   Travel travel = Travel::kForward;  ///< no part of the comparison
 

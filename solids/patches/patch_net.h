@@ -10,7 +10,7 @@
 namespace veritope {
 
 struct CanonicalNet {
-  std::array<int, 2> degrees{};  ///< of a triangle: its degree and -1
+  std::array<int, 2> degrees{};  ///< for a triangle, its degree and -1
   std::size_t num_components = 3;
   std::vector<Rational> values;  ///< component by component
   bool is_reversed = false;  ///< the form is that of the reversed patch; no part of the comparison

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_sides.h: one form for each boundary curve, whatever the degree, the factor and the direction
-// that it is given in: two sides are the same curve in the sense of S0 iff their forms are equal.
-// Design: docs/design/0015-patch-complex.md.
+// solids/patches/patch_sides.h: one form for each boundary curve, in whatever degree, factor and direction it is given:
+// two sides are the same curve in the sense of S0 iff their forms are equal. Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <compare>
 #include <cstddef>
@@ -22,9 +21,9 @@ struct CanonicalCurve {
   std::size_t width = 3;  ///< 3, or 4 with weights
   std::vector<Rational> values;
   Travel travel =
-      Travel::kForward;  ///< of the curve that it was made of; no part of the comparison
+      Travel::kForward;  ///< direction of the curve from which it was made; not compared
 
-  /// Some total order, of no meaning.
+  /// A total order without meaning.
   friend std::strong_ordering operator<=>(const CanonicalCurve& a, const CanonicalCurve& b);
   friend bool operator==(const CanonicalCurve& a, const CanonicalCurve& b) {
     return a.width == b.width && a.values == b.values;
@@ -32,30 +31,29 @@ struct CanonicalCurve {
 };
 
 /// Claim   canonical(a) == canonical(b) iff a, or a run backwards, and b are equal after elevation to one degree, as
-///         polynomial maps or
-///         as homogeneous ones up to one positive factor; a polynomial map is homogeneous with the weight 1.
+/// polynomial maps or as homogeneous maps up to one positive factor; a polynomial map is homogeneous with the weight 1.
 /// A common polynomial factor of all components is not cancelled: S0 does not ask for it.
-/// @cost   O(degree^2) at most; no product at all for a polynomial curve of its least degree but the test of it
+/// @cost   O(degree^2) at most; for a polynomial curve in its least degree no product except in the test of that
 CanonicalCurve canonical(const Patch::Curve& curve);
 
 /// The canonical form in the given direction: travel is kForward. Two forms are equal iff the curves are, in the same
 /// direction of travel.
 CanonicalCurve directed_form(const Patch::Curve& curve);
-/// The directed form of the curve run backwards, from its own.
+/// The directed form of the curve run backwards, made from that of the curve.
 CanonicalCurve run_backwards(const CanonicalCurve& directed);
 
-/// All control points are one point: S0's collapsed row. Where a weight is 0 there is no point, and the row is not
+/// All control points are one point: S0's collapsed row. A weight of 0 gives no point, and the row is then not
 /// collapsed.
 bool is_collapsed(const Patch::Curve& curve);
 
 /// Equal values have equal hashes. The low 64 bits and the lengths of numerators and denominators count: unequal hashes
-/// decide, equal ones do not.
+/// prove that values differ, equal hashes prove nothing.
 std::uint64_t hash_of(const CanonicalCurve& curve);
 
 namespace internal {
 
-/// The canonical form of a side, with few copies: where the side already has it but for the direction it points at the
-/// numbers of the patch, which must live as long. Not to be copied: its pointers may point into itself.
+/// The canonical form of a side, with few copies: where the side already has that form up to the direction, this points
+/// at the numbers of the patch, which must live as long. Not to be copied: its pointers may point into itself.
 class SideForm {
  public:
   SideForm(const Patch& patch, std::uint32_t side);
@@ -63,11 +61,11 @@ class SideForm {
   SideForm& operator=(SideForm&&) = default;
 
   bool is_collapsed() const { return is_collapsed_; }
-  /// The rest: REQUIRES !is_collapsed().
+  /// The functions below: REQUIRES !is_collapsed().
   Travel travel() const { return travel_; }
   /// hash_of(canonical(patch.side(side))).
   std::uint64_t hash() const;
-  /// As canonical(patch.side(side)) would compare.
+  /// Compares as canonical(patch.side(side)) would.
   friend std::strong_ordering operator<=>(const SideForm& a, const SideForm& b);
 
  private:
@@ -87,11 +85,11 @@ class SideForm {
   std::vector<const Rational*> values_;
 };
 
-/// The same polynomials in the least degree.
+/// Lowers the degree as far as the polynomials allow.
 Patch::Curve with_least_degree(Patch::Curve curve);
 std::uint64_t hash_step(std::uint64_t hash, std::uint64_t word);
 std::uint64_t hash_step(std::uint64_t hash, const Rational& value);
-/// By numerator, then denominator: a total order without products, not that of the values.
+/// Compares by numerator, then by denominator: a total order without products, not that of the values.
 std::strong_ordering order_of_parts(const Rational& a, const Rational& b);
 
 }  // namespace internal

@@ -26,10 +26,10 @@ std::vector<Patch> patches_of(const PnMesh<Rational>& mesh);
 std::vector<Patch> patches_of(const PnMesh<double>& mesh);
 
 /// The Bezier pieces of B-spline surfaces, surface by surface, along axis 0 slowest. One or several surfaces are one
-/// complex: where a side of one surface is a side of another (or of itself) as a whole, as the same curve over [0,1] in
-/// either direction and of whatever degree and knots, both are cut at the knots of both, and so on along opposite
-/// sides, until no cut is missing. Surfaces that share only a part of a side do not fit, nor do those whose common
-/// curve runs at another speed.
+/// complex: where a whole side of one surface is a side of another (or of itself), as the same curve over [0,1] in
+/// either direction, whatever its degree and knots, both surfaces are cut at the knots of both, and so on along
+/// opposite sides, until no cut is missing. Surfaces that share only a part of a side do not fit, nor do those whose
+/// common curve runs at another speed.
 /// @error kBadArgument for a surface not in space; kOverLimit if there would be over kMaxPatches pieces, or a degree is
 /// over
 ///        kMaxSplineDegree, with the surface.
@@ -43,15 +43,15 @@ struct SurfacePieces {
   /// every knot between. The surface has one piece for each pair of neighbours along u and pair along v.
   std::vector<std::array<std::vector<Rational>, 2>> breaks;
 };
-/// @param numbers  of the surfaces, in origins and errors; none: they are numbered from 0. REQUIRES none or one a
-/// surface.
+/// @param numbers  the surfaces' numbers in origins and errors; if empty, they are numbered from 0. REQUIRES empty, or
+/// one number for each surface.
 /// @error as patches_of
 Result<SurfacePieces> pieces_of(std::span<const BSplineSurface<Rational>> surfaces,
                                 std::span<const std::uint64_t> numbers = {});
 
-/// The faces of each volume, their normals out of it if its Jacobian determinant is positive; surface number 6 v + 2
-/// axis + end. Walls, which two volumes share as a whole, with opposite normals and in whatever way they are turned,
-/// are left out. @error kBadArgument for a volume not in space.
+/// The faces of each volume, with outward normals if its Jacobian determinant is positive; surface number 6 v + 2 axis
+/// + end. A face that two volumes share as a whole, with opposite normals and in whatever parametrisation by turned
+/// domains, is an inner wall and left out. @error kBadArgument for a volume not in space.
 Result<std::vector<Patch>> faces_of(std::span<const BezierVolume<Rational>> volumes);
 
 }  // namespace veritope

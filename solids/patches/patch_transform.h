@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/patches/patch_transform.h: other descriptions of the same model, and images of it, exactly: what a verdict
-// must not depend on.
+// solids/patches/patch_transform.h: other descriptions of the same model, and images of the model, exactly: changes on
+// which a verdict must not depend.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,8 +13,8 @@
 
 namespace veritope {
 
-/// The image of each patch under x -> linear x + translation; reversed if the determinant is negative, so that normals
-/// that pointed out still do. @error kBadArgument unless it is a map of space with a determinant other than 0.
+/// The image of each patch under x -> linear x + translation; reversed if the determinant is negative, so that outward
+/// normals stay outward. @error kBadArgument unless `linear` is a map of space with a determinant other than 0.
 Result<std::vector<Patch>> affine_image(std::span<const Patch> patches, const AffineMap& map);
 
 /// The image under the automorphism of space that adds factor * x_i * x_j to coordinate `target`: one to one, of
@@ -33,7 +33,7 @@ std::vector<Patch> subdivided(std::span<const Patch> patches);
 /// Tensor patches cut in the middle of u, of v, of both or of neither: along closed belts of patches, which opposite
 /// sides connect, each cut or left as `random` says. Belts that end at a triangle or at a defect are left.
 std::vector<Patch> cut_along_belts(std::span<const Patch> patches, Random& random);
-/// Every degree raised by `by`: the same maps. REQUIRES by >= 0.
+/// Raises every degree by `by`; the maps stay the same. REQUIRES by >= 0.
 std::vector<Patch> elevated(std::span<const Patch> patches, int by);
 
 }  // namespace veritope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patches/pn_mesh.h: a smooth surface over a triangle mesh with vertex normals: a cubic patch and a quadratic
-// normal field for every triangle (splines/pn_triangle.h), edges computed once, so that both sides share them bit for
-// bit.
+// normal field for every triangle (splines/pn_triangle.h), edges are computed once, so that both sides share their
+// control points bit for bit.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -27,12 +27,12 @@ class PnMesh {
   };
 
   std::size_t num_faces() const { return faces_.size(); }
-  /// Each once, in the order of (a, b).
+  /// Each edge once, in the order of (a, b).
   std::span<const Edge> edges() const { return edges_; }
   /// The patch of a face; its corners are the face's, in the same order. On a common edge two faces have the same
   /// control points.
   BezierTriangle<R> points(std::size_t face) const;
-  /// Its normals: not normalised, on a common edge those of both faces.
+  /// The normals of a face's patch: not normalised, and equal for both faces on a common edge.
   BezierTriangle<R> normals(std::size_t face) const;
 
  private:
@@ -44,12 +44,12 @@ class PnMesh {
   std::vector<Point> centres_;
 };
 
-/// The exact patches. normals: of any length, one a vertex; those of vertices that no face has are not looked at.
+/// The exact patches. normals: of any length, one for each vertex; those of vertices that no face has are ignored.
 /// @error kBadArgument with the face, the vertex and its corner: a degenerate triangle, a normal that is zero or 90
 /// degrees or more off a
-///        triangle at the vertex; or as many normals as there are vertices are not given. kNotFinite, kIndexOutOfRange
+///        triangle at the vertex; or the number of normals is not that of vertices. kNotFinite, kIndexOutOfRange
 ///        with the place.
-/// @cost  about 50 microseconds a face for coordinates of all 53 bits
+/// @cost  approximately 50 microseconds a face for coordinates of all 53 bits
 Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh, std::span<const Vec3d> normals);
 
 /// Every number rounded to nearest once: a control point has one value, whichever face asks.

@@ -16,10 +16,11 @@ class BoxHierarchy {
   BoxHierarchy() = default;
   explicit BoxHierarchy(std::vector<Box3d> boxes);
 
-  /// The numbers, such that neighbours in this order are near each other.
+  /// The numbers in an order in which neighbours are near each other.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// visit(number) for every box of which `keep` holds. REQUIRES keep(b) if b contains a box of which it holds.
+  /// Calls visit(number) for every box for which `keep` holds. REQUIRES keep(b) if b contains a box for which `keep`
+  /// holds.
   template <typename Keep, typename Visit>
   void visit(Keep keep, Visit visit) const {
     if (!nodes_.empty()) visit_node(0, keep, visit);

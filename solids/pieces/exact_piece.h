@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/exact_piece.h: one node of a PieceForest in integers: its hull, the signs of n·(S - c), its sides; for
-// what doubles do not decide. Theory: docs/THEORY.md §4.
+// solids/pieces/exact_piece.h: one node of a PieceForest in integers: its hull, the signs of n·(S - c), its sides; used
+// where doubles do not decide. Theory: docs/THEORY.md §4.
 #pragma once
 #include <array>
 #include <vector>
@@ -11,21 +11,21 @@
 
 namespace veritope {
 
-/// The node's homogeneous control points F = (x, y, z, w) in the forest's frame, times one positive integer; of a
+/// The node's homogeneous control points F = (x, y, z, w) in the forest's frame, times one positive integer; in a
 /// polynomial patch w is that integer.
-/// @cost to make: O(degree^4) products of integers that grow by the degree a level.
+/// @cost of construction: O(degree^4) products of integers that grow by the degree at each level.
 class ExactPiece {
  public:
   /// REQUIRES weights > 0 in the patch.
   ExactPiece(const PieceForest& forest, const PieceForest::Node& node);
 
-  /// The least doubles around the exact hull of the control points.
+  /// The tightest box of doubles around the exact hull of the control points.
   Box3d hull() const;
   /// Coordinates x, y, z, then w, of one control point.
   std::array<const Integer*, 4> control(std::size_t i) const;
 
   /// The coefficients of G0 .. G3, each times the binomials of its place and one positive integer: signs are those of
-  /// the Bernstein coefficients. Made when asked for first. @cost O(degree^6) products
+  /// the Bernstein coefficients. They are computed at the first call. @cost O(degree^6) products
   void make_determinants();
   bool has_determinants() const { return !determinants_[0].empty(); }
   /// The sign of coefficient i of g_c. REQUIRES has_determinants().

@@ -12,17 +12,17 @@ namespace veritope {
 /// A box that contains the surface.
 Box3d hull_of_roots(const PieceForest& forest);
 
-/// Pieces that are met by `box`, none longer than `longest`, appended to `tested`; others dropped because their hulls
-/// miss the box. Every visited piece whose hull lies in the box, tested or split, is appended to `held`, parents before
-/// their children. False if a piece of the greatest level is still longer, over `most` pieces are met, or 16 times as
-/// many on the way.
+/// Appends to `tested` the pieces that `box` meets, none of them longer than `longest`; drops the others because their
+/// hulls miss the box. Every visited piece whose hull lies in the box, tested or split, is appended to `held`, parents
+/// before their children. False if a piece of the greatest level is still longer, if more than `most` pieces meet the
+/// box, or if the descent visits 16 times as many.
 bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::size_t most,
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
 
 namespace internal {
 
-/// The pieces that find_pieces describes, with `is_small(id)` in place of the length: whether a piece is taken as it
-/// is.
+/// The pieces that find_pieces describes, with `is_small(id)` in place of the length: it says whether a piece is taken
+/// without a split.
 template <typename IsSmall>
 bool find_small_pieces(PieceForest& forest, const Box3d& box, IsSmall is_small, std::size_t most,
                        std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held) {

@@ -4,8 +4,8 @@
 //
 // A net holds doubles m_i and one number `error` for each component; the exact coefficients lie within
 // `error` of them. Each function below either turns such numbers into an answer that is right for every
-// choice of exact coefficients, or gives no answer; then integers decide (exact_piece.h, exact_winding.h) or
-// nobody does. What other files of the folder do with doubles is a search, or it is interval arithmetic
+// choice of exact coefficients, or gives no answer; then integers decide (exact_piece.h, exact_winding.h), or the
+// question stays open. What other files of the folder do with doubles is a search, or it is interval arithmetic
 // (forest_builder.cc, patch_volume.cc), which needs no constant.
 //
 // Formulas are templates, because the bound test runs the same lines on numbers that count roundings.
@@ -75,12 +75,12 @@ inline CommonSign common_sign(double lo, double hi, double bound) {
 
 // ---- 3. hulls
 
-/// Both ends of x -+ error, not yet rounded outward.
+/// Both ends of x -+ error, before outward rounding.
 template <typename Number>
 std::array<Number, 2> hull_ends(const Number& x, const Number& error) {
   return {x - error, x + error};
 }
-/// Both ends of (x -+ error) / (w -+ w_error), not yet rounded outward. REQUIRES w - w_error > 0.
+/// Both ends of (x -+ error) / (w -+ w_error), before outward rounding. REQUIRES w - w_error > 0.
 template <typename Number>
 std::array<Number, 2> hull_ends(const Number& x, const Number& error, const Number& w,
                                 const Number& w_error) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/piece_descent.h: the pieces whose closed hulls meet a box, as small as the caller wants them: condition
-// T of docs/THEORY.md §4.
+// solids/pieces/piece_descent.h: the pieces whose closed hulls meet a box, as small as the caller requires: condition T
+// of docs/THEORY.md §4.
 #pragma once
 #include <cstddef>
 
@@ -9,15 +9,15 @@
 namespace veritope {
 
 enum class PieceStep {
-  kTaken,  ///< this piece is as small as wanted
-  kSplit,  ///< its four children instead
+  kTaken,  ///< this piece is small enough
+  kSplit,  ///< visit its four children instead
   kStop,   ///< the descent fails
 };
 
-/// step(id) for the pieces whose closed hulls meet the box, a parent before its children, from the roots on. Every part
-/// of V that meets the box lies in a piece that was taken. False: stopped, over max_visits pieces, or a piece of the
-/// greatest level was to be split. Hulls may be unbounded, where weights are not known to be positive, and all pieces
-/// of such a patch meet every box: hence the budget.
+/// Calls step(id) for the pieces whose closed hulls meet the box, from the roots on, a parent before its children.
+/// Every part of V that meets the box lies in a piece that was taken. False if a step stopped the descent, if it
+/// visited more than max_visits pieces, or if a piece of the greatest level was to be split. Hulls may be unbounded,
+/// where weights are not known to be positive, and all pieces of such a patch meet every box: hence the budget.
 template <typename Step>
 class PieceDescent {
  public:

@@ -20,8 +20,8 @@ namespace veritope {
 class ExactPiece;
 
 /// The pieces of the star-box certificate (docs/certificates/star-box.md, section 4). Coordinates here are those of the
-/// model in a frame, so that the largest is about 1. Nodes are made when asked for and stay; their nets may be dropped
-/// and are made again.
+/// model in a frame, so that the largest is approximately 1. Nodes are made on demand and stay; their nets may be
+/// dropped and are then made again.
 class PieceForest {
  public:
   using Id = std::uint32_t;
@@ -38,11 +38,11 @@ class PieceForest {
     Id parent = kNone;
     std::uint64_t i, j;
     std::array<double*, 2> nets{};            // by Part
-    std::array<std::uint32_t, 2> net_ages{};  // the net is there iff this is the age of the store
+    std::array<std::uint32_t, 2> net_ages{};  // the net exists iff this is the age of the store
     std::uint8_t level = 0;
     bool is_upside_down = false;
   };
-  /// What a patch's nodes have in common.
+  /// The data that all nodes of a patch share.
   struct Form {
     FormShape shape, determinant;
     bool is_rational = false;
@@ -68,10 +68,9 @@ class PieceForest {
   };
   enum class FrameChoice {
     kFitted,
-    kPlain,  ///< for what needs cubes and the model's own origin: collars
+    kPlain,  ///< for collars, which need cubes and the model's own origin
   };
-  /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is out of the range that doubles can
-  /// stand for.
+  /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is beyond the range of doubles.
   static Result<PieceForest> make(const PatchComplex& complex,
                                   FrameChoice choice = FrameChoice::kFitted);
 
@@ -87,43 +86,44 @@ class PieceForest {
   const Form& form(std::uint32_t patch) const { return forms_[patch]; }
   const Node& node(Id id) const { return nodes_[id]; }
   std::size_t num_nodes() const { return nodes_.size(); }
-  /// Four of them, from this one on. REQUIRES level < kMaxLevel.
+  /// The first of the node's four children, whose numbers follow each other. REQUIRES level < kMaxLevel.
   Id children(Id id);
-  /// All roots; number i of it is root(i).
+  /// The tree over all roots; its number i is root(i).
   const BoxHierarchy& roots() const { return roots_; }
   Id root(std::uint32_t number) const { return number; }
   std::size_t num_roots() const { return num_roots_; }
 
-  /// Whether side s of the node (as of the patch: of a triangle, from corner s to corner s + 1) lies in side s of the
-  /// patch.
+  /// Whether side s of the node (numbered as in the patch: in a triangle, from corner s to corner s + 1) lies in side s
+  /// of the patch.
   bool side_of_patch(const Node& node, std::uint32_t side) const;
-  /// visit(i) for the places of the determinants' coefficients outside the rows of collapsed sides.
+  /// Calls visit(i) for the places of the determinants' coefficients outside the rows of collapsed sides.
   template <typename Visit>
   void for_each_kept(const Node& node, Visit visit) const;
 
   /// Uncertain if two sides of the piece lie in collapsed sides and share a corner: there g_c is 0 and the corner is
   /// never certified. The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides
   /// left out; uncertain if they differ or one is 0. Where the bound of doubles does not decide, integers do while the
-  /// budget for them lasts; then it is uncertain, too.
+  /// budget for them lasts; after that the sign is uncertain, too.
   Sign3 side_of(Id id, const Point3d& c);
-  /// Coefficients of G0 .. G3 relative to origin(), as approximate numbers: for searches.
+  /// Approximate coefficients of G0 .. G3 relative to origin(), for searches.
   const double* approx_determinants(Id id);
-  /// The bound of their errors, of G_k.
+  /// The bound of the errors of G_k's coefficients.
   double determinant_error(Id id, std::size_t k);
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.
   const double* control(Id id);
   double control_error(Id id, std::size_t component);
-  /// The node in integers, with or without determinants; nothing if the budget is spent. It stays until limit_memory.
-  /// Pieces that decide a sign are free, the others of a model share kMostExact coefficients: about half a second.
+  /// The node in integers, with or without determinants; nothing if the budget is spent. The node's integers stay until
+  /// limit_memory. Pieces that decide a sign cost no budget; the others of a model share kMostExact coefficients,
+  /// approximately half a second.
   const ExactPiece* exact(Id id);
   const ExactPiece* exact_determinants(Id id);
-  /// Drops all nets if they take more than this; nodes stay.
+  /// Drops all nets if they take more than this many bytes; nodes stay.
   void limit_memory(std::size_t bytes);
 
  private:
   friend class ForestBuilder;
-  // A node's control points and its determinants are two nets, each made when it is asked for: hulls need no
-  // determinants, which are many times as long.
+  // A node's control points and its determinants are two nets, each made on demand: hulls need no determinants, which
+  // are many times as long.
   enum class Part : std::uint8_t { kControl, kDeterminants };
   // A net: its components one after the other, then their errors, then the greatest absolute value of each.
   struct Layout {
@@ -153,8 +153,8 @@ class PieceForest {
   enum class Collapsed { kNone, kApart, kAdjacent };
   Collapsed collapsed_sides(const Node& node, const Form& form) const;
 
-  // Room for nets. What was handed out stays where it is until all of it is taken back; then the same memory is handed
-  // out again, warm.
+  // Room for nets. Memory that was handed out stays where it is until all of it is returned; then the same memory is
+  // handed out again, warm.
   class NetStore {
    public:
     double* take(std::size_t n) {

@@ -29,7 +29,7 @@ inline constexpr AverageBlend kHalves;
 /// Bodies: piece_net_quarters_internal.h.
 template <typename Number>
 void quarter_tensor(const FormShape& shape, const Number* net, Number* const children[4]);
-/// Children (c0, m2, m1), (m2, c1, m0), (m1, m0, c2), (m0, m1, m2): only averages are taken.
+/// Children (c0, m2, m1), (m2, c1, m0), (m1, m0, c2), (m0, m1, m2): only averages are computed.
 template <typename Number>
 void quarter_triangle(int degree, const Number* net, Number* const children[4]);
 extern template void quarter_tensor(const FormShape&, const double*, double* const[4]);

@@ -11,10 +11,10 @@
 namespace veritope {
 
 /// The patches that meet the closed box, if all of them are polynomial triangles of degree 1 with normals that are not
-/// 0, and any two of them meet exactly in their common vertex or edge of X, or not at all, where they have none in
-/// common. Nothing otherwise, or if they are over `most`, or if a patch that is no such triangle cannot be shown to
-/// miss the box. Box in the forest's coordinates.
-/// @cost a pair of triangles: some 20 separating axes in intervals, in rationals where these do not decide
+/// 0, and any two of them meet exactly in their common vertex or edge of X, or not at all if they have no vertex in
+/// common. Nothing otherwise, or if more than `most` patches meet the box, or if a patch that is no such triangle
+/// cannot be shown to miss the box. Box in the forest's coordinates.
+/// @cost for a pair of triangles: some 20 separating axes in intervals, in rationals where intervals do not decide
 std::optional<std::vector<std::uint32_t>> mesh_box_triangles(PieceForest& forest, const Box3d& box,
                                                              std::size_t most);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/star_box/star_box.h: conditions S1 and S2 of one box with two centres. Theory: docs/THEORY.md §4.
+// solids/star_box/star_box.h: tests conditions S1 and S2 for one box with two centres. Theory: docs/THEORY.md §4.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -17,11 +17,12 @@ struct StarBox {
   Point3d inside, outside;  ///< c-, c+
 };
 
-/// As find_pieces, but a piece is taken as soon as S1 holds on it. They fit has_star_signs and crossing_number.
+/// Finds pieces as find_pieces does, but takes a piece as soon as S1 holds on it. The pieces suit has_star_signs and
+/// crossing_number.
 bool find_star_pieces(PieceForest& forest, const StarBox& star, std::size_t most,
                       std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
 
-/// S1 on all of the pieces.
+/// Whether S1 holds on all of the pieces.
 bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
                     const StarBox& star);
 

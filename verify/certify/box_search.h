@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/box_search.h: a star box or a mesh box around one piece: searched in floating point, proved with
-// bounds, where they do not decide in exact arithmetic. Theory: docs/THEORY.md §4.
+// bounds, and in exact arithmetic where the bounds do not decide. Theory: docs/THEORY.md §4.
 #pragma once
 #include <optional>
 #include <vector>
@@ -23,10 +23,10 @@ class BoxSearch {
   /// After try_piece returned true: the box, and the pieces that it covers, a parent before its children.
   const CoverBox& box() const { return box_; }
   const std::vector<Id>& held() const { return held_; }
-  /// After it returned false.
+  /// After try_piece returned false: why.
   UncoveredPiece::Why why() const { return why_; }
   const Obstacle& obstacle();
-  /// How many pieces near it; 1, itself, if it has no centres even alone.
+  /// The number of pieces near it; 1, the piece itself, if even the piece alone has no centres.
   std::size_t num_looked_at() const { return num_near_; }
 
   std::size_t tested_pieces() const { return tested_pieces_; }
@@ -57,7 +57,7 @@ class BoxSearch {
   const StarCoverOptions& options_;
   Id piece_ = 0;
   CoverBox box_;
-  Point3d scale_{};  ///< lengths that the programs take for 1
+  Point3d scale_{};  ///< lengths that count as 1 in the linear programs
   std::vector<Id> tested_, held_;
   std::size_t num_near_ = 0;
   std::optional<Obstacle> obstacle_;

@@ -17,12 +17,12 @@ struct HalfSpace {
   double b;
 };
 
-/// The least a·x + b, about; infinity of none.
+/// The least a·x + b, approximately; infinity without half-spaces.
 double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& point);
 
-/// The point of the box whose least a·x + b is greatest, and that least value; about, and only if it exceeds `enough`.
-/// Half-spaces are taken into account as they prove to be violated. @cost O(m) a round for m half-spaces, mostly a few
-/// rounds
+/// The point of the box whose least a·x + b is greatest, and that least value; approximate, and returned only if it
+/// exceeds `enough`. Half-spaces are added when a candidate violates them. @cost O(m) a round for m half-spaces,
+/// usually a few rounds
 struct DeepestPoint {
   Point3d point;
   double depth;

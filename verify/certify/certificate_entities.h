@@ -12,12 +12,11 @@
 
 namespace veritope {
 
-/// An entity of the model file whose patches are numbered from first_patch on: of a surface (u pieces) x (v pieces), v
+/// An entity of the model file whose patches are numbered from first_patch on: a surface has (u pieces) x (v pieces), v
 /// fastest.
 struct StarBoxEntity {
   bool is_surface = true;
-  /// The patches of the complex are those of the file with their normals turned: axes exchanged, or corners 1 and 2 of
-  /// a triangle.
+  /// The patches of the complex are those of the file, reversed: axes exchanged, or corners 1 and 2 of a triangle.
   bool is_reversed = false;
   std::uint32_t first_patch = 0;
   std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes
@@ -32,7 +31,7 @@ std::vector<certificate::PatchEntity> to_certificate(const std::vector<StarBoxEn
 std::vector<bool> reversed_patches(const std::vector<StarBoxEntity>& entities,
                                    std::size_t num_patches);
 
-/// As OuterSides, of the complex's patches. REQUIRES entities in order.
+/// The outer sides of the complex's patches: see OuterSides. REQUIRES entities in order.
 OuterSides outer_sides(const std::vector<StarBoxEntity>& entities, std::size_t num_patches);
 
 }  // namespace veritope

@@ -40,22 +40,22 @@ struct CertifyOptions {
       tolerance;  ///< of the volume: see PatchDecisionOptions; nothing: its default
 };
 
-/// What else is known of the model, by its kind; nothing: a kind that has no facts of its own.
+/// Further facts about the model, by its kind; monostate for a kind without facts of its own.
 using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
 struct Certified {
   Verdict verdict = Verdict::kUndecided;
-  /// VALID: none. INVALID: what is proved wrong, at most max_findings. UNDECIDED: one, why: "not-certified" (neither
-  /// proved right nor wrong) or "not-covered" (no certificate can speak of this file).
+  /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: one finding, the reason:
+  /// "not-certified" (neither proved right nor wrong) or "not-covered" (no certificate can speak of this file).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
-  std::string claim;               ///< that the certificate states; empty with it
+  std::string claim;               ///< the claim that the certificate states; empty without a certificate
 };
 
 /// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes
-/// that were read (their SHA-256 and number are in `file`), so that checkers can read them again. Nothing here has been
-/// confirmed by a checker.
+/// that were read (their SHA-256 and number are in `file`), so that checkers can read them again. No checker has
+/// confirmed the result.
 /// @error kEmpty, kOverLimit, kBadArgument: the file was read, but holds no model of its kind (a spline file without
 /// any surface)
 /// @cost  as decide_validity and make_mesh_certificate; as decide_patches. Throws InternalError for a bug of ours, and

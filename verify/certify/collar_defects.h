@@ -13,7 +13,7 @@
 namespace veritope {
 
 /// The shells that the pieces of a cell, or of the cells around a vertex, belong to, and how they face. Cells without
-/// pieces have none.
+/// pieces have no shells.
 struct LocalSheets {
   Facing facing = kAllDirections;
   std::uint32_t least_shell = ~std::uint32_t{0}, greatest_shell = 0;
@@ -35,15 +35,16 @@ std::vector<std::vector<std::uint32_t>> shells_of_bodies(const PatchComplex& pat
                                                          const CommonSubdivision& complex,
                                                          const ComplexBoundary& boundary);
 
-/// Bodies that hold not exactly one shell, or share one, or have not two boundary components with its Euler
-/// characteristic: none of them is a collar. Nothing is said about the others. REQUIRES K1, and that the complex
-/// contains the cells of the cover.
+/// Bodies that do not hold exactly one shell, or share a shell, or do not have two boundary components with that
+/// shell's Euler characteristic: such a body is no collar. Nothing is said about the others. REQUIRES K1, and that the
+/// complex contains the cells of the cover.
 std::vector<BodyDefect> find_body_defects(
     const PatchComplex& patches, const std::vector<std::vector<std::uint32_t>>& shells_of_body,
     const ComplexBoundary& boundary);
 
-/// For each cell of the cover whether it is to be split: those of the bodies where several shells come together around
-/// a vertex, or in a body of one shell sheets that face in all directions; all cells of a body without such cells.
+/// For each cell of the cover whether it is to be split. In each of the bodies, these are the cells where several
+/// shells come together around a vertex or, if the body holds one shell, sheets that face in all directions; in a body
+/// without such cells, all of its cells.
 std::vector<bool> cells_to_split(PieceForest& forest, FacingOfPieces& facing,
                                  const PieceOctree& cover, const CommonSubdivision& complex,
                                  const ComplexBoundary& boundary,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/collar_place.h: that the surface lies inside a union of octree cells, shell by shell. Theory:
+// verify/certify/collar_place.h: proves that the surface lies inside a union of octree cells, shell by shell. Theory:
 // docs/THEORY.md §3.
 #pragma once
 #include <cstdint>
@@ -22,15 +22,15 @@ struct CollarPlace {
   std::vector<std::uint32_t> body_of_shell;
 };
 
-/// Where they do not hold, or cannot be shown.
+/// Where I1 or I2 does not hold, or cannot be shown.
 struct Misplaced {
   PieceForest::Id piece =
-      PieceForest::kNone;  ///< whose hull is not inside; kNone: a shell is not alone in one body
+      PieceForest::kNone;  ///< the node whose hull is not inside; kNone: a shell is not alone in one body
   std::string message;
 };
 
-/// Splits the leaves of the cover until inside(root) holds for the hull of each piece; as few pieces as that allows.
-/// REQUIRES a complete cover, boundary = analyse_boundary(complex), K1.
+/// Splits the leaves of the cover until inside(root) holds for the hull of each piece, into as few pieces as that
+/// allows. REQUIRES a complete cover, boundary = analyse_boundary(complex), K1.
 /// @cost O(pieces depth), bounded by the work that checkers do
 std::optional<CollarPlace> place_surface(PieceForest& forest, const StarCover& cover,
                                          const OctreeRoot& root, const CommonSubdivision& complex,

@@ -7,7 +7,7 @@
 
 namespace veritope {
 
-/// M with the cells: bounded by the components with winding number 0. `scale`: the forest's.
+/// The union of M and the cells, bounded by the components with winding number 0. `scale`: the forest's.
 /// @error as boundary_mesh
 Result<TriangleMesh> outer_solid(const PatchCollar& collar, int scale);
 /// The closure of M without the cells: bounded by the components with winding number 1.

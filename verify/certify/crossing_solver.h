@@ -19,21 +19,21 @@ struct SheetPlace {
   std::array<double, 2> at{};
 };
 
-/// Refers to the forest.
+/// Keeps a reference to the forest.
 class CrossingSolver {
  public:
   explicit CrossingSolver(const PieceForest& forest) : forest_(forest) {}
 
-  /// Parameters near the guess where the two sheets have about the same image: Gauss-Newton, each step the shortest
-  /// that solves the linear equations. Nothing if it does not converge within `reach`, relative to the parameters'
-  /// unit, of each coordinate of the guess.
+  /// Parameters near the guess where the two sheets have approximately the same image. Method: Gauss-Newton, each step
+  /// the shortest that solves the linear equations. Nothing if the iteration does not converge within `reach`, relative
+  /// to the parameters' unit, of each coordinate of the guess.
   std::optional<std::array<SheetPlace, 2>> solve(const std::array<SheetPlace, 2>& guess,
                                                  double reach);
 
-  /// A box around about a solution that is a proof, its first sheet in the open domain: tried with either sheet first,
-  /// from large boxes to small ones; broken_condition said that all conditions hold. Near a solution that was not
-  /// proved none is tried again, and after kMostExactInAll exact tests none at all: at a contact every search ends near
-  /// the same few points.
+  /// A proof: a box around the approximate solution, its first sheet in the open domain, for which broken_condition
+  /// finds that all conditions hold. Boxes are tried with either sheet first, from large to small. Near a solution that
+  /// could not be proved no other is tried, and after kMostExactInAll exact tests no solution at all: at a contact
+  /// every search ends near the same few points.
   std::optional<CrossingWitness> prove(const std::array<SheetPlace, 2>& solution);
 
   static constexpr std::size_t kMostExactInAll = 1024;

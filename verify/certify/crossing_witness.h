@@ -58,11 +58,11 @@ std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b
 CrossingWitness with_reversed(const Patch& a, const Patch& b, const std::array<bool, 2>& reversed,
                               CrossingWitness witness);
 
-/// A tensor patch itself; of a triangle of degree p the map of degrees (p, p) of (s, t), the point with the barycentric
-/// coordinates (1 - s, s (1 - t), s t).
+/// A tensor patch itself; for a triangle of degree p, the map of degrees (p, p) from (s, t) to the point with the
+/// barycentric coordinates (1 - s, s (1 - t), s t).
 BezierSurface<Rational> tensor_form(const Patch& patch);
 
-/// As tensor_form, of a triangle. Row m of its coefficients is a curve of degree m in t.
+/// The tensor form of a triangle, each row in its own degree: row m of the coefficients is a curve of degree m in t.
 template <Ring R>
 BezierSurface<R> tensor_of_triangle(const BezierTriangle<R>& map) {
   const int p = map.degree();

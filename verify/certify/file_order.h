@@ -10,13 +10,13 @@
 
 namespace veritope {
 
-/// The patches of the forest as those of a file: of an entity that is reversed the axes (of a triangle corners 1 and 2)
-/// are exchanged.
+/// Presents the patches of the forest as those of a file: the axes (in a triangle, corners 1 and 2) of an entity that
+/// is reversed are exchanged.
 class FileOrder {
  public:
   explicit FileOrder(const PieceForest& forest) : forest_(forest) {}
 
-  /// begin_patch(a, b), then visit(root) for 2^a x 2^b roots, v fastest.
+  /// Calls begin_patch(a, b), then visit(root) for 2^a x 2^b roots, v fastest.
   template <typename BeginPatch, typename Visit>
   void for_each_root(std::uint32_t patch, bool is_reversed, BeginPatch begin_patch,
                      Visit visit) const {
@@ -29,7 +29,7 @@ class FileOrder {
       for (std::uint32_t j = 0; j < std::uint32_t{1} << bits[1]; ++j)
         visit(form.first_root + (is_reversed ? j * columns + i : i * columns + j));
   }
-  /// visit(child) four times. REQUIRES that the node has children.
+  /// Calls visit(child) four times. REQUIRES that the node has children.
   template <typename Visit>
   void for_each_child(PieceForest::Id id, bool is_reversed, Visit visit) const {
     const PieceForest::Id first = forest_.node(id).first_child;

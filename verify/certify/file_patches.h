@@ -19,14 +19,14 @@ namespace veritope {
 
 /// The patches of a file, in the order of its entities.
 struct FilePatches {
-  /// Null: the file has something that is no surface or triangle in space; not_covered says what.
+  /// Null if the file has something that is no surface or triangle in space; not_covered says what.
   std::unique_ptr<const PatchComplex> complex;
   std::vector<StarBoxEntity> entities;
   /// An entity some of whose patches were reversed, not all: no certificate can speak of that.
   std::optional<std::size_t> mixed_entity;
-  /// A surface has an inner knot of a multiplicity above its degree: it may be in pieces, and sides of pieces that
-  /// other surfaces do not know may be open. VALID is proved all the same; INVALID would be about pieces and not about
-  /// the surfaces.
+  /// A surface has an inner knot of a multiplicity above its degree: the surface may be torn into pieces, and sides of
+  /// pieces that no other surface shares may be open. VALID is proved even so; INVALID would be about the pieces and
+  /// not about the surfaces.
   bool is_torn = false;
   std::optional<Finding> not_covered;
 
@@ -37,7 +37,7 @@ struct FilePatches {
 /// @error kEmpty: no surface and no triangle; kOverLimit, kBadArgument: as patch_source and make_patch_complex
 Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation);
 
-/// Which coordinates the search may use.
+/// The frame that the search may use.
 enum class FrameWanted {
   kAny,
   kPlainIfCheap,  ///< the plain frame, which collars need, unless it is much dearer than the frame that fits the model
@@ -47,7 +47,8 @@ enum class FrameWanted {
 struct FileDecisionOptions {
   PatchDecisionOptions search;  ///< its `outer` and `in_plain_frame` are set here
   FrameWanted frame = FrameWanted::kAny;
-  /// Turn shells that are wrongly oriented as a whole (inside out, or a cavity that points outward), then decide again.
+  /// Reverse shells that are wrongly oriented as a whole (an outer shell that points inward, a cavity that points
+  /// outward), then decide again.
   bool may_turn_shells = false;
 };
 
@@ -57,13 +58,13 @@ struct FileDecision {
       forest;  ///< the decision's node numbers point into it; it refers to the complex
 };
 
-/// Changes `patches` only where shells are turned. REQUIRES patches.complex.
+/// Changes `patches` only where shells are reversed. REQUIRES patches.complex.
 FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions& options);
 
-/// The bytes that were read, as certificates name them.
+/// Names the bytes that were read as certificates do.
 certificate::Subject subject_of(const SplineFile& file, const std::string& tool);
 
-/// As make_patch_certificate. REQUIRES a decision of these patches that is not open.
+/// Calls make_patch_certificate. REQUIRES a decision of these patches that is not open.
 certificate::Bytes make_patch_certificate(const FilePatches& patches, const FileDecision& decided,
                                           const certificate::Subject& subject);
 

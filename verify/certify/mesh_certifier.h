@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/mesh_certifier.h: from a decided mesh to its certificate. The search; the checkers do not search.
+// verify/certify/mesh_certifier.h: from a decided mesh to its certificate. All searching is done here; the checkers do
+// not search.
 #pragma once
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/validity.h"
@@ -8,10 +9,10 @@
 namespace veritope {
 
 /// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken
-/// rule (but M7 where only M2's pairs break it: M2 is witnessed then).
-/// REQUIRES report = decide_validity(mesh, options) with max_defects >= 1. The bytes do not depend on `jobs`.
-/// @cost about as long as the decision. Throws InternalError if a proper pair has no code: a bug, never a property of
-/// the model.
+/// rule (except M7 if only M2's pairs break it: then M2 has the witness). REQUIRES report = decide_validity(mesh,
+/// options) with max_defects >= 1. The bytes do not depend on `jobs`.
+/// @cost approximately that of the decision. Throws InternalError if a proper pair has no code: a bug, never a property
+/// of the model.
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
                                          const certificate::Subject& subject, unsigned jobs);
 

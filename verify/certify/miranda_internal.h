@@ -22,7 +22,7 @@ template <typename R>
 struct ValueRange {
   R least, greatest;
 };
-/// Which side of a rectangle: the end of the axis.
+/// A side of a rectangle: an end of an axis.
 struct RectangleEnd {
   std::size_t axis;
   bool is_upper;
@@ -59,7 +59,7 @@ struct FreeParameter {
   std::size_t sheet, axis;
 };
 
-/// X3 of two maps that are restricted to their rectangles. REQUIRES positive weights.
+/// Whether X3 holds for two maps that are restricted to their rectangles. REQUIRES positive weights.
 template <Ring R>
 bool has_opposite_signs(const std::array<BezierSurface<R>, 2>& maps,
                         const std::array<std::array<R, 3>, 3>& rows,

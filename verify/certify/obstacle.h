@@ -13,9 +13,9 @@ struct Obstacle {
   /// Between pieces whose normals are over 105 degrees apart, along their normals: infinity without such pieces. 0 in a
   /// contact.
   double gap = std::numeric_limits<double>::infinity();
-  /// The gap less what the piece bends by: sheets may be so near between the points that are looked at. At least 0.
+  /// The gap minus what the piece bends by, at least 0: between the points that are examined, sheets may come so near.
   double least_gap = std::numeric_limits<double>::infinity();
-  /// The least cosine of the angle of two normals.
+  /// The least cosine of the angle between two normals.
   double least_cosine = 1;
 };
 

@@ -11,8 +11,8 @@
 namespace veritope {
 
 /// The claim star-box-1 of a valid complex, patch-invalid-1 or star-box-turned-1 of a refuted one.
-/// REQUIRES a decision of `complex` that is not open, the forest it was made with, and the entities of the complex in
-/// order.
+/// REQUIRES a decision of `complex` that is not open, the forest that it was made with, and the entities of the complex
+/// in order.
 certificate::Bytes make_patch_certificate(const PatchComplex& complex,
                                           const std::optional<PieceForest>& forest,
                                           const PatchDecision& decision,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/patch_collar.h: the search for a collar around the surface of a patch complex, as coarse as can be.
-// Theory: docs/THEORY.md §2, §3. Design: docs/design/0018-patch-collars.md. Certificate: docs/certificates/collar.md.
+// verify/certify/patch_collar.h: the search for a collar around the surface of a patch complex, with cells as coarse as
+// possible. Theory: docs/THEORY.md §2, §3. Design: docs/design/0018-patch-collars.md. Certificate:
+// docs/certificates/collar.md.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -17,8 +18,8 @@ namespace veritope {
 
 struct CollarSearchOptions {
   unsigned max_level = 16;                       ///< at most OctreeKey::kMaxLevel
-  std::size_t max_cells = std::size_t{1} << 21;  ///< about 0.6 kB each
-  std::size_t memory = std::size_t{1} << 29;     ///< bytes, of the nets of pieces
+  std::size_t max_cells = std::size_t{1} << 21;  ///< approximately 0.6 kB each
+  std::size_t memory = std::size_t{1} << 29;     ///< bytes that the nets of pieces may take
 };
 
 /// Octree cells K, a proof that each component of |K| is a product with one shell inside, and where these lie. All
@@ -39,8 +40,8 @@ struct PatchCollarSearch {
   std::uint64_t cells_tried = 0;  ///< sum over the rounds
 };
 
-/// Whether there is a grid of binary64 numbers for cells around the model: it may lie too far from the origin. REQUIRES
-/// a complex without defects.
+/// Whether a grid of binary64 numbers exists for cells around the model: the model may lie too far from the origin.
+/// REQUIRES a complex without defects.
 bool may_have_octree(const PatchComplex& complex);
 
 /// Starts with 64 cells and splits where the cover is no collar.

@@ -29,11 +29,11 @@ namespace open_code {
 inline constexpr const char* kNoSurface =
     "no-surface";  ///< S0 does not hold, or what the theorem needs besides
 inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates beyond binary64
-inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even of the least size tried
-inline constexpr const char* kBudget = "box-budget";        ///< too many boxes
-inline constexpr const char* kNoWalk = "no-walk";  ///< from a shell no free path outwards was found
-/// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks have no order that a certificate
-/// needs.
+inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even a box of the least size
+inline constexpr const char* kBudget = "box-budget";        ///< more boxes than allowed
+inline constexpr const char* kNoWalk = "no-walk";  ///< no free path from some shell to the outside was found
+/// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks are not in an order that a
+/// certificate could use.
 inline constexpr const char* kOrientation = "orientation";
 }  // namespace open_code
 
@@ -54,14 +54,14 @@ struct PatchShellFacts {
 struct PatchDecision {
   bool is_valid = false;
   std::optional<PatchRefutation> refutation;
-  /// Iff neither: why, with a code of open_code. The place may have the patch, the shell, and a box that contains the
-  /// piece.
+  /// Set iff the complex is neither valid nor refuted: why, with a code of open_code. The place may have the patch, the
+  /// shell, and a box that contains the piece.
   std::optional<Finding> open;
-  std::vector<PatchShellFacts> shells;  ///< of a valid complex
+  std::vector<PatchShellFacts> shells;  ///< empty unless the complex is valid
   std::uint64_t bodies = 0;
   std::optional<Interval> volume;
   std::size_t boxes_tried = 0;
-  /// What a certificate is made of, of a valid complex or one with a turned shell.
+  /// The contents of a certificate, for a valid complex or one with a reversed shell.
   StarCover cover;
   ShellWalks walks;
 
@@ -71,7 +71,8 @@ struct PatchDecision {
   }
 };
 
-/// The forest of `complex` is made in *forest, where the decision's node numbers point to; it refers to the complex.
+/// Makes the forest of `complex` in *forest; the decision's node numbers refer to the forest, and the forest refers to
+/// the complex.
 PatchDecision decide_patches(const PatchComplex& complex, const PatchDecisionOptions& options,
                              std::optional<PieceForest>* forest);
 

@@ -13,8 +13,8 @@ namespace veritope {
 
 using PatchInvalidWitness = std::variant<CrossingWitness, SideWitness>;
 
-/// In the parameters of the file. The witness is tested once more: one that is no proof is an internal error. REQUIRES
-/// the entities of the complex in order.
+/// The certificate is in the parameters of the file. The witness is tested once more: if it is no proof, that is an
+/// internal error. REQUIRES the entities of the complex in order.
 certificate::Bytes make_patch_invalid_certificate(const PatchComplex& complex,
                                                   const PatchInvalidWitness& witness,
                                                   const std::vector<StarBoxEntity>& entities,

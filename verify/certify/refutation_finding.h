@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/refutation_finding.h: what a refutation says of a model, in the file's entities, parameters and units.
+// verify/certify/refutation_finding.h: what a refutation says about a model, in the file's entities, parameters and
+// units.
 #pragma once
 #include <vector>
 
@@ -10,8 +11,8 @@
 namespace veritope {
 
 /// Codes: "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned". The place has the parts
-/// of entities; a point near it; of a crossing a box that contains the common point; of a turned shell its number.
-/// REQUIRES the entities of the complex in order.
+/// of entities and a point near it; for a crossing, a box that contains the common point; for a reversed shell, its
+/// number. REQUIRES the entities of the complex in order.
 Finding finding_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,
                    const PatchRefutation& refutation);
 

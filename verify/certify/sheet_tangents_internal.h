@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/sheet_tangents_internal.h: points and derivatives of patches in doubles, and matrices of three
-// columns: for searches, nothing decides.
+// columns, for searches only: nothing here decides.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -25,10 +25,10 @@ inline double largest(const Vector3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }
 
-// Determinants of matrices with columns and rows of length one, about.
+// Below this determinant (columns and rows scaled to length one, approximately) a matrix counts as singular.
 inline constexpr double kSingular = 0x1p-40;
-// The inverse of the matrix with these columns; false if it is singular, about, whatever the units of the coordinates
-// and of the columns.
+// The inverse of the matrix with these columns; false if it is approximately singular, whatever the units of the
+// coordinates and of the columns.
 inline bool invert(const Matrix3& columns, Matrix3* inverse) {
   Matrix3 c = columns;
   Vector3 unit{};  // of a coordinate
@@ -70,7 +70,7 @@ inline void fill_basis(int n, double t, Basis* basis) {
   }
 }
 
-// Image and derivatives.
+// A point and its derivatives.
 struct Tangents {
   Vector3 at, along[2];
 };

@@ -21,13 +21,13 @@ struct SideArc {
 struct SideWitness {
   std::vector<SideArc> arcs;
   std::uint8_t axis = 0;    ///< the coordinate that is monotone along the first arc
-  unsigned point_bits = 0;  ///< the point is that at point / 2^point_bits of the first arc's side
+  unsigned point_bits = 0;  ///< the point lies at the parameter point / 2^point_bits of the first arc's side
   std::uint64_t point = 0;
-  std::uint32_t same = 0, opposite = 0;  ///< arcs that run as the first one, and against it
+  std::uint32_t same = 0, opposite = 0;  ///< numbers of arcs that run with the first one, and against it
   friend bool operator==(const SideWitness&, const SideWitness&) = default;
 };
 
-/// Bit s of the patch's number: side s lies on the border of the domain of the entity that the patch is a part of.
+/// For each patch, bit s is set iff side s lies on the border of the domain of the entity to which the patch belongs.
 /// Empty: all sides do.
 using OuterSides = std::vector<std::uint8_t>;
 inline bool is_outer(const OuterSides& outer, PatchSide side) {
@@ -43,8 +43,8 @@ std::optional<SideCondition> broken_condition(const PatchComplex& complex, const
 /// The point of the witness, exactly. REQUIRES D1.
 PatchPoint point_of(const PatchComplex& complex, const SideWitness& witness);
 
-/// A proof for the first of the complex's findings for which one is found: open sides, sides of three patches and more,
-/// equal directions. Nothing where other sides pass all the points that are tried: they may be the same point set in
+/// A proof for the first of the complex's findings for which one is found: open sides, sides of three or more patches,
+/// equal directions. Nothing if other sides pass all the points that are tried: they may be the same point set in
 /// another parametrisation.
 /// @cost at most 16 findings times 15 points, each as broken_condition
 std::optional<SideWitness> find_side_witness(const PatchComplex& complex, const OuterSides& outer);

@@ -9,9 +9,9 @@
 
 namespace veritope {
 
-/// What all claims that build on star boxes begin with. The unit of its coordinates is 2^exponent in the forest's
-/// coordinates times 2^-scale(), where exponent is at most `most_exponent` and that of every box. REQUIRES as
-/// make_star_box_certificate.
+/// The common beginning of all claims that build on star boxes. The unit of its coordinates is 2^exponent in the
+/// forest's coordinates times 2^-scale(), where exponent is at most `most_exponent` and at most that of every box.
+/// REQUIRES as make_star_box_certificate.
 certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const StarCover& cover,
                                             const ShellWalks& walks,
                                             const std::vector<StarBoxEntity>& entities,
@@ -19,16 +19,16 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
                                                    const ShellWalks& walks);
 
-/// The least power of two in the forest's coordinates that may be the unit of boxes near the model: they then fit a
-/// certificate.
+/// The least power of two in the forest's coordinates that boxes near the model may have as their unit: the boxes then
+/// fit a certificate.
 double least_unit_that_fits(const PieceForest& forest);
 
-/// A power of two in the forest's coordinates: a cover with a box of a lesser unit fits no certificate. 0 of a model of
-/// points at the origin. REQUIRES positive weights.
+/// A power of two in the forest's coordinates: a cover with a box of a smaller unit fits no certificate. 0 for a model
+/// of points at the origin. REQUIRES positive weights.
 double least_unit_of_any(const PieceForest& forest);
 
 /// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate, and whether
-/// it can hold the unit.
+/// the certificate can hold that unit.
 bool fits_certificate(const PieceForest& forest, const StarCover& cover);
 
 /// The claim "star-box-1", or "star-box-turned-1" if the winding number on the inner side of the last walk's shell is

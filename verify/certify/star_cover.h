@@ -12,12 +12,13 @@ namespace veritope {
 
 struct StarCoverOptions {
   int max_level = 20;                         ///< pieces are not split deeper: undecided there
-  std::size_t max_boxes = 4'000'000;          ///< that are tried
-  double growth = 1.75;                       ///< box to hull
-  double least_unit = 0x1p-48;                ///< of boxes that are cut back
-  double least_cube_unit = 0;                 ///< of cubes; the search ends where one would need a finer one
-  std::size_t memory = std::size_t{1} << 26;  ///< bytes, of the nets of pieces
-  /// Asked for each piece without a star box of its own size; if it says so the search stops there.
+  std::size_t max_boxes = 4'000'000;          ///< boxes that are tried
+  double growth = 1.75;                       ///< size of a box relative to the hull
+  double least_unit = 0x1p-48;                ///< the least unit of boxes that are cut back
+  /// the least unit of cubes; the search ends where a cube would need a finer one
+  double least_cube_unit = 0;
+  std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
+  /// Called for each piece without a star box of its own size; the search stops if it returns true.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };
 
@@ -26,8 +27,8 @@ struct CoverBox {
   StarBox star;
   double unit;
   bool is_mesh = false;  ///< a mesh box: it has no centres
-  /// Where it was cut back between sheets that face each other: the area that they have in common, seen along the axis
-  /// of the cut, in squares of their distance; the most of all cuts.
+  /// Where it was cut back between sheets that face each other: the area that the sheets have in common, seen along the
+  /// axis of the cut, in squares of their distance; the greatest of all cuts.
   double gap_squares = 0;
 };
 
@@ -50,8 +51,8 @@ struct StarCover {
   bool is_complete() const { return uncovered.empty(); }
 };
 
-/// Stops at the first piece that stays uncovered at the greatest level. Where sheets face each other, the nearest ones
-/// are taken first.
+/// Stops at the first piece that stays uncovered at the greatest level. Among sheets that face each other, the nearest
+/// ones come first.
 StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options);
 
 }  // namespace veritope

@@ -11,8 +11,8 @@
 
 namespace veritope {
 
-/// From a centre of a star box of a shell straight to infinity, or to a centre of a star box of a shell whose walk
-/// stands earlier.
+/// From a centre of a star box of a shell straight to infinity, or to a centre of a star box of a shell with an earlier
+/// walk.
 struct ShellWalk {
   std::uint32_t shell = 0, box = 0;
   bool starts_outside = true;  ///< at c+
@@ -28,16 +28,16 @@ struct ShellWalk {
 struct ShellWalks {
   std::vector<ShellWalk> walks;
   std::vector<std::uint32_t> missing;  ///< shells
-  /// Those of even depth: their unbounded side is their outside. REQUIRES missing is empty.
+  /// The shells of even depth: their unbounded side is their outside. REQUIRES missing is empty.
   std::uint64_t num_bodies() const;
 };
 
-/// The shells whose normals must be turned so that every one at even depth, counted from outside, points to its
-/// unbounded side, and every other one away from it: then the winding numbers are 1 inside and 0 outside of all.
-/// Ascending. REQUIRES walks.missing is empty.
+/// The shells that must be reversed so that the normals of every shell at even depth, counted from outside, point to
+/// its unbounded side, and those of every other shell away from it: then the winding numbers are 1 inside and 0 outside
+/// of all shells. Ascending. REQUIRES walks.missing is empty.
 std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks);
 
-/// Whether no closed hull of a piece that is small enough meets the closed segment from a to b. False also if the
+/// True if no closed hull of a piece, split finely enough, meets the closed segment from a to b. False also when the
 /// budget is spent.
 bool is_free_segment(PieceForest& forest, const Point3d& a, const Point3d& b);
 

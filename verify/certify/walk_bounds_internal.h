@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/walk_bounds_internal.h: where along a segment a coordinate is passed, in doubles. The only rounding
-// bound of this folder: docs/bounds/decisions.md lists what else it does with doubles. Recomputed in
+// verify/certify/walk_bounds_internal.h: the parameter, in doubles, at which a segment passes a coordinate. The only
+// rounding bound of this folder: docs/bounds/decisions.md lists what else it does with doubles. Recomputed in
 // tests/certify/walk_bound_test.cc.
 #pragma once
 #include <cmath>

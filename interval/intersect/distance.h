@@ -30,8 +30,8 @@ class Shape {
 
   int dimension() const { return dimension_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Two pieces that share a point of the domain, or one of a border that is glued: the two borders of an axis along
-  /// which the map closes exactly, or a border that is one point. A piece is its own neighbour.
+  /// Two pieces that share a point of the domain, or a point of a glued border: the two borders of an axis along which
+  /// the map closes exactly, or a border that is one point. A piece is its own neighbour.
   bool are_neighbours(const Piece& a, const Piece& b) const;
 
  private:
@@ -52,9 +52,9 @@ struct DistanceOptions {
 };
 
 struct DistanceEnclosure {
-  Interval distance;         ///< encloses it; empty if there are no two parts to compare
-  bool is_as_asked = false;  ///< as narrow as the options asked for; false: max_pairs were spent
-  std::uint64_t pairs = 0;   ///< pairs of parts that were looked at
+  Interval distance;         ///< encloses the distance; empty without two parts to compare
+  bool is_as_asked = false;  ///< as narrow as the options require; false: max_pairs were spent
+  std::uint64_t pairs = 0;   ///< pairs of parts that were examined
 };
 
 /// min |x - y| and max |x - y| over x in a, y in b. @cost branch and bound; the bounds of a pair of parts are off by

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/intersect/intersection_branches.h: from tubes that cover the common points of two surfaces to branches:
-// which tubes hold parts of the same arc, in which order, and where the border of a domain cuts it.
+// which tubes hold parts of one arc, in which order, and where the border of a domain cuts the arc.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -22,14 +22,15 @@ struct DomainArc {
 struct BranchStep {
   std::size_t arc;
   double from, to;
-  /// Where on this arc the step before ends, or the border is: around `from`. And where it ends itself, if on a border.
+  /// `entry` encloses `from`: the place on this arc where the previous step ends, or where the border is. The other
+  /// encloses the step's own end if that is on a border.
   Interval entry, exit;
 };
 /// A connected component of the common points in the closed domains: a closed curve, or one between two points of the
 /// border.
 struct BranchChain {
   bool is_closed = false;
-  /// Begins or ends where it is not known how it goes on: `unresolved` has the place.
+  /// The chain begins or ends where its continuation is unknown: `unresolved` has the place.
   bool is_partial = false;
   std::vector<BranchStep> steps;
 };
@@ -37,8 +38,8 @@ struct BranchChain {
 struct BranchSet {
   std::vector<DomainArc> arcs;
   std::vector<BranchChain> chains;
-  /// Where an arc touches or runs along a domain's border, or where it is not known whether two arcs are one. Empty:
-  /// the chains are all components of what the tubes hold.
+  /// Places where an arc touches or runs along a domain's border, or where two arcs may be one. If this is empty, the
+  /// chains are all components of the common points in the tubes.
   std::vector<Box4> unresolved;
 };
 

@@ -7,8 +7,8 @@
 
 namespace veritope {
 
-/// Appends the parts to `arcs`; where the arc touches the border, or meets a corner in a way that is not decided,
-/// a box to `unresolved`. REQUIRES a live ScopedUpward.
+/// Appends the parts to `arcs`; where the arc touches the border, or meets a corner in an undecided way, appends a box
+/// to `unresolved`. REQUIRES a live ScopedUpward.
 void clip_to_domains(const EnclosedSurface& s1, const EnclosedSurface& s2,
                      const IntersectionTube& tube, std::vector<DomainArc>* arcs,
                      std::vector<Box4>* unresolved);

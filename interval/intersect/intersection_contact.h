@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/intersect/intersection_contact.h: what kind of contact undecided pairs of rectangles hold.
+// interval/intersect/intersection_contact.h: the kind of contact in undecided pairs of rectangles.
 #pragma once
 #include <optional>
 #include <vector>
@@ -11,7 +11,7 @@ namespace veritope {
 /// A pair of points with parallel normals along their connecting line, proved to be the only one in the box.
 struct CommonNormal {
   Box4 parameters;      ///< narrow
-  Box4 unique_in;       ///< no other in here
+  Box4 unique_in;       ///< contains no other such pair
   Interval separation;  ///< of the second point from the first, along the first's unit normal
   IntersectionContact::Shape shape = IntersectionContact::Shape::kUnknown;
 };
@@ -22,21 +22,22 @@ struct CommonNormal {
 std::optional<CommonNormal> find_common_normal(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                                const Box4& x);
 
-/// On `first` parameters (u, v) in a rectangle of the first surface, S1(u, v) = S2(s, t) with s and t affine in one of
-/// u, v each.
+/// A common area: for all (u, v) in a rectangle of the first surface, S1(u, v) = S2(s, t), where each of s and t is
+/// affine in one of u, v.
 struct ExactOverlap {
   Box4 parameters;                               ///< rounded outward
   std::array<std::array<Rational, 2>, 4> exact;  ///< the bounds
-  /// s = factor u + offset, or of v, and t of the other one.
+  /// s = factor u + offset or factor v + offset, and t depends on the other parameter.
   bool is_swapped = false;
   std::array<Rational, 2> factor, offset;  ///< of s, of t
 };
-/// Whether the overlap holds all common points of a box: one of the surfaces is one-to-one there by its derivatives.
+/// Whether the overlap contains all common points of a box; proved by the derivatives of one surface, which is
+/// one-to-one there.
 bool holds_all_of(const EnclosedSurface& s1, const EnclosedSurface& s2, const ExactOverlap& overlap,
                   const Box4& x);
 
-/// Looks for one near pairs of points with nearly equal positions, given as (u, v, s, t), and proves it in rational
-/// numbers.
+/// Searches for an overlap near pairs of points with nearly equal positions, given as (u, v, s, t), and proves the
+/// overlap in rational numbers.
 std::optional<ExactOverlap> find_overlap(const BSpline<Rational, 2>& first,
                                          const BSpline<Rational, 2>& second,
                                          const std::vector<Point4>& pairs);

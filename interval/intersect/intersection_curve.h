@@ -30,11 +30,11 @@ std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const Enclosed
 /// A box around the part of the arc over `place`. REQUIRES inner in place, in the tube's range.
 Box4 box_over(const EnclosedSurface& s1, const EnclosedSurface& s2, const DomainArc& arc,
               const Interval& place, double inner);
-/// At most how long that part is.
+/// An upper bound of that part's length.
 double length_over(const EnclosedSurface& s1, const DomainArc& arc, const Interval& place);
 
-/// A bound of |S1 - S2| along a cubic that is not known to be close to anything: for curves of others. Infinite if it
-/// leaves the domains by more than a few units in the last place.
+/// A bound of |S1 - S2| along a cubic of unknown quality, such as another program's curve. Infinite if the cubic leaves
+/// the domains by more than a few units in the last place.
 double gap_of_cubic(const EnclosedSurface& s1, const EnclosedSurface& s2,
                     const std::array<Point4, 4>& control);
 
@@ -42,7 +42,7 @@ namespace internal {
 /// max over [-1, 1] of |p| <= this times the maximum over the n + 1 nodes of chebyshev_nodes, for polynomials p of
 /// degree n. (2 / pi) ln(n + 1) + 1 for the exact nodes [Riv90]; the rest pays for their rounding.
 double lebesgue_bound(std::size_t degree);
-/// cos((2 k + 1) pi / (2 n + 2)) in [0, 1]'s place: rounded nodes in [0, 1], decreasing.
+/// The Chebyshev nodes cos((2 k + 1) pi / (2 n + 2)), mapped to [0, 1] and rounded; decreasing.
 std::vector<double> chebyshev_nodes(std::size_t degree);
 }  // namespace internal
 

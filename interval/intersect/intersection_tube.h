@@ -13,7 +13,8 @@ namespace veritope {
 using Box4 = Box<4>;
 using Point4 = std::array<double, 4>;
 
-/// Parameters x = (u, v, s, t): u, v of the first surface, s, t of the second, working ones. The tube is
+/// Parameters x = (u, v, s, t): u, v of the first surface, s, t of the second, all of them working parameters. The tube
+/// is
 ///   { x : x[pivot] = w in [w_lo, w_hi], x[i] - center[i] - slope[i] (w - center[pivot]) in offset[i] for i != pivot }.
 /// Claim: for every w in [w_lo, w_hi] the surfaces S1(u, v) = S2(s, t) have exactly one common point in the tube, and
 /// these points form one arc. Beyond their domains the surfaces are continued. Proved by THEORY, TUBE-1 from two
@@ -28,13 +29,13 @@ struct IntersectionTube {
   /// +1 if the arc runs along n1 x n2 with increasing w, -1 if against it.
   int direction = 0;
   std::array<std::array<double, 3>, 3> inverse{};  // of the other columns' Jacobian, approximately
-  std::array<std::array<Interval, 3>, 3> excess;   // identity - inverse * Jacobian over the tube
+  std::array<std::array<Interval, 3>, 3> excess;   // identity - inverse * Jacobian, over the tube
 
   /// Whether the other tube, as a set, lies in this one. The other's claim does not matter.
   bool contains(const IntersectionTube& other) const;
   /// A box around the part of the tube over w.
   Box4 over(const Interval& w) const;
-  /// Whether all of x lies in the tube, or in its inside.
+  /// Whether all of x lies in the tube, or in the tube's interior.
   bool contains(const Box4& x) const;
 };
 
@@ -47,7 +48,7 @@ enum class Contraction {
 };
 /// One step of Krawczyk's operator. @param x  a rectangle of parameters of each surface; du, dv, ds, dt: their
 /// derivatives over
-/// it.  @param region  on kSlanted, a tube without its claim
+/// it.  @param region  on kSlanted, a tube whose claim is not proved
 Contraction contract(const EnclosedSurface& s1, const EnclosedSurface& s2, const Box4& x,
                      const Box3& du, const Box3& dv, const Box3& ds, const Box3& dt,
                      IntersectionTube* region);
@@ -57,7 +58,7 @@ std::optional<IntersectionTube> find_tube(const EnclosedSurface& s1, const Enclo
                                           const IntersectionTube& region, double reach);
 
 /// The arc's parameters at w: a narrow box. REQUIRES w in [w_lo, w_hi].
-/// @param slope  if not null: approximately their derivatives by w
+/// @param slope  if not null: approximate derivatives of the parameters by w
 Box4 locate(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionTube& tube,
             double w, Point4* slope = nullptr);
 

@@ -20,16 +20,16 @@ enum class CriticalKind { kMinimum, kSaddle, kMaximum, kUndecided };
 
 /// Exactly one critical point, with the parameters in the box: on free axes the derivative of the distance is 0; a held
 /// axis is a border of the domain or a knot line where the map need not be differentiable. A point on a border that is
-/// critical also without holding it is reported once, with the fewest held axes, if its parameters are exact; else both
-/// are reported, each in its own right.
+/// also critical when the border's axis is free is reported once, with the fewest held axes, if its parameters are
+/// exact; else both descriptions are reported, each with its own box.
 template <std::size_t N>
 struct CriticalPoint {
   ExactBox<N> parameters;
   std::optional<std::array<Rational, N>>
-      exact;  ///< its parameters, if they are known to be short fractions
+      exact;  ///< the parameters, if known to be short fractions
   std::array<bool, N> is_held{};
   RootPlace place = RootPlace::
-      kInside;  ///< in the part; kAtBoundary: perhaps just outside, then no critical point of the map
+      kInside;  ///< in the part; kAtBoundary: perhaps just outside, and then no critical point of the map
   CriticalKind kind = CriticalKind::kUndecided;  ///< kMinimum if all axes are held
   std::vector<Interval> point;                   ///< its coordinates
   Interval distance;
@@ -40,7 +40,7 @@ template <std::size_t N>
 struct OpenRegion {
   ExactBox<N> parameters;
   OpenReason reason = OpenReason::kNarrow;
-  Interval distance;  ///< of all its points
+  Interval distance;  ///< of all points in the region
 };
 
 template <std::size_t N>
@@ -49,8 +49,9 @@ struct Projection {
   std::vector<OpenRegion<N>> open;
   Interval least_distance;  ///< encloses the distance from the point to the map
   std::vector<std::size_t>
-      nearest;  ///< of points: one is nearest, if open regions are no nearer; one entry: it is
-  std::optional<std::size_t> certified_nearest;  ///< of points: proved nearer than all others
+      /// indices of points: one of these is nearest unless an open region is nearer; a single entry is the nearest
+      nearest;
+  std::optional<std::size_t> certified_nearest;  ///< index of a point that is proved nearer than all others
   SolverEffort effort;
 
   bool is_complete() const { return open.empty(); }

@@ -22,14 +22,14 @@ bool is_in(const Box3d& a, const Box3d& b, int dimension) {
   return true;
 }
 
-// Looks for a reason not to say that V misses the box: a hull inside of it, a piece that crosses it (a rectangle), one
-// at the deepest level, or the end of the budget. Depth first: where V comes into an edge or a corner, the deepest
-// level is reached at once.
+// Looks for evidence that V may meet the box: a hull inside the box, a piece that crosses it (a rectangle), a piece at
+// the deepest level, or the end of the budget. The search is depth first: where V enters an edge or a corner, it
+// reaches the deepest level at once.
 struct Doubt {
   PieceForest& forest;
   const Box3d& box;
   std::size_t left;
-  std::optional<std::size_t> normal;  // the axis that a rectangle stands on
+  std::optional<std::size_t> normal;  // the axis normal to a rectangle
 
   Doubt(PieceForest& all, const Box3d& b, std::size_t visits) : forest(all), box(b), left(visits) {
     std::size_t flat = 0;
@@ -38,7 +38,8 @@ struct Doubt {
     if (flat != 1) normal.reset();
   }
 
-  // All of the piece is over the rectangle, and it has corners on both sides (about: a doubt is no proof).
+  // The whole piece projects into the rectangle and has corners on both sides (approximately: this only raises a doubt,
+  // it proves nothing).
   bool crosses(PieceForest::Id id, const Box3d& hull) const {
     const std::size_t k = *normal;
     Box3d over = hull;
@@ -86,7 +87,7 @@ class Tracer {
   Tracer(BoundaryModel& model, const TraceOptions& options)
       : model_(model), forest_(model.forest()), options_(options) {}
 
-  // Other places of the cuts, where one may lie almost tangent to V.
+  // Other places for cuts, for use where a cut may be almost tangent to V.
   BoxTrace run(const Box3d& box) {
     BoxTrace out;
     std::size_t cells = 0;
@@ -113,7 +114,7 @@ class Tracer {
     return {BoxTrace::Kind::kUndecided, 0, false, place, 0};
   }
 
-  // disks: collects the boxes decided as one that V meets, unless null.
+  // disks: unless null, collects the boxes that are decided as one and that V meets.
   BoxTrace cut(const Box3d& box, int splits, std::vector<Box3d>* disks) {
     if (left_ == 0) return undecided(box);
     --left_;
@@ -123,7 +124,7 @@ class Tracer {
     }
     const std::size_t axis = longest_axis(box);
     if (splits == options_.max_splits) return undecided(box);
-    // Not in the middle: symmetric models have their poles and tangencies there.
+    // Cuts avoid the middle: symmetric models have their poles and tangencies there.
     const double length = box.hi[axis] - box.lo[axis];
     const double at =
         box.lo[axis] + length * ((splits % 2 == 0 ? 0x1.0ap-1 : 0x1.f1p-2) + cut_shift_);
@@ -151,7 +152,7 @@ class Tracer {
     return axis;
   }
 
-  // As one: missed, a disk, or nothing said.
+  // Tries to decide the box as one: missed, a disk, or unknown.
   std::optional<BoxTrace> decide(const Box3d& box) {
     // Condition T of THEORY 4: pieces that are no longer than half of the box (of a wall: in the plane).
     Ids tested;
@@ -168,8 +169,8 @@ class Tracer {
     return by_star(box, tested);
   }
 
-  // First with the signs that are at hand: on small pieces they are those of a larger one, and the determinants' nets
-  // are most of the cost.
+  // Tries the signs that are already known first: small pieces inherit those of a larger one, and the determinants'
+  // nets are most of the cost.
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested) {
     const auto known =
         common_signs(tested, [&](PieceForest::Id id) { return model_.known_normal_signs(id); });
@@ -188,7 +189,7 @@ class Tracer {
     }
     return signs;
   }
-  // tried: sets of axes on which these are all not 0 have been tried.
+  // A set of axes on which no entry of `tried` is 0 has been tried.
   std::optional<BoxTrace> by_monotone_axes(const Box3d& box, const Ids& tested,
                                            const std::array<int, 3>& signs,
                                            const std::array<int, 3>& tried) {
@@ -208,8 +209,8 @@ class Tracer {
       const auto crossings =
           crossing_number(forest_, tested, {box, approx_centre(low), approx_centre(high)});
       if (!crossings) continue;
-      // All crossings of the line have one sign, and those between L and H are at most as many: none, or V would be
-      // met.
+      // All crossings of the line have one sign, so at most this many lie between L and H. If none does, V misses the
+      // box: a V that met it would cross the line there.
       if (*crossings == 0) return missed();
       if (*crossings == 1 && is_met(model_, box)) return disk();
     }
@@ -295,8 +296,9 @@ bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits) {
 
 namespace {
 
-// A piece that may hold one in the box: the nearer its hull to the middle of the box, in units of the box's sides, the
-// sooner it is split; smaller ones first. What touches a side, of which no part lies in the box, comes last.
+// A piece that may contain a piece inside the box. A piece is split the sooner, the nearer its hull is to the middle of
+// the box in units of the box's sides; smaller pieces come first. A piece that only touches a side comes last, since no
+// part of it lies in the box.
 struct Candidate {
   double distance, size;
   PieceForest::Id id;
@@ -305,7 +307,7 @@ struct Candidate {
   }
 };
 
-// V lies in a side, or so near that its parts are no more likely to be in the box.
+// V lies in a side, or so near a side that smaller parts are no more likely to lie in the box.
 bool is_flat_in_a_side(const Box3d& hull, const Box3d& box, int dimension) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
     if ((hull.lo[k] < box.lo[k] || box.hi[k] < hull.hi[k]) &&

@@ -14,6 +14,12 @@
 namespace veritope {
 namespace {
 
+// Key of letters. c-, c+: the two centres, `inside` and `outside`; d = c+ - c-, and k its axis of greatest |d|.
+// i, j: the other two axes, k + 1 and k + 2 modulo 3; the projection along d onto the plane k = 0 has the coordinates
+// x (axis i) and y (axis j), times d_k. turn: a rotation of that plane with a scaling, so that the half-line
+// y = 0, x > 0 does not pass through ends of curves. w: the weight of a homogeneous control point.
+// A stretch is a part of a line of parameters; its sign is the direction in which a piece passes it.
+
 constexpr int kMaxHalvings = 30;
 constexpr int kUnitBits = 48;  // parameters along sides are integers times 2^-48
 
@@ -133,7 +139,7 @@ class CrossingCounter {
   std::optional<int> count(const std::vector<PieceForest::Id>& tested) {
     for (const PieceForest::Id id : tested) add_sides(id);
     std::sort(stretches_.begin(), stretches_.end());
-    // Some half-lines pass through ends of curves on symmetric models: others are tried.
+    // On symmetric models some half-lines pass through ends of curves, so several are tried.
     for (const auto& turn : {std::array<double, 2>{1, 0}, std::array<double, 2>{0.8125, 0.59375},
                              std::array<double, 2>{-0.375, 0.90625}}) {
       turn_ = turn;
@@ -164,8 +170,8 @@ class CrossingCounter {
         const auto mate = complex.mate(side);
         VT_CHECK(mate.has_value(), "an open side in a complex without defects");
         stretch.line[0] = kShared, stretch.line[1] = complex.edge(side);
-        // Along the side that comes first; its mate is travelled the other way. Sides 2 and 3 of a tensor run
-        // downwards.
+        // Parameters run along the side that comes first; its mate is travelled in the opposite direction. Sides 2 and
+        // 3 of a tensor run downwards.
         const bool runs_up = form.shape.is_triangle || s < 2;
         if (runs_up != (side < *mate)) {
           stretch.begin = kWhole - at.end, stretch.end = kWhole - at.begin;
@@ -191,7 +197,7 @@ class CrossingCounter {
     return sum;
   }
 
-  // What does not cancel of the stretches [first, last) of one line.
+  // The winding of the parts of the stretches [first, last) of one line that do not cancel.
   std::optional<int> winding_on_line(std::size_t first, std::size_t last) {
     if (last - first == 2 && stretches_[first].begin == stretches_[first + 1].begin &&
         stretches_[first].end == stretches_[first + 1].end &&
@@ -253,7 +259,7 @@ class CrossingCounter {
     }
     curve.error_x = curve.error_y = internal::crossing_bound(error, size, std::abs(d_[k_]), turn_);
     curve.begin = 0, curve.end = on.end - on.begin;
-    // In the direction of travel: from on.begin on, or from on.end backwards.
+    // Parameters in the direction of travel: forward from on.begin, or backward from on.end.
     const std::uint64_t from = on.sign > 0 ? begin - on.begin : on.end - end;
     const std::uint64_t to = from + (end - begin);
     const auto sum = winding(curve, from, to, kMaxHalvings);

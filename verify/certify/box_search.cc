@@ -26,7 +26,7 @@ constexpr std::size_t kFewConditions = 12;
 // Triangles in a mesh box, which is tried at vertices and whose pairs are tested.
 constexpr std::size_t kMostTriangles = 48;
 
-// std::hypot is slow, and right where squares leave the range.
+// The square root is faster; std::hypot is right where squares leave the range of doubles.
 double length_of(const Point3d& a) {
   const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
   return square > 1e-200 && square < 1e200 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
@@ -101,8 +101,8 @@ bool BoxSearch::try_piece(Id id) {
   return try_cut_star() || try_mesh() || fail(why_of_cube);
 }
 
-// At a corner of flat triangles, in parts of them only: the rest of each triangle then has star boxes, at which walks
-// begin.
+// A mesh box is tried only at a corner of flat triangles and only for parts of them: the rest of each triangle then has
+// star boxes, at which walks begin.
 bool BoxSearch::try_mesh() {
   const PieceForest::Node& node = forest_.node(piece_);
   if (why_ == Why::kTooDeep || node.level == 0 || node.is_upside_down) return false;
@@ -146,7 +146,7 @@ bool BoxSearch::try_star() {
     return try_crowded_star();
   tested_pieces_ += tested_.size();
   num_near_ = tested_.size();
-  held_.push_back(piece_);  // where doubles are coarse, it may be a part of a piece that is small
+  held_.push_back(piece_);  // where doubles are coarse, it may be a part of a small piece
   return has_star();
 }
 
@@ -171,8 +171,8 @@ bool BoxSearch::try_cut_star() {
   return has_star();
 }
 
-// The box with sides halfway to each piece that was met, on the axis on which it is farthest from the hull; nothing if
-// all of them touch it, about.
+// The box with sides halfway to each piece that was met, on the axis on which that piece is farthest from the hull;
+// nothing if all of them (nearly) touch the hull.
 std::optional<CoverBox> BoxSearch::cut_back() const {
   const Box3d hull = forest_.node(piece_).hull;
   Box3d box = box_.star.box;
@@ -198,7 +198,7 @@ std::optional<CoverBox> BoxSearch::cut_back() const {
   return out;
 }
 
-// Near a pole of many slivers: the centres of the piece alone, and no piece smaller than S1 asks for.
+// Near a pole of many slivers: uses the centres of the piece alone, and splits no piece further than S1 needs.
 bool BoxSearch::try_crowded_star() {
   tested_.assign(1, piece_);
   if (!is_promising()) return fail(Why::kTooDeep);
@@ -214,10 +214,11 @@ bool BoxSearch::try_crowded_star() {
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
 
-// Whether the piece alone has centres: about.
+// Whether the piece alone has centres, approximately.
 bool BoxSearch::is_promising() { return (place_centres() && are_centres()) || search_centres(); }
 
-// On a grid that is finer than doubles they may come to lie on the border of the box.
+// Whether both centres lie inside the box and satisfy S1: on a grid that is finer than doubles they may fall on the
+// border.
 bool BoxSearch::are_centres() {
   const StarBox& star = box_.star;
   for (const Point3d* const c : {&star.inside, &star.outside})
@@ -231,7 +232,7 @@ const Obstacle& BoxSearch::obstacle() {
   return *obstacle_;
 }
 
-// On the line through the box's middle along the mean normal.
+// Places the centres on the line through the box's middle along the mean normal.
 bool BoxSearch::place_centres() {
   Point3d n{};
   for (const Id id : tested_) {
@@ -270,7 +271,7 @@ bool BoxSearch::search_centres() {
   return are_centres() || (solve_centres(~std::size_t{0}) != Centres::kNone && are_centres());
 }
 
-// The deepest points, on the box's grid, under about `most` conditions of each piece.
+// The deepest points, on the box's grid, under approximately `most` conditions of each piece.
 BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const Box3d& box = box_.star.box;
   const double unit = box_.unit, enough = 1e-3 * std::min(1.0, kGrid * unit / extent(box));
@@ -293,8 +294,9 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
 }
 
-// A point of the programs, (c - m) / scale_, as c on the box's grid: the nearest one, or, if that lies outside of the
-// half-spaces, on each axis in turn the neighbour that lies deeper in them. Where a box is thin, units are long.
+// Converts a point of the linear programs, (c - m) / scale_, to c on the box's grid: the nearest grid point or, if that
+// lies outside the half-spaces, on each axis in turn the neighbour that lies deeper in them. (In a thin box one grid
+// unit is long.)
 Point3d BoxSearch::on_grid_near(Point3d point) const {
   const Point3d m = approx_centre(box_.star.box);
   const double unit = box_.unit;
@@ -319,8 +321,8 @@ Point3d BoxSearch::on_grid_near(Point3d point) const {
   return out;
 }
 
-// g_c > 0 for coefficients of the piece, as half-spaces for (c - m) / scale_, m the middle of the box: all of them, or
-// about `most`, evenly spread; whether it were all.
+// Adds g_c > 0 for coefficients of the piece as half-spaces for (c - m) / scale_, with m the middle of the box: all
+// coefficients, or approximately `most`, evenly spread. Returns whether all were added.
 bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   const PieceForest::Node& node = forest_.node(id);
   const PieceForest::Form& form = forest_.form(node.patch);
@@ -345,7 +347,7 @@ bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
     if (left-- != 0) return;
     left = step - 1;
     const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
-    // Shorter than its error: a direction that says nothing.
+    // A normal shorter than its error has no meaningful direction.
     if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error)
       if (const ExactPiece* const exact = forest_.exact_determinants(id)) {
         const std::array<double, 4> h = exact->approx_half_space(i, m);

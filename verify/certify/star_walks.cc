@@ -166,7 +166,7 @@ class WalkSearch {
     return false;
   }
 
-  // Boxes that cover pieces near the segment, nearest first; a few.
+  // A few boxes that cover pieces near the segment, nearest first.
   std::vector<std::uint32_t> boxes_along(const Point3d& a, const Point3d& b) {
     std::vector<std::pair<double, std::uint32_t>> found;
     const auto visit = [&](auto& self, Id id) -> void {

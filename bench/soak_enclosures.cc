@@ -61,7 +61,7 @@ struct Patch {
   BSpline<Rational, 2> map;
   BezierPieces<Rational, 2> pieces;
   SplineEnclosure<2> enclosure;
-  std::vector<std::optional<exact_jets::PieceJets<2>>> jets;  // made when asked for
+  std::vector<std::optional<exact_jets::PieceJets<2>>> jets;  // made on demand
 
   explicit Patch(BSpline<Rational, 2> m)
       : map(std::move(m)),

@@ -26,7 +26,7 @@ using KeepCertificate = std::function<Result<std::string>(std::string_view bytes
 
 struct CertifiedFile {
   report::FileReport report;
-  std::string picture;  ///< PLY; empty: none was asked for, there is no verdict, or it is no mesh
+  std::string picture;  ///< PLY; empty: none was requested, there is no verdict, or it is no mesh
 };
 
 /// @param path  a file, or "-" for standard input

@@ -17,7 +17,7 @@ struct NamedSurface {
   std::size_t entity = 0;
   std::optional<std::size_t> face;
   const ExactSurface* surface = nullptr;
-  bool is_trimmed = false;  ///< its loops were not looked at
+  bool is_trimmed = false;  ///< its loops were not examined
 };
 std::vector<NamedSurface> surfaces_of(const SplineModel& model);
 
@@ -29,7 +29,7 @@ struct PairIntersection {
 struct IntersectionReport {
   std::array<std::string, 2> paths, sha256;
   std::vector<PairIntersection> pairs;  ///< those that have something to say
-  std::size_t num_pairs = 0;            ///< looked at
+  std::size_t num_pairs = 0;            ///< examined
   bool ignores_trimming = false;
   std::uint64_t ignored_triangles = 0;  ///< Bezier triangles of both files
 

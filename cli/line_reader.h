@@ -22,8 +22,8 @@ class LineReader {
   LineReader(LineReader&& other) noexcept;
   ~LineReader();
 
-  /// The next line without its end, nothing behind the last one. It holds until the next call, and 8 bytes
-  /// behind it may be read (io/base/scan.h).
+  /// The next line without its end, nothing after the last one. It holds until the next call, and 8 bytes
+  /// after it may be read (io/base/scan.h).
   /// @error kCannotOpen if reading fails; kOverLimit with the line. Not to be called after an error.
   Result<std::optional<std::string_view>> next();
 

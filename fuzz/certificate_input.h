@@ -39,7 +39,7 @@ inline std::string hash(std::string_view bytes) {
   return to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
 }
 
-// The text behind "key": up to the next comma or brace, without quotes.
+// The text after "key": up to the next comma or brace, without quotes.
 inline std::pair<std::size_t, std::size_t> value_of(const std::string& statement, const std::string& key) {
   const std::size_t at = statement.find("\"" + key + "\":");
   if (at == statement.npos) return {0, 0};

@@ -85,7 +85,7 @@ bool is_called(const ModelFormat& row, std::string_view word) {
                      [&](std::string_view ending) { return is_word(word, ending); });
 }
 
-// The letters behind the last dot of the file name; nothing if there is no dot.
+// The letters after the last dot of the file name; nothing if there is no dot.
 std::optional<std::string_view> ending_of(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   const std::string_view name = slash == path.npos ? path : path.substr(slash + 1);

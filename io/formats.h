@@ -37,7 +37,7 @@ std::span<const ModelFormat> model_formats();
 const ModelFormat& model_format(const FormatId& id);
 
 /// Each returns null if no row fits; with a kind, only the formats of that kind count. A name is compared in any case;
-/// of a path the letters behind the last dot of the file name count.
+/// of a path the letters after the last dot of the file name count.
 const ModelFormat* format_from_name(std::string_view name,
                                     std::optional<ModelKind> kind = std::nullopt);
 const ModelFormat* format_from_path(std::string_view path,

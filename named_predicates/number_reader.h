@@ -17,9 +17,9 @@ class NumberReader {
  public:
   NumberReader();
 
-  /// `token` is the whole token. REQUIRES that 8 bytes behind it may be read (io/base/scan.h).
+  /// `token` is the whole token. REQUIRES that 8 bytes after it may be read (io/base/scan.h).
   /// @error kSyntax; kNotFinite; kLossy for a hexadecimal number between two binary64 numbers; kOverLimit for
-  ///        a decimal exponent beyond 2^32 - 1. The sentence has the token, and fits behind "column 3: ".
+  ///        a decimal exponent beyond 2^32 - 1. The sentence has the token, and fits after "column 3: ".
   Result<double> read(std::string_view token) const;
 
  private:

@@ -14,7 +14,7 @@ struct ReportKind {
   void (*put_source)(const FileReport& report, Json& out);
   void (*put_facts)(const FileReport& report, Json& out);
   bool has_collar;  ///< "seconds" has the key "collar"
-  /// What stands behind the verdict and the path. REQUIRES has_verdict().
+  /// What follows the verdict and the path. REQUIRES has_verdict().
   std::string (*summary)(const FileReport& report);
   /// The lines below them, in two parts: the certificate's line stands between these.
   std::string (*details)(const FileReport& report, const TextOptions& options);

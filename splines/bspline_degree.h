@@ -28,7 +28,7 @@ std::vector<Knot> doubled(const std::vector<Knot>& knots) {
   return out;
 }
 
-/// The axis with knots and control points in front and behind, so that every old knot lies in the domain: those of the
+/// The axis with knots and control points in front and after, so that every old knot lies in the domain: those of the
 /// other periods, or any.
 template <typename Knot>
 KnotAxis<Knot> padded_axis(const KnotAxis<Knot>& axis) {

@@ -71,7 +71,7 @@ struct FilterAlgebra {
   }
 
  private:
-  // The large factor's coefficients where the product's array has them, behind as many zeros as the small factor
+  // The large factor's coefficients where the product's array has them, after as many zeros as the small factor
   // reaches back.
   struct Spread {
     Grid<3> grid;  // of the product

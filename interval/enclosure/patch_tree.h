@@ -11,7 +11,7 @@
 namespace veritope {
 
 /// Nodes above single pieces hold groups of spans; below, a piece is cut in four at binary64 numbers next to the
-/// middle. Children cover their parent. Nodes are made when asked for and kept. All functions REQUIRE a live
+/// middle. Children cover their parent. Nodes are made on demand and kept. All functions REQUIRE a live
 /// ScopedUpward.
 class PatchTree {
  public:

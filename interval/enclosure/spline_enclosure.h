@@ -35,7 +35,7 @@ template <std::size_t N>
 class SplineEnclosure {
  public:
   static constexpr int kMaxOrder = 3;
-  /// max_order: of the derivatives that will be asked for; the mean-value form needs one more than its quantity.
+  /// max_order: of the derivatives that will be requested; the mean-value form needs one more than its quantity.
   /// @error kBadArgument for an order outside [0, 3], or a weight that is not positive.
   static Result<SplineEnclosure> prepare(const BSpline<Rational, N>& map, int max_order);
   static Result<SplineEnclosure> prepare(const BSpline<Interval, N>& map, int max_order);

@@ -152,7 +152,7 @@ class Joiner {
     return starts_at_end(a) ? arc(a).begin.hi() : arc(a).end.lo();
   }
 
-  /// How far in space arc b goes on behind the finish of a.
+  /// How far in space arc b goes on after the finish of a.
   double progress(const Box4& x, std::size_t b) const {
     const double w = middle_of(pivot_of(x, b));
     return std::abs(finish_w(b) - w) / (arc(b).tube.w_hi - arc(b).tube.w_lo) * width(range_box(b));

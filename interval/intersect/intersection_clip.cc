@@ -85,7 +85,7 @@ class Clipper {
     clip(*high, halvings + 1);
   }
 
-  /// -1 before, +1 behind, 0 unknown: parameter i against the bound, at w.
+  /// -1 before, +1 after, 0 unknown: parameter i against the bound, at w.
   int side(const IntersectionTube& tube, std::size_t i, double bound, double w) const {
     const Box4 at = locate(s1_, s2_, tube, w);
     return at[i].hi() < bound ? -1 : (at[i].lo() > bound ? 1 : 0);

@@ -7,7 +7,7 @@
 
 namespace veritope {
 
-/// Uninitialised memory with room for `capacity()` bytes and kPadding line feeds behind the used ones, so that
+/// Uninitialised memory with room for `capacity()` bytes and kPadding line feeds after the used ones, so that
 /// a scan of text needs no end test within a line and may load words. Large blocks ask for huge pages.
 class ByteBuffer {
  public:

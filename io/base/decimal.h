@@ -42,7 +42,7 @@ class DecimalReader {
  public:
   explicit DecimalReader(const ReadLimits& limits);
 
-  /// The usual numbers: moves p behind the number and is true; or leaves p and is false (then ask read_slowly).
+  /// The usual numbers: moves p after the number and is true; or leaves p and is false (then ask read_slowly).
   /// A true answer is correctly rounded and within the limits; the next character is not examined.
   bool read_fast(const char*& p, double& value) const;
 

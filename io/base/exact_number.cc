@@ -38,11 +38,11 @@ bool names_no_finite_number(std::string_view token) {
   return token.starts_with("1.#") && token.size() > 3;
 }
 
-// The parts of a number: digits with a point somewhere, then an exponent behind one of two letters.
+// The parts of a number: digits with a point somewhere, then an exponent after one of two letters.
 struct Parts {
   bool is_negative = false;
   std::string digits;              // without the point, zeros in front included
-  std::uint64_t num_fraction = 0;  // digits behind the point
+  std::uint64_t num_fraction = 0;  // digits after the point
   bool exponent_is_negative = false;
   std::uint64_t exponent = 0;  // saturated at 2^40
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/base/scan.h: blanks, line ends, tokens and integers of the reading rule, section 1.
-// Every function may read up to 8 bytes behind a line end: the text must be padded (io/base/byte_buffer.h).
+// Every function may read up to 8 bytes after a line end: the text must be padded (io/base/byte_buffer.h).
 #pragma once
 #include <array>
 #include <bit>
@@ -83,10 +83,10 @@ struct ScannedInteger {
   }
 };
 
-/// Any number of digits, at `p` behind the sign; moves p behind them.
+/// Any number of digits, at `p` after the sign; moves p after them.
 ScannedInteger scan_integer_slowly(const char*& p);
 
-/// Moves p behind the digits; what follows them is for the caller to test.
+/// Moves p after the digits; what follows them is for the caller to test.
 inline ScannedInteger scan_integer(const char*& p) {
   const char* digits = p;
   ScannedInteger result;

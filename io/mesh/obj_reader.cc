@@ -67,7 +67,7 @@ class ObjReader : TextReader {
     return eol < source_.end && eol > source_.begin && eol[-1] == '\\';
   }
 
-  // Copies the lines from `line` on without the joints between them, reads the copy, goes on behind them.
+  // Copies the lines from `line` on without the joints between them, reads the copy, goes on after them.
   bool read_joined_line(const char* line) {
     anchor_ = line;
     joined_.clear();

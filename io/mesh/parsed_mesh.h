@@ -19,7 +19,7 @@ namespace veritope {
 inline constexpr std::uint64_t kMaxVertices = 0xFFFFFFFE;
 
 /// Counts by name, in the order of first mention. At most kMost names from the file; later ones are "other".
-/// Names are cut and escaped as in quoted(); the suffix comes behind them.
+/// Names are cut and escaped as in quoted(); the suffix comes after them.
 class IgnoredCounts {
  public:
   static constexpr std::size_t kMost = 64;

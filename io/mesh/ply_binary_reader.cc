@@ -100,7 +100,7 @@ class PlyBinaryReader {
     return true;
   }
 
-  // Where x, y and z stand in the instance at p_, and behind it. Lists make that differ from one to the next.
+  // Where x, y and z stand in the instance at p_, and after it. Lists make that differ from one to the next.
   bool find_xyz(const PlyElement& element, std::array<const char*, 3>& xyz) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/mesh/ply_check.cc: does a PLY header announce a mesh, and can the bytes behind it hold that?
+// io/mesh/ply_check.cc: does a PLY header announce a mesh, and can the bytes after it hold that?
 #include <array>
 
 #include "io/mesh/parsed_mesh.h"

@@ -47,7 +47,7 @@ class HeaderParser {
   }
 
  private:
-  // The line end behind `ply` is the line end of the header.
+  // The line end after `ply` is the line end of the header.
   bool read_magic() {
     const std::string_view text(p_, static_cast<std::size_t>(source_.end - p_));
     if (!text.starts_with("ply") || text.size() < 4 || !is_eol(text[3])) {

@@ -54,7 +54,7 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
   std::uint64_t comments = 0;  ///< comment and obj_info lines
-  const char* body = nullptr;  ///< behind the line end of end_header
+  const char* body = nullptr;  ///< after the line end of end_header
 
   // Valid once check_ply_header() said so.
   std::uint64_t num_vertices = 0;
@@ -64,7 +64,7 @@ struct PlyHeader {
 /// Reads the lines up to end_header. Checks each line, not the whole.
 Result<PlyHeader> parse_ply_header(const Source& source);
 
-/// Checks that the elements make a mesh, fit into the bytes behind the header and keep to the limits; fills
+/// Checks that the elements make a mesh, fit into the bytes after the header and keep to the limits; fills
 /// num_vertices and xyz.
 Status check_ply_header(const Source& source, const ReadLimits& limits, PlyHeader& header);
 

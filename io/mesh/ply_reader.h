@@ -36,7 +36,7 @@ class PlyLists {
   }
   void reserve(std::size_t faces) { sink_.faces.reserve(faces); }
 
-  /// Positions and lists to the mesh of the file. `end`: behind the last instance.
+  /// Positions and lists to the mesh of the file. `end`: after the last instance.
   Result<ParsedMesh> finish(const Source& source, const PlyHeader& header,
                             std::vector<Vec3d> positions, const char* end);
 

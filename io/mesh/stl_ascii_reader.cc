@@ -34,7 +34,7 @@ class StlAsciiReader : TextReader {
   }
 
  private:
-  // True and behind the token if it is `word`. REQUIRES p_ at a token.
+  // True and after the token if it is `word`. REQUIRES p_ at a token.
   bool take_word(std::string_view word) {
     const char* const last = skip_token(p_, kTokenEnd);
     if (!is_word(std::string_view(p_, static_cast<std::size_t>(last - p_)), word)) return false;
@@ -48,7 +48,7 @@ class StlAsciiReader : TextReader {
            fail_expected(p_, std::string("'") + word + "'");
   }
 
-  // From one `solid` to behind the line of its `endsolid`.
+  // From one `solid` to after the line of its `endsolid`.
   bool read_block() {
     if (!expect("solid")) return false;
     p_ = find_eol(p_);

@@ -12,7 +12,7 @@ namespace {
 
 std::array<float, 9> load_corners(const char* facet) {
   std::array<float, 9> values;
-  std::memcpy(values.data(), facet + 12, sizeof values);  // behind the normal
+  std::memcpy(values.data(), facet + 12, sizeof values);  // after the normal
   return values;
 }
 

@@ -30,7 +30,7 @@ class TextReader {
     }
     return read_decimal_slowly(p, value);
   }
-  /// Three decimals behind blanks, all on this line.
+  /// Three decimals after blanks, all on this line.
   bool read_position(const char*& p, Vec3d& position) {
     double xyz[3];
     for (double& value : xyz) {
@@ -41,7 +41,7 @@ class TextReader {
     position = {xyz[0] + 0.0, xyz[1] + 0.0, xyz[2] + 0.0};
     return true;
   }
-  /// One integer at p; the token must end behind it.
+  /// One integer at p; the token must end after it.
   bool read_integer(const char*& p, ScannedInteger& value) {
     const char* const token = p;
     value = scan_integer(p);

@@ -25,7 +25,7 @@ class VertexTable {
   void reserve(std::size_t num);
 
   /// ids[i] = id of points[i]. REQUIRES points.size() <= kBatch. New positions go to store[num_positions()...]:
-  /// REQUIRES room for them there and the earlier ones unchanged; `points` may lie behind them in the same array.
+  /// REQUIRES room for them there and the earlier ones unchanged; `points` may lie after them in the same array.
   void insert(std::span<const Vec3d> points, Vec3d* store, std::uint32_t* ids);
 
   std::size_t num_positions() const { return num_; }

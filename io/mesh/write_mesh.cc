@@ -33,7 +33,7 @@ constexpr Variant kVariants[] = {
 bool is_known(const WriteOptions& options) {
   for (const Variant& v : kVariants) {
     const bool same = v.options.format == options.format && v.options.encoding == options.encoding;
-    // Binary STL is float whether or not that was asked for.
+    // Binary STL is float whether or not that was requested.
     const bool precision = v.options.single_precision == options.single_precision ||
                            options.format == MeshFormat::kStl;
     if (same && precision && !(options.single_precision && !is_rounding(options))) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/g2_shape_reader.h: the curves and surfaces of GoTools' .g2, from behind the header of their object.
+// io/splines/g2_shape_reader.h: the curves and surfaces of GoTools' .g2, from after the header of their object.
 #pragma once
 #include "io/splines/spline_text_reader.h"
 

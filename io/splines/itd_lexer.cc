@@ -49,7 +49,7 @@ bool ItdLexer::skip_brackets() {
   return true;
 }
 
-// From behind its '['.
+// From after its '['.
 bool ItdLexer::read_attribute(std::vector<std::string>& into) {
   skip();
   const char* const start = p_;

@@ -18,11 +18,11 @@ class ItdLexer : public SplineTextReader {
   bool take_word(std::string& word);
   /// '[' and the keyword.
   bool open_keyword(const char* keyword);
-  /// From its first quote to behind its last.
+  /// From its first quote to after its last.
   bool skip_string();
-  /// From behind an opening bracket to behind its closing one.
+  /// From after an opening bracket to after its closing one.
   bool skip_brackets();
-  /// From behind its '[' to behind its ']'; the text between them is kept.
+  /// From after its '[' to after its ']'; the text between them is kept.
   bool read_attribute(std::vector<std::string>& into);
   /// All [...] up to one that is a part of a spline.
   bool read_attributes(std::vector<std::string>& into);

@@ -10,7 +10,7 @@ class ItdSplineReader : public ItdLexer {
   using ItdLexer::ItdLexer;
 
  protected:
-  /// From behind the keyword to behind the closing bracket; an error of the whole is placed at `open`. N = 1, 2, 3.
+  /// From after the keyword to after the closing bracket; an error of the whole is placed at `open`. N = 1, 2, 3.
   template <std::size_t N>
   bool read_spline(const char* open, std::optional<BSpline<Rational, N>>& spline,
                    std::vector<std::string>& attributes);
@@ -22,7 +22,7 @@ class ItdSplineReader : public ItdLexer {
 
  private:
   enum class Basis { kBezier, kBspline, kPower };
-  /// What stands behind the keyword, before the knots.
+  /// What follows the keyword, before the knots.
   template <std::size_t N>
   struct Header {
     Basis basis = Basis::kBspline;

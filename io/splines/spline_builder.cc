@@ -37,7 +37,7 @@ Grid<N> grid_of(const std::array<std::uint64_t, N>& counts) {
   return grid;
 }
 
-// The offset of an index in the file's order: the first axis fastest; indices behind the end start again.
+// The offset of an index in the file's order: the first axis fastest; indices after the end start again.
 template <std::size_t N>
 std::size_t file_offset(const std::array<std::size_t, N>& index, const Grid<N>& counts) {
   std::size_t offset = 0;

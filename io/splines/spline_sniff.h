@@ -7,7 +7,7 @@ namespace veritope {
 
 /// A group or a spline in brackets, in a text that is none of the three formats with a first word of their own.
 bool looks_like_itd(const Source& source);
-/// The number of a class of GoTools, and another number behind it.
+/// The number of a class of GoTools, and another number after it.
 bool looks_like_g2(const Source& source);
 bool looks_like_mfem(const Source& source);
 bool looks_like_gismo(const Source& source);

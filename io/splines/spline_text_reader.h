@@ -50,7 +50,7 @@ class SplineTextReader {
 
   /// Past blanks, line ends and, if has_comments_, # comments.
   void skip();
-  /// The token at the cursor behind blanks, not consumed; empty at the end of the file.
+  /// The token at the cursor after blanks, not consumed; empty at the end of the file.
   std::string_view peek();
   bool is_at_end() { return peek().empty(); }
 

@@ -14,7 +14,7 @@ namespace veritope {
 struct VolumeFaces {
   std::vector<Patch> patches;           ///< Bezier pieces; numbers: 6 piece + 2 axis + end
   std::uint64_t num_volumes = 0;        ///< entities
-  std::uint64_t num_others = 0;         ///< entities that are no volumes, not looked at
+  std::uint64_t num_others = 0;         ///< entities that are no volumes, not examined
   std::uint64_t num_flat = 0;           ///< faces without area that were left out
   std::vector<std::uint64_t> mirrored;  ///< entities that are left-handed
 };

@@ -44,9 +44,9 @@ class BoundaryModel {
 
   /// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict
   /// sign. At a pole: of the normal divided by the distance to it. Kept; what is proved of a piece holds of its parts,
-  /// and their nets are asked for the other coordinates only.
+  /// and their nets are requested the other coordinates only.
   std::array<int, 3> normal_signs(PieceForest::Id piece);
-  /// What was found so far, without a net: of the least piece around this one that was asked for.
+  /// What was found so far, without a net: of the least piece around this one that was requested.
   std::array<int, 3> known_normal_signs(PieceForest::Id piece) const;
 
   /// Converts a box to the forest's coordinates; in a planar model the box's third side is replaced. Nothing if a

@@ -39,7 +39,7 @@ inline bool is_in_interior(const Box3d& a, const Box3d& b, int dimension) {
 }
 
 /// Whether a box lies in the union of closed boxes. REQUIRES lo < hi on the first `dimension` axes of `box`; the other
-/// axes are not looked at. Parts of lower dimension need not be followed: the rest is open in the box. @cost
+/// axes are not examined. Parts of lower dimension need not be followed: the rest is open in the box. @cost
 /// exponential in the worst case; few boxes meet a small one
 bool is_in_union(const Box3d& box, const std::vector<Box3d>& boxes, int dimension);
 

@@ -19,7 +19,7 @@ struct BoxTrace {
       0;  ///< kSurface: V∩b is a compact surface, its boundary V∩(boundary of b), with this Euler characteristic
   bool is_connected = false;  ///< kSurface: proved to be; false: not known
   Box3d place{};  ///< kUndecided: a box in which nothing was decided, in the forest's coordinates
-  std::size_t cells = 0;  ///< that were looked at
+  std::size_t cells = 0;  ///< that were examined
 
   bool is_missed() const { return kind == Kind::kMissed; }
   /// A properly embedded disk: it cuts b into two balls, one on each side of V (Alexander). This is C2.
@@ -30,7 +30,7 @@ struct BoxTrace {
 
 struct TraceOptions {
   std::size_t max_cells =
-      40000;  ///< boxes that are looked at for one trace, for each of three choices of cuts
+      40000;  ///< boxes that are examined for one trace, for each of three choices of cuts
   int max_splits = 36;
   std::size_t max_pieces = 256;               ///< of V in a box that is decided as one
   std::size_t memory = std::size_t{1} << 28;  ///< bytes of the nets of pieces, between two traces

@@ -87,7 +87,7 @@ class Patch {
 
 /// @error kBadArgument unless the map has three coordinates and all degrees are 1 or more; kOverLimit for a degree over
 /// kMaxSplineDegree.
-///        Weights are not looked at: see PatchDefect::kWeight.
+///        Weights are not examined: see PatchDefect::kWeight.
 Result<Patch> make_patch(Patch::Tensor map, PatchOrigin origin = {});
 Result<Patch> make_patch(Patch::Triangle map, PatchOrigin origin = {});
 

@@ -8,7 +8,7 @@ namespace {
 
 struct Link {
   std::uint32_t patch, edge;
-  bool differs;  // one of the two patches must be flipped, the other not
+  bool differs;  // one of the two patches must be reversed, the other not
 };
 // The links of each patch, one list after the other.
 struct Links {

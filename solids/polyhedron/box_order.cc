@@ -68,7 +68,7 @@ struct Centre {
   std::uint32_t group = 0;
 };
 
-// Items of several groups: moves those of lower groups before `mid`, those of higher ones behind it, and narrows
+// Items of several groups: moves those of lower groups before `mid`, those of higher ones after it, and narrows
 // [begin, end) to those of the group that `mid` cuts.
 void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mid, std::size_t& end) {
   const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };

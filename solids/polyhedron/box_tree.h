@@ -43,7 +43,7 @@ class BoxTree {
   std::vector<WalkPart> parts() const;
 
   /// Walks one part. The visitor has
-  ///   bool node_pair(a, b, k): a pair of nodes at step 3, k counted from 0 in this part; true: settled, go on behind
+  ///   bool node_pair(a, b, k): a pair of nodes at step 3, k counted from 0 in this part; true: settled, go on after
   ///   it;
   ///   void leaf_pair(i, j): facets order()[i], order()[j] at step 4.
   ///   bool stop(): true ends the walk early.

@@ -19,7 +19,7 @@
 
 namespace veritope {
 
-/// What certify is doing, in this order; kSeekingCollar only if a collar was asked for and the model is valid.
+/// What certify is doing, in this order; kSeekingCollar only if a collar was requested and the model is valid.
 enum class Phase { kDeciding, kSeekingCollar, kCertifying };
 
 /// "veritope 0.1.0": the tool that certificates name.

@@ -9,7 +9,7 @@ namespace {
 
 using Id = PieceForest::Id;
 
-constexpr std::size_t kMostOwn = 64;  // parts of the piece that are looked at
+constexpr std::size_t kMostOwn = 64;  // parts of the piece that are examined
 constexpr double kFacing =
     -0.25;  // cosine of normals that face each other: sheets of a wedge of less than 75 degrees do
 

@@ -15,7 +15,7 @@ namespace veritope {
 namespace {
 
 // Crossings are looked for near pieces of at least this level; some searches are free, the others are one for so many
-// boxes tried. All patches are looked at once, at a piece of kTroubleLevel without a box after so many boxes tried as
+// boxes tried. All patches are examined once, at a piece of kTroubleLevel without a box after so many boxes tried as
 // take longer than that, or where there is no cover.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;

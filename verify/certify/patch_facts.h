@@ -32,7 +32,7 @@ struct PatchFacts {
   std::uint64_t bodies = 0, genus = 0, boxes = 0;
   std::vector<PatchShellFacts> shell_facts;
   std::optional<Interval> volume;     ///< an enclosure, not part of the certificate
-  std::optional<CollarFacts> collar;  ///< if it was asked for
+  std::optional<CollarFacts> collar;  ///< if it was requested
 };
 
 }  // namespace veritope

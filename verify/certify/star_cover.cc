@@ -16,7 +16,7 @@ using Why = UncoveredPiece::Why;
 
 // Pieces in the order of the least size at which they may have boxes: a contact is run down to the greatest level at
 // once, and pieces of one size are taken depth first, the last one first, so that nets are near each other. Those whose
-// surroundings were not looked at yet come before all others: a contact must not wait until wider gaps elsewhere are
+// surroundings were not examined yet come before all others: a contact must not wait until wider gaps elsewhere are
 // covered.
 class CoverSearch {
  public:

@@ -12,7 +12,7 @@
 
 namespace veritope::certificate::internal {
 
-/// A reader after the breaks of so many surfaces.
+/// A reader after the breaks of this many surfaces.
 struct AfterEntities {
   std::uint32_t surfaces = 0;
   ByteReader rest;

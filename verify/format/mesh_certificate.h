@@ -84,7 +84,7 @@ struct Certificate {
   std::optional<InvalidBody> invalid;
 };
 
-/// Decodes the layout alone: neither the statement's values nor the claim are looked at. Counts are compared with the
+/// Decodes the layout alone: neither the statement's values nor the claim are examined. Counts are compared with the
 /// bytes left before anything is allocated. @return nothing, and a sentence in `why`, if the bytes are no certificate.
 std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::string& why);
 

@@ -48,7 +48,7 @@ struct PatchInvalidBody {
 };
 
 Bytes encode(const PatchInvalidBody& body);
-/// The whole certificate of a model with so many patches. `subject.reading_rule` and `as_indexed` are not used.
+/// The whole certificate of a model with this many patches. `subject.reading_rule` and `as_indexed` are not used.
 Bytes encode(const Subject& subject, std::uint64_t patches, const PatchInvalidBody& body);
 
 namespace internal {

@@ -70,7 +70,7 @@ Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const 
 
 namespace internal {
 class ByteReader;
-/// What follows the entities, of so many patches.
+/// What follows the entities, of this many patches.
 void read(ByteReader& r, std::uint64_t patches, StarBoxBody& out);
 WalkPath read_path(ByteReader& r);
 /// The levels of the leaves of all trees, in order.

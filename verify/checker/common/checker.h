@@ -26,7 +26,7 @@ struct Statement {
   std::map<std::string, uint64_t> number;
   std::map<std::string, bool> flag;
 };
-struct Body {  // the bytes behind the statement that are still to be read
+struct Body {  // the bytes after the statement that are still to be read
   const uint8_t *p, *end;
   uint64_t left() const { return uint64_t(end - p); }
   bool begins_with(const char* magic) {  // takes four bytes
@@ -40,7 +40,7 @@ struct Body {  // the bytes behind the statement that are still to be read
     for (unsigned i = 0; i < bytes; ++i) v |= uint64_t(*p++) << 8 * i;
     return v;
   }
-  uint64_t count(uint64_t bytes_each) {  // of elements of at least that size behind the count
+  uint64_t count(uint64_t bytes_each) {  // of elements of at least that size after the count
     const uint64_t n = natural(4);
     require(n <= left() / bytes_each, "B1", "too few bytes for the count", n);
     return n;

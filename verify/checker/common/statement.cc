@@ -14,7 +14,7 @@ const char kReadingRule[] =
     "STL are one model; the file is refused unless it yields at least one triangle, finite "
     "coordinates and indices in range.";
 
-// One flat JSON object without blanks outside strings. The line feed behind it ends every loop.
+// One flat JSON object without blanks outside strings. The line feed after it ends every loop.
 struct Json {
   const char* p;
 

@@ -94,13 +94,13 @@ struct Reader {
     at += is;
     return is;
   }
-  void string() {  // from behind its first quote
+  void string() {  // from after its first quote
     for (; at < text.size() && text[at] != '"'; ++at)
       if (text[at] == '\\') ++at;
     expect(at < text.size(), "a string does not end");
     ++at;
   }
-  void group() {  // from within to behind its ]
+  void group() {  // from within to after its ]
     for (uint64_t depth = 1; depth > 0;) {
       at = std::min(text.find_first_of("[]\"", at), text.size());
       expect(at < text.size(), "a group does not end");
@@ -156,7 +156,7 @@ struct Reader {
     expect(take_if(']'), "more control points than belong there");
     return flat;
   }
-  Entity surface(bool is_multivariate) {  // from behind its keyword
+  Entity surface(bool is_multivariate) {  // from after its keyword
     const std::string basis = word();
     expect(is_in(kBases, basis), "expected BEZIER, BSPLINE or POWER");
     while (take_if('[')) {

@@ -23,7 +23,7 @@ struct Bytes {
   void end() const { require(body.left() == 0, "B1", "bytes behind the body's end:", body.left()); }
 
  private:
-  Big magnitude(uint64_t size);  // of so many bytes
+  Big magnitude(uint64_t size);  // of this many bytes
 };
 
 struct StarBytes : Bytes {  // of a body with boxes

@@ -18,6 +18,6 @@ struct Part {  // [a, b] / 2^k, a <= b <= 2^k, k <= 62
   bool is_point() const { return a == b; }
 };
 // The coefficients, up to a positive factor, on a part of [0, 1]; a point: all of them are equal. The
-// row has so many coefficients, of the same number of numbers each.
+// row has this many coefficients, of the same number of numbers each.
 std::vector<Big> restricted(std::vector<Big> row, size_t points, const Part& t);
 void halve(const Curve& c, Curve* lower, Curve* upper);

@@ -75,7 +75,7 @@ Poly component(const Patch& p, const Node& node, int k, int axis) {
   return r;
 }
 
-// The signs of g_c at both centres are right: of G0 + c.G; sgn -1 for a flipped patch. Products
+// The signs of g_c at both centres are right: of G0 + c.G; sgn -1 for a reversed patch. Products
 // are below 2^125 in absolute value, three of them and the carry below 2^127.
 template <int N>
 bool signs_of(const uint64_t* g, const Box& b, int sgn, int n) {

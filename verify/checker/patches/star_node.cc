@@ -57,7 +57,7 @@ void shrink(Block* b) {
   const int n = std::max(1, (bits - twos) / 64 + 1);  // one bit more for the sign
   if (n < b->n) *b = widened(*b, n);
 }
-// Halves along an axis; what stands behind the points (a common weight) is only scaled.
+// Halves along an axis; what follows the points (a common weight) is only scaled.
 void halves(const Shape& s, int axis, int numbers, const Block& b, Block* out) {
   int twos;
   const int p = axis == 0 ? s.p : s.q, n = (bits_of(b, &twos) + p) / 64 + 1;

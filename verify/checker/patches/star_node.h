@@ -34,7 +34,7 @@ struct Node {
   int level;
   int64_t at[4][2];  // corners: (u, v), or the second and third barycentric coordinate
   Hull hull;
-  Block net;  // (X, Y, Z), and W for all behind the last; rational: (X, Y, Z, W)
+  Block net;  // (X, Y, Z), and W for all after the last; rational: (X, Y, Z, W)
   Block g;    // G0, G1, G2, G3 of each coefficient of g_c = G0 + c.G, once needed
   uint32_t last_fail;
   std::unique_ptr<Node[]> child;  // four, once needed
@@ -57,6 +57,6 @@ void make_children_g(const Patch& p, Node* node);          // REQUIRES the node'
 bool star_test(const Patch& p, Node* node, const Box& b);  // S1 on the node; REQUIRES its g
 
 Block packed(const std::vector<Big>& numbers);
-// The blocks of the children: of points of `numbers` numbers each, and what stands behind them (a
+// The blocks of the children: of points of `numbers` numbers each, and what follows them (a
 // common weight), all times the same power of two.
 void quarters(const Shape& s, int numbers, const Block& b, Block* out);

@@ -6,7 +6,7 @@
 namespace {
 
 // The numbers times a factor > 0, as integers without a common factor. B2: the least common
-// denominator and the numbers times it have at most so many bits.
+// denominator and the numbers times it have at most this many bits.
 std::vector<Big> integers(const std::vector<Ratio>& v, int64_t most) {
   Big factor = 1, common;
   for (const Ratio& x : v) {

@@ -54,7 +54,7 @@ struct Reader {
     }
     return v;
   }
-  void escaped(std::string* to) {  // behind a backslash
+  void escaped(std::string* to) {  // after a backslash
     static const std::string kFrom = "\"\\/bfnrt", kTo = "\"\\/\b\f\n\r\t";
     const char c = at < text.size() ? text[at++] : '\0';
     const size_t known = kFrom.find(c);
@@ -69,7 +69,7 @@ struct Reader {
       v = 0x10000 + ((v & 0x3ff) << 10) + (low & 0x3ff);
     }
     expect(v >> 10 != 0x37, "half of a surrogate pair");
-    const int more = v < 0x80 ? 0 : v < 0x800 ? 1 : v < 0x10000 ? 2 : 3;  // bytes behind the first
+    const int more = v < 0x80 ? 0 : v < 0x800 ? 1 : v < 0x10000 ? 2 : 3;  // bytes after the first
     const uint32_t first[] = {0, 0xc0, 0xe0, 0xf0};
     to->push_back(char(first[more] | v >> 6 * more));
     for (int k = more; k-- > 0;) to->push_back(char(0x80 | (v >> 6 * k & 0x3f)));

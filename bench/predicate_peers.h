@@ -25,7 +25,7 @@ class PredicatePeer {
   /// out[i] = the sign of tuple i < n in our convention, or 2 if the peer is a filter and cannot tell.
   virtual void decide(Predicate predicate, std::size_t n, signed char* out) = 0;
   std::string name;
-  std::size_t most_tuples;  ///< slow ones are requested fewer
+  std::size_t most_tuples;  ///< slow peers get fewer
 
  protected:
   const Vec2d* p2_ = nullptr;

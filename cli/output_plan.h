@@ -18,8 +18,7 @@ struct OutputPlan {
 };
 
 /// `certificate`: a file for one input, a folder (that may be new) for several; for one input, too,
-/// if the folder exists or the name ends in "/". In the folder the names are those of the inputs with
-/// ".cert" after.
+/// if the folder exists or the name ends in "/". In the folder the names are those of the inputs followed by ".cert".
 /// @error kBadArgument: two outputs, or an output and an input, are one file; a file where a folder is needed.
 ///        kCannotWrite: an output could not be written
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,

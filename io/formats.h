@@ -16,11 +16,11 @@ namespace veritope {
 struct ModelFormat {
   FormatId id;
   const char* name;  ///< in certificates, reports and --format: "stl"
-  /// Endings of file names, in lower case, without the dot. All of them and the name itself are words for this format.
+  /// Endings of file names, in lower case, without the dot. Each ending and the name itself denote this format.
   std::vector<std::string_view> endings;
-  /// Whether the bytes look like this format. The first row that says so wins.
+  /// Whether the bytes look like this format. The first row that accepts them wins.
   bool (*looks_like)(const Source& source);
-  /// REQUIRES that the source is not empty. Leaves sha256 and the seconds open.
+  /// REQUIRES that the source is not empty. Does not set sha256 and the seconds.
   Result<ModelFile> (*read)(const Source& source, const ModelReadOptions& options);
   /// For messages, or null: what a refused file of this format may have been meant as; may be empty.
   std::string (*second_guess)(const Source& source);

@@ -19,8 +19,8 @@ struct PredicateCase {
 
 class CaseReader {
  public:
-  /// `predicate`: of all lines; null: its name is the first column of each. `has_expected`: after the operands
-  /// stands the expected sign.
+  /// `predicate`: the predicate of all lines; null: its name is the first column of each line. `has_expected`: the
+  /// expected sign follows the operands.
   CaseReader(const NamedPredicate* predicate, bool has_expected)
       : predicate_(predicate), has_expected_(has_expected) {}
 

@@ -57,7 +57,7 @@ struct HexNumber {
   bool has_rest = false;
 };
 
-// Hexadecimal digits from the front of `text`; moves it after them. `shift` is added to the exponent for each digit.
+// Hexadecimal digits from the front of `text`; removes them from it. `shift` is added to the exponent for each digit.
 std::size_t take_hex_digits(std::string_view& text, std::int64_t shift, HexNumber& number) {
   std::size_t count = 0;
   for (; count < text.size() && hex_digit(text[count]) >= 0; ++count) {

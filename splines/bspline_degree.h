@@ -28,8 +28,8 @@ std::vector<Knot> doubled(const std::vector<Knot>& knots) {
   return out;
 }
 
-/// The axis with knots and control points in front and after, so that every old knot lies in the domain: those of the
-/// other periods, or any.
+/// The axis with additional knots and control points before and after it, so that every old knot lies in the domain:
+/// those of the other periods, or any.
 template <typename Knot>
 KnotAxis<Knot> padded_axis(const KnotAxis<Knot>& axis) {
   if (axis.is_periodic) return extended_axis(axis);

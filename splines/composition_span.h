@@ -86,7 +86,7 @@ Result<std::array<std::size_t, M>> containing_span(const BSpline<R, M>& outer,
 }
 
 /// The piece of a B-spline on one product of knot spans, as a map of [0,1]^M: only the coefficients and knots that it
-/// needs are examined. REQUIRES of every axis a span in the domain that is not empty.
+/// needs are examined. REQUIRES, for every axis, a span in the domain that is not empty.
 template <Ring R, std::size_t M>
 Bezier<R, M> bezier_piece(const BSpline<R, M>& map, const std::array<std::size_t, M>& spans) {
   std::array<typename BSpline<R, M>::Axis, M> axes;

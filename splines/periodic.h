@@ -10,8 +10,8 @@
 
 namespace veritope::internal {
 
-/// A periodic axis with `degree` knots more, and so many control points more, at both ends. No longer marked as
-/// periodic.
+/// A periodic axis with `degree` additional knots, and as many additional control points, at both ends. It is no longer
+/// marked as periodic.
 template <typename Knot>
 KnotAxis<Knot> extended_axis(const KnotAxis<Knot>& axis) {
   const auto p = static_cast<std::size_t>(axis.degree);
@@ -24,7 +24,7 @@ KnotAxis<Knot> extended_axis(const KnotAxis<Knot>& axis) {
     knots[i] = knots[i - spans] + period;
   return {axis.degree, std::move(knots), false};
 }
-/// The n points of a line along a periodic axis of degree p, and p more at both ends.
+/// The n points of a line along a periodic axis of degree p, with p additional points at both ends.
 template <typename R>
 void extend_line(Line<const R> from, std::size_t n, std::size_t p, std::vector<R>& to) {
   const std::size_t spans = n - p;
@@ -34,7 +34,7 @@ void extend_line(Line<const R> from, std::size_t n, std::size_t p, std::vector<R
   for (std::size_t i = n + p; i < to.size(); ++i) to[i] = to[i - spans];
 }
 
-/// Makes the last p of n points the first ones, which they are along a periodic axis but for rounding.
+/// Makes the last p of n points equal to the first p, which they are along a periodic axis up to rounding.
 template <typename R>
 void close_period(Line<R> line, std::size_t n, std::size_t p) {
   for (std::size_t i = 0; i < p; ++i) line[n - p + i] = line[i];
@@ -45,9 +45,9 @@ std::size_t first_copy(const std::vector<Knot>& knots, const Knot& u) {
   return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), u) - knots.begin());
 }
 
-/// The first of the knots of a periodic axis `like` another one, but of this degree, in a list of knots that reaches
-/// beyond both ends of the domain far enough; and one past the last. The domain starts and ends at the same copy of its
-/// knot as there, or at the last if that is gone.
+/// Where a periodic axis of this degree, modelled on `like`, begins in a knot list that reaches far enough beyond both
+/// ends of the domain; and one past its last knot. The domain begins and ends at the same copy of its knot as in
+/// `like`, or at the last copy if that one is gone.
 struct PeriodCut {
   std::size_t first, past;
 

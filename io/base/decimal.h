@@ -42,8 +42,8 @@ class DecimalReader {
  public:
   explicit DecimalReader(const ReadLimits& limits);
 
-  /// The usual numbers: moves p after the number and is true; or leaves p and is false (then ask read_slowly).
-  /// A true answer is correctly rounded and within the limits; the next character is not examined.
+  /// Reads the usual numbers: moves p past the number and returns true; or leaves p and returns false (then call
+  /// read_slowly). A true answer is correctly rounded and within the limits; the next character is not examined.
   bool read_fast(const char*& p, double& value) const;
 
   /// Every number: `token` is the whole token.

@@ -83,10 +83,10 @@ struct ScannedInteger {
   }
 };
 
-/// Any number of digits, at `p` after the sign; moves p after them.
+/// Reads any number of digits, at `p` after the sign; moves p past them.
 ScannedInteger scan_integer_slowly(const char*& p);
 
-/// Moves p after the digits; what follows them is for the caller to test.
+/// Moves p past the digits; the caller tests what follows them.
 inline ScannedInteger scan_integer(const char*& p) {
   const char* digits = p;
   ScannedInteger result;

@@ -34,7 +34,7 @@ class StlAsciiReader : TextReader {
   }
 
  private:
-  // True and after the token if it is `word`. REQUIRES p_ at a token.
+  // Returns true and moves past the token if it is `word`. REQUIRES p_ at a token.
   bool take_word(std::string_view word) {
     const char* const last = skip_token(p_, kTokenEnd);
     if (!is_word(std::string_view(p_, static_cast<std::size_t>(last - p_)), word)) return false;

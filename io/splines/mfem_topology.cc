@@ -196,7 +196,7 @@ std::uint64_t MfemNumbering::point(std::size_t p, const std::array<std::uint64_t
   const auto [i, j, k] = in;
   const auto [I, J, K] = size;
   if (topology_.dimension == 1)
-    // MFEM turns the inner points of a patch with one parameter round: Or1D with orientation 0.
+    // MFEM numbers the inner points of a patch with one parameter in reverse: Or1D with orientation 0.
     return where[0] == 0 ? v[0] : where[0] == 2 ? v[1] : patch.offset + (I - 1 - i);
   if (topology_.dimension == 2) switch (3 * where[1] + where[0]) {
       case 0: return v[0];

@@ -24,7 +24,7 @@ class NumberBudget {
   static std::uint64_t bytes_of(const Rational& x) {
     return (x.numerator().bit_length() + x.denominator().bit_length() + 7) / 8;
   }
-  /// False if so many are not left.
+  /// False if fewer are left.
   bool spend(std::uint64_t bytes) {
     if (bytes > left_) return false;
     left_ -= bytes;

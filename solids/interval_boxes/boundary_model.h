@@ -16,16 +16,15 @@
 
 namespace veritope {
 
-/// V with pieces that can be asked for. Boxes of the callers are in the model's units; forest() has its own (times
-/// 2^scale).
+/// V, with its pieces. The callers' boxes are in the model's units; forest() has its own (times 2^scale).
 ///
 /// A plane curve C is the wall C x [-2, 2] (times the size of C) with two cones that close it; a box of the plane is
 /// its product with [-1, 1] (times 2^-20 of that size: few pieces are near it). What lies in such a box is (C in the
 /// box) x [-1, 1]: an arc is a disk, two half-boxes are two balls, components and Euler characteristics are the same.
 /// The cones never meet a box; they may cross each other or the wall's rim.
 ///
-/// Says nothing about whether V is embedded: the conditions are decided from what the abstract surface does in a box,
-/// and a box into which two sheets come is no disk. Embeddedness as a whole is what certificates prove (THEORY 4).
+/// Nothing is said about whether V is embedded: the conditions are decided from the part of the abstract surface in a
+/// box, and a box that two sheets enter is no disk. Embeddedness as a whole is what certificates prove (THEORY 4).
 class BoundaryModel {
  public:
   /// @error kBadArgument unless the complex is a closed oriented surface (the message names the first finding); as
@@ -43,10 +42,10 @@ class BoundaryModel {
   PieceForest& forest() { return *forest_; }
 
   /// The signs of the three coordinates of all normals of a piece, 0 where they are not proved to be of one strict
-  /// sign. At a pole: of the normal divided by the distance to it. Kept; what is proved of a piece holds of its parts,
-  /// and their nets are requested the other coordinates only.
+  /// sign. At a pole the normal is divided by the distance to the pole. Signs are kept: what is proved of a piece holds
+  /// for its parts, whose nets are used for the other coordinates only.
   std::array<int, 3> normal_signs(PieceForest::Id piece);
-  /// What was found so far, without a net: of the least piece around this one that was requested.
+  /// The signs found so far, without a net: those of the smallest piece around this one that was examined.
   std::array<int, 3> known_normal_signs(PieceForest::Id piece) const;
 
   /// Converts a box to the forest's coordinates; in a planar model the box's third side is replaced. Nothing if a

@@ -19,7 +19,7 @@ struct BoxTrace {
       0;  ///< kSurface: V∩b is a compact surface, its boundary V∩(boundary of b), with this Euler characteristic
   bool is_connected = false;  ///< kSurface: proved to be; false: not known
   Box3d place{};  ///< kUndecided: a box in which nothing was decided, in the forest's coordinates
-  std::size_t cells = 0;  ///< that were examined
+  std::size_t cells = 0;  ///< cells that were examined
 
   bool is_missed() const { return kind == Kind::kMissed; }
   /// A properly embedded disk: it cuts b into two balls, one on each side of V (Alexander). This is C2.

@@ -31,10 +31,10 @@ class BoxGrid {
   bool is_filled(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     return filled_[index(i, j, k)];
   }
-  /// The middle of a cell, about; in the margin some point outside of all boxes.
+  /// Approximately the middle of a cell; in the margin, some point outside all boxes.
   Point3d approx_middle(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
-  /// Fills the components of the complement that `is_inside` says yes of, for one point of each. The component that
-  /// reaches to infinity stays empty. Nothing if some answer was nothing: not decided. These are V_I∪|B| if V lies in
+  /// Fills the components of the complement for which `is_inside` answers yes at one point each. The component that
+  /// reaches infinity stays empty. Nothing if some answer was nothing: undecided. These are V_I∪|B| if V lies in
   /// |B| and is_inside says which points lie inside V. dimension 2: of boxes of the plane, all with the same third
   /// side: components in the plane.
   std::optional<BoxGrid> filled_where(

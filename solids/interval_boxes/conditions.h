@@ -80,9 +80,8 @@ struct ConditionOptions {
   bool stops_at_refutation = false;
 };
 
-/// Every condition. `boxes` in the model's units (of a planar model the third side is not examined).
-/// C1-C3 alone prove nothing about M∪|B| (three boxes refute Theorem 2.5: examples/counterexample_c3): C3* does, for an
-/// embedded V.
+/// Decides every condition. `boxes` are in the model's units (in a planar model the third side is ignored). C1-C3 alone
+/// prove nothing about M∪|B| (three boxes refute Theorem 2.5: examples/counterexample_c3): C3* does, for an embedded V.
 /// @error kEmpty without a box; kBadArgument for a box with a side of length 0 or less or a coordinate out of range:
 /// the message names it
 Result<PaperConditions> decide_conditions(BoundaryModel& model, std::span<const Box3d> boxes,

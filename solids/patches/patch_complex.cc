@@ -115,8 +115,8 @@ class PatchComplexBuilder {
       if (sides.size() == 2 && internal::run_alike(out_.travel(sides[0]), out_.travel(sides[1])))
         add(PatchDefect::kDirection);
     }
-    // Edges keep their numbers where patches are not reversed, as in shells with a conflict: there the sides are those
-    // of before.
+    // Edges keep their numbers where patches are not reversed, as in shells with a conflict: there the sides are
+    // unchanged.
     for (const auto& sides : conflicts(flips)) {
       PatchFinding& f = found_.emplace_back();
       f.defect = PatchDefect::kOneSided;

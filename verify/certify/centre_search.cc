@@ -14,7 +14,7 @@ namespace {
 // by one.
 constexpr int kDimension = 4;
 using Row = std::array<double, kDimension + 1>;  // coefficients, then the constant
-// A search: a tolerance that is off loses a candidate, and what is found is proved elsewhere (has_star_signs).
+// This is only a search: a wrong tolerance loses a candidate, and what is found is proved elsewhere (has_star_signs).
 constexpr double kFlat = 1e-12, kSlack = 1e-13;
 
 struct Program {
@@ -54,7 +54,7 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
     for (int i = 0, to = 0; i < d; ++i)
       if (i != pivot) less.lo[to] = program.lo[i], less.hi[to] = program.hi[i], ++to;
     std::vector<Row> reduced;
-    for (const bool upper : {false, true}) {  // the bounds of the variable that goes
+    for (const bool upper : {false, true}) {  // the bounds of the eliminated variable
       Row bound{};
       bound[pivot] = upper ? -1 : 1;
       bound[kDimension] = upper ? program.hi[pivot] : -program.lo[pivot];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// certify for meshes: every one is decided and has a certificate.
+// certify for meshes: every mesh is decided and has a certificate.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -23,8 +23,8 @@ certificate::Subject subject_of(const MeshFile& file, const CertifyOptions& opti
   return out;
 }
 
-// The first `most` of the defects, shared out among the rules: one of each broken rule, then a second one of each, and
-// so on; sorted by rule as before.
+// The first `most` of the defects, shared among the rules: one of each broken rule, then a second of each, and so on;
+// sorted by rule as before.
 std::vector<Finding> share_out(std::vector<Finding> defects, std::size_t most) {
   if (defects.size() <= most) return defects;
   // turn[i] = how many of the same rule come before i. The chosen ones have the least (turn, rule).

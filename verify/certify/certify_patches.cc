@@ -21,7 +21,7 @@ Finding why(const char* code, std::string message) {
 }
 Finding not_covered(std::string message) { return why("not-covered", std::move(message)); }
 
-// What the file has that no certificate can speak of, before anything is known of its patches.
+// Content of the file that no certificate can speak of; decided before its patches are made.
 std::optional<Finding> uncovered_content(const SplineFile& file) {
   if (file.format != SplineFormat::kJson && file.format != SplineFormat::kItd)
     return not_covered(
@@ -48,8 +48,8 @@ std::optional<Finding> uncovered_patches(const FilePatches& patches) {
   return std::nullopt;
 }
 
-// Whether the refutation is about the directions of normals. If entities were reversed it is about the model as it
-// became, not as it is in the file.
+// Whether the refutation is about the directions of normals. If entities were reversed, the refutation is about the
+// changed model, not about the one in the file.
 bool is_of_orientation(const PatchRefutation& refutation) {
   if (const auto* const sides = std::get_if<SideWitness>(&refutation))
     return sides->same == 2 && sides->opposite == 0;

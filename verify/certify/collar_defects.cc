@@ -42,7 +42,7 @@ class Splitter {
       if (is_defect_[b_.body_of_cell[cell]])
         cells[cell] = sheets_of(cover_.cells()[i], has_one_shell_[b_.body_of_cell[cell]]);
     });
-    // Cells that only fill gaps join what they touch.
+    // Cells that only fill gaps join the bodies that they touch.
     const std::vector<LocalSheets> around = at_vertices(cells);
     for (std::uint32_t cell = 0; cell < c_.num_cells(); ++cell)
       if (is_filler[cell])

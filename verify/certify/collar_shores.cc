@@ -34,7 +34,7 @@ class ShoreSearch {
     return {root_.plane(0, p[0]), root_.plane(1, p[1]), root_.plane(2, p[2])};
   }
 
-  // Straight from the vertex. Below the least vertex of an outermost component there is nothing; boxes that hold a
+  // Tries a ray from the vertex first. Nothing lies below the least vertex of an outermost component; boxes that hold a
   // vertex see it.
   bool leads_out(std::uint32_t vertex, const CommonSubdivision::Face& near, Shore* shore) {
     const Point3d from = point(vertex);
@@ -109,7 +109,7 @@ class ShoreSearch {
     collect_edges(component);
     constexpr std::uint32_t kNone = CommonSubdivision::kNone;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> reached{
-        {start, kNone}};  // vertex, position that it was reached from
+        {start, kNone}};  // vertex, position from which it was reached
     std::vector<bool> seen(c_.num_vertices());
     seen[start] = true;
     for (std::size_t at = 0, asked = 1; at < reached.size(); ++at) {

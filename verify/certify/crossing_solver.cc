@@ -12,10 +12,10 @@ namespace veritope {
 namespace {
 
 constexpr int kMaxSteps = 24;
-// A step that is shorter is the last one: quadratic convergence makes the next one as short as rounding allows. Near a
-// tangency steps are only halved, and kMaxSteps of them are not enough.
+// A shorter step is the last one: by quadratic convergence the next would be as short as rounding allows. Near a
+// tangency each step only halves the error, and kMaxSteps do not suffice.
 constexpr double kLastStep = 0x1p-28;
-// The fixed parameter gets as many bits as these, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
+// The bits of the fixed parameter, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
 constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
 constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
 constexpr double kRowSize = 0x1p40;
@@ -31,8 +31,8 @@ using internal::Tangents;
 using Vector = internal::Vector3;
 using Matrix = internal::Matrix3;
 
-// The row, its numbers times powers of two, of any length: the largest number is between 1 and 2. Nothing: it is 0, or
-// not finite.
+// The row, scaled by a power of two so that its largest number is between 1 and 2. Nothing if the row is 0 or not
+// finite.
 std::optional<Vector> stretched(const Vector& row, const std::array<int, 3>& exponent) {
   std::optional<int> top;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -86,7 +86,7 @@ struct CrossingSolver::Linear {
 };
 
 // J^T y with J J^T y = difference: the shortest step that solves J step = difference. Rows of J are scaled to length
-// one, about, which changes nothing but rounding.
+// approximately one, which changes nothing but rounding.
 std::optional<std::array<double, 4>> CrossingSolver::shortest_step(Linear l) {
   for (std::size_t k = 0; k < 3; ++k) {
     double unit = 0;
@@ -189,7 +189,7 @@ bool CrossingSolver::is_near_unproved(const std::array<SheetPlace, 2>& solution)
   });
 }
 
-// The parameter that is fixed: without it the equations should be conditioned best. A parameter of B on the border must
+// The parameter to fix: the one without which the equations are conditioned best. A parameter of B on the border must
 // be the fixed one.
 std::optional<CrossingWitness> CrossingSolver::prove_in_order(
     const std::array<SheetPlace, 2>& solution) {
@@ -228,7 +228,8 @@ std::optional<CrossingWitness> CrossingSolver::prove_with(const std::array<Sheet
   return std::nullopt;
 }
 
-// Newton with the parameter fixed; the rows of the last inverse, each as integers of about 40 bits.
+// Newton's method with the parameter fixed; returns the rows of the last inverse, each as integers of approximately 40
+// bits.
 std::optional<CrossingSolver::Rows> CrossingSolver::settle(std::array<SheetPlace, 2>* solution,
                                                            std::size_t fixed) {
   double last = HUGE_VAL;

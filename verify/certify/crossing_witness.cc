@@ -20,7 +20,7 @@ bool has_gap(const DyadicInterval& a, const DyadicInterval& b) {
 
 bool is_open_part(const DyadicInterval& t) { return t.lo > 0 && t.hi < std::uint64_t{1} << t.bits; }
 
-// X1; if it holds, the three parameters that are not fixed.
+// Tests X1; if it holds, returns the three parameters that are not fixed.
 std::optional<std::array<internal::FreeParameter, 3>> free_parameters(const Patch& a,
                                                                       const Patch& b,
                                                                       const CrossingWitness& w) {

@@ -11,10 +11,10 @@
 namespace veritope {
 namespace {
 
-// Boxes that are tried in the plain frame of a collar, for each one in the frame that fits the model.
+// Boxes that may be tried in the plain frame of a collar for each box in the frame that fits the model.
 constexpr std::size_t kBoxesInPlainFrame = 16, kFreeBoxes = 256;
 
-// Whether the surface may be in pieces inside of its domain.
+// Whether the surface may be torn inside its domain.
 bool has_torn_knot(const ExactSurface& surface) {
   for (const auto& axis : surface.axes()) {
     std::size_t run = 0;
@@ -72,7 +72,7 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
 }
 
-// Those whose normals point the wrong way, ascending: it takes winding numbers to see them.
+// The shells whose normals point the wrong way, ascending: winding numbers are needed to find them.
 std::vector<std::uint32_t> wrong_shells(const ShellWalks& walks) {
   if (walks.walks.empty() || !walks.missing.empty()) return {};
   return shells_to_turn(walks);

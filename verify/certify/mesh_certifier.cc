@@ -26,7 +26,7 @@ using certificate::Separator;
 using certificate::ValidBody;
 using certificate::Witness;
 
-// What one part of the walk contributes; pair numbers count from the part's start.
+// The contribution of one part of the walk; pair numbers count from the part's start.
 struct PartWitness {
   std::uint64_t pairs = 0;
   std::vector<Separator> separators;

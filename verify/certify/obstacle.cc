@@ -59,7 +59,7 @@ Point3d approx_normal(PieceForest& forest, Id piece) {
   const double* const g = forest.approx_determinants(piece);
   for (std::size_t k = 0; k < 3; ++k) {
     const double* const row = g + (k + 1) * n;
-    double part[4] = {};  // four sums that do not wait for each other
+    double part[4] = {};  // four independent sums
     std::size_t i = 0;
     for (; i + 4 <= n; i += 4)
       for (std::size_t j = 0; j < 4; ++j) part[j] += row[i + j];
@@ -82,7 +82,7 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
   }
   Obstacle out;
   const std::size_t step = 1 + own.size() / kMostOwn;
-  double turn = 0;  // 1 less the cosine of the angle between normals of the piece
+  double turn = 0;  // 1 minus the cosine of the angle between normals of the piece
   for (std::size_t i = 0; i < own.size(); i += step) {
     const Facet& a = all[own[i]];
     turn = std::max(turn, 1 - dot(a.normal, all[own[0]].normal));
@@ -92,7 +92,8 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
       out.gap = std::min(out.gap, gap_between(a, b));
     }
   }
-  // Half the piece's length times the angle of its normals, at most twice that with the first one.
+  // Half the piece's length times the angle between its normals, which is at most twice their angle with the first
+  // normal.
   const double bend = extent(forest.node(piece).hull) * std::sqrt(2 * turn);
   out.least_gap = std::max(0.0, out.gap - bend);
   return out;

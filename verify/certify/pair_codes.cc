@@ -57,8 +57,8 @@ struct Ids {
   std::array<std::uint32_t, 3> a, b;
 };
 
-// The supporting planes: +1 if all corners of u that are no corners of t lie strictly on the positive side of t's
-// plane, -1 on the negative side, 0 otherwise. Exact.
+// Supporting planes: +1 if all corners of u that t does not have lie strictly on the positive side of t's plane, -1 on
+// the negative side, 0 otherwise. Exact.
 int side_of_plane_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t,
                      const std::array<std::uint32_t, 3>& u) {
   int side = 0;
@@ -134,7 +134,7 @@ class ExactSearch {
   }
 
  private:
-  // Widest computed gap first: a guess that saves exact tests.
+  // The widest computed gap comes first: a guess that saves exact tests.
   void rank_axes(const TriangleMesh& mesh) {
     Pair<double> p;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -24,9 +24,9 @@ Box3d hull_of_leaves(const PieceForest& forest, const StarCover& cover) {
   return *out;
 }
 
-// Between sheets that face each other cells are no larger than the gap, and there is a layer of them along the sheets.
+// Between sheets that face each other, cells are no larger than the gap, and a layer of cells lies along the sheets.
 struct GapCells {
-  double all = 0, most = 0;     ///< about: of all boxes, of one
+  double all = 0, most = 0;     ///< approximate: of all boxes, of one
   std::uint32_t narrowest = 0;  ///< the box with the most
 };
 GapCells count_gap_cells(const StarCover& cover) {
@@ -38,8 +38,8 @@ GapCells count_gap_cells(const StarCover& cover) {
   }
   return out;
 }
-// Unless both sheets lie in one cell with what is between them, as those of a fin may. Covers of few cells show that;
-// beyond these an estimate of this many times the cells that are allowed ends the search.
+// Except where both sheets lie in one cell with everything between them, as those of a fin may. Covers of few cells
+// find that out; after them, an estimate of this many times the allowed cells ends the search.
 constexpr double kSurelyTooMany = 8;
 constexpr std::size_t kFewCells = std::size_t{1} << 15;
 
@@ -84,7 +84,7 @@ class Search {
     conclude(std::move(*complex));
   }
 
-  // Counts first: they are cheap, and refuse most covers that are too coarse.
+  // Counts come first: they are cheap, and refuse most covers that are too coarse.
   std::vector<BodyDefect> find_defects(const CommonSubdivision& complex) {
     boundary_ = analyse_boundary(complex);
     const auto shells = shells_of_bodies(forest_.complex(), forest_, *octree_, complex, boundary_);
@@ -105,7 +105,7 @@ class Search {
     for (std::size_t i = 0; i < which.size(); ++i) {
       if (!which[i]) continue;
       const OctreeKey key = octree_->cells()[i].key;
-      more += 3;  // a surface meets about 4 of 8 children
+      more += 3;  // a surface meets approximately 4 of 8 children
       if (key.level() >= options_.max_level)
         return fail(defects.front().message + "; cells of the least size come together here",
                     root_.box(key));
@@ -125,7 +125,7 @@ class Search {
     octree_->split(which);
   }
 
-  // The cells are a collar around each shell; whether the shells lie in it as they should is left.
+  // The cells are a collar around each shell; it remains to show that the shells lie in it as they should.
   void conclude(CommonSubdivision complex) {
     Misplaced why;
     std::optional<CollarPlace> place =

@@ -14,9 +14,9 @@
 namespace veritope {
 namespace {
 
-// Crossings are looked for near pieces of at least this level; some searches are free, the others are one for so many
-// boxes tried. All patches are examined once, at a piece of kTroubleLevel without a box after so many boxes tried as
-// take longer than that, or where there is no cover.
+// Crossings are sought near pieces of at least this level; some searches are free, each other one needs a number of
+// boxes tried. All patches are searched once: at a piece of kTroubleLevel without a box, as soon as the boxes tried
+// took longer than that search, or where no cover exists.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;
 
@@ -119,7 +119,8 @@ class Decider {
     return std::move(out_);
   }
 
-  // A crossing, found before the cover, at a piece without a star box on the way, or where it ended.
+  // A crossing that was found before the search for the cover, at a piece without a star box during it, or where it
+  // ended.
   std::optional<CrossingWitness> cover_or_cross() {
     CrossingSearch search(*forest_);
     if (auto crossing = search.among_patches()) return crossing;

@@ -44,7 +44,8 @@ Span span_on_side(const PieceForest& forest, const Node& node, std::uint32_t sid
   return side < 2 ? along : mirrored(along);
 }
 
-// visit(vertex) for the patch's corners in the piece, and for the vertices of collapsed sides that it touches.
+// Calls visit(vertex) for the patch's corners in the piece, and for the vertices of collapsed sides that the piece
+// touches.
 template <typename Visit>
 void for_each_vertex(const PieceForest& forest, const Node& node, Visit visit) {
   const PieceForest::Form& form = forest.form(node.patch);

@@ -87,7 +87,7 @@ class PassSearch {
     const auto at = [&](int c, std::size_t i) -> const Rational& {
       return patch.component(c)[patch.side_index(side.side, i)];
     };
-    // As a whole first, without a copy of its coefficients.
+    // The whole side comes first, without a copy of its coefficients.
     if (is_away(patch.side_length(side.side), patch.is_rational(), at)) return ++visits_ > most_;
     return may_pass(side, patch.side(side.side), {0, 0, 1}, 0);
   }

@@ -32,7 +32,7 @@ int grid_exponent(const PieceForest& forest, const CoverBox& box) {
   return out;
 }
 
-constexpr int kMostBits = 60;  // the C++ checker's 61, less one for the sum of corner and size
+constexpr int kMostBits = 60;  // the C++ checker's 61, minus one for the sum of corner and size
 
 class BodyWriter {
  public:

@@ -14,8 +14,8 @@ namespace {
 using Id = PieceForest::Id;
 using Why = UncoveredPiece::Why;
 
-// Pieces in the order of the least size at which they may have boxes: a contact is run down to the greatest level at
-// once, and pieces of one size are taken depth first, the last one first, so that nets are near each other. Those whose
+// Orders pieces by the least size at which they may have boxes: the search follows a contact to the greatest level at
+// once, and takes pieces of one size depth first, the last one first, so that nets are near each other. Pieces whose
 // surroundings were not examined yet come before all others: a contact must not wait until wider gaps elsewhere are
 // covered.
 class CoverSearch {
@@ -42,14 +42,14 @@ class CoverSearch {
     int scale;  // of the box that is expected, as a power of two, or kUnknownScale
     std::uint64_t number;
     Id id;
-    int crowded;  // how many pieces around it, one in the other, had no box because too many others were met
+    int crowded;  // number of pieces around it, nested, that had no box because too many others were met
     friend bool operator<(const Open& a, const Open& b) {  // a comes later
       return a.scale != b.scale ? a.scale > b.scale : a.number < b.number;
     }
   };
   static constexpr int kUnknownScale = -101, kLeastScale = -100, kMostScale = 100;
-  // Where features are small, boxes meet a quarter of the pieces at each level; at a contact near a pole as many at all
-  // levels.
+  // Where features are small, boxes meet a quarter of the pieces at each further level; at a contact near a pole they
+  // meet the same number at all levels.
   static constexpr int kMostCrowded = 6;
 
   void push(Id id, int scale, int crowded = 0) { open_.push({scale, next_number_++, id, crowded}); }
@@ -105,7 +105,7 @@ class CoverSearch {
       if (box_of(id) == StarCover::kNone) box_of(id) = number;
   }
 
-  // Boxes are numbered anew, in the order of the leaves; those that cover only parts of other leaves go.
+  // Renumbers the boxes in the order of the leaves; drops those that cover only parts of other leaves.
   void keep_leaves() {
     std::vector<std::uint32_t> leaf_box(forest_.num_nodes(), StarCover::kNone),
         number(out_.boxes.size(), StarCover::kNone);

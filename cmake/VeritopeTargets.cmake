@@ -4,7 +4,7 @@ file(STRINGS "${PROJECT_SOURCE_DIR}/docs/layers.txt" rows REGEX "^[a-z]")
 list(TRANSFORM rows REPLACE " *\\|.*" "" OUTPUT_VARIABLE VERITOPE_ROOMS)
 
 # The standard headers that most units of the layers include, compiled once: parsing them takes about a third of a
-# unit's time. None of our headers is among them, so no edit of ours compiles them again. A precompiled header can hide
+# unit's time. It holds no header of ours, so no edit of ours compiles it again. A precompiled header can hide
 # a missing include in a .cc file: the presets debug, fuzz and coverage build without it.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/veritope_pch.cc" CONTENT "")
 add_library(veritope_pch OBJECT "${PROJECT_BINARY_DIR}/veritope_pch.cc")

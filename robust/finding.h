@@ -66,7 +66,7 @@ struct Finding {
   Witness witness;
 };
 
-/// The same as a finding: code_name(error.code), the place in the file, the message.
+/// A finding with code_name(error.code), the place in the file, and the message of the error.
 Finding finding_of(const Error& error);
 
 /// "line 12: <message>": the place in the file without the file's name.

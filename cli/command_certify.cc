@@ -15,6 +15,40 @@ namespace {
 
 using namespace report;
 
+struct Options {
+  InputOptions input;
+  std::optional<std::string> json, certificate, picture;
+  std::optional<std::uint64_t>
+      max_defects;  ///< nothing: 20, and pairs of faces are not listed one by one
+  bool no_check = false, quiet = false;
+  // spline files
+  bool orient_auto = false, collar = false;
+  std::optional<double> tolerance;
+};
+
+void declare(OptionSet& set, Options& o) {
+  declare_files(set, o.input, "meshes, VJSON, ITD; - is standard input (with --format)");
+  declare_json(set, o.json, "write the report");
+  set.text("--certificate", o.certificate, "keep the certificate; of several files in folder F");
+  set.text("--picture", o.picture, "write a coloured PLY that shows the defects");
+  set.number("--max-defects", o.max_defects, {0, kMost32}, "list at most N defects (20)");
+  declare_jobs(set, o.input.reading.jobs);
+  declare_orientation(set, o.orient_auto, "patches, shells");
+  set.length("--tolerance", "EPS", o.tolerance, "of the volume of patches, in sizes cubed (1e-5)");
+  set.flag("--collar", o.collar, "of patches: find a collar, certify it, too");
+  set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");
+  set.flag("-q,--quiet", o.quiet, "the verdict lines only");
+  declare_format(set, o.input);
+  declare_reading(set, o.input.reading);
+}
+
+std::string contradiction(const Options& o) {
+  if (o.picture == "-") return "--picture needs a file name, not -";
+  if (o.picture && o.input.files.size() > 1) return "--picture shows one file, not several";
+  if (o.certificate == "-") return "--certificate needs a file name, not -";
+  return "";
+}
+
 // Keeps certificate i where the plan says.
 KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
   if (plan.certificates.empty()) return {};
@@ -38,11 +72,6 @@ void complain_beside_verdict(const FileReport& report) {
   complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
 }
 
-ExitCode fail(const Error& error) {
-  complain(harmless(to_string(error)));
-  return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
-}
-
 // kExitValid, or kExitUnreadable and why on standard error.
 ExitCode write_picture(const std::string& path, const std::string& bytes, StandardOutput& out) {
   const Status status = write_output(path, bytes, out);
@@ -62,8 +91,8 @@ ExitCode write_json(const Options& options, const OutputPlan& plan,
 
 CertifySettings settings_of(const Options& options) {
   CertifySettings out;
-  out.reading = options.reading;
-  out.certify.jobs = options.jobs;
+  out.reading = options.input.reading;
+  out.certify.jobs = static_cast<unsigned>(options.input.reading.jobs);
   if (options.max_defects) out.certify.max_findings = *options.max_defects;
   if (options.orient_auto) out.certify.orientation = PatchOrientation::kAuto;
   out.certify.with_collar = options.collar;
@@ -72,36 +101,25 @@ CertifySettings settings_of(const Options& options) {
   return out;
 }
 
-}  // namespace
+// The picture is refused where it could not show anything, and where it would overwrite something.
+Status check_picture(const Options& options, const OutputPlan& plan) {
+  if (!options.picture) return ok_status();
+  const std::vector<std::string>& files = options.input.files;
+  if (ModelInput(files.front(), options.input.reading).kind() == ModelKind::kSplines)
+    return Error{Code::kBadArgument,
+                 {},
+                 "--picture shows the defects of meshes; " + files.front() + " is a spline file"};
+  return check_output("--picture", *options.picture, files, plan, options.json);
+}
 
-ExitCode run_certify(const Options& options, StandardOutput& out) {
-  const Result<OutputPlan> plan = plan_outputs(options.files, options.certificate, options.json);
-  if (!plan) return fail(plan.error());
-  if (options.picture &&
-      ModelInput(options.files.front(), options.reading).kind() == ModelKind::kSplines)
-    return fail(
-        {Code::kBadArgument,
-         {},
-         "--picture shows the defects of meshes; " + options.files.front() + " is a spline file"});
-  if (options.picture) {
-    if (Status status =
-            check_output("--picture", *options.picture, options.files, *plan, options.json);
-        !status) {
-      return fail(status.error());
-    }
-  }
-  CertifySettings settings = settings_of(options);
-  if (!options.no_check) {
-    const Result<std::string> checker = find_checker();
-    if (!checker) return complain(checker.error().message), kExitUsage;
-    settings.checker = *checker;
-  }
+ExitCode certify_all(const Options& options, const OutputPlan& plan,
+                     const CertifySettings& settings, StandardOutput& out) {
   std::vector<std::string> json;
   ExitCode exit = kExitValid;
   Progress progress(!options.quiet);
-  for (std::size_t i = 0; i < options.files.size(); ++i) {
-    const std::string& file = options.files[i];
-    const CertifiedFile done = certify_file(file, settings, keeper(*plan, i, out), progress);
+  for (std::size_t i = 0; i < options.input.files.size(); ++i) {
+    const CertifiedFile done =
+        certify_file(options.input.files[i], settings, keeper(plan, i, out), progress);
     const FileReport& report = done.report;
     progress.clear();
     exit = first_of(exit, report.exit);
@@ -111,7 +129,30 @@ ExitCode run_certify(const Options& options, StandardOutput& out) {
     if (!done.picture.empty())
       exit = first_of(exit, write_picture(*options.picture, done.picture, out));
   }
-  return options.json ? first_of(exit, write_json(options, *plan, json, out)) : exit;
+  return options.json ? first_of(exit, write_json(options, plan, json, out)) : exit;
+}
+
+ExitCode run(const Options& options, StandardOutput& out) {
+  const Result<OutputPlan> plan =
+      plan_outputs(options.input.files, options.certificate, options.json);
+  if (!plan) return fail(plan.error());
+  if (const Status status = check_picture(options, *plan); !status) return fail(status.error());
+  CertifySettings settings = settings_of(options);
+  if (!options.no_check) {
+    const Result<std::string> checker = find_checker();
+    if (!checker) return complain(checker.error().message), kExitUsage;
+    settings.checker = *checker;
+  }
+  return certify_all(options, *plan, settings, out);
+}
+
+}  // namespace
+
+RunCommand declare_certify(OptionSet& set) {
+  const auto o = std::make_shared<Options>();
+  declare(set, *o);
+  set.rule([o] { return contradiction(*o); });
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

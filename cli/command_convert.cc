@@ -2,16 +2,18 @@
 // veritope convert.
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string_view>
 #include <utility>
 
 #include "cli/commands.h"
-#include "report/decimal_text.h"
+#include "cli/convert_options.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
-#include "report/text_style.h"
 #include "io/formats.h"
 #include "io/mesh/write_mesh.h"
+#include "report/decimal_text.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
 
@@ -33,7 +35,7 @@ Error bad_argument(std::string message) {
   return Error{Code::kBadArgument, Place{}, std::move(message)};
 }
 
-Result<WriteOptions> target_of(const Options& o) {
+Result<WriteOptions> target_of(const ConvertOptions& o) {
   std::string name;
   if (o.to) {
     name = *o.to;
@@ -100,17 +102,12 @@ std::string dropped_text(const ReadReport& reading, const WriteOptions& target) 
   return text;
 }
 
-ExitCode fail(const Error& error) {
-  complain(harmless(to_string(error)));
-  return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
-}
-
-ExitCode refuse(const Options& o, const LossReport& loss, const std::string& words,
+ExitCode refuse(const ConvertOptions& o, const LossReport& loss, const std::string& words,
                 const WriteOptions& target) {
   const bool has_too_large = std::isinf(loss.max_displacement);
   std::string advice = has_too_large ? "" : "--lossy writes it all the same; ";
   if (target.format == MeshFormat::kStl && target.encoding != MeshEncoding::kAscii &&
-      !o.reading.as_indexed) {
+      !o.input.reading.as_indexed) {
     advice += "--to stl-ascii keeps all digits";
   } else {
     advice += "--to ply keeps everything";
@@ -129,7 +126,7 @@ Status write_model(const std::string& path, const TriangleMesh& mesh, const Writ
 }
 
 // Standard output may be the model itself.
-void report(const Options& o, const MeshFile& file, const std::string& loss,
+void report(const ConvertOptions& o, const MeshFile& file, const std::string& loss,
             const WriteOptions& target, StandardOutput& out) {
   std::string text = "wrote  " + harmless(o.output) + "  " +
                      counted(file.mesh.faces.size(), "face", "faces") +
@@ -145,23 +142,22 @@ void report(const Options& o, const MeshFile& file, const std::string& loss,
   if (o.output == "-" && !dropped.empty()) complain("not part of the model, dropped: " + dropped);
 }
 
-}  // namespace
-
-ExitCode run_convert(const Options& options, StandardOutput& out) {
-  ModelInput input(options.files[0], options.reading);
+ExitCode run(const ConvertOptions& options, StandardOutput& out) {
+  ModelInput input(options.input.files[0], options.input.reading);
   if (input.kind() == ModelKind::kSplines) return convert_splines(input, options, out);
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   const Result<WriteOptions> target = target_of(options);
   if (!target) return fail(target.error());
-  if (const Status status = refuse_same(options.files, options.output); !status) {
+  if (const Status status = refuse_same(options.input.files, options.output); !status) {
     return fail(status.error());
   }
   if (const Status status = try_output(options.output); !status) return fail(status.error());
   const Result<ModelFile> model = input.take();
   if (!model) return fail(model.error());
   const MeshFile* const file = &std::get<MeshFile>(*model);
-  const bool as_indexed = options.reading.as_indexed && file->report.format != MeshFormat::kStl;
+  const bool as_indexed =
+      options.input.reading.as_indexed && file->report.format != MeshFormat::kStl;
   const LossReport loss = loss_of(file->mesh, *target);
   const std::string words = loss_text(loss, as_indexed);
   if (!words.empty() && !options.lossy) return refuse(options, loss, words, *target);
@@ -169,6 +165,35 @@ ExitCode run_convert(const Options& options, StandardOutput& out) {
   if (!written && options.output != "-") return fail(written.error());
   report(options, *file, words, *target, out);
   return kExitValid;
+}
+
+void declare(OptionSet& set, ConvertOptions& o) {
+  declare_file(set, "IN", o.input, "a mesh or splines; - is standard input (with --format)");
+  set.operand("OUT", any_text(o.output), "the new file; - is standard output (with --to)");
+  set.text("--to", o.to,
+           "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
+           "look at: vtu, obj, gltf",
+           "V");
+  set.length("--chord", "H", o.chord, "of splines in obj, gltf: distance of chords aimed at");
+  set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
+  set.flag("--faces", o.faces, "of spline volumes: their boundary, as surfaces");
+  set.flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
+  declare_jobs(set, o.input.reading.jobs);
+  declare_format(set, o.input);
+  declare_reading(set, o.input.reading);
+}
+
+std::string contradiction(const ConvertOptions& o) {
+  return o.output == "-" && !o.to ? "- is standard output and needs --to" : "";
+}
+
+}  // namespace
+
+RunCommand declare_convert(OptionSet& set) {
+  const auto o = std::make_shared<ConvertOptions>();
+  declare(set, *o);
+  set.rule([o] { return contradiction(*o); });
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope corpus.
+#include <memory>
 #include <string>
 
 #include "cli/commands.h"
@@ -7,7 +8,9 @@
 
 namespace veritope::cli {
 
-ExitCode run_corpus(const Options& options, StandardOutput& out) {
+namespace {
+
+ExitCode run(const HardCaseOptions& options, StandardOutput& out) {
   constexpr std::size_t kFull = std::size_t{1} << 16;
   std::string text = "# veritope corpus --cases " + std::to_string(options.num_cases) + " --seed " +
                      std::to_string(options.seed) +
@@ -23,6 +26,14 @@ ExitCode run_corpus(const Options& options, StandardOutput& out) {
   }
   out.write(text);
   return kExitValid;
+}
+
+}  // namespace
+
+RunCommand declare_corpus(OptionSet& set) {
+  const auto o = std::make_shared<HardCaseOptions>();
+  declare_hard_cases(set, *o);
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

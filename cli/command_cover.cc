@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope cover.
+#include <memory>
 #include <optional>
 
 #include "cli/commands.h"
@@ -9,12 +10,57 @@
 #include "cli/progress.h"
 #include "io/read_model.h"
 #include "report/report_text.h"
+#include "solids/interval_boxes/condition_sweep.h"
 #include "verify/certify/file_patches.h"
 
 namespace veritope::cli {
 
 using namespace report;
 namespace {
+
+struct Options {
+  InputOptions input;
+  std::string output;  ///< empty: none
+  CoverPart part = CoverPart::kCollar;
+  std::optional<int> sweep;
+  std::optional<double> eps;  ///< nothing: chosen by the size of the model
+  std::optional<std::string> json;
+  bool orient_auto = false, quiet = false;
+};
+
+void declare(OptionSet& set, Options& o) {
+  const auto take_part = [&o](const std::string& name) -> std::string {
+    const auto part = cover_part_from_name(name);
+    if (!part) return "must be boxes, collar, outer or inner, not " + name;
+    o.part = *part;
+    return "";
+  };
+  declare_file(set, "MODEL", o.input, "a file of patches (itd, g2, mfem, gismo, vjson)");
+  set.option("-o,--output", "F", any_text(o.output),
+             "the new file: .vtu, .obj, .ply, .off or .stl");
+  set.option(
+      "--what", "W", take_part,
+      "star boxes: boxes; octree cells around the surface:\ncollar (default); solids: outer, "
+      "inner");
+  set.number(
+      "--sweep", o.sweep, {0, kMaxSweep},
+      "table which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nof boxes of size EPS, halved N "
+      "times; -o: the last");
+  set.excludes("--sweep", "--what");
+  set.length("--eps", "EPS", o.eps, "the first size (a quarter of the model or less)");
+  set.needs("--eps", "--sweep");
+  declare_json(set, o.json, "the table");
+  set.needs("--json", "--sweep");
+  declare_orientation(set, o.orient_auto, "patches");
+  set.flag("-q,--quiet", o.quiet, "nothing on standard output, no progress");
+  declare_format(set, o.input);
+}
+
+std::string contradiction(const Options& o) {
+  if (o.output.empty() && !o.sweep) return "-o,--output is required";
+  if (o.output == "-") return "--output needs a file name, not -";
+  return "";
+}
 
 class CoverRun {
  public:
@@ -24,7 +70,7 @@ class CoverRun {
   ExitCode run() {
     const ExitCode exit = look();
     progress_.clear();
-    if (!words_.empty()) complain(harmless(options_.files[0] + ": " + words_));
+    if (!words_.empty()) complain(harmless(options_.input.files[0] + ": " + words_));
     if (!said_.empty() && !options_.quiet) out_.write(said_);
     return exit;
   }
@@ -32,7 +78,8 @@ class CoverRun {
  private:
   ExitCode look() {
     phase("reading");
-    const Result<SplineFile> file = read_spline_file(options_.files[0], options_.reading);
+    const Result<SplineFile> file =
+        read_spline_file(options_.input.files[0], options_.input.reading);
     if (!file) return fail(kExitUnreadable, to_string(file.error()));
     Result<FilePatches> patches = file_patches(
         file->model, options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
@@ -54,7 +101,7 @@ class CoverRun {
     phase("writing");
     if (options_.json) {
       const Status status =
-          write_output(*options_.json, sweep_json(options_.files[0], sha256_, *rows), out_);
+          write_output(*options_.json, sweep_json(options_.input.files[0], sha256_, *rows), out_);
       if (!status) return fail(kExitUnreadable, to_string(status.error()));
     }
     return options_.output.empty() ? kExitValid : write_boxes(*model, finest_row(*rows));
@@ -70,7 +117,7 @@ class CoverRun {
   ExitCode cover(FilePatches& patches) {
     phase("looking for star boxes");
     FileDecisionOptions how;
-    if (options_.cover_part != CoverPart::kBoxes) how.frame = FrameWanted::kPlain;
+    if (options_.part != CoverPart::kBoxes) how.frame = FrameWanted::kPlain;
     how.may_turn_shells = options_.orient_auto;
     auto [decision, forest] = decide_file_patches(patches, how);
     if (decision.refutation)
@@ -78,7 +125,7 @@ class CoverRun {
     if (!decision.is_valid) return fail(kExitUndecided, decision.open->message);
     said_ = detail_line("star boxes", std::to_string(decision.cover.boxes.size()));
     PatchCollarSearch search;
-    if (options_.cover_part != CoverPart::kBoxes) {
+    if (options_.part != CoverPart::kBoxes) {
       phase("looking for a collar");
       search = find_patch_collar(*forest, decision.cover);
       said_ += collar_text(collar_facts(search, *forest));
@@ -86,7 +133,7 @@ class CoverRun {
         return fail(kExitUndecided, "no collar was found, and nothing is written");
     }
     phase("writing");
-    return write(cover_picture(options_.cover_part, options_.output, *forest, decision.cover,
+    return write(cover_picture(options_.part, options_.output, *forest, decision.cover,
                                search.collar ? &*search.collar : nullptr));
   }
 
@@ -100,7 +147,7 @@ class CoverRun {
     words_ = std::move(words);
     return exit;
   }
-  void phase(const char* what) { progress_.phase(harmless(options_.files[0]), what); }
+  void phase(const char* what) { progress_.phase(harmless(options_.input.files[0]), what); }
 
   const Options& options_;
   StandardOutput& out_;
@@ -108,24 +155,30 @@ class CoverRun {
   std::string words_, said_, sha256_;
 };
 
-}  // namespace
+Status check_outputs(const Options& options) {
+  const std::vector<std::string>& files = options.input.files;
+  const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
+  if (!plan) return plan.error();
+  if (options.output.empty()) return ok_status();
+  return check_output("--output", options.output, files, *plan, options.json);
+}
 
-ExitCode run_cover(const Options& options, StandardOutput& out) {
-  Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);
-  if (plan && !options.output.empty())
-    if (const Status apart =
-            check_output("--output", options.output, options.files, *plan, options.json);
-        !apart)
-      plan = apart.error();
-  if (!plan) {
-    complain(harmless(to_string(plan.error())));
-    return plan.error().code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
-  }
+ExitCode run(const Options& options, StandardOutput& out) {
+  if (const Status status = check_outputs(options); !status) return fail(status.error());
   if (!options.output.empty() && !is_cover_file(options.output)) {
     complain(harmless(options.output + ": the name must end in .vtu, .obj, .ply, .off or .stl"));
     return kExitUsage;
   }
   return CoverRun(options, out).run();
+}
+
+}  // namespace
+
+RunCommand declare_cover(OptionSet& set) {
+  const auto o = std::make_shared<Options>();
+  declare(set, *o);
+  set.rule([o] { return contradiction(*o); });
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

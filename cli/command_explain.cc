@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// veritope explain and explain-certificate.
+// veritope explain.
 #include <algorithm>
-#include <cstdint>
-#include <limits>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "cli/commands.h"
@@ -12,14 +10,16 @@
 #include "cli/reason_explanations.h"
 #include "cli/rule_pictures.h"
 #include "report/text_style.h"
-#include "io/base/file_bytes.h"
 #include "solids/polyhedron/rules.h"
-#include "verify/format/claims.h"
 
 namespace veritope::cli {
 
 using namespace report;
 namespace {
+
+struct Options {
+  std::optional<std::string> rule;
+};
 
 constexpr std::size_t kWidth = 78;
 
@@ -82,9 +82,7 @@ std::string rule_list(const Style& style) {
   return out + "Why there is no answer, or no file. More: veritope explain undecided\n";
 }
 
-}  // namespace
-
-ExitCode run_explain(const Options& options, StandardOutput& out) {
+ExitCode run(const Options& options, StandardOutput& out) {
   const Style style = style_of_stdout();
   if (!options.rule) {
     out.write(rule_list(style));
@@ -107,27 +105,12 @@ ExitCode run_explain(const Options& options, StandardOutput& out) {
   return kExitUsage;
 }
 
-ExitCode run_explain_certificate(const Options& options, StandardOutput& out) {
-  const std::string& path = options.files[0];
-  const Result<ByteBuffer> bytes = read_file_bytes(path, std::numeric_limits<std::uint64_t>::max());
-  if (!bytes) {
-    complain(harmless(to_string(bytes.error())));
-    return kExitUnreadable;
-  }
-  const std::span<const unsigned char> file(bytes->data(), bytes->size());
-  std::string why;
-  std::optional<std::string> text = certificate::explain_certificate(file, options.max_items, why);
-  if (!text) {
-    complain(harmless(path +
-                      ": not a certificate (those that certify --certificate writes are): " + why));
-    return kExitUnreadable;
-  }
-  // A certificate may come from anywhere: its strings must not drive the terminal.
-  for (char& c : *text) {
-    if (static_cast<unsigned char>(c) < 32 && c != '\n') c = '?';
-  }
-  out.write(*text);
-  return kExitValid;
+}  // namespace
+
+RunCommand declare_explain(OptionSet& set) {
+  const auto o = std::make_shared<Options>();
+  set.optional_operand("RULE", any_text(o->rule), "M1 to M9, side-open, ...");
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope info.
+#include <memory>
 #include <new>
 
 #include "cli/commands.h"
 #include "cli/output_plan.h"
+#include "cli/spline_report.h"
+#include "io/mesh/write_mesh.h"
 #include "report/file_report.h"
 #include "report/info_report.h"
 #include "report/report_json.h"
-#include "cli/spline_report.h"
-#include "io/mesh/write_mesh.h"
 
 namespace veritope::cli {
 
 using namespace report;
 namespace {
+
+struct Options {
+  InputOptions input;
+  std::optional<std::string> json;
+};
 
 // The variants that read back as the same model. Vertex ids are part of it only if they were kept.
 std::vector<std::string> lossless_variants(const MeshFile& file, bool as_indexed) {
@@ -48,39 +54,52 @@ InfoReport info_of(const std::string& path, ModelInput& input) {
   return report;
 }
 
-}  // namespace
+struct FileText {
+  ExitCode exit = kExitValid;
+  std::string json, text;
+};
 
-ExitCode run_info(const Options& options, StandardOutput& out) {
-  const Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);
-  if (!plan) {
-    complain(harmless(to_string(plan.error())));
-    return plan.error().code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
+FileText describe(const std::string& path, const Options& options, const Style& style) {
+  ModelInput input(path, options.input.reading);
+  if (input.kind() == ModelKind::kSplines) {
+    const SplineReport report = spline_report(path, input);
+    return {report.exit, options.json ? spline_json(report) : "", spline_text(report, style)};
   }
+  const InfoReport report = info_of(path, input);
+  return {report.exit, options.json ? info_json(report) : "", info_text(report, style)};
+}
+
+ExitCode run(const Options& options, StandardOutput& out) {
+  const Result<OutputPlan> plan = plan_outputs(options.input.files, std::nullopt, options.json);
+  if (!plan) return fail(plan.error());
   const Style style = style_of_stdout();
   std::vector<std::string> json;
   ExitCode exit = kExitValid;
-  for (const std::string& path : options.files) {
-    std::string as_json, as_text;
-    ModelInput input(path, options.reading);
-    if (input.kind() == ModelKind::kSplines) {
-      const SplineReport report = spline_report(path, input);
-      exit = first_of(exit, report.exit);
-      if (options.json) as_json = spline_json(report);
-      as_text = spline_text(report, style);
-    } else {
-      const InfoReport report = info_of(path, input);
-      exit = first_of(exit, report.exit);
-      if (options.json) as_json = info_json(report);
-      as_text = info_text(report, style);
-    }
-    if (options.json) json.push_back(std::move(as_json));
-    if (options.json != "-") out.write(as_text);
+  for (const std::string& path : options.input.files) {
+    FileText file = describe(path, options, style);
+    exit = first_of(exit, file.exit);
+    if (options.json) json.push_back(std::move(file.json));
+    if (options.json != "-") out.write(file.text);
   }
   if (!options.json) return exit;
   const Status status = write_output(*options.json, document_json("veritope-info-1", json), out);
   if (status || *options.json == "-") return exit;
-  complain(harmless(to_string(status.error())));
-  return first_of(exit, kExitUnreadable);
+  return first_of(exit, fail(status.error()));
+}
+
+}  // namespace
+
+RunCommand declare_info(OptionSet& set) {
+  const auto o = std::make_shared<Options>();
+  declare_files(
+      set, o->input,
+      "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input "
+      "(with --format)");
+  declare_json(set, o->json, "write it");
+  declare_jobs(set, o->input.reading.jobs);
+  declare_format(set, o->input);
+  declare_reading(set, o->input.reading);
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope intersect.
+#include <memory>
+
 #include "cli/commands.h"
 #include "cli/intersection_report.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
-#include "report/text_style.h"
 #include "io/read_model.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
 
 using namespace report;
 namespace {
 
-bool ends_with(const std::string& text, const char* end) { return text.ends_with(end); }
+struct Options {
+  InputOptions input;
+  std::optional<std::string> curves, json;
+  double gap = 0;  ///< 0: chosen by the size of the model
+  std::uint64_t max_pairs = 200000000;
+};
+
+void declare(OptionSet& set, Options& o) {
+  set.operands("A B", o.input.files, "two files of splines; - is standard input (with --format)",
+               2);
+  set.text("-o,--output", o.curves, "write the curves; F ends in .json or .vtu");
+  declare_json(set, o.json, "write the report");
+  set.length(
+      "--gap", "D", o.gap,
+      "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)");
+  set.number("--max-pairs", o.max_pairs, {1, kMost64}, "rectangles to compare at most (200000000)");
+  declare_format(set, o.input);
+}
 
 /// Intersects every surface of one model with every one of the other.
 Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& files,
@@ -22,7 +41,7 @@ Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& fil
   for (std::size_t k = 0; k < 2; ++k) {
     if (!(k == 0 ? first : second).empty()) continue;
     Error error{Code::kBadArgument, {}, "there is no surface in it"};
-    error.place.file = options.files[k];
+    error.place.file = options.input.files[k];
     return error;
   }
   for (const SplineFile& file : files) report.ignored_triangles += count_triangles(file.model);
@@ -31,15 +50,16 @@ Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& fil
   how.budget.pairs = options.max_pairs;
   for (const NamedSurface& a : first)
     for (const NamedSurface& b : second) {
-      progress.phase(options.files[0], "intersecting " + std::to_string(++report.num_pairs) +
-                                           " of " + std::to_string(first.size() * second.size()));
+      progress.phase(options.input.files[0], "intersecting " + std::to_string(++report.num_pairs) +
+                                                 " of " +
+                                                 std::to_string(first.size() * second.size()));
       auto found = intersect(*a.surface, *b.surface, how);
       if (!found) {
         Error error = found.error();
         const bool is_first = error.message.find("the first surface") != std::string::npos;
         error.message =
             "entity " + std::to_string(is_first ? a.entity : b.entity) + ": " + error.message;
-        error.place.file = options.files[is_first ? 0 : 1];
+        error.place.file = options.input.files[is_first ? 0 : 1];
         return error;
       }
       report.ignores_trimming = report.ignores_trimming || a.is_trimmed || b.is_trimmed;
@@ -50,27 +70,37 @@ Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& fil
   return report;
 }
 
-}  // namespace
+Status check_outputs(const Options& options) {
+  const std::vector<std::string>& files = options.input.files;
+  const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
+  if (!plan) return plan.error();
+  if (!options.curves) return ok_status();
+  return check_output("--output", *options.curves, files, *plan, options.json);
+}
 
-ExitCode run_intersect(const Options& options, StandardOutput& out) {
-  Result<OutputPlan> plan = plan_outputs(options.files, std::nullopt, options.json);
-  if (plan && options.curves) {
-    const Status apart =
-        check_output("--output", *options.curves, options.files, *plan, options.json);
-    if (!apart) plan = apart.error();
-  }
-  if (!plan) {
-    complain(harmless(to_string(plan.error())));
-    return plan.error().code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
-  }
-  if (options.curves && !ends_with(*options.curves, ".json") &&
-      !ends_with(*options.curves, ".vtu")) {
+ExitCode print(const IntersectionReport& report, const Options& options, StandardOutput& out) {
+  ExitCode exit = report.exit();
+  const auto write = [&](const std::string& path, const std::string& text) {
+    const Status status = write_output(path, text, out);
+    if (!status && path != "-") exit = first_of(exit, fail(status.error()));
+  };
+  if (options.json != "-") out.write(intersection_text(report));
+  if (options.curves)
+    write(*options.curves,
+          options.curves->ends_with(".vtu") ? curves_vtu(report) : curves_json(report));
+  if (options.json) write(*options.json, intersection_json(report));
+  return exit;
+}
+
+ExitCode run(const Options& options, StandardOutput& out) {
+  if (const Status status = check_outputs(options); !status) return fail(status.error());
+  if (options.curves && !options.curves->ends_with(".json") && !options.curves->ends_with(".vtu")) {
     complain(harmless(*options.curves + ": the name must end in .json or .vtu"));
     return kExitUsage;
   }
   std::array<SplineFile, 2> files;
   for (std::size_t k = 0; k < 2; ++k) {
-    auto file = read_spline_file(options.files[k], options.reading);
+    auto file = read_spline_file(options.input.files[k], options.input.reading);
     if (!file) {
       complain(harmless(to_string(file.error())));
       return kExitUnreadable;
@@ -85,20 +115,16 @@ ExitCode run_intersect(const Options& options, StandardOutput& out) {
     return kExitUnreadable;
   }
   for (std::size_t k = 0; k < 2; ++k)
-    report->paths[k] = options.files[k], report->sha256[k] = files[k].sha256;
-  if (options.json != "-") out.write(intersection_text(*report));
-  ExitCode exit = report->exit();
-  const auto write = [&](const std::string& path, const std::string& text) {
-    const Status status = write_output(path, text, out);
-    if (status || path == "-") return;
-    complain(harmless(to_string(status.error())));
-    exit = first_of(exit, kExitUnreadable);
-  };
-  if (options.curves)
-    write(*options.curves,
-          ends_with(*options.curves, ".vtu") ? curves_vtu(*report) : curves_json(*report));
-  if (options.json) write(*options.json, intersection_json(*report));
-  return exit;
+    report->paths[k] = options.input.files[k], report->sha256[k] = files[k].sha256;
+  return print(*report, options, out);
+}
+
+}  // namespace
+
+RunCommand declare_intersect(OptionSet& set) {
+  const auto o = std::make_shared<Options>();
+  declare(set, *o);
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

@@ -1,23 +1,50 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope predicate.
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "cli/commands.h"
 #include "cli/line_reader.h"
-#include "report/text_style.h"
 #include "named_predicates/case_reader.h"
+#include "named_predicates/named_predicate.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
 
 using namespace report;
 namespace {
 
+struct Options {
+  const NamedPredicate* predicate = nullptr;  ///< null: each line names its own
+  std::string file;
+  bool expect = false, tiers = false;
+};
+
+void declare(OptionSet& set, Options& o) {
+  const auto take_name = [&o](const std::string& name) -> std::string {
+    o.predicate = predicate_from_name(name);
+    if (o.predicate != nullptr || name == "any") return "";
+    return "must be one of any, " + predicate_names() + ", not " + name;
+  };
+  set.operand(
+      "NAME", take_name,
+      "orient2d, orient3d, in_circle, in_sphere,\nside_of_plane, compare_along, on implicit "
+      "points:\norient3d_lpi, ...; any: each line names its own");
+  declare_plain_file(
+      set, "FILE", o.file,
+      "one case a line: the coordinates as decimals or\nas 0x1.8p-3; # comments; - is "
+      "standard input");
+  set.flag("--expect", o.expect,
+           "behind the coordinates stands the sign expected:\nreport disagreements");
+  set.flag("--tiers", o.tiers, "say on standard error which tiers decided");
+}
+
 class CaseRun {
  public:
   CaseRun(const Options& options, StandardOutput& out)
       : has_expected_(options.expect),
-        name_(options.files[0] == "-" ? "standard input" : harmless(options.files[0])),
+        name_(options.file == "-" ? "standard input" : harmless(options.file)),
         cases_(options.predicate, options.expect),
         out_(out) {}
 
@@ -92,20 +119,26 @@ std::string placed_text(const Error& error) {
   return error.place.file + ":" + std::to_string(*error.place.line) + ": " + error.message;
 }
 
-ExitCode fail(const Error& error) {
+ExitCode fail_at_line(const Error& error) {
   complain(harmless(placed_text(error)));
   return kExitUnreadable;
 }
 
+ExitCode run(const Options& options, StandardOutput& out) {
+  Result<LineReader> lines = LineReader::open(options.file);
+  if (!lines) return fail_at_line(lines.error());
+  CaseRun cases(options, out);
+  if (const Status status = cases.decide_all(*lines); !status) return fail_at_line(status.error());
+  if (options.tiers) complain("decided by " + tiers_text(cases.tiers()));
+  return cases.summarise();
+}
+
 }  // namespace
 
-ExitCode run_predicate(const Options& options, StandardOutput& out) {
-  Result<LineReader> lines = LineReader::open(options.files[0]);
-  if (!lines) return fail(lines.error());
-  CaseRun run(options, out);
-  if (const Status status = run.decide_all(*lines); !status) return fail(status.error());
-  if (options.tiers) complain("decided by " + tiers_text(run.tiers()));
-  return run.summarise();
+RunCommand declare_predicate(OptionSet& set) {
+  const auto o = std::make_shared<Options>();
+  declare(set, *o);
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

@@ -2,6 +2,7 @@
 // veritope selftest.
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -52,9 +53,7 @@ std::string summary(const NamedPredicate& predicate, const Tally& tally) {
          tiers_text(tally.tiers) + "\n";
 }
 
-}  // namespace
-
-ExitCode run_selftest(const Options& options, StandardOutput& out) {
+ExitCode run(const HardCaseOptions& options, StandardOutput& out) {
   const Status environment = check_fp();
   out.write(environment ? "floating point is as the filters need it\n"
                         : environment.error().message + "; integers decide\n");
@@ -72,6 +71,14 @@ ExitCode run_selftest(const Options& options, StandardOutput& out) {
   out.write(std::to_string(options.num_cases) + " cases, " + std::to_string(num_disagreements) +
             " disagreements; seed " + std::to_string(options.seed) + "\n");
   return num_disagreements == 0 ? kExitValid : kExitBug;
+}
+
+}  // namespace
+
+RunCommand declare_selftest(OptionSet& set) {
+  const auto o = std::make_shared<HardCaseOptions>();
+  declare_hard_cases(set, *o);
+  return [o](StandardOutput& out) { return run(*o, out); };
 }
 
 }  // namespace veritope::cli

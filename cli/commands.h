@@ -1,24 +1,42 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/commands.h: one function a command. Each prints, and returns the exit status.
+// cli/commands.h: the table of commands. A command is one file, command_NAME.cc, with its options, and one row here.
 #pragma once
-#include "report/exit_code.h"
-#include "cli/options.h"
+#include <functional>
+#include <span>
+
+#include "cli/option_groups.h"
 #include "cli/output.h"
+#include "report/exit_code.h"
 
 namespace veritope::cli {
 
 using namespace report;
 
-ExitCode run_certify(const Options& options, StandardOutput& out);
-ExitCode run_info(const Options& options, StandardOutput& out);
-ExitCode run_convert(const Options& options, StandardOutput& out);
-ExitCode run_intersect(const Options& options, StandardOutput& out);
-ExitCode run_project(const Options& options, StandardOutput& out);
-ExitCode run_cover(const Options& options, StandardOutput& out);
-ExitCode run_explain(const Options& options, StandardOutput& out);
-ExitCode run_explain_certificate(const Options& options, StandardOutput& out);
-ExitCode run_predicate(const Options& options, StandardOutput& out);
-ExitCode run_selftest(const Options& options, StandardOutput& out);
-ExitCode run_corpus(const Options& options, StandardOutput& out);
+/// Runs a command with the options that were parsed: prints, and returns the exit status.
+using RunCommand = std::function<ExitCode(StandardOutput& out)>;
+
+struct Command {
+  const char* name;
+  const char* summary;  ///< in the help of the program
+  /// Makes options of its own, which the function that it returns owns and reads.
+  RunCommand (*declare)(OptionSet& set);
+  /// False: it runs even if the floating point is not as the filters need it, and reports that itself.
+  bool needs_fp = true;
+};
+
+/// All rows, in the order of the help.
+std::span<const Command> commands();
+
+RunCommand declare_certify(OptionSet& set);
+RunCommand declare_info(OptionSet& set);
+RunCommand declare_convert(OptionSet& set);
+RunCommand declare_intersect(OptionSet& set);
+RunCommand declare_project(OptionSet& set);
+RunCommand declare_cover(OptionSet& set);
+RunCommand declare_explain(OptionSet& set);
+RunCommand declare_explain_certificate(OptionSet& set);
+RunCommand declare_predicate(OptionSet& set);
+RunCommand declare_selftest(OptionSet& set);
+RunCommand declare_corpus(OptionSet& set);
 
 }  // namespace veritope::cli

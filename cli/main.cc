@@ -6,20 +6,28 @@
 #include <exception>
 #include <new>
 #include <system_error>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/option_set.h"
 #include "cli/signals.h"
 #include "report/text_style.h"
 #include "robust/base/check.h"
 #include "robust/base/fp_guard.h"
+#include "verify/certify/certify.h"
 
 namespace veritope::cli {
 
 using namespace report;
 namespace {
 
-// So that no file that is opened later gets the number of a standard stream. What is written to a stream that was
-// closed fails: it is not lost in silence.
+constexpr char kTitle[] = "veritope: solid models that come with proofs";
+constexpr char kFooter[] =
+    "Exit: 0 valid or done, 1 invalid, 2 wrong usage, 3 undecided, 4 unreadable, over\n"
+    "a limit or cannot write, 5 our bug; of several files the first of 5, 1, 4, 3, 0";
+
+// A file that is opened later must not get the number of a standard stream. What is written to a stream that was closed
+// then fails: it is not lost in silence.
 void occupy_standard_streams() {
   int descriptor = 0;
   do {
@@ -28,26 +36,9 @@ void occupy_standard_streams() {
   if (descriptor >= 0) ::close(descriptor);
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
-  switch (options.command) {
-    case Command::kCertify: return run_certify(options, out);
-    case Command::kInfo: return run_info(options, out);
-    case Command::kConvert: return run_convert(options, out);
-    case Command::kIntersect: return run_intersect(options, out);
-    case Command::kProject: return run_project(options, out);
-    case Command::kCover: return run_cover(options, out);
-    case Command::kExplain: return run_explain(options, out);
-    case Command::kExplainCertificate: return run_explain_certificate(options, out);
-    case Command::kPredicate: return run_predicate(options, out);
-    case Command::kSelftest: return run_selftest(options, out);
-    case Command::kCorpus: return run_corpus(options, out);
-  }
-  return kExitBug;
-}
-
-ExitCode guarded(const Options& options, StandardOutput& out) {
+ExitCode guarded(const RunCommand& run, StandardOutput& out) {
   try {
-    return run(options, out);
+    return run(out);
   } catch (const std::bad_alloc&) {
     complain("not enough memory");
     return kExitUndecided;
@@ -60,24 +51,30 @@ ExitCode guarded(const Options& options, StandardOutput& out) {
   }
 }
 
+ExitCode run_command(const Command& command, const RunCommand& run, StandardOutput& out) {
+  if (const Status status = command.needs_fp ? check_fp() : ok_status(); !status) {
+    complain(status.error().message);
+    return kExitBug;
+  }
+  return guarded(run, out);
+}
+
 int main_of(int argc, const char* const* argv) {
-  const ParsedArguments arguments = parse_arguments(argc, argv);
-  if (!arguments.error.empty()) {
-    complain(harmless(arguments.error) + "\nveritope --help and veritope COMMAND --help say more");
+  CommandLine line(kTitle, tool_name(), kFooter);
+  std::vector<RunCommand> runs;
+  for (const Command& command : commands())
+    runs.push_back(command.declare(line.add_command(command.name, command.summary)));
+  const ParsedLine parsed = line.parse(argc, argv);
+  if (!parsed.error.empty()) {
+    complain(harmless(parsed.error) + "\nveritope --help and veritope COMMAND --help say more");
     return kExitUsage;
   }
   StandardOutput out;
   ExitCode exit = kExitValid;
-  if (arguments.options) {
-    // The self-test reports on the floating point itself.
-    const bool must_check = arguments.options->command != Command::kSelftest;
-    if (const Status status = must_check ? check_fp() : ok_status(); !status) {
-      complain(status.error().message);
-      return kExitBug;
-    }
-    exit = guarded(*arguments.options, out);
+  if (parsed.command) {
+    exit = run_command(commands()[*parsed.command], runs[*parsed.command], out);
   } else {
-    out.write(arguments.text);
+    out.write(parsed.text);
   }
   const Status written = out.status();
   if (written) return exit;

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "io/base/atomic_file.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
 namespace {
@@ -69,6 +70,11 @@ void complain(std::string_view text) {
   // Nothing can be done if standard error takes no bytes.
   [[maybe_unused]] const int error =
       write_all(STDERR_FILENO, "veritope: " + std::string(text) + "\n");
+}
+
+report::ExitCode fail(const Error& error) {
+  complain(report::harmless(to_string(error)));
+  return error.code == Code::kBadArgument ? report::kExitUsage : report::kExitUnreadable;
 }
 
 Status write_output(const std::string& path, std::string_view bytes, StandardOutput& out) {

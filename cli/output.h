@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "report/exit_code.h"
 #include "robust/base/result.h"
 
 namespace veritope::cli {
@@ -23,6 +24,9 @@ class StandardOutput {
 
 /// "veritope: <text>" on standard error.
 void complain(std::string_view text);
+
+/// Complains about an error of a file or an argument: kExitUsage for kBadArgument, else kExitUnreadable.
+report::ExitCode fail(const Error& error);
 
 /// Replaces the file at `path` in one step, or writes to it if it is a device or a pipe; "-" is standard output.
 /// @error kCannotWrite

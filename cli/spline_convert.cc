@@ -5,12 +5,12 @@
 #include <variant>
 
 #include "cli/output_plan.h"
-#include "report/text_style.h"
 #include "io/formats.h"
 #include "io/splines/patch_model.h"
 #include "io/splines/volume_faces.h"
 #include "io/splines/write_splines.h"
 #include "render/spline_view.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
 
@@ -23,12 +23,7 @@ Error bad_argument(std::string message) {
   return Error{Code::kBadArgument, Place{}, std::move(message)};
 }
 
-ExitCode fail(const Error& error) {
-  complain(harmless(to_string(error)));
-  return error.code == Code::kBadArgument ? kExitUsage : kExitUnreadable;
-}
-
-Result<Target> target_of(const Options& o) {
+Result<Target> target_of(const ConvertOptions& o) {
   const std::size_t dot = o.output.rfind('.');
   const std::string name = o.to ? *o.to : dot == o.output.npos ? "" : o.output.substr(dot + 1);
   if (const auto view = view_format_from_name(name)) return Target(*view);
@@ -80,7 +75,7 @@ Status take_faces(SplineFile& file, const std::string& path, std::vector<std::st
   return ok_status();
 }
 
-ExitCode finish(const Options& o, const SplineFile& file, const std::string& bytes,
+ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::string& bytes,
                 const std::string& lost, const std::string& dropped, bool is_view,
                 StandardOutput& out) {
   const Status written = write_output(o.output, bytes, out);
@@ -102,14 +97,14 @@ ExitCode finish(const Options& o, const SplineFile& file, const std::string& byt
 
 }  // namespace
 
-ExitCode convert_splines(ModelInput& input, const Options& options, StandardOutput& out) {
+ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
   const Result<Target> target = target_of(options);
   if (!target) return fail(target.error());
   const auto* const view = std::get_if<ViewFormat>(&*target);
   if (options.chord && (view == nullptr || *view == ViewFormat::kVtu))
     return fail(bad_argument("--chord is for obj and gltf"));
   if (options.single_precision) return fail(bad_argument("--float is for binary PLY"));
-  if (const Status status = refuse_same(options.files, options.output); !status)
+  if (const Status status = refuse_same(options.input.files, options.output); !status)
     return fail(status.error());
   if (const Status status = try_output(options.output); !status) return fail(status.error());
   Result<ModelFile> model = input.take();
@@ -117,7 +112,7 @@ ExitCode convert_splines(ModelInput& input, const Options& options, StandardOutp
   SplineFile* const file = &std::get<SplineFile>(*model);
   auto [lost, dropped] = left_out(*file);
   if (options.faces)
-    if (const Status status = take_faces(*file, options.files[0], lost, dropped); !status)
+    if (const Status status = take_faces(*file, options.input.files[0], lost, dropped); !status)
       return fail(status.error());
   if (view != nullptr) {
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
@@ -130,7 +125,7 @@ ExitCode convert_splines(ModelInput& input, const Options& options, StandardOutp
     return finish(options, *file, *bytes, "", joined(lost), true, out);
   }
   const SplineFormat format = std::get<SplineFormat>(*target);
-  const ReadLimits& limits = options.reading.limits;
+  const ReadLimits& limits = options.input.reading.limits;
   const std::string bytes = spline_bytes(file->model, format, limits);
   const SplineLoss loss = spline_loss(file->model, format, bytes, limits);
   if (loss.unreadable) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/spline_convert.h: veritope convert for spline files.
 #pragma once
-#include "report/exit_code.h"
+#include "cli/convert_options.h"
 #include "cli/model_input.h"
-#include "cli/options.h"
 #include "cli/output.h"
+#include "report/exit_code.h"
 
 namespace veritope::cli {
 
 using namespace report;
 
 /// REQUIRES input.kind() == ModelKind::kSplines.
-ExitCode convert_splines(ModelInput& input, const Options& options, StandardOutput& out);
+ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, StandardOutput& out);
 
 }  // namespace veritope::cli

@@ -90,6 +90,38 @@ class Usage(unittest.TestCase):
                 self.assertTrue(option == "--help" or f"`{option}" in page, f"{command} {option}")
 
 
+class Rooms(unittest.TestCase):
+    def test_every_command_has_a_file_of_its_own_and_one_file_alone_includes_the_parser(self):
+        sources = sorted((support.ROOT / "cli").glob("*.*"))
+        names = {path.name for path in sources}
+        for command in COMMANDS:
+            self.assertIn(f"command_{command.replace('-', '_')}.cc", names)
+        self.assertEqual(sum(name.startswith("command_") for name in names), len(COMMANDS))
+        self.assertEqual([path.name for path in sources if "#include <CLI/" in path.read_text()], ["option_set.cc"])
+
+    def test_of_several_mistakes_in_the_options_the_first_of_a_fixed_order_is_named(self):
+        for arguments, words in [(["certify", "-", "-"], "- is standard input and needs --format"),
+                                 (["certify", "--format", "off", "-", "-"], "standard input can be read once only"),
+                                 (["certify", "", "-"], "- is standard input and needs --format"),
+                                 (["certify", "", "x.off"], "a file name must not be empty"),
+                                 (["certify", "--picture", "-", ""], "a file name must not be empty"),
+                                 (["certify", "--picture", "-", "x.off"], "--picture needs a file name, not -"),
+                                 (["certify", "--picture", "p", "x.off", "y.off"], "--picture shows one file, not several"),
+                                 (["certify", "--certificate", "-", "x.off"], "--certificate needs a file name, not -"),
+                                 (["convert", "x.off", "-"], "- is standard output and needs --to"),
+                                 (["cover", "x.itd"], "-o,--output is required"),
+                                 (["cover", "x.itd", "-o", "-"], "--output needs a file name, not -"),
+                                 (["cover", "x.itd", "--eps", "1"], "--eps requires --sweep"),
+                                 (["cover", "x.itd", "--sweep", "1", "--what", "boxes"], "--what excludes --sweep"),
+                                 (["certify", "-j", "0", "x.off"], "--jobs: must be a number from 1 to 1024, not 0"),
+                                 (["certify", "--orient", "x", "x.off"], "--orient: must be auto or keep, not x"),
+                                 (["intersect", "-o", "", "a", "b"], "-o,--output: needs a name")]:
+            with self.subTest(arguments):
+                done = run(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertEqual(done.stderr.splitlines(), ["veritope: " + words, "veritope --help and veritope COMMAND --help say more"])
+
+
 class ExitStatus(unittest.TestCase):
     def test_of_several_files_the_first_of_5_1_4_3_0_decides(self):
         for files, status in [([VALID], 0), ([INVALID], 1), ([UNREADABLE], 4), ([VALID, UNREADABLE], 4), ([UNREADABLE, INVALID], 1),

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/convert_options.h: the options of veritope convert, for meshes and for splines.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "cli/option_groups.h"
+
+namespace veritope::cli {
+
+struct ConvertOptions {
+  InputOptions input;
+  std::string output;
+  std::optional<std::string> to;
+  bool single_precision = false, lossy = false;
+  bool faces = false;           ///< of volumes
+  std::optional<double> chord;  ///< of splines to obj or gltf
+};
+
+}  // namespace veritope::cli

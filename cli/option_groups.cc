@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/option_groups.h"
+
+#include <algorithm>
+
+#include "io/formats.h"
+#include "robust/base/parallel.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr unsigned kMostJobs = 1024;
+constexpr std::uint64_t kMostFaces = (std::uint64_t{1} << 30) - 1;  // decide_validity's
+
+std::string wrong_files(const InputOptions& input) {
+  const auto& files = input.files;
+  const auto inputs = std::count(files.begin(), files.end(), "-");
+  if (inputs > 0 && !input.reading.format) return "- is standard input and needs --format";
+  if (inputs > 1) return "standard input can be read once only";
+  if (std::find(files.begin(), files.end(), "") != files.end())
+    return "a file name must not be empty";
+  return "";
+}
+
+}  // namespace
+
+int default_jobs() { return static_cast<int>(std::clamp(hardware_jobs(), 1u, kMostJobs)); }
+
+void declare_files(OptionSet& set, InputOptions& input, const std::string& help) {
+  set.operands("FILE", input.files, help);
+}
+
+void declare_file(OptionSet& set, const std::string& name, InputOptions& input,
+                  const std::string& help) {
+  const auto take = [&input](const std::string& path) -> std::string {
+    input.files = {path};
+    return "";
+  };
+  set.operand(name, take, help);
+}
+
+void declare_format(OptionSet& set, InputOptions& input) {
+  const auto take = [&input](const std::string& name) -> std::string {
+    const ModelFormat* const row = format_from_name(name);
+    if (row == nullptr) return "must be " + format_names("or") + ", not " + name;
+    input.reading.format = row->id;
+    return "";
+  };
+  set.option("--format", "F", take, format_names("or"));
+  set.rule([&input] { return wrong_files(input); });
+}
+
+void declare_reading(OptionSet& set, ModelReadOptions& reading) {
+  set.flag("--as-indexed", reading.as_indexed, "keep the file's vertex indices, merge none");
+  ReadLimits& limits = reading.limits;
+  set.number("--max-bytes", limits.max_bytes, {0, kMost64},
+             "limit: size of a file (4 GiB); --max-faces N: triangles");
+  set.number("--max-faces", limits.max_faces, {0, kMostFaces}, "limit: triangles (200000000)");
+  set.hide("--max-faces");  // in the line above
+  set.number("--max-digits", limits.max_digits, {1, kMost32},
+             "limit: digits (1000); --max-exponent N: exponent (4096)");
+  set.number("--max-exponent", limits.max_exponent, {0, kMost32},
+             "limit: exponent of a number (4096)");
+  set.hide("--max-exponent");  // in the line above
+}
+
+void declare_jobs(OptionSet& set, int& jobs) {
+  set.number("-j,--jobs", jobs, {1, kMostJobs}, "threads (default: all of the machine)");
+}
+
+void declare_json(OptionSet& set, std::optional<std::string>& json, const std::string& what) {
+  set.text("--json", json, what + " as JSON; - is standard output");
+}
+
+void declare_orientation(OptionSet& set, bool& is_auto, const std::string& what_is_reversed) {
+  const auto take = [&is_auto](const std::string& how) -> std::string {
+    if (how != "auto" && how != "keep") return "must be auto or keep, not " + how;
+    is_auto = how == "auto";
+    return "";
+  };
+  set.option("--orient", "HOW", take,
+             "auto: reverse " + what_is_reversed + " that do not fit; keep: none");
+}
+
+void declare_plain_file(OptionSet& set, const std::string& name, std::string& file,
+                        const std::string& help) {
+  set.operand(name, any_text(file), help);
+  set.rule(
+      [&file]() -> std::string { return file.empty() ? "a file name must not be empty" : ""; });
+}
+
+void declare_hard_cases(OptionSet& set, HardCaseOptions& cases) {
+  set.number("--cases", cases.num_cases, {1, kMost64}, "cases in all (100000)");
+  set.number("--seed", cases.seed, {0, kMost64}, "of the random numbers (1)");
+}
+
+}  // namespace veritope::cli

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What whole commands cost: veritope certify, both checkers, certificate sizes, malformed files. One JSON row a line, medians of 7.
+"""What whole commands cost: veritope certify, both checkers, certificate sizes, malformed files. One JSON row a line,
+medians of 7.
 
 usage: bench_command.py BIN_FOLDER   (with veritope, veritope-check, write_model)
 """

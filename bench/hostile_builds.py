@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""hostile_builds.py [--cases N] [--seed S] [--folder F] [--only TEXT]: builds the predicates by every compiler here under flags that change
-floating point, and decides hard cases in each build under every rounding mode, with FTZ and DAZ. N cases of every predicate; Ctrl-C ends after the
-chunk in work, and the figures say how many there were (go on with another --seed). Prints one JSON line a build and mode; exit 1 if a sign is wrong or a build fails. The expected signs: bench/hostile_cases.cc, built by ./dev bench or soak."""
+"""hostile_builds.py [--cases N] [--seed S] [--folder F] [--only TEXT]: builds the predicates by every compiler here
+under flags that change floating point, and decides hard cases in each build under every rounding mode, with FTZ and
+DAZ. N cases of every predicate; Ctrl-C ends after the chunk in work, and the figures say how many there were (go on
+with another --seed). Prints one JSON line a build and mode; exit 1 if a sign is wrong or a build fails. The expected
+signs: bench/hostile_cases.cc, built by ./dev bench or soak."""
 
 import argparse
 import concurrent.futures

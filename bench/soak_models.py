@@ -3,10 +3,12 @@
 """Real models: the manifest's truth, and the same verdict after transformations that change nothing.
 
 usage: soak_models.py BIN_FOLDER manifest|jobs|transforms [SEED]
-manifest    verdict, exit code and every count of all files against MANIFEST.tsv; both checkers accept every certificate.
+manifest    verdict, exit code and every count of all files against MANIFEST.tsv; both checkers accept every
+            certificate.
 jobs        report and certificate of every readable file are the same bytes for 1, 2, 3 and 7 jobs.
-transforms  every readable file relabelled, mapped exactly (coordinate permutations, reflections, shears and scalings that round nothing, the
-            orientation reversed where the determinant is negative) and cut into four: same verdict, counts and genus, volume * |det|.
+transforms  every readable file relabelled, mapped exactly (coordinate permutations, reflections, shears and scalings
+            that round nothing, the orientation reversed where the determinant is negative) and cut into four: same
+            verdict, counts and genus, volume * |det|.
 """
 import csv
 import fractions
@@ -150,8 +152,8 @@ def relabelled(rng, points, faces):
 
 
 def subdivided(points, faces):
-    """Each facet cut into four at exact midpoints, or None if one rounds. Sound models only: a duplicate would stay one, but a
-    degenerate facet would give four."""
+    """Each facet cut into four at exact midpoints, or None if one rounds. Sound models only: a duplicate would stay
+    one, but a degenerate facet would give four."""
     points, middle, out = list(points), {}, []
 
     def mid(a, b):

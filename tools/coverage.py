@@ -4,10 +4,10 @@
 
 usage: coverage.py BUILD_FOLDER      a build of the preset coverage; ./dev coverage makes it
 
-Prints one JSON line a figure. A branch is one outcome, true or false, of one condition of the source; it counts as taken if any
-instantiation took it. Outcomes that no test took are listed on stderr and in BUILD_FOLDER/uncovered.txt. Not counted: conditions that
-are constant, those inside VT_CHECK and VT_SLOW_CHECK (a bug of ours: no input reaches the other side), and lines with a comment
-"NOT COVERED: reason"; how many of these there are is the figure's key "argued".
+Prints one JSON line a figure. A branch is one outcome, true or false, of one condition of the source; it counts as
+taken if any instantiation took it. Outcomes that no test took are listed on stderr and in BUILD_FOLDER/uncovered.txt.
+Not counted: conditions that are constant, those inside VT_CHECK and VT_SLOW_CHECK (a bug of ours: no input reaches the
+other side), and lines with a comment "NOT COVERED: reason"; how many of these there are is the figure's key "argued".
 Exit: 0 measured, 1 a test failed or the measurement did.
 """
 import bisect
@@ -32,8 +32,9 @@ def run_tests(build):
 
 
 def measure(build):
-    """{path: llvm-cov's reports of the file, one for each program that has it}. Program by program: one call for all of them would count
-    a function once, as the first program has it, and compilers make different code for it in different programs."""
+    """{path: llvm-cov's reports of the file, one for each program that has it}. Program by program: one call for all of
+    them would count a function once, as the first program has it, and compilers make different code for it in different
+    programs."""
     profile = build / "coverage.profdata"
     counters = sorted((build / "profiles").glob("*.profraw"))
     subprocess.run(["llvm-profdata-14", "merge", "-sparse", *counters, "-o", profile], check=True, stdout=sys.stderr)
@@ -69,7 +70,8 @@ def conditions(files):
 
 
 def lines_run(file):
-    """{line: whether it ran} of the lines that have code: as llvm-cov counts them, from the regions that begin on a line or reach into it."""
+    """{line: whether it ran} of the lines that have code: as llvm-cov counts them, from the regions that begin on a
+    line or reach into it."""
     lines, count, has_code = {}, 0, False
     segments = sorted((s for s in file["segments"]), key=lambda s: (s[0], s[1]))
     at = 0

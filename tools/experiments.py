@@ -50,7 +50,8 @@ def read_table(path):
 
 
 def run(experiment):
-    """Yields the JSON objects that the command prints; other lines go to stderr. Raises CalledProcessError at the end."""
+    """Yields the JSON objects that the command prints; other lines go to stderr. Raises CalledProcessError at the
+    end."""
     print(f"== {experiment.name}: {experiment.description}", file=sys.stderr, flush=True)
     with subprocess.Popen(["bash", "-c", experiment.command], cwd=ROOT, stdout=subprocess.PIPE, text=True) as child:
         for line in child.stdout:

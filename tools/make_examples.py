@@ -4,12 +4,13 @@
 
 usage: make_examples.py [FOLDER]      (default: examples/ of this tree)
 
-sound_part.stl      an angle bracket: two plates, a fillet of six facets in the corner between them, a hole of sixteen sides drilled
-                    through the base. Closed, one body, genus 1.
+sound_part.stl      an angle bracket: two plates, a fillet of six facets in the corner between them, a hole of sixteen
+                    sides drilled through the base. Closed, one body, genus 1.
 part_with_hole.stl  the same without the two facets of its front end: four boundary edges.
-self_crossing.off   a wall and a hexagonal tube through it, one surface pushed through the other: every edge has two facets, and
-                    yet it bounds no solid, because the tube crosses the wall.
-quarter_pipe.itd    a quarter of a pipe of radii 2 and 4 and height 1, round exactly: six rational surfaces, volume 3 pi.
+self_crossing.off   a wall and a hexagonal tube through it, one surface pushed through the other: every edge has two
+                    facets, and yet it bounds no solid, because the tube crosses the wall.
+quarter_pipe.itd    a quarter of a pipe of radii 2 and 4 and height 1, round exactly: six rational surfaces, volume 3
+                    pi.
 
 All coordinates are multiples of 1/64 below 64, so decimals, binary32 and binary64 hold them exactly.
 """
@@ -44,7 +45,8 @@ def lift(triangles, place):
 
 
 def walls(loop, low, high, place):
-    """The wall over a closed loop of plane points; outward if the loop, seen along the third axis, turns to the left."""
+    """The wall over a closed loop of plane points; outward if the loop, seen along the third axis, turns to the
+    left."""
     triangles = []
     for p, q in zip(loop, loop[1:] + loop[:1]):
         quad = [place(*p, low), place(*q, low), place(*q, high), place(*p, high)]

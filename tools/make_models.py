@@ -11,8 +11,8 @@ valid_*             sound models in odd formats, sizes and shapes
 unreadable_*        files that no reader may accept, each for one reason
 EXPECT.tsv          file, options, verdict, exit, rule counts, numbers; "-" = unknown or not decided
 
-The numbers in EXPECT.tsv come from a second opinion: fractions, all pairs, no filters (class Oracle). The rule counts of the mN models are
-also written down here by hand, and compared.
+The numbers in EXPECT.tsv come from a second opinion: fractions, all pairs, no filters (class Oracle). The rule counts
+of the mN models are also written down here by hand, and compared.
 """
 import collections
 import math
@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TINY = 5e-324  # the least positive double
 
 
-# ---- the second opinion -----------------------------------------------------------------------------------------------
+# ---- the second opinion ---------------------------------------------------------------------------------------------
 
 def sub(a, b):
     return tuple(x - y for x, y in zip(a, b))
@@ -185,7 +185,7 @@ class Oracle:
         return not any(self.rules.values()) and self.bodies is not None
 
 
-# ---- shapes -----------------------------------------------------------------------------------------------------------
+# ---- shapes ---------------------------------------------------------------------------------------------------------
 
 Mesh = collections.namedtuple("Mesh", "vertices faces")
 TET = Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
@@ -242,7 +242,7 @@ TORUS = Mesh([(3, -3, 0), (3, 3, 1), (1, 2, 3), (-1, -2, 3), (-3, -3, 1), (-3, 3
              [(i, (i + a) % 7, (i + b) % 7) for a, b in ((1, 3), (3, 2)) for i in range(7)])
 
 
-# ---- writers ----------------------------------------------------------------------------------------------------------
+# ---- writers --------------------------------------------------------------------------------------------------------
 
 def number(value):
     return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))
@@ -298,7 +298,7 @@ def ply_binary(mesh, order, real):
     return data
 
 
-# ---- the models -------------------------------------------------------------------------------------------------------
+# ---- the models -----------------------------------------------------------------------------------------------------
 
 class Models:
     """Files and the rows of EXPECT.tsv."""
@@ -307,7 +307,8 @@ class Models:
         self.files, self.rows = {}, []
 
     def add(self, name, mesh, data=None, breaks=None, options="", stated=None):
-        """`mesh`: what the file means (polygons are cut into fans); `breaks`: {"M1": 1} by hand; `stated`: vertices in the file."""
+        """`mesh`: what the file means (polygons are cut into fans); `breaks`: {"M1": 1} by hand; `stated`: vertices in
+        the file."""
         triangles = [(f[0], f[i], f[i + 1]) for f in mesh.faces for i in range(1, len(f) - 1)]
         oracle = Oracle(mesh.vertices, triangles)
         found = {rule: count for rule, count in oracle.rules.items() if count}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Writes tests/models/patches/: for each answer that `veritope explain` knows about spline models the smallest model that gets it, and the
-nearest valid one, in five to twelve bilinear surfaces.
+"""Writes tests/models/patches/: for each answer that `veritope explain` knows about spline models the smallest model
+that gets it, and the nearest valid one, in five to twelve bilinear surfaces.
 
 usage: make_patch_models.py [FOLDER]      (default: tests/models/patches/ of this tree)
 """

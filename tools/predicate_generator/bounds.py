@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The filter's constants: docs/bounds/README.md, sections 2 to 5, over fractions. The generated C++ test derives them again."""
+"""The filter's constants: docs/bounds/README.md, sections 2 to 5, over fractions. The generated C++ test derives them
+again."""
 import math
 from fractions import Fraction
 
@@ -95,8 +96,9 @@ def lost_in_size(degree, unit):
 
 
 class Bound:
-    """k, k_magnitude: roundings of the determinant without its last addition, and of S; rel: kRel; degree: of the underflow's error in
-    the largest leaf, 0 if kFilterFloor alone pays; else kEta = 2^FLOOR times the power of the largest leaf does, too."""
+    """k, k_magnitude: roundings of the determinant without its last addition, and of S; rel: kRel; degree: of the
+    underflow's error in the largest leaf, 0 if kFilterFloor alone pays; else kEta = 2^FLOOR times the power of the
+    largest leaf does, too."""
 
     def __init__(self, formula):
         root = formula.sign

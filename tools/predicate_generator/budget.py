@@ -35,7 +35,8 @@ def budget(formula, bits, differences):
 
 
 def short_bits(formula):
-    """The most bits of a difference of power 1 with which the polynomial fits 128 bits; None if it always does, or if that is too few."""
+    """The most bits of a difference of power 1 with which the polynomial fits 128 bits; None if it always does, or if
+    that is too few."""
     if budget(formula, ONE_LIMB, False) <= INT128:
         return None
     for bits in range(ONE_LIMB - 2, SHORTEST - 1, -1):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Expressions over the inputs of a predicate: a graph without duplicates, and the polynomials that its nodes stand for."""
+"""Expressions over the inputs of a predicate: a graph without duplicates, and the polynomials that its nodes stand
+for."""
 
 
 class Node:
-    """kind: "input" (name), "integer" (value), "+", "-", "*", "sqr" (args). Equal expressions are one object: see Graph."""
+    """kind: "input" (name), "integer" (value), "+", "-", "*", "sqr" (args). Equal expressions are one object: see
+    Graph."""
 
     def __init__(self, kind, args=(), name="", value=0):
         self.kind, self.args, self.name, self.value = kind, args, name, value

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Formula files: docs/how-to/generate-a-predicate.md has the language. What is wrong is refused with line, column and a sentence."""
+"""Formula files: docs/how-to/generate-a-predicate.md has the language. What is wrong is refused with line, column and a
+sentence."""
 import random
 import re
 
@@ -26,8 +27,9 @@ class FormulaError(Exception):
 class Formula:
     """What a formula file says.
 
-    arguments: [(name, dimension)], 0 for a number; scale_of: {input: (scale, power)}; definitions: [(name, node)] in order, without the
-    sign; sign: node; laws: [(kind, permutation of the arguments, factor)]; examples: [(numbers as text, sign)]; texts: {word: text}.
+    arguments: [(name, dimension)], 0 for a number; scale_of: {input: (scale, power)}; definitions: [(name, node)] in
+    order, without the sign; sign: node; laws: [(kind, permutation of the arguments, factor)]; examples: [(numbers as
+    text, sign)]; texts: {word: text}.
     """
 
     def __init__(self):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The table of claims: one row for each that this checker decides. tests/claims_table_test.py compares it with the C++ checker's."""
+"""The table of claims: one row for each that this checker decides. tests/claims_table_test.py compares it with the C++
+checker's."""
 from collections import namedtuple
 
 from .common.statement import keys_of

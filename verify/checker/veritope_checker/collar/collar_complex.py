@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The complex of collar_check.py: conditions K0 to K3 of docs/certificates/collar.md, integers only.
 
-A *place* is (z S + y) S + x in units of the smallest cells; a face is 4 place + axis of its normal, with the place of its least
-corner, so that faces ascend as on the page; an edge piece is 4 place + axis of its direction, with the place of its lower end.
+A *place* is (z S + y) S + x in units of the smallest cells; a face is 4 place + axis of its normal, with the place of
+its least corner, so that faces ascend as on the page; an edge piece is 4 place + axis of its direction, with the place
+of its lower end.
 """
 from bisect import bisect_left, bisect_right
 
@@ -64,8 +65,8 @@ class Cells:
         return bisect_left(self.codes, code + size ** 3) > bisect_right(self.codes, code - size ** 3)
 
     def squares(self, p, size, axis, near):
-        """A node of the octree and its side at half `near` of the axis: the nodes whose sides are the faces of the subdivision
-        there, or None if no cell in the node touches that side."""
+        """A node of the octree and its side at half `near` of the axis: the nodes whose sides are the faces of the
+        subdivision there, or None if no cell in the node touches that side."""
         code = code_of(p, size)
         if code in self.index:
             return [(p, size)]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """What both claims about meshes compute from a model, and the cursor over a body.
 
-A float only ever holds a coordinate: it is read, compared and turned into its exact ratio, never added or multiplied."""
+A float only ever holds a coordinate: it is read, compared and turned into its exact ratio, never added or
+multiplied."""
 import struct
 from fractions import Fraction
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The claim patch-invalid-1: check() is called when the statement and the hashes are right.
 
-Written from docs/certificates/patch-invalid.md alone (and star-box.md, where it is quoted).  All numbers are integers; a point is homogeneous, (P, w) with w > 0.
+Written from docs/certificates/patch-invalid.md alone (and star-box.md, where it is quoted).  All numbers are integers;
+a point is homogeneous, (P, w) with w > 0.
 """
 from bisect import bisect_right
 from math import comb, lcm

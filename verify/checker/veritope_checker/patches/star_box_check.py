@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The claims star-box-1 and star-box-turned-1: check() is called when the statement and the hashes are right.
 
-Written from docs/certificates/star-box.md and docs/formats/spline-json.md alone.  All numbers are integers or fractions.  Lengths are in units of 2^E, so that all boxes
-have integer corners.
+Written from docs/certificates/star-box.md and docs/formats/spline-json.md alone.  All numbers are integers or
+fractions.  Lengths are in units of 2^E, so that all boxes have integer corners.
 """
 from fractions import Fraction
 from itertools import compress
@@ -25,7 +25,8 @@ def check(claim, statement, body, model, skip):
 # ---------------------------------------------------------------- section 4: nodes, descents, S1
 
 class Node:
-    """A root or a quarter of a node.  at: its corners in the patch's parameters, in units of 1 / FULL (barycentric for a triangle)."""
+    """A root or a quarter of a node.  at: its corners in the patch's parameters, in units of 1 / FULL (barycentric for
+    a triangle)."""
     __slots__ = ("patch", "level", "at", "net", "parent", "place", "lo", "hi", "g", "kids", "keep")
 
     def __init__(self, patch, level, at, net, parent=None, place=0):
@@ -73,7 +74,8 @@ class Node:
         return None if a[e] else e, e, a[e]
 
     def kept(self, arrays):
-        """Flags of the coefficients that S1 is about; True: all; False: none, S1 fails at a corner of two collapsed sides."""
+        """Flags of the coefficients that S1 is about; True: all; False: none, S1 fails at a corner of two collapsed
+        sides."""
         if self.keep is None:
             sides = [s for s in range(self.patch.num_sides)
                      if self.line(s)[0] is not None and self.patch.sides[self.line(s)[0]] is None]
@@ -231,7 +233,8 @@ class Crossing:
         self.box, self.spend = box, spend
         self.d = [b - a for a, b in zip(*box.c)]
         self.k = max(range(3), key=lambda k: (abs(self.d[k]), -k))
-        self.lines = {}                                     # line: (from, to, direction, curve) of each side of a node on it
+        # line: (from, to, direction, curve) of each side of a node on it
+        self.lines = {}
         for node in nodes:
             for s in range(node.patch.num_sides):
                 self.add_side(node, s)
@@ -248,7 +251,8 @@ class Crossing:
             if patch.sides[side] is None:
                 return
             line, is_first = patch.sides[side]
-            if (direction < 0) == is_first:                 # the first of the two sides rises along the edge, the other falls
+            # the first of the two sides rises along the edge, the other falls
+            if (direction < 0) == is_first:
                 a, b, curve = FULL - b, FULL - a, [c[::-1] for c in curve]
             direction = 1 if is_first else -1
         self.lines.setdefault(line, []).append((a, b, direction, curve))

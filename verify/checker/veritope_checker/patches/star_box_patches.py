@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The patches of star_box_check.py: exact Bezier coefficients, the polynomials of S1, gluing (docs/certificates/star-box.md, section 3).
+"""The patches of star_box_check.py: exact Bezier coefficients, the polynomials of S1, gluing
+(docs/certificates/star-box.md, section 3).
 
-An *array* holds the coefficients of one polynomial as a list of rows.  Tensor: row i, entry j of u^i v^j.  Triangle: row r =
-j + k, entry k of the coefficient of corner 0^i corner 1^j corner 2^k.  A *net* is the arrays of x, y, z, w.  A factor > 0 that all
-coefficients of a net share is dropped or multiplied in at will: all are integers.
+An *array* holds the coefficients of one polynomial as a list of rows.  Tensor: row i, entry j of u^i v^j.  Triangle:
+row r = j + k, entry k of the coefficient of corner 0^i corner 1^j corner 2^k.  A *net* is the arrays of x, y, z, w.  A
+factor > 0 that all coefficients of a net share is dropped or multiplied in at will: all are integers.
 """
 from bisect import bisect_right
 from fractions import Fraction
@@ -52,7 +53,8 @@ def moved_corner(levels, corner):
     return [[levels[k][r - k][0] for k in range(r + 1)] for r in range(n + 1)]
 
 def bisected(rows, e):
-    """The triangles with corner e + 1, or corner e + 2, moved to the midpoint of the side opposite to e, times 2^degree."""
+    """The triangles with corner e + 1, or corner e + 2, moved to the midpoint of the side opposite to e, times
+    2^degree."""
     n, levels = len(rows) - 1, []
     for r in range(n, -1, -1):
         levels.append([[c << r for c in row] for row in rows])
@@ -198,8 +200,8 @@ class Patch:
         return self.g
 
 def determinant(net, is_tensor):
-    """The 3 x 3 minors of (F, F_u, F_v).  Polynomials in Bernstein form without their binomial factors multiply like those in
-    powers; each is packed into one integer, 8 * width bits a coefficient."""
+    """The 3 x 3 minors of (F, F_u, F_v).  Polynomials in Bernstein form without their binomial factors multiply like
+    those in powers; each is packed into one integer, 8 * width bits a coefficient."""
     p, q = len(net[0]) - 1, len(net[0][0]) - 1
     p, q = (p, q) if is_tensor else (p, p)
     stride = 3 * q if is_tensor else 3 * p - 1              # the last degree of the product, and one
@@ -278,7 +280,8 @@ def curve_key(points):
     return ",".join("%x" % (c // common) for c in powers)
 
 def glue(patches, fail):
-    """P1.  Sets sides and components; returns (edges, vertices, [chi of each component], vertex class of corner 4 * patch + s)."""
+    """P1.  Sets sides and components; returns (edges, vertices, [chi of each component], vertex class of corner 4 *
+    patch + s)."""
     places, components, corners, edges = {}, Groups(len(patches)), Groups(4 * len(patches)), 0
     for i, patch in enumerate(patches):
         for s in range(patch.num_sides):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The input of star_box_check.py: a model (docs/formats/spline-json.md) and the body of a certificate (docs/certificates/star-box.md,
-section 2).  All numbers become integers or fractions."""
+"""The input of star_box_check.py: a model (docs/formats/spline-json.md) and the body of a certificate
+(docs/certificates/star-box.md, section 2).  All numbers become integers or fractions."""
 import json
 import re
 from fractions import Fraction

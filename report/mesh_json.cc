@@ -12,6 +12,7 @@ namespace {
 using internal::decision_of;
 using internal::reading_of;
 
+constexpr std::size_t kMostPlaces = 100'000;
 constexpr std::size_t kMostShells = 100'000;  // listed; a soup of triangles has millions
 
 Json volume_json(const std::optional<Rational>& volume) {
@@ -104,6 +105,17 @@ Json defects_total_json(const ValidityReport* decision) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
+// Where faces meet improperly.
+Json places_json(const ValidityReport* decision) {
+  Json out = Json::array();
+  if (decision == nullptr) return out;
+  for (const ImproperPlace& p : decision->places) {
+    if (out.size() == kMostPlaces) break;
+    out.push_back({{"count", p.pairs}, {"faces", p.faces}, {"box", box_json(p.box)}});
+  }
+  return out;
+}
+
 void put_source(const FileReport& report, Json& out) {
   const ReadReport* const r = reading_of(report);
   out["variant"] = r != nullptr ? Json(r->variant) : Json(nullptr);
@@ -122,6 +134,8 @@ void put_facts(const FileReport& report, Json& out) {
       decision != nullptr ? internal::box_json(decision->box_lo, decision->box_hi) : Json(nullptr);
   out["ignored"] = internal::ignored_json(reading_of(report));
   out["notices"] = internal::notices_json(reading_of(report));
+  out["places_total"] = decision != nullptr ? Json(decision->places.size()) : Json(nullptr);
+  out["places"] = places_json(decision);
   out["defects_total"] = defects_total_json(decision);
   out["defects"] = std::move(defects);
 }

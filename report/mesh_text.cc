@@ -30,7 +30,7 @@ constexpr std::array<Noun, kNumMeshRules> kNouns = {{
 }};
 
 constexpr std::size_t kExactSize = 28;  // characters of a fraction before it is cut
-constexpr std::size_t kMostShells = 8;
+constexpr std::size_t kMostShells = 8, kMostPlaces = 8;
 
 std::string point_text(const Vec3d& p) {
   return "(" + short_decimal(p.x) + ", " + short_decimal(p.y) + ", " + short_decimal(p.z) + ")";
@@ -45,6 +45,10 @@ std::string valid_summary(const FileReport& report) {
   return text;
 }
 
+std::string in_places(const ValidityReport& decision) {
+  return " in " + counted(decision.places.size(), "place", "places");
+}
+
 std::string invalid_summary(const FileReport& report) {
   constexpr int kMost = 3;
   std::string text;
@@ -54,6 +58,7 @@ std::string invalid_summary(const FileReport& report) {
     if (count == 0) continue;
     if (++shown > kMost) return text + ", ...";
     text += (shown == 1 ? "" : ", ") + counted(count, kNouns[i].one, kNouns[i].many);
+    if (rule_at(i) == MeshRule::kM7) text += in_places(*decision_of(report));
   }
   return text;
 }
@@ -121,18 +126,45 @@ std::string defect_text(const Finding& d) {
   return text;
 }
 
-std::string rule_section(const FileReport& report, MeshRule rule, const TextOptions& options) {
-  const RuleText& text = rule_text(rule);
-  const std::uint64_t count = decision_of(report)->rule_counts[rule_index(rule)];
-  std::string out = "  " + options.style.bold(std::string(text.id) + " " + std::string(text.name)) +
-                    ": " + std::to_string(count) + "\n";
+// The largest places first.
+std::string places_text(const ValidityReport& decision) {
+  std::vector<ImproperPlace> places = decision.places;
+  std::stable_sort(places.begin(), places.end(),
+                   [](const auto& a, const auto& b) { return a.pairs > b.pairs; });
+  std::string out;
+  for (std::size_t i = 0; i < std::min(places.size(), kMostPlaces); ++i) {
+    const Box3d& box = places[i].box;
+    out += "    " + counted(places[i].pairs, "pair", "pairs") + " of " +
+           counted(places[i].faces, "face", "faces") + " in the box " +
+           point_text({box.lo[0], box.lo[1], box.lo[2]}) + " to " +
+           point_text({box.hi[0], box.hi[1], box.hi[2]}) + "\n";
+  }
+  if (places.size() > kMostPlaces)
+    out += "    ... " + std::to_string(places.size() - kMostPlaces) +
+           " more places (--json lists them)\n";
+  return out;
+}
+
+std::string listed_text(const FileReport& report, MeshRule rule, std::uint64_t count) {
+  std::string out;
   std::uint64_t listed = 0;
   for (const Finding& d : report.defects) {
     if (rule_of(d) != rule) continue;
     ++listed;
     out += defect_text(d);
   }
-  if (listed < count) out += "    ... " + std::to_string(count - listed) + " more\n";
+  return listed < count ? out + "    ... " + std::to_string(count - listed) + " more\n" : out;
+}
+
+std::string rule_section(const FileReport& report, MeshRule rule, const TextOptions& options) {
+  const RuleText& text = rule_text(rule);
+  const ValidityReport& decision = *decision_of(report);
+  const std::uint64_t count = decision.rule_counts[rule_index(rule)];
+  const bool is_in_places = rule == MeshRule::kM7;
+  std::string out = "  " + options.style.bold(std::string(text.id) + " " + std::string(text.name)) +
+                    ": " + std::to_string(count) + (is_in_places ? in_places(decision) : "") + "\n";
+  if (is_in_places) out += places_text(decision);
+  if (!is_in_places || options.lists_pairs) out += listed_text(report, rule, count);
   return out;
 }
 

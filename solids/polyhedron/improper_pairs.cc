@@ -2,6 +2,7 @@
 #include "solids/polyhedron/improper_pairs.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "predicates/triangle_triangle.h"
 #include "robust/base/parallel.h"
@@ -19,12 +20,14 @@ IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {
   return {{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, {t[0], t[1], t[2]}};
 }
 
-// The pairs that one task found: all counted, the least kept.
+// The pairs that one task found: all counted, grouped into places, the least kept.
 class Finds {
  public:
   void decide(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g, std::size_t max_listed) {
     if (is_proper(triangle_triangle(indexed(mesh, f), indexed(mesh, g)))) [[likely]] return;
     ++count_;
+    if (!places_) places_.emplace(mesh);
+    places_->add(f, g);
     if (max_listed == 0) return;
     const FacetPair pair = std::minmax(f, g);
     if (least_.size() < max_listed) {
@@ -38,10 +41,12 @@ class Finds {
   }
   std::uint64_t count() const { return count_; }
   const std::vector<FacetPair>& least() const { return least_; }
+  const std::optional<ImproperPlaces>& places() const { return places_; }
 
  private:
   std::uint64_t count_ = 0;
   std::vector<FacetPair> least_;  // a heap, greatest first
+  std::optional<ImproperPlaces> places_;
 };
 
 struct SeparatorWalk {
@@ -89,10 +94,13 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
     for (const auto& [f, g] : pairs) finds[task].decide(mesh, f, g, max_listed);
   });
   if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, max_listed, jobs);
+  ImproperPlaces places(mesh);
   for (const Finds& part : finds) {
+    if (part.places()) places.add(*part.places());
     out.count += part.count();
     out.first.insert(out.first.end(), part.least().begin(), part.least().end());
   }
+  out.places = places.take();
   std::sort(out.first.begin(), out.first.end());
   if (out.first.size() > max_listed) out.first.resize(max_listed);
   return out;

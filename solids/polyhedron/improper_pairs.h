@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "solids/polyhedron/broad_phase.h"
+#include "solids/polyhedron/improper_places.h"
 
 namespace veritope {
 
 struct ImproperPairs {
   std::uint64_t count = 0;        ///< exact
+  std::vector<ImproperPlace> places;  ///< of all pairs
   std::vector<FacetPair> first;   ///< the `max_listed` least, each with first < second, ascending
   bool long_thin = false;         ///< the box groups gave up and the separator walk decided
 };

@@ -11,6 +11,7 @@
 
 #include "robust/finding.h"
 #include "robust/rational.h"
+#include "solids/polyhedron/improper_places.h"
 #include "solids/polyhedron/nesting.h"
 #include "solids/polyhedron/rules.h"
 #include "solids/polyhedron/triangle_mesh.h"
@@ -63,6 +64,7 @@ struct ValidityReport {
   std::array<std::uint64_t, kNumMeshRules> rule_counts{};  ///< exact, by rule_index; M8 and M9 are 0 unless M1-M7 hold
   bool nesting_decided = false;                            ///< M1-M7 hold, so M8 and M9 were decided
   std::vector<Finding> defects;                            ///< by rule, then by place; at most max_defects of each rule
+  std::vector<ImproperPlace> places;                       ///< where faces meet improperly (M7), all of them
   std::vector<ShellReport> shells;
   std::optional<Rational> volume;                          ///< sum over shells
   Vec3d box_lo, box_hi;                                    ///< of the referenced vertices

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/polyhedron/improper_places.h: pairs of facets that meet improperly, grouped into the places where they do.
+#pragma once
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "robust/base/box3d.h"
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope {
+
+/// A cluster of facets in improper pairs: connected through these pairs and through common vertices.
+struct ImproperPlace {
+  std::uint64_t pairs = 0;
+  std::uint64_t faces = 0;
+  std::uint32_t first_face = 0;  ///< the least
+  Box3d box;                     ///< contains all points in which the pairs meet
+};
+
+/// Collects pairs. What comes out depends on the set of pairs only, not on their order or on who collected them.
+class ImproperPlaces {
+ public:
+  explicit ImproperPlaces(const TriangleMesh& mesh) : mesh_(&mesh) {}
+
+  /// @cost a few hash lookups; memory grows with the facets, not with the pairs
+  void add(std::uint32_t f, std::uint32_t g);
+  void add(const ImproperPlaces& others);
+
+  /// By first_face.
+  std::vector<ImproperPlace> take();
+
+ private:
+  struct Node {
+    std::uint32_t face, parent;
+    std::uint64_t pairs = 0;  // of a root: of its cluster
+    Box3d box;
+    bool has_box = false;
+  };
+  std::uint32_t node_of(std::uint32_t face);
+  std::uint32_t root_of(std::uint32_t node);
+  std::uint32_t unite(std::uint32_t a, std::uint32_t b);
+  void add_to(std::uint32_t root, std::uint64_t pairs, const Box3d& box);
+
+  const TriangleMesh* mesh_;
+  std::vector<Node> nodes_;
+  std::unordered_map<std::uint32_t, std::uint32_t> node_of_face_;
+};
+
+}  // namespace veritope

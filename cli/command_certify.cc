@@ -105,10 +105,12 @@ CertifySettings settings_of(const Options& options) {
 Status check_picture(const Options& options, const OutputPlan& plan) {
   if (!options.picture) return ok_status();
   const std::vector<std::string>& files = options.input.files;
-  if (ModelInput(files.front(), options.input.reading).kind() == ModelKind::kSplines)
-    return Error{Code::kBadArgument,
-                 {},
-                 "--picture shows the defects of meshes; " + files.front() + " is a spline file"};
+  const ModelKind kind = ModelInput(files.front(), options.input.reading).kind();
+  if (kind != ModelKind::kMesh)
+    return Error{
+        Code::kBadArgument,
+        {},
+        "--picture shows the defects of meshes; " + files.front() + " is " + title_of(kind)};
   return check_output("--picture", *options.picture, files, plan, options.json);
 }
 

@@ -144,7 +144,13 @@ void report(const ConvertOptions& o, const MeshFile& file, const std::string& lo
 
 ExitCode run(const ConvertOptions& options, StandardOutput& out) {
   ModelInput input(options.input.files[0], options.input.reading);
-  if (input.kind() == ModelKind::kSplines) return convert_splines(input, options, out);
+  const ModelKind kind = input.kind();
+  if (kind == ModelKind::kSplines) return convert_splines(input, options, out);
+  if (kind != ModelKind::kMesh)
+    return fail(Error{
+        Code::kBadArgument,
+        {},
+        "convert writes meshes and splines; " + options.input.files[0] + " is " + title_of(kind)});
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   const Result<WriteOptions> target = target_of(options);

@@ -36,6 +36,10 @@ InfoReport info_of(const std::string& path, ModelInput& input) {
   report.path = path;
   try {
     Result<ModelFile> model = input.take();
+    if (model && !std::holds_alternative<MeshFile>(*model)) {
+      report.other = std::move(*model);
+      return report;
+    }
     if (model) {
       MeshFile& file = std::get<MeshFile>(*model);
       report.as_indexed = file.report.as_indexed;

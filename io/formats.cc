@@ -17,15 +17,16 @@ using LooksLike = bool (*)(const Source&);
 using SecondGuess = std::string (*)(const Source&);
 
 template <MeshFormat kFormat>
-Result<ModelFile> read(const Source& source, const ModelReadOptions& options) {
+Result<ModelFile> read_as_mesh(const Source& source, const ModelReadOptions& options) {
   Result<MeshFile> file = read_mesh(kFormat, source, options.limits, options.as_indexed);
   if (!file) return file.error();
   return ModelFile(std::move(*file));
 }
 
-template <SplineFormat kFormat>
-Result<ModelFile> read(const Source& source, const ModelReadOptions& options) {
-  Result<SplineFile> file = read_splines(kFormat, source, options.limits);
+// For kinds whose reader takes the format, the bytes and the limits.
+template <auto kFormat, auto kRead>
+Result<ModelFile> read_with(const Source& source, const ModelReadOptions& options) {
+  auto file = kRead(kFormat, source, options.limits);
   if (!file) return file.error();
   return ModelFile(std::move(*file));
 }
@@ -43,12 +44,8 @@ Result<std::string> write(const ModelFile& file, const ReadLimits& limits) {
 template <MeshFormat kFormat>
 ModelFormat mesh(std::vector<std::string_view> endings, LooksLike looks_like,
                  SecondGuess second_guess = nullptr) {
-  return {kFormat,
-          mesh_format_name(kFormat),
-          std::move(endings),
-          looks_like,
-          read<kFormat>,
-          second_guess,
+  return {kFormat,       mesh_format_name(kFormat), std::move(endings),
+          looks_like,    read_as_mesh<kFormat>,     second_guess,
           write<kFormat>};
 }
 
@@ -58,7 +55,7 @@ ModelFormat splines(std::vector<std::string_view> endings, LooksLike looks_like)
           spline_format_name(kFormat),
           std::move(endings),
           looks_like,
-          read<kFormat>,
+          read_with<kFormat, read_splines>,
           nullptr,
           can_write(kFormat) ? write<kFormat> : nullptr};
 }

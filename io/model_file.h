@@ -12,18 +12,23 @@
 
 namespace veritope {
 
-/// What a file holds, in the order of the alternatives of ModelFile and FormatId.
+// The table of kinds: a new kind is one enumerator and one alternative of each of the two types below it, in the same
+// order, and nothing else in this file or in io/model_file.cc (docs/how-to/add-a-solid.md).
+
+/// What a file holds.
 enum class ModelKind { kMesh, kSplines };
 
-/// In sentences: "a mesh", "a file of splines".
-const char* title_of(ModelKind kind);
-
-/// The content of a file of a model: one alternative for each kind. Each has the members sha256, seconds_read,
-/// seconds_parse and seconds_hash, which the front door fills.
+/// The content of a file of a model. Each alternative has
+///  - kTitle, the kind in sentences: "a mesh";
+///  - format and bytes, the number of bytes that were read (meshes have both in their ReadReport);
+///  - sha256, seconds_read, seconds_parse and seconds_hash, which the front door fills.
 using ModelFile = std::variant<MeshFile, SplineFile>;
 
 /// A format, typed by its kind.
 using FormatId = std::variant<MeshFormat, SplineFormat>;
+
+/// In sentences: "a mesh", "a file of splines".
+const char* title_of(ModelKind kind);
 
 inline ModelKind kind_of(const FormatId& format) { return static_cast<ModelKind>(format.index()); }
 inline ModelKind kind_of(const ModelFile& file) { return static_cast<ModelKind>(file.index()); }

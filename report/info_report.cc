@@ -1,13 +1,39 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/info_report.h"
 
+#include "io/formats.h"
+#include "report/json_text.h"
 #include "report/mesh_report_internal.h"
 #include "report/report_text.h"
 #include "solids/polyhedron/box_order.h"
 
 namespace veritope::report {
+namespace {
+
+// The facts that a file of every kind has.
+std::string plain_json(const InfoReport& report, const ModelFile& file) {
+  Json out;
+  out["path"] = report.path;
+  out["sha256"] = sha256_of(file);
+  out["bytes"] = num_bytes(file);
+  out["format"] = model_format(format_of(file)).name;
+  out["exit"] = static_cast<int>(report.exit);
+  out["error"] = fault_json(report.fault);
+  return dump(out);
+}
+
+std::string plain_text(const InfoReport& report, const ModelFile& file, const Style& style) {
+  const std::string format = model_format(format_of(file)).name;
+  return style.bold(shown_path(report.path)) + "\n" +
+         detail_line("file", format + ", " + counted(num_bytes(file), "byte", "bytes")) +
+         detail_line("sha256", sha256_of(file)) + detail_line("model", title_of(kind_of(file))) +
+         style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
+}
+
+}  // namespace
 
 std::string info_json(const InfoReport& report) {
+  if (report.other) return plain_json(report, *report.other);
   const MeshFile* const file = report.file ? &*report.file : nullptr;
   const ReadReport* const r = file != nullptr ? &file->report : nullptr;
   const auto count = [r](std::uint64_t ReadReport::*member) {
@@ -42,6 +68,7 @@ std::string info_json(const InfoReport& report) {
 }
 
 std::string info_text(const InfoReport& report, const Style& style) {
+  if (report.other) return plain_text(report, *report.other, style);
   const std::string path = style.bold(shown_path(report.path));
   if (!report.file) {
     return style.yellow(verdict_word(std::nullopt)) + "  " + path + "  " +

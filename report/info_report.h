@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// report/info_report.h: what veritope info says about a mesh.
+// report/info_report.h: what veritope info says about a mesh, or about a file of a kind without a report of its own.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "io/mesh/read_mesh.h"
+#include "io/model_file.h"
 #include "report/exit_code.h"
 #include "report/text_style.h"
 #include "robust/finding.h"
@@ -16,7 +16,8 @@ struct InfoReport {
   std::string path;
   ExitCode exit = kExitValid;
   bool as_indexed = false;
-  std::optional<MeshFile> file;       ///< nothing: unreadable
+  std::optional<MeshFile> file;       ///< nothing: unreadable, or of another kind
+  std::optional<ModelFile> other;     ///< of another kind
   std::vector<std::string> lossless;  ///< variants that hold it without loss
   bool holds_everywhere = false;      ///< those are all variants
   std::optional<Finding> fault;

@@ -10,6 +10,9 @@ void put_source(const FileReport&, Json&) {}
 Json defect_json(const Finding& f) {
   return {{"code", f.code},
           {"message", f.message},
+          {"line", optional_json(f.place.source.line)},
+          {"byte", optional_json(f.place.source.byte)},
+          {"entity", optional_json(f.place.source.entity)},
           {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
           {"box", box_json(f.place.box)}};
 }
@@ -28,7 +31,7 @@ std::string details(const FileReport& report, const TextOptions&) {
   std::string out =
       detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes"));
   for (const Finding& d : report.defects)
-    out += detail_line("defect", harmless(d.code + ": " + d.message));
+    out += detail_line("defect", harmless(d.code + ": " + text_of(d)));
   return out;
 }
 

@@ -41,6 +41,8 @@ struct ReadReport {
 };
 
 struct MeshFile {
+  static constexpr const char* kTitle = "a mesh";
+
   TriangleMesh mesh;  ///< at least one face; every id in range; every coordinate finite, none -0
   ReadReport report;
   std::string sha256;  ///< of the bytes that were read, 64 lower-case hex digits

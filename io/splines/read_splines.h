@@ -23,6 +23,8 @@ struct LeftOut {
 };
 
 struct SplineFile {
+  static constexpr const char* kTitle = "a file of splines";
+
   SplineModel model;
   SplineFormat format = SplineFormat::kItd;
   std::uint64_t bytes = 0;

@@ -5,10 +5,12 @@ import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CPP = {".h", ".cc", ".inc"}
+# New files of a tree that tests/dummy_kind_test.py makes: their names and includes are right there, not here.
+OTHER_TREE = pathlib.PurePath("tests/support/dummy_kind/files")
 
 
 def files(root=ROOT, suffixes=None):
-    """Our files, sorted, relative to root: no build folder, no hidden one, no Python cache."""
+    """Our files, sorted, relative to root: no build folder, no hidden one, no Python cache, nothing of OTHER_TREE."""
     found, folders = [], [root]
     while folders:
         for path in folders.pop().iterdir():
@@ -17,7 +19,7 @@ def files(root=ROOT, suffixes=None):
                 continue
             if path.is_dir():
                 top_build = path.parent == root and re.fullmatch(r"build(-.*)?", name)
-                if not top_build and name != "__pycache__" and not path.is_symlink():
+                if not top_build and path.relative_to(root) != OTHER_TREE and name != "__pycache__" and not path.is_symlink():
                     folders.append(path)
             elif suffixes is None or path.suffix in suffixes:
                 found.append(path.relative_to(root))

@@ -44,7 +44,8 @@ const std::vector<Claim>& all_claims() {
        " flipped opposite patches same subject_bytes", "", check_finding, check_patch_invalid},
       {"collar-1", "VTSB", kSplines, kStarText,
        " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
-       check_collar}};
+       check_collar},
+  };
   return claims;
 }
 

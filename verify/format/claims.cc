@@ -49,9 +49,10 @@ std::string explain_as(const AnyBody& body, std::string_view name, std::size_t m
   return explain(std::get<BodyOfClaim>(body), name, max_items);
 }
 
+// Bodies that can be read without their statement and their model.
 template <auto Read>
-std::optional<AnyBody> decode_mesh(std::span<const unsigned char> body, std::string_view,
-                                   const ModelKinds*, std::string& why) {
+std::optional<AnyBody> decode_whole(std::span<const unsigned char> body, std::string_view,
+                                    const ModelKinds*, std::string& why) {
   why = "the body ends too early, is too long, or holds a malformed number";
   if (auto read = Read(ByteReader(body))) return AnyBody(std::move(*read));
   return std::nullopt;
@@ -79,12 +80,12 @@ std::optional<AnyBody> decode_patches(std::span<const unsigned char> body,
   return AnyBody(std::move(out));
 }
 
-constexpr std::array<Claim, 6> kClaims = {{
+constexpr auto kClaims = std::to_array<Claim>({
     {kValidClaim, kValidMagic, "mesh.md", kMeshes, "reading_rule volume",
      "bodies edges faces genus shells vertices", "as_indexed", encode_as<ValidBody>,
-     decode_mesh<internal::read_valid>, explain_as<ValidBody>},
+     decode_whole<internal::read_valid>, explain_as<ValidBody>},
     {kInvalidClaim, kInvalidMagic, "mesh.md", kMeshes, "reading_rule rules", "", "as_indexed",
-     encode_as<InvalidBody>, decode_mesh<internal::read_invalid>, explain_as<InvalidBody>},
+     encode_as<InvalidBody>, decode_whole<internal::read_invalid>, explain_as<InvalidBody>},
     {kStarBoxClaim, kStarBoxMagic, "star-box.md", kSplines, "", kStarNumbers, "",
      encode_as<StarBoxBody>, decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
     {kTurnedShellClaim, kStarBoxMagic, "star-box.md", kSplines, "",
@@ -96,7 +97,7 @@ constexpr std::array<Claim, 6> kClaims = {{
     {kCollarClaim, kStarBoxMagic, "collar.md", kSplines, "",
      "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
      decode_patches<CollarBody>, explain_as<CollarBody>},
-}};
+});
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {
   while (!names.empty()) {

@@ -24,7 +24,8 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
     Claim("patch-invalid-1", b"VTPI", SPLINES, {**OF_PATCHES, "finding": "crossing|side", "same": int, "opposite": int},
           "patches.patch_invalid_check"),
-    Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"))}
+    Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
+)}
 
 def lines():
     """What --claims prints, a line for each claim: name, magic, formats, keys with the kinds of their values."""

@@ -6,11 +6,10 @@
 
 namespace veritope::internal {
 
-// As certify. A new alternative of ModelFile needs an overload here: without it certify.cc does not compile.
-Result<Certified> certify_kind(const MeshFile& file,
-                               const CertifyOptions& options);  // certify_mesh.cc
-Result<Certified> certify_kind(const SplineFile& file,
-                               const CertifyOptions& options);  // certify_patches.cc
+// As certify, for one kind. A new alternative of ModelFile needs an overload here, with a body in a file certify_KIND.cc:
+// without it certify.cc does not compile.
+Result<Certified> certify_kind(const MeshFile& file, const CertifyOptions& options);
+Result<Certified> certify_kind(const SplineFile& file, const CertifyOptions& options);
 
 inline void enter(Phase phase, const CertifyOptions& options) {
   if (options.on_phase) options.on_phase(phase);

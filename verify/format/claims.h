@@ -34,9 +34,9 @@ struct Claim {
   std::string_view text_keys, number_keys, flag_keys;
   /// REQUIRES a body of this claim's type.
   Bytes (*encode)(const AnyBody& body);
-  /// The layout alone: nothing is checked. Counts are compared with the bytes left before anything is allocated; memory
-  /// is linear in the
-  /// bytes. @param statement, model  needed for version 1 of the claims about patches: the number of patches, and the
+  /// The layout alone: nothing is checked. Counts are compared with the bytes left before anything is allocated;
+  /// memory is linear in the bytes.
+  /// @param statement, model  needed for version 1 of the claims about patches: the number of patches, and the
   /// kinds of the model's entities. Without a model their kinds are guessed; then only the number of surfaces is known,
   /// not which entities they are, and the first ones are taken for surfaces. @return nothing, and a sentence in `why`,
   /// if the bytes are no body of this claim.

@@ -37,7 +37,7 @@ LAYER = r"[a-z_/]+ +\|.*\|.*|veritope_layer\(.*"
 TABLES = {
     "io/model_file.h": [("enum class ModelKind", "};"), ("using ModelFile =", ";"), ("using FormatId =", ";")],
     "io/formats.cc": [("const std::vector<ModelFormat>& rows() {", "}")],
-    "verify/certify/certify_kinds_internal.h": [("// As certify.", "inline void enter")],
+    "verify/certify/certify_kinds_internal.h": [("// As certify, for one kind.", "inline void enter")],
     "verify/format/claims.h": [("using AnyBody =", ";")],
     "verify/format/claims.cc": [("constexpr auto kClaims =", "});")],
     "verify/checker/claims.cc": [("const std::vector<Claim>& all_claims() {", "}")],

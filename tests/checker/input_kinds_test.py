@@ -11,8 +11,8 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "checker"))
-import reference_prover                                   # noqa: E402
+sys.path[:0] = [str(ROOT / "tests" / "checker_py"), str(ROOT / "verify" / "checker")]
+import mesh_test                                          # noqa: E402
 
 CHECKERS = {"C++": [os.environ["VERITOPE_CHECK"]], "Python": [sys.executable, str(ROOT / "verify" / "checker" / "veritope_check.py")]}
 
@@ -22,7 +22,8 @@ SOLID = ROOT / "tests" / "models" / "m3_nearest_valid.off"
 class InputKinds(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.proof = reference_prover.prove_valid(reference_prover.load(str(SOLID))).encode()
+        certificates = mesh_test.CertificateTest().use(mesh_test.models.File(SOLID.read_bytes(), "off"))
+        cls.proof = certificates.cert(certificates.plan(1))
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

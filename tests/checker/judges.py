@@ -34,6 +34,7 @@ def both(model, certificate, skip=frozenset()):
     code, line = in_python(model, certificate, skip)
     if not skip:
         other = in_cpp(model, certificate)
+        assert other[0] > 1 or other[2].count("\n") == 1, other    # one line, and nothing on stderr
         if "too far away" in other[2]:                    # the limit of the C++ checker (star-box.md, section 8)
             assert other[:2] == (1, "B1"), other
         elif (code, "" if code == 4 else condition(line)) != other[:2]:

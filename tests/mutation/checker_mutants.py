@@ -18,6 +18,8 @@ tried with the unit tests.
 import argparse
 import collections
 import hashlib
+import importlib
+import io
 import json
 import os
 import pathlib
@@ -29,6 +31,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -47,6 +50,7 @@ NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h", "claims.h", "mesh_claims
 SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
          192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
 NO_CONDITIONS = ("__init__.py", "errors.py", "claims.py")  # of the Python checker, the same
+MESH_TESTS = ("mesh_test", "mesh_reading_test")
 PATCH_TESTS = ("star_box_test", "star_box_hostile_test", "star_box_itd_test", "star_box_turned_test", "patch_invalid_test", "collar_test")
 CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
 
@@ -142,6 +146,23 @@ def key_of(mutant):
 
 # ---------------------------------------------------------------- the corpus
 
+def unit_cases():
+    """The models and certificates that tests/checker_py judges."""
+    sys.path.insert(0, str(HERE.parent / "checker_py"))
+    seen, modules = [], [importlib.import_module(name) for name in MESH_TESTS]
+    check = modules[0].vc.check
+
+    def spy(model, cert):
+        if cert is not None:
+            seen.append((model, cert))
+        return check(model, cert)
+    for module in modules:
+        module.vc.check = spy
+        unittest.TextTestRunner(stream=io.StringIO()).run(unittest.defaultTestLoader.loadTestsFromModule(module))
+    modules[0].vc.check = check
+    return list(dict.fromkeys(seen))
+
+
 def corpus():
     """(model, certificate, verdict of the unchanged Python checker) of all cases, small ones first."""
     py, cases = attacks.load_checker(), []
@@ -153,7 +174,7 @@ def corpus():
         cases.append(differential.damaged_model(random.Random(seed))[1:])
     for seed in range(40):
         cases += [c[1:3] for c in differential.damaged_certificate(random.Random(seed))]
-    cases += differential.unit_cases()
+    cases += unit_cases()
     cases = list(dict.fromkeys(cases))
     random.Random(1).shuffle(cases)
     cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
@@ -226,9 +247,17 @@ def judge_python(mutant, cases, options):
         shutil.rmtree(folder)
 
 
-def patch_tests_fail(tests, env):
+def tests_fail(tests, names, env):
     return any(subprocess.run([sys.executable, str(tests / (name + ".py")), "--failfast"], env=dict(os.environ, **env),
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode for name in PATCH_TESTS if (tests / (name + ".py")).exists())
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode for name in names if (tests / (name + ".py")).exists())
+
+
+def patch_tests_fail(tests, env):
+    return tests_fail(tests, PATCH_TESTS, env)
+
+
+def mesh_tests_fail(tests, env):
+    return tests_fail(tests, MESH_TESTS, env)
 
 
 def unit_tests_of_patches_fail(program):
@@ -236,16 +265,11 @@ def unit_tests_of_patches_fail(program):
 
 
 def unit_tests_fail(program):
-    test = HERE.parent / "checker_py" / "veritope_check_test.py"
-    env = dict(os.environ, VERITOPE_CHECK_PY=str(program))
-    return subprocess.run([sys.executable, str(test)], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
+    return mesh_tests_fail(HERE.parent / "checker_py", {"VERITOPE_CHECK_PY": str(program)})
 
 
 def unit_tests_of_cpp_fail(program):
-    env = dict(os.environ, VERITOPE_CHECK=str(program))
-    test = HERE.parent / "checker" / "checker_test.py"
-    classes = ("Refuses", "Statements", "Invalid", "Valid", "Accepts")
-    return subprocess.run([sys.executable, str(test), "--failfast", *classes], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
+    return mesh_tests_fail(HERE.parent / "checker", {"VERITOPE_CHECK": str(program)})
 
 
 def fails_unchanged(objects, options):

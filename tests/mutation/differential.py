@@ -10,8 +10,6 @@ verdict.  Certificates: bodies and statements are damaged, hashes set right agai
 """
 import collections
 import hashlib
-import importlib.util
-import io
 import json
 import multiprocessing
 import pathlib
@@ -20,7 +18,6 @@ import re
 import struct
 import sys
 import time
-import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import attacks                                            # noqa: E402
@@ -273,35 +270,10 @@ def damage_statement(line, rng):
     return rng.choice((line + b" ", b" " + line, b"", line * 2, b"[" + line + b"]", b"{" + b" " * 70000 + line[1:], line + b"\r", b"\xef\xbb\xbf" + line))
 
 
-def unit_cases():
-    """The models and certificates that tests/checker_py judges."""
-    path = attacks.HERE.parent / "checker_py" / "veritope_check_test.py"
-    spec = importlib.util.spec_from_file_location("veritope_check_test", str(path))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    seen, files, check, read = [], [], module.vc.check, module.reader.read_model
-
-    def spy(model, cert):
-        if cert is not None:
-            seen.append((model, cert))
-        return check(model, cert)
-
-    def spy_reader(data, fmt, as_indexed):
-        files.append((data, forge.Model([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)], fmt, as_indexed)))
-        return read(data, fmt, as_indexed)
-    module.vc.check, module.reader.read_model = spy, spy_reader
-    suite = unittest.defaultTestLoader.loadTestsFromModule(module)
-    unittest.TextTestRunner(stream=io.StringIO()).run(suite)
-    module.reader.read_model = read
-    return list(dict.fromkeys(seen + [(data, certify(data, model, random.Random(1))) for data, model in files]))
-
-
 def worker(options, first, count, queue):
     run, done, seed = attacks.Run(options), 0, first
     table = collections.Counter()
     try:
-        for data, cert in unit_cases() if first % options.jobs == 0 else ():
-            table["unit", compare(run, data, cert, first, "unit")] += 1
         while done < count and len(run.failures) < 20:
             seed += options.jobs
             rng = random.Random(seed)

@@ -16,6 +16,7 @@
 #include "solids/patches/patch_transform.h"
 #include "tests/support/checker_call.h"
 #include "tests/support/shapes.h"
+#include "verify/certify/file_patches.h"
 
 namespace veritope {
 namespace {
@@ -155,12 +156,14 @@ TEST(Certify, ACollarIsPartOfTheClaimIfOneIsFound) {
   EXPECT_EQ(patch_facts(without).collar->open->code, "no-collar");
 }
 
-// A model that fits a frame of its own still gets a collar where the plain frame costs little more.
+// A model whose fitted frame is another than the plain one still gets a collar where the plain frame costs little more.
 TEST(Certify, ThePlainFrameIsTriedAgainForACollar) {
-  const Rational one(1), eighth = Rational::power_of_two(-3);
+  const Rational one(1), flat = Rational::power_of_two(-4);
   const Patches egg =
-      affine_image(patch_shapes::sphere(), {3, 3, {one, 0, 0, 0, one, 0, 0, 0, eighth}, {0, 0, 0}})
+      affine_image(patch_shapes::sphere(), {3, 3, {one, 0, 0, 0, one, 0, 0, 0, flat}, {8, 0, 0}})
           .value();
+  FilePatches patches = file_patches(model_of(egg), PatchOrientation::kKeep).value();
+  EXPECT_FALSE(decide_file_patches(patches, {}).forest->frame().is_plain());
   CertifyOptions options;
   options.with_collar = true;
   EXPECT_EQ(certify_patches(egg, options).claim, "collar-1");

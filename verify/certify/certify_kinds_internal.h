@@ -6,8 +6,8 @@
 
 namespace veritope::internal {
 
-// As certify, for one kind. A new alternative of ModelFile needs an overload here, with a body in a file certify_KIND.cc:
-// without it certify.cc does not compile.
+// As certify, for one kind. A new alternative of ModelFile needs an overload here, with a body in a file of its own,
+// certify_KIND.cc: without it certify.cc does not compile.
 Result<Certified> certify_kind(const MeshFile& file, const CertifyOptions& options);
 Result<Certified> certify_kind(const SplineFile& file, const CertifyOptions& options);
 

@@ -73,7 +73,7 @@ class Certification {
   }
 
  private:
-  // Always false, as all that end a run without a verdict.
+  // Ends the run without a verdict. Returns false, as give_up does.
   bool refuse(Finding fault) { return report::refuse(report_, std::move(fault)), false; }
   // Drops the verdict: no other program confirmed it. Returns false.
   bool give_up(ExitCode exit, Finding fault) {

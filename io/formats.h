@@ -36,8 +36,8 @@ std::span<const ModelFormat> model_formats();
 /// The row of a format.
 const ModelFormat& model_format(const FormatId& id);
 
-/// Each returns null if no row fits; with a kind, only the formats of that kind count. A name is compared in any case;
-/// of a path the letters after the last dot of the file name count.
+/// Each returns null if no row fits; with a kind, only the formats of that kind count. Letters of
+/// either case are equal. The ending of a path is what follows the last dot of its file name.
 const ModelFormat* format_from_name(std::string_view name,
                                     std::optional<ModelKind> kind = std::nullopt);
 const ModelFormat* format_from_path(std::string_view path,

@@ -23,8 +23,8 @@ struct RationalPoint {
 /// v; a triangle has three, its barycentric coordinates.
 struct EntityPart {
   std::uint64_t entity = 0;
-  std::optional<std::uint8_t>
-      side;  ///< of the entity, in its own direction, if the part lies in a side
+  /// The side of the entity, in the entity's own direction, if the part lies in a side.
+  std::optional<std::uint8_t> side;
   std::vector<std::array<double, 2>> parameters;
 };
 
@@ -36,8 +36,8 @@ struct ModelPlace {
   std::vector<std::uint32_t> faces;  ///< ascending, except M5 and M6: see SurfaceTopology
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< the edge of M3, M4, M5
   std::vector<std::uint32_t> vertices;  ///< the vertex of M6; the corners of M1 and M2
-  std::vector<std::uint32_t>
-      polygons;  ///< of the file, one for each face that was cut from it; empty: all are triangles
+  /// The polygon of the file that each face was cut from; empty if all polygons are triangles.
+  std::vector<std::uint32_t> polygons;
 
   // Patches.
   std::vector<EntityPart> parts;       ///< of the file's entities
@@ -52,8 +52,8 @@ struct ModelPlace {
 /// What shows a finding. Only what is known is set; the certificate has the whole proof.
 struct Witness {
   std::optional<RationalPoint> point;  ///< an exact point of the defect
-  std::optional<int>
-      winding;  ///< the winding number on the inner side of place.shell, which is not 1
+  /// The winding number on the inner side of place.shell, which is not 1.
+  std::optional<int> winding;
 };
 
 /// One thing that was found.

@@ -28,16 +28,16 @@ std::string tool_name();
 struct CertifyOptions {
   std::string tool = tool_name();  ///< named in the certificate's statement
   unsigned jobs = 1;  ///< threads, of meshes; the result is the same for every number >= 1
-  std::size_t max_findings =
-      20;  ///< of meshes, in all, shared out among the broken rules; all are counted
+  /// How many findings of a mesh are listed, shared out among the broken rules; all are counted.
+  std::size_t max_findings = 20;
   std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one
 
   // Models of patches; the other kinds ignore them.
-  PatchOrientation orientation =
-      PatchOrientation::kKeep;  ///< kAuto also turns shells that are wrongly oriented as a whole
-  bool with_collar = false;     ///< seek a collar; if one is found the claim is collar-1
-  std::optional<double>
-      tolerance;  ///< of the volume: see PatchDecisionOptions; nothing: its default
+  /// kAuto also reverses shells that are wrongly oriented as a whole.
+  PatchOrientation orientation = PatchOrientation::kKeep;
+  bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1
+  /// The width allowed to the volume's enclosure, as in PatchDecisionOptions; nothing: its default.
+  std::optional<double> tolerance;
 };
 
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.

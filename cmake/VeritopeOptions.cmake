@@ -6,6 +6,7 @@ option(VERITOPE_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 option(VERITOPE_SLOW_CHECKS "Turn on VT_SLOW_CHECK in builds that define NDEBUG" OFF)
 option(VERITOPE_AUDIT "Ask all tiers of each cascade and stop at a contradiction (robust/cascade.h)" OFF)
 option(VERITOPE_COVERAGE "Instrument for source-based branch coverage (clang), see ./dev coverage" OFF)
+option(VERITOPE_UNITY "Compile the files of a layer in batches: a whole build takes less time, one edit more" ON)
 set(VERITOPE_SANITIZE "" CACHE STRING "Comma-separated list for -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

@@ -20,6 +20,17 @@ function(veritope_file_options flags)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
+# veritope_batches(TARGET): the compiler takes the files of TARGET eight at a time ("unity build"), so that it parses
+# shared headers and instantiates shared templates once a batch. Files with flags of their own stay single. A name in an
+# anonymous namespace must therefore be the only one of its kind in its folder.
+function(veritope_batches target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${VERITOPE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  if(VERITOPE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC takes a .cc file of a batch for a header, and warns of types of anonymous namespaces in its classes.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+endfunction()
+
 # veritope_layer(NAME FOLDER LINK...): one library a row of docs/layers.txt, from the .cc files that belong to its
 # folder. LINK names the layers that the row allows, so that the linker knows the same arrows as the test.
 function(veritope_layer name folder)
@@ -31,6 +42,7 @@ function(veritope_layer name folder)
   endforeach()
   add_library(veritope_${name} STATIC ${sources})
   add_library(veritope::${name} ALIAS veritope_${name})
+  veritope_batches(veritope_${name})
   target_include_directories(veritope_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/veritope>)
   target_compile_features(veritope_${name} PUBLIC cxx_std_20)

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Functions that rise or fall on their domain, or on both sides of 0.
-#include <limits>
 
 #include "interval/evaluate_internal.h"
+#include "interval/infinity_internal.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
 
 namespace veritope::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Slope { kRising, kFalling };
 enum class Ends { kIn, kOut };  // do finite ends of the domain belong to it?

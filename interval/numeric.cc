@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "interval/infinity_internal.h"
 #include "interval/relations.h"
 #include "robust/base/fp_guard.h"
 
@@ -11,7 +12,7 @@ namespace veritope {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using internal::kInfinity;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
 

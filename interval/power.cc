@@ -2,18 +2,16 @@
 // Powers, roots, and the functions of two intervals: from their values at corners.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "interval/evaluate_internal.h"
 #include "interval/functions.h"
+#include "interval/infinity_internal.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
 
 namespace veritope::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // x^n and the n-th root. Signed zeros say from which side a pole is seen.
 double power(double x, std::int64_t n, mpfr_rnd_t direction) {

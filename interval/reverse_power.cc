@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // x^y = z backwards: y log x = log z where x and z are positive, a reverse product of logarithms; and
 // 0^y = 0 for y > 0.
-#include <limits>
 #include <vector>
 
+#include "interval/infinity_internal.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
 #include "interval/reverse.h"
@@ -12,9 +12,8 @@ namespace veritope {
 
 namespace {
 
+using internal::kInfinity;
 using internal::Real;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // An end of an interval of numbers or of logarithms: its sign (or that of its logarithm), whether it
 // is infinite there, and the number itself.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "interval/text.h"
 
-#include <limits>
 #include <optional>
+
+#include "interval/infinity_internal.h"
 
 namespace veritope {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using internal::kInfinity;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 int hex_value(char c) {

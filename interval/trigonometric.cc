@@ -2,18 +2,16 @@
 // Periodic functions: the quarter turns in which the ends lie say which turning points and poles are between.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "interval/evaluate_internal.h"
+#include "interval/infinity_internal.h"
 #include "interval/mpfr_internal.h"
 #include "interval/relations.h"
 
 namespace veritope::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // floor(x / (pi / 2)) mod 4 of both ends and whether they are more than two quarters apart.
 struct Quarters {

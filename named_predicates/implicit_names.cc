@@ -223,7 +223,7 @@ constexpr NamedPredicate row(std::string_view name, std::string_view arguments,
           kinds,
           is_defined<Kinds...>};
 }
-constexpr NamedPredicate kPredicates[] = {
+constexpr NamedPredicate kImplicitPredicates[] = {
     row<Orient2d, 'E', 'E', 'X'>("orient2d_ssi", "a b SSI", "EEX"),
     row<Orient2d, 'S', 'S', 'S'>("orient2d_segment", "SEG2 SEG2 SEG2", "SSS"),
     row<InCircle, 'E', 'E', 'E', 'X'>("in_circle_ssi", "a b c SSI", "EEEX"),
@@ -243,6 +243,6 @@ static_assert(num_operands('s') + num_operands('t') + num_operands('l') + num_op
 
 }  // namespace
 
-std::span<const NamedPredicate> implicit_predicates() { return kPredicates; }
+std::span<const NamedPredicate> implicit_predicates() { return kImplicitPredicates; }
 
 }  // namespace veritope

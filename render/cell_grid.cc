@@ -7,7 +7,7 @@
 namespace veritope {
 namespace {
 
-constexpr int kTriangleType = 5, kHexahedronType = 12;  // VTK_TRIANGLE, VTK_HEXAHEDRON
+constexpr int kTriangle = 5, kHexahedron = 12;  // VTK_TRIANGLE, VTK_HEXAHEDRON
 
 // Corner i of a box: bits of x, y, z.
 std::array<double, 3> corner(const Box3d& box, unsigned bits) {
@@ -33,7 +33,7 @@ void append_cells(std::string& out, const CellGrid& grid) {
   for (std::size_t i = 1; i <= grid.num_cells(); ++i) out += std::to_string(n * i) + '\n';
   out += kCloseArray;
   open_array(out, "UInt8", "types", 1);
-  const int type = grid.kind == CellGrid::Kind::kHexahedra ? kHexahedronType : kTriangleType;
+  const int type = grid.kind == CellGrid::Kind::kHexahedra ? kHexahedron : kTriangle;
   for (std::size_t i = 0; i < grid.num_cells(); ++i) out += std::to_string(type) + '\n';
   out += std::string(kCloseArray) + "</Cells>\n";
 }

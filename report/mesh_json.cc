@@ -12,9 +12,6 @@ namespace {
 using internal::decision_of;
 using internal::reading_of;
 
-constexpr std::size_t kMostPlaces = 100'000;
-constexpr std::size_t kMostShells = 100'000;  // listed; a soup of triangles has millions
-
 Json volume_json(const std::optional<Rational>& volume) {
   if (!volume) return nullptr;
   return {{"exact", fraction_text(*volume)}, {"decimal", scientific_text(*volume)}};
@@ -76,7 +73,7 @@ Json shells_json(const FileReport& report) {
   const ValidityReport* const d = decision_of(report);
   if (d == nullptr) return out;
   for (const ShellReport& s : d->shells) {
-    if (out.size() == kMostShells) break;
+    if (out.size() == internal::kMostListed) break;
     out.push_back({{"genus", optional_json(s.genus)},
                    {"euler", s.euler},
                    {"outward", optional_json(s.outward)},
@@ -86,7 +83,7 @@ Json shells_json(const FileReport& report) {
   return out;
 }
 
-Json defect_json(const Finding& d) {
+Json mesh_defect_json(const Finding& d) {
   Json edges = Json::array();
   for (const auto& [a, b] : d.place.edges) edges.push_back(Json::array({a, b}));
   return {{"rule", d.code},
@@ -110,22 +107,22 @@ Json places_json(const ValidityReport* decision) {
   Json out = Json::array();
   if (decision == nullptr) return out;
   for (const ImproperPlace& p : decision->places) {
-    if (out.size() == kMostPlaces) break;
+    if (out.size() == internal::kMostListed) break;
     out.push_back({{"count", p.pairs}, {"faces", p.faces}, {"box", box_json(p.box)}});
   }
   return out;
 }
 
-void put_source(const FileReport& report, Json& out) {
+void put_mesh_source(const FileReport& report, Json& out) {
   const ReadReport* const r = reading_of(report);
   out["variant"] = r != nullptr ? Json(r->variant) : Json(nullptr);
   out["as_indexed"] = r != nullptr && r->as_indexed;
 }
 
-void put_facts(const FileReport& report, Json& out) {
+void put_mesh_facts(const FileReport& report, Json& out) {
   const ValidityReport* const decision = decision_of(report);
   Json defects = Json::array();
-  for (const Finding& d : report.defects) defects.push_back(defect_json(d));
+  for (const Finding& d : report.defects) defects.push_back(mesh_defect_json(d));
   out["counts"] = counts_json(report);
   out["rules"] = rules_json(report);
   out["shells"] = shells_json(report);
@@ -173,8 +170,8 @@ const ValidityReport* decision_of(const FileReport& report) {
   return facts != nullptr ? &facts->decision : nullptr;
 }
 
-const ReportKind kMeshReports = {put_source,   put_facts,    false,
-                                 mesh_summary, mesh_details, mesh_last_details};
+const ReportKind kMeshReports = {put_mesh_source, put_mesh_facts, false,
+                                 mesh_summary,    mesh_details,   mesh_last_details};
 
 }  // namespace internal
 }  // namespace veritope::report

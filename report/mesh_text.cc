@@ -30,7 +30,6 @@ constexpr std::array<Noun, kNumMeshRules> kNouns = {{
 }};
 
 constexpr std::size_t kExactSize = 28;  // characters of a fraction before it is cut
-constexpr std::size_t kMostShells = 8, kMostPlaces = 8;
 
 std::string point_text(const Vec3d& p) {
   return "(" + short_decimal(p.x) + ", " + short_decimal(p.y) + ", " + short_decimal(p.z) + ")";
@@ -84,15 +83,15 @@ std::string volume_text(const Rational& volume) {
 std::string shells_text(const ValidityReport& decision) {
   if (!decision.nesting_decided || decision.shells.size() < 2) return "";
   std::string text;
-  for (std::size_t i = 0; i < std::min(decision.shells.size(), kMostShells); ++i) {
+  for (std::size_t i = 0; i < std::min(decision.shells.size(), internal::kMostShown); ++i) {
     const ShellReport& s = decision.shells[i];
     text += detail_line("shell " + std::to_string(i),
                         std::string(*s.outward ? "outward" : "inward") + ", depth " +
                             std::to_string(*s.depth) + ", genus " + std::to_string(*s.genus) +
                             ", volume " + short_decimal(*s.volume));
   }
-  if (decision.shells.size() > kMostShells) {
-    text += detail_line("...", std::to_string(decision.shells.size() - kMostShells) +
+  if (decision.shells.size() > internal::kMostShown) {
+    text += detail_line("...", std::to_string(decision.shells.size() - internal::kMostShown) +
                                    " more shells (--json lists them)");
   }
   return text;
@@ -132,15 +131,15 @@ std::string places_text(const ValidityReport& decision) {
   std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.pairs > b.pairs; });
   std::string out;
-  for (std::size_t i = 0; i < std::min(places.size(), kMostPlaces); ++i) {
+  for (std::size_t i = 0; i < std::min(places.size(), internal::kMostShown); ++i) {
     const Box3d& box = places[i].box;
     out += "    " + counted(places[i].pairs, "pair", "pairs") + " of " +
            counted(places[i].faces, "face", "faces") + " in the box " +
            point_text({box.lo[0], box.lo[1], box.lo[2]}) + " to " +
            point_text({box.hi[0], box.hi[1], box.hi[2]}) + "\n";
   }
-  if (places.size() > kMostPlaces)
-    out += "    ... " + std::to_string(places.size() - kMostPlaces) +
+  if (places.size() > internal::kMostShown)
+    out += "    ... " + std::to_string(places.size() - internal::kMostShown) +
            " more places (--json lists them)\n";
   return out;
 }

@@ -7,8 +7,6 @@
 namespace veritope::report {
 namespace {
 
-constexpr std::size_t kMostShellsListed = 100'000;
-
 Json bounds_json(const std::optional<Interval>& v) {
   if (!v) return nullptr;
   return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
@@ -23,7 +21,7 @@ Json part_json(const EntityPart& part) {
           {"parameters", std::move(parameters)}};
 }
 
-Json defect_json(const Finding& f) {
+Json patch_defect_json(const Finding& f) {
   Json parts = Json::array();
   for (const EntityPart& part : f.place.parts) parts.push_back(part_json(part));
   return {{"code", f.code},
@@ -52,7 +50,7 @@ Json collar_json(const std::optional<CollarFacts>& c) {
 
 Json shells_json(const PatchFacts& facts) {
   Json out = Json::array();
-  for (std::size_t i = 0; i < std::min(kMostShellsListed, facts.shell_facts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(internal::kMostListed, facts.shell_facts.size()); ++i) {
     const PatchShellFacts& s = facts.shell_facts[i];
     out.push_back({{"genus", s.genus},
                    {"euler", s.euler},
@@ -76,14 +74,14 @@ Json counts_json(const FileReport& report, const PatchFacts& f) {
           {"boxes_tried", f.boxes_tried}};
 }
 
-void put_source(const FileReport&, Json&) {}
+void put_patch_source(const FileReport&, Json&) {}
 
-void put_facts(const FileReport& report, Json& out) {
+void put_patch_facts(const FileReport& report, Json& out) {
   const PatchFacts& f = internal::facts_of(report);
   out["place"] = box_json(report.fault ? report.fault->place.box : std::nullopt);
   out["counts"] = counts_json(report, f);
   out["defects"] = Json::array();
-  for (const Finding& d : report.defects) out["defects"].push_back(defect_json(d));
+  for (const Finding& d : report.defects) out["defects"].push_back(patch_defect_json(d));
   out["flipped"] = f.reversed;
   out["shells"] = shells_json(f);
   out["volume"] = bounds_json(f.volume);
@@ -100,8 +98,8 @@ const PatchFacts& facts_of(const FileReport& report) {
   return facts != nullptr ? *facts : kNone;
 }
 
-const ReportKind kPatchReports = {put_source,    put_facts,     true,
-                                  patch_summary, patch_details, patch_last_details};
+const ReportKind kPatchReports = {put_patch_source, put_patch_facts, true,
+                                  patch_summary,    patch_details,   patch_last_details};
 
 }  // namespace internal
 }  // namespace veritope::report

@@ -11,8 +11,6 @@
 namespace veritope::report {
 namespace {
 
-constexpr std::size_t kMostShells = 8, kMostReversed = 8;
-
 std::string parameters_text(const EntityPart& part) {
   const bool is_triangle = part.parameters.size() == 3;
   std::string out = "entity " + std::to_string(part.entity);
@@ -48,14 +46,14 @@ std::string volume_words(const Interval& v) {
 std::string shells_text(const PatchFacts& r) {
   if (r.shell_facts.size() < 2) return "";
   std::string out;
-  for (std::size_t i = 0; i < std::min(kMostShells, r.shell_facts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(internal::kMostShown, r.shell_facts.size()); ++i) {
     const PatchShellFacts& s = r.shell_facts[i];
     out += detail_line("shell " + std::to_string(i),
                        std::string(s.is_outward ? "outward" : "inward") + ", genus " +
                            std::to_string(s.genus) + ", volume " + bounds_text(s.volume));
   }
-  if (r.shell_facts.size() > kMostShells)
-    out += detail_line("...", std::to_string(r.shell_facts.size() - kMostShells) +
+  if (r.shell_facts.size() > internal::kMostShown)
+    out += detail_line("...", std::to_string(r.shell_facts.size() - internal::kMostShown) +
                                   " more shells (--json lists them)");
   return out;
 }
@@ -76,10 +74,10 @@ std::string where_line(const Finding& finding) {
 std::string reversed_text(const std::vector<std::uint64_t>& reversed) {
   if (reversed.empty()) return "";
   std::string list;
-  for (std::size_t i = 0; i < std::min(kMostReversed, reversed.size()); ++i)
+  for (std::size_t i = 0; i < std::min(internal::kMostShown, reversed.size()); ++i)
     list += (i == 0 ? "" : ", ") + std::to_string(reversed[i]);
   return detail_line("reversed", counted(reversed.size(), "entity", "entities") + ": " + list +
-                                     (reversed.size() > kMostReversed ? ", ..." : ""));
+                                     (reversed.size() > internal::kMostShown ? ", ..." : ""));
 }
 
 std::string file_text(const FileReport& report, const PatchFacts& f) {

@@ -5,9 +5,9 @@
 namespace veritope::report {
 namespace {
 
-void put_source(const FileReport&, Json&) {}
+void put_plain_source(const FileReport&, Json&) {}
 
-Json defect_json(const Finding& f) {
+Json plain_defect_json(const Finding& f) {
   return {{"code", f.code},
           {"message", f.message},
           {"line", optional_json(f.place.source.line)},
@@ -17,16 +17,16 @@ Json defect_json(const Finding& f) {
           {"box", box_json(f.place.box)}};
 }
 
-void put_facts(const FileReport& report, Json& out) {
+void put_plain_facts(const FileReport& report, Json& out) {
   out["defects"] = Json::array();
-  for (const Finding& d : report.defects) out["defects"].push_back(defect_json(d));
+  for (const Finding& d : report.defects) out["defects"].push_back(plain_defect_json(d));
 }
 
-std::string summary(const FileReport& report) {
+std::string plain_summary(const FileReport& report) {
   return report.defects.empty() ? "a solid" : harmless(report.defects.front().message);
 }
 
-std::string details(const FileReport& report, const TextOptions&) {
+std::string plain_details(const FileReport& report, const TextOptions&) {
   const auto& source = std::get<PlainSource>(report.source);
   std::string out =
       detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes"));
@@ -35,11 +35,11 @@ std::string details(const FileReport& report, const TextOptions&) {
   return out;
 }
 
-std::string last_details(const FileReport&, const TextOptions&) { return ""; }
+std::string plain_last_details(const FileReport&, const TextOptions&) { return ""; }
 
 }  // namespace
 
-const internal::ReportKind internal::kPlainReports = {put_source, put_facts, false,
-                                                      summary,    details,   last_details};
+const internal::ReportKind internal::kPlainReports = {
+    put_plain_source, put_plain_facts, false, plain_summary, plain_details, plain_last_details};
 
 }  // namespace veritope::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // report/report_kinds_internal.h: what each kind of model adds to the reports: one row a kind.
 #pragma once
+#include <cstddef>
 #include <string>
 
 #include "report/file_report.h"
@@ -8,6 +9,9 @@
 #include "report/report_text.h"
 
 namespace veritope::report::internal {
+
+// Shells, places and the like: a soup of triangles has millions. JSON lists the first of them, texts show a few.
+inline constexpr std::size_t kMostListed = 100'000, kMostShown = 8;
 
 struct ReportKind {
   /// Keys between "format" and "verdict", and between "error" and "certificate".

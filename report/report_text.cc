@@ -12,7 +12,7 @@ std::string coloured(std::optional<Verdict> verdict, const Style& style) {
   return verdict == Verdict::kInvalid ? style.red(word) : style.yellow(word);
 }
 
-std::string summary(const FileReport& report) {
+std::string checked_summary(const FileReport& report) {
   if (!report.has_verdict()) return report.fault ? harmless(text_of(*report.fault)) : "";
   const bool is_checked = report.certificate && report.certificate->is_checked;
   return internal::kind_of(report).summary(report) + (is_checked ? " (checked)" : " (not checked)");
@@ -34,8 +34,8 @@ std::string shown_path(const std::string& path) {
 }
 
 std::string verdict_line(const FileReport& report, const Style& style) {
-  return coloured(report.verdict, style) + "  " + shown_path(report.path) + "  " + summary(report) +
-         "\n";
+  return coloured(report.verdict, style) + "  " + shown_path(report.path) + "  " +
+         checked_summary(report) + "\n";
 }
 
 std::string details_text(const FileReport& report, const TextOptions& options) {

@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "splines/lines.h"
+#include "splines/refused_internal.h"
 
 namespace veritope {
 namespace {
 
-Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::move(message)}; }
+using internal::refused;
 
 template <std::size_t N>
 std::string control_point(const Grid<N>& grid, std::size_t offset) {

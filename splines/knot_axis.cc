@@ -7,13 +7,16 @@
 #include <string>
 #include <utility>
 
+#include "splines/refused_internal.h"
+
 namespace veritope {
 namespace {
+
+using internal::refused;
 
 std::string named(std::size_t i, const Rational& knot) {
   return "knot " + std::to_string(i) + ", " + knot.to_string() + ",";
 }
-Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::move(message)}; }
 
 }  // namespace
 

@@ -134,9 +134,9 @@ Interval some_squared_distance(const Part& a, const Part& b) {
 }
 
 // Least distance by best-first search; greatest by the same on -|y - x|^2.
-class Search {
+class DistanceSearch {
  public:
-  Search(const DistanceOptions& options, bool greatest)
+  DistanceSearch(const DistanceOptions& options, bool greatest)
       : options_(options), sign_(greatest ? -1.0 : 1.0) {}
 
   void add(PartPtr a, PartPtr b) {
@@ -217,7 +217,7 @@ Result<DistanceEnclosure> distance(const Shape& a, const Shape& b, const Distanc
                  "shapes of dimensions " + std::to_string(a.dimension()) + " and " +
                      std::to_string(b.dimension())};
   const ScopedUpward upward;
-  Search search(options, greatest);
+  DistanceSearch search(options, greatest);
   const auto first = parts_of(a), second = parts_of(b);
   for (const PartPtr& p : first)
     for (const PartPtr& q : second) search.add(p, q);
@@ -334,7 +334,7 @@ Result<DistanceEnclosure> greatest_distance(const Shape& a, const Shape& b,
 Result<DistanceEnclosure> least_self_distance(const Shape& shape, const DistanceOptions& options) {
   if (const Status status = check(options); !status) return status.error();
   const ScopedUpward upward;
-  Search search(options, false);
+  DistanceSearch search(options, false);
   const auto parts = parts_of(shape);
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -12,7 +12,7 @@
 namespace veritope {
 namespace {
 
-constexpr int kMostHalvings = 12;
+constexpr int kMostStepHalvings = 12;
 /// Limits the segments of a branch that come from halving: weights far apart make bounds that nothing improves.
 constexpr std::size_t kMostSegments = 5000;
 constexpr double kAny = std::numeric_limits<double>::infinity();
@@ -146,7 +146,7 @@ class Tracer {
   }
 
   bool may_halve(int halvings) const {
-    return halvings < kMostHalvings && out_.size() < kMostSegments;
+    return halvings < kMostStepHalvings && out_.size() < kMostSegments;
   }
   void add(const IntersectionTube& tube, const Knot& a, const Knot& b, int halvings) {
     CurveSegment segment;

@@ -72,9 +72,9 @@ std::array<Direction, 6> separating_directions(const PatchTree::Node& a, const P
   return {cross(u, v), cross(s, t), cross(u, s), cross(v, t), cross(u, t), cross(v, s)};
 }
 
-class Search {
+class PairSearch {
  public:
-  Search(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionBudget& budget)
+  PairSearch(const EnclosedSurface& s1, const EnclosedSurface& s2, const IntersectionBudget& budget)
       : budget_(budget),
         limit_(budget.pairs_in_cluster +
                budget.pairs_per_piece *
@@ -266,7 +266,7 @@ std::vector<std::vector<std::size_t>> clusters_of(const std::vector<Box4>& boxes
 
 IntersectionCover cover_intersection(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                      const IntersectionBudget& budget) {
-  return Search(s1, s2, budget).run();
+  return PairSearch(s1, s2, budget).run();
 }
 
 }  // namespace veritope

@@ -11,7 +11,7 @@ namespace veritope {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
-using IntervalMatrix = std::array<std::array<Interval, 3>, 3>;
+using Matrix3 = std::array<std::array<Interval, 3>, 3>;
 using Vector = std::array<Interval, 3>;
 /// The columns S1_u, S1_v, -S2_s, -S2_t.
 using Columns = std::array<Box3, 4>;
@@ -93,8 +93,8 @@ Box3 precise_gap_at(const EnclosedSurface& s1, const EnclosedSurface& s2, const 
 
 /// The system in the coordinates z of the tube's offset, at a center.
 struct Linear {
-  IntervalMatrix excess;  // I - C J_z
-  Vector drift;           // C (J_w + J_z slope)
+  Matrix3 excess;  // I - C J_z
+  Vector drift;    // C (J_w + J_z slope)
 };
 Linear linearise(const IntersectionTube& tube, const Columns& columns) {
   Linear out;

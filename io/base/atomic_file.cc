@@ -12,8 +12,9 @@
 #include <cerrno>
 #include <cstring>
 #include <optional>
-#include <system_error>
 #include <utility>
+
+#include "io/base/system_reason_internal.h"
 
 namespace veritope {
 namespace {
@@ -43,7 +44,7 @@ int arm_slot(const std::string& path) {
 
 void disarm_slot(int slot) { slots[slot].state.store(kFree); }
 
-std::string reason(int number) { return std::generic_category().message(number); }
+using internal::reason;
 
 Error cannot_write(const std::string& path, const std::string& why) {
   Error error{Code::kCannotWrite, Place{}, "cannot be written: " + why};

@@ -10,7 +10,7 @@ namespace veritope {
 namespace {
 
 // The parts of a token that matches the grammar.
-struct Parts {
+struct DecimalParts {
   bool is_negative = false;
   std::string digits;         // of the mantissa, zeros in front included
   std::int64_t point = 0;     // the value is 0.digits * 10^point * 10^exponent
@@ -36,10 +36,10 @@ std::optional<std::int64_t> take_exponent(const char* p, const char* end) {
   return negative ? -value : value;
 }
 
-std::optional<Parts> split(std::string_view token) {
+std::optional<DecimalParts> split(std::string_view token) {
   const char* p = token.data();
   const char* const end = p + token.size();
-  Parts parts;
+  DecimalParts parts;
   parts.is_negative = p < end && *p == '-';
   if (p < end && (*p == '-' || *p == '+')) ++p;
   p = take_digits(p, end, parts.digits);
@@ -86,7 +86,7 @@ double DecimalReader::round(std::string_view digits, std::int64_t exponent) cons
 }
 
 DecimalFault DecimalReader::read_slowly(std::string_view token, double& value) const {
-  const std::optional<Parts> parts = split(token);
+  const std::optional<DecimalParts> parts = split(token);
   if (!parts) return DecimalFault::kSyntax;
   if (parts->digits.size() > max_digits_) return DecimalFault::kDigits;
   if (std::abs(parts->exponent) > max_exponent_) return DecimalFault::kExponent;

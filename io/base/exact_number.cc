@@ -39,7 +39,7 @@ bool names_no_finite_number(std::string_view token) {
 }
 
 // The parts of a number: digits with a point somewhere, then an exponent after one of two letters.
-struct Parts {
+struct NumberParts {
   bool is_negative = false;
   std::string digits;              // without the point, zeros in front included
   std::uint64_t num_fraction = 0;  // digits after the point
@@ -48,7 +48,7 @@ struct Parts {
 };
 
 template <typename IsDigit>
-bool split(std::string_view token, char letter, IsDigit is_digit_here, Parts& parts) {
+bool split(std::string_view token, char letter, IsDigit is_digit_here, NumberParts& parts) {
   std::size_t i = 0;
   bool has_point = false;
   for (; i < token.size(); ++i) {
@@ -82,14 +82,14 @@ bool take_sign(std::string_view& token) {
   return is_negative;
 }
 
-DecimalFault check_limits(const Parts& parts, const ReadLimits& limits) {
+DecimalFault check_limits(const NumberParts& parts, const ReadLimits& limits) {
   if (parts.digits.size() > limits.max_digits) return DecimalFault::kDigits;
   return parts.exponent > limits.max_exponent ? DecimalFault::kExponent : DecimalFault::kNone;
 }
 
 DecimalFault read_hexadecimal(std::string_view token, bool is_negative, const ReadLimits& limits,
                               Rational& value) {
-  Parts parts;
+  NumberParts parts;
   const auto is_hex = [](char c) {
     return is_digit(c) || (static_cast<unsigned char>((c | 0x20) - 'a') < 6);
   };
@@ -129,7 +129,7 @@ std::string plain(std::string digits, std::uint64_t num_fraction) {
 DecimalFault read_exact_decimal(std::string_view token, const ReadLimits& limits, Rational& value) {
   if (names_no_finite_number(token)) return DecimalFault::kNotFinite;
   const bool is_negative = take_sign(token);
-  Parts parts;
+  NumberParts parts;
   if (!split(token, 'e', is_digit, parts)) return DecimalFault::kSyntax;
   if (const DecimalFault fault = check_limits(parts, limits); fault != DecimalFault::kNone)
     return fault;

@@ -7,14 +7,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 #include "io/base/source.h"
+#include "io/base/system_reason_internal.h"
 
 namespace veritope {
 namespace {
 
-std::string reason(int number) { return std::generic_category().message(number); }
+using internal::reason;
 
 Error cannot_open(const std::string& path, std::string why) {
   return error_in_file(path, Code::kCannotOpen, "cannot be read: " + std::move(why));

@@ -9,7 +9,7 @@
 namespace veritope {
 namespace {
 
-using Grid = std::array<std::uint32_t, 3>;
+using GridPoint = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t kNone = CommonSubdivision::kNone;
 
 class Builder {
@@ -45,7 +45,7 @@ class Builder {
  private:
   // The distance from the least corner along the border of the face, first along the axis after its normal's.
   std::uint64_t way_around(const CommonSubdivision::Face& f, std::uint32_t vertex) const {
-    const Grid low = c_.point(f.corner), at = c_.point(vertex);
+    const GridPoint low = c_.point(f.corner), at = c_.point(vertex);
     const std::uint64_t s = at[(f.axis + 1) % 3] - low[(f.axis + 1) % 3],
                         t = at[(f.axis + 2) % 3] - low[(f.axis + 2) % 3];
     const std::uint64_t edge = OctreeKey::kGrid >> f.level;
@@ -63,7 +63,7 @@ class Builder {
       return;
     }
     Point3d middle;
-    const Grid low = c_.point(f.corner);
+    const GridPoint low = c_.point(f.corner);
     const double half = 0.5 * (OctreeKey::kGrid >> f.level);
     for (std::size_t k = 0; k < 3; ++k)
       middle[k] = root_.plane(k, low[k]) + (k == f.axis ? 0 : half * root_.unit);
@@ -74,7 +74,7 @@ class Builder {
 
   std::uint32_t id_of(std::uint32_t vertex) {
     if (number_[vertex] == kNone) {
-      const Grid p = c_.point(vertex);
+      const GridPoint p = c_.point(vertex);
       number_[vertex] =
           add_point({root_.plane(0, p[0]), root_.plane(1, p[1]), root_.plane(2, p[2])});
     }

@@ -8,6 +8,7 @@
 
 #include "robust/base/entity_error.h"
 #include "robust/binary64.h"
+#include "solids/patches/finite_points_internal.h"
 #include "solids/patches/patch_knots.h"
 #include "solids/patches/patch_net.h"
 #include "splines/bezier_domain.h"
@@ -22,10 +23,6 @@ Patch made(Map map, PatchOrigin origin) {
   return make_patch(std::move(map), origin).value();
 }
 PatchOrigin facet(std::size_t number) { return {PatchOrigin::Kind::kFacet, number, {}}; }
-
-bool is_finite(const Vec3d& v) {
-  return veritope::is_finite(v.x) && veritope::is_finite(v.y) && veritope::is_finite(v.z);
-}
 
 Patch::Triangle flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   std::vector<Rational> values;
@@ -59,7 +56,7 @@ Result<PatchInput> patches_of(const TriangleMesh& mesh) {
       }
       p[i] = mesh.positions[v];
     }
-    if (is_finite(p[0]) && is_finite(p[1]) && is_finite(p[2])) {
+    if (internal::is_finite(p[0]) && internal::is_finite(p[1]) && internal::is_finite(p[2])) {
       out.patches.push_back(made(flat(p[0], p[1], p[2]), facet(f)));
     } else {
       PatchFinding& finding = out.findings.emplace_back();

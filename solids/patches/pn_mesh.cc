@@ -7,6 +7,7 @@
 
 #include "robust/binary64.h"
 #include "robust/dyadic.h"
+#include "solids/patches/finite_points_internal.h"
 
 namespace veritope {
 namespace {
@@ -17,9 +18,6 @@ DyadicPoint exact(const Vec3d& v) {
 }
 PnPoint rational(const DyadicPoint& p) {
   return {p[0].to_rational(), p[1].to_rational(), p[2].to_rational()};
-}
-bool is_finite(const Vec3d& v) {
-  return veritope::is_finite(v.x) && veritope::is_finite(v.y) && veritope::is_finite(v.z);
 }
 Error at_face(Code code, std::size_t face, std::string message) {
   Error error{code, {}, std::move(message)};
@@ -40,9 +38,10 @@ Status check_input(const TriangleMesh& mesh, std::span<const Vec3d> normals) {
         {},
         std::to_string(normals.size()) + " normals for " + std::to_string(count) + " vertices"};
   for (std::size_t v = 0; v < count; ++v) {
-    if (!is_finite(mesh.positions[v]))
+    if (!internal::is_finite(mesh.positions[v]))
       return at_vertex(Code::kNotFinite, v, "the position is not finite");
-    if (!is_finite(normals[v])) return at_vertex(Code::kNotFinite, v, "the normal is not finite");
+    if (!internal::is_finite(normals[v]))
+      return at_vertex(Code::kNotFinite, v, "the normal is not finite");
   }
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     for (const std::uint32_t v : mesh.faces[f])

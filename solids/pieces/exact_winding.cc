@@ -10,19 +10,19 @@ namespace {
 constexpr int kMostHalvings = 64;
 
 // Homogeneous control points relative to the centre, projected: x and y up to one positive factor.
-struct Curve {
+struct ExactCurve {
   std::vector<Integer> x, y;
 
   int degree() const { return static_cast<int>(x.size()) - 1; }
-  Curve part(std::uint64_t from, std::uint64_t to, int bits) const {
-    Curve out = *this;
+  ExactCurve part(std::uint64_t from, std::uint64_t to, int bits) const {
+    ExactCurve out = *this;
     internal::restrict_line(out.x.data(), 1, degree(), from, to, bits);
     internal::restrict_line(out.y.data(), 1, degree(), from, to, bits);
     return out;
   }
 };
 
-std::optional<int> winding(const Curve& curve, int halvings) {
+std::optional<int> winding(const ExactCurve& curve, int halvings) {
   const auto is_negative = [](const Integer& v) { return v.sign() == Sign::kNegative; };
   const auto is_positive = [](const Integer& v) { return v.sign() == Sign::kPositive; };
   const auto below = std::count_if(curve.y.begin(), curve.y.end(), is_negative);
@@ -64,7 +64,7 @@ std::optional<int> exact_winding(const ExactPiece& piece, const Patch& patch, st
                                  const CentreLine& centres, const ProjectionAxes& axes,
                                  std::uint64_t from, std::uint64_t to, int bits) {
   const Line line(centres);
-  Curve curve;
+  ExactCurve curve;
   for (std::size_t t = 0; t < patch.side_length(side); ++t) {
     const auto p = piece.control(patch.side_index(side, t));
     std::array<Integer, 3> q;  // P - w c

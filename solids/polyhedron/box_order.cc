@@ -8,14 +8,16 @@
 
 #include "robust/base/parallel.h"
 #include "robust/binary64.h"
+#include "solids/polyhedron/chunk_internal.h"
 
 namespace veritope {
 namespace {
 
-constexpr unsigned kBits = 11;  // of a coordinate, and of a radix pass: three passes sort the 33-bit code
+constexpr unsigned kBits =
+    11;  // of a coordinate, and of a radix pass: three passes sort the 33-bit code
 constexpr std::size_t kRadix = std::size_t{1} << kBits;
 constexpr unsigned kIndexBits = 31;
-constexpr std::size_t kChunk = 1 << 12;
+using internal::kChunk;
 
 // The low 11 bits of v, two zeros between neighbours.
 std::uint64_t spread(std::uint64_t v) {
@@ -26,7 +28,8 @@ std::uint64_t spread(std::uint64_t v) {
 }
 
 std::uint64_t cell(float unit) {
-  return static_cast<std::uint64_t>(std::min(unit * static_cast<float>(kRadix), static_cast<float>(kRadix - 1)));
+  return static_cast<std::uint64_t>(
+      std::min(unit * static_cast<float>(kRadix), static_cast<float>(kRadix - 1)));
 }
 
 std::uint64_t morton_code(const TriangleMesh& mesh, std::uint32_t facet, const UnitScale& scale) {
@@ -57,7 +60,8 @@ void radix_pass(const std::uint64_t* from, std::uint64_t* to, std::size_t n, uns
       sum += k;
     }
   parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
-    for (std::size_t i = cut(j); i < cut(j + 1); ++i) to[counts[j][from[i] >> shift & (kRadix - 1)]++] = from[i];
+    for (std::size_t i = cut(j); i < cut(j + 1); ++i)
+      to[counts[j][from[i] >> shift & (kRadix - 1)]++] = from[i];
   });
 }
 
@@ -70,12 +74,16 @@ struct Centre {
 
 // Items of several groups: moves those of lower groups before `mid`, those of higher ones after it, and narrows
 // [begin, end) to those of the group that `mid` cuts.
-void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mid, std::size_t& end) {
+void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mid,
+                  std::size_t& end) {
   const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(it(begin), it(mid), it(end), [](const Centre& a, const Centre& b) { return a.group < b.group; });
+  std::nth_element(it(begin), it(mid), it(end),
+                   [](const Centre& a, const Centre& b) { return a.group < b.group; });
   const std::uint32_t group = items[mid].group;
-  const auto first = std::partition(it(begin), it(mid), [group](const Centre& c) { return c.group < group; });
-  const auto last = std::partition(it(mid), it(end), [group](const Centre& c) { return c.group <= group; });
+  const auto first =
+      std::partition(it(begin), it(mid), [group](const Centre& c) { return c.group < group; });
+  const auto last =
+      std::partition(it(mid), it(end), [group](const Centre& c) { return c.group <= group; });
   begin = static_cast<std::size_t>(first - items.begin());
   end = static_cast<std::size_t>(last - items.begin());
 }
@@ -85,7 +93,8 @@ void split_groups(std::vector<Centre>& items, std::size_t& begin, std::size_t mi
 // Returns the middle.
 std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end) {
   const std::size_t mid = begin + (end - begin) / 2;
-  if (std::any_of(items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end),
+  if (std::any_of(items.begin() + static_cast<std::ptrdiff_t>(begin),
+                  items.begin() + static_cast<std::ptrdiff_t>(end),
                   [g = items[begin].group](const Centre& c) { return c.group != g; })) {
     split_groups(items, begin, mid, end);
   }
@@ -162,7 +171,8 @@ void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned j
   if (apexes.empty()) return;
   arrange(apexes, 0, apexes.size());
   std::vector<std::uint32_t> group(degree.size());
-  for (std::size_t i = 0; i < apexes.size(); ++i) group[apexes[i].facet] = static_cast<std::uint32_t>(i + 1);
+  for (std::size_t i = 0; i < apexes.size(); ++i)
+    group[apexes[i].facet] = static_cast<std::uint32_t>(i + 1);
   parallel_for(items.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) items[i].group = group[apex_of(items[i].facet)];
   });
@@ -172,11 +182,12 @@ void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned j
 
 BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs) {
   std::vector<BoundingBox> parts(num_chunks(points.size(), kChunk));
-  parallel_for(points.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    BoundingBox box;
-    for (std::size_t i = begin; i < end; ++i) box.add(points[i]);
-    parts[chunk] = box;
-  });
+  parallel_for(points.size(), kChunk, jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 BoundingBox box;
+                 for (std::size_t i = begin; i < end; ++i) box.add(points[i]);
+                 parts[chunk] = box;
+               });
   BoundingBox out;
   for (const BoundingBox& box : parts) {
     out.add(box.lo);
@@ -187,12 +198,13 @@ BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs) {
 
 BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs) {
   std::vector<BoundingBox> parts(num_chunks(mesh.faces.size(), kChunk));
-  parallel_for(mesh.faces.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    BoundingBox box;
-    for (std::size_t f = begin; f < end; ++f)
-      for (std::uint32_t v : mesh.faces[f]) box.add(mesh.positions[v]);
-    parts[chunk] = box;
-  });
+  parallel_for(mesh.faces.size(), kChunk, jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 BoundingBox box;
+                 for (std::size_t f = begin; f < end; ++f)
+                   for (std::uint32_t v : mesh.faces[f]) box.add(mesh.positions[v]);
+                 parts[chunk] = box;
+               });
   BoundingBox out;
   for (const BoundingBox& box : parts) {
     out.add(box.lo);
@@ -215,7 +227,8 @@ UnitScale::UnitScale(const BoundingBox& box) {
   if (range > 0) scale_ = exp2_int(std::clamp(-std::ilogb(range) - 1, -1022, 1023));
 }
 
-std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
+std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh,
+                                        const std::vector<std::uint32_t>& facets,
                                         const UnitScale& scale, unsigned jobs) {
   const std::size_t n = facets.size();
   const std::size_t blocks = jobs == 0 ? 1 : jobs;

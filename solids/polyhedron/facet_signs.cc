@@ -4,11 +4,12 @@
 #include "predicates/orient2d.h"
 #include "predicates/projection.h"
 #include "robust/base/parallel.h"
+#include "solids/polyhedron/chunk_internal.h"
 
 namespace veritope {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 12;
+using internal::kChunk;
 
 template <typename Decide>
 NormalSigns signs_by(const Vec3d& a, const Vec3d& b, const Vec3d& c, Decide decide) {

@@ -7,12 +7,13 @@
 
 #include "predicates/compare_along.h"
 #include "robust/base/parallel.h"
+#include "solids/polyhedron/chunk_internal.h"
 #include "solids/polyhedron/normal_along.h"
 
 namespace veritope {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 12;
+using internal::kChunk;
 
 struct Fan {
   const TriangleMesh& mesh;
@@ -49,10 +50,12 @@ bool turns_once_along_axis(const Fan& fan, int axis, bool reversed) {
 }
 
 bool turns_once_along(const Fan& fan, const IntVec3& d, bool reversed) {
-  const Vec3d g = (d[1] != 0 || d[2] != 0) ? Vec3d{0, static_cast<double>(d[2]), -static_cast<double>(d[1])}
-                                           : Vec3d{0, 0, 1};
-  return turns_once(fan, reversed,
-                    [&](const Vec3d& x) { return compare_along(g, x, fan.centre) == Sign::kNegative; });
+  const Vec3d g = (d[1] != 0 || d[2] != 0)
+                      ? Vec3d{0, static_cast<double>(d[2]), -static_cast<double>(d[1])}
+                      : Vec3d{0, 0, 1};
+  return turns_once(fan, reversed, [&](const Vec3d& x) {
+    return compare_along(g, x, fan.centre) == Sign::kNegative;
+  });
 }
 
 // +1 or -1 if n.d certainly has that sign for all facets, else 0.
@@ -75,7 +78,8 @@ bool holds_along(const Fan& fan, const std::vector<FacetNormal>& normals, const 
 IntVec3 mean_direction(const std::vector<FacetNormal>& normals) {
   double sum[3] = {0, 0, 0};
   for (const auto& n : normals) {
-    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);  // too large or small: skipped
+    const double length =
+        std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);  // too large or small: skipped
     if (!(length > 0) || !std::isfinite(length)) continue;
     sum[0] += n.x / length;
     sum[1] += n.y / length;
@@ -129,8 +133,9 @@ class StarFinder {
 
 }  // namespace
 
-VertexStars find_vertex_stars(const TriangleMesh& mesh, const Incidence& incidence, const FacetSigns& signs,
-                              std::span<const std::uint32_t> irregular, unsigned jobs) {
+VertexStars find_vertex_stars(const TriangleMesh& mesh, const Incidence& incidence,
+                              const FacetSigns& signs, std::span<const std::uint32_t> irregular,
+                              unsigned jobs) {
   VertexStars out;
   const std::size_t n = incidence.num_vertices();
   out.code.resize(n);

@@ -9,6 +9,7 @@
 #include "robust/base/parallel.h"
 #include "robust/binary64.h"
 #include "robust/integer.h"
+#include "solids/polyhedron/chunk_internal.h"
 
 namespace veritope {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;
 
-constexpr std::size_t kChunk = 1 << 12;
+using internal::kChunk;
 
 // All coordinates are integers times 2^unit, of absolute value below 2^bits.
 struct Lattice {
@@ -35,15 +36,16 @@ void widen(double v, int& least, int& greatest) {
 Lattice find_lattice(const std::vector<Vec3d>& positions, unsigned jobs) {
   constexpr int kFar = 1 << 20;
   std::vector<std::array<int, 2>> ends(num_chunks(positions.size(), kChunk));
-  parallel_for(positions.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    int least = kFar, greatest = -kFar;
-    for (std::size_t i = begin; i < end; ++i) {
-      widen(positions[i].x, least, greatest);
-      widen(positions[i].y, least, greatest);
-      widen(positions[i].z, least, greatest);
-    }
-    ends[chunk] = {least, greatest};
-  });
+  parallel_for(positions.size(), kChunk, jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 int least = kFar, greatest = -kFar;
+                 for (std::size_t i = begin; i < end; ++i) {
+                   widen(positions[i].x, least, greatest);
+                   widen(positions[i].y, least, greatest);
+                   widen(positions[i].z, least, greatest);
+                 }
+                 ends[chunk] = {least, greatest};
+               });
   int least = kFar, greatest = -kFar;
   for (const auto& e : ends) {
     least = std::min(least, e[0]);
@@ -65,8 +67,9 @@ class Sum320 {
     const UInt128 mid1 = UInt128{a0} * h1 + (low >> 64);
     const UInt128 mid2 = UInt128{a1} * h0 + static_cast<std::uint64_t>(mid1);
     const UInt128 top = high + (mid1 >> 64) + (mid2 >> 64);
-    std::array<std::uint64_t, 5> term{static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(mid2),
-                                      static_cast<std::uint64_t>(top), static_cast<std::uint64_t>(top >> 64), 0};
+    std::array<std::uint64_t, 5> term{
+        static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(mid2),
+        static_cast<std::uint64_t>(top), static_cast<std::uint64_t>(top >> 64), 0};
     add(term, negative);
   }
   void add(const Sum320& other) { add(other.limbs_, false); }
@@ -79,7 +82,9 @@ class Sum320 {
   }
 
  private:
-  static UInt128 magnitude(Int128 v) { return v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v); }
+  static UInt128 magnitude(Int128 v) {
+    return v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v);
+  }
   // Adds or subtracts: a - b = a + ~b + 1.
   void add(const std::array<std::uint64_t, 5>& term, bool subtract) {
     const std::uint64_t flip = subtract ? ~std::uint64_t{0} : 0;
@@ -135,7 +140,8 @@ void add_facet(const Vec3d& a, const Vec3d& b, const Vec3d& c, Coordinate at, Sh
   }
   const auto wide = [](Int128 v) {
     const UInt128 m = v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v);
-    const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(m), static_cast<std::uint64_t>(m >> 64)};
+    const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(m),
+                                    static_cast<std::uint64_t>(m >> 64)};
     return Integer::from_limbs(limbs, 2, v < 0);
   };
   out.rest += (wide(ux) * wide(vy) - wide(uy) * wide(vx)) * wide(height);
@@ -157,30 +163,33 @@ void add_facet_exactly(const Vec3d& a, const Vec3d& b, const Vec3d& c, int unit,
 
 }  // namespace
 
-std::vector<Rational> shell_volumes(const TriangleMesh& mesh, std::span<const std::uint32_t> shell_of_face,
+std::vector<Rational> shell_volumes(const TriangleMesh& mesh,
+                                    std::span<const std::uint32_t> shell_of_face,
                                     std::size_t num_shells, unsigned jobs) {
   const Lattice lattice = find_lattice(mesh.positions, jobs);
   const bool is_short = lattice.bits <= 62 && lattice.unit >= -1000 && lattice.unit <= 1000;
   const ShortCoordinates short_coordinates{is_short ? exp2_int(-lattice.unit) : 0};
   const LongCoordinates long_coordinates{lattice.unit};
   std::vector<std::vector<ShellSum>> parts(num_chunks(mesh.faces.size(), kChunk));
-  parallel_for(mesh.faces.size(), kChunk, jobs, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    std::vector<ShellSum>& part = parts[chunk];
-    for (std::size_t f = begin; f < end; ++f) {
-      const std::uint32_t shell = shell_of_face[f];
-      if (shell >= num_shells) continue;
-      if (part.empty() || part.back().shell != shell) part.push_back({shell, {}, {}});
-      const auto& t = mesh.faces[f];
-      const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-      if (is_short) {
-        add_facet(a, b, c, short_coordinates, part.back());
-      } else if (lattice.bits <= 120) {
-        add_facet(a, b, c, long_coordinates, part.back());
-      } else {
-        add_facet_exactly(a, b, c, lattice.unit, part.back());
-      }
-    }
-  });
+  parallel_for(mesh.faces.size(), kChunk, jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 std::vector<ShellSum>& part = parts[chunk];
+                 for (std::size_t f = begin; f < end; ++f) {
+                   const std::uint32_t shell = shell_of_face[f];
+                   if (shell >= num_shells) continue;
+                   if (part.empty() || part.back().shell != shell) part.push_back({shell, {}, {}});
+                   const auto& t = mesh.faces[f];
+                   const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
+                               &c = mesh.positions[t[2]];
+                   if (is_short) {
+                     add_facet(a, b, c, short_coordinates, part.back());
+                   } else if (lattice.bits <= 120) {
+                     add_facet(a, b, c, long_coordinates, part.back());
+                   } else {
+                     add_facet_exactly(a, b, c, lattice.unit, part.back());
+                   }
+                 }
+               });
   std::vector<Integer> sums(num_shells);
   for (const auto& part : parts)
     for (const ShellSum& s : part) sums[s.shell] += s.sum.to_integer() + s.rest;

@@ -14,10 +14,10 @@ using certificate::CollarBody;
 using certificate::WalkPoint;
 using Id = PieceForest::Id;
 
-class BodyWriter {
+class CollarBodyWriter {
  public:
-  BodyWriter(const PieceForest& forest, const StarCover& cover, const PatchCollar& collar,
-             const std::vector<StarBoxEntity>& entities)
+  CollarBodyWriter(const PieceForest& forest, const StarCover& cover, const PatchCollar& collar,
+                   const std::vector<StarBoxEntity>& entities)
       : forest_(forest), cover_(cover), collar_(collar), entities_(entities) {}
 
   CollarBody write(const ShellWalks& walks) {
@@ -80,7 +80,7 @@ certificate::Bytes make_collar_certificate(const PieceForest& forest, const Star
                                            const std::vector<StarBoxEntity>& entities,
                                            const certificate::Subject& subject) {
   return certificate::encode(subject, star_box_quantities(forest.complex(), walks),
-                             BodyWriter(forest, cover, collar, entities).write(walks));
+                             CollarBodyWriter(forest, cover, collar, entities).write(walks));
 }
 
 }  // namespace veritope

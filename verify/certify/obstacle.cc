@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/certify/sheet_tangents_internal.h"
+
 namespace veritope {
 namespace {
 
+using internal::dot;
 using Id = PieceForest::Id;
 
 constexpr std::size_t kMostOwn = 64;  // parts of the piece that are examined
@@ -16,8 +19,6 @@ constexpr double kFacing =
 struct Facet {
   Point3d at, normal;
 };
-
-double dot(const Point3d& a, const Point3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // The mean of the control points, and the mean normal of unit length (0 if that has no direction).
 Facet facet_of(PieceForest& forest, Id id) {

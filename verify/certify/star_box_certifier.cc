@@ -34,10 +34,10 @@ int grid_exponent(const PieceForest& forest, const CoverBox& box) {
 
 constexpr int kMostBits = 60;  // the C++ checker's 61, minus one for the sum of corner and size
 
-class BodyWriter {
+class StarBoxBodyWriter {
  public:
-  BodyWriter(const PieceForest& forest, const StarCover& cover,
-             const std::vector<StarBoxEntity>& entities, int most_exponent)
+  StarBoxBodyWriter(const PieceForest& forest, const StarCover& cover,
+                    const std::vector<StarBoxEntity>& entities, int most_exponent)
       : forest_(forest), cover_(cover), entities_(entities), most_exponent_(most_exponent) {}
 
   StarBoxBody write(const ShellWalks& walks) {
@@ -167,7 +167,7 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
   const int last = walks.walks.back().winding_inside;
   for (const ShellWalk& w : walks.walks)
     VT_CHECK(last != 1 || w.winding_inside == 1, "winding numbers of a solid are 0 and 1");
-  return BodyWriter(forest, cover, entities, most_exponent).write(walks);
+  return StarBoxBodyWriter(forest, cover, entities, most_exponent).write(walks);
 }
 
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,

@@ -224,16 +224,16 @@ std::uint64_t ShellWalks::num_bodies() const {
 
 std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks) {
   VT_CHECK(walks.missing.empty(), "depths are known when every shell has a walk");
-  struct Place {
+  struct Nesting {
     int depth = 0;
     bool is_outward = true;  // the unbounded side is the outer one
   };
-  std::map<std::uint32_t, Place> of_shell;
+  std::map<std::uint32_t, Nesting> of_shell;
   std::vector<std::uint32_t> out;
   for (const ShellWalk& w : walks.walks) {
-    Place place{0, w.starts_outside};
+    Nesting place{0, w.starts_outside};
     if (w.direction == 6) {
-      const Place& other = of_shell.at(w.end_shell);
+      const Nesting& other = of_shell.at(w.end_shell);
       place.depth = other.depth + (w.ends_outside == other.is_outward ? 0 : 1);
     }
     of_shell[w.shell] = place;

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "verify/format/entities_of_body_internal.h"
 #include "verify/format/patch_certificate_text_internal.h"
+#include "verify/format/statement_line_internal.h"
 #include "verify/format/text_parts.h"
 
 namespace veritope::certificate {
@@ -14,7 +16,6 @@ namespace {
 
 using internal::ByteReader;
 
-constexpr std::size_t kMaxStatement = 64 << 10;
 constexpr std::string_view kMeshes = "stl,obj,ply,off", kSplines = "vjson,itd";
 constexpr std::string_view kStarNumbers =
     "bodies boxes edges flipped genus patches shells vertices";
@@ -139,12 +140,10 @@ std::string claims_as_text() {
 
 std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned char> bytes,
                                                      std::string& why, const ModelKinds* model) {
-  const auto head = bytes.first(std::min(bytes.size(), kMaxStatement + 1));
-  const auto end = std::find(head.begin(), head.end(), static_cast<unsigned char>('\n'));
-  why = "no line feed in the first 64 KiB: a certificate starts with one line of JSON";
-  if (end == head.end()) return std::nullopt;
+  auto statement = internal::statement_line(bytes, why);
+  if (!statement) return std::nullopt;
   DecodedCertificate out;
-  out.statement.assign(head.begin(), end);
+  out.statement = std::move(*statement);
   const auto body = bytes.subspan(out.statement.size() + 1);
   out.claim = find_claim(value_of(out.statement, "claim"));
   if (out.claim == nullptr) {

@@ -2,9 +2,11 @@
 #include "verify/format/mesh_certificate.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "verify/format/byte_stream.h"
 #include "verify/format/sha256.h"
+#include "verify/format/statement_line_internal.h"
 #include "verify/format/statement_writer.h"
 
 namespace veritope::certificate {
@@ -14,8 +16,6 @@ using internal::ByteReader;
 using internal::ByteWriter;
 using internal::join;
 using internal::StatementWriter;
-
-constexpr std::size_t kMaxStatement = 64 << 10;
 
 void state_mesh(StatementWriter& w, const Subject& s, std::string_view claim, const Bytes& body) {
   internal::state_subject(w, s, claim);
@@ -170,15 +170,11 @@ Bytes encode(const Subject& subject, const InvalidBody& body) {
 }
 
 std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::string& why) {
-  const auto head = bytes.first(std::min(bytes.size(), kMaxStatement + 1));
-  const auto end = std::find(head.begin(), head.end(), static_cast<unsigned char>('\n'));
-  if (end == head.end()) {
-    why = "no line feed in the first 64 KiB: a certificate starts with one line of JSON";
-    return std::nullopt;
-  }
+  auto statement = internal::statement_line(bytes, why);
+  if (!statement) return std::nullopt;
   Certificate out;
-  out.statement.assign(head.begin(), end);
-  const auto body = bytes.subspan(static_cast<std::size_t>(end - head.begin()) + 1);
+  out.statement = std::move(*statement);
+  const auto body = bytes.subspan(out.statement.size() + 1);
   const auto has_magic = [&](std::string_view magic) {
     return body.size() >= 4 && std::equal(magic.begin(), magic.end(), body.begin());
   };

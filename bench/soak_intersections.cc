@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "bench/random_surfaces.h"
 #include "interval/intersect/surface_intersection.h"
 #include "interval/numeric.h"
+#include "robust/base/disjoint_sets.h"
 
 namespace {
 
@@ -63,16 +63,11 @@ struct Count {
 Count marching_squares(const std::vector<double>& f, std::size_t points) {
   // Edge ids: horizontal (p, q)-(p + 1, q), then vertical (p, q)-(p, q + 1).
   const std::size_t half = points * points;
-  std::vector<std::uint32_t> parent(2 * half);
-  std::iota(parent.begin(), parent.end(), 0u);
+  DisjointSets<std::size_t> classes(2 * half);
   std::vector<char> used(2 * half, 0), on_border(2 * half, 0);
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
   const auto join = [&](std::size_t a, std::size_t b) {
     used[a] = used[b] = 1;
-    parent[root(a)] = static_cast<std::uint32_t>(root(b));
+    classes.join(a, b);
   };
   for (std::size_t p = 0; p + 1 < points; ++p)
     for (std::size_t q = 0; q + 1 < points; ++q) {
@@ -97,9 +92,10 @@ Count marching_squares(const std::vector<double>& f, std::size_t points) {
   std::vector<char> seen(2 * half, 0), open(2 * half, 0);
   Count out;
   for (std::size_t e = 0; e < 2 * half; ++e)
-    if (used[e] && on_border[e]) open[root(e)] = 1;
+    if (used[e] && on_border[e]) open[classes.find(e)] = 1;
   for (std::size_t e = 0; e < 2 * half; ++e)
-    if (used[e] && !seen[root(e)]) seen[root(e)] = 1, ++(open[root(e)] ? out.arcs : out.loops);
+    if (used[e] && !seen[classes.find(e)])
+      seen[classes.find(e)] = 1, ++(open[classes.find(e)] ? out.arcs : out.loops);
   return out;
 }
 

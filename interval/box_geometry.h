@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/box_geometry.h: vectors of intervals in space, and the numbers near intervals that searches go by.
 #pragma once
+#include <array>
+#include <cstddef>
+
 #include "interval/box.h"
 
 namespace veritope::internal {
 
 /// Approximately: no proof may rely on them, and they need no rounding mode.
 inline double approx_middle(const Interval& a) { return 0.5 * a.lo() + 0.5 * a.hi(); }
+template <std::size_t N>
+std::array<double, N> approx_middle(const Box<N>& x) {
+  std::array<double, N> out;
+  for (std::size_t i = 0; i < N; ++i) out[i] = approx_middle(x[i]);
+  return out;
+}
 inline double approx_radius(const Interval& a) { return 0.5 * a.hi() - 0.5 * a.lo(); }
 
 // Enclosures; all REQUIRE a live ScopedUpward.

@@ -9,7 +9,7 @@
 namespace veritope {
 namespace {
 
-constexpr std::uint32_t kNone = CommonSubdivision::kNone;
+using internal::kNone;
 
 /// What remains of the cells of one dimension below 3: how many cofaces each has, and the exclusive or of their ids,
 /// which is the coface's id when there is one. No list of cofaces is needed.

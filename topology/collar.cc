@@ -7,7 +7,7 @@
 namespace veritope {
 namespace {
 
-constexpr std::uint32_t kNone = CommonSubdivision::kNone;
+using internal::kNone;
 
 class Search {
  public:

@@ -10,7 +10,7 @@ namespace veritope {
 namespace {
 
 using Point = std::array<std::uint32_t, 3>;
-constexpr std::uint32_t kNone = CommonSubdivision::kNone;
+using internal::kNone;
 
 /// A face before its corners have ids.
 struct RawFace {

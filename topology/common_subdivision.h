@@ -89,4 +89,9 @@ class CommonSubdivision {
   unsigned bits_ = 1, up_ = 0;
 };
 
+namespace internal {
+/// For the files of this folder.
+inline constexpr std::uint32_t kNone = CommonSubdivision::kNone;
+}  // namespace internal
+
 }  // namespace veritope

@@ -3,33 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
+
+#include "robust/base/disjoint_sets.h"
 
 namespace veritope {
 namespace {
 
-constexpr std::uint32_t kNone = CommonSubdivision::kNone;
-
-/// Union-find whose roots are the least members.
-class Partition {
- public:
-  explicit Partition(std::uint32_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t find(std::uint32_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+using internal::kNone;
 
 /// The 15 pairs of the six directions at a vertex (+x -x +y -y +z -z), as bits: the pairs that a face at the vertex
 /// joins.
@@ -86,7 +67,7 @@ class Analysis {
 
  private:
   void find_bodies() {
-    Partition cells(c_.num_cells());
+    DisjointSets cells(c_.num_cells());
     for (const CommonSubdivision::Face& face : c_.faces())
       if (face.num_cells() == 2) cells.join(face.below, face.above);
     out_.body_of_cell.resize(c_.num_cells());
@@ -212,7 +193,7 @@ class Analysis {
   std::vector<std::uint32_t> face_at_edge_;  // one of them
   std::vector<Corners> corners_;             // of boundary faces
   std::vector<std::uint32_t> face_at_vertex_;
-  Partition faces_;
+  DisjointSets<> faces_;
 };
 
 }  // namespace

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "robust/base/check.h"
+#include "robust/base/disjoint_sets.h"
 #include "robust/base/parallel.h"
 #include "topology/vertex_link.h"
 
@@ -107,45 +107,6 @@ std::vector<std::uint32_t> collapsed_faces(Faces faces, unsigned jobs) {
   return out;
 }
 
-// Union-find whose roots are the least elements; safe for concurrent use, its result depends on the unions only.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : size_(n), parent_(new std::uint32_t[n]) {}
-  std::size_t size() const { return size_; }
-  void reset(std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) parent_[i] = static_cast<std::uint32_t>(i);
-  }
-  std::uint32_t find(std::uint32_t x) {
-    for (;;) {
-      std::uint32_t p = load(x);
-      if (p == x) return x;
-      const std::uint32_t g = load(p);
-      if (g == p) return p;
-      std::atomic_ref<std::uint32_t>(parent_[x]).compare_exchange_weak(p, g, std::memory_order_relaxed);
-      x = g;
-    }
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    for (;;) {
-      a = find(a);
-      b = find(b);
-      if (a == b) return;
-      if (a < b) std::swap(a, b);
-      std::uint32_t expected = a;
-      if (std::atomic_ref<std::uint32_t>(parent_[a])
-              .compare_exchange_strong(expected, b, std::memory_order_relaxed))
-        return;
-    }
-  }
-
- private:
-  std::uint32_t load(std::uint32_t x) {
-    return std::atomic_ref<std::uint32_t>(parent_[x]).load(std::memory_order_relaxed);
-  }
-  std::size_t size_;
-  std::unique_ptr<std::uint32_t[]> parent_;
-};
-
 // The fans as nodes: a regular vertex is its own node, an irregular one has a node a fan behind all vertices.
 struct FanNodes {
   std::span<const std::uint32_t> irregular;                // ascending
@@ -184,20 +145,21 @@ FanNodes number_fans(Faces faces, const Incidence& incidence, std::span<const st
   return out;
 }
 
-void connect_faces(Faces faces, const Incidence& incidence, const FanNodes& fans, DisjointSets& sets,
-                   std::size_t begin, std::size_t end) {
+void connect_faces(Faces faces, const Incidence& incidence, const FanNodes& fans,
+                   ConcurrentDisjointSets& sets, std::size_t begin, std::size_t end) {
   for (std::size_t f = begin; f < end; ++f) {
     const auto& t = faces[f];
     if (is_collapsed(t)) continue;
     const auto c = static_cast<std::uint32_t>(4 * f);
     const std::uint32_t n0 = fans.node(incidence, t[0], c);
-    sets.unite(n0, fans.node(incidence, t[1], c + 1));
-    sets.unite(n0, fans.node(incidence, t[2], c + 2));
+    sets.join(n0, fans.node(incidence, t[1], c + 1));
+    sets.join(n0, fans.node(incidence, t[2], c + 2));
   }
 }
 
 // The usual case: every face is in one component. False if not.
-bool is_one_shell(Faces faces, const FanNodes& fans, DisjointSets& sets, unsigned jobs, SurfaceTopology& out) {
+bool is_one_shell(Faces faces, const FanNodes& fans, ConcurrentDisjointSets& sets, unsigned jobs,
+                  SurfaceTopology& out) {
   if (faces.empty() || !out.collapsed.empty() || !fans.irregular.empty()) return false;
   const std::uint32_t root = sets.find(faces[0][0]);
   std::atomic<bool> one{true};
@@ -213,8 +175,8 @@ bool is_one_shell(Faces faces, const FanNodes& fans, DisjointSets& sets, unsigne
   return one.load();
 }
 
-void number_shells(Faces faces, const Incidence& incidence, const FanNodes& fans, DisjointSets& sets,
-                   SurfaceTopology& out) {
+void number_shells(Faces faces, const Incidence& incidence, const FanNodes& fans,
+                   ConcurrentDisjointSets& sets, SurfaceTopology& out) {
   std::vector<std::uint32_t> shell_of_root(sets.size(), SurfaceTopology::kNoShell);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (is_collapsed(faces[f])) {
@@ -289,7 +251,7 @@ SurfaceTopology analyse_surface(Faces faces, const Incidence& incidence, std::si
   out.faces = faces.size() - out.collapsed.size();
 
   const FanNodes fans = number_fans(faces, incidence, out.irregular);
-  DisjointSets sets(fans.count);
+  ConcurrentDisjointSets sets(fans.count);
   parallel_for(blocks, 1, jobs, [&](std::size_t j, std::size_t, std::size_t) {
     sets.reset(cut(fans.count, j), cut(fans.count, j + 1));
   });

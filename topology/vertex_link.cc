@@ -2,8 +2,8 @@
 #include "topology/vertex_link.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "robust/base/disjoint_sets.h"
 #include "topology/incidence.h"
 
 namespace veritope::internal {
@@ -60,21 +60,14 @@ std::vector<EdgeUse> edge_uses(std::span<const std::array<std::uint32_t, 3>> fac
 }
 
 std::vector<std::uint32_t> fans_of_corners(const std::vector<EdgeUse>& uses, std::size_t num_corners) {
-  std::vector<std::uint32_t> parent(num_corners);
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  };
+  DisjointSets sets(num_corners);
   for (std::size_t i = 1; i < uses.size(); ++i) {
-    if (uses[i].other != uses[i - 1].other) continue;
-    const std::uint32_t a = find(uses[i - 1].corner), b = find(uses[i].corner);
-    parent[std::max(a, b)] = std::min(a, b);
+    if (uses[i].other == uses[i - 1].other) sets.join(uses[i - 1].corner, uses[i].corner);
   }
   std::vector<std::uint32_t> fan(num_corners), number(num_corners);
   std::uint32_t fans = 0;
   for (std::uint32_t i = 0; i < num_corners; ++i) {
-    const std::uint32_t root = find(i);
+    const std::uint32_t root = sets.find(i);
     if (root == i) number[i] = fans++;
     fan[i] = number[root];
   }

@@ -13,9 +13,8 @@ namespace {
 using Matrix4 = ApproxMatrix<4>;
 using IntervalMatrix4 = IntervalMatrix<4>;
 
+using internal::approx_middle, internal::approx_radius;
 using internal::cross, internal::dot;
-double middle(const Interval& a) { return internal::approx_middle(a); }
-double radius(const Interval& a) { return internal::approx_radius(a); }
 
 /// Values and Jacobian of the four equations over a box.
 struct System {
@@ -46,7 +45,7 @@ System evaluate_system(const EnclosedSurface& s1, const EnclosedSurface& s2, con
 bool invert_middle(const IntervalMatrix4& j, Matrix4* out) {
   Matrix4 m;
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 4; ++k) m[i][k] = middle(j[i][k]);
+    for (std::size_t k = 0; k < 4; ++k) m[i][k] = approx_middle(j[i][k]);
   const auto inverse = eliminate<4>(m).inverse;
   if (inverse) *out = *inverse;
   return inverse.has_value();
@@ -92,7 +91,7 @@ bool approach(const EnclosedSurface& s1, const EnclosedSurface& s2, Point4* x) {
     if (!invert_middle(at.jacobian, &inverse)) return false;
     for (std::size_t i = 0; i < 4; ++i) {
       double move = 0;
-      for (std::size_t k = 0; k < 4; ++k) move += inverse[i][k] * middle(at.value[k]);
+      for (std::size_t k = 0; k < 4; ++k) move += inverse[i][k] * approx_middle(at.value[k]);
       (*x)[i] -= move;
       const EnclosedSurface& s = i < 2 ? s1 : s2;
       const double size = s.domain_end(i % 2) - s.domain_begin(i % 2);
@@ -108,7 +107,7 @@ bool approach(const EnclosedSurface& s1, const EnclosedSurface& s2, Point4* x) {
 std::optional<CommonNormal> find_common_normal(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                                const Box4& x) {
   Point4 center{};
-  for (std::size_t i = 0; i < 4; ++i) center[i] = middle(x[i]);
+  for (std::size_t i = 0; i < 4; ++i) center[i] = approx_middle(x[i]);
   if (!approach(s1, s2, &center)) return std::nullopt;
   CommonNormal out;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -123,14 +122,14 @@ std::optional<CommonNormal> find_common_normal(const EnclosedSurface& s1, const 
   Box4 found = krawczyk(inverse, center, at.value, over.jacobian, out.unique_in);
   if (!is_interior(found, out.unique_in)) return std::nullopt;
   for (int step = 0; step < 4; ++step) {
-    for (std::size_t i = 0; i < 4; ++i) center[i] = middle(found[i]);
+    for (std::size_t i = 0; i < 4; ++i) center[i] = approx_middle(found[i]);
     const System near = evaluate_system(s1, s2, found),
                  here = evaluate_system(s1, s2, point_box(center));
     const Box4 next =
         intersection(found, krawczyk(inverse, center, here.value, near.jacobian, found));
     VT_CHECK(!next.is_empty(), "a proved common normal has vanished");
     const bool is_narrower =
-        radius(next[widest_side(found)]) < 0.5 * radius(found[widest_side(found)]);
+        approx_radius(next[widest_side(found)]) < 0.5 * approx_radius(found[widest_side(found)]);
     found = next;
     if (!is_narrower) break;
   }

@@ -18,7 +18,7 @@ namespace {
 
 using Vector = std::array<Interval, 3>;
 
-double middle(const Interval& a) { return internal::approx_middle(a); }
+using internal::approx_middle;
 
 // A part of a piece with its control points.
 struct Part {
@@ -34,7 +34,7 @@ struct Part {
       control.push_back(control_point(i));
       for (std::size_t k = 0; k < 3; ++k) {
         hull[k] = veritope::hull(hull[k], control.back()[k]);
-        centre[k] += middle(control.back()[k]) / static_cast<double>(count);
+        centre[k] += approx_middle(control.back()[k]) / static_cast<double>(count);
       }
     }
   }
@@ -64,8 +64,8 @@ struct Part {
         double sum = 0;
         for (std::size_t i = 1; i < grid.size[a]; ++i)
           for (std::size_t k = 0; k < 3; ++k)
-            sum += std::abs(middle(control[first + i * stride][k]) -
-                            middle(control[first + (i - 1) * stride][k]));
+            sum += std::abs(approx_middle(control[first + i * stride][k]) -
+                            approx_middle(control[first + (i - 1) * stride][k]));
         length[a] = std::max(length[a], sum);
       });
     }

@@ -9,7 +9,7 @@ namespace veritope {
 namespace {
 
 /// At greater depths a tube gets as narrow as the boxes of single points, and its content cannot be decided.
-constexpr int kMostClipHalvings = 14;
+constexpr int kMostHalvingsOfATube = 14;
 /// The limit for one tube. An arc that touches a border needs two at each depth; one that runs along it would need all.
 constexpr int kMostHalved = 60;
 
@@ -68,7 +68,7 @@ class Clipper {
   }
 
   void halve(const IntersectionTube& tube, const Box4& x, int halvings) {
-    if (halvings >= kMostClipHalvings || ++num_halved_ > kMostHalved) {
+    if (halvings >= kMostHalvingsOfATube || ++num_halved_ > kMostHalved) {
       unresolved_->push_back(x);
       return;
     }

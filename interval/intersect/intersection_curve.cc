@@ -12,14 +12,13 @@
 namespace veritope {
 namespace {
 
-constexpr int kMostStepHalvings = 12;
+constexpr int kMostHalvingsOfASegment = 12;
 /// Limits the segments of a branch that come from halving: weights far apart make bounds that nothing improves.
 constexpr std::size_t kMostSegments = 5000;
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
+using internal::approx_middle;
 using internal::dot, internal::norm;
-double middle(const Interval& a) { return internal::approx_middle(a); }
-Point4 middle(const Box4& x) { return {middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])}; }
 
 /// An upper bound of |v|.
 double norm_above(const Box3& v) { return norm(v).hi(); }
@@ -50,7 +49,7 @@ struct Place {
 };
 Place place_of(const EnclosedSurface& s, std::size_t axis, const Interval& x) {
   const auto& b = s.breaks(axis);
-  const double m = middle(x);
+  const double m = approx_middle(x);
   const auto above = std::upper_bound(b.begin() + 1, b.end() - 1, m);
   Place out;
   out.span = static_cast<std::size_t>(above - b.begin()) - 1;
@@ -141,12 +140,12 @@ class Tracer {
   Knot at(const IntersectionTube& tube, double w) const {
     Knot out{w, {}, {}, {}};
     out.x = locate(s1_, s2_, tube, w, &out.rate);
-    out.middle = middle(out.x);
+    out.middle = approx_middle(out.x);
     return out;
   }
 
   bool may_halve(int halvings) const {
-    return halvings < kMostStepHalvings && out_.size() < kMostSegments;
+    return halvings < kMostHalvingsOfASegment && out_.size() < kMostSegments;
   }
   void add(const IntersectionTube& tube, const Knot& a, const Knot& b, int halvings) {
     CurveSegment segment;
@@ -226,8 +225,8 @@ class Tracer {
     const Interval length = norm(chord);
     const Interval steps = Interval(std::max(a.w, b.w)) - Interval(std::min(a.w, b.w));
     double above = (norm(tangent) * steps).hi();
-    const Box3 middles(Interval(middle(chord[0])), Interval(middle(chord[1])),
-                       Interval(middle(chord[2])));
+    const Box3 middles(Interval(approx_middle(chord[0])), Interval(approx_middle(chord[1])),
+                       Interval(approx_middle(chord[2])));
     const Interval size = norm(middles);
     if (size.lo() > 0) {
       const Box3 e(middles[0] / size, middles[1] / size, middles[2] / size);

@@ -10,6 +10,7 @@
 
 #include "interval/box_geometry.h"
 #include "interval/enclosure/patch_tree.h"
+#include "robust/base/disjoint_sets.h"
 
 namespace veritope {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::size_t kMostComparisons = 50'000'000;
 /// By how much tubes reach beyond the box that they are made for: parts of its length.
 constexpr double kLongReach = 0.35, kShortReach = 0.125;
 
-double middle(const Interval& a) { return internal::approx_middle(a); }
+using internal::approx_middle;
 double size_of(const Box3& box) {
   return std::max(
       {box[0].hi() - box[0].lo(), box[1].hi() - box[1].lo(), box[2].hi() - box[2].lo()});
@@ -63,12 +64,11 @@ std::optional<std::array<Interval, 3>> usable(const Direction& d) {
                                  Interval(d[2] / scale)};
 }
 
-Direction middle(const Box3& d) { return {middle(d[0]), middle(d[1]), middle(d[2])}; }
-
 /// Directions that may separate two nodes seen as parallelograms: both normals, and those across a side of each, which
 /// also see apart what lies on one plane. An affine map of space maps them along.
 std::array<Direction, 6> separating_directions(const PatchTree::Node& a, const PatchTree::Node& b) {
-  const Direction u = middle(a.du), v = middle(a.dv), s = middle(b.du), t = middle(b.dv);
+  const Direction u = approx_middle(a.du), v = approx_middle(a.dv), s = approx_middle(b.du),
+                  t = approx_middle(b.dv);
   return {cross(u, v), cross(s, t), cross(u, s), cross(v, t), cross(u, t), cross(v, s)};
 }
 
@@ -240,24 +240,20 @@ class PairSearch {
 }  // namespace
 
 std::vector<std::vector<std::size_t>> clusters_of(const std::vector<Box4>& boxes) {
-  std::vector<std::size_t> order(boxes.size()), parent(boxes.size());
+  std::vector<std::size_t> order(boxes.size());
+  DisjointSets<std::size_t> sets(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return boxes[i][0].lo() < boxes[j][0].lo(); });
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
   for (std::size_t n = 0; n < order.size(); ++n)
     for (std::size_t m = n + 1; m < order.size(); ++m) {
       if (boxes[order[m]][0].lo() > boxes[order[n]][0].hi()) break;
-      if (!is_disjoint(boxes[order[n]], boxes[order[m]])) parent[root(order[m])] = root(order[n]);
+      if (!is_disjoint(boxes[order[n]], boxes[order[m]])) sets.join(order[n], order[m]);
     }
   std::unordered_map<std::size_t, std::size_t> number;
   std::vector<std::vector<std::size_t>> out;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const auto [at, is_new] = number.try_emplace(root(i), out.size());
+    const auto [at, is_new] = number.try_emplace(sets.find(i), out.size());
     if (is_new) out.emplace_back();
     out[at->second].push_back(i);
   }

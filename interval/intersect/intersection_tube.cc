@@ -16,8 +16,7 @@ using Vector = std::array<Interval, 3>;
 /// The columns S1_u, S1_v, -S2_s, -S2_t.
 using Columns = std::array<Box3, 4>;
 
-double middle(const Interval& a) { return internal::approx_middle(a); }
-double radius(const Interval& a) { return internal::approx_radius(a); }
+using internal::approx_middle, internal::approx_radius;
 Interval around(double c, double r) { return Interval::from_bounds(-(-c + r), c + r); }
 
 double determinant(const std::array<double, 3>& a, const std::array<double, 3>& b,
@@ -125,7 +124,7 @@ void recenter(IntersectionTube* tube, Vector* z) {
   const auto rest = others(tube->pivot);
   for (std::size_t i = 0; i < 3; ++i) {
     double& c = tube->center[static_cast<std::size_t>(rest[i])];
-    const double moved = c + middle((*z)[i]);
+    const double moved = c + approx_middle((*z)[i]);
     (*z)[i] = (*z)[i] + (Interval(c) - Interval(moved));
     c = moved;
   }
@@ -145,8 +144,8 @@ bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tub
   double contraction = 0, largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     double sum = 0;
-    for (std::size_t j = 0; j < 3; ++j) sum += mag(linear.excess[i][j]) * radius(z[j]);
-    const double r = radius(z[i]);
+    for (std::size_t j = 0; j < 3; ++j) sum += mag(linear.excess[i][j]) * approx_radius(z[j]);
+    const double r = approx_radius(z[i]);
     if (!(sum / r < kMostContraction)) return false;  // also if it is not a number
     contraction = std::max(contraction, sum / r);
     largest = std::max(largest, mag(linear.drift[i]) / r);
@@ -157,7 +156,7 @@ bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tub
   const auto rest = others(tube->pivot);
   Vector rate;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double b = bound * radius(z[i]) * 1.0000001;
+    const double b = bound * approx_radius(z[i]) * 1.0000001;
     rate[i] = Interval::from_bounds(-b, b);
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -177,7 +176,7 @@ bool choose_inverse(const Columns& columns, IntersectionTube* tube) {
   std::array<std::array<double, 3>, 3> kept{};
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t c = 0; c < 3; ++c)
-      kept[j][c] = middle(columns[static_cast<std::size_t>(rest[j])][c]);
+      kept[j][c] = approx_middle(columns[static_cast<std::size_t>(rest[j])][c]);
   return invert(kept, &tube->inverse);
 }
 
@@ -188,7 +187,7 @@ void choose_slope(const Columns& columns, IntersectionTube* tube) {
   for (std::size_t i = 0; i < 3; ++i) {
     double s = 0;
     for (std::size_t c = 0; c < 3; ++c)
-      s -= tube->inverse[i][c] * middle(columns[static_cast<std::size_t>(tube->pivot)][c]);
+      s -= tube->inverse[i][c] * approx_middle(columns[static_cast<std::size_t>(tube->pivot)][c]);
     tube->slope[static_cast<std::size_t>(rest[i])] = s;
   }
 }
@@ -199,8 +198,8 @@ bool choose_chart(const Box4& x, const Columns& columns, IntersectionTube* tube)
   std::array<std::array<double, 3>, 4> middles{};
   std::array<double, 4> norm{};
   for (std::size_t k = 0; k < 4; ++k) {
-    const double r = radius(x[k]);
-    for (std::size_t c = 0; c < 3; ++c) middles[k][c] = middle(columns[k][c]) * r;
+    const double r = approx_radius(x[k]);
+    for (std::size_t c = 0; c < 3; ++c) middles[k][c] = approx_middle(columns[k][c]) * r;
     norm[k] = std::sqrt(middles[k][0] * middles[k][0] + middles[k][1] * middles[k][1] +
                         middles[k][2] * middles[k][2]);
   }
@@ -215,7 +214,7 @@ bool choose_chart(const Box4& x, const Columns& columns, IntersectionTube* tube)
   const double scale = std::max({norm[0], norm[1], norm[2], norm[3]});
   if (!(best > 1e-14 * scale * scale * scale)) return false;
   if (!choose_inverse(columns, tube)) return false;
-  for (std::size_t k = 0; k < 4; ++k) tube->center[k] = middle(x[k]);
+  for (std::size_t k = 0; k < 4; ++k) tube->center[k] = approx_middle(x[k]);
   choose_slope(columns, tube);
   tube->direction = (best_minor > 0) == (tube->pivot % 2 == 0) ? -1 : 1;
   return true;
@@ -254,12 +253,13 @@ double spread_of(const Linear& linear, const Box4& x, int pivot) {
   const auto rest = others(pivot);
   double excess = 0, drift = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double r = radius(x[static_cast<std::size_t>(rest[i])]);
+    const double r = approx_radius(x[static_cast<std::size_t>(rest[i])]);
     double sum = 0;
     for (std::size_t j = 0; j < 3; ++j)
-      sum += mag(linear.excess[i][j]) * radius(x[static_cast<std::size_t>(rest[j])]);
+      sum += mag(linear.excess[i][j]) * approx_radius(x[static_cast<std::size_t>(rest[j])]);
     excess = std::max(excess, sum / r);
-    drift = std::max(drift, mag(linear.drift[i]) * radius(x[static_cast<std::size_t>(pivot)]) / r);
+    drift = std::max(drift,
+                     mag(linear.drift[i]) * approx_radius(x[static_cast<std::size_t>(pivot)]) / r);
   }
   return excess + drift;
 }
@@ -327,7 +327,8 @@ Contraction contract(const EnclosedSurface& s1, const EnclosedSurface& s2, const
   for (std::size_t i = 0; i < 3; ++i) {
     const Interval met = intersection(z[i], k[i]);
     if (met.is_empty()) return Contraction::kEmpty;
-    shrink = std::max(shrink, radius(met) / radius(x[static_cast<std::size_t>(rest[i])]));
+    shrink =
+        std::max(shrink, approx_radius(met) / approx_radius(x[static_cast<std::size_t>(rest[i])]));
     z[i] = met;
   }
   if (shrink > 1.5 || spread_of(linear, x, tube.pivot) > kHopeless) return Contraction::kUnknown;
@@ -337,7 +338,7 @@ Contraction contract(const EnclosedSurface& s1, const EnclosedSurface& s2, const
   // What a box of the same size would leave at least.
   for (std::size_t i = 0; i < 3; ++i) {
     const auto j = static_cast<std::size_t>(rest[i]);
-    tube.derivative[j] = around(0, 0.01 * radius(x[j]));
+    tube.derivative[j] = around(0, 0.01 * approx_radius(x[j]));
   }
   return Contraction::kSlanted;
 }
@@ -371,7 +372,7 @@ Box4 contracted(const EnclosedSurface& s1, const EnclosedSurface& s2, const Inte
                 double w, const Box4& x, const IntersectionTube& local, bool is_precise) {
   const auto rest = others(tube.pivot);
   Point4 center{};
-  for (std::size_t i = 0; i < 4; ++i) center[i] = middle(x[i]);
+  for (std::size_t i = 0; i < 4; ++i) center[i] = approx_middle(x[i]);
   center[static_cast<std::size_t>(tube.pivot)] = w;
   const Vector newton =
       times(local.inverse, is_precise ? precise_gap_at(s1, s2, center) : gap_at(s1, s2, center));
@@ -393,7 +394,7 @@ constexpr int kMostSteps = 16;
 
 bool is_narrow_in(const IntersectionTube& tube, const Box4& x) {
   for (std::size_t i = 0; i < 4; ++i)
-    if (radius(x[i]) > 0x1p-10 * radius(tube.offset[i])) return false;
+    if (approx_radius(x[i]) > 0x1p-10 * approx_radius(tube.offset[i])) return false;
   return true;
 }
 
@@ -401,7 +402,8 @@ bool is_narrow_in(const IntersectionTube& tube, const Box4& x) {
 double shrinkage(const Box4& now, const Box4& before) {
   double out = 1;
   for (std::size_t i = 0; i < 4; ++i)
-    if (radius(before[i]) > 0) out = std::min(out, radius(now[i]) / radius(before[i]));
+    if (approx_radius(before[i]) > 0)
+      out = std::min(out, approx_radius(now[i]) / approx_radius(before[i]));
   return out;
 }
 
@@ -457,21 +459,21 @@ std::optional<IntersectionTube> shortened(const EnclosedSurface& s1, const Enclo
   const Columns columns = columns_over(s1, s2, at);
   if (!is_bounded(columns) || !choose_inverse(columns, &out)) return std::nullopt;
   for (std::size_t i = 0; i < 4; ++i)
-    out.center[i] = static_cast<int>(i) == tube.pivot ? w : middle(at[i]);
+    out.center[i] = static_cast<int>(i) == tube.pivot ? w : approx_middle(at[i]);
   choose_slope(columns, &out);
   const auto rest = others(tube.pivot);
   const double half = 0.5 * (w_hi - w_lo);
   Vector z;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(rest[i]);
-    z[i] = around(0, 0.25 * radius(tube.derivative[k]) * half + 2 * radius(at[k]));
+    z[i] = around(0, 0.25 * approx_radius(tube.derivative[k]) * half + 2 * approx_radius(at[k]));
   }
   for (int attempt = 0; attempt < 4; ++attempt) {
     // Wide enough for the boxes of single points, also in parameters that are linear along the arc.
     const double part = 0.1 * half / (0.5 * (tube.w_hi - tube.w_lo));
     for (std::size_t i = 0; i < 3; ++i)
       z[i] = around(0, 1.25 * std::max(-z[i].lo(), z[i].hi()) +
-                           part * radius(tube.offset[static_cast<std::size_t>(rest[i])]));
+                           part * approx_radius(tube.offset[static_cast<std::size_t>(rest[i])]));
     if (prove(s1, s2, &out, &z)) return out;
     for (const Interval& side : z)
       if (!is_common(side)) return std::nullopt;

@@ -14,7 +14,7 @@
 namespace veritope {
 namespace {
 
-double middle(const Interval& a) { return internal::approx_middle(a); }
+using internal::approx_middle;
 
 Result<EnclosedSurface> prepared(const BSpline<Rational, 2>& surface, const char* which) {
   auto made = EnclosedSurface::make(surface);
@@ -193,14 +193,14 @@ class Intersector {
   /// Gauss-Newton for (s, t) with (u, v) fixed at the box's middle, in doubles: nothing if no near point of the second
   /// surface is as good as equal.
   std::optional<Point4> foot_points(const Box4& x) const {
-    Point4 p{middle(x[0]), middle(x[1]), middle(x[2]), middle(x[3])};
+    Point4 p = approx_middle(x);
     const Box3 at = s1_.point(p[0], p[1]);
     for (int step = 0; step < 12; ++step) {
       const auto r = s2_.range(Interval(p[2]), Interval(p[3]));
       double a = 0, b = 0, c = 0, f = 0, g = 0;
       for (std::size_t i = 0; i < 3; ++i) {
-        const double d = middle(at[i]) - middle(r.point[i]), s = middle(r.du[i]),
-                     t = middle(r.dv[i]);
+        const double d = approx_middle(at[i]) - approx_middle(r.point[i]),
+                     s = approx_middle(r.du[i]), t = approx_middle(r.dv[i]);
         a += s * s, b += s * t, c += t * t, f += d * s, g += d * t;
       }
       const double det = a * c - b * b;

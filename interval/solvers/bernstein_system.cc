@@ -13,7 +13,7 @@ namespace {
 // Rounding errors as large as this part of a polynomial's range: no hope to see its sign.
 constexpr double kNoiseShare = 0x1p-4;
 
-double middle(const Interval& a) { return internal::approx_middle(a); }
+using internal::approx_middle;
 
 struct Range {
   double low = 0, high = 0;  // of all members of all coefficients
@@ -45,7 +45,7 @@ ApproxMatrix<N> mean_jacobian(const Bezier<Interval, N>& system) {
       const auto values = system.component(static_cast<int>(c));
       double sum = 0;
       grid.for_each_line(axis, [&](std::size_t first) {
-        sum += middle(values[first + last]) - middle(values[first]);
+        sum += approx_middle(values[first + last]) - approx_middle(values[first]);
       });
       out[c][axis] = sum * static_cast<double>(grid.size[axis]) / static_cast<double>(grid.count());
     }
@@ -85,7 +85,7 @@ bool is_hopeless(const Bezier<Interval, N>& preconditioned) {
   std::array<Interval, N> at;
   at.fill(Interval(0.5));
   for (const Interval& v : evaluate(preconditioned, at))
-    if (!(std::abs(middle(v)) < 0.75 + kInflation)) return true;
+    if (!(std::abs(approx_middle(v)) < 0.75 + kInflation)) return true;
   return false;
 }
 
@@ -103,8 +103,8 @@ std::size_t axis_of_variation(const Bezier<Interval, N>& system) {
       grid.for_each_line(axis, [&](std::size_t first) {
         double length = 0;
         for (std::size_t i = 1; i < grid.size[axis]; ++i)
-          length += std::abs(middle(values[first + i * stride]) -
-                             middle(values[first + (i - 1) * stride]));
+          length += std::abs(approx_middle(values[first + i * stride]) -
+                             approx_middle(values[first + (i - 1) * stride]));
         most = std::max(most, length);
       });
       variation[axis] += most;

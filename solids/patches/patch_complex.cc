@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "robust/base/disjoint_sets.h"
 #include "solids/patches/patch_complex_internal.h"
 
 namespace veritope {
@@ -47,7 +48,7 @@ class PatchComplexBuilder {
 
   // Corners at the ends of mates and of collapsed sides.
   void number_vertices() {
-    internal::DisjointSets corners(4 * out_.patches_.size());
+    DisjointSets corners(4 * out_.patches_.size());
     const auto first = [&](PatchSide s) {
       return static_cast<std::uint32_t>(4 * s.patch + s.side);
     };
@@ -72,7 +73,7 @@ class PatchComplexBuilder {
   }
 
   void number_shells() {
-    internal::DisjointSets patches(out_.patches_.size());
+    DisjointSets patches(out_.patches_.size());
     internal::for_each_side(out_.patches_, [&](PatchSide s) {
       if (const auto mate = out_.mate(s)) patches.join(s.patch, mate->patch);
     });

@@ -14,26 +14,6 @@
 
 namespace veritope::internal {
 
-/// Classes of 0..n-1. @cost nearly constant a call
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  /// The least element of the class.
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item)
 /// is called only where a hash occurs again: at any time only the forms of one hash are held. Items of a class ascend;
 /// the order of the classes is not fixed.

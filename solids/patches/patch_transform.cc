@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "robust/base/disjoint_sets.h"
 #include "solids/patches/patch_complex.h"
 #include "solids/patches/patch_complex_internal.h"
 #include "splines/bezier_degree.h"
@@ -89,7 +90,7 @@ Map sheared_map(const Map& map, const QuadraticShear& shear) {
 std::vector<bool> chosen_axes(std::span<const Patch> patches, Random& random) {
   const PatchComplex complex =
       make_patch_complex(std::vector<Patch>(patches.begin(), patches.end())).value();
-  internal::DisjointSets axes(2 * patches.size());
+  DisjointSets axes(2 * patches.size());
   std::vector<bool> is_stopped(2 * patches.size(), false);
   const auto axis_of = [](PatchSide s) { return 2 * s.patch + s.side % 2; };
   internal::for_each_side(patches, [&](PatchSide s) {

@@ -23,60 +23,63 @@ Box3d box_of(const TriangleMesh& mesh, std::uint32_t face) {
 std::uint32_t ImproperPlaces::node_of(std::uint32_t face) {
   const auto next = static_cast<std::uint32_t>(nodes_.size());
   const auto [at, is_new] = node_of_face_.try_emplace(face, next);
-  if (is_new) nodes_.push_back({face, next, 0, {}, false});
+  if (is_new) {
+    nodes_.add();
+    face_of_node_.push_back(face);
+    cluster_of_node_.push_back({face, 0, {}, false});
+  }
   return at->second;
 }
 
-std::uint32_t ImproperPlaces::root_of(std::uint32_t node) {
-  while (nodes_[node].parent != node)
-    node = nodes_[node].parent = nodes_[nodes_[node].parent].parent;
-  return node;
-}
-
-std::uint32_t ImproperPlaces::unite(std::uint32_t a, std::uint32_t b) {
-  a = root_of(a), b = root_of(b);
+// Makes one cluster of a's and b's; returns its first node.
+std::uint32_t ImproperPlaces::join(std::uint32_t a, std::uint32_t b) {
+  a = nodes_.find(a), b = nodes_.find(b);
   if (a == b) return a;
-  if (nodes_[b].face < nodes_[a].face) std::swap(a, b);
-  nodes_[b].parent = a;
-  if (nodes_[b].has_box) add_to(a, nodes_[b].pairs, nodes_[b].box);
+  if (b < a) std::swap(a, b);
+  nodes_.join(a, b);
+  Cluster& kept = cluster_of_node_[a];
+  const Cluster& joined = cluster_of_node_[b];
+  kept.first_face = std::min(kept.first_face, joined.first_face);
+  if (joined.has_box) add_to(kept, joined.pairs, joined.box);
   return a;
 }
 
-void ImproperPlaces::add_to(std::uint32_t root, std::uint64_t pairs, const Box3d& box) {
-  Node& node = nodes_[root];
-  node.pairs += pairs;
-  node.box = node.has_box ? hull(node.box, box) : box;
-  node.has_box = true;
+void ImproperPlaces::add_to(Cluster& cluster, std::uint64_t pairs, const Box3d& box) {
+  cluster.pairs += pairs;
+  cluster.box = cluster.has_box ? hull(cluster.box, box) : box;
+  cluster.has_box = true;
 }
 
 void ImproperPlaces::add(std::uint32_t f, std::uint32_t g) {
   const std::uint32_t a = node_of(f), b = node_of(g);
-  add_to(unite(a, b), 1, common(box_of(*mesh_, f), box_of(*mesh_, g)));
+  add_to(cluster_of_node_[join(a, b)], 1, common(box_of(*mesh_, f), box_of(*mesh_, g)));
 }
 
 void ImproperPlaces::add(const ImproperPlaces& others) {
-  for (std::uint32_t i = 0; i < others.nodes_.size(); ++i) {
-    const Node& node = others.nodes_[i];
-    const std::uint32_t a = node_of(node.face);
-    if (node.parent != i) unite(a, node_of(others.nodes_[node.parent].face));
-    if (node.parent == i && node.has_box) add_to(root_of(a), node.pairs, node.box);
+  DisjointSets<> nodes = others.nodes_;  // a copy: find() shortens paths
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    const std::uint32_t a = node_of(others.face_of_node_[i]), first = nodes.find(i);
+    if (first != i) join(a, node_of(others.face_of_node_[first]));
+    const Cluster& cluster = others.cluster_of_node_[i];
+    if (first == i && cluster.has_box)
+      add_to(cluster_of_node_[nodes_.find(a)], cluster.pairs, cluster.box);
   }
 }
 
 std::vector<ImproperPlace> ImproperPlaces::take() {
   std::unordered_map<std::uint32_t, std::uint32_t> node_at;  // of vertices
   for (std::uint32_t i = 0; i < nodes_.size(); ++i)
-    for (const std::uint32_t v : mesh_->faces[nodes_[i].face]) {
+    for (const std::uint32_t v : mesh_->faces[face_of_node_[i]]) {
       const auto [at, is_new] = node_at.try_emplace(v, i);
-      if (!is_new) unite(at->second, i);
+      if (!is_new) join(at->second, i);
     }
   std::map<std::uint32_t, ImproperPlace> by_first_face;
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    const Node& root = nodes_[root_of(i)];  // the least face of its cluster
-    ImproperPlace& place = by_first_face[root.face];
-    place.first_face = root.face;
-    place.pairs = root.pairs;
-    place.box = root.box;
+    const Cluster& cluster = cluster_of_node_[nodes_.find(i)];
+    ImproperPlace& place = by_first_face[cluster.first_face];
+    place.first_face = cluster.first_face;
+    place.pairs = cluster.pairs;
+    place.box = cluster.box;
     ++place.faces;
   }
   std::vector<ImproperPlace> out;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robust/base/box3d.h"
+#include "robust/base/disjoint_sets.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
@@ -31,19 +32,20 @@ class ImproperPlaces {
   std::vector<ImproperPlace> take();
 
  private:
-  struct Node {
-    std::uint32_t face, parent;
-    std::uint64_t pairs = 0;  // of a root: of its cluster
+  struct Cluster {
+    std::uint32_t first_face;
+    std::uint64_t pairs = 0;
     Box3d box;
     bool has_box = false;
   };
   std::uint32_t node_of(std::uint32_t face);
-  std::uint32_t root_of(std::uint32_t node);
-  std::uint32_t unite(std::uint32_t a, std::uint32_t b);
-  void add_to(std::uint32_t root, std::uint64_t pairs, const Box3d& box);
+  std::uint32_t join(std::uint32_t a, std::uint32_t b);
+  void add_to(Cluster& cluster, std::uint64_t pairs, const Box3d& box);
 
   const TriangleMesh* mesh_;
-  std::vector<Node> nodes_;
+  DisjointSets<> nodes_;
+  std::vector<std::uint32_t> face_of_node_;
+  std::vector<Cluster> cluster_of_node_;  // valid for the first node of each class
   std::unordered_map<std::uint32_t, std::uint32_t> node_of_face_;
 };
 

@@ -9,7 +9,7 @@
 
 #include "solids/interval_boxes/box_sets_internal.h"
 #include "solids/pieces/piece_descent.h"
-#include "solids/star_box/star_box.h"
+#include "solids/star_box/place_centres.h"
 
 namespace veritope {
 namespace {
@@ -218,39 +218,14 @@ class Tracer {
   }
 
   std::optional<BoxTrace> by_star(const Box3d& box, const Ids& tested) {
-    Point3d n = mean_normal(tested);
-    double t = 1e300;  // from the middle along n to the boundary of the box
-    for (std::size_t k = 0; k < 3; ++k)
-      if (n[k] != 0) t = std::min(t, 0.5 * (box.hi[k] - box.lo[k]) / std::abs(n[k]));
-    if (!(t < 1e300)) return std::nullopt;
-    const Point3d middle = approx_centre(box);
-    for (const double part : {0.5, 0.9}) {
-      StarBox star{box, middle, middle};
-      bool is_interior = true;
-      for (std::size_t k = 0; k < 3; ++k) {
-        star.inside[k] -= part * t * n[k], star.outside[k] += part * t * n[k];
-        for (const double c : {star.inside[k], star.outside[k]})
-          is_interior = is_interior && box.lo[k] < c && c < box.hi[k];
-      }
-      if (!is_interior || !has_star_signs(forest_, tested, star)) continue;
-      if (crossing_number(forest_, tested, star) == 1) return disk();
-    }
+    Point3d direction = mean_normal(forest_, tested, NormalWeight::kEqual);
+    for (std::size_t k = 0; k < 3; ++k) direction[k] /= box.hi[k] - box.lo[k];
+    StarBox star{box, {}, {}};
+    for (const double part : {0.5, 0.9})
+      if (place_centres(direction, part, &star) && are_centres(forest_, tested, star) &&
+          crossing_number(forest_, tested, star) == 1)
+        return disk();
     return std::nullopt;
-  }
-
-  // Approximate, and not normalised: it only says where to look for centres.
-  Point3d mean_normal(const Ids& tested) {
-    Point3d sum{};
-    for (const PieceForest::Id id : tested) {
-      const std::size_t n = forest_.form(forest_.node(id).patch).determinant.count();
-      const double* const g = forest_.approx_determinants(id);
-      Point3d m{};
-      for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t i = 0; i < n; ++i) m[k] -= g[(k + 1) * n + i];
-      const double size = std::hypot(m[0], m[1], m[2]);
-      for (std::size_t k = 0; k < 3 && size > 0; ++k) sum[k] += m[k] / size;
-    }
-    return sum;
   }
 
   // The boxes as nodes, joined where a part of V lies in both.

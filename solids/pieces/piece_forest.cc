@@ -249,6 +249,22 @@ double PieceForest::determinant_error(Id id, std::size_t k) {
 }
 const double* PieceForest::approx_determinants(Id id) { return net(id, Part::kDeterminants); }
 
+Point3d PieceForest::approx_normal(Id id) {
+  Point3d sum{};
+  const std::size_t n = forms_[nodes_[id].patch].determinant.count();
+  const double* const g = approx_determinants(id);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* const row = g + (k + 1) * n;
+    double part[4] = {};  // four independent sums
+    std::size_t i = 0;
+    for (; i + 4 <= n; i += 4)
+      for (std::size_t j = 0; j < 4; ++j) part[j] += row[i + j];
+    for (; i < n; ++i) part[0] += row[i];
+    sum[k] = -(part[0] + part[1] + part[2] + part[3]);
+  }
+  return sum;
+}
+
 void PieceForest::NetStore::next_block(std::size_t n) {
   VT_CHECK(n <= kBlock, "a net is larger than a block of memory");
   if (block_ == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<double[]>(kBlock));

@@ -107,6 +107,8 @@ class PieceForest {
   Sign3 side_of(Id id, const Point3d& c);
   /// Approximate coefficients of G0 .. G3 relative to origin(), for searches.
   const double* approx_determinants(Id id);
+  /// The sum of the control net of the piece's normals: approximate and not of unit length, for searches.
+  Point3d approx_normal(Id id);
   /// The bound of the errors of G_k's coefficients.
   double determinant_error(Id id, std::size_t k);
   /// Homogeneous control points relative to origin(), component by component, and the bound of their errors.

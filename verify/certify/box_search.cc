@@ -7,6 +7,7 @@
 
 #include "solids/pieces/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
+#include "solids/star_box/place_centres.h"
 
 namespace veritope {
 namespace {
@@ -23,6 +24,8 @@ constexpr std::size_t kMostPieces = 4096;
 constexpr std::size_t kMostCrowdedFailures = 16;
 // Conditions of each piece in the first linear program for centres.
 constexpr std::size_t kFewConditions = 12;
+// Where centres on the mean normal are tried, from the middle of the box to its border.
+constexpr double kPartToBorder = 0.75;
 // Triangles in a mesh box, which is tried at vertices and whose pairs are tested.
 constexpr std::size_t kMostTriangles = 48;
 
@@ -217,47 +220,26 @@ bool BoxSearch::try_crowded_star() {
 // Whether the piece alone has centres, approximately.
 bool BoxSearch::is_promising() { return (place_centres() && are_centres()) || search_centres(); }
 
-// Whether both centres lie inside the box and satisfy S1: on a grid that is finer than doubles they may fall on the
-// border.
-bool BoxSearch::are_centres() {
-  const StarBox& star = box_.star;
-  for (const Point3d* const c : {&star.inside, &star.outside})
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!(star.box.lo[k] < (*c)[k] && (*c)[k] < star.box.hi[k])) return false;
-  return has_star_signs(forest_, tested_, star);
-}
-
 const Obstacle& BoxSearch::obstacle() {
   if (!obstacle_) obstacle_ = find_obstacle(forest_, piece_, tested_);
   return *obstacle_;
 }
 
-// Places the centres on the line through the box's middle along the mean normal.
+// Centres on the mean normal, rounded to the box's grid and kept inside the box: on a grid that is finer than doubles
+// they may still fall on the border.
 bool BoxSearch::place_centres() {
-  Point3d n{};
-  for (const Id id : tested_) {
-    const Point3d one = approx_normal(forest_, id);
-    for (std::size_t k = 0; k < 3; ++k) n[k] += one[k];
-  }
-  double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    n[k] *= scale_[k];
-    largest = std::max(largest, std::abs(n[k]));
-  }
-  if (!(largest > 0) || !std::isfinite(largest)) return false;
-  const Box3d& box = box_.star.box;
+  StarBox& star = box_.star;
+  Point3d direction = mean_normal(forest_, tested_, NormalWeight::kSize);
+  for (std::size_t k = 0; k < 3; ++k) direction[k] *= scale_[k];
+  if (!veritope::place_centres(direction, kPartToBorder, &star)) return false;
   const double unit = box_.unit;
-  const Point3d m = approx_centre(box);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double step = 0.75 * 0.5 * (box.hi[k] - box.lo[k]) * (n[k] / largest);
-    const auto inner = [&](double v) {
-      return std::clamp(on_grid(v, unit), box.lo[k] + unit, box.hi[k] - unit);
-    };
-    box_.star.inside[k] = inner(m[k] - step);
-    box_.star.outside[k] = inner(m[k] + step);
-  }
+  for (Point3d* const c : {&star.inside, &star.outside})
+    for (std::size_t k = 0; k < 3; ++k)
+      (*c)[k] = std::clamp(on_grid((*c)[k], unit), star.box.lo[k] + unit, star.box.hi[k] - unit);
   return true;
 }
+
+bool BoxSearch::are_centres() { return veritope::are_centres(forest_, tested_, box_.star); }
 
 // Solves with a few conditions of each piece first: if these are infeasible so is the rest; a solution usually
 // satisfies the rest.

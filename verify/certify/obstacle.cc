@@ -22,7 +22,7 @@ struct Facet {
 
 // The mean of the control points, and the mean normal of unit length (0 if that has no direction).
 Facet facet_of(PieceForest& forest, Id id) {
-  Facet out{{}, approx_normal(forest, id)};
+  Facet out{{}, forest.approx_normal(id)};
   const double length = std::hypot(out.normal[0], out.normal[1], out.normal[2]);
   for (double& c : out.normal) c = length > 0 ? c / length : 0;
   const PieceForest::Form& form = forest.form(forest.node(id).patch);
@@ -53,22 +53,6 @@ bool is_part(const PieceForest& forest, Id piece, Id of) {
 }
 
 }  // namespace
-
-Point3d approx_normal(PieceForest& forest, Id piece) {
-  Point3d sum{};
-  const std::size_t n = forest.form(forest.node(piece).patch).determinant.count();
-  const double* const g = forest.approx_determinants(piece);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double* const row = g + (k + 1) * n;
-    double part[4] = {};  // four independent sums
-    std::size_t i = 0;
-    for (; i + 4 <= n; i += 4)
-      for (std::size_t j = 0; j < 4; ++j) part[j] += row[i + j];
-    for (; i < n; ++i) part[0] += row[i];
-    sum[k] = -(part[0] + part[1] + part[2] + part[3]);
-  }
-  return sum;
-}
 
 double gap_between(PieceForest& forest, Id a, Id b) {
   return gap_between(facet_of(forest, a), facet_of(forest, b));

@@ -28,7 +28,4 @@ Obstacle find_obstacle(PieceForest& forest, PieceForest::Id piece,
 /// The gap of two pieces; infinity unless they face each other.
 double gap_between(PieceForest& forest, PieceForest::Id a, PieceForest::Id b);
 
-/// The mean of the normals' control net, not of unit length.
-Point3d approx_normal(PieceForest& forest, PieceForest::Id piece);
-
 }  // namespace veritope

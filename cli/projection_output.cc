@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Projections as JSON and as text. The schema: docs/project.schema.json.
+#include "cli/projection_report.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"
-#include "cli/projection_report.h"
 #include "report/text_style.h"
 #include "verify/certify/certify.h"
 
@@ -25,7 +25,7 @@ Json interval_json(const Interval& a) {
 }
 
 template <std::size_t N>
-Json box_json(const veritope::ExactBox<N>& box) {
+Json box_json(const ExactBox<N>& box) {
   Json out = Json::array();
   for (const ExactInterval& s : box.side)
     out.push_back(Json::array({fraction_text(s.lo), fraction_text(s.hi)}));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Spline reports as JSON. The schema: docs/report.schema.json, info_spline_file.
+#include "cli/spline_report.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"
-#include "cli/spline_report.h"
 
 namespace veritope::cli {
 
@@ -15,11 +15,13 @@ std::string name_of(const SplineModel& model, const SplineEntity& entity) {
   return "";
 }
 
-Json box_json(const ExactBox& box) {
-  if (box.lo.empty()) return nullptr;
+Json box_json(const std::vector<ExactInterval>& box) {
+  if (box.empty()) return nullptr;
   Json lo = Json::array(), hi = Json::array();
-  for (const Rational& x : box.lo) lo.push_back(number_json(round_down(x)));
-  for (const Rational& x : box.hi) hi.push_back(number_json(round_up(x)));
+  for (const ExactInterval& s : box) {
+    lo.push_back(number_json(round_down(s.lo)));
+    hi.push_back(number_json(round_up(s.hi)));
+  }
   return {{"min", lo}, {"max", hi}};
 }
 
@@ -114,7 +116,7 @@ Json counts_json(const SplineModel* model) {
 std::string spline_json(const SplineReport& report) {
   const SplineFile* const file = report.file ? &*report.file : nullptr;
   Json left_out = Json::array(), entities = Json::array();
-  ExactBox all;
+  std::vector<ExactInterval> all;
   if (file != nullptr) {
     for (const LeftOut& l : file->left_out)
       left_out.push_back({{"what", l.what},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/spline_report.h"
 
-#include <algorithm>
 #include <new>
 
 #include "io/formats.h"
@@ -12,19 +11,16 @@ namespace {
 
 // By the control points of a spline or triangle.
 template <typename Map>
-void grow(ExactBox& box, const Map& s) {
+void grow(std::vector<ExactInterval>& box, const Map& s) {
   for (std::size_t i = 0; i < s.component(0).size(); ++i)
     for (int c = 0; c < s.dimension(); ++c) {
       const auto k = static_cast<std::size_t>(c);
       Rational x = s.component(c)[i];
       if (s.is_rational()) x /= s.component(s.dimension())[i];
-      if (k == box.lo.size()) {
-        box.lo.push_back(x);
-        box.hi.push_back(std::move(x));
-      } else {
-        if (x < box.lo[k]) box.lo[k] = x;
-        if (box.hi[k] < x) box.hi[k] = std::move(x);
-      }
+      if (k == box.size())
+        box.push_back({x, x});
+      else
+        box[k] = hull(box[k], {x, x});
     }
 }
 
@@ -42,8 +38,8 @@ std::vector<std::string> lossless_formats(const SplineFile& file) {
 
 }  // namespace
 
-ExactBox control_box(const SplineEntity& entity) {
-  ExactBox box;
+std::vector<ExactInterval> control_box(const SplineEntity& entity) {
+  std::vector<ExactInterval> box;
   if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape)) {
     grow(box, t->surface);
   } else if (const auto* b = std::get_if<SplineBrep>(&entity.shape)) {
@@ -56,15 +52,12 @@ ExactBox control_box(const SplineEntity& entity) {
   return box;
 }
 
-void unite(ExactBox& box, const ExactBox& other) {
-  for (std::size_t k = 0; k < other.lo.size(); ++k)
-    if (k == box.lo.size()) {
-      box.lo.push_back(other.lo[k]);
-      box.hi.push_back(other.hi[k]);
-    } else {
-      box.lo[k] = std::min(box.lo[k], other.lo[k]);
-      box.hi[k] = std::max(box.hi[k], other.hi[k]);
-    }
+void unite(std::vector<ExactInterval>& box, const std::vector<ExactInterval>& other) {
+  for (std::size_t k = 0; k < other.size(); ++k)
+    if (k == box.size())
+      box.push_back(other[k]);
+    else
+      box[k] = hull(box[k], other[k]);
 }
 
 SplineReport spline_report(const std::string& path, ModelInput& input) {

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/model_input.h"
+#include "interval/exact_box.h"
 #include "report/exit_code.h"
 #include "report/file_report.h"
-#include "cli/model_input.h"
 #include "report/text_style.h"
 
 namespace veritope::cli {
@@ -28,13 +29,11 @@ SplineReport spline_report(const std::string& path, ModelInput& input);
 std::string spline_json(const SplineReport& report);
 std::string spline_text(const SplineReport& report, const Style& style);
 
-/// The least box of the control points, homogeneous ones divided by their weights: it contains the splines.
-struct ExactBox {
-  std::vector<Rational> lo, hi;  ///< empty: no points
-};
-/// For trimmed surfaces and models: the box of their surfaces, not of their loops.
-ExactBox control_box(const SplineEntity& entity);
+/// The sides of the least box of the control points, homogeneous ones divided by their weights: it contains the splines.
+/// One side a coordinate of the entity; empty without points. For trimmed surfaces and models: the box of their
+/// surfaces, not of their loops.
+std::vector<ExactInterval> control_box(const SplineEntity& entity);
 /// `box` grows to hold `other`; coordinates that only one of them has stay.
-void unite(ExactBox& box, const ExactBox& other);
+void unite(std::vector<ExactInterval>& box, const std::vector<ExactInterval>& other);
 
 }  // namespace veritope::cli

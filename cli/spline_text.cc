@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "report/decimal_text.h"
 #include "cli/spline_report.h"
+#include "report/decimal_text.h"
 
 namespace veritope::cli {
 
@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t kMostListed = 20;
 
-std::string box_text(const ExactBox& box) {
-  const auto corner = [](const std::vector<Rational>& at) {
-    std::string text;
-    for (const Rational& x : at) text += (text.empty() ? "" : ", ") + short_decimal(x);
-    return "(" + text + ")";
-  };
-  return box.lo.empty() ? "empty" : corner(box.lo) + " to " + corner(box.hi);
+std::string box_text(const std::vector<ExactInterval>& box) {
+  std::string lo, hi;
+  for (const ExactInterval& s : box) {
+    lo += (lo.empty() ? "" : ", ") + short_decimal(s.lo);
+    hi += (hi.empty() ? "" : ", ") + short_decimal(s.hi);
+  }
+  return box.empty() ? "empty" : "(" + lo + ") to (" + hi + ")";
 }
 
 template <std::size_t N>
@@ -88,13 +88,13 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   const SplineFile& file = *report.file;
   std::string out = path + "\n";
   out += detail_line("file", std::string(spline_format_name(file.format)) + ", " +
-                          counted(file.bytes, "byte", "bytes"));
+                                 counted(file.bytes, "byte", "bytes"));
   out += detail_line("sha256", file.sha256);
   out += detail_line("splines", counts_text(file.model));
   for (const LeftOut& l : file.left_out)
     out += detail_line("left out", std::to_string(l.count) + " " + harmless(l.what) +
-                                (l.reason.empty() ? "" : ": " + harmless(l.reason)));
-  ExactBox all;
+                                       (l.reason.empty() ? "" : ": " + harmless(l.reason)));
+  std::vector<ExactInterval> all;
   for (const SplineEntity& e : file.model.entities) unite(all, control_box(e));
   out += detail_line("box", box_text(all));
   std::string names;
@@ -103,12 +103,13 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   const auto& entities = file.model.entities;
   for (std::size_t i = 0; i < std::min(entities.size(), kMostListed); ++i) {
     const SplineEntity& e = entities[i];
-    out +=
-        detail_line(std::to_string(i), std::string(spline_kind_name(e)) + ", " + name_text(file.model, e) +
-                                    shape_text(e) + ", box " + box_text(control_box(e)));
+    out += detail_line(std::to_string(i), std::string(spline_kind_name(e)) + ", " +
+                                              name_text(file.model, e) + shape_text(e) + ", box " +
+                                              box_text(control_box(e)));
   }
   if (entities.size() > kMostListed)
-    out += detail_line("...", std::to_string(entities.size() - kMostListed) + " more (--json lists them)");
+    out += detail_line("...",
+                       std::to_string(entities.size() - kMostListed) + " more (--json lists them)");
   return out;
 }
 

@@ -19,6 +19,10 @@ struct ExactInterval {
   bool contains(const Rational& x) const { return lo <= x && x <= hi; }
   friend bool operator==(const ExactInterval&, const ExactInterval&) = default;
 };
+/// The least interval that contains both.
+inline ExactInterval hull(const ExactInterval& a, const ExactInterval& b) {
+  return {b.lo < a.lo ? b.lo : a.lo, a.hi < b.hi ? b.hi : a.hi};
+}
 
 /// side[0] x ... x side[N - 1].
 template <std::size_t N>
@@ -68,11 +72,8 @@ bool is_subset(const ExactBox<N>& a, const ExactBox<N>& b) {
 }
 template <std::size_t N>
 ExactBox<N> hull(const ExactBox<N>& a, const ExactBox<N>& b) {
-  ExactBox<N> out = a;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (b[i].lo < out[i].lo) out[i].lo = b[i].lo;
-    if (out[i].hi < b[i].hi) out[i].hi = b[i].hi;
-  }
+  ExactBox<N> out;
+  for (std::size_t i = 0; i < N; ++i) out[i] = hull(a[i], b[i]);
   return out;
 }
 /// REQUIRES touches(a, b).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interval/exact_box.h"
 #include "interval/ring_numbers.h"
 #include "interval/upward.h"
 #include "solids/pieces/piece_forest.h"
@@ -51,38 +52,28 @@ class ForestBuilder {
                  {},
                  to_string(patch.origin()) + " has a coordinate out of the range of binary64"};
   }
-  struct ExactBox {
-    std::array<Rational, 3> lo, hi;
-  };
   // The box of the control points.
-  static ExactBox box_of(const Patch& patch) {
-    ExactBox out;
+  static ExactBox<3> box_of(const Patch& patch) {
+    ExactBox<3> out;
     for (std::size_t i = 0; i < patch.num_control(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         const Rational& v = patch.component(static_cast<int>(k))[i];
         const Rational x = patch.is_rational() ? v / patch.component(3)[i] : v;
-        if (i == 0 || x < out.lo[k]) out.lo[k] = x;
-        if (i == 0 || out.hi[k] < x) out.hi[k] = x;
+        if (i == 0 || x < out[k].lo) out[k].lo = x;
+        if (i == 0 || out[k].hi < x) out[k].hi = x;
       }
-    return out;
-  }
-  static Rational length_of(const ExactBox& box) {
-    Rational out;
-    for (std::size_t k = 0; k < 3; ++k) out = std::max(out, box.hi[k] - box.lo[k]);
     return out;
   }
   Status choose_frame() {
-    std::array<Rational, 3> lo, hi;
+    ExactBox<3> all_patches;
     bool is_first = true;
     for (const Patch& patch : forest_.complex_->patches()) {
-      const ExactBox box = box_of(patch);
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!std::isfinite(nearest_double(box.lo[k])) || !std::isfinite(nearest_double(box.hi[k])))
+      const ExactBox<3> box = box_of(patch);
+      for (const ExactInterval& s : box.side)
+        if (!std::isfinite(nearest_double(s.lo)) || !std::isfinite(nearest_double(s.hi)))
           return over_limit(patch);
-        if (is_first || box.lo[k] < lo[k]) lo[k] = box.lo[k];
-        if (is_first || hi[k] < box.hi[k]) hi[k] = box.hi[k];
-      }
-      const Rational own = length_of(box);
+      all_patches = is_first ? box : hull(all_patches, box);
+      const Rational own = box.width();
       if (own.sign() == Sign::kPositive &&
           (least_length_.sign() == Sign::kZero || own < least_length_))
         least_ = box, least_length_ = own;
@@ -95,8 +86,9 @@ class ForestBuilder {
     std::array<Rational, 3> most, length;
     Rational all, longest;
     for (std::size_t k = 0; k < 3; ++k) {
-      most[k] = std::max(abs(lo[k]), abs(hi[k]));
-      length[k] = hi[k] - lo[k];
+      const auto& [lo, hi] = all_patches[k];
+      most[k] = std::max(abs(lo), abs(hi));
+      length[k] = hi - lo;
       all = std::max(all, most[k]), longest = std::max(longest, length[k]);
     }
     if (all.sign() == Sign::kZero) return ok_status();
@@ -113,7 +105,7 @@ class ForestBuilder {
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const Rational step = Rational::power_of_two(-frame.scale[k]);
-      const Rational steps = (lo[k] + hi[k]) * half / step + half;
+      const Rational steps = (all_patches[k].lo + all_patches[k].hi) * half / step + half;
       frame.shift[k] = Rational(floor_divide(steps.numerator(), steps.denominator())) * step;
     }
     return ok_status();
@@ -127,7 +119,7 @@ class ForestBuilder {
         longest < Rational::power_of_two(kTinyBits) * least_length_)
       return;
     for (std::size_t k = 0; k < 3; ++k)
-      forest_.frame_.shift[k] = coarsest_multiple(least_.lo[k], least_.lo[k] + least_length_);
+      forest_.frame_.shift[k] = coarsest_multiple(least_[k].lo, least_[k].lo + least_length_);
   }
   // The multiple of the greatest power of two in [lo, hi]. REQUIRES lo < hi.
   static Rational coarsest_multiple(const Rational& lo, const Rational& hi) {
@@ -270,7 +262,7 @@ class ForestBuilder {
   }
 
   PieceForest::FrameChoice choice_;
-  ExactBox least_;         // of the smallest patch that is no point
+  ExactBox<3> least_;      // of the smallest patch that is no point
   Rational least_length_;  // the length of that patch; 0 if all are points
   PieceForest forest_;
 };

@@ -4,12 +4,13 @@
 
 #include <cstdio>
 
+#include "interval/numeric.h"
+#include "interval/upward.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/text_style.h"
+#include "robust/base/box3d.h"
 #include "verify/certify/certify.h"
-#include "interval/numeric.h"
-#include "interval/upward.h"
 
 namespace veritope::cli {
 
@@ -119,7 +120,7 @@ Point4 cubic_at(const std::array<Point4, 4>& c, double t) {
 }
 
 struct Polygon {
-  std::vector<std::array<double, 3>> points;
+  std::vector<Point3d> points;
   bool is_closed = false;
   double gap = 0;
 };
@@ -201,9 +202,9 @@ std::string intersection_text(const IntersectionReport& report) {
     others += p.found.overlaps.size() + p.found.tangencies.size();
   }
   std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
-                    harmless(report.paths[0]) + " and " + harmless(report.paths[1]) + "  " + std::to_string(loops) +
-                    " loops, " + std::to_string(arcs) + " arcs, " + std::to_string(others) +
-                    " tangencies and overlaps\n";
+                    harmless(report.paths[0]) + " and " + harmless(report.paths[1]) + "  " +
+                    std::to_string(loops) + " loops, " + std::to_string(arcs) + " arcs, " +
+                    std::to_string(others) + " tangencies and overlaps\n";
   if (report.ignores_trimming)
     out += "  Trimming curves were not looked at: these are the whole surfaces.\n";
   if (report.ignored_triangles != 0)

@@ -10,8 +10,8 @@ namespace {
 constexpr int kTriangle = 5, kHexahedron = 12;  // VTK_TRIANGLE, VTK_HEXAHEDRON
 
 // Corner i of a box: bits of x, y, z.
-std::array<double, 3> corner(const Box3d& box, unsigned bits) {
-  std::array<double, 3> out{};
+Point3d corner(const Box3d& box, unsigned bits) {
+  Point3d out{};
   for (std::size_t k = 0; k < 3; ++k) out[k] = (bits >> k & 1) != 0 ? box.hi[k] : box.lo[k];
   return out;
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solids/pieces/box_hierarchy.h"
+#include "robust/base/box3d.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
@@ -15,7 +15,7 @@ namespace veritope {
 /// Cells of one kind.
 struct CellGrid {
   enum class Kind { kHexahedra, kTriangles } kind = Kind::kHexahedra;
-  std::vector<std::array<double, 3>> points;
+  std::vector<Point3d> points;
   std::vector<std::uint32_t> corners;  ///< 8 or 3 a cell, in VTK's order
   /// Names (letters, digits, _) and one value a cell.
   std::vector<std::pair<std::string, std::vector<std::int64_t>>> values;

@@ -25,8 +25,7 @@ constexpr std::array<Colour, kNumMeshRules> kColours = {{{0, 0, 0},
 constexpr double kMarker = 1.0 / 160;  // of the longest side of the model's box
 
 double marker_radius(const TriangleMesh& mesh) {
-  const BoundingBox box = bounding_box_of_faces(mesh, 1);
-  const double side = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+  const double side = extent(bounding_box_of_faces(mesh, 1));
   return std::isfinite(side) ? side * kMarker : 0;
 }
 

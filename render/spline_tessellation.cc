@@ -8,7 +8,6 @@ namespace {
 
 using internal::RoundedPieces;
 using internal::unflatten;
-using Point = std::array<double, 3>;
 
 constexpr std::size_t kMostPerSpan = 256;
 
@@ -20,9 +19,9 @@ double second_difference(const Bezier<double, N>& piece, std::size_t axis) {
   double most = 0;
   grid.for_each_line(axis, [&](std::size_t first) {
     for (std::size_t i = 0; i + 2 < grid.size[axis]; ++i) {
-      const Point a = internal::control_point(piece, first + i * stride),
-                  b = internal::control_point(piece, first + (i + 1) * stride),
-                  c = internal::control_point(piece, first + (i + 2) * stride);
+      const Point3d a = internal::control_point(piece, first + i * stride),
+                    b = internal::control_point(piece, first + (i + 1) * stride),
+                    c = internal::control_point(piece, first + (i + 2) * stride);
       double square = 0;
       for (std::size_t k = 0; k < 3; ++k)
         square += (a[k] - 2 * b[k] + c[k]) * (a[k] - 2 * b[k] + c[k]);
@@ -42,10 +41,10 @@ double mixed_difference(const Bezier<double, N>& piece, std::size_t axis, std::s
     const auto index = grid.index_of(i);
     if (index[axis] + 1 >= grid.size[axis] || index[other] + 1 >= grid.size[other]) continue;
     double square = 0;
-    const Point p = internal::control_point(piece, i),
-                q = internal::control_point(piece, i + along),
-                r = internal::control_point(piece, i + across),
-                t = internal::control_point(piece, i + along + across);
+    const Point3d p = internal::control_point(piece, i),
+                  q = internal::control_point(piece, i + along),
+                  r = internal::control_point(piece, i + across),
+                  t = internal::control_point(piece, i + along + across);
     for (std::size_t k = 0; k < 3; ++k) {
       const double d = t[k] - q[k] - r[k] + p[k];
       square += d * d;
@@ -96,7 +95,7 @@ std::vector<Sample> samples(const std::vector<std::size_t>& divisions) {
 }
 
 template <std::size_t N>
-Point value(const RoundedPieces<N>& s, const std::array<Sample, N>& at) {
+Point3d value(const RoundedPieces<N>& s, const std::array<Sample, N>& at) {
   std::array<std::size_t, N> cell;
   std::array<double, N> t;
   for (std::size_t a = 0; a < N; ++a) cell[a] = at[a].span, t[a] = at[a].t;
@@ -163,7 +162,7 @@ class Tessellator {
     if (!s || !c) return !s ? s.error() : c.error();
     std::vector<std::uint32_t> line;
     for (const Sample& t : samples(std::vector<std::size_t>(c->grid().size[0], 8))) {
-      const Point uv = value<1>(*c, {t});
+      const Point3d uv = value<1>(*c, {t});
       line.push_back(put(value<2>(*s, {locate(s->breaks[0], uv[0]), locate(s->breaks[1], uv[1])})));
     }
     out_.lines.push_back(std::move(line));
@@ -206,7 +205,7 @@ class Tessellator {
   Tessellation take() { return std::move(out_); }
 
  private:
-  std::uint32_t put(const Point& p) {
+  std::uint32_t put(const Point3d& p) {
     out_.points.push_back(p);
     return static_cast<std::uint32_t>(out_.points.size() - 1);
   }
@@ -240,7 +239,7 @@ class Tessellator {
 
 // A length that suits the model: 1/1000 of the diagonal of its control points.
 double default_chord(const SplineModel& model) {
-  Point lo, hi;
+  Point3d lo, hi;
   lo.fill(HUGE_VAL), hi.fill(-HUGE_VAL);
   for (const SplineEntity& e : model.entities) {
     const auto grow = [&](const auto& s) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/splines/spline_model.h"
+#include "robust/base/box3d.h"
 #include "robust/base/result.h"
 
 namespace veritope {
@@ -29,7 +30,7 @@ struct ViewOptions {
 /// Vertices, polylines and triangles of one entity.
 struct Tessellation {
   std::string name;
-  std::vector<std::array<double, 3>> points;
+  std::vector<Point3d> points;
   std::vector<std::vector<std::uint32_t>> lines;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };

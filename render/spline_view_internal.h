@@ -127,15 +127,14 @@ std::size_t triangle_divisions(const BezierTriangle<double>& triangle, double ch
 
 /// The points at (i, j, k) / divisions in the order of triangle_index. Sides with the same control points give the same
 /// points, bit for bit, in either direction. REQUIRES divisions > 0.
-std::vector<std::array<double, 3>> triangle_grid(const BezierTriangle<double>& triangle,
-                                                 std::size_t divisions);
+std::vector<Point3d> triangle_grid(const BezierTriangle<double>& triangle, std::size_t divisions);
 /// The small triangles of such a grid, counterclockwise, numbered from `first` on.
 void append_triangle_grid(std::size_t divisions, std::uint32_t first,
                           std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 /// The first three coordinates of homogeneous values, 0 where there are fewer.
-inline std::array<double, 3> to_point(const std::vector<double>& values, bool is_rational) {
-  std::array<double, 3> point{};
+inline Point3d to_point(const std::vector<double>& values, bool is_rational) {
+  Point3d point{};
   const std::size_t dimension = values.size() - (is_rational ? 1 : 0);
   const double w = is_rational ? values.back() : 1;
   for (std::size_t c = 0; c < 3 && c < dimension; ++c) point[c] = values[c] / w + 0.0;
@@ -143,7 +142,7 @@ inline std::array<double, 3> to_point(const std::vector<double>& values, bool is
 }
 /// The control points of a Bezier map or triangle.
 template <typename Map>
-std::array<double, 3> control_point(const Map& piece, std::size_t i) {
+Point3d control_point(const Map& piece, std::size_t i) {
   std::vector<double> values;
   for (int c = 0; c < piece.num_components(); ++c) values.push_back(piece.component(c)[i]);
   return to_point(values, piece.is_rational());

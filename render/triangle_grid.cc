@@ -7,9 +7,8 @@
 namespace veritope::internal {
 namespace {
 
-using Point = std::array<double, 3>;
-
-double norm_of(const Point& a, const Point& b, const Point& c, const Point& d) {  // |a - b - c + d|
+double norm_of(const Point3d& a, const Point3d& b, const Point3d& c,
+               const Point3d& d) {  // |a - b - c + d|
   double square = 0;
   for (std::size_t x = 0; x < 3; ++x) {
     const double difference = (a[x] - b[x]) - (c[x] - d[x]);
@@ -20,13 +19,13 @@ double norm_of(const Point& a, const Point& b, const Point& c, const Point& d) {
 
 // The largest second difference of control points along two edges that start in one corner, equal or not.
 double second_difference(const BezierTriangle<double>& map) {
-  std::vector<Point> points;
+  std::vector<Point3d> points;
   for (std::size_t i = 0; i < map.count(); ++i) points.push_back(control_point(map, i));
-  const auto at = [&](int j, int k) -> const Point& { return points[triangle_index(j, k)]; };
+  const auto at = [&](int j, int k) -> const Point3d& { return points[triangle_index(j, k)]; };
   double most = 0;
   for_each_triangle_index(map.degree() - 2, [&](int, int j, int k) {
-    const Point &corner0 = at(j, k), &corner1 = at(j + 2, k), &corner2 = at(j, k + 2);
-    const Point &middle0 = at(j + 1, k + 1), &middle1 = at(j, k + 1), &middle2 = at(j + 1, k);
+    const Point3d &corner0 = at(j, k), &corner1 = at(j + 2, k), &corner2 = at(j, k + 2);
+    const Point3d &middle0 = at(j + 1, k + 1), &middle1 = at(j, k + 1), &middle2 = at(j + 1, k);
     most = std::max(
         {most, norm_of(corner1, middle2, middle2, corner0),
          norm_of(corner2, middle1, middle1, corner0), norm_of(corner2, middle0, middle0, corner1),
@@ -65,9 +64,9 @@ std::size_t triangle_divisions(const BezierTriangle<double>& triangle, double ch
   return n > kMost ? kMost : static_cast<std::size_t>(n);
 }
 
-std::vector<Point> triangle_grid(const BezierTriangle<double>& triangle, std::size_t divisions) {
+std::vector<Point3d> triangle_grid(const BezierTriangle<double>& triangle, std::size_t divisions) {
   const int n = static_cast<int>(divisions);
-  std::vector<Point> points;
+  std::vector<Point3d> points;
   points.reserve(num_triangle_coefficients(n));
   for_each_triangle_index(n, [&](int i, int j, int k) {
     const Barycentric<double> at{static_cast<double>(i) / n, static_cast<double>(j) / n,

@@ -57,8 +57,7 @@ std::string info_json(const InfoReport& report) {
       {"polygons_split", count(&ReadReport::polygons_split)},
       {"strip_joints", count(&ReadReport::strip_joints)},
   };
-  const BoundingBox box = file != nullptr ? bounding_box_of_faces(file->mesh, 1) : BoundingBox{};
-  out["bbox"] = file != nullptr ? internal::box_json(box.lo, box.hi) : Json(nullptr);
+  out["bbox"] = file != nullptr ? box_json(bounding_box_of_faces(file->mesh, 1)) : Json(nullptr);
   out["ignored"] = internal::ignored_json(r);
   out["notices"] = internal::notices_json(r);
   out["lossless"] = report.lossless;
@@ -75,7 +74,6 @@ std::string info_text(const InfoReport& report, const Style& style) {
            (report.fault ? harmless(text_of(*report.fault)) : "") + "\n";
   }
   const ReadReport& r = report.file->report;
-  const BoundingBox box = bounding_box_of_faces(report.file->mesh, 1);
   std::string out = path + "\n" + internal::file_text(r);
   out += detail_line("sha256", report.file->sha256);
   out += detail_line("mesh", counted(report.file->mesh.faces.size(), "face", "faces") + ", " +
@@ -87,7 +85,7 @@ std::string info_text(const InfoReport& report, const Style& style) {
     out += detail_line("strips", std::to_string(r.strip_joints) + " joints dropped");
   out += internal::ignored_text(r);
   out += internal::notices_text(r);
-  out += internal::box_text(box.lo, box.hi);
+  out += internal::box_text(bounding_box_of_faces(report.file->mesh, 1));
   std::string names;
   for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;
   out += detail_line("lossless as", report.holds_everywhere ? "every format" : names);

@@ -127,8 +127,7 @@ void put_mesh_facts(const FileReport& report, Json& out) {
   out["rules"] = rules_json(report);
   out["shells"] = shells_json(report);
   out["volume"] = decision != nullptr ? volume_json(decision->volume) : Json(nullptr);
-  out["bbox"] =
-      decision != nullptr ? internal::box_json(decision->box_lo, decision->box_hi) : Json(nullptr);
+  out["bbox"] = decision != nullptr ? box_json(decision->box) : Json(nullptr);
   out["ignored"] = internal::ignored_json(reading_of(report));
   out["notices"] = internal::notices_json(reading_of(report));
   out["places_total"] = decision != nullptr ? Json(decision->places.size()) : Json(nullptr);
@@ -140,10 +139,6 @@ void put_mesh_facts(const FileReport& report, Json& out) {
 }  // namespace
 
 namespace internal {
-
-Json box_json(const Vec3d& lo, const Vec3d& hi) {
-  return report::box_json(Box3d{{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}});
-}
 
 Json ignored_json(const ReadReport* report) {
   Json out = Json::array();

@@ -12,7 +12,6 @@ namespace veritope::report::internal {
 const ReadReport* reading_of(const FileReport& report);
 const ValidityReport* decision_of(const FileReport& report);
 
-Json box_json(const Vec3d& lo, const Vec3d& hi);
 Json ignored_json(const ReadReport* reading);
 Json notices_json(const ReadReport* reading);
 
@@ -25,6 +24,6 @@ std::string file_text(const ReadReport& reading);
 std::string vertices_text(const ReadReport& reading);
 std::string ignored_text(const ReadReport& reading);
 std::string notices_text(const ReadReport& reading);
-std::string box_text(const Vec3d& lo, const Vec3d& hi);
+std::string box_text(const Box3d& box);
 
 }  // namespace veritope::report::internal

@@ -31,8 +31,8 @@ constexpr std::array<Noun, kNumMeshRules> kNouns = {{
 
 constexpr std::size_t kExactSize = 28;  // characters of a fraction before it is cut
 
-std::string point_text(const Vec3d& p) {
-  return "(" + short_decimal(p.x) + ", " + short_decimal(p.y) + ", " + short_decimal(p.z) + ")";
+std::string point_text(const Point3d& p) {
+  return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) + ")";
 }
 
 std::string valid_summary(const FileReport& report) {
@@ -134,9 +134,8 @@ std::string places_text(const ValidityReport& decision) {
   for (std::size_t i = 0; i < std::min(places.size(), internal::kMostShown); ++i) {
     const Box3d& box = places[i].box;
     out += "    " + counted(places[i].pairs, "pair", "pairs") + " of " +
-           counted(places[i].faces, "face", "faces") + " in the box " +
-           point_text({box.lo[0], box.lo[1], box.lo[2]}) + " to " +
-           point_text({box.hi[0], box.hi[1], box.hi[2]}) + "\n";
+           counted(places[i].faces, "face", "faces") + " in the box " + point_text(box.lo) +
+           " to " + point_text(box.hi) + "\n";
   }
   if (places.size() > internal::kMostShown)
     out += "    ... " + std::to_string(places.size() - internal::kMostShown) +
@@ -219,8 +218,8 @@ std::string vertices_text(const ReadReport& r) {
   return text;
 }
 
-std::string box_text(const Vec3d& lo, const Vec3d& hi) {
-  return detail_line("box", point_text(lo) + " to " + point_text(hi));
+std::string box_text(const Box3d& box) {
+  return detail_line("box", point_text(box.lo) + " to " + point_text(box.hi));
 }
 
 std::string mesh_summary(const FileReport& report) {
@@ -234,7 +233,7 @@ std::string mesh_details(const FileReport& report, const TextOptions&) {
   out += counts_text(report);
   out += ignored_text(*reading_of(report));
   out += notices_text(*reading_of(report));
-  out += box_text(d->box_lo, d->box_hi);
+  out += box_text(d->box);
   if (d->volume && d->is_valid) out += volume_text(*d->volume);
   return out + shells_text(*d);
 }

@@ -12,6 +12,7 @@
 #include "interval/relations.h"
 #include "interval/solvers/spline_pieces.h"
 #include "interval/upward.h"
+#include "robust/base/box3d.h"
 
 namespace veritope {
 namespace {
@@ -24,7 +25,7 @@ using internal::approx_middle;
 struct Part {
   Bezier<Interval, 2> map;
   std::vector<Vector> control;
-  std::array<double, 3> centre{};  // next to the mean of the control points
+  Point3d centre{};  // next to the mean of the control points
   Vector hull;
 
   explicit Part(Bezier<Interval, 2> m) : map(std::move(m)) {

@@ -10,6 +10,7 @@
 
 #include "interval/box_geometry.h"
 #include "interval/enclosure/patch_tree.h"
+#include "robust/base/box3d.h"
 #include "robust/base/disjoint_sets.h"
 
 namespace veritope {
@@ -52,12 +53,11 @@ Slab project(const EnclosedSurface& surface, const Interval* net,
   return out;
 }
 
-using Direction = std::array<double, 3>;
-Direction cross(const Direction& a, const Direction& b) {
+Point3d cross(const Point3d& a, const Point3d& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 /// The direction, scaled; nothing if it is zero or not finite.
-std::optional<std::array<Interval, 3>> usable(const Direction& d) {
+std::optional<std::array<Interval, 3>> usable(const Point3d& d) {
   const double scale = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
   if (!(scale > 0) || !std::isfinite(scale)) return std::nullopt;
   return std::array<Interval, 3>{Interval(d[0] / scale), Interval(d[1] / scale),
@@ -66,9 +66,9 @@ std::optional<std::array<Interval, 3>> usable(const Direction& d) {
 
 /// Directions that may separate two nodes seen as parallelograms: both normals, and those across a side of each, which
 /// also see apart what lies on one plane. An affine map of space maps them along.
-std::array<Direction, 6> separating_directions(const PatchTree::Node& a, const PatchTree::Node& b) {
-  const Direction u = approx_middle(a.du), v = approx_middle(a.dv), s = approx_middle(b.du),
-                  t = approx_middle(b.dv);
+std::array<Point3d, 6> separating_directions(const PatchTree::Node& a, const PatchTree::Node& b) {
+  const Point3d u = approx_middle(a.du), v = approx_middle(a.dv), s = approx_middle(b.du),
+                t = approx_middle(b.dv);
   return {cross(u, v), cross(s, t), cross(u, s), cross(v, t), cross(u, t), cross(v, s)};
 }
 
@@ -144,7 +144,7 @@ class PairSearch {
   bool are_apart(const Pair& p) {
     const auto& first = first_.with_derivatives(p.a);
     const auto& second = second_.with_derivatives(p.b);
-    for (const Direction& d : separating_directions(first, second)) {
+    for (const Point3d& d : separating_directions(first, second)) {
       const auto direction = usable(d);
       if (!direction) continue;
       const Slab a = project(first_.surface(), first_.net(p.a), *direction);

@@ -3,8 +3,8 @@
 #pragma once
 #include <cstdint>
 
+#include "robust/base/box3d.h"
 #include "robust/base/result.h"
-#include "solids/pieces/box_hierarchy.h"
 #include "topology/octree_key.h"
 
 namespace veritope {

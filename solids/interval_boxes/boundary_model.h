@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "robust/base/box3d.h"
 #include "robust/base/result.h"
 #include "solids/patches/patch_complex.h"
-#include "solids/pieces/box_hierarchy.h"
 #include "solids/pieces/piece_forest.h"
 
 namespace veritope {

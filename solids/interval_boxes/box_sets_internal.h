@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solids/pieces/box_hierarchy.h"
+#include "robust/base/box3d.h"
 
 namespace veritope {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "robust/base/box3d.h"
 #include "robust/base/result.h"
-#include "solids/pieces/box_hierarchy.h"
 #include "topology/complex_boundary.h"
 
 namespace veritope {

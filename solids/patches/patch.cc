@@ -153,7 +153,7 @@ std::optional<PatchPoint> point_of(std::span<const Rational> h) {
   return PatchPoint{h[0] / h[3], h[1] / h[3], h[2] / h[3]};
 }
 
-std::array<double, 3> approx_point(std::span<const Rational> homogeneous) {
+Point3d approx_point(std::span<const Rational> homogeneous) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto p = point_of(homogeneous);
   if (!p) return {kNone, kNone, kNone};

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "robust/base/box3d.h"
 #include "robust/base/result.h"
 #include "splines/bezier.h"
 #include "splines/bezier_triangle.h"
@@ -101,6 +102,6 @@ Patch turned(const Patch& patch, std::uint32_t by);
 /// The point of homogeneous coefficients (three, or four with the weight last); nothing if the weight is 0.
 std::optional<PatchPoint> point_of(std::span<const Rational> homogeneous);
 /// Each coordinate rounded to nearest: for messages and searches. NaN where there is no point.
-std::array<double, 3> approx_point(std::span<const Rational> homogeneous);
+Point3d approx_point(std::span<const Rational> homogeneous);
 
 }  // namespace veritope

@@ -18,7 +18,7 @@ std::string shortest(double v) {
   const auto end = std::to_chars(text.data(), text.data() + text.size(), v).ptr;
   return std::string(text.data(), end);
 }
-std::string point_text(const std::array<double, 3>& p) {
+std::string point_text(const Point3d& p) {
   return "(" + shortest(p[0]) + ", " + shortest(p[1]) + ", " + shortest(p[2]) + ")";
 }
 std::string patch_text(const PatchComplex& complex, std::uint32_t patch) {

@@ -24,14 +24,14 @@ constexpr double kDirection[] = {0.83, 0.47,
 struct OpenSide {
   double key;  // the middle of its ends along a direction that few models have
   PatchSide side;
-  std::array<std::array<double, 3>, 2> ends;
+  std::array<Point3d, 2> ends;
 };
 struct Difference {
   double distance;
   bool is_one_ulp;
 };
 
-bool is_near(const std::array<double, 3>& a, const std::array<double, 3>& b, double reach) {
+bool is_near(const Point3d& a, const Point3d& b, double reach) {
   for (std::size_t c = 0; c < 3; ++c)
     if (!(std::fabs(a[c] - b[c]) <= reach)) return false;
   return true;

@@ -148,7 +148,7 @@ class PnMeshBuilder {
     }
   }
 
-  static std::array<double, 3> nearest(const PnPoint& p) {
+  static Point3d nearest(const PnPoint& p) {
     return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
   }
 };

@@ -18,15 +18,12 @@ std::uint32_t BoxHierarchy::build(std::uint32_t lo, std::uint32_t hi) {
   Box3d centres{first, first};
   for (std::uint32_t p = lo + 1; p < hi; ++p) {
     box = hull(box, boxes_[order_[p]]);
-    const Point3d c = approx_centre(boxes_[order_[p]]);
-    centres = hull(centres, Box3d{c, c});
+    add(approx_centre(boxes_[order_[p]]), &centres);
   }
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back({box, lo, hi});
   if (hi - lo <= kLeafSize) return number;
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (centres.hi[k] - centres.lo[k] > centres.hi[axis] - centres.lo[axis]) axis = k;
+  const std::size_t axis = longest_axis(centres);
   const std::uint32_t middle = lo + (hi - lo) / 2;
   const auto key = [&](std::uint32_t i) { return approx_centre(boxes_[i])[axis]; };
   std::nth_element(

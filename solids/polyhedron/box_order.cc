@@ -67,7 +67,7 @@ void radix_pass(const std::uint64_t* from, std::uint64_t* to, std::size_t n, uns
 
 // In doubles: parts of a model that are far from each other must not become points.
 struct Centre {
-  std::array<double, 3> at;
+  Point3d at;
   std::uint32_t facet;
   std::uint32_t group = 0;
 };
@@ -98,15 +98,9 @@ std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end
                   [g = items[begin].group](const Centre& c) { return c.group != g; })) {
     split_groups(items, begin, mid, end);
   }
-  std::array<double, 3> lo = items[begin].at, hi = lo;
-  for (std::size_t i = begin + 1; i < end; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      lo[k] = std::min(lo[k], items[i].at[k]);
-      hi[k] = std::max(hi[k], items[i].at[k]);
-    }
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+  Box3d centres{items[begin].at, items[begin].at};
+  for (std::size_t i = begin + 1; i < end; ++i) add(items[i].at, &centres);
+  const std::size_t axis = longest_axis(centres);
   const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(it(begin), it(mid), it(end), [axis](const Centre& a, const Centre& b) {
     return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.facet < b.facet;
@@ -178,52 +172,49 @@ void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned j
   });
 }
 
+Box3d hull_of(const std::vector<Box3d>& boxes) {
+  Box3d out = empty_box();
+  for (const Box3d& box : boxes) out = hull(out, box);
+  return out;
+}
+
 }  // namespace
 
-BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs) {
-  std::vector<BoundingBox> parts(num_chunks(points.size(), kChunk));
+Box3d bounding_box(std::span<const Vec3d> points, unsigned jobs) {
+  std::vector<Box3d> parts(num_chunks(points.size(), kChunk));
   parallel_for(points.size(), kChunk, jobs,
                [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 BoundingBox box;
-                 for (std::size_t i = begin; i < end; ++i) box.add(points[i]);
+                 Box3d box = empty_box();
+                 for (std::size_t i = begin; i < end; ++i) add(to_point(points[i]), &box);
                  parts[chunk] = box;
                });
-  BoundingBox out;
-  for (const BoundingBox& box : parts) {
-    out.add(box.lo);
-    out.add(box.hi);
-  }
-  return out;
+  return hull_of(parts);
 }
 
-BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs) {
-  std::vector<BoundingBox> parts(num_chunks(mesh.faces.size(), kChunk));
+Box3d bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs) {
+  std::vector<Box3d> parts(num_chunks(mesh.faces.size(), kChunk));
   parallel_for(mesh.faces.size(), kChunk, jobs,
                [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 BoundingBox box;
+                 Box3d box = empty_box();
                  for (std::size_t f = begin; f < end; ++f)
-                   for (std::uint32_t v : mesh.faces[f]) box.add(mesh.positions[v]);
+                   for (std::uint32_t v : mesh.faces[f]) add(to_point(mesh.positions[v]), &box);
                  parts[chunk] = box;
                });
-  BoundingBox out;
-  for (const BoundingBox& box : parts) {
-    out.add(box.lo);
-    out.add(box.hi);
-  }
-  return out;
+  return hull_of(parts);
 }
 
-UnitScale::UnitScale(const BoundingBox& box) {
+UnitScale::UnitScale(const Box3d& box) {
   const auto& [lo, hi] = box;
   double largest = 0;
-  for (double v : {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}) largest = std::max(largest, std::abs(v));
+  for (std::size_t k = 0; k < 3; ++k)
+    largest = std::max({largest, std::abs(lo[k]), std::abs(hi[k])});
   if (largest > 0x1p1000) pre_ = 0x1p-60;
   if (largest < 0x1p-900) pre_ = 0x1p120;
-  low_[0] = lo.x * pre_;
-  low_[1] = lo.y * pre_;
-  low_[2] = lo.z * pre_;
-  const double range =
-      std::max({hi.x * pre_ - low_[0], hi.y * pre_ - low_[1], hi.z * pre_ - low_[2]});
+  double range = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    low_[k] = lo[k] * pre_;
+    range = std::max(range, hi[k] * pre_ - low_[k]);
+  }
   if (range > 0) scale_ = exp2_int(std::clamp(-std::ilogb(range) - 1, -1022, 1023));
 }
 

@@ -2,30 +2,19 @@
 // solids/polyhedron/box_order.h: orders of the facets in which neighbours in space are neighbours in the list.
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "robust/base/box3d.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
 
-/// The least box of some points; of none: lo = +infinity, hi = -infinity.
-struct BoundingBox {
-  Vec3d lo{kInfinity, kInfinity, kInfinity}, hi{-kInfinity, -kInfinity, -kInfinity};
-
-  void add(const Vec3d& p) {
-    lo = {p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y, p.z < lo.z ? p.z : lo.z};
-    hi = {p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y, p.z > hi.z ? p.z : hi.z};
-  }
-
- private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-};
-BoundingBox bounding_box(std::span<const Vec3d> points, unsigned jobs);
+/// The least box of some points; empty_box() of none.
+Box3d bounding_box(std::span<const Vec3d> points, unsigned jobs);
 /// The box of the vertices that faces have: a stray vertex that no face has would spoil every scale. REQUIRES at least
 /// one face.
-BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
+Box3d bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
 
 /// A monotone map of coordinates to [0, 1] floats: x <= y implies map(x) <= map(y), because subtraction, scaling by a
 /// power of two and conversion are rounded monotonically. So boxes that overlap still do after it; no outward rounding
@@ -33,7 +22,7 @@ BoundingBox bounding_box_of_faces(const TriangleMesh& mesh, unsigned jobs);
 class UnitScale {
  public:
   /// The scale for points in a box. REQUIRES a finite box that is not empty.
-  explicit UnitScale(const BoundingBox& box);
+  explicit UnitScale(const Box3d& box);
   float x(double v) const { return static_cast<float>((v * pre_ - low_[0]) * scale_); }
   float y(double v) const { return static_cast<float>((v * pre_ - low_[1]) * scale_); }
   float z(double v) const { return static_cast<float>((v * pre_ - low_[2]) * scale_); }
@@ -46,7 +35,8 @@ class UnitScale {
 
 /// The facets along a Morton curve through the centres of their boxes (2048^3 cells), ties by facet number. The result
 /// does not depend on jobs. REQUIRES fewer than 2^32 facets. @cost O(F).
-std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
+std::vector<std::uint32_t> morton_order(const TriangleMesh& mesh,
+                                        const std::vector<std::uint32_t>& facets,
                                         const UnitScale& scale, unsigned jobs);
 
 /// The facets in the leaf order of a balanced tree whose nodes are halved at the median centre along their longest

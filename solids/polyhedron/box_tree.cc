@@ -59,12 +59,9 @@ void BoxTree::make_leaf(const TriangleMesh& mesh, const VertexStars& stars, cons
   n.common.fill(kNone);
   std::size_t filled = 0;
   const auto& t = mesh.faces[order_[r.lo]];
-  const Vec3d& p = mesh.positions[t[0]];
-  n.lo = n.hi = {p.x, p.y, p.z};
+  n.box.lo = n.box.hi = to_point(mesh.positions[t[0]]);
   for (std::uint32_t v : t) {
-    const Vec3d& q = mesh.positions[v];
-    n.lo = {std::min(n.lo[0], q.x), std::min(n.lo[1], q.y), std::min(n.lo[2], q.z)};
-    n.hi = {std::max(n.hi[0], q.x), std::max(n.hi[1], q.y), std::max(n.hi[2], q.z)};
+    add(to_point(mesh.positions[v]), &n.box);
     if (stars[v]) n.common[filled++] = v;
   }
 }
@@ -74,10 +71,7 @@ void BoxTree::join_children(const TreeRange& r) {
   n.common.fill(kNone);
   std::size_t filled = 0;
   const Node &a = nodes_[r.left().node], &b = nodes_[r.right().node];
-  for (std::size_t k = 0; k < 3; ++k) {
-    n.lo[k] = std::min(a.lo[k], b.lo[k]);
-    n.hi[k] = std::max(a.hi[k], b.hi[k]);
-  }
+  n.box = hull(a.box, b.box);
   for (std::uint32_t v : a.common)
     if (v != kNone && std::find(b.common.begin(), b.common.end(), v) != b.common.end()) n.common[filled++] = v;
 }

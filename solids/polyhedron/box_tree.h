@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "robust/base/box3d.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/vertex_star.h"
 
@@ -61,7 +62,7 @@ class BoxTree {
 
  private:
   struct Node {
-    std::array<double, 3> lo, hi;
+    Box3d box;
     std::array<std::uint32_t, 3> common;  // star vertices of all facets below; kNone fills up
   };
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -70,8 +71,7 @@ class BoxTree {
   void make_leaf(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r);
   void join_children(const TreeRange& r);
   bool skips(const Node& a, const Node& b) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (a.hi[k] < b.lo[k] || b.hi[k] < a.lo[k]) return true;
+    if (!meets(a.box, b.box)) return true;
     if (a.common[0] == kNone || b.common[0] == kNone) return false;
     for (std::uint32_t v : a.common)
       for (std::uint32_t w : b.common)

@@ -95,11 +95,9 @@ class Decision {
   }
 
   void decide_pairs() {
-    const BoundingBox box = topology_.vertices == mesh_.positions.size() ? bounding_box(mesh_.positions, options_.jobs)
+    report_.box = topology_.vertices == mesh_.positions.size() ? bounding_box(mesh_.positions, options_.jobs)
                                                                          : bounding_box_of_faces(mesh_, options_.jobs);
-    report_.box_lo = box.lo;
-    report_.box_hi = box.hi;
-    const UnitScale scale(box);
+    const UnitScale scale(report_.box);
     facets_ = proper_facets(mesh_.faces.size(), signs_.degenerate);
     boxes_.emplace(mesh_, morton_order(mesh_, facets_, scale, options_.jobs), report_.stars, scale,
                    options_.jobs);

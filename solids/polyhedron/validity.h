@@ -67,7 +67,7 @@ struct ValidityReport {
   std::vector<ImproperPlace> places;                       ///< where faces meet improperly (M7), all of them
   std::vector<ShellReport> shells;
   std::optional<Rational> volume;                          ///< sum over shells
-  Vec3d box_lo, box_hi;                                    ///< of the referenced vertices
+  Box3d box{};                                             ///< of the referenced vertices
   bool long_thin = false;                                  ///< boxes overlapped too much; decided by the separator walk
   DecisionTimes seconds;
 

@@ -77,7 +77,7 @@ TEST(UnitScale, IsMonotoneOnPointsOfEveryKind) {
 }
 
 TEST(UnitScale, UsesTheInterval) {
-  const UnitScale scale(BoundingBox{{-3, 0, 10}, {5, 1, 10}});
+  const UnitScale scale(Box3d{{-3, 0, 10}, {5, 1, 10}});
   EXPECT_EQ(scale.x(-3), 0.0f);
   EXPECT_GE(scale.x(5), 0.5f);
   EXPECT_EQ(scale.y(0), 0.0f);
@@ -94,12 +94,12 @@ TEST(BoundingBox, IsTheLeastBoxForEveryNumberOfJobs) {
   points[20000] = {-1, 2, 0.5};
   points[39999] = {0.5, 0.5, 7};
   for (unsigned jobs : {1u, 2u, 5u}) {
-    const BoundingBox box = bounding_box(points, jobs);
-    EXPECT_EQ(box.lo.x, -1);
-    EXPECT_EQ(box.hi.y, 2);
-    EXPECT_EQ(box.hi.z, 7);
+    const Box3d box = bounding_box(points, jobs);
+    EXPECT_EQ(box.lo[0], -1);
+    EXPECT_EQ(box.hi[1], 2);
+    EXPECT_EQ(box.hi[2], 7);
   }
-  EXPECT_GT(bounding_box({}, 1).lo.x, bounding_box({}, 1).hi.x);
+  EXPECT_EQ(bounding_box({}, 1), empty_box());
 }
 
 TEST(MortonOrder, IsAPermutationThatDoesNotDependOnJobs) {
@@ -220,8 +220,8 @@ TEST(MedianOrder, KeepsTheOrderInsidePartsThatAreFarFromEachOther) {
 
 TEST(BoundingBox, OfFacesLeavesOutStrayVertices) {
   const TriangleMesh mesh = shapes::parse("v -9,0,0 1,2,3 4,0,0 0,5,0 7,7,7 ; f 1,2,3");
-  EXPECT_EQ(bounding_box_of_faces(mesh, 2).lo, (Vec3d{0, 0, 0}));
-  EXPECT_EQ(bounding_box_of_faces(mesh, 2).hi, (Vec3d{4, 5, 3}));
+  EXPECT_EQ(bounding_box_of_faces(mesh, 2).lo, (Point3d{0, 0, 0}));
+  EXPECT_EQ(bounding_box_of_faces(mesh, 2).hi, (Point3d{4, 5, 3}));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(Validity, UnreferencedVerticesDoNotMatter) {
     for (auto& v : f) ++v;
   const ValidityReport r = decide(mesh);
   EXPECT_EQ(summary(r), summary(plain));
-  EXPECT_EQ(r.box_hi, (Vec3d{1, 1, 1}));
+  EXPECT_EQ(r.box.hi, (Point3d{1, 1, 1}));
 }
 
 // A vertex that no face has made the boxes of all others points, and the decision quadratic.
@@ -120,8 +120,8 @@ TEST(Validity, ListsAtMostTheDefectsAskedForButCountsAll) {
 
 TEST(Validity, BoxIsThatOfTheReferencedVertices) {
   const ValidityReport r = decide(shapes::parse("v -9,0,0 1,2,3 4,0,0 0,5,0 ; f 1,2,3"));
-  EXPECT_EQ(r.box_lo, (Vec3d{0, 0, 0}));
-  EXPECT_EQ(r.box_hi, (Vec3d{4, 5, 3}));
+  EXPECT_EQ(r.box.lo, (Point3d{0, 0, 0}));
+  EXPECT_EQ(r.box.hi, (Point3d{4, 5, 3}));
 }
 
 TEST(Validity, RefusesNoFaces) {

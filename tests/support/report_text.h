@@ -32,8 +32,8 @@ inline std::string full_text(const ValidityReport& r) {
     std::snprintf(text, sizeof text, " %a", v);
     return std::string(text);
   };
-  for (const Vec3d& p : {r.box_lo, r.box_hi})
-    for (int k = 0; k < 3; ++k) out += number(p[k]);
+  for (const Point3d& p : {r.box.lo, r.box.hi})
+    for (const double c : p) out += number(c);
   for (const Finding& d : r.defects) {
     out += "\n" + d.code + " faces";
     for (std::uint32_t f : d.place.faces) out += " " + std::to_string(f);

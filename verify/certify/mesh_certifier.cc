@@ -63,12 +63,10 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
 void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
               ValidBody& body) {
   const auto facets = all_facets(mesh);
-  const BoxTree tree(
-      mesh,
-      report.long_thin
-          ? median_order(mesh, facets, jobs)
-          : morton_order(mesh, facets, UnitScale(BoundingBox{report.box_lo, report.box_hi}), jobs),
-      report.stars, jobs);
+  const BoxTree tree(mesh,
+                     report.long_thin ? median_order(mesh, facets, jobs)
+                                      : morton_order(mesh, facets, UnitScale(report.box), jobs),
+                     report.stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<PartWitness> found(parts.size());

@@ -21,12 +21,12 @@ std::string shortest(double v) {
   std::array<char, 32> text;
   return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), v).ptr);
 }
-std::string point_text(const std::array<double, 3>& p) {
+std::string point_text(const Point3d& p) {
   return "(" + shortest(p[0]) + ", " + shortest(p[1]) + ", " + shortest(p[2]) + ")";
 }
 
 // Not where a coordinate lies beyond binary64.
-bool is_finite(const std::array<double, 3>& p) {
+bool is_finite(const Point3d& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
@@ -161,7 +161,7 @@ class FactFinder {
     return out;
   }
 
-  static std::array<double, 3> middle_of(const Patch& patch, const PatchRectangle& where) {
+  static Point3d middle_of(const Patch& patch, const PatchRectangle& where) {
     std::array<Rational, 2> at;
     for (std::size_t axis = 0; axis < 2; ++axis)
       at[axis] = (where.at[axis].lower() + where.at[axis].upper()) / Rational(2);

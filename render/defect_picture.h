@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render/coloured_ply.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 #include "solids/polyhedron/rules.h"
 
 namespace veritope {

@@ -10,8 +10,8 @@
 
 #include "io/model_file.h"
 #include "report/exit_code.h"
-#include "robust/base/verdict.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
+#include "solids/base/verdict.h"
 #include "verify/certify/certify.h"
 
 namespace veritope::report {

@@ -8,7 +8,7 @@
 #include "io/model_file.h"
 #include "report/exit_code.h"
 #include "report/text_style.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 
 namespace veritope::report {
 

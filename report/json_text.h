@@ -7,7 +7,7 @@
 #include <string>
 
 #include "robust/base/box3d.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 
 namespace veritope::report {
 

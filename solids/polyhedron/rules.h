@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 
 namespace veritope {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 #include "robust/rational.h"
 #include "solids/polyhedron/improper_places.h"
 #include "solids/polyhedron/nesting.h"

@@ -11,8 +11,8 @@
 
 #include "io/model_file.h"
 #include "robust/base/result.h"
-#include "robust/base/verdict.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
+#include "solids/base/verdict.h"
 #include "verify/certify/mesh_facts.h"
 #include "verify/certify/patch_facts.h"
 #include "verify/format/mesh_certificate.h"

@@ -10,7 +10,7 @@
 
 #include "io/splines/read_splines.h"
 #include "robust/base/result.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/patch_certifier.h"
 #include "verify/certify/patch_decision.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 #include "solids/collar/octree_root.h"
 #include "topology/collar.h"
 #include "verify/certify/collar_place.h"

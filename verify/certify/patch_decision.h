@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "interval/interval.h"
-#include "robust/base/verdict.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
+#include "solids/base/verdict.h"
 #include "verify/certify/crossing_witness.h"
 #include "verify/certify/side_witness.h"
 #include "verify/certify/star_walks.h"

@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/patch_decision.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/finding.h: what was found about a model, where, and what shows it: the same shape for every kind of model.
+// solids/base/finding.h: what was found about a model, where, and what shows it: one shape for every kind of model.
 #pragma once
 #include <array>
 #include <cstdint>

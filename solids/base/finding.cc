@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 
 namespace veritope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/verdict.h: the answer to the question whether a model bounds a solid.
+// solids/base/verdict.h: the answer to the question whether a model bounds a solid.
 #pragma once
 
 namespace veritope {

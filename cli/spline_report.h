@@ -29,9 +29,9 @@ SplineReport spline_report(const std::string& path, ModelInput& input);
 std::string spline_json(const SplineReport& report);
 std::string spline_text(const SplineReport& report, const Style& style);
 
-/// The sides of the least box of the control points, homogeneous ones divided by their weights: it contains the splines.
-/// One side a coordinate of the entity; empty without points. For trimmed surfaces and models: the box of their
-/// surfaces, not of their loops.
+/// The sides of the least box of the control points, homogeneous ones divided by their weights: it contains the
+/// splines. One side a coordinate of the entity; empty without points. For trimmed surfaces and models: the box of
+/// their surfaces, not of their loops.
 std::vector<ExactInterval> control_box(const SplineEntity& entity);
 /// `box` grows to hold `other`; coordinates that only one of them has stay.
 void unite(std::vector<ExactInterval>& box, const std::vector<ExactInterval>& other);

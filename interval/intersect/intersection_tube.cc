@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "interval/box_geometry.h"
+#include "robust/dyadic.h"
 
 namespace veritope {
 namespace {
@@ -19,10 +20,25 @@ using Columns = std::array<Box3, 4>;
 using internal::approx_middle, internal::approx_radius;
 Interval around(double c, double r) { return Interval::from_bounds(-(-c + r), c + r); }
 
-double determinant(const std::array<double, 3>& a, const std::array<double, 3>& b,
-                   const std::array<double, 3>& c) {
+template <typename Number>
+Number determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b,
+                   const std::array<Number, 3>& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
          a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+template <typename Number, typename Convert>
+Number determinant_as(const Matrix& m, Convert convert) {
+  const auto row = [&](std::size_t i) {
+    return std::array<Number, 3>{convert(m[i][0]), convert(m[i][1]), convert(m[i][2])};
+  };
+  return determinant(row(0), row(1), row(2));
+}
+/// By intervals, or exactly where they contain 0.
+Sign sign_of_determinant(const Matrix& m) {
+  const Sign3 sign = sign_of(determinant_as<Interval>(m, [](double v) { return Interval(v); }));
+  if (is_certain(sign)) return to_sign(sign);
+  return sign_of(determinant_as<Dyadic>(m, Dyadic::from_double));
 }
 
 /// The other three parameters, in order.
@@ -170,6 +186,14 @@ bool set_derivative(const Linear& linear, const Vector& z, IntersectionTube* tub
   return true;
 }
 
+/// Along n1 x n2 or against it. REQUIRES T2, by which the determinant of the Jacobian has the sign of that of the
+/// `inverse` on the whole tube (THEORY, TUBE-1.DIRECTION).
+int direction_of(const IntersectionTube& tube) {
+  const Sign sign = sign_of_determinant(tube.inverse);
+  VT_CHECK(sign != Sign::kZero, "the matrix of a contraction is singular");
+  return (sign == Sign::kPositive) == (tube.pivot % 2 == 0) ? -1 : 1;
+}
+
 /// Inverts the matrix of the columns' middles, the pivot's left out; false if doubles hold no inverse.
 bool choose_inverse(const Columns& columns, IntersectionTube* tube) {
   const auto rest = others(tube->pivot);
@@ -204,19 +228,17 @@ bool choose_chart(const Box4& x, const Columns& columns, IntersectionTube* tube)
                         middles[k][2] * middles[k][2]);
   }
   double best = 0;
-  double best_minor = 0;
   for (int k = 0; k < 4; ++k) {
     const auto rest = others(k);
     const auto at = [&](std::size_t i) { return static_cast<std::size_t>(rest[i]); };
-    const double minor = determinant(middles[at(0)], middles[at(1)], middles[at(2)]);
-    if (std::abs(minor) > best) best = std::abs(minor), best_minor = minor, tube->pivot = k;
+    const double minor = std::abs(determinant(middles[at(0)], middles[at(1)], middles[at(2)]));
+    if (minor > best) best = minor, tube->pivot = k;
   }
   const double scale = std::max({norm[0], norm[1], norm[2], norm[3]});
   if (!(best > 1e-14 * scale * scale * scale)) return false;
   if (!choose_inverse(columns, tube)) return false;
   for (std::size_t k = 0; k < 4; ++k) tube->center[k] = approx_middle(x[k]);
   choose_slope(columns, tube);
-  tube->direction = (best_minor > 0) == (tube->pivot % 2 == 0) ? -1 : 1;
   return true;
 }
 
@@ -244,7 +266,9 @@ bool prove(const EnclosedSurface& s1, const EnclosedSurface& s2, IntersectionTub
     *z = k;
     return false;
   }
-  return set_derivative(linear, *z, tube);
+  if (!set_derivative(linear, *z, tube)) return false;
+  tube->direction = direction_of(*tube);
+  return true;
 }
 
 /// How far Jacobians over x are from the chart's, in x's own scale: below 1 a tube of that size may be proved. Measured

@@ -26,7 +26,7 @@ struct IntersectionTube {
   Point4 center{}, slope{};
   Box4 offset;      // [0, 0] at the pivot
   Box4 derivative;  // of the arc's parameters by w
-  /// +1 if the arc runs along n1 x n2 with increasing w, -1 if against it.
+  /// +1 if the arc runs along n1 x n2 with increasing w, -1 if against it; 0 before the claim is proved.
   int direction = 0;
   std::array<std::array<double, 3>, 3> inverse{};  // of the other columns' Jacobian, approximately
   std::array<std::array<Interval, 3>, 3> excess;   // identity - inverse * Jacobian, over the tube

@@ -198,6 +198,66 @@ TEST(IntersectionTube, NoTubeIsProvedWhereTheImageDoesNotContract) {
   EXPECT_FALSE(find_tube(*s1, *s2, region, 0).has_value());
 }
 
+using Vector3 = std::array<Rational, 3>;
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Rational dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 negated(const Vector3& a) { return {-a[0], -a[1], -a[2]}; }
+
+/// p + u a + v b.
+BSplineSurface<Rational> plane(const Vector3& p, const Vector3& a, const Vector3& b) {
+  std::vector<Rational> c;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const Rational& v : {p[k], p[k] + b[k], p[k] + a[k], p[k] + a[k] + b[k]}) c.push_back(v);
+  return BSplineSurface<Rational>({bezier_axis(1), bezier_axis(1)}, 3, false, std::move(c));
+}
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+Vector3 row(const Matrix3& m, std::size_t i) {
+  return {Rational::from_double(m[i][0]), Rational::from_double(m[i][1]),
+          Rational::from_double(m[i][2])};
+}
+
+// PROVES TUBE-1.DIRECTION
+TEST(IntersectionTube, TheDirectionIsThatOfTheArcWhereTheDeterminantInDoublesIsZero) {
+  const ScopedUpward upward;
+  // The determinant is e^2 or -e^2, and the products that differ by it have the same nearest double, and the same next
+  // larger one.
+  constexpr double kE = 0x1p-27;
+  for (const bool is_swapped : {false, true}) {
+    Matrix3 inverse{{{1, 1, 1}, {1, 1, 1 - kE}, {1, 1 + kE, 1}}};
+    if (is_swapped) std::swap(inverse[1], inverse[2]);
+    const auto& [a, b, c] = inverse;
+    const double rounded = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                           a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const Vector3 x = row(inverse, 0), y = row(inverse, 1), z = row(inverse, 2);
+    const Rational exact = dot(x, cross(y, z));
+    EXPECT_EQ(rounded, 0);
+    EXPECT_EQ(exact.sign(), is_swapped ? Sign::kNegative : Sign::kPositive);
+    // The columns of the exact inverse are doubles. They are u, v and -t of two planes that meet in u = 1/2, v = s,
+    // t = 1/2.
+    const auto column = [&](const Vector3& a, const Vector3& b) {
+      Vector3 c = cross(a, b);
+      for (Rational& v : c) v = v / exact;
+      return c;
+    };
+    const Vector3 u = column(y, z), v = column(z, x), t = negated(column(x, y));
+    const auto minus_half = [](Vector3 a) {
+      for (Rational& c : a) c = -c / Rational(2);
+      return a;
+    };
+    const auto s1 = EnclosedSurface::make(plane(minus_half(u), u, v)),
+               s2 = EnclosedSurface::make(plane(minus_half(t), v, t));
+    auto region = region_at(2, {0.5, kMiddle, kMiddle, 0.5}, {0, 1, 1, 0});
+    region.inverse = inverse;
+    const auto tube = find_tube(*s1, *s2, region, 0);
+    ASSERT_TRUE(tube.has_value());
+    // With increasing s the arc runs along v.
+    const Rational along = dot(cross(cross(u, v), cross(v, t)), v);
+    EXPECT_EQ(tube->direction, to_int(along.sign()));
+  }
+}
+
 TEST(IntersectionCurve, TheBoundOfLebesgueHoldsForTheRoundedNodes) {
   const ScopedUpward upward;
   for (const std::size_t degree : {3u, 6u, 12u, 18u, 24u, 36u}) {

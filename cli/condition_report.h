@@ -18,7 +18,7 @@ SweepOptions sweep_budgets();
 /// The table, and for the smallest eps with boxes one reason for every condition that does not hold there.
 std::string sweep_text(const std::vector<SweepRow>& rows);
 
-/// The schema: docs/sweep.schema.json.
+/// The schema: docs/report.schema.json, sweep.
 std::string sweep_json(const std::string& path, const std::string& sha256,
                        const std::vector<SweepRow>& rows);
 

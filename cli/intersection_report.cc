@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Intersections as JSON, text and curves. The schema: docs/intersect.schema.json.
+// Intersections as JSON, text and curves. The schema: docs/report.schema.json, intersection.
 #include "cli/intersection_report.h"
 
 #include <cstdio>

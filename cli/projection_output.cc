@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Projections as JSON and as text. The schema: docs/project.schema.json.
+// Projections as JSON and as text. The schema: docs/report.schema.json, projection.
 #include "cli/projection_report.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"

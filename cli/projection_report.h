@@ -43,7 +43,7 @@ Result<std::vector<Rational>> point_from_text(const std::string& text);
 Result<ProjectionReport> project_on(std::vector<Rational> point, const SplineModel& model,
                                     const SolverOptions& options);
 
-/// Schema: docs/project.schema.json. One line.
+/// Schema: docs/report.schema.json, projection. One line.
 std::string projection_json(const ProjectionReport& report);
 std::string projection_text(const ProjectionReport& report);
 

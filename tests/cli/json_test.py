@@ -1,21 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The JSON report: the schema holds, and holds tightly; keys in order; exact numbers; what the report says is true of the file."""
+"""The JSON reports of all commands: the schema holds, and holds tightly; keys in order; exact numbers; what the report says
+is true of the file."""
 import copy
 import json
 import math
+import re
 import unittest
 from fractions import Fraction
 
+import schema
 import support
-from support import MODELS, ROOT, Folder, run
-
-try:
-    import jsonschema
-except ImportError:
-    jsonschema = None
-
-SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
+from schema import DEFINITIONS, SCHEMA, keys_of
+from support import MODELS, Folder, run
 
 
 def scientific(value, digits=17):
@@ -32,15 +29,15 @@ def scientific(value, digits=17):
     return f"{'-' if value < 0 else ''}{text[0]}.{text[1:]}e{exponent:+03d}"
 
 
-def key_order(schema, name):
-    return list(schema["$defs"][name]["properties"])
+# A square that the cube of tests/models/patches/cube.itd meets in an arc on each of four sides.
+SQUARE = "[OBJECT S\n[SURFACE BEZIER 2 2 E3\n[-1 -1 0.25] [2 -1 0.5]\n[-1 2 0.5] [2 2 0.75]\n]\n]\n"
 
 
 class Schema(Folder):
-    @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
+    @unittest.skipIf(schema.jsonschema is None, "python3-jsonschema is not installed")
     def setUp(self):
         super().setUp()
-        self.validator = jsonschema.Draft202012Validator(SCHEMA)
+        self.validator = schema.validator()
 
     def documents(self):
         models = [path for path in sorted(MODELS.iterdir()) if path.is_file() and path.name != "EXPECT.tsv"]
@@ -53,11 +50,31 @@ class Schema(Folder):
         splines = sorted((MODELS / "splines").iterdir())
         (self.folder / "bad.itd").write_text("[CURVE BSPLINE 2 2 E1 [KV 0 1 0 1] [0] [1]]")
         yield json.loads(run("info", "--json", "-", *splines, self.folder / "bad.itd", models[0]).stdout)
+        patches = sorted((MODELS / "patches").iterdir())
+        yield support.report("--collar", *patches)
+        yield support.report("--no-check", *splines, self.folder / "bad.itd")
+        yield json.loads(run("cover", MODELS / "patches" / "cube.itd", "--sweep", 1, "--json", "-").stdout)
+        yield json.loads(run("project", "1,2,3", MODELS / "patches" / "cube.itd", "--json", "-").stdout)
+        curves, square = self.folder / "curves.json", self.folder / "square.itd"
+        square.write_text(SQUARE)
+        yield json.loads(run("intersect", MODELS / "patches" / "cube.itd", square, "--json", "-", "-o", curves).stdout)
+        yield json.loads(curves.read_text())
 
-    def test_the_schema_is_a_schema_and_every_document_obeys_it(self):
+    def test_the_schema_is_a_schema_and_the_documents_of_all_commands_obey_it(self):
         self.validator.check_schema(SCHEMA)
+        seen = set()
         for document in self.documents():
-            self.assertEqual([], [f"{e.json_path}: {e.message}" for e in self.validator.iter_errors(document)])
+            self.assertEqual([], schema.faults(document))
+            self.assertTrue(self.validator.is_valid(document))
+            seen.add(document["schema"])
+        self.assertEqual(seen, set(schema.kinds()))
+
+    def test_every_command_that_writes_json_has_its_document_here(self):
+        """A new --json needs a definition in the schema and a document above."""
+        commands = re.findall(r"(?m)^  ([a-z-]+) {2,}", run("--help").stdout.split("Subcommands:")[1])
+        self.assertIn("selftest", commands)
+        with_json = [name for name in commands if "--json" in run(name, "--help").stdout]
+        self.assertEqual(sorted(with_json), ["certify", "cover", "info", "intersect", "project"])
 
     def test_every_key_is_required_and_no_other_is_allowed(self):
         document = support.report(MODELS / "m2_copied_face.off", MODELS / "valid_frame.off", MODELS / "unreadable_index.off")
@@ -97,17 +114,52 @@ class Schema(Folder):
             self.assertFalse(self.validator.is_valid(spoilt), path)
 
 
+def parts_of(value):
+    """Every object inside a schema that may describe a value, and itself."""
+    if isinstance(value, dict):
+        if {"type", "enum", "oneOf"} & set(value) and not isinstance(value.get("type", ""), dict):
+            yield value
+        for inner in value.values():
+            yield from parts_of(inner)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from parts_of(inner)
+
+
+class Definitions(unittest.TestCase):
+    """The schema says each thing once."""
+
+    def test_what_has_a_definition_is_written_nowhere_else(self):
+        seen = {}
+        for name, definition in DEFINITIONS.items():
+            for part in parts_of(definition):
+                text = json.dumps({key: inner for key, inner in part.items() if key != "description"}, sort_keys=True)
+                if {"properties", "enum", "pattern", "minItems", "oneOf"} & set(part):
+                    self.assertFalse(text in seen, f"{name} repeats a part of {seen.get(text)}: {text}")
+                    seen[text] = name
+
+    def test_every_definition_is_used_and_every_object_is_closed(self):
+        text = json.dumps(SCHEMA)
+        for name, definition in DEFINITIONS.items():
+            self.assertIn(f'"#/$defs/{name}"', text)
+            for part in parts_of(definition):
+                if part.get("type") == "object":
+                    self.assertIs(part["additionalProperties"], False, name)
+                    if "oneOf" not in part:
+                        self.assertEqual(part["required"], list(part["properties"]), name)
+
+
 class Values(Folder):
     def test_keys_stand_in_the_order_of_the_schema(self):
         def check(value, name):
-            self.assertEqual(list(value), key_order(SCHEMA, name))
+            self.assertEqual(list(value), keys_of(name))
         report = support.report(MODELS / "m9_smallest.off", MODELS / "unreadable_nan.stl")
         info = json.loads(run("info", "--json", "-", MODELS / "valid_strip.ply").stdout)
         for document, kind, file_kind in [(report, "report", "file"), (info, "info", "info_file")]:
             check(document, kind)
             for file in document["files"]:
                 check(file, file_kind)
-                self.assertEqual(list(file["counts"]), list(SCHEMA["$defs"][file_kind]["properties"]["counts"]["properties"]))
+                check(file["counts"], "mesh_counts" if file_kind == "file" else "info_mesh_counts")
                 for defect in file.get("defects", []):
                     check(defect, "defect")
                 for shell in file.get("shells", []):

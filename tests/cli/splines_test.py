@@ -7,18 +7,13 @@ import struct
 import unittest
 import xml.etree.ElementTree
 
+import schema
 import support
 from support import MODELS, ROOT, Folder, run
-
-try:
-    import jsonschema
-except ImportError:
-    jsonschema = None
 
 SPLINES = MODELS / "splines"
 SAMPLES = sorted(SPLINES.iterdir())
 TRIANGLES = SPLINES / "triangles.vjson"
-SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
 
 
 def info(*paths):
@@ -29,11 +24,11 @@ def info(*paths):
 class Info(Folder):
     def test_entities_are_described(self):
         file = info(SPLINES / "groups.itd")[0]
-        self.assertEqual(list(file), list(SCHEMA["$defs"]["info_spline_file"]["properties"]))
+        self.assertEqual(list(file), schema.keys_of("info_spline_file"))
         self.assertEqual(file["counts"], {"entities": 5, "curves": 3, "surfaces": 1, "volumes": 1, "trimmed": 0, "models": 0, "triangles": 0})
         self.assertEqual([e["kind"] for e in file["entities"]], ["curve", "surface", "curve", "curve", "volume"])
         for entity in file["entities"]:
-            self.assertEqual(list(entity), list(SCHEMA["$defs"]["spline_entity"]["properties"]))
+            self.assertEqual(list(entity), schema.keys_of("spline_entity"))
         arc, closed = file["entities"][0], file["entities"][2]
         self.assertEqual((arc["name"], arc["rational"], arc["dimension"], arc["line"]), ("ARC", True, 2, 4))
         self.assertEqual(arc["bbox"]["min"], [0.5, 0])
@@ -127,11 +122,11 @@ class Convert(Folder):
             self.assertEqual(strip(first.read_text()), strip(second.read_text()), sample)
             self.assertEqual(run("convert", first, "--to", "vjson", "-").stdout, first.read_text())
 
-    @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
+    @unittest.skipIf(schema.jsonschema is None, "python3-jsonschema is not installed")
     def test_json_obeys_its_schema_and_the_schema_is_tight(self):
-        schema = json.loads((ROOT / "docs" / "formats" / "spline.schema.json").read_text())
-        validator = jsonschema.Draft202012Validator(schema)
-        validator.check_schema(schema)
+        spline_schema = json.loads((ROOT / "docs" / "formats" / "spline.schema.json").read_text())
+        validator = schema.jsonschema.Draft202012Validator(spline_schema)
+        validator.check_schema(spline_schema)
         for sample in SAMPLES:
             document = json.loads(run("convert", "--lossy", sample, "--to", "vjson", "-").stdout)
             self.assertEqual([], [e.message for e in validator.iter_errors(document)], sample)
@@ -140,9 +135,9 @@ class Convert(Folder):
                     broken = {**document, "entities": [{**entity, **spoil}]}
                     self.assertFalse(validator.is_valid(broken), spoil)
         for number in ("1", "-1/3", "0.5", ".5", "1e-3", "0x1.8p-3"):
-            self.assertRegex(number, schema["$defs"]["number"]["pattern"])
+            self.assertRegex(number, spline_schema["$defs"]["number"]["pattern"])
         for number in ("", "1/0", "nan", "1/-2", "e5", "0x"):
-            self.assertNotRegex(number, schema["$defs"]["number"]["pattern"])
+            self.assertNotRegex(number, spline_schema["$defs"]["number"]["pattern"])
 
     def test_losses_are_refused_unless_allowed(self):
         out = self.folder / "out.g2"

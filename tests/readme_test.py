@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""README.md shows what happens: its transcripts are run and compared, its C++ is the program that the install test builds.
+"""README.md and the pages in docs/ show what happens: their transcripts are run and compared; the C++ of README.md is the
+program that the install test builds.
 
 usage: readme_test.py BIN_FOLDER
 
@@ -70,13 +71,21 @@ class Readme(unittest.TestCase):
         self.text = (ROOT / "README.md").read_text()
 
     def test_the_transcripts_are_what_happens(self):
-        for block in fenced_blocks(self.text, "console"):
+        pages = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+        with_transcripts = {str(page.relative_to(ROOT)) for page in pages if self.check_transcripts(page)}
+        self.assertLessEqual({"README.md", "docs/rules/M7.md"}, with_transcripts)
+
+    def check_transcripts(self, page):
+        """Runs them; returns how many there are."""
+        blocks = fenced_blocks(page.read_text(), "console")
+        for block in blocks:
             transcript = split_transcript(block)
             self.assertTrue(transcript, f"a console block without a command:\n{block}")
             outputs = run_block([command for command, _ in transcript], self.folder)
             for (command, shown), actual in zip(transcript, outputs, strict=True):
                 if not matches(normalise(shown), normalise(actual)):
-                    self.fail(f"$ {command}\n--- README.md shows\n{shown}--- it prints\n{actual}")
+                    self.fail(f"$ {command}\n--- {page.relative_to(ROOT)} shows\n{shown}--- it prints\n{actual}")
+        return len(blocks)
 
     def test_the_cpp_examples_are_compiled_by_the_install_test(self):
         consumer = (ROOT / "tests" / "install" / "consumer" / "main.cc").read_text()

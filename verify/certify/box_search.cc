@@ -20,13 +20,14 @@ constexpr double kGrid = 64;
 // Grid units that fit the narrowest strip between a piece and a cut-back side of a box.
 constexpr double kUnitsInStrip = 8;
 constexpr std::size_t kMostPieces = 4096;
-// Failures at poles that a model may have; each costs up to 16 kMostPieces signs.
+// The number of failures at poles that a model may have; each costs up to 16 kMostPieces signs.
 constexpr std::size_t kMostCrowdedFailures = 16;
 // Conditions of each piece in the first linear program for centres.
 constexpr std::size_t kFewConditions = 12;
 // Where centres on the mean normal are tried, from the middle of the box to its border.
 constexpr double kPartToBorder = 0.75;
-// Triangles in a mesh box, which is tried at vertices and whose pairs are tested.
+// The most triangles in a mesh box. Mesh boxes are tried only at vertices, and every pair of their
+// triangles is tested.
 constexpr std::size_t kMostTriangles = 48;
 
 // The square root is faster; std::hypot is right where squares leave the range of doubles.
@@ -48,7 +49,7 @@ CoverBox on_grid(const Box3d& box, double unit) {
   return out;
 }
 
-// A cube with this middle, on a grid of a power of two, that holds the cube of half the size `half`.
+// A cube around this middle, with its corners on a grid of a power of two, that contains the cube of half edge `half`.
 CoverBox cube_around(const Point3d& middle, double half) {
   Box3d cube;
   for (std::size_t k = 0; k < 3; ++k) cube.lo[k] = middle[k] - half, cube.hi[k] = middle[k] + half;
@@ -134,7 +135,7 @@ bool BoxSearch::try_mesh() {
   return true;
 }
 
-// The parts at a corner that exist and lie in the box.
+// Adds to held_ the existing parts at this corner that lie in the box.
 void BoxSearch::hold_corner(std::uint32_t patch, std::uint32_t corner) {
   Id id = forest_.node(forest_.form(patch).first_root).first_child;
   for (; id != PieceForest::kNone; id = forest_.node(id + corner).first_child)
@@ -159,11 +160,11 @@ bool BoxSearch::has_star() {
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
 
-// The cube without the pieces that do not touch the hull: along flat sheets boxes are then as thin as a gap, and as
-// long as the sheet.
+// Tries the cube, cut back before the pieces that do not touch the hull: along flat sheets such boxes are as thin as a
+// gap, and as long as the sheet.
 bool BoxSearch::try_cut_star() {
   if (why_ == Why::kTooDeep || num_near_ == 1) return false;
-  obstacle();  // of the cube
+  obstacle();  // computed for the cube
   const auto box = cut_back();
   if (!box) return false;
   box_ = *box;

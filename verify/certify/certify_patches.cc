@@ -90,7 +90,7 @@ class Certification {
  private:
   const PatchDecision& decision() const { return decided_.decision; }
 
-  // With the facts that are known so far.
+  // An UNDECIDED result with the facts that are known so far.
   Result<Certified> undecided(Finding finding) {
     out_.verdict = Verdict::kUndecided;
     out_.findings.assign(1, std::move(finding));

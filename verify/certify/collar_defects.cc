@@ -6,7 +6,8 @@
 namespace veritope {
 namespace {
 
-// visit(number in the cover, number in the complex): both ascend by code, and the complex has them all.
+// Calls visit(number in the cover, number in the complex) for each cell of the cover. Both lists ascend by code, and
+// the complex contains all cells of the cover.
 template <typename Visit>
 void for_each_cell(const PieceOctree& cover, const CommonSubdivision& complex, Visit visit) {
   std::uint32_t at = 0;

@@ -84,7 +84,7 @@ class Placement {
     ++nodes_;
     const PieceForest::Node node = forest_.node(id);
     if (descent_.is_inside_cells(node.hull)) return accept(id, why);
-    // As checkers count: docs/certificates/collar.md, section 4.
+    // The checkers count in the same way: docs/certificates/collar.md, section 4.
     if (nodes_ + descent_.visits() > 2000 * (out_.num_leaves + num_cells_ + 100))
       return fail(why, id,
                   "too many pieces are needed to show that the surface lies inside the cells");

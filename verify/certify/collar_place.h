@@ -22,7 +22,7 @@ struct CollarPlace {
   std::vector<std::uint32_t> body_of_shell;
 };
 
-/// Where I1 or I2 does not hold, or cannot be shown.
+/// The place where I1 or I2 does not hold, or cannot be shown.
 struct Misplaced {
   PieceForest::Id piece =
       PieceForest::kNone;  ///< the node whose hull is not inside; kNone: a shell is not alone in one body

@@ -103,8 +103,8 @@ class ShoreSearch {
     return out;
   }
 
-  // Along edges of the boundary, which miss the surface, to the first vertex of a few that leads out. Vertices at
-  // distances 1, 2, 4, ... are asked.
+  // Follows edges of the boundary, which miss the surface, to a vertex from which a shore leads out. Vertices at
+  // distances 1, 2, 4, ... are tried.
   std::optional<Shore> along_boundary(std::uint32_t component, std::uint32_t start) {
     collect_edges(component);
     constexpr std::uint32_t kNone = CommonSubdivision::kNone;

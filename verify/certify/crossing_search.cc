@@ -14,8 +14,8 @@ constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
 constexpr std::size_t kMostSolvedNear = 32;
 constexpr std::size_t kMostPiecesNear = 400;
 constexpr double kGrowth = 1.75,
-                 kPart = 0.3;  // of a piece's hull: the box around it; of that, the longest piece
-constexpr double kReach = 4;   // in sizes of a piece
+                 kPart = 0.3;  // the box, and its longest piece, relative to the piece's hull
+constexpr double kReach = 4;   // relative to the size of a piece
 
 }  // namespace
 
@@ -59,7 +59,8 @@ std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effor
   return out;
 }
 
-// The longer piece of each pair, or both; if there are too many pairs, some of them, evenly spread.
+// Splits the longer piece of each pair, or both. If that gives too many pairs, keeps some of them,
+// evenly spread.
 std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>& pairs,
                                                         std::size_t most) {
   std::vector<Pair> out;
@@ -107,7 +108,7 @@ std::optional<CrossingWitness> CrossingSearch::near(Id piece) {
   return solve_some(pairs, kMostSolvedNear);
 }
 
-// Evenly spread among the pairs.
+// Calls the solver for at most this many of the pairs, evenly spread.
 std::optional<CrossingWitness> CrossingSearch::solve_some(const std::vector<Pair>& pairs,
                                                           std::size_t most) {
   const std::size_t n = std::min(most, pairs.size());

@@ -61,8 +61,8 @@ std::optional<std::array<std::array<std::int64_t, 3>, 3>> integer_rows(
   return rows;
 }
 
-// With a middle near t that is a multiple of 2^-bits, of which the radius is a number; nothing if it does not lie in
-// [0,1].
+// The interval of this radius around the multiple of 2^-bits nearest to t; the radius is a number of such multiples.
+// Nothing if the interval does not lie in [0,1].
 std::optional<DyadicInterval> interval_around(double t, unsigned bits, double radius) {
   const double all = std::ldexp(1.0, static_cast<int>(bits)), middle = std::nearbyint(t * all);
   if (!(middle - radius >= 0 && middle + radius <= all)) return std::nullopt;
@@ -177,7 +177,7 @@ std::optional<CrossingWitness> CrossingSolver::prove(const std::array<SheetPlace
   return std::nullopt;
 }
 
-// In either order of the two places.
+// Compares the two places in either order.
 bool CrossingSolver::is_near_unproved(const std::array<SheetPlace, 2>& solution) const {
   const auto is_near = [](const SheetPlace& a, const SheetPlace& b) {
     return a.patch == b.patch && std::abs(a.at[0] - b.at[0]) < kNear &&
@@ -283,7 +283,7 @@ std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace
   return std::nullopt;
 }
 
-// X3 in doubles, relative to the second sheet's origin.
+// Whether X3 holds in doubles, computed relative to the second sheet's origin.
 bool CrossingSolver::is_forecast(const CrossingWitness& w) {
   const Sheet &a = sheet(w.sheets[0].patch), &b = sheet(w.sheets[1].patch);
   std::array<BezierSurface<double>, 2> maps{a.map, b.map};

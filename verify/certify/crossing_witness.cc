@@ -13,7 +13,7 @@ Rational dyadic(std::uint64_t k, unsigned bits) {
   return Rational(k) * Rational::power_of_two(-static_cast<std::int64_t>(bits));
 }
 
-// No number lies in both.
+// Whether no number lies in both.
 bool has_gap(const DyadicInterval& a, const DyadicInterval& b) {
   return a.upper() < b.lower() || b.upper() < a.lower();
 }
@@ -82,8 +82,8 @@ std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b
   return std::nullopt;
 }
 
-// In a tensor the axes change places, and two rows with them if neither axis is fixed; in a triangle t becomes 1 - t,
-// and the row of t changes its sign.
+// In a tensor patch the axes change places, and two rows with them if neither axis is fixed. In a triangle t becomes 1
+// - t, and the row of t changes its sign.
 CrossingWitness with_reversed(const Patch& a, const Patch& b, const std::array<bool, 2>& reversed,
                               CrossingWitness w) {
   const std::array<bool, 2> is_triangle{a.is_triangle(), b.is_triangle()};

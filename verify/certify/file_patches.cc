@@ -11,7 +11,7 @@
 namespace veritope {
 namespace {
 
-// Boxes that may be tried in the plain frame of a collar for each box in the frame that fits the model.
+// The number of boxes that may be tried in a collar's plain frame for each box in the frame that fits the model.
 constexpr std::size_t kBoxesInPlainFrame = 16, kFreeBoxes = 256;
 
 // Whether the surface may be torn inside its domain.
@@ -47,7 +47,7 @@ void note_reversed(FilePatches& patches) {
 }
 
 PatchDecisionOptions with_outer_sides(const FilePatches& patches, PatchDecisionOptions options) {
-  // Which sides are outer is known of whole entities only; without the list all are.
+  // Outer sides are known only of whole entities; without a list all sides count as outer.
   if (!patches.mixed_entity)
     options.outer = outer_sides(patches.entities, patches.complex->patches().size());
   return options;

@@ -40,7 +40,7 @@ Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orie
 /// The frame that the search may use.
 enum class FrameWanted {
   kAny,
-  kPlainIfCheap,  ///< the plain frame, which collars need, unless it is much dearer than the frame that fits the model
+  kPlainIfCheap,  ///< the plain frame, which collars need, unless it costs far more than the frame that fits the model
   kPlain,
 };
 

@@ -39,7 +39,7 @@ Facet facet_of(PieceForest& forest, Id id) {
 
 bool has_normal(const Facet& a) { return dot(a.normal, a.normal) > 0; }
 
-// Along the normals; infinity unless they face each other.
+// The distance along the normals; infinity unless the facets face each other.
 double gap_between(const Facet& a, const Facet& b) {
   if (dot(a.normal, b.normal) >= kFacing) return std::numeric_limits<double>::infinity();
   const Point3d d{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/obstacle.h: what stands in the way of a star box: how near sheets pass that face each other, how far
-// normals spread. Approximate: for the order of a search and for messages; nothing here decides.
+// verify/certify/obstacle.h: what prevents a star box: how near to each other sheets pass that face each other, and how
+// far normals spread. Approximate: for the order of a search and for messages; nothing here decides.
 #pragma once
 #include <limits>
 #include <vector>
@@ -10,10 +10,10 @@
 namespace veritope {
 
 struct Obstacle {
-  /// Between pieces whose normals are over 105 degrees apart, along their normals: infinity without such pieces. 0 in a
-  /// contact.
+  /// The least distance, along their normals, of pieces whose normals are over 105 degrees apart; infinity without such
+  /// pieces, 0 at a contact.
   double gap = std::numeric_limits<double>::infinity();
-  /// The gap minus what the piece bends by, at least 0: between the points that are examined, sheets may come so near.
+  /// The gap minus the piece's bend, at least 0: sheets may come this near between the points that are examined.
   double least_gap = std::numeric_limits<double>::infinity();
   /// The least cosine of the angle between two normals.
   double least_cosine = 1;

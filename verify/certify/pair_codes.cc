@@ -185,7 +185,7 @@ class ExactSearch {
     return spans_simplex(rest) ? Outcome::kHolds : Outcome::kOpen;
   }
 
-  // At most two vertices, or three that are not collinear.
+  // Whether there are at most two vertices, or three that are not collinear.
   bool spans_simplex(const Subsets& s) const {
     std::vector<std::pair<std::uint32_t, const Vec<Integer>*>> points;
     const auto add = [&](std::uint32_t id, const Vec<Integer>& p) {
@@ -209,8 +209,8 @@ class ExactSearch {
 
 }  // namespace
 
-// Codes 0 and 1: with d the normal of t, t lies in d.x = c and the corners of u that t has not lie strictly beyond;
-// what touches is spanned by corners of t, which are not collinear.
+// Codes 0 and 1: with d the normal of t, t lies in a plane d.x = c, and the corners of u that t does not have lie
+// strictly beyond it. The contact is spanned by corners of t, which are not collinear.
 std::vector<std::uint8_t> find_pair_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
   const Ids ids{mesh.faces[a], mesh.faces[b]};
   if (const int side = side_of_plane_of(mesh, ids.a, ids.b); side != 0)

@@ -26,7 +26,7 @@ Box3d hull_of_leaves(const PieceForest& forest, const StarCover& cover) {
 
 // Between sheets that face each other, cells are no larger than the gap, and a layer of cells lies along the sheets.
 struct GapCells {
-  double all = 0, most = 0;     ///< approximate: of all boxes, of one
+  double all = 0, most = 0;     ///< approximate numbers of cells: for all boxes, for one box
   std::uint32_t narrowest = 0;  ///< the box with the most
 };
 GapCells count_gap_cells(const StarCover& cover) {
@@ -38,8 +38,8 @@ GapCells count_gap_cells(const StarCover& cover) {
   }
   return out;
 }
-// Except where both sheets lie in one cell with everything between them, as those of a fin may. Covers of few cells
-// find that out; after them, an estimate of this many times the allowed cells ends the search.
+// The estimate is wrong where both sheets lie in one cell with everything between them, as those of a fin may. Covers
+// of few cells find this out; after them, an estimate of this many times the allowed cells ends the search.
 constexpr double kSurelyTooMany = 8;
 constexpr std::size_t kFewCells = std::size_t{1} << 15;
 
@@ -149,7 +149,7 @@ class Search {
                                     std::move(*place), std::move(shores)});
     is_done_ = true;
   }
-  // Bodies whose two sides have not the winding numbers 0 and 1.
+  // The bodies whose two sides do not have the winding numbers 0 and 1.
   std::vector<BodyDefect> twisted_bodies(const std::vector<Shore>& shores) const {
     std::vector<BodyDefect> out;
     for (std::uint32_t k = 0; k < collar_.bodies.size(); ++k)

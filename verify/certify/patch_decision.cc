@@ -14,9 +14,9 @@
 namespace veritope {
 namespace {
 
-// Crossings are sought near pieces of at least this level; some searches are free, each other one needs a number of
-// boxes tried. All patches are searched once: at a piece of kTroubleLevel without a box, as soon as the boxes tried
-// took longer than that search, or where no cover exists.
+// Crossings are sought near pieces of at least this level. The first searches are free; each further one requires that
+// more boxes were tried. All patches are searched once: at a piece of kTroubleLevel without a box, as soon as trying
+// boxes has taken approximately as long as that search, or at the end if no cover was found.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;
 
@@ -119,8 +119,8 @@ class Decider {
     return std::move(out_);
   }
 
-  // A crossing that was found before the search for the cover, at a piece without a star box during it, or where it
-  // ended.
+  // Returns a crossing that was found before the search for the cover, at a piece without a star box during it, or
+  // where it ended.
   std::optional<CrossingWitness> cover_or_cross() {
     CrossingSearch search(*forest_);
     if (auto crossing = search.among_patches()) return crossing;
@@ -180,7 +180,7 @@ class Decider {
   }
   static bool is_wrong(const ShellWalk& w) { return w.winding_inside != 1; }
 
-  // False if at each wrong shell another walk ends.
+  // False if every wrong shell is the end of another shell's walk.
   bool put_wrong_walk_last() {
     auto& walks = out_.walks.walks;
     std::vector<std::uint32_t> shell_of_box(out_.cover.boxes.size());

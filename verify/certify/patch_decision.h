@@ -27,9 +27,9 @@ struct PatchDecisionOptions {
 /// Why there is no proof: codes of PatchDecision::open.
 namespace open_code {
 inline constexpr const char* kNoSurface =
-    "no-surface";  ///< S0 does not hold, or what the theorem needs besides
+    "no-surface";  ///< S0, or another hypothesis of the theorem, does not hold
 inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates beyond binary64
-inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even a box of the least size
+inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even a box of the least size exists
 inline constexpr const char* kBudget = "box-budget";        ///< more boxes than allowed
 inline constexpr const char* kNoWalk = "no-walk";  ///< no free path from some shell to the outside was found
 /// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks are not in an order that a

@@ -12,7 +12,7 @@
 
 namespace veritope {
 
-/// The coarsest collar that was found around the surface, or why none was.
+/// The coarsest collar that was found around the surface, or the reason why none was found.
 struct CollarFacts {
   std::optional<Finding> open;  ///< iff none was found
   std::uint64_t cells = 0;
@@ -20,7 +20,7 @@ struct CollarFacts {
   unsigned coarsest_level = 0, finest_level = 0;
   double longest_edge = 0, shortest_edge = 0;
 };
-/// `forest` is the one that was searched.
+/// REQUIRES the forest that was searched.
 CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest);
 
 struct PatchFacts {

@@ -13,8 +13,8 @@ namespace veritope {
 
 using PatchInvalidWitness = std::variant<CrossingWitness, SideWitness>;
 
-/// The certificate is in the parameters of the file. The witness is tested once more: if it is no proof, that is an
-/// internal error. REQUIRES the entities of the complex in order.
+/// The certificate uses the parameters of the file. The witness is tested once more; a witness that proves nothing is
+/// an internal error. REQUIRES the entities of the complex in order.
 certificate::Bytes make_patch_invalid_certificate(const PatchComplex& complex,
                                                   const PatchInvalidWitness& witness,
                                                   const std::vector<StarBoxEntity>& entities,

@@ -6,9 +6,9 @@
 
 namespace veritope {
 
-/// Whether the closed pieces have a common point in the surface that the complex's patches are glued to: in one patch,
-/// on a common edge, or in a common vertex, where a collapsed side is its vertex. Also true for some pairs of pieces of
-/// one triangle that are near each other and have no common point.
+/// Whether the closed pieces have a common point in the surface to which the complex's patches are glued: within one
+/// patch, on a common edge, or in a common vertex (a collapsed side counts as its vertex). Also true for some pairs of
+/// pieces of one triangle that are near each other and have no common point.
 bool are_neighbours(const PieceForest& forest, PieceForest::Id a, PieceForest::Id b);
 
 }  // namespace veritope

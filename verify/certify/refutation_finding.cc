@@ -25,7 +25,7 @@ std::string point_text(const Point3d& p) {
   return "(" + shortest(p[0]) + ", " + shortest(p[1]) + ", " + shortest(p[2]) + ")";
 }
 
-// Not where a coordinate lies beyond binary64.
+// False if a coordinate lies beyond binary64.
 bool is_finite(const Point3d& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
@@ -108,7 +108,7 @@ class FactFinder {
     return is_reversed(patch) ? reversed(complex_.patch(patch)) : complex_.patch(patch);
   }
 
-  // In the parameters of the file's patch.
+  // The rectangle in the parameters of the file's patch.
   EntityPart part_of(const PatchRectangle& where) const {
     const std::size_t e = entity_of(where.patch);
     EntityPart out;
@@ -123,7 +123,7 @@ class FactFinder {
                       outward({s[0] * t[0], s[1] * t[1]})};
     return out;
   }
-  // From the parameters of the complex's patch.
+  // The arc in the parameters of its entity; `arc` has those of the complex's patch.
   EntityPart part_of(const SideArc& arc) const {
     const std::uint32_t p = arc.side.patch, n = complex_.patch(p).num_sides();
     const std::size_t e = entity_of(p);
@@ -145,7 +145,7 @@ class FactFinder {
     out.parameters = side % 2 == 0 ? in_entity(e, p, rising, end) : in_entity(e, p, end, rising);
     return out;
   }
-  // From [0,1]^2 to the parameters of the surface.
+  // Converts parameters in [0,1]^2 to those of the surface.
   std::vector<std::array<double, 2>> in_entity(std::size_t e, std::uint32_t patch, const Bounds& u,
                                                const Bounds& v) const {
     const auto& breaks = entities_[e].breaks;

@@ -33,7 +33,7 @@ class WitnessSearch {
            defect == PatchDefect::kDirection || defect == PatchDefect::kOneSided;
   }
 
-  // Points at odd multiples of ever smaller powers of two.
+  // Tries points at odd multiples of ever smaller powers of two.
   std::optional<SideWitness> at_edge(std::uint32_t edge) {
     for (unsigned bits = 1; bits <= kPointBits; ++bits)
       for (std::uint64_t k = 1; k < std::uint64_t{1} << bits; k += 2)

@@ -17,8 +17,8 @@ using certificate::StarBoxBody;
 using certificate::StarBoxItem;
 using Id = PieceForest::Id;
 
-// Boxes are multiples of their units in the frame; in the model's coordinates, times 2^(the frame's finest scale), of
-// 2^(the result).
+// A box is a multiple of its unit in the frame. In the model's coordinates, times 2^(the frame's finest scale), it is a
+// multiple of 2^(the result).
 int grid_exponent(const PieceForest& forest, const CoverBox& box) {
   const PieceForest::Frame& frame = forest.frame();
   const int finest = *std::max_element(frame.scale.begin(), frame.scale.end());
@@ -110,7 +110,7 @@ class StarBoxBodyWriter {
 
 double least_unit_that_fits(const PieceForest& forest) {
   const auto& scale = forest.frame().scale;
-  int most = std::numeric_limits<int>::min();  // 2^most: over the boxes' coordinates in the model
+  int most = std::numeric_limits<int>::min();  // 2^most exceeds the boxes' coordinates in the model
   for (std::size_t k = 0; k < 3; ++k) {
     const Rational reach =
         abs(forest.frame().shift[k]) + Rational(4) * Rational::power_of_two(-scale[k]);
@@ -122,7 +122,7 @@ double least_unit_that_fits(const PieceForest& forest) {
 
 double least_unit_of_any(const PieceForest& forest) {
   const PatchComplex& complex = forest.complex();
-  std::optional<int> most;  // 2^most: at most the greatest coordinate of a corner, in the model
+  std::optional<int> most;  // 2^most is at most the greatest coordinate of a corner, in the model
   for (const Patch& patch : complex.patches())
     for (std::uint32_t c = 0; c < patch.num_sides(); ++c) {
       const std::vector<Rational> x = patch.corner(c);
@@ -148,7 +148,7 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
   if (std::abs(steps) > kMostExponent) return false;
   const Rational units = Rational::power_of_two(steps);
   for (std::size_t k = 0; k < 3; ++k) {
-    double most = 0;  // of the boxes' coordinates in the frame
+    double most = 0;  // the greatest of the boxes' coordinates in the frame
     for (const CoverBox& b : cover.boxes)
       most = std::max({most, std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k])});
     const Rational reach = abs(forest.frame().shift[k]) +

@@ -9,9 +9,9 @@
 
 namespace veritope {
 
-/// The common beginning of all claims that build on star boxes. The unit of its coordinates is 2^exponent in the
-/// forest's coordinates times 2^-scale(), where exponent is at most `most_exponent` and at most that of every box.
-/// REQUIRES as make_star_box_certificate.
+/// The beginning that all claims based on star boxes share. The unit of its coordinates is 2^exponent in the forest's
+/// coordinates times 2^-scale(), where exponent is at most `most_exponent` and at most that of every box. REQUIRES as
+/// make_star_box_certificate.
 certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const StarCover& cover,
                                             const ShellWalks& walks,
                                             const std::vector<StarBoxEntity>& entities,

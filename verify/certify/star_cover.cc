@@ -14,10 +14,10 @@ namespace {
 using Id = PieceForest::Id;
 using Why = UncoveredPiece::Why;
 
-// Orders pieces by the least size at which they may have boxes: the search follows a contact to the greatest level at
-// once, and takes pieces of one size depth first, the last one first, so that nets are near each other. Pieces whose
-// surroundings were not examined yet come before all others: a contact must not wait until wider gaps elsewhere are
-// covered.
+// Orders pieces by the least size at which they may have boxes. The search follows a contact to the greatest level at
+// once, and takes pieces of one size depth first, the last one first, so that successive nets are near each other.
+// Pieces whose surroundings were not examined yet come before all others: a contact must not wait until wider gaps
+// elsewhere are covered.
 class CoverSearch {
  public:
   CoverSearch(PieceForest& forest, const StarCoverOptions& options)
@@ -39,10 +39,10 @@ class CoverSearch {
 
  private:
   struct Open {
-    int scale;  // of the box that is expected, as a power of two, or kUnknownScale
+    int scale;  // of the expected box, as a power of two, or kUnknownScale
     std::uint64_t number;
     Id id;
-    int crowded;  // number of pieces around it, nested, that had no box because too many others were met
+    int crowded;  // number of nested pieces around it that had no box because too many others were met
     friend bool operator<(const Open& a, const Open& b) {  // a comes later
       return a.scale != b.scale ? a.scale > b.scale : a.number < b.number;
     }

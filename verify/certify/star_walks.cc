@@ -23,7 +23,7 @@ struct Part {
 Part part_in(const Box3d& box, const Point3d& a, const Point3d& b) {
   Part part;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (b[k] - a[k] == 0) {  // then a = b
+    if (b[k] - a[k] == 0) {  // then a[k] = b[k]
       if (a[k] < box.lo[k] || a[k] > box.hi[k]) return {1, 0};
       continue;
     }

@@ -38,7 +38,7 @@ class ByteWriter {
   std::vector<unsigned char> bytes_;
 };
 
-/// Reads until the first failure; from then on everything is zero and ok() is false.
+/// Reads until the first failure; after it every read returns zero and ok() is false.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const unsigned char> bytes) : bytes_(bytes) {}
@@ -79,7 +79,7 @@ class ByteReader {
     at_ += n;
     return bytes_.subspan(at_ - n, n);
   }
-  /// A count of items of at least `size` bytes each: fails if they cannot all be there.
+  /// A count of items of at least `size` bytes each: fails if fewer bytes are left than they need.
   std::uint32_t count(std::size_t size) {
     const std::uint32_t n = u32();
     if (ok_ && n > left() / size) ok_ = false;

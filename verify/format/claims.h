@@ -19,8 +19,8 @@ namespace veritope::certificate {
 /// The body of a certificate as plain data.
 using AnyBody = std::variant<ValidBody, InvalidBody, StarBoxBody, CollarBody, PatchInvalidBody>;
 
-/// What bodies of version 1 about patches leave to the model: which of its entities are surfaces. The others are
-/// triangles.
+/// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
+/// themselves.
 struct ModelKinds {
   std::vector<bool> is_surface;
 };
@@ -29,20 +29,20 @@ struct Claim {
   std::string_view name, magic;  ///< magic: the body's first bytes
   std::string_view page;         ///< of docs/certificates
   std::string_view formats;      ///< of the model, separated by commas
-  /// The statement's keys by the kind of their values, separated by blanks; kCommonTextKeys and kCommonNumberKeys come
-  /// on top.
+  /// The statement's keys by the kind of their values, separated by blanks, without kCommonTextKeys and
+  /// kCommonNumberKeys, which every claim has.
   std::string_view text_keys, number_keys, flag_keys;
   /// REQUIRES a body of this claim's type.
   Bytes (*encode)(const AnyBody& body);
-  /// The layout alone: nothing is checked. Counts are compared with the bytes left before anything is allocated;
-  /// memory is linear in the bytes.
+  /// Decodes the layout only; no condition is tested. Counts are compared with the bytes left before anything is
+  /// allocated; memory is linear in the bytes.
   /// @param statement, model  needed for version 1 of the claims about patches: the number of patches, and the
-  /// kinds of the model's entities. Without a model their kinds are guessed; then only the number of surfaces is known,
-  /// not which entities they are, and the first ones are taken for surfaces. @return nothing, and a sentence in `why`,
-  /// if the bytes are no body of this claim.
+  /// kinds of the model's entities. Without a model the kinds are guessed: the decoder then knows only the number of
+  /// surfaces, and assumes that they are the first entities.
+  /// @return nothing, and a sentence in `why`, if the bytes are no body of this claim.
   std::optional<AnyBody> (*decode)(std::span<const unsigned char> body, std::string_view statement,
                                    const ModelKinds* model, std::string& why);
-  /// For people; lists longer than `max_items` are cut, and say so. REQUIRES a body of this claim's type.
+  /// A text for people; lists longer than `max_items` are cut, and say so. REQUIRES a body of this claim's type.
   std::string (*explain)(const AnyBody& body, std::string_view name, std::size_t max_items);
 };
 
@@ -51,10 +51,10 @@ inline constexpr std::string_view kCommonTextKeys =
 inline constexpr std::string_view kCommonNumberKeys = "subject_bytes";
 
 std::span<const Claim> all_claims();
-/// Null if there is none of that name.
+/// Null if no claim has that name.
 const Claim* find_claim(std::string_view name);
-/// A line for each claim: name, magic, formats, keys with the kinds of their values. Both checkers print the same for
-/// --claims.
+/// One line for each claim: name, magic, formats, keys with the kinds of their values. Both checkers print these lines
+/// for --claims.
 std::string claims_as_text();
 
 struct DecodedCertificate {
@@ -62,8 +62,7 @@ struct DecodedCertificate {
   std::string statement;  ///< the line of JSON
   AnyBody body;
 };
-/// The claim is the one that the statement names; if it names none of the table, the first one whose magic the body
-/// has.
+/// The claim is the one that the statement names; if the table does not have it, the first one with the body's magic.
 /// @return nothing, and a sentence in `why`, if the bytes are no certificate
 std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned char> bytes,
                                                      std::string& why,

@@ -43,7 +43,7 @@ void internal::read(ByteReader& r, std::uint64_t patches, CollarBody& out) {
   std::uint64_t code = 0;
   for (std::uint32_t i = 0; i < cells && r.ok(); ++i) {
     code += r.varint();
-    if (code == 0 || std::countr_zero(code) > 62) return r.fail();  // no level of 0 to 20
+    if (code == 0 || std::countr_zero(code) > 62) return r.fail();  // level not in [0, 20]
     out.cells.push_back(code);
   }
   const auto sides = r.raw(r.count(1));

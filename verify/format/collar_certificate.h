@@ -31,7 +31,7 @@ Bytes encode(const CollarBody& body);
 Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const CollarBody& body);
 
 namespace internal {
-/// What follows the entities, of this many patches.
+/// Reads what follows the entities in a body with this many patches.
 void read(ByteReader& r, std::uint64_t patches, CollarBody& out);
 }  // namespace internal
 

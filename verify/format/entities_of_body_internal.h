@@ -12,15 +12,15 @@
 
 namespace veritope::certificate::internal {
 
-/// A reader after the breaks of this many surfaces.
+/// A reader positioned after the breaks of this many surfaces.
 struct AfterEntities {
   std::uint32_t surfaces = 0;
   ByteReader rest;
 };
 
-/// Version 1 only: a body does not say which of its entities are surfaces, so that without the model their number is a
-/// guess. These are the numbers with which the body has the patches that its statement says, at most kMostGuesses of
-/// them: the greatest first, since the roots of patches can be read as the breaks of a few more surfaces, but hardly of
+/// For version 1 only: a body does not say which of its entities are surfaces, so without the model their number must
+/// be guessed. Returns the numbers with which the body has as many patches as its statement says, at most kMostGuesses
+/// of them, the greatest first: the roots of patches can be read as the breaks of a few more surfaces, but hardly of
 /// fewer.
 /// @param body  at the number of entities
 /// Bodies of later versions begin with their counts and kinds (docs/certificates/versions.md) and never come here.
@@ -30,9 +30,10 @@ std::vector<AfterEntities> guess_surfaces_of_version_1(ByteReader body, std::uin
 /// The number of patches of these entities.
 std::uint64_t num_patches(const std::vector<PatchEntity>& entities);
 
-/// Reads entities, then rest(reader, number of patches), until the whole body is read.
+/// Reads entities, then calls rest(reader, number of patches); tries guesses until the whole body
+/// is read.
 /// @param model    null: its kinds are guessed
-/// @param patches  what the statement says; a model's patches are counted
+/// @param patches  the number in the statement; with a model the patches are counted instead
 template <class Rest>
 std::optional<std::vector<PatchEntity>> read_after_entities(ByteReader body, std::uint64_t patches,
                                                             const ModelKinds* model, Rest rest) {

@@ -56,7 +56,7 @@ struct ValidBody {
 /// A natural number, least significant byte first, last byte not zero.
 using Natural = std::vector<unsigned char>;
 
-/// One witness of mesh-invalid-1. Which fields count depends on the rule; see section 7 of the page.
+/// One witness of mesh-invalid-1. Which fields are used depends on the rule; see section 7 of the page.
 struct Witness {
   std::uint8_t rule = 0;  ///< 1..9
   std::uint32_t first = 0,

@@ -54,7 +54,7 @@ std::string walk_text(const StarWalk& walk) {
          number(walk.box) + ", " + end_text(walk.path);
 }
 
-// What star boxes and collars have in common.
+// The part of the text that star boxes and collars share.
 std::string star_text(const StarBoxBody& body, std::string_view claim, std::size_t max_items) {
   std::string out =
       head_text(claim, body.entities) + "unit: 2^" + std::to_string(body.exponent) + "\n";

@@ -11,7 +11,7 @@ namespace {
 using internal::ByteReader;
 using internal::ByteWriter;
 
-// Nothing if it does not fit 63 bits.
+// Nothing if the number does not fit 63 bits.
 std::optional<std::uint64_t> small(const Natural& n) {
   if (n.size() > 8 || (n.size() == 8 && n.back() >= 128)) return std::nullopt;
   std::uint64_t v = 0;
@@ -56,7 +56,7 @@ Fraction read_fraction(ByteReader& r) {
                           : static_cast<std::uint64_t>(p)),
             natural(q)};
   Fraction f;
-  const std::uint64_t size = r.varint();  // of the sign's byte and the numerator
+  const std::uint64_t size = r.varint();  // bytes of the sign and the numerator
   if (size == 0) r.fail();
   f.is_negative = r.u8() == 1;
   f.numerator = read_natural(r, size == 0 ? 0 : size - 1);

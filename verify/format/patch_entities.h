@@ -23,15 +23,16 @@ struct PatchEntity {
   std::array<std::vector<Fraction>, 2> breaks;
 };
 
-/// How many are reversed.
+/// The number of entities that are reversed.
 std::uint64_t num_flipped(const std::vector<PatchEntity>& entities);
 
 namespace internal {
 class ByteReader;
 class ByteWriter;
-/// Their number, all flags, then the breaks of the surfaces.
+/// Writes the number of entities, all flags, then the breaks of the surfaces.
 void write(ByteWriter& w, const std::vector<PatchEntity>& entities);
-/// Reads that; false unless there are as many as is_surface says, with at least two breaks an axis.
+/// Reads what write() writes; false unless there are is_surface.size() entities, with at least two
+/// breaks an axis.
 bool read(ByteReader& r, const std::vector<bool>& is_surface, std::vector<PatchEntity>& out);
 }  // namespace internal
 

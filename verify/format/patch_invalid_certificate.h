@@ -23,7 +23,7 @@ struct RestrictedPatch {
   std::uint64_t patch = 0;
   std::array<UnitInterval, 2> at;
 };
-/// Section 3.
+/// A crossing: section 3 of the page.
 struct CrossingFinding {
   std::array<RestrictedPatch, 2> sheets;
   std::array<std::array<std::int64_t, 3>, 3> rows{};
@@ -34,7 +34,7 @@ struct PatchArc {
   std::uint8_t side = 0;
   UnitInterval at;
 };
-/// Section 4.
+/// Sides: section 4 of the page.
 struct SideFinding {
   std::vector<PatchArc> arcs;
   std::uint8_t axis = 0;
@@ -52,7 +52,7 @@ Bytes encode(const PatchInvalidBody& body);
 Bytes encode(const Subject& subject, std::uint64_t patches, const PatchInvalidBody& body);
 
 namespace internal {
-/// What follows the entities; same and opposite are the statement's.
+/// Reads what follows the entities; same and opposite are the statement's.
 void read(ByteReader& r, std::uint64_t patches, PatchInvalidBody& out);
 }  // namespace internal
 

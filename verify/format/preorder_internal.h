@@ -8,8 +8,8 @@ namespace veritope::certificate::internal {
 
 inline constexpr int kMostLevels = 24;
 
-/// Goes through one tree whose root has level `root`: is_leaf(level) takes the next symbol; go_on() is asked before
-/// each.
+/// Walks through one tree whose root has level `root`. is_leaf(level) reads the next symbol; go_on() is called before
+/// each symbol.
 /// @return false if a node that is no leaf lies on the last level, or if go_on() was false
 template <class IsLeaf, class GoOn>
 bool each_node(int root, IsLeaf is_leaf, GoOn go_on) {

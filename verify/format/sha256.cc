@@ -103,7 +103,7 @@ void Sha256::update(std::span<const unsigned char> bytes) {
 Sha256Digest Sha256::finish() {
   const std::uint64_t bits = size_ * 8;
   std::array<unsigned char, 72> tail{0x80};
-  const std::size_t zeros = (119 - size_ % 64) % 64;  // until 8 bytes are missing
+  const std::size_t zeros = (119 - size_ % 64) % 64;  // leaves the last 8 bytes of a block
   unsigned char* const length = tail.data() + 1 + zeros;
   store_big_endian(static_cast<std::uint32_t>(bits >> 32), length);
   store_big_endian(static_cast<std::uint32_t>(bits), length + 4);

@@ -27,7 +27,7 @@ class Sha256 {
   std::uint64_t size_ = 0;                 ///< bytes so far; below 2^61
 };
 
-/// All at once.
+/// The digest of bytes that are all at hand.
 Sha256Digest sha256(std::span<const unsigned char> bytes);
 
 /// 64 lower-case hex digits.

@@ -18,9 +18,9 @@ inline constexpr std::string_view kStarBoxClaim = "star-box-1";
 inline constexpr std::string_view kTurnedShellClaim = "star-box-turned-1";
 inline constexpr std::string_view kStarBoxMagic = "VTSB";  ///< of collar-1, too
 
-/// In units of 2^(exponent + shift); the exponent is the body's.
+/// A box, in units of 2^(exponent + shift), where exponent is the body's.
 struct StarBoxItem {
-  bool is_mesh = false;  ///< then without inside and outside
+  bool is_mesh = false;  ///< then inside and outside are unused
   std::uint64_t shift = 0;
   std::array<std::int64_t, 3> low{};
   std::array<std::uint64_t, 3> size{};
@@ -70,7 +70,7 @@ Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const 
 
 namespace internal {
 class ByteReader;
-/// What follows the entities, of this many patches.
+/// Reads what follows the entities in a body with this many patches.
 void read(ByteReader& r, std::uint64_t patches, StarBoxBody& out);
 WalkPath read_path(ByteReader& r);
 /// The levels of the leaves of all trees, in order.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/star_box_statement.h: what the claims about patches write alike. Internal to verify/format.
+// verify/format/star_box_statement.h: the part of statements that claims about patches share. Internal to
+// verify/format.
 #pragma once
 #include "verify/format/byte_stream.h"
 #include "verify/format/star_box_certificate.h"
@@ -9,7 +10,8 @@ namespace veritope::certificate::internal {
 
 void write(ByteWriter& w, const WalkPath& path);
 
-/// The keys that all claims on top of star boxes have; more may follow. `bytes`: the whole body.
+/// The keys that all claims based on star boxes have; the caller may add more. `bytes`: the whole
+/// body.
 StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,
                                  const StarBoxQuantities& quantities, const StarBoxBody& body,
                                  const Bytes& bytes);

@@ -8,8 +8,8 @@
 
 namespace veritope::certificate::internal {
 
-// Values of the flat object in its own order, one a line. Statements hold no escapes and no blanks outside strings;
-// what is not printable, in the statement of a file that is no certificate, becomes '?'.
+// The values of the flat object in their own order, one a line. Statements hold no escapes and no blanks outside
+// strings; a character that is not printable, in a file that is no certificate, becomes '?'.
 inline std::string statement_text(const std::string& line) {
   std::string out;
   bool in_string = false;

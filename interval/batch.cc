@@ -33,8 +33,8 @@ const BatchKernels* kernels_of(BatchBackEnd back_end) {
 
 BatchIn in(ConstIntervalSpan a) { return {a.neg_lo, a.hi}; }
 
-// Runs f in the mode of the kernels. Their calls go through pointers, which the compiler does not move
-// across the change of the mode.
+// Runs f in the rounding mode of the kernels. Kernels are called through pointers, and the compiler does not move
+// such calls across the change of the mode.
 template <typename F>
 void in_mode(const BatchKernels& kernels, F f) {
   if (kernels.rounds_upward) {

@@ -10,8 +10,8 @@
 
 namespace veritope {
 
-/// Intervals i < n are [-neg_lo[i], hi[i]]; NaN in both arrays is the empty set. No alignment is asked
-/// for. REQUIRES of operands, as of Interval: lo <= hi, lo < +infinity, hi > -infinity, or empty.
+/// Interval i, for i < n, is [-neg_lo[i], hi[i]]; NaN in both arrays is the empty set. The arrays need no alignment.
+/// REQUIRES of operands what Interval requires: lo <= hi, lo < +infinity, hi > -infinity, or empty.
 struct ConstIntervalSpan {
   const double* neg_lo = nullptr;
   const double* hi = nullptr;
@@ -24,30 +24,30 @@ struct IntervalSpan {
   operator ConstIntervalSpan() const { return {neg_lo, hi, n}; }
 };
 
-/// kBaseline, kAvx2 and kAvx512 give the same bits. kNearest rounds to nearest and moves each bound
-/// outward by one unit in the last place or two, at least 2^-1022: for machines that cannot
-/// round upward, and as a second opinion in tests. It encloses, but is not tight.
+/// kBaseline, kAvx2 and kAvx512 give the same bits. kNearest rounds to nearest and then moves each bound outward by
+/// one or two units in the last place, at least 2^-1022: it serves machines that cannot round upward, and gives tests
+/// a second opinion. Its results enclose, but they are not tight.
 enum class BatchBackEnd { kBaseline, kAvx2, kAvx512, kNearest };
 
 const char* to_string(BatchBackEnd back_end);
-/// Whether this processor and operating system have its instructions.
+/// True if this processor and operating system support the back end's instructions.
 bool is_available(BatchBackEnd back_end);
 /// The widest of the first three that is available.
 BatchBackEnd widest_back_end();
 
-/// Points whose coordinates are intervals. REQUIRES spans of one length.
+/// Points whose coordinates are intervals. REQUIRES that the three spans have equal lengths.
 struct IntervalPointSpan {
   ConstIntervalSpan x, y, z;
 };
 
-/// The operations, on one back end. Each loads the control word that it needs, FTZ and DAZ off, and
-/// restores the caller's: no ScopedUpward is needed, and one is not disturbed.
+/// The operations, on one back end. Each loads the control word that it needs, with FTZ and DAZ off, and restores the
+/// caller's: callers need no ScopedUpward, and a live one is not disturbed.
 /// Laws:
 ///   (1) out[i] encloses { x op y : x in a[i], y in b[i] }; an operation with an empty operand is empty;
-///   (2) but for kNearest, each bound of add, sub, mul, fma, sqr and div is the nearest binary64
+///   (2) except with kNearest, each bound of add, sub, mul, fma, sqr and div is the nearest binary64
 ///       number outside;
 ///   (3) the order of the intervals in an array does not matter, nor does what follows its end.
-/// REQUIRES spans of out's length; out is an operand's memory, index by index, or disjoint from it.
+/// REQUIRES operands as long as out; out is the memory of an operand, index by index, or disjoint from it.
 class IntervalBatch {
  public:
   /// REQUIRES is_available(back_end).
@@ -67,8 +67,8 @@ class IntervalBatch {
   void mul_add(ConstIntervalSpan a, ConstIntervalSpan b, ConstIntervalSpan c,
                IntervalSpan out) const;
   void sqr(ConstIntervalSpan a, IntervalSpan out) const;
-  /// Encloses the sum of a[i] b[i], [0, 0] if n = 0: eight sums, of the i equal modulo 8, then their sum.
-  /// REQUIRES spans of one length.
+  /// Encloses the sum of a[i] b[i]; [0, 0] if n = 0. Computes eight sums first, one for each residue of i modulo 8,
+  /// and then adds them. REQUIRES spans of equal lengths.
   Interval dot(ConstIntervalSpan a, ConstIntervalSpan b) const;
   /// Encloses det(b - a, c - a, d - a) as predicates/orient3d.h orients it, for n tuples of points.
   void orient3d(const IntervalPointSpan& a, const IntervalPointSpan& b, const IntervalPointSpan& c,

@@ -12,8 +12,8 @@ namespace {
 // All ones in the first `count` of four, when read at [4 - count].
 alignas(32) constexpr long long kFirst[8] = {-1, -1, -1, -1, 0, 0, 0, 0};
 
-// Operands come from memory and results go there, which the caller's change of the mode does not let
-// them pass; no expression has constant operands.
+// Operands are loaded from memory and results are stored there, so that neither can pass the caller's change of the
+// rounding mode; no expression has constant operands.
 struct Lanes4 {
   static constexpr std::size_t kLanes = 4;
   static constexpr bool kUpward = true, kFused = true;
@@ -45,7 +45,7 @@ struct Lanes4 {
   static V abs(V a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
   static V negative(V a) {
     __m256d r = _mm256_xor_pd(a.v, _mm256_set1_pd(-0.0));
-    asm("" : "+x"(r));  // or the compiler makes -(x y) of (-x) y
+    asm("" : "+x"(r));  // otherwise the compiler turns (-x) y into -(x y)
     return {r};
   }
   static V by_sign(V sign, V plus, V minus) { return {_mm256_blendv_pd(plus.v, minus.v, sign.v)}; }

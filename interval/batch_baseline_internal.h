@@ -39,7 +39,7 @@ struct BaselineLanes {
   static V abs(V a) { return make(_mm_andnot_pd(_mm_set1_pd(-0.0), a.v)); }
   static V negative(V a) {
     __m128d r = _mm_xor_pd(a.v, _mm_set1_pd(-0.0));
-    asm("" : "+x"(r));  // or the compiler makes -(x y) of (-x) y
+    asm("" : "+x"(r));  // otherwise the compiler turns (-x) y into -(x y)
     return make(r);
   }
   static V by_sign(V sign, V plus, V minus) {
@@ -85,7 +85,7 @@ struct BaselineLanes {
   static V abs(V a) { return make(__builtin_fabs(a.v)); }
   static V negative(V a) {
     double r = -a.v;
-    asm("" : "+m"(r));  // or the compiler makes -(x y) of (-x) y
+    asm("" : "+m"(r));  // otherwise the compiler turns (-x) y into -(x y)
     return make(r);
   }
   static V by_sign(V sign, V plus, V minus) { return __builtin_signbit(sign.v) ? minus : plus; }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/batch_internal.h: one table of array operations a back end. Each back end is compiled
-// with the flags of its instruction set, so that its file includes nothing that the linker could
-// share with files that must run everywhere: this header and the intrinsics only.
+// interval/batch_internal.h: one table of array operations for each back end. Each back end is compiled with the
+// flags of its instruction set. Its file therefore includes only this header and the intrinsics: nothing that the
+// linker could share with files that must run everywhere.
 #pragma once
 #include <cstddef>
 
 namespace veritope {
 
-/// As ConstIntervalSpan, without its length; [3] stands for x, y, z.
+/// Like ConstIntervalSpan, but without a length; an array of three holds x, y, z.
 struct BatchIn {
   const double* neg_lo;
   const double* hi;
@@ -17,7 +17,7 @@ struct BatchOut {
   double* hi;
 };
 
-/// REQUIRES of all entries but neg and signs that the control word is control_word() of fp_state.
+/// REQUIRES for all entries except neg and signs that the control word is control_word() of fp_state.
 struct BatchKernels {
   bool rounds_upward;  ///< else to nearest
   void (*neg)(BatchIn a, BatchOut out, std::size_t n);
@@ -36,7 +36,7 @@ struct BatchKernels {
 
 namespace internal {
 extern const BatchKernels kBatchBaseline, kBatchNearest;
-// Null where the compiler does not make such code.
+// Null where the compiler cannot generate such code.
 const BatchKernels* batch_avx2();
 const BatchKernels* batch_avx512();
 }  // namespace internal

@@ -42,18 +42,18 @@ template <typename V>
 [[gnu::always_inline]] inline Lanes<V> minus(const Lanes<V>& a) {
   return {a.hi, a.neg_lo};
 }
-// No NaN but of the empty set: -lo is never -infinity, nor is hi.
+// Only the empty set produces NaN: neither -lo nor hi is ever -infinity.
 template <typename V>
 [[gnu::always_inline]] inline Lanes<V> plus(const Lanes<V>& a, const Lanes<V>& b) {
   return {V::outward(V::add(a.neg_lo, b.neg_lo)), V::outward(V::add(a.hi, b.hi))};
 }
 
-// The four products that can be bounds: with lo(x b) the lower end of x b, and hi(x b) the upper one,
-// a b = [min(lo(lo(a) b), lo(hi(a) b)), max(...)], and the sign of x says which end of b makes which.
+// The four products that can be bounds. Let lo(x b) be the lower end of x b, and hi(x b) the upper one: then a b =
+// [min(lo(lo(a) b), lo(hi(a) b)), max(...)], and the sign of x decides which end of b gives which.
 // No product is negated: compilers turn (-x) y into -(x y), which rounds the other way.
 template <typename V>
 struct Products {
-  V low_at_hi, low_at_lo, high_at_hi, high_at_lo;  // "low": of -lo(a b)
+  V low_at_hi, low_at_lo, high_at_hi, high_at_lo;  // "low": candidates for -lo(a b)
 
   Products() = default;
   [[gnu::always_inline]] Products(const Lanes<V>& a, const Lanes<V>& b) {
@@ -87,7 +87,7 @@ template <typename V>
   return V::select(V::is_unordered(v, v), V::zero(), v);
 }
 
-// Any operands: 0 * infinity is NaN for the processor, and {0} as a set.
+// Accepts any operands: the processor makes 0 * infinity NaN, but as a product of sets it is {0}.
 template <typename V>
 [[gnu::noinline]] Lanes<V> careful_times(const Lanes<V>& a, const Lanes<V>& b) {
   Products<V> p(a, b);
@@ -103,13 +103,13 @@ template <typename V>
   return p.hull();
 }
 
-// A chain of operations may use quick_times, look at its result once, and go back to the careful one
-// if that is_suspect. It is right, or suspect (a bound is NaN or infinite): let a and b be right or
-// suspect. If all bounds are finite, no product is NaN. If b has an infinite or NaN bound and a is
-// not {0}, by_sign pairs it with a bound of a that is not 0, in the first product of `larger`, whose
-// infinity survives, or in the second, which survives anyway, of neg_lo or of hi: the four signs of
-// a's bounds, each with its pairing, are the tests' cases. If a is {0}, the result is {0}, which is
-// right, or NaN. Sums keep NaN and +infinity. Underflow and overflow are as in the careful one.
+// A chain of operations may use quick_times, look at its result once, and repeat with the careful functions if that
+// result is_suspect. Claim: every result is right, or suspect (a bound is NaN or infinite). Proof: let a and b be right
+// or suspect. If all bounds are finite, no product is NaN. If b has an infinite or NaN bound and a is not {0}, by_sign
+// pairs that bound with a bound of a that is not 0, in the first product of `larger`, whose infinity survives, or in
+// the second, which survives anyway, of neg_lo or of hi; the tests run through the four signs of a's bounds, each with
+// its pairing. If a is {0}, the result is {0}, which is right, or NaN. Sums keep NaN and +infinity. Underflow and
+// overflow are as in the careful functions.
 template <typename V>
 [[gnu::always_inline]] inline Lanes<V> quick_times(const Lanes<V>& a, const Lanes<V>& b) {
   return Products<V>(a, b).hull();
@@ -130,8 +130,8 @@ template <typename V>
   return {low, V::outward(V::mul(far, far))};
 }
 
-// a / b for b >= 0 or, both negated, for b <= 0: each bound of a over the end of b that its sign asks
-// for. If b begins at 0: x / 0 is the infinity that bounds the quotients, and 0 / 0 stands for 0.
+// a / b for b >= 0 or, with both negated, for b <= 0: each bound of a is divided by the end of b that its sign
+// selects. If b begins at 0, x / 0 is the infinity that bounds the quotients, and 0 / 0 stands for 0.
 template <typename V>
 [[gnu::always_inline]] inline Lanes<V> quotient(const Lanes<V>& a, const Lanes<V>& b) {
   const V zero = V::zero(), infinity = V::all(__builtin_inf());
@@ -150,8 +150,8 @@ template <typename V>
   return empty_where(V::either(by_zero, V::either(is_empty(a), is_empty(b))), Lanes<V>{low, high});
 }
 
-// x y + c for the candidates x y of Products. Careful: 0 * infinity is 0, and infinity - infinity
-// belongs to a product of -infinity, which is not the bound.
+// x y + c for the candidates x y of Products. If Careful, 0 * infinity is 0, and infinity - infinity comes from a
+// product of -infinity, which is not the bound.
 template <typename V, bool Careful>
 [[gnu::always_inline]] inline V fused(const V& x, const V& y, const V& c) {
   const V r = V::fma(x, y, c);

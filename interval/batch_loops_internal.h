@@ -53,7 +53,8 @@ struct Loops {
         out, n, [](const L& x, const L& y, const L& z) { return plus(times(x, y), z); }, a, b, c);
   }
 
-  // Eight sums whatever the number of lanes: every back end adds the same numbers in the same order.
+  // There are eight sums whatever the number of lanes, so that every back end adds the same numbers in the same
+  // order.
   static constexpr std::size_t kSums = 8, kVectors = kSums / V::kLanes;
   struct Sums {
     double neg_lo[kSums], hi[kSums];

@@ -5,8 +5,8 @@
 //          + 2^-1022) >= ulp(r): if 2u |r| >= 2^-1022, it is exact and >= ulp(r), else ulp(r) <= 2^-1022.
 //          r + ulp(r) is a binary64 number or beyond the largest, and rounding is monotone, so
 //          fl(r + t) >= r + ulp(r) > x. r subnormal or 0: |x - r| <= 2^-1075, t >= 2^-1022.
-//          r = +infinity stays. r = -infinity is x < -M, M the largest number: then -M >= x is taken.
-// Needs    round to nearest, gradual underflow. 2^-1022, not the least subnormal, which is slow to add.
+//          r = +infinity stays. r = -infinity means x < -M, M the largest number: then -M >= x is taken.
+// Needs    round to nearest, gradual underflow. 2^-1022 is added, not the least subnormal, which is slow to add.
 #include "interval/batch_baseline_internal.h"
 
 namespace veritope {

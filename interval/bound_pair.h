@@ -2,8 +2,8 @@
 // interval/bound_pair.h: two binary64 numbers that are computed side by side, each rounded as the
 // thread's control word says. Every operation is one machine instruction of an asm volatile: no
 // compiler flag (-ffast-math, -Ofast, contraction) can reorder, fold, fuse or assume anything.
-// Numbers that may be NaN or infinite are held as integers: with -ffinite-math-only, clang takes a
-// double that is a parameter or a result for finite, also where it is only copied.
+// Numbers that may be NaN or infinite are held as integers: with -ffinite-math-only, clang assumes that a double
+// parameter or result is finite, even where it is only copied.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -17,18 +17,18 @@ using Bits = std::uint64_t;  ///< of a binary64 number
 
 inline constexpr Bits kSignBit = Bits{1} << 63;
 inline constexpr Bits kInfiniteBits = 0x7ff0000000000000u;
-/// What 0 * infinity gives on x86, low 32 bits zero; an empty interval's NaN has other high bits.
+/// The NaN that 0 * infinity gives on x86, whose low 32 bits are zero; an empty interval's NaN has other high bits.
 inline constexpr Bits kMadeNan = 0xfff8000000000000u;
 inline constexpr Bits kEmptyBound = ~kSignBit;
 
 constexpr Bits bits_of(double v) {
   Bits bits = std::bit_cast<Bits>(v);
-  // Its origin is hidden: a test of bits for 0 must not become a comparison of doubles (robust/binary64.h).
+  // Hides the origin of the bits: a test of bits for 0 must not become a comparison of doubles (robust/binary64.h).
   if (!std::is_constant_evaluated()) asm("" : "+r"(bits));
   return bits;
 }
-/// Numbers in order have keys in order, -0 and 0 the same one; integers, so that neither flags nor
-/// DAZ spoil a comparison. Infinities are ordered, NaN is not meant.
+/// Keys are ordered as the numbers are; -0 and 0 have the same key. Keys are integers, so that neither compiler flags
+/// nor DAZ spoil a comparison. Infinities are ordered; the key of a NaN means nothing.
 constexpr std::int64_t key_of(Bits v) {
   const auto bits = static_cast<std::int64_t>(v);
   return bits < 0 ? INT64_MIN - bits : bits;
@@ -38,11 +38,11 @@ constexpr bool is_infinite(Bits v) { return (v & ~kSignBit) == kInfiniteBits; }
 constexpr Bits negated(Bits v) { return v ^ kSignBit; }
 constexpr bool less(Bits a, Bits b) { return key_of(a) < key_of(b); }
 constexpr bool less_equal(Bits a, Bits b) { return key_of(a) <= key_of(b); }
-/// For 0 and -0, which are equal, the first argument.
+/// Returns the first argument if the two are equal, as 0 and -0 are.
 constexpr Bits larger(Bits a, Bits b) { return less(a, b) ? b : a; }
 constexpr Bits smaller(Bits a, Bits b) { return less(b, a) ? b : a; }
 
-// These functions for doubles, where they are known to be numbers or the flags are ours.
+// Overloads for doubles that are known to be numbers, or for files whose compiler flags we choose.
 constexpr std::int64_t order_key(double v) { return key_of(bits_of(v)); }
 constexpr bool is_nan(double v) { return is_nan(bits_of(v)); }
 constexpr bool is_infinite(double v) { return is_infinite(bits_of(v)); }
@@ -62,7 +62,7 @@ inline Bits first(Pair p) { return static_cast<Bits>(_mm_cvtsi128_si64(p)); }
 inline Bits second(Pair p) {
   return static_cast<Bits>(_mm_cvtsi128_si64(_mm_unpackhi_epi64(p, p)));
 }
-// pshufd: the one shuffle of SSE2 that leaves its operand as it was, so that no copy is needed.
+// pshufd is the one shuffle of SSE2 that leaves its operand unchanged, so that no copy is needed.
 inline Pair swapped(Pair p) { return _mm_shuffle_epi32(p, 0x4e); }
 inline Pair both_first(Pair p) { return _mm_shuffle_epi32(p, 0x44); }
 inline Pair both_second(Pair p) { return _mm_shuffle_epi32(p, 0xee); }
@@ -94,8 +94,8 @@ VT_PAIR_OPERATION(smaller, "minpd")  ///< b where either is NaN
   asm volatile("sqrtpd %0, %0" : "+x"(v));
   return v;
 }
-/// 0 where p is the NaN that 0 * infinity makes; an empty operand's NaN stays. Where the
-/// high halves are equal the low one is zero, so that comparing halves is enough.
+/// Replaces the NaN that 0 * infinity makes by 0; an empty operand's NaN stays. It is enough to compare halves: where
+/// the high halves are equal, the low one is zero.
 inline Pair zero_for_made_nan(Pair p) {
   return _mm_andnot_si128(_mm_cmpeq_epi32(p, make_pair(kMadeNan, kMadeNan)), p);
 }
@@ -118,7 +118,7 @@ inline Pair both_second(Pair p) { return {p.b, p.b}; }
 inline Pair low_and_high(Pair low, Pair high) { return {low.a, high.a}; }
 inline Pair flip(Pair p, Pair mask) { return {p.a ^ mask.a, p.b ^ mask.b}; }
 inline double number(Bits v) { return fenced(std::bit_cast<double>(v)); }
-// f of two numbers; where one is NaN, the empty bound; a NaN that f makes is kMadeNan.
+// f of two numbers; the empty bound if either is NaN. A NaN that f itself makes becomes kMadeNan.
 template <typename F>
 Bits lane(Bits a, Bits b, F f) {
   if (is_nan(a) || is_nan(b)) return kEmptyBound;

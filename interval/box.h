@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/box.h: products of intervals, as sets of points of the plane, of space, of any dimension.
+// interval/box.h: products of intervals: sets of points in the plane, in space, in any dimension.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -119,7 +119,7 @@ std::array<double, N> mid(const Box<N>& a) {
   for (std::size_t i = 0; i < N; ++i) out[i] = mid(a[i]);
   return out;
 }
-/// The side with the largest width, the first of several. REQUIRES nonempty.
+/// The index of the widest side; on a tie the first. REQUIRES nonempty.
 template <std::size_t N>
 std::size_t widest_side(const Box<N>& a) {
   VT_CHECK(!a.is_empty(), "widest side of an empty box");

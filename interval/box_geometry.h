@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/box_geometry.h: vectors of intervals in space, and the numbers near intervals that searches go by.
+// interval/box_geometry.h: vectors of intervals in space, and approximate middles and radii that guide searches.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace veritope::internal {
 
-/// Approximately: no proof may rely on them, and they need no rounding mode.
+/// Approximate: no proof may rely on these values, and they need no particular rounding mode.
 inline double approx_middle(const Interval& a) { return 0.5 * a.lo() + 0.5 * a.hi(); }
 template <std::size_t N>
 std::array<double, N> approx_middle(const Box<N>& x) {

@@ -17,16 +17,16 @@ namespace veritope {
 ///   (1) kCom implies nonempty and bounded; an empty interval has kTrv or kIll;
 ///   (2) kIll, "NaI": no interval; the interval part is then empty, and every operation gives NaI.
 /// Laws of every operation f below, on x: the interval part is that of f in interval.h, functions.h
-/// and relations.h; the decoration is the weakest of those of the operands and of what f did on
-/// them: so a chain of operations that starts with kCom constants and ends with kDac proves that the
-/// whole expression is defined and continuous on the box. No ScopedUpward is needed.
+/// and relations.h; the decoration is the weakest among those of the operands and that of f on them. A chain of
+/// operations that starts with kCom constants and ends with kDac therefore proves that the whole expression is
+/// defined and continuous on the box. No ScopedUpward is needed.
 class DecoratedInterval {
  public:
   /// [0, 0]_com.
   DecoratedInterval() = default;
   /// The strongest decoration that fits: com, dac if unbounded, trv if empty.
   explicit DecoratedInterval(const Interval& x);
-  /// With d, or the strongest weaker one that fits; NaI for kIll.
+  /// x with the decoration d, or with the strongest weaker one that fits; NaI if d is kIll.
   DecoratedInterval(const Interval& x, Decoration d);
   static DecoratedInterval nai();
 
@@ -46,11 +46,11 @@ class DecoratedInterval {
   Decoration decoration_ = Decoration::kCom;
 };
 
-/// The interval part, with kIntervalPartOfNai for NaI.
+/// The interval part; signals kIntervalPartOfNai for NaI.
 Signalled<Interval> interval_part(const DecoratedInterval& x);
-/// DecoratedInterval(x, d), with kUndefinedOperation for kIll.
+/// DecoratedInterval(x, d); signals kUndefinedOperation if d is kIll.
 Signalled<DecoratedInterval> set_decoration(const Interval& x, Decoration d);
-/// [lo, hi] with the strongest decoration, or NaI with kUndefinedOperation.
+/// [lo, hi] with the strongest decoration; otherwise NaI, which signals kUndefinedOperation.
 Signalled<DecoratedInterval> nums_to_decorated(double lo, double hi);
 
 DecoratedInterval sqr(const DecoratedInterval& x);
@@ -104,7 +104,7 @@ DecoratedInterval trunc(const DecoratedInterval& x);
 DecoratedInterval round_ties_to_even(const DecoratedInterval& x);
 DecoratedInterval round_ties_to_away(const DecoratedInterval& x);
 
-/// No functions of points: the result has kTrv, or is NaI.
+/// These are not functions of points: the result has kTrv, or is NaI.
 DecoratedInterval intersection(const DecoratedInterval& a, const DecoratedInterval& b);
 DecoratedInterval hull(const DecoratedInterval& a, const DecoratedInterval& b);
 DecoratedInterval cancel_minus(const DecoratedInterval& a, const DecoratedInterval& b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/decorated_relations.h: relations.h and numeric.h for decorated intervals: those of the
-// interval parts; false or NaN for NaI. Source: [IEEE1788] 12.12.
+// interval/decorated_relations.h: the functions of relations.h and numeric.h for decorated intervals. They apply to
+// the interval parts; with NaI they return false or NaN. Source: [IEEE1788] 12.12.
 #pragma once
 #include <limits>
 

@@ -5,7 +5,7 @@
 
 namespace veritope {
 
-/// From weakest to strongest, about f on the box x that was evaluated.
+/// Statements about f on the box x where it was evaluated, from weakest to strongest.
 enum class Decoration : int {
   kIll = 0,   ///< no interval at all (NaI): a constructor failed
   kTrv = 4,   ///< nothing is known

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/evaluate_internal.h: every function once, with its range and the decoration that its
-// argument earns; functions.cc takes the range, decorated.cc both.
+// interval/evaluate_internal.h: evaluates each function once, with its range and the decoration that its argument
+// earns; functions.cc takes the range, decorated.cc both.
 #pragma once
 #include <cstdint>
 
 #include "interval/decoration.h"
 #include "interval/interval.h"
 
-// The functions of one and of two intervals, for those two files.
+// The functions of one and of two intervals, as functions.cc and decorated.cc list them.
 // clang-format off
 #define VT_INTERVAL_UNARY(F) \
   F(exp) F(exp2) F(exp10) F(expm1) F(log) F(log2) F(log10) F(logp1) F(cbrt) \
@@ -19,8 +19,8 @@
 
 namespace veritope::internal {
 
-/// An enclosure of f(x), and the strongest decoration if x itself had kCom. Where the range is
-/// unbounded, kCom stands for kDac (see DecoratedInterval).
+/// An enclosure of f(x), and the strongest decoration that the result may have if x itself has kCom. Where the range
+/// is unbounded, kCom stands for kDac (see DecoratedInterval).
 struct Evaluated {
   Interval value;
   Decoration local;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/exact_box.h: boxes with rational bounds: the places that the solvers' answers name, as fine as the problem
-// needs. No floating point, no rounding.
+// interval/exact_box.h: boxes with rational bounds. The solvers name places by such boxes, as fine as the problem
+// needs. No floating point is involved, and no function rounds unless its comment says so.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -43,7 +43,7 @@ struct ExactBox {
       if (!side[i].contains(x[i])) return false;
     return true;
   }
-  /// The longest side.
+  /// The length of the longest side.
   Rational width() const {
     Rational out;
     for (const ExactInterval& s : side)
@@ -57,7 +57,7 @@ struct ExactBox {
   }
 };
 
-/// Closed boxes that share a point.
+/// True if the closed boxes share a point.
 template <std::size_t N>
 bool touches(const ExactBox<N>& a, const ExactBox<N>& b) {
   for (std::size_t i = 0; i < N; ++i)
@@ -96,7 +96,7 @@ ExactBox<N> placed(const ExactBox<N>& local, const ExactBox<N>& frame) {
   }
   return out;
 }
-/// The coordinates of a box in which `frame` is [0,1]^N. REQUIRES no side of the frame is a point.
+/// The box in the coordinates in which `frame` is [0,1]^N. REQUIRES that no side of the frame is a point.
 template <std::size_t N>
 ExactBox<N> seen_from(const ExactBox<N>& box, const ExactBox<N>& frame) {
   ExactBox<N> out;
@@ -111,7 +111,7 @@ template <std::size_t N>
 std::vector<ExactBox<N>> component_hulls(std::vector<ExactBox<N>> boxes) {
   std::vector<ExactBox<N>> out;
   for (ExactBox<N>& box : boxes) {
-    // A hull may touch what its boxes do not: merged all the same, until nothing touches.
+    // A hull may touch a box that its own boxes do not touch; it is merged too, until no two hulls touch.
     for (std::size_t i = 0; i < out.size();) {
       if (!touches(out[i], box)) {
         ++i;
@@ -129,10 +129,10 @@ std::vector<ExactBox<N>> component_hulls(std::vector<ExactBox<N>> boxes) {
 
 /// The largest integer e with 2^e <= |x|. REQUIRES x != 0.
 std::int64_t floor_log2(const Rational& x);
-/// Ends moved outward to multiples of 2^-bits.
+/// Moves the ends outward to multiples of 2^-bits.
 ExactInterval rounded_outward(const ExactInterval& a, std::int64_t bits);
-/// The sides moved outward by less than 2^-20 of their widths (of `least` if that is larger), so that bounds
-/// stay short. REQUIRES least > 0.
+/// Moves the sides outward by less than 2^-20 of their widths (of `least` if that is larger), so that bounds stay
+/// short. REQUIRES least > 0.
 template <std::size_t N>
 ExactBox<N> shortened(const ExactBox<N>& a, const Rational& least) {
   ExactBox<N> out;
@@ -142,7 +142,7 @@ ExactBox<N> shortened(const ExactBox<N>& a, const Rational& least) {
   }
   return out;
 }
-/// The fraction with the least denominator in a, and of those the one with the least numerator in absolute value.
+/// The fraction with the least denominator in a; on a tie the one whose numerator has the least absolute value.
 Rational simplest_member(const ExactInterval& a);
 /// "[lo, hi] x ...", exact.
 template <std::size_t N>

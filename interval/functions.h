@@ -3,8 +3,8 @@
 //   (1) x in a and f(x) defined implies f(x) in f(a);
 //   (2) each bound is the nearest binary64 number outside of the range, unless said otherwise;
 //   (3) f(a) is empty iff f is defined nowhere on a.
-// They work in any floating-point environment and leave it as it was. Cost: 1 to 20 us, MPFR's
-// [FHL07], with allocations; they are no part of any predicate. Meanings: [IEEE1788] table 9.1, 10.5.
+// They work in any floating-point environment and leave it as it was. Cost: 1 to 20 us in MPFR [FHL07], with
+// allocations; no predicate uses them. Definitions: [IEEE1788] table 9.1, 10.5.
 #pragma once
 #include <cstdint>
 
@@ -16,8 +16,7 @@ namespace veritope {
 Interval fma(const Interval& a, const Interval& b, const Interval& c);
 /// x^n for every integer n; 1 for n = 0; undefined at 0 for n < 0.
 Interval pown(const Interval& x, std::int64_t n);
-/// The real n-th root, x^(1/n); for even n of x >= 0; nowhere defined for n = 0; undefined at 0 for
-/// n < 0.
+/// The real n-th root, x^(1/n). For even n it is defined for x >= 0 only, for n = 0 nowhere, for n < 0 not at 0.
 Interval rootn(const Interval& x, std::int64_t n);
 /// x^y = exp(y log x) for x > 0, and 0 for x = 0, y > 0.
 Interval pow(const Interval& x, const Interval& y);
@@ -59,10 +58,10 @@ Interval atanh(const Interval& x);
 Interval acoth(const Interval& x);
 
 Interval cbrt(const Interval& x);
-/// Root of x^2 + y^2.
+/// The square root of x^2 + y^2.
 Interval hypot(const Interval& x, const Interval& y);
 
-/// -1, 0 or 1; Interval::sign decides, this is a step function.
+/// The step function with the values -1, 0 and 1; Interval::sign is what decides a sign.
 Interval sign_function(const Interval& x);
 Interval ceil(const Interval& x);
 Interval floor(const Interval& x);

@@ -9,8 +9,8 @@
 
 namespace veritope {
 
-/// Contains f and the partial derivatives of f by N parameters, at every point of a set.
-/// REQUIRES of operations a live ScopedUpward. Where a divisor or a root's argument may be 0 slopes are unbounded.
+/// Encloses f and its partial derivatives with respect to N parameters, at every point of a set. Operations REQUIRE a
+/// live ScopedUpward. Slopes are unbounded where a divisor or the argument of a root may be 0.
 template <std::size_t N>
 struct Gradient {
   Interval value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/interval.h: sets of reals between two binary64 bounds. Held as (-lo, hi), so that
+// interval/interval.h: sets of reals between two binary64 bounds. An interval is stored as (-lo, hi), so that
 // rounding upward widens both ends. Design: docs/design/0005-intervals.md.
 #pragma once
 #include <string>
@@ -38,8 +38,8 @@ class Interval {
     return Interval(internal::make_pair(internal::kInfiniteBits, internal::kInfiniteBits));
   }
 
-  /// NaN if empty; inf and sup of numeric.h say what IEEE 1788 says. Where the including file is
-  /// compiled with -ffinite-math-only, an infinite or NaN double is undefined there: use the bits.
+  /// NaN if empty; inf and sup of numeric.h return what IEEE 1788 defines. Where the including file is compiled with
+  /// -ffinite-math-only, an infinite or NaN double is undefined there: use the bits.
   double lo() const { return std::bit_cast<double>(lo_bits()); }
   double hi() const { return std::bit_cast<double>(hi_bits()); }
   internal::Bits lo_bits() const { return internal::negated(internal::first(v_)); }
@@ -57,10 +57,10 @@ class Interval {
     return Interval(internal::added(a.v_, internal::swapped(b.v_)));
   }
   friend Interval operator*(const Interval& a, const Interval& b) {
-    // The four products of bounds, each with its sign in a factor, so that all round outward.
-    // One that is 0 * infinity stands for 0. Where it is one of the first three, the other products
-    // cover the 0, and the maximum drops a NaN on its left. The fourth is mended. An empty operand
-    // makes all NaN, the fourth too, and a NaN on the right stays.
+    // Each of the four products of bounds carries its sign in a factor, so that all round outward. A product 0 *
+    // infinity stands for 0. If it is one of the first three, the other products cover the 0, and the maximum drops a
+    // NaN on its left; the fourth has it replaced by 0. An empty operand makes all four NaN, and a NaN on the right
+    // of the maximum stays.
     // Every combination of kinds of bounds: tests/interval/interval_law_test.cc.
     using internal::larger, internal::multiplied;
     const internal::Pair p = a.v_, q = internal::swapped(a.v_);
@@ -92,7 +92,7 @@ class Interval {
     return Interval(internal::multiplied(
         internal::flip(ends, internal::make_pair(internal::kSignBit, 0)), ends));
   }
-  /// { root of x : x in a, x >= 0 }.
+  /// { square root of x : x in a, x >= 0 }.
   friend Interval sqrt(const Interval& a) { return square_root(a); }
 
   friend Interval& operator+=(Interval& a, const Interval& b) { return a = a + b; }
@@ -150,7 +150,7 @@ inline Interval Interval::square_root(const Interval& a) {
   const Bits least = key_of(a.lo_bits()) > 0 ? a.lo_bits() : 0;
   const internal::Pair roots = internal::square_root(internal::make_pair(least, a.hi_bits()));
   Bits low = internal::first(roots);
-  // Rounded upward: the square, rounded upward too, exceeds lo iff the root does.
+  // Roots are rounded upward. The square, rounded upward too, exceeds `least` iff the root exceeds the exact one.
   if (internal::less(least, internal::first(internal::multiplied(roots, roots)))) --low;
   return from_bits(low, internal::second(roots));
 }
@@ -162,7 +162,7 @@ bool contains(const Interval& a, const Rational& x);
 /// The narrowest interval that contains x.
 Interval enclose(const Rational& x);
 namespace internal {
-/// As printf does, with a point whatever the locale says.
+/// Formats as printf does, but with a decimal point whatever the locale says.
 std::string number_text(const char* format, double v);
 }  // namespace internal
 

@@ -39,13 +39,13 @@ Evaluated falling_around_pole(RealFunction f, const Interval& x) {
   const std::int64_t lo = order_key(x.lo()), hi = order_key(x.hi());
   if (lo < 0 && hi > 0) return {Interval::entire(), Decoration::kTrv};
   const MpfrScope environment;
-  // The sign of a zero end says from which side the pole is seen.
+  // The sign of a zero end tells from which side the pole is approached.
   return {falling(f, lo == 0 ? 0.0 : x.lo(), hi == 0 ? -0.0 : x.hi()),
           lo == 0 || hi == 0 ? Decoration::kTrv : Decoration::kCom};
 }
 
-// acoth(x) = atanh(1 / x) for |x| >= 1, with as many bits as the rounding needs: acoth(x) is no
-// binary64 number, so that some precision tells.
+// acoth(x) = atanh(1 / x) for |x| >= 1, with as many bits as the rounding needs: acoth(x) is not a binary64 number,
+// so that some precision decides.
 int acoth_rounded(mpfr_ptr out, mpfr_srcptr x, mpfr_rnd_t direction) {
   if (mpfr_inf_p(x)) return mpfr_ui_div(out, 1, x, direction);
   for (mpfr_prec_t precision = 128;; precision *= 2) {
@@ -99,7 +99,7 @@ Evaluated eval_atanh(const Interval& x) {
 }
 Evaluated eval_cbrt(const Interval& x) { return monotone({mpfr_cbrt}, x); }
 
-// Even functions: of |x|.
+// Even functions are evaluated at |x|.
 Evaluated eval_cosh(const Interval& x) { return monotone({mpfr_cosh}, abs(x)); }
 Evaluated eval_sech(const Interval& x) { return monotone({mpfr_sech, Slope::kFalling}, abs(x)); }
 

@@ -9,7 +9,7 @@
 
 namespace veritope {
 
-// Empty: both NaN.
+// Both are NaN if the interval is empty.
 class MpInterval::Bounds {
  public:
   explicit Bounds(int precision) : lo(mpfr_prec_t{precision}), hi(mpfr_prec_t{precision}) {
@@ -46,7 +46,7 @@ std::unique_ptr<Bounds> result(const Bounds& a, const Bounds& b) {
   return std::make_unique<Bounds>(std::max(a.precision(), b.precision()));
 }
 
-// out = min or max of itself and v, where `first` says that it has no value yet. 0 * infinity is 0.
+// Replaces out by the min or max of itself and v; `first` says that out has no value yet. 0 * infinity is 0.
 void take(Real& out, const Real& v, bool first, bool least) {
   const bool nan = mpfr_nan_p(v.get()) != 0;
   const int order = first ? 0 : (nan ? -mpfr_sgn(out.get()) : mpfr_cmp(v.get(), out.get()));
@@ -216,7 +216,7 @@ MpInterval intersection(const MpInterval& a, const MpInterval& b) {
   return MpInterval(std::move(out));
 }
 MpInterval hull(const MpInterval& a, const MpInterval& b) {
-  auto out = result(*a.bounds_, *b.bounds_);  // of two numbers, MPFR's min and max ignore NaN
+  auto out = result(*a.bounds_, *b.bounds_);  // MPFR's min and max ignore one NaN operand
   mpfr_min(out->lo.get(), a.bounds_->lo.get(), b.bounds_->lo.get(), MPFR_RNDN);
   mpfr_max(out->hi.get(), a.bounds_->hi.get(), b.bounds_->hi.get(), MPFR_RNDN);
   return MpInterval(std::move(out));

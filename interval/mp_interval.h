@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/mp_interval.h: intervals whose bounds have as many bits as the caller asks for. MPFR
-// [FHL07] stays behind this header. Works in any floating-point environment.
+// interval/mp_interval.h: intervals whose bounds have as many bits as the caller asks for. MPFR [FHL07] is hidden
+// behind this header. The operations work in any floating-point environment.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace veritope {
 
-/// [lo, hi] with bounds of `precision` significant bits, or infinite; or empty. Laws as of Interval:
-/// every operation encloses, and each bound is the nearest such number outside. The result of an
+/// [lo, hi] with bounds of `precision` significant bits, or infinite; or empty. The laws are those of Interval: every
+/// operation encloses, and each bound is the nearest such number outside. The result of an
 /// operation has the larger precision of its operands. REQUIRES that this thread has MPFR's default
 /// range of exponents: no underflow or overflow within 2^(+-2^30).
 class MpInterval {
@@ -21,7 +21,7 @@ class MpInterval {
 
   /// [0, 0]. REQUIRES here and below kMinPrecision <= precision <= kMaxPrecision.
   explicit MpInterval(int precision);
-  /// The narrowest around x: the same set from 53 bits on.
+  /// The narrowest such interval around x; it is the same set if precision >= 53.
   MpInterval(const Interval& x, int precision);
   MpInterval(const Rational& x, int precision);
   MpInterval(const MpInterval& other);
@@ -33,7 +33,7 @@ class MpInterval {
 
   int precision() const;
   bool is_empty() const;
-  /// REQUIRES nonempty and that bound finite: exact.
+  /// The exact bound. REQUIRES nonempty, and finite on that side.
   Rational lo() const;
   Rational hi() const;
   bool has_lo() const;  ///< nonempty and bounded below
@@ -43,7 +43,7 @@ class MpInterval {
   friend MpInterval operator+(const MpInterval& a, const MpInterval& b);
   friend MpInterval operator-(const MpInterval& a, const MpInterval& b);
   friend MpInterval operator*(const MpInterval& a, const MpInterval& b);
-  /// The hull; empty for b = [0, 0].
+  /// The hull of the quotients; empty for b = [0, 0].
   friend MpInterval operator/(const MpInterval& a, const MpInterval& b);
   friend MpInterval sqr(const MpInterval& a);
   friend MpInterval sqrt(const MpInterval& a);
@@ -54,7 +54,7 @@ class MpInterval {
   friend bool is_subset(const MpInterval& a, const MpInterval& b);
   friend MpInterval intersection(const MpInterval& a, const MpInterval& b);
   friend MpInterval hull(const MpInterval& a, const MpInterval& b);
-  /// The sign of x - y for all members, or uncertain, as compare of relations.h.
+  /// The sign of x - y for all members, or uncertain, like compare of relations.h.
   friend Sign3 compare(const MpInterval& a, const MpInterval& b);
   friend bool contains(const MpInterval& a, const Rational& x);
   /// The sign that all members have, or uncertain.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/mpfr_internal.h: binary64 values of MPFR's functions, correctly rounded downward or
-// upward. [FHL07] rounds each function correctly at its precision; directed roundings compose, so
-// that the second one, to binary64 with its subnormals and overflow, keeps that.
+// interval/mpfr_internal.h: binary64 values of MPFR's functions, correctly rounded downward or upward. [FHL07] rounds
+// each function correctly at its precision; directed roundings compose, so that the result stays correct after the
+// second one, to binary64 with its subnormals and overflow.
 #pragma once
 #include <mpfr.h>
 
@@ -13,9 +13,9 @@
 
 namespace veritope::internal {
 
-/// From construction to destruction this thread has the default floating-point environment and MPFR's
-/// default range of exponents, whatever it had before: another user of MPFR in this thread may have
-/// narrowed it, so that a double would not fit. What MPFR caches for the thread is freed with it.
+/// From construction to destruction this thread has the default floating-point environment and MPFR's default range
+/// of exponents, whatever it had before: another user of MPFR in this thread may have narrowed the range, so that a
+/// double would not fit. MPFR's caches of the thread are freed when the thread ends.
 class MpfrScope {
  public:
   MpfrScope() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()) {
@@ -50,7 +50,7 @@ class Real {
 
   mpfr_ptr get() { return v_; }
   mpfr_srcptr get() const { return v_; }
-  /// The number next to it in that direction.
+  /// Rounds the value to binary64 in that direction.
   double round(mpfr_rnd_t direction) const { return mpfr_get_d(v_, direction); }
 
  private:

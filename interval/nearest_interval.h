@@ -9,16 +9,16 @@
 
 namespace veritope {
 
-/// A set like Interval, with the same operations and contracts but these:
-///   REQUIRES round to nearest and gradual underflow, as threads start with, and no ScopedUpward;
-///   bounds of + - * / sqr sqrt are outside of the exact ones by up to 2 units in the last place plus
-///   2^-1022; so 0 * 0 is no certain zero.
+/// A set like Interval, with the same operations and contracts, except that
+///   it REQUIRES round to nearest and gradual underflow, as threads start with, and no ScopedUpward;
+///   bounds of + - * / sqr sqrt lie outside of the exact ones by up to 2 units in the last place plus
+///   2^-1022; so the sign of 0 * 0 is uncertain.
 /// Claim   Let c be a bound rounded to nearest, r = c + (kUlp |c| + 2^-1022), each step rounded to
 ///         nearest. Then r >= the exact bound.
 /// Proof   The exact bound is at most the successor of c. With 2^-1074 for 2^-1022 the expression is
 ///         at least that successor ([RZBM09], algorithm 1 and theorem 2.1), and rounding is monotone.
-///         2^-1022, because a subnormal addend costs 75 times an ordinary one.
-///         c = -infinity, after overflow, stands for a number above it: the least finite one is taken.
+///         2^-1022 is added, because a subnormal addend costs 75 times as much as an ordinary one.
+///         If c = -infinity after overflow, the exact bound is above c: the least finite number is taken.
 /// Cost    + 0.7 ns, * 1.7 ns (design note).
 class NearestInterval {
  public:

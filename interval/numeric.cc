@@ -16,8 +16,8 @@ using internal::kInfinity;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-// Nearest to (lo + hi) / 2. Sums below 2^-1021 are exact and halve with one rounding, the others
-// halve exactly; where the sum overflows the halves do not lose a bit.
+// The number nearest to (lo + hi) / 2. Sums below 2^-1021 are exact and are halved with one rounding; the others are
+// halved exactly; if the sum overflows, the halves of the ends lose no bit.
 double middle(double lo, double hi) {
   const double sum = lo + hi;
   const double m = internal::is_infinite(sum) ? lo / 2 + hi / 2 : sum / 2;
@@ -75,7 +75,7 @@ Interval cancel_minus(const Interval& a, const Interval& b) {
   if (!is_common(a) || !is_common(b)) return Interval::entire();
   const auto exact = [](double v) { return Rational::from_double(v); };
   {
-    // Widths are compared exactly only if their roundings do not tell.
+    // Widths are compared exactly only if their roundings do not decide.
     const double wide = wid(a), narrow = -up_difference(a.lo(), a.hi());
     const double other = wid(b), other_narrow = -up_difference(b.lo(), b.hi());
     if (internal::less(wide, other_narrow)) return Interval::entire();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/numeric.h: numbers of an interval, and its construction from two numbers. Exact or
+// interval/numeric.h: numbers that describe an interval, and its construction from two numbers. Results are exact or
 // rounded as said, in any floating-point environment. Source: [IEEE1788] 4.5.6, 9.2, 10.5.9.
 #pragma once
 #include "interval/interval.h"

@@ -13,7 +13,7 @@ namespace veritope::internal {
 
 namespace {
 
-// x^n and the n-th root. Signed zeros say from which side a pole is seen.
+// x^n and the n-th root. The sign of a zero tells from which side a pole is approached.
 double power(double x, std::int64_t n, mpfr_rnd_t direction) {
   Real v(x);
   mpfr_pow_si(v.get(), v.get(), n, direction);
@@ -23,8 +23,8 @@ double root(double x, std::int64_t n, mpfr_rnd_t direction) {
   Real v(x);
   mpfr_rootn_si(v.get(), v.get(), n, direction);
   const double r = v.round(direction);
-  // MPFR 4.2.0 takes a root of more than 2^61 or so for 1 exactly. It is within 2^-50 of 1 then, unless x is
-  // 0 or infinite.
+  // MPFR 4.2.0 returns exactly 1 for a root whose degree exceeds approximately 2^61. Such a root is within 2^-50 of
+  // 1, unless x is 0 or infinite.
   constexpr std::int64_t kTrusted = std::int64_t{1} << 53;
   if ((n > -kTrusted && n < kTrusted) || (r != 1 && r != -1) || x == r) return r;
   return direction == MPFR_RNDD ? std::nextafter(r, -kInfinity) : std::nextafter(r, kInfinity);
@@ -85,8 +85,8 @@ Evaluated eval_rootn(const Interval& x, std::int64_t n) {
   return {Interval::from_bounds(root(hi, n, MPFR_RNDD), root(lo, n, MPFR_RNDU)), local};
 }
 
-// exp(b log a) on a > 0, with the limits at a = 0 and infinity; 0^b = 0 for b > 0. The exponent is
-// bilinear in (log a, b), so that corners decide; 0 * infinity is 0 there as it is in MPFR's powers.
+// exp(b log a) on a > 0, with the limits at a = 0 and infinity; 0^b = 0 for b > 0. The exponent is bilinear in (log
+// a, b), so that its extremes lie at corners; 0 * infinity is 0 there, as in MPFR's powers.
 Evaluated eval_pow(const Interval& a, const Interval& b) {
   const Interval base = intersection(a, Interval::from_bounds(0, kInfinity));
   if (base.is_empty() || b.is_empty()) return no_value();
@@ -121,7 +121,7 @@ Interval angles_of_upper_half(const Interval& y, const Interval& x) {
   const double yl = larger(0.0, y.lo()), yh = larger(0.0, y.hi());
   const bool on_axis = order_key(yh) == 0;
   const bool right = order_key(x.hi()) > 0, left = order_key(x.lo()) < 0;
-  // The angle falls with x; it rises with y on the right, falls on the left.
+  // The angle falls as x grows; as y grows it rises on the right and falls on the left.
   const auto angle = [](double v, double u, mpfr_rnd_t direction) {
     return rounded(mpfr_atan2, v, order_key(u) == 0 ? 0.0 : u, direction);
   };
@@ -141,7 +141,7 @@ Evaluated eval_atan2(const Interval& y, const Interval& x) {
       is_member(0, y) && is_member(0, x) ? Decoration::kTrv : Decoration::kCom;
   const bool left = order_key(x.lo()) < 0;
   if (order_key(y.lo()) >= 0) {
-    // On the cut itself the angle is pi, as it is from above, but not from below.
+    // On the cut itself the angle is pi: the limit from above, but not from below.
     const bool touches_cut = left && order_key(y.lo()) == 0;
     return {angles_of_upper_half(y, x),
             weakest(at_origin, touches_cut ? Decoration::kDac : Decoration::kCom)};

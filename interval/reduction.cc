@@ -12,7 +12,7 @@ namespace veritope {
 
 namespace {
 
-// A sum of products of two numbers each, with what infinities and NaN do to it.
+// A sum of products of two numbers, including what infinities and NaN do to it.
 class Sum {
  public:
   void add(double x, double y) {

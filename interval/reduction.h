@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/reduction.h: sums with one rounding. Source: [IEEE1788] 12.12.12. In any floating-point
-// environment; cost: exact rationals.
+// interval/reduction.h: sums with one rounding. Source: [IEEE1788] 12.12.12. The functions work in any floating-point
+// environment; their cost is that of exact rationals.
 #pragma once
 #include <span>
 
@@ -11,7 +11,7 @@ namespace veritope {
 double sum_nearest(std::span<const double> x);
 double sum_abs_nearest(std::span<const double> x);
 double sum_sqr_nearest(std::span<const double> x);
-/// REQUIRES as many numbers in x as in y.
+/// REQUIRES that x and y have equal lengths.
 double dot_nearest(std::span<const double> x, std::span<const double> y);
 
 }  // namespace veritope

@@ -37,13 +37,13 @@ inline bool is_singleton(const Interval& a) {
   return !a.is_empty() && internal::key_of(a.lo_bits()) == internal::key_of(a.hi_bits());
 }
 
-/// For each x in a some y in b with x <= y, and for each y in b some x in a with x <= y.
+/// For each x in a there is a y in b with x <= y, and for each y in b there is an x in a with x <= y.
 inline bool is_less(const Interval& a, const Interval& b) {
   if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
   return internal::less_equal(a.lo_bits(), b.lo_bits()) &&
          internal::less_equal(a.hi_bits(), b.hi_bits());
 }
-/// As is_less, with x < y.
+/// Like is_less, but with x < y.
 inline bool is_strictly_less(const Interval& a, const Interval& b) {
   if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
   return (internal::less(a.lo_bits(), b.lo_bits()) ||
@@ -68,7 +68,7 @@ inline Sign3 compare(const Interval& a, const Interval& b) {
   return is_singleton(a) && a == b ? Sign3::kZero : Sign3::kUncertain;
 }
 
-/// How two intervals lie: exactly one of the states holds. Source: [IEEE1788] 10.6.4.
+/// How two intervals lie to each other: exactly one of the states holds. Source: [IEEE1788] 10.6.4.
 enum class Overlap {
   kBothEmpty,
   kFirstEmpty,

@@ -13,7 +13,7 @@ std::pair<Interval, Interval> mul_rev_to_pair(const Interval& b, const Interval&
   const ScopedUpward upward;
   if (!is_member(0, b)) return {c / b, Interval::empty()};
   if (is_member(0, c)) return {Interval::entire(), Interval::empty()};
-  // c has one sign: b's negative and positive part give one half line each.
+  // c has one sign: the negative and the positive part of b give one half line each.
   const Interval all = Interval::entire();
   const Interval negative = intersection(b, Interval::from_bounds(all.lo(), 0));
   const Interval positive = intersection(b, Interval::from_bounds(0, all.hi()));

@@ -3,8 +3,8 @@
 // [IEEE1788] 10.5.4 and table 10.1. Laws, for every f_rev(c, in) here:
 //   (1) x in `in` with f(x) in c is in the result; (2) the result is a subset of `in`;
 //   (3) its bounds are the nearest binary64 numbers outside of the hull of those x.
-// They work in any floating-point environment. What they say about decorations is kTrv at best, so
-// that they exist for bare intervals only, but for mul_rev_to_pair.
+// They work in any floating-point environment. The best decoration that they could give is kTrv; so, except for
+// mul_rev_to_pair, they exist for bare intervals only.
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -14,10 +14,10 @@
 
 namespace veritope {
 
-/// { x : b x in c for some b }, as at most two intervals in increasing order; what is not needed is
-/// empty. Interval Newton divides by derivatives that contain 0 with it.
+/// { x : b x in c for some b }, as at most two intervals in increasing order; an interval that is not needed is
+/// empty. Interval Newton uses it to divide by derivatives that contain 0.
 std::pair<Interval, Interval> mul_rev_to_pair(const Interval& b, const Interval& c);
-/// Decoration of c / b on the first if 0 is not in b, else kTrv on both.
+/// The first has the decoration of c / b if 0 is not in b; otherwise both have kTrv.
 std::pair<DecoratedInterval, DecoratedInterval> mul_rev_to_pair(const DecoratedInterval& b,
                                                                 const DecoratedInterval& c);
 /// The hull of { x in in : b x in c for some b }.

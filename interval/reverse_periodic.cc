@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// sin, cos and tan backwards: the first and the last point of `in` whose value lies in c.
+// The reverse of sin, cos and tan: the first and the last point of `in` whose value lies in c.
 #include <algorithm>
 #include <cmath>
 
@@ -14,9 +14,10 @@ namespace {
 using internal::Real;
 using internal::RealFunction;
 
-// The least of the points base + k period, k an integer, that is not below `from`; `out` gets it, at
-// most 2^-250 of the larger of it and the period too small, and exact if it is 0. A point as
-// close to `from` as that counts as not below: an enclosure, wider by nothing that binary64 shows.
+// Sets `out` to the least of the points base + k period, k an integer, that is not below `from`. `out` is too small
+// by at most 2^-250 of the larger of the point and the period, and it is exact if the point is 0. A point that lies
+// below `from` by no more than that counts as not below it: the result is still an enclosure, and not wider by
+// anything that binary64 shows.
 void least_not_below(Real& out, const Real& base, const Real& period, const Real& from) {
   const mpfr_prec_t precision = mpfr_get_prec(out.get());
   Real k(precision), margin(precision);
@@ -38,21 +39,21 @@ void least_not_below(Real& out, const Real& base, const Real& period, const Real
 
 struct Wave {
   RealFunction f, inverse;
-  unsigned long half_turns;  // of the period
-  // Where else than at inverse(v) does f have the value v, within a period?
+  unsigned long half_turns;  // in a period
+  // Where else, besides inverse(v), does f have the value v within a period?
   enum class Second { kNone, kOpposite, kSupplement } second;
 };
 constexpr Wave kSin{mpfr_sin, mpfr_asin, 2, Wave::Second::kSupplement};
 constexpr Wave kCos{mpfr_cos, mpfr_acos, 2, Wave::Second::kOpposite};
 constexpr Wave kTan{mpfr_tan, mpfr_atan, 1, Wave::Second::kNone};
 
-// A lower bound, the best binary64 number, of the t >= from with f(t) in c. REQUIRES that c meets
-// the range of f and `from` is finite.
+// The best lower bound, as a binary64 number, on the t >= from with f(t) in c. REQUIRES that c meets the range of f
+// and that `from` is finite.
 double first_point(const Wave& w, const Interval& c, double from) {
   const double below = internal::rounded(w.f, from, MPFR_RNDD),
                above = internal::rounded(w.f, from, MPFR_RNDU);
   if (below >= c.lo() && above <= c.hi()) return from;
-  // The value to wait for: the end of c on the side of f(from). tan comes back from below.
+  // The value to look for is the end of c on the side of f(from). tan starts again from below.
   const double v = w.second == Wave::Second::kNone || below < c.lo() ? c.lo() : c.hi();
   const auto precision =
       static_cast<mpfr_prec_t>(400 + (from == 0 ? 0 : std::max(0, std::ilogb(from))));

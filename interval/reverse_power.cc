@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// x^y = z backwards: y log x = log z where x and z are positive, a reverse product of logarithms; and
-// 0^y = 0 for y > 0.
+// Solves x^y = z for x or for y. Where x and z are positive, y log x = log z: a reverse product of logarithms.
+// Besides, 0^y = 0 for y > 0.
 #include <vector>
 
 #include "interval/infinity_internal.h"
@@ -15,8 +15,8 @@ namespace {
 using internal::kInfinity;
 using internal::Real;
 
-// An end of an interval of numbers or of logarithms: its sign (or that of its logarithm), whether it
-// is infinite there, and the number itself.
+// An end of an interval of numbers or of logarithms: the sign of the number (or of its logarithm), whether the number
+// (or its logarithm) is infinite, and the number itself.
 struct End {
   int sign;
   bool infinite;
@@ -29,7 +29,7 @@ struct Ends {
   End lo, hi;
 };
 
-// A piece of the answer. An end that is only approached matters if nothing else is left.
+// A piece of the answer. Whether an end is only approached matters if no other point is left.
 struct Piece {
   double lo, hi;
   bool lo_open, hi_open;
@@ -41,7 +41,8 @@ Interval kept(const Piece& p, const Interval& in) {
   return approached ? Interval::empty() : out;
 }
 
-// What a quotient of ends stands for. minus, zero, plus: minus infinity, 0 and plus infinity there.
+// What a quotient of ends stands for. minus, zero and plus are the results for the quotients minus infinity, 0 and
+// plus infinity.
 class Target {
  public:
   virtual ~Target() = default;
@@ -50,7 +51,7 @@ class Target {
   virtual double quotient(const End& c, const End& b, mpfr_rnd_t direction) const = 0;
 };
 
-// f(p) encloses the exact value, with p bits; `hits(d)` says whether the binary64 number d is it.
+// f(p) encloses the exact value with p bits; `hits(d)` says whether the value is the binary64 number d.
 template <typename Enclose, typename Hits>
 double round_exactly(Enclose f, Hits hits, mpfr_rnd_t direction) {
   for (mpfr_prec_t precision = 120;; precision *= 2) {
@@ -58,13 +59,13 @@ double round_exactly(Enclose f, Hits hits, mpfr_rnd_t direction) {
     f(low, high);
     const double a = low.round(direction), b = high.round(direction);
     if (a == b) return a;
-    // A number between two enclosures is the value, or more bits will tell.
+    // A number between the two bounds is the value, or more bits will decide.
     const double near = low.round(MPFR_RNDN);
     if (hits(near) || precision > 4000) return hits(near) ? near : (direction == MPFR_RNDD ? a : b);
   }
 }
 
-// z = d^y exactly?
+// Is z = d^y exactly?
 bool is_power(double d, double y, double z) {
   if (!(d > 0) || internal::is_infinite(d) || internal::is_infinite(y)) return false;
   const Real base(d), exponent(y), value(z);
@@ -117,8 +118,8 @@ class Exponents : public Target {
   }
 };
 
-// c / b for 0 <= |b| between `near` and `far`, all of one sign; `up`: the upper end of the result.
-// Which end of c counts, and over which b, are those of Interval's division.
+// An end of c / b for b of one sign, where |b| goes from `near` >= 0 to `far`; `up` asks for the upper end of the
+// result. The end of c that counts, and the b that divides it, are chosen as in Interval's division.
 double end_of_quotient(const Ends& c, const End& near, const End& far, bool negative, bool up,
                        const Target& target, bool& open) {
   const End& top = up != negative ? c.hi : c.lo;

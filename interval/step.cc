@@ -10,7 +10,7 @@ namespace veritope::internal {
 
 namespace {
 
-// f rises. If it is constant on x it can jump only at an end: jumps_at says whether there.
+// f never falls. If it is constant on x, it can jump only at an end of x: jumps_at says whether it does.
 template <typename F, typename JumpsAt>
 Evaluated step(const Interval& x, F f, JumpsAt jumps_at) {
   if (x.is_empty()) return no_value();

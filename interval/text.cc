@@ -26,7 +26,7 @@ Rational ten_to(std::int64_t n) {
   return n < 0 ? Rational(Integer(1), power) : Rational(power);
 }
 
-// A cursor over lower-case text. Each method takes what it names, or leaves the cursor and says no.
+// A cursor over lower-case text. Each method consumes what it names, or reports that it is not there.
 class Reader {
  public:
   explicit Reader(std::string_view text) : rest_(text) {}
@@ -43,7 +43,7 @@ class Reader {
   }
   bool negative_sign() { return take("-") || (take("+"), false); }
 
-  // digits of one base with at most one point; `fraction` counts those after it.
+  // The digits of a number in one base, with at most one point; `fraction` counts those after it.
   struct Digits {
     Integer value;
     int count = 0, fraction = 0;
@@ -67,7 +67,7 @@ class Reader {
     if (out.count == 0) return std::nullopt;
     return out;
   }
-  // A signed exponent after its letter, of at most kMaxLiteralDigits in size.
+  // A signed exponent after its letter, whose absolute value is at most kMaxLiteralDigits.
   std::optional<std::int64_t> exponent() {
     const bool negative = negative_sign();
     const std::optional<Digits> d = digits(10, false);
@@ -123,7 +123,7 @@ struct Written {
   Bound lo{-1, Rational()}, hi{1, Rational()};
 };
 
-// After "[": to the closing bracket.
+// Reads what follows "[", to the closing bracket.
 std::optional<Written> bracketed(Reader& r) {
   Written out;
   r.skip_blanks();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Periodic functions: the quarter turns in which the ends lie say which turning points and poles are between.
+// Periodic functions: the quarter turns of the ends tell which turning points and poles lie between them.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,13 +13,13 @@ namespace veritope::internal {
 
 namespace {
 
-// floor(x / (pi / 2)) mod 4 of both ends and whether they are more than two quarters apart.
+// The quarters floor(x / (pi / 2)) of both ends: that of the lower end mod 4, and the other counted on from it.
 struct Quarters {
   int lo, hi;  // lo in 0..3, hi >= lo counted on from there; at most lo + 8
 };
 
-// q = floor(x / (pi / 2)). Only 0 is a multiple of pi / 2, and no binary64 number comes closer to one
-// than 2^-62 of a quarter ([Mul16] 11.3): 80 bits beyond the point decide.
+// q = floor(x / (pi / 2)). Only 0 is a multiple of pi / 2, and no other binary64 number comes closer to one than
+// 2^-62 of a quarter ([Mul16] 11.3): 80 bits after the binary point decide.
 void quarter(mpfr_ptr q, double x) {
   const int exponent = x == 0 ? 0 : std::max(0, std::ilogb(x));
   Real quotient(static_cast<mpfr_prec_t>(exponent + 160)),
@@ -46,15 +46,15 @@ Quarters quarters(const Interval& x) {
   return {from, from + between};
 }
 
-// Is there a k with from < 4 k + turn <= to: is the start of a quarter = turn (mod 4) inside?
+// Is there a k with q.lo < 4 k + turn <= q.hi: does a quarter = turn (mod 4) start inside?
 bool passes(const Quarters& q, int turn) {
   for (int k = turn; k <= q.hi; k += 4)
     if (k > q.lo) return true;
   return false;
 }
 
-// f rises and falls between its least value -1 and its greatest 1, which it has at the starts of
-// the quarters bottom and top (mod 4).
+// f oscillates between -1 and 1, its least and its greatest value, which it reaches at the starts of the quarters
+// `bottom` and `top` (mod 4).
 Evaluated wave(RealFunction f, const Interval& x, int top, int bottom) {
   if (x.is_empty()) return no_value();
   if (!is_common(x)) return {Interval::from_bounds(-1, 1), Decoration::kCom};
@@ -87,7 +87,7 @@ Evaluated eval_cot(const Interval& x) {
   if (x.is_empty() || x.sign() == Sign3::kZero) return no_value();
   if (!is_common(x)) return {Interval::entire(), Decoration::kTrv};
   const MpfrScope environment;
-  // 0 is a pole that an end can hit: seen from the left it starts a quarter that x does not enter.
+  // An end can be the pole 0. If the upper end is, it starts a quarter that x does not enter.
   const bool ends_at_pole = order_key(x.hi()) == 0, starts_at_pole = order_key(x.lo()) == 0;
   Quarters q = quarters(x);
   if (ends_at_pole) --q.hi;

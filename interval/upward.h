@@ -12,10 +12,10 @@
 
 namespace veritope {
 
-/// From construction to destruction this thread rounds binary64 operations upward, with gradual
-/// underflow and all exceptions masked, whatever it did before: the control word is loaded as a
-/// whole, so that a caller's FTZ or DAZ is off, too. The destructor restores the caller's word. Filters of
-/// predicates, which count on rounding to nearest, do not decide inside; the predicates do.
+/// From construction to destruction this thread rounds binary64 operations upward, with gradual underflow and all
+/// exceptions masked, whatever it did before: the control word is loaded as a whole, so that a caller's FTZ or DAZ is
+/// off, too. The destructor restores the caller's word. Filters of predicates rely on rounding to nearest and
+/// therefore decide nothing inside; the predicates still answer.
 /// Only operands and results that pass through fenced() are known to be computed inside.
 class ScopedUpward {
  public:

@@ -16,7 +16,7 @@ namespace veritope {
 
 /// The map on the part `local` of [0,1]^N, as a map of [0,1]^N: coefficients that contain those of every map that
 /// `piece` stands for. The ends of `local` are taken as exact numbers.
-/// REQUIRES local inside [0,1]^N and a live ScopedUpward.  @cost 2 (degree + 1)^2 / 2 blends a line and axis
+/// REQUIRES local inside [0,1]^N and a live ScopedUpward.  @cost 2 (degree + 1)^2 / 2 blends for each line and axis
 template <std::size_t N>
 Bezier<Interval, N> on_box(Bezier<Interval, N> piece, const Box<N>& local) {
   const Interval one(1.0);
@@ -34,8 +34,8 @@ Bezier<Interval, N> on_box(Bezier<Interval, N> piece, const Box<N>& local) {
   return piece;
 }
 
-/// Around all coefficients of a component: contains its values on [0,1]^N. The excess over the exact range of the piece
-/// that on_box has cut is O(width^2) for point coefficients.
+/// The hull of all coefficients of a component, which contains its values on [0,1]^N. For a piece that on_box has cut,
+/// the excess over its exact range is O(width^2) if the coefficients are points.
 template <std::size_t N>
 Interval hull_of(const Bezier<Interval, N>& piece, int component) {
   Interval out = Interval::empty();
@@ -54,7 +54,7 @@ Bezier<R, N> cell_derivative(const Bezier<R, N>& map, std::size_t axis, const Ra
   const R factor = RingNumbers<R>::of_knot(Rational(n) / h);
   const Grid<N> from = map.grid(), to = out.grid();
   const std::size_t stride =
-      from.stride(axis);  // the same in `to`: the axes after this one are as they were
+      from.stride(axis);  // `to` has the same stride: the axes after this one are unchanged
   std::vector<std::size_t> first;
   from.for_each_line(axis, [&](std::size_t i) { first.push_back(i); });
   for (int c = 0; c < map.num_components(); ++c) {

@@ -16,8 +16,8 @@
 
 namespace veritope::internal {
 
-/// REQUIRES of all operations a live ScopedUpward. The signs of the scaled coefficients are those of the coefficients,
-/// and what a convex cone says of the ones it says of the others.
+/// All operations REQUIRE a live ScopedUpward. Scaled coefficients have the signs of the coefficients, and they lie in
+/// a convex cone iff the coefficients do.
 class ScaledBernstein2 {
  public:
   ScaledBernstein2() = default;
@@ -50,7 +50,7 @@ class ScaledBernstein2 {
   }
 
  private:
-  // The degrees of that grid at least: a product with 1 = (s + t)^k.
+  // Raises the degrees to at least those of that grid: a product with 1 = (s + t)^k.
   void raise_to(const Grid<2>& grid) {
     std::array<int, 2> more{};
     for (std::size_t a = 0; a < 2; ++a)

@@ -24,7 +24,7 @@ std::string cell_name(std::size_t i, std::size_t j) {
   return "piece (" + std::to_string(i) + ", " + std::to_string(j) + ")";
 }
 
-/// What is wrong with a piece's coefficients, or nothing.
+/// Reports what is wrong with a piece's coefficients, if anything is.
 Result<bool> check_piece(const BezierSurface<Rational>& piece, const std::string& name) {
   const Rational most = Rational::power_of_two(300);
   for (const Rational& v : piece.coefficients())
@@ -203,7 +203,7 @@ Box3 EnclosedSurface::point_at(std::size_t i, std::size_t j, const Interval& tu,
                                const Interval& tv) const {
   const NetShape shape{degrees_[0] + 1, degrees_[1] + 1, static_cast<std::size_t>(num_components_)};
   WorkNet net(piece(i, j), shape.size());
-  // Inside of the piece all factors are positive or zero, and products are cheap.
+  // Inside the piece all factors are positive or zero, and products are cheap.
   const bool is_inside = tu.lo() >= 0 && tu.hi() <= 1 && tv.lo() >= 0 && tv.hi() <= 1;
   const Interval one(1.0);
   const Interval su = one - tu, sv = one - tv;
@@ -289,7 +289,7 @@ EnclosedSurface::Range EnclosedSurface::range_of_piece(std::size_t i, std::size_
 template <typename OnPiece>
 void EnclosedSurface::on_pieces(const Interval& u, const Interval& v, OnPiece on_piece) const {
   const std::size_t last_i = num_spans(0) - 1, last_j = num_spans(1) - 1;
-  // A rectangle that ends on a knot needs nothing of the next piece: the derivatives are those of its inside.
+  // A rectangle that ends on a knot needs nothing of the next piece: its derivatives are those of its own side.
   const auto last_span = [&](std::size_t axis, std::size_t first, double hi) {
     const std::size_t span = span_of(axis, hi);
     return std::max(first, span > 0 && hi == breaks_[axis][span] ? span - 1 : span);
@@ -338,7 +338,7 @@ EnclosedSurface::SecondRange EnclosedSurface::second_range(const Interval& u,
           for (int k = 0; k < a + b; ++k) {
             const std::size_t axis = k < a ? 0 : 1;
             std::size_t& size = axis == 0 ? shape.rows : shape.columns;
-            if (size == 1) return out;  // of a polynomial of lower degree
+            if (size == 1) return out;  // the polynomial is of lower degree
             next.clear();
             append_derivative(net.data(), shape, axis, &next);
             net.swap(next);

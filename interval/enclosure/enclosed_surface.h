@@ -23,7 +23,7 @@ class EnclosedSurface {
   struct Range {
     Box3 point, du, dv;
   };
-  /// Which of them are wanted: the derivatives alone cost two thirds.
+  /// What the caller wants: the derivatives alone cost two thirds.
   enum class Want { kAll, kDerivatives };
 
   /// Boxes around the second derivatives.
@@ -32,11 +32,10 @@ class EnclosedSurface {
   };
 
   /// @error kBadArgument: not in space; a weight that is not positive; pieces that do not meet along a knot; knots that
-  /// are the
-  ///   same binary64 number; kOverLimit: coordinates beyond 2^300 (their products could overflow)
+  ///   are the same binary64 number; kOverLimit: coordinates beyond 2^300 (their products could overflow)
   static Result<EnclosedSurface> make(const BSpline<Rational, 2>& surface);
 
-  /// The ends of the spans, increasing. Working parameters; the exact knots beside them.
+  /// The ends of the spans, increasing: breaks() in working parameters, knots() exact.
   const std::vector<double>& breaks(std::size_t axis) const { return breaks_[axis]; }
   const std::vector<Rational>& knots(std::size_t axis) const { return knots_[axis]; }
   /// Whether working parameters are the surface's own.
@@ -48,26 +47,26 @@ class EnclosedSurface {
 
   /// The point at working parameters. Beyond the domain the last piece is continued.
   Box3 point(double u, double v) const;
-  /// As point(), in MPFR intervals of `precision` bits from the exact coefficients; homogeneous with weight 1 if
-  /// polynomial.
+  /// Like point(), but in MPFR intervals of `precision` bits from the exact coefficients. The result is homogeneous,
+  /// with weight 1 if the surface is polynomial.
   std::array<MpInterval, 4> precise_point(double u, double v, int precision) const;
   /// The point of one piece, continued beyond its borders, at a narrow box of parameters.
   Box3 point_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v) const;
   /// The weights of one piece, continued, over a rectangle; 1 for polynomial pieces.
   Interval weight_of_piece(std::size_t i, std::size_t j, const Interval& u,
                            const Interval& v) const;
-  /// As range(), of one piece, continued.
+  /// Like range(), but for one piece, which is continued.
   Range range_of_piece(std::size_t i, std::size_t j, const Interval& u, const Interval& v,
                        Want want = Want::kAll) const;
-  /// Over a rectangle of working parameters, which may cross knots and the domain's border; there the derivatives
-  /// are the hull of those of both sides. Excess width: first order in the rectangle's size. The whole of space where a
-  /// continued piece's weight is not positive.
+  /// Boxes over a rectangle of working parameters, which may cross knots and the domain's border; there the derivatives
+  /// are hulls over both sides. The excess width is of first order in the rectangle's size. The result is the whole of
+  /// space where a continued piece's weight is not positive.
   Range range(const Interval& u, const Interval& v, Want want = Want::kAll) const;
 
-  /// The second derivatives over a rectangle, as range().
+  /// The second derivatives over a rectangle, enclosed as range() does.
   SecondRange second_range(const Interval& u, const Interval& v) const;
 
-  /// The true parameter of a working one: an enclosure.
+  /// Encloses the true parameter that belongs to a working one.
   Interval true_parameter(std::size_t axis, const Interval& working) const;
 
   /// Coefficients of a piece, component by component, v fastest. Homogeneous if rational.
@@ -78,7 +77,7 @@ class EnclosedSurface {
   std::size_t net_count() const { return (degrees_[0] + 1) * (degrees_[1] + 1); }
   const std::array<std::size_t, 2>& degrees() const { return degrees_; }
   int num_components() const { return num_components_; }
-  /// The box around a net's points: of control points, divided by their weights.
+  /// The box around a net's control points, divided by their weights.
   Box3 hull_of_net(const Interval* net) const;
 
  private:
@@ -94,8 +93,8 @@ class EnclosedSurface {
   std::array<std::vector<double>, 2> breaks_;
   std::array<std::vector<Rational>, 2> knots_;
   std::vector<Rational> exact_;    // coefficients of all pieces
-  std::vector<Interval> nets_;     // around them
-  std::vector<Interval> du_, dv_;  // derivatives by the local parameters, degrees one less
+  std::vector<Interval> nets_;     // enclosures of exact_
+  std::vector<Interval> du_, dv_;  // derivatives by the local parameters, degrees one lower
 };
 
 }  // namespace veritope

@@ -15,14 +15,14 @@
 
 namespace veritope {
 
-/// [mid - radius, mid + radius], radius >= 0. Over Rational exact; over Interval both are enclosed.
+/// [mid - radius, mid + radius], radius >= 0. Both numbers are exact over Rational and enclosed over Interval.
 template <typename R>
 struct MidRadius {
   R mid, radius;
   friend bool operator==(const MidRadius&, const MidRadius&) = default;
 };
 
-/// All numbers of the boxes that it may stand for. REQUIRES a live ScopedUpward.
+/// Contains all numbers of the boxes that `a` may stand for. REQUIRES a live ScopedUpward.
 inline Interval to_interval(const MidRadius<Interval>& a) {
   return a.mid + Interval::from_bounds(-sup(a.radius), sup(a.radius));
 }
@@ -33,7 +33,7 @@ inline Rational magnitude(const Rational& a) { return abs(a); }
 inline Interval magnitude(const Interval& a) { return Interval::from_bounds(mig(a), mag(a)); }
 
 /// Evaluates the polynomial of one span by eq. 12 and 13; d has the control values span - degree .. span. Every t is
-/// admitted, but the result is an enclosure only where t +- eps lies in the span, where 0 <= alpha <= 1.
+/// admitted, but the result is an enclosure only where t +- eps lies in the span, because 0 <= alpha <= 1 only there.
 template <Ring R>
 MidRadius<R> de_boor_in_span(const KnotAxis<Rational>& axis, std::size_t span,
                              std::vector<MidRadius<R>> d, const Rational& t, const Rational& eps) {
@@ -67,14 +67,12 @@ std::vector<MidRadius<R>> values_of_span(const std::vector<MidRadius<R>>& line, 
 
 /// The spline with control boxes `line` over [lo, hi]: contains its value for every choice of points in the boxes
 /// and every t in [lo, hi]; at hi, if the map jumps there, the value from the left.
-///   (1) If no knot lies inside (lo, hi): mid is exactly the value of the spline of the mids at the middle of [lo, hi],
-///       and radius follows eq. 13; with fixed hi - lo, and on spans where no |D| changes sign, radius is a polynomial
-///       of
-///       degree <= degree in the middle.
+///   (1) If no knot lies inside (lo, hi): mid is exactly the value of the spline of the mids at the middle of
+///       [lo, hi], and radius follows eq. 13; with fixed hi - lo, and on spans where no |D| changes sign, radius is a
+///       polynomial of degree <= degree in the middle.
 ///   (2) A knot inside splits [lo, hi]; the widths add. With parts [t1], [t2] at the knot tau the result is
 ///       [P(t1)] + [P(t2)] - P(tau), which contains both, as both contain P(tau). Its middle is not P(middle): [SSP01]
-///       says nothing of the place of that box, and one around P(middle) with the sum of the widths may miss points of
-///       the
+///       does not say where that box lies, and a box around P(middle) with the sum of the widths may miss points of the
 ///       curve (tests/interval/interval_de_boor_test.cc). Where the map jumps at tau, the jump's size is added.
 /// REQUIRES lo <= hi in the domain, line.size() = axis.num_control(); over Interval a live ScopedUpward.
 /// @cost degree^2 / 2 products for each span
@@ -144,7 +142,7 @@ std::vector<MidRadius<R>> interval_de_boor(const BSpline<R, N>& map,
   return out;
 }
 
-/// The rounded version: boxes around everything that the exact one gives. REQUIRES finite boxes in the domain, a live
+/// The rounded version: boxes that contain all results of the exact one. REQUIRES finite boxes in the domain and a live
 /// ScopedUpward.
 template <std::size_t N>
 std::vector<Interval> interval_de_boor_enclosure(const BSpline<Interval, N>& map,
@@ -164,9 +162,9 @@ std::vector<Interval> interval_de_boor_enclosure(const BSpline<Interval, N>& map
   return out;
 }
 
-/// The tight form: eq. 5 with the four products of bounds instead of eq. 9; lies inside of the other, and touches the
-/// hull of the control boxes where that one leaves it. A knot inside (lo, hi) gives the hull of the parts.
-/// REQUIRES as interval_de_boor; a live ScopedUpward.
+/// The tight form: eq. 5 with the four products of bounds instead of eq. 9. It lies inside the result of
+/// interval_de_boor; where that result leaves the hull of the control boxes, the tight one touches the hull. A knot
+/// inside (lo, hi) gives the hull of the parts. REQUIRES what interval_de_boor requires, and a live ScopedUpward.
 Interval interval_de_boor_tight(const KnotAxis<Rational>& axis, const std::vector<Interval>& line,
                                 const Interval& at);
 

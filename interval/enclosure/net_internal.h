@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// interval/enclosure/net_internal.h: control nets of one piece in work space that is not allocated twice.
+// interval/enclosure/net_internal.h: control nets of one piece, in work space that is reused.
 #pragma once
 #include <cstddef>
 
@@ -10,12 +10,12 @@
 
 namespace veritope::internal {
 
-/// t a for t >= 0 and finite operands: of the four products of bounds two will do.
+/// t a for t >= 0 and finite operands: two of the four products of bounds are enough.
 inline Interval times_nonnegative(const Interval& t, const Interval& a) {
   return Interval::nonnegative_multiple(a, t);
 }
 
-/// The blend of a cut between 0 and 1, with two products of bounds a factor instead of four.
+/// The blend of a cut between 0 and 1, with two products of bounds per factor instead of four.
 struct InsideBlend {
   Interval s, t;
 
@@ -60,7 +60,7 @@ struct Cut {
   PartCuts<InsideBlend> cuts;
   bool is_inside;
 
-  // At 1/2 itself both orders are good; here the begin comes first, which keeps the last bits of published
+  // At exactly 1/2 both orders are good; the begin comes first here, which keeps the last bits of published
   // intersections.
   Cut(const Interval& t0, const Interval& t1)
       : cuts{{cuts_end_first(t1.hi()) && t1.hi() != 0.5, true, true}, {}, {}},
@@ -69,7 +69,7 @@ struct Cut {
     const CutPlaces<Interval> places(t0, t1, one, cuts.order.end_first);
     cuts.begin = {one - places.begin, places.begin};
     cuts.end = {one - places.end, places.end};
-    // Rounding may take a factor beyond 0; a number below it is then no factor of the exact cut.
+    // Rounding may move a factor below 0, where no factor of the exact cut lies.
     if (is_inside)
       for (InsideBlend* blend : {&cuts.begin, &cuts.end})
         for (Interval* f : {&blend->s, &blend->t})

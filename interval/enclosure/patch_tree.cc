@@ -10,7 +10,7 @@ namespace {
 
 double middle(double a, double b) { return a + 0.5 * (b - a); }
 
-/// Where m lies between a and b.
+/// Which part of the way from a to b lies before m.
 Interval fraction(double m, double a, double b) {
   return (Interval(m) - Interval(a)) / (Interval(b) - Interval(a));
 }

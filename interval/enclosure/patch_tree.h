@@ -10,9 +10,8 @@
 
 namespace veritope {
 
-/// Nodes above single pieces hold groups of spans; below, a piece is cut in four at binary64 numbers next to the
-/// middle. Children cover their parent. Nodes are made on demand and kept. All functions REQUIRE a live
-/// ScopedUpward.
+/// Nodes above single pieces hold groups of spans; below them a piece is cut into four at binary64 numbers next to the
+/// middle. Children cover their parent. Nodes are made on demand and kept. All functions REQUIRE a live ScopedUpward.
 class PatchTree {
  public:
   using Id = std::uint32_t;
@@ -35,14 +34,14 @@ class PatchTree {
   static constexpr Id kRoot = 0;
   const Node& node(Id id) const { return nodes_[id]; }
   const EnclosedSurface& surface() const { return surface_; }
-  /// The first child; num_children() follow. Splits the node if it has none yet.
+  /// The first child; the num_children() ids from there on are the children. Splits the node if it has none yet.
   Id children(Id id);
   std::uint32_t num_children(Id id) const { return nodes_[id].num_children; }
-  /// Over the rectangle, by working parameters. REQUIRES is_single().
+  /// The node, with derivatives over its rectangle by working parameters. REQUIRES is_single().
   const Node& with_derivatives(Id id);
   /// Coefficients of the node's part, as EnclosedSurface::piece. REQUIRES is_single().
   const Interval* net(Id id) const { return nets_.data() + nodes_[id].net; }
-  /// Whether the rectangle has parts: binary64 numbers between its ends.
+  /// Whether the rectangle can be cut: binary64 numbers lie between its ends.
   bool can_split(Id id) const;
 
  private:

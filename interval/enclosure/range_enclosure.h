@@ -31,10 +31,10 @@ struct RangeEnclosure {
   bool is_reached = false;  ///< excess <= wanted; else the limit on boxes was
 };
 
-/// Encloses the ranges of `enclose` over `at`: enclose(box) is a Result of one interval a component, around its values
-/// on the box, for boxes and points of `at`; it converges as boxes shrink. Cuts, where a component's bound is farthest
-/// from a value that is taken, until no bound is farther than `wanted` from one.
-/// @error what enclose says; kBadArgument for wanted <= 0.
+/// Encloses the ranges of `enclose` over `at`: enclose(box) is a Result of one interval per component, which contains
+/// its values on the box, for boxes and points of `at`; it converges as boxes shrink. Boxes are cut where a component's
+/// bound is farthest from a value that is attained, until no bound is farther than `wanted` from one.
+/// @error what enclose reports; kBadArgument for wanted <= 0.
 template <std::size_t N, typename Enclose>
 Result<RangeEnclosure> narrowed_range(const Box<N>& at, double wanted, std::size_t max_boxes,
                                       const Enclose& enclose) {

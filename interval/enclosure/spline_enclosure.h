@@ -27,15 +27,15 @@ struct EnclosureData;
 }
 
 /// A spline cut into Bezier pieces, with the pieces of its derivatives up to an order, found exactly and rounded
-/// outward. Rational maps: of their points, not of homogeneous coordinates. Control boxes (BSpline<Interval, N>): the
-/// enclosures contain the values of every spline with points in the boxes.
-/// A box across knots gets the hull over its cells; at a break one-sided derivatives of both sides are inside.
-/// Functions set the rounding mode themselves. Copies share their data.
+/// outward. For rational maps these are derivatives of points, not of homogeneous coordinates. With control boxes
+/// (BSpline<Interval, N>) the enclosures contain the values of every spline whose points lie in the boxes.
+/// The enclosure over a box across knots is the hull over its cells; at a break it contains the one-sided derivatives
+/// of both sides. Functions set the rounding mode themselves. Copies share their data.
 template <std::size_t N>
 class SplineEnclosure {
  public:
   static constexpr int kMaxOrder = 3;
-  /// max_order: of the derivatives that will be requested; the mean-value form needs one more than its quantity.
+  /// max_order: the highest order that will be requested; the mean-value form needs one more than its quantity.
   /// @error kBadArgument for an order outside [0, 3], or a weight that is not positive.
   static Result<SplineEnclosure> prepare(const BSpline<Rational, N>& map, int max_order);
   static Result<SplineEnclosure> prepare(const BSpline<Interval, N>& map, int max_order);
@@ -45,13 +45,13 @@ class SplineEnclosure {
   /// The largest box of binary64 numbers in the domain.
   Box<N> domain() const;
 
-  /// One interval a coordinate.
+  /// Encloses the values, one interval for each coordinate.
   /// @error kBadArgument for a box that is empty or leaves the domain, or an order that was not prepared for.
   Result<std::vector<Interval>> value(const Box<N>& at,
                                       EnclosureForm form = EnclosureForm::kBoth) const {
     return derivative({}, at, form);
   }
-  /// order[a]: how often differentiated by parameter a.
+  /// order[a]: how many times to differentiate by parameter a.
   Result<std::vector<Interval>> derivative(const std::array<int, N>& order, const Box<N>& at,
                                            EnclosureForm form = EnclosureForm::kBoth) const;
 

@@ -23,7 +23,7 @@ int total(const MultiIndex<N>& a) {
   for (const int k : a) sum += k;
   return sum;
 }
-/// All of a total of at most `order`, totals ascending.
+/// All multi-indices with a total of at most `order`, by ascending total.
 template <std::size_t N>
 std::vector<MultiIndex<N>> multi_indices(int order) {
   std::vector<MultiIndex<N>> out;
@@ -43,7 +43,7 @@ std::vector<MultiIndex<N>> multi_indices(int order) {
 template <std::size_t N>
 struct EnclosureData {
   struct Cell {
-    std::vector<Bezier<Interval, N>> derivatives;  // as `indices`
+    std::vector<Bezier<Interval, N>> derivatives;  // in the order of `indices`
   };
   int max_order = 0, dimension = 0;
   bool is_rational = false;
@@ -108,13 +108,13 @@ struct CellPart {
   std::array<std::size_t, N> index;
   Box<N> local;
 };
-/// The cells that a box meets, touching included. @error as SplineEnclosure::value.
+/// The cells that a box meets or touches. @error as SplineEnclosure::value.
 template <std::size_t N>
 Result<std::vector<CellPart<N>>> parts_of(const EnclosureData<N>& data, const Box<N>& at,
                                           int order);
 
-/// Formula: std::vector<Number> operator()(view), of derivatives up to `order`; base(), of which all that it reads are
-/// derivatives. `over`: the jets over the part, of one order more.
+/// F, the formula, has std::vector<Number> operator()(view), which reads derivatives up to `order`, and base(): all
+/// that the formula reads are derivatives of that one. `over`: the jets over the part, one order higher.
 template <std::size_t N, typename F>
 std::vector<Interval> mean_value(const EnclosureData<N>& data, const CellPart<N>& part,
                                  const F& formula, int order, const Jets<N>& over) {
@@ -127,7 +127,7 @@ std::vector<Interval> mean_value(const EnclosureData<N>& data, const CellPart<N>
     for (std::size_t a = 0; a < N; ++a)
       out[k] +=
           slopes[k].slope[a] * (data.axes[a].length[part.index[a]] * (part.local[a] - middle[a]));
-  // Where the formula is not defined at the middle (a singular point), this form knows nothing.
+  // Where the formula is not defined at the middle (a singular point), this form gives no bound.
   for (Interval& v : out)
     if (v.is_empty()) v = Interval::entire();
   return out;

@@ -104,7 +104,7 @@ std::optional<DirectionCone> cone_around(const std::vector<Vector<Interval>>& no
   const Vector<Interval> a{Interval(axis[0]), Interval(axis[1]), Interval(axis[2])};
   double tangent = 0;
   for (const auto& n : normals) {
-    // All-zero coefficients are in every cone; the cone is convex, and holds the others' combinations.
+    // Coefficients that are all zero lie in every cone; the cone is convex and holds the combinations of the others.
     if (squared(n).sign() == Sign3::kZero) continue;
     const Interval along = dot(n, a);
     if (along.sign() != Sign3::kPositive) return std::nullopt;

@@ -41,7 +41,7 @@ System evaluate_system(const EnclosedSurface& s1, const EnclosedSurface& s2, con
   return out;
 }
 
-/// Approximately; false if the middles are singular in doubles.
+/// Inverts the matrix of the middles approximately; returns false if it is singular in doubles.
 bool invert_middle(const IntervalMatrix4& j, Matrix4* out) {
   Matrix4 m;
   for (std::size_t i = 0; i < 4; ++i)

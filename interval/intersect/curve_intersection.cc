@@ -15,8 +15,8 @@
 namespace veritope {
 namespace {
 
-// Component c of a piece of K variables as a polynomial of N, its own being those from `first` on; the constant 1 for
-// the weight of a map that has none.
+// Component c of a piece in K variables as a polynomial in N variables, of which the piece's own are those from `first`
+// on; the constant 1 for the weight of a map that has none.
 template <std::size_t N, std::size_t K>
 ExactPolynomial<N> lifted(const Bezier<Rational, K>& piece, int c, std::size_t first) {
   std::array<int, N> degrees{};
@@ -26,7 +26,7 @@ ExactPolynomial<N> lifted(const Bezier<Rational, K>& piece, int c, std::size_t f
   ExactPolynomial<N> out(degrees, 1, false);
   if (is_one) {
     out.coefficients()[0] = Rational(1);
-  } else {  // the other axes have one coefficient: the same order
+  } else {  // the other axes have one coefficient, so the order stays
     std::copy(piece.component(c).begin(), piece.component(c).end(), out.coefficients().begin());
   }
   return out;
@@ -61,7 +61,7 @@ std::vector<std::vector<Interval>> hulls_of(const ExactPieces<N>& map) {
   return out;
 }
 
-// Gathers what was found on several pairs of parts.
+// Appends what was found on another pair of parts.
 template <std::size_t N>
 void append(RootReport<N>& to, RootReport<N> from) {
   to.effort.boxes += from.effort.boxes, to.effort.frames += from.effort.frames;

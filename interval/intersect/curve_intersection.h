@@ -11,9 +11,9 @@
 
 namespace veritope {
 
-/// All (s, t) with a(s) = b(t), two curves of the plane. Transversal ones are isolated, each proved; touching and
-/// overlapping ones end in clusters. Continuous maps; at torn knots (multiplicity degree + 1) each side counts for
-/// itself.
+/// All (s, t) with a(s) = b(t), for two curves in the plane. Transversal solutions are isolated, each with a proof;
+/// touching and overlapping ones end in clusters. The maps are continuous except at torn knots (multiplicity degree +
+/// 1), where each side counts for itself.
 /// @error kBadArgument: not of dimension 2, a weight that is not positive, bad options; kOverLimit
 Result<RootReport<2>> intersect_curves(const BSpline<Rational, 1>& a, const BSpline<Rational, 1>& b,
                                        const SolverOptions& options = {});
@@ -24,7 +24,7 @@ Result<RootReport<3>> intersect_curve_surface(const BSpline<Rational, 1>& curve,
                                               const BSpline<Rational, 2>& surface,
                                               const SolverOptions& options = {});
 
-/// A chord normal to both curves, exactly one in the box of its root, and how long it is.
+/// A chord that is normal to both curves, the only one in the box of its root, and its length.
 struct NormalChord {
   IsolatedRoot<2> parameters;
   Interval gap;
@@ -37,10 +37,10 @@ struct NormalChords {
   bool is_complete() const { return clusters.empty(); }
 };
 
-/// All (s, t) with (a(s) - b(t)) . a'(s) = 0 = (a(s) - b(t)) . b'(t): also where the curves meet. In space two curves
-/// meet only if three equations in two unknowns hold, which intervals cannot prove: what is certified is that these are
-/// all the places, and how wide each gap is; where its enclosure excludes 0, the curves do not meet. At knots of
-/// multiplicity >= degree, the critical points of either side.
+/// All (s, t) with (a(s) - b(t)) . a'(s) = 0 = (a(s) - b(t)) . b'(t), which includes those where the curves meet. In
+/// space two curves meet only if three equations in two unknowns hold, which intervals cannot prove: what is certified
+/// is that these are all the places, and how wide each gap is; where its enclosure excludes 0, the curves do not meet.
+/// At knots of multiplicity >= degree, the critical points of either side are reported.
 /// @error kBadArgument: different dimensions, a weight that is not positive, bad options; kOverLimit
 Result<NormalChords> normal_chords(const BSpline<Rational, 1>& a, const BSpline<Rational, 1>& b,
                                    const SolverOptions& options = {});

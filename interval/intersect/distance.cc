@@ -54,7 +54,7 @@ struct Part {
     for (const Interval& h : hull) out = std::max(out, h.hi() - h.lo());
     return out;
   }
-  // Along which its control polygons are longest; only axes of positive degree.
+  // The axis along which the control polygons are longest; only axes of positive degree count.
   std::size_t long_axis() const {
     std::array<double, 2> length{-1, -1};
     const Grid<2> grid = map.grid();
@@ -105,8 +105,8 @@ Interval hull_over(const Part& part, F f) {
   return out;
 }
 
-// Encloses |y - x|^2 for all x in a, y in b. With d = difference of the centres: |v|^2 |d|^2 = (v.d)^2 + |v x d|^2, and
-// both are linear in v = y - x. Where the parts are small, v is nearly d: the error is that of second order.
+// Encloses |y - x|^2 for all x in a, y in b. With the difference d of the centres, |v|^2 |d|^2 = (v.d)^2 + |v x d|^2,
+// and both are linear in v = y - x. Where the parts are small, v is nearly d: the error is of second order.
 Interval squared_distances(const Part& a, const Part& b) {
   Interval boxes;
   for (std::size_t k = 0; k < 3; ++k) boxes += sqr(b.hull[k] - a.hull[k]);
@@ -127,14 +127,14 @@ Interval squared_distances(const Part& a, const Part& b) {
   return intersection(boxes, sum / length);
 }
 
-// Encloses one value of |y - x|^2: at corners of the parts, which are control points.
+// Encloses one value of |y - x|^2, at corners of the parts, which are control points.
 Interval some_squared_distance(const Part& a, const Part& b) {
   Interval sum;
   for (std::size_t k = 0; k < 3; ++k) sum += sqr(b.control[0][k] - a.control[0][k]);
   return sum;
 }
 
-// Least distance by best-first search; greatest by the same on -|y - x|^2.
+// Finds the least distance by best-first search, and the greatest by the same search on -|y - x|^2.
 class DistanceSearch {
  public:
   DistanceSearch(const DistanceOptions& options, bool greatest)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/intersect/distance.h: enclosures of the least and the greatest distance between points, curves and surfaces
-// in up to three dimensions, and of the least distance of parts of one map that are no neighbours. Design:
+// in up to three dimensions, and of the least distance between parts of one map that are not neighbours. Design:
 // docs/design/0012-certified-solvers.md.
 #pragma once
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace veritope {
 
-/// A point, or the Bezier pieces of a curve or surface, in doubles with bounds: what distances are measured between.
+/// A point, or the Bezier pieces of a curve or surface, in doubles with bounds: distances are measured between shapes.
 class Shape {
  public:
   struct Piece {
@@ -30,8 +30,8 @@ class Shape {
 
   int dimension() const { return dimension_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Two pieces that share a point of the domain, or a point of a glued border: the two borders of an axis along which
-  /// the map closes exactly, or a border that is one point. A piece is its own neighbour.
+  /// True for two pieces that share a point of the domain, or a point of a glued border: the two borders of an axis
+  /// along which the map closes exactly, or a border that is one point. A piece is its own neighbour.
   bool are_neighbours(const Piece& a, const Piece& b) const;
 
  private:
@@ -53,13 +53,13 @@ struct DistanceOptions {
 
 struct DistanceEnclosure {
   Interval distance;         ///< encloses the distance; empty without two parts to compare
-  bool is_as_asked = false;  ///< as narrow as the options require; false: max_pairs were spent
+  bool is_as_asked = false;  ///< as narrow as the options require; false if max_pairs were spent
   std::uint64_t pairs = 0;   ///< pairs of parts that were examined
 };
 
 /// min |x - y| and max |x - y| over x in a, y in b. @cost branch and bound; the bounds of a pair of parts are off by
 /// the square of their size.
-/// @error kBadArgument: of different dimensions, or options not positive
+/// @error kBadArgument: different dimensions, or options that are not positive
 Result<DistanceEnclosure> least_distance(const Shape& a, const Shape& b,
                                          const DistanceOptions& options = {});
 Result<DistanceEnclosure> greatest_distance(const Shape& a, const Shape& b,

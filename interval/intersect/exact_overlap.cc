@@ -64,8 +64,9 @@ class ExactSurface {
   BezierPieces<Rational, 2> pieces_;
 };
 
-/// S1 at (u, v) is S2 at the affine image, on the cell [a0, b0] x [a1, b1] that holds no knot of either inside: both
-/// sides are polynomials, which agree if they do on a grid of degree + 1 points an axis.
+/// True if S1 at (u, v) is S2 at the affine image, on the cell [a0, b0] x [a1, b1] that holds no knot of either inside.
+/// Both sides, multiplied by both weights, are polynomials; they agree if they do on a grid of degree + 1 points per
+/// axis.
 bool agree_on_cell(const ExactSurface& s1, const ExactSurface& s2, const ExactOverlap& map,
                    const std::array<Rational, 2>& begin, const std::array<Rational, 2>& end) {
   const Rational half = Rational(1) / Rational(2);
@@ -139,7 +140,7 @@ std::optional<ExactOverlap> guess_map(const std::array<Point4, 3>& corners) {
   return out;
 }
 
-/// Where the second surface's knots lie on an axis of the first, with its own knots between; empty if the domains'
+/// The places of the second surface's knots on an axis of the first, with its own knots between; empty if the domains'
 /// images do not overlap.
 std::vector<Rational> common_breaks(const std::vector<Rational>& own,
                                     const std::vector<Rational>& other, const Rational& factor,
@@ -159,8 +160,8 @@ std::vector<Rational> common_breaks(const std::vector<Rational>& own,
   return out;
 }
 
-/// By the mean value theorem: two coordinates whose derivatives, each taken somewhere in the rectangle, are never
-/// dependent.
+/// Proved by the mean value theorem: two coordinates have derivatives, each taken somewhere in the rectangle, that are
+/// never dependent.
 bool is_one_to_one(const EnclosedSurface& s, const Interval& u, const Interval& v) {
   const auto r = s.range(u, v);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -204,7 +205,7 @@ std::optional<ExactOverlap> find_overlap(const BSpline<Rational, 2>& first,
 
 bool holds_all_of(const EnclosedSurface& s1, const EnclosedSurface& s2, const ExactOverlap& overlap,
                   const Box4& x) {
-  // S1(u, v) = S2(s, t) = S2(image of (u, v)), and S2 takes no value twice; or the same from the other side.
+  // S1(u, v) = S2(s, t) = S2(image of (u, v)), and S2 takes no value twice; or the same with the surfaces exchanged.
   const std::size_t of_s = overlap.is_swapped ? 1 : 0, of_t = 1 - of_s;
   const Interval fs = enclose(overlap.factor[0]), os = enclose(overlap.offset[0]);
   const Interval ft = enclose(overlap.factor[1]), ot = enclose(overlap.offset[1]);

@@ -14,7 +14,7 @@ namespace {
 
 double middle_of(const Interval& a) { return 0.5 * (a.lo() + a.hi()); }
 
-/// Ids by cells of the first surface's parameters.
+/// Finds ids by cells of the first surface's parameters.
 class ArcGrid {
  public:
   ArcGrid(const EnclosedSurface& s1, std::size_t num_arcs) {
@@ -89,7 +89,7 @@ class Joiner {
   const Interval& pivot_of(const Box4& x, std::size_t a) const {
     return x[static_cast<std::size_t>(arc(a).tube.pivot)];
   }
-  /// A common point in the box x is a point of arc a.
+  /// True if a common point in the box x is a point of arc a.
   bool holds(std::size_t a, const Box4& x) const {
     const Interval& w = pivot_of(x, a);
     return arc(a).begin.hi() <= w.lo() && w.hi() <= arc(a).end.lo() && arc(a).tube.contains(x);
@@ -125,7 +125,7 @@ class Joiner {
       unite(a, b);
       return true;
     }
-    // Neither end of one lies in the other, and no end of the other in it: they are apart.
+    // If no end of either arc lies in the other, they are apart.
     return is_surely_apart(a, b);
   }
   bool is_surely_apart(std::size_t a, std::size_t b) const {
@@ -152,7 +152,7 @@ class Joiner {
     return starts_at_end(a) ? arc(a).begin.hi() : arc(a).end.lo();
   }
 
-  /// How far in space arc b goes on after the finish of a.
+  /// How far, in space, arc b goes on after the finish of a.
   double progress(const Box4& x, std::size_t b) const {
     const double w = middle_of(pivot_of(x, b));
     return std::abs(finish_w(b) - w) / (arc(b).tube.w_hi - arc(b).tube.w_lo) * width(range_box(b));
@@ -176,8 +176,8 @@ class Joiner {
       if (!ids.empty()) out_->chains.push_back(walk(first_of(ids), ids.size()));
   }
 
-  /// Steps on to the arc that goes farthest, until the border, an arc that was passed already, or an unknown place. A
-  /// long arc may overtake the first one, so a loop closes where it meets itself.
+  /// Steps on to the arc that goes farthest, until the walk meets the border, an arc that was passed already, or an
+  /// unknown place. A long arc may overtake the first one, so a loop closes where it meets itself.
   BranchChain walk(std::size_t first, std::size_t most) {
     const bool starts_open = !starts_on_border(first) && start_holders(first).empty();
     const bool may_close = !starts_on_border(first) && !starts_open;
@@ -190,7 +190,7 @@ class Joiner {
       chain.steps.push_back({a, from, finish_w(a), entry, Interval(finish_w(a))});
       if (finishes_on_border(a)) {
         chain.steps.back().exit = starts_at_end(a) ? arc(a).begin : arc(a).end;
-        if (may_close) {  // a branch that ends on a border begins somewhere: not found
+        if (may_close) {  // a branch that ends on a border has a beginning, which was not found
           out_->unresolved.push_back(range_box(first));
           chain.is_partial = true;
         }
@@ -203,7 +203,7 @@ class Joiner {
         return chain;
       }
       const Box4 x = locate(s1_, s2_, arc(a).tube, finish_w(a));
-      // The earliest step whose arc holds the present end; the walk before it is no part of the loop.
+      // The earliest step whose arc holds the present end; the walk before that step is not part of the loop.
       const auto met =
           std::find_if(chain.steps.begin(), chain.steps.end() - 1, [&](const BranchStep& step) {
             return std::find(holders.begin(), holders.end(), step.arc) != holders.end();

@@ -22,7 +22,7 @@ struct DomainArc {
 struct BranchStep {
   std::size_t arc;
   double from, to;
-  /// `entry` encloses `from`: the place on this arc where the previous step ends, or where the border is. The other
+  /// `entry` encloses `from`: the place on this arc where the previous step ends, or where the border is. `exit`
   /// encloses the step's own end if that is on a border.
   Interval entry, exit;
 };
@@ -30,7 +30,7 @@ struct BranchStep {
 /// border.
 struct BranchChain {
   bool is_closed = false;
-  /// The chain begins or ends where its continuation is unknown: `unresolved` has the place.
+  /// The chain begins or ends where its continuation is unknown: `unresolved` contains the place.
   bool is_partial = false;
   std::vector<BranchStep> steps;
 };

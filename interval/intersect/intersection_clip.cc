@@ -55,7 +55,7 @@ class Clipper {
       if (!is_subset(x[i], domain_[i])) return false;
     return true;
   }
-  /// As tight as the derivative allows.
+  /// A box around the tube, as tight as the derivative allows.
   Box4 box_of(const IntersectionTube& tube) const {
     const Interval w = Interval::from_bounds(tube.w_lo, tube.w_hi);
     const double middle = tube.w_lo + 0.5 * (tube.w_hi - tube.w_lo);
@@ -85,14 +85,14 @@ class Clipper {
     clip(*high, halvings + 1);
   }
 
-  /// -1 before, +1 after, 0 unknown: parameter i against the bound, at w.
+  /// Compares parameter i at w with the bound: -1 before it, +1 after it, 0 unknown.
   int side(const IntersectionTube& tube, std::size_t i, double bound, double w) const {
     const Box4 at = locate(s1_, s2_, tube, w);
     return at[i].hi() < bound ? -1 : (at[i].lo() > bound ? 1 : 0);
   }
 
-  /// Keeps what is behind the place where parameter i is `bound` (keep_behind), or what is before it. False if it is
-  /// not decided whether the tube's range holds that place.
+  /// Keeps what follows the place where parameter i is `bound` (keep_behind), or what precedes it. Returns false if it
+  /// is not decided whether the tube's range holds that place.
   bool cut(DomainArc* arc, std::size_t i, double bound, bool keep_behind) const {
     const IntersectionTube& tube = arc->tube;
     const int rises = tube.derivative[i].sign() == Sign3::kPositive ? 1 : -1;
@@ -110,7 +110,7 @@ class Clipper {
     return true;
   }
 
-  /// Where x[i] passes the bound: an interval of w, beyond the tube's range if it does not within.
+  /// Where x[i] passes the bound: an interval of w, which lies beyond the tube's range if x[i] does not pass it within.
   std::optional<Interval> crossing(const IntersectionTube& tube, std::size_t i, double bound,
                                    int rises) const {
     const double width = tube.w_hi - tube.w_lo;

@@ -31,8 +31,8 @@ struct ExactOverlap {
   bool is_swapped = false;
   std::array<Rational, 2> factor, offset;  ///< of s, of t
 };
-/// Whether the overlap contains all common points of a box; proved by the derivatives of one surface, which is
-/// one-to-one there.
+/// True if it is proved that the overlap contains all common points of a box; the proof uses the derivatives of one
+/// surface, which is one-to-one there.
 bool holds_all_of(const EnclosedSurface& s1, const EnclosedSurface& s2, const ExactOverlap& overlap,
                   const Box4& x);
 

@@ -13,7 +13,7 @@ namespace veritope {
 namespace {
 
 constexpr int kMostHalvingsOfASegment = 12;
-/// Limits the segments of a branch that come from halving: weights far apart make bounds that nothing improves.
+/// Limits the segments of a branch that come from halving: weights far apart make bounds that no halving improves.
 constexpr std::size_t kMostSegments = 5000;
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
@@ -41,8 +41,8 @@ Interval control_hull(const std::array<Point4, 4>& c, std::size_t i) {
   return Interval::from_bounds(lo, hi);
 }
 
-/// The span of an axis that holds an interval of parameters, and by how much it sticks out. At the domain's ends pieces
-/// are continued, but no further than rounding goes.
+/// The span of an axis that holds an interval of parameters, and by how much the interval sticks out. At the domain's
+/// ends pieces are continued, but no further than rounding goes.
 struct Place {
   std::size_t span = 0;
   double outside = 0;
@@ -61,7 +61,8 @@ class Gap {
  public:
   Gap(const EnclosedSurface& s1, const EnclosedSurface& s2) : surfaces_{&s1, &s2} {}
 
-  /// Infinite if the cubic leaves the pieces that hold its middle; not the least bound if it is above `give_up_above`.
+  /// The bound. Infinite if the cubic leaves the pieces that hold its middle; not the least bound if it is above
+  /// `give_up_above`.
   double of(const std::array<Point4, 4>& c, double give_up_above) const {
     std::array<Place, 4> places;
     double slack = 0;
@@ -77,7 +78,7 @@ class Gap {
       if (places[i].outside > 0) slack += places[i].outside * speed(c, places, i);
     const std::size_t degree = degree_of();
     double most = 0;
-    // The inner nodes first: cubics that touch at both ends are worst there.
+    // The inner nodes come first: cubics that touch at both ends are worst there.
     const std::vector<double>& nodes = nodes_of(degree);
     for (std::size_t k = 0; k < nodes.size() && most <= give_up_above; ++k) {
       const Interval at(nodes[(k + nodes.size() / 2) % nodes.size()]);
@@ -191,7 +192,7 @@ class Tracer {
     return half;
   }
 
-  /// First order only: for pieces too short to be halved, across knots.
+  /// A bound of first order only, for pieces across knots that are too short to be halved.
   double gap_of_short(const std::array<Point4, 4>& c) const {
     const auto r1 = s1_.range(control_hull(c, 0), control_hull(c, 1));
     const auto r2 = s2_.range(control_hull(c, 2), control_hull(c, 3));
@@ -213,8 +214,8 @@ class Tracer {
     segment->length = length_of(derivative_over(tube, r1.du, r1.dv, r2.du, r2.dv), a, b, r1);
   }
 
-  /// At least the chord. At most the integral of t.e times the greatest |t| / t.e, t the tangents, e a unit vector
-  /// along the chord; the integral is the chord's own component along e.
+  /// The length is at least the chord. It is at most the integral of t.e times the greatest |t| / t.e, where t are the
+  /// tangents and e is a unit vector along the chord; the integral is the chord's own component along e.
   Interval length_of(const Box4& derivative, const Knot& a, const Knot& b,
                      const EnclosedSurface::Range& range) const {
     const Interval sign(b.w < a.w ? -1.0 : 1.0);

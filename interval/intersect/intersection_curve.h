@@ -23,7 +23,7 @@ struct CurveSegment {
 };
 
 /// REQUIRES a live ScopedUpward. Segments are halved until their gap is at most `gap`, or 2^-12 of a step is reached.
-/// Cost: some 20 evaluations of both surfaces a segment.
+/// Cost: approximately 20 evaluations of both surfaces per segment.
 std::vector<CurveSegment> trace_branch(const EnclosedSurface& s1, const EnclosedSurface& s2,
                                        const BranchSet& set, const BranchChain& chain, double gap);
 

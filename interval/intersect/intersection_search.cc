@@ -23,7 +23,7 @@ struct Pair {
 };
 
 constexpr std::size_t kMostComparisons = 50'000'000;
-/// By how much tubes reach beyond the box that they are made for: parts of its length.
+/// By how much tubes reach beyond the box that they are made for, as fractions of its length.
 constexpr double kLongReach = 0.35, kShortReach = 0.125;
 
 using internal::approx_middle;
@@ -32,7 +32,7 @@ double size_of(const Box3& box) {
       {box[0].hi() - box[0].lo(), box[1].hi() - box[1].lo(), box[2].hi() - box[2].lo()});
 }
 
-/// n . p over the control points of a net; false if a weight may not be positive.
+/// The range of n . p over the control points of a net; unknown if a weight may not be positive.
 struct Slab {
   Interval range;
   bool is_known = true;
@@ -64,8 +64,8 @@ std::optional<std::array<Interval, 3>> usable(const Point3d& d) {
                                  Interval(d[2] / scale)};
 }
 
-/// Directions that may separate two nodes seen as parallelograms: both normals, and those across a side of each, which
-/// also see apart what lies on one plane. An affine map of space maps them along.
+/// Directions that may separate two nodes seen as parallelograms: both normals, and the directions across a side of
+/// each, which also separate what lies in one plane. An affine map of space maps them along.
 std::array<Point3d, 6> separating_directions(const PatchTree::Node& a, const PatchTree::Node& b) {
   const Point3d u = approx_middle(a.du), v = approx_middle(a.dv), s = approx_middle(b.du),
                 t = approx_middle(b.dv);
@@ -108,7 +108,8 @@ class PairSearch {
     return Box4(Interval::from_bounds(a.u0, a.u1), Interval::from_bounds(a.v0, a.v1),
                 Interval::from_bounds(b.u0, b.u1), Interval::from_bounds(b.v0, b.v1));
   }
-  /// Unless a tube that was proved later, maybe from other pieces, holds the pair.
+  /// Records the pair as undecided. At the end drop_what_tubes_hold removes it if a tube holds it, maybe one that was
+  /// proved later from other pieces.
   void give_up(const Pair& p, OpenPair reason) {
     out_.undecided.push_back(box_of(p));
     out_.reasons.push_back(reason);
@@ -177,7 +178,7 @@ class PairSearch {
     const std::uint64_t key = key_of(p);
     if (found == Contraction::kUnknown) return false;
     if (is_covered(key, region)) return true;
-    // A long tube spares its neighbours theirs.
+    // A long tube makes those of its neighbours unnecessary.
     for (const double reach : {kLongReach, kShortReach}) {
       ++out_.proofs;
       auto tube = find_tube(s1, s2, region, reach);
@@ -198,7 +199,7 @@ class PairSearch {
     return tree.can_split(id) && n.u1 - n.u0 > budget_.smallest * span_u &&
            n.v1 - n.v0 > budget_.smallest * span_v;
   }
-  /// The larger in space of the two, or both if they are alike.
+  /// Cuts the node that is larger in space, or both if they are alike.
   void cut(const Pair& p, std::vector<Pair>* next) {
     const double a = size_of(first_.node(p.a).hull), b = size_of(second_.node(p.b).hull);
     const bool may_a = may_cut(first_, p.a), may_b = may_cut(second_, p.b);

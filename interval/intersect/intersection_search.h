@@ -11,14 +11,15 @@
 namespace veritope {
 
 struct IntersectionBudget {
-  /// A pair of rectangles is not cut further when its sides are this part of their spans.
+  /// A pair of rectangles is not cut further when its sides are this fraction of their spans.
   double smallest = 0x1p-30;
-  /// Pairs to be cut that touch form a cluster; one with more pairs than the first and, for each piece of both
-  /// surfaces, the second is given up at that size. Contact along an area or a curve ends so.
+  /// Pairs that are to be cut and touch each other form a cluster. A cluster is given up at its size if it has more
+  /// pairs than pairs_in_cluster plus pairs_per_piece for each piece of both surfaces. Contact along an area or a curve
+  /// ends so.
   std::size_t pairs_in_cluster = 1500, pairs_per_piece = 15;
   /// Limits the number of all pairs examined.
   std::uint64_t pairs = 200'000'000;
-  /// Asked now and then; true ends the search, what is left is undecided.
+  /// Called now and then; if it returns true, the search ends, and what is left is undecided.
   std::function<bool()> stop;
 };
 
@@ -33,7 +34,7 @@ struct IntersectionCover {
   /// Every common point of the closed domains lies in a tube or in an undecided box.
   std::vector<IntersectionTube> tubes;
   std::vector<Box4> undecided;
-  std::vector<OpenPair> reasons;  ///< of the undecided boxes, one each
+  std::vector<OpenPair> reasons;  ///< one for each undecided box
   std::uint64_t pairs = 0;        ///< rectangles compared
   std::uint64_t proofs = 0;       ///< tubes tried
 };

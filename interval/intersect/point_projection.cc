@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kHessianPrecision = 256;
 
-// With Q = P - C w of the homogeneous P, w: derivatives of |Q / w|^2 / 2 times w^3 (times 1 for polynomials), which is
-// positive.
+// The equations of critical points. With Q = P - C w of the homogeneous P, w, they are the derivatives of |Q / w|^2 / 2
+// times w^3 (times 1 for polynomials), which is positive.
 template <std::size_t N>
 class DistanceEquations {
  public:
@@ -74,7 +74,7 @@ Interval distance_between(const std::vector<Interval>& a, std::span<const Ration
   return sqrt(sum);
 }
 
-// By the signs of the Jacobian matrix of the equations over a box around the root.
+// Decides by the signs of the Jacobian matrix of the equations over a box around the root.
 template <std::size_t N>
 CriticalKind kind_at(const PiecewiseEquations<N>& system, const ExactBox<N>& box) {
   IntervalMatrix<N> j;
@@ -173,7 +173,7 @@ class Projector {
     double low = HUGE_VAL, high = HUGE_VAL;
     for (const auto& p : out.points) {
       low = std::min(low, p.distance.lo());
-      // One that is perhaps outside of the domain bounds nothing from above.
+      // A point that is perhaps outside of the domain bounds nothing from above.
       if (p.place != RootPlace::kAtBoundary) high = std::min(high, p.distance.hi());
     }
     for (const auto& r : out.open)

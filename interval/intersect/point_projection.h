@@ -25,11 +25,11 @@ enum class CriticalKind { kMinimum, kSaddle, kMaximum, kUndecided };
 template <std::size_t N>
 struct CriticalPoint {
   ExactBox<N> parameters;
-  std::optional<std::array<Rational, N>>
-      exact;  ///< the parameters, if known to be short fractions
+  /// The parameters, if they are known to be short fractions.
+  std::optional<std::array<Rational, N>> exact;
   std::array<bool, N> is_held{};
-  RootPlace place = RootPlace::
-      kInside;  ///< in the part; kAtBoundary: perhaps just outside, and then no critical point of the map
+  /// In the part; kAtBoundary: perhaps just outside, and then it is not a critical point of the map.
+  RootPlace place = RootPlace::kInside;
   CriticalKind kind = CriticalKind::kUndecided;  ///< kMinimum if all axes are held
   std::vector<Interval> point;                   ///< its coordinates
   Interval distance;
@@ -40,7 +40,7 @@ template <std::size_t N>
 struct OpenRegion {
   ExactBox<N> parameters;
   OpenReason reason = OpenReason::kNarrow;
-  Interval distance;  ///< of all points in the region
+  Interval distance;  ///< encloses the distances of all points in the region
 };
 
 template <std::size_t N>
@@ -48,10 +48,10 @@ struct Projection {
   std::vector<CriticalPoint<N>> points;
   std::vector<OpenRegion<N>> open;
   Interval least_distance;  ///< encloses the distance from the point to the map
-  std::vector<std::size_t>
-      /// indices of points: one of these is nearest unless an open region is nearer; a single entry is the nearest
-      nearest;
-  std::optional<std::size_t> certified_nearest;  ///< index of a point that is proved nearer than all others
+  /// Indices of points: one of these is nearest unless an open region is nearer; a single entry is the nearest.
+  std::vector<std::size_t> nearest;
+  std::optional<std::size_t>
+      certified_nearest;  ///< index of a point that is proved nearer than all others
   SolverEffort effort;
 
   bool is_complete() const { return open.empty(); }

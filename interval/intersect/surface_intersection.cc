@@ -59,7 +59,7 @@ class Intersector {
  private:
   double wanted_gap() const {
     const Box3 box = s1_.range(parameter_domain(s1_, s2_, 0), parameter_domain(s1_, s2_, 1)).point;
-    // Less than rounding lets nobody prove.
+    // Nobody can prove a gap smaller than rounding permits.
     const double rounding = 0x1p-38 * std::max({mag(box[0]), mag(box[1]), mag(box[2])});
     return std::max(options_.gap > 0 ? options_.gap : 0x1p-24 * width(box), rounding);
   }
@@ -102,7 +102,7 @@ class Intersector {
     out_.branches.push_back(std::move(branch));
   }
 
-  /// The boxes of a branch hold its ends, too.
+  /// Extends the boxes of a segment so that they hold its ends, too.
   void extend(const DomainArc& arc, const Interval& place, double inner,
               CurveSegment* segment) const {
     const Box4 x = box_over(s1_, s2_, arc, place, inner);
@@ -142,8 +142,9 @@ class Intersector {
     return kind == IntersectionContact::Kind::kTangency ? out_.tangencies : out_.unresolved;
   }
 
-  /// One pair of points with a common normal and no proved distance, in a box so small that its place is the answer:
-  /// inside of both domains, and of one piece of each, so that the normals are differentiable.
+  /// True for one pair of points with a common normal and no proved distance, in a box so small that its place is the
+  /// answer. The box lies inside both domains, and inside one piece of each surface, so that the normals are
+  /// differentiable.
   bool is_tangency(IntersectionContact* contact) const {
     if (!is_small_and_smooth(contact->parameters)) return false;
     const auto normal = find_common_normal(s1_, s2_, contact->parameters);
@@ -190,8 +191,8 @@ class Intersector {
     contact->reason.clear();
   }
 
-  /// Gauss-Newton for (s, t) with (u, v) fixed at the box's middle, in doubles: nothing if no near point of the second
-  /// surface is as good as equal.
+  /// Gauss-Newton for (s, t) with (u, v) fixed at the box's middle, in doubles. Returns nothing if no near point of the
+  /// second surface is nearly equal.
   std::optional<Point4> foot_points(const Box4& x) const {
     Point4 p = approx_middle(x);
     const Box3 at = s1_.point(p[0], p[1]);

@@ -29,7 +29,7 @@ struct IntersectionBranch {
   double gap = 0;
 };
 
-/// A place where it is not proved that the surfaces cross transversally, nor that they are apart.
+/// A place where it is proved neither that the surfaces cross transversally nor that they are apart.
 struct IntersectionContact {
   enum class Kind {
     /// exactly one pair of points with parallel normals whose connecting line is normal, too: see separation

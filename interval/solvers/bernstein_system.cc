@@ -10,13 +10,13 @@
 namespace veritope {
 namespace {
 
-// Rounding errors as large as this part of a polynomial's range: no hope to see its sign.
+// If rounding errors are as large as this part of a polynomial's range, there is no hope of seeing its sign.
 constexpr double kNoiseShare = 0x1p-4;
 
 using internal::approx_middle;
 
 struct Range {
-  double low = 0, high = 0;  // of all members of all coefficients
+  double low = 0, high = 0;  // bounds of all members of all coefficients
   double noise = 0;          // the widest coefficient
 
   bool has_zero() const { return low <= 0 && high >= 0; }
@@ -70,7 +70,7 @@ std::optional<Box<N>> root_of_inflated(const Bezier<Interval, N>& preconditioned
   at.fill(Interval(0.5));
   const std::vector<Interval> values = evaluate(wide, at);
   IntervalMatrix<N> derivatives = derivative_hulls(wide);
-  // In the coordinates [-1,1]: the derivatives are halves, so the map is doubled to have them near I again.
+  // In the coordinates [-1,1]^N derivatives are half as large, so the map is doubled to bring them near I again.
   const Interval two(2);
   std::copy(values.begin(), values.end(), centre.begin());
   for (Interval& v : centre) v = two * v / Interval(1 + 2 * kInflation);
@@ -79,7 +79,8 @@ std::optional<Box<N>> root_of_inflated(const Bezier<Interval, N>& preconditioned
   return krawczyk(centre, derivatives);
 }
 
-// The root of the tangent map lies well outside of the inflated box: the test would fail. A guess that saves time.
+// True if the root of the tangent map lies well outside of the inflated box, so that the test would fail. It is a guess
+// that saves time.
 template <std::size_t N>
 bool is_hopeless(const Bezier<Interval, N>& preconditioned) {
   std::array<Interval, N> at;
@@ -89,8 +90,8 @@ bool is_hopeless(const Bezier<Interval, N>& preconditioned) {
   return false;
 }
 
-// The axis along which the equations vary most. Not relative to their ranges on this piece: near a multiple root a box
-// ends with sides in proportion to what they contribute, w and w^2, say.
+// The axis along which the equations vary most. Their variation is not taken relative to their ranges on this piece:
+// near a multiple root a box ends with sides in proportion to what they contribute, for example w and w^2.
 template <std::size_t N>
 std::size_t axis_of_variation(const Bezier<Interval, N>& system) {
   std::array<double, N> variation{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/solvers/bernstein_system.h: N polynomials in N variables in Bernstein form with interval coefficients, on
-// one box: what the solver asks of it. All functions: REQUIRES a live ScopedUpward.
+// one box, and the questions that the solver asks about them. All functions REQUIRE a live ScopedUpward.
 #pragma once
 #include <optional>
 #include <utility>
@@ -11,19 +11,20 @@
 
 namespace veritope {
 
-/// What one look at a box says.
+/// What the examination of a box shows.
 template <std::size_t N>
 struct Examination {
   enum class Kind { kNoRoot, kOneRoot, kUnknown } kind = Kind::kUnknown;
-  /// kOneRoot: in the box inflated by kInflation of its sides on each side lies exactly one root, a simple one, and it
-  /// lies in this box, in coordinates in which the inflated box is [-1,1]^N. It may lie outside of the box examined.
+  /// kOneRoot: the box, inflated by kInflation of its sides on each side, contains exactly one root. The root is simple
+  /// and lies in this box, in coordinates in which the inflated box is [-1,1]^N. It may lie outside of the box
+  /// examined.
   Box<N> root;
   std::size_t axis = 0;       ///< kUnknown: where to cut
-  bool is_exhausted = false;  ///< kUnknown: rounding errors cover what would decide
+  bool is_exhausted = false;  ///< kUnknown: rounding errors hide what would decide
 };
 inline constexpr double kInflation = 0.125;
 
-/// The equations, N components of [0,1]^N, on the halves of an axis.
+/// The equations, N components on [0,1]^N, restricted to the two halves of an axis.
 template <std::size_t N>
 std::pair<Bezier<Interval, N>, Bezier<Interval, N>> halves(const Bezier<Interval, N>& system,
                                                            std::size_t axis);

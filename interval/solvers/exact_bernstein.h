@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // interval/solvers/exact_bernstein.h: sums, products and derivatives of scalar polynomials in Bernstein form over exact
-// numbers, of which the solvers' equations are made; and their enclosures on small boxes.
+// numbers, from which the solvers' equations are made; and their enclosures on small boxes.
 #pragma once
 #include <span>
 #include <vector>
@@ -17,7 +17,7 @@ using ExactPolynomial = Bezier<Rational, N>;
 
 template <std::size_t N>
 ExactPolynomial<N> product(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b);
-/// a + k b, of the larger degrees.
+/// a + k b, with the larger of the degrees.
 template <std::size_t N>
 ExactPolynomial<N> sum(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
                        const Rational& k = Rational(1));
@@ -34,8 +34,8 @@ ExactPolynomial<N> scalar(const Bezier<Rational, N>& map, int c) {
                             std::vector<Rational>(values.begin(), values.end()));
 }
 
-/// The coefficients of the map restricted to a box, each within 2^-precision of the largest or so. The box may stick
-/// out of [0,1]^N. REQUIRES a live ScopedUpward, no side of the box a point.
+/// The coefficients of the map restricted to a box, each to approximately 2^-precision of the largest. The box may
+/// extend beyond [0,1]^N. REQUIRES a live ScopedUpward, and that no side of the box is a point.
 template <std::size_t N>
 Bezier<Interval, N> enclosed_on(const Bezier<Rational, N>& map, const ExactBox<N>& box,
                                 int precision);

@@ -18,8 +18,8 @@ struct ValuesAndDerivatives {
 };
 
 /// The equations f(x) = 0 for root_isolation.h. `Function` maps a Box<N> to ValuesAndDerivatives<N> that hold on all of
-/// it; it must be continuously differentiable on the domain inflated by kInflation, and more precise numbers than
-/// double are not asked of it: roots that double does not tell apart end in clusters with OpenReason::kPrecision.
+/// it; the function must be continuously differentiable on the domain inflated by kInflation. It is not asked for
+/// numbers more precise than double: roots that double cannot separate end in clusters with OpenReason::kPrecision.
 template <std::size_t N, typename Function>
 class FunctionSystem {
  public:
@@ -87,7 +87,7 @@ class FunctionSystem {
  private:
   static inline const Rational kLeastShare = Rational::power_of_two(-46);
 
-  // Encloses the box of the function's own coordinates.
+  // Encloses the box in the function's own coordinates.
   Box<N> place(const Box<N>& local) const {
     Box<N> out;
     for (std::size_t i = 0; i < N; ++i)
@@ -119,7 +119,7 @@ class FunctionSystem {
   Function function_;
 };
 
-/// As polynomial_roots, in `domain`, which must be bounded with no side a point.
+/// Like polynomial_roots, but in `domain`, which must be bounded and have no side that is a point.
 template <std::size_t N, typename Function>
 RootReport<N> function_roots(const ExactBox<N>& domain, Function function,
                              const SolverOptions& options = {}) {

@@ -10,7 +10,7 @@
 
 namespace veritope::internal {
 
-/// The Bernstein coefficients on a box of those on [0,1]^N. The box may stick out of [0,1]^N.
+/// Replaces Bernstein coefficients on [0,1]^N by those on a box, which may extend beyond [0,1]^N.
 template <std::size_t N>
 void restrict_to(std::vector<MpInterval>& values, const Grid<N>& grid, const ExactBox<N>& box,
                  int precision) {

@@ -67,7 +67,7 @@ class PiecewiseSearch {
         set_place(root);
         out_.roots.push_back(std::move(root));
       } else {
-        at_borders_.push_back(std::move(root));  // its uniqueness is that of one cell's formulas
+        at_borders_.push_back(std::move(root));  // its uniqueness holds for one cell's formulas
       }
     }
     for (RootCluster<N> cluster : found->clusters) {
@@ -82,7 +82,7 @@ class PiecewiseSearch {
     for (std::size_t i = 0; i < N; ++i) local[i] = place[i].lo + place[i].width() * local[i];
     return local;
   }
-  // Meets no inner border.
+  // True if the box meets no inner border.
   bool is_inside(const ExactBox<N>& box, const ExactBox<N>& place) const {
     for (std::size_t i = 0; i < N; ++i)
       if ((box[i].lo <= place[i].lo && domain_[i].lo < place[i].lo) ||
@@ -91,8 +91,8 @@ class PiecewiseSearch {
     return true;
   }
 
-  // A root of one cell's formulas near an inner border: the root of the system there, if that is shown; nothing, if it
-  // is known or shown not to be one; else a cluster.
+  // Settles a root of one cell's formulas near an inner border. If it is shown to be a root of the system, that root is
+  // added; if it is known, or shown not to be a root, nothing is; otherwise a cluster is.
   void settle(const IsolatedRoot<N>& root) {
     for (int shrink = 4; shrink <= 64; shrink += 6) {
       const Rational margin = domain_.width() * Rational::power_of_two(-shrink);
@@ -120,7 +120,7 @@ class PiecewiseSearch {
     }
     unsettled_.push_back(root.box);
   }
-  // Lies where a root that was proved later, from another cell, is the only one.
+  // True if the box lies where a root that was proved later, from another cell, is the only one.
   bool is_known(const ExactBox<N>& box) const {
     return std::any_of(out_.roots.begin(), out_.roots.end(), [&](const IsolatedRoot<N>& known) {
       return is_subset(box, known.unique_in);
@@ -148,7 +148,7 @@ class PiecewiseSearch {
       const Look look = look_at(frame);
       ++out_.effort.boxes;
       if (!look.root) return;
-      // At a kink the contraction may be slow; where the box does not contract it is as narrow as it gets.
+      // At a kink the contraction may be slow; a box that does not contract is as narrow as it gets.
       const ExactBox<N> next = intersection(shortened(*look.root, options_.root_width), root.box);
       const bool is_progress = next.width() * Rational(16) < root.box.width() * Rational(15);
       root.box = next;
@@ -172,7 +172,7 @@ class PiecewiseSearch {
     bool is_free = false;             // no root in the box and the domain
     std::optional<ExactBox<N>> root;  // exactly one root in the box, and it is here
   };
-  // All cells that meet the box, each with its formulas on the whole box.
+  // Examines the box with all cells that meet it, each with its formulas on the whole box.
   Look look_at(const ExactBox<N>& box) {
     std::vector<Bezier<Interval, N>> parts;
     std::size_t central = 0;
@@ -201,7 +201,7 @@ class PiecewiseSearch {
         for (std::size_t j = 0; j < N; ++j)
           derivatives[i][j] = hull(derivatives[i][j], hulls[i][j]);
       if (p != central) continue;
-      // On [-1,1]^N, the map doubled so that its derivative stays near I.
+      // On [-1,1]^N the map is doubled, so that its derivative stays near I.
       const std::vector<Interval> values = evaluate(g, half);
       for (std::size_t i = 0; i < N; ++i) centre[i] = Interval(2) * values[i];
     }
@@ -212,7 +212,7 @@ class PiecewiseSearch {
   static bool excludes(const Bezier<Interval, N>& part) {
     return examine(part).kind == Examination<N>::Kind::kNoRoot;
   }
-  // The cell; an outermost one together with what lies beyond.
+  // The place of the cell; for an outermost cell, together with what lies beyond.
   ExactBox<N> continued(const Cell& cell) const {
     ExactBox<N> out = system_.place(cell);
     const Rational far = domain_.width() * Rational(2);

@@ -19,18 +19,20 @@ template <std::size_t N>
 struct PiecewiseEquations {
   using Cell = std::array<std::size_t, N>;
 
-  std::array<std::vector<Rational>, N> breaks;  // increasing, two at least
+  std::array<std::vector<Rational>, N> breaks;  // increasing, at least two
   /// N scalar polynomials of [0,1]^N, the cell's own coordinates.
   std::function<std::vector<ExactPolynomial<N>>(const Cell&)> equations;
-  /// Optional: proved to be free of roots, by a cheaper look than at the equations. With a live ScopedUpward.
+  /// Optional: true if the cell is proved to be free of roots at lower cost than from the equations. It is called with
+  /// a live ScopedUpward.
   std::function<bool(const Cell&)> is_free;
 
   ExactBox<N> domain() const;
   ExactBox<N> place(const Cell& cell) const;
 };
 
-/// As polynomial_roots, in the coordinates of the breaks. Beyond the domain the equations are continued by the formulas
-/// of the outermost cells. A root at an inner border is proved by Krawczyk's test over all cells that its box meets.
+/// Like polynomial_roots, but in the coordinates of the breaks. Beyond the domain the equations are continued by the
+/// formulas of the outermost cells. A root at an inner border is proved by Krawczyk's test over all cells that its box
+/// meets.
 /// @error as polynomial_roots
 template <std::size_t N>
 Result<RootReport<N>> piecewise_roots(const PiecewiseEquations<N>& system,

@@ -9,20 +9,21 @@
 
 namespace veritope {
 
-/// What RootReport promises, of the equations sum_i c_i B_i(x) = 0 whose Bernstein coefficients the components of
-/// `equations` are, N in all, each map with degrees of its own. Simple roots are isolated as soon as double intervals
-/// on a small enough window do; multiple roots, and roots closer than options.least_width, end in clusters.
+/// Returns what RootReport promises for the equations sum_i c_i B_i(x) = 0. Their Bernstein coefficients are the
+/// components of `equations`, N in all; each map has its own degrees. Simple roots are isolated as soon as double
+/// intervals on a small enough window suffice; multiple roots, and roots closer than options.least_width, end in
+/// clusters.
 /// @error as PolynomialSystem::make; kBadArgument also for options out of their range.
 template <std::size_t N>
 Result<RootReport<N>> polynomial_roots(std::span<const Bezier<Rational, N>> equations,
                                        const SolverOptions& options = {});
-/// The coefficients as they are. @error kNotFinite: one that is no number.
+/// Takes the coefficients as exact numbers. @error kNotFinite: a coefficient that is not a number.
 template <std::size_t N>
 Result<RootReport<N>> polynomial_roots(std::span<const Bezier<double, N>> equations,
                                        const SolverOptions& options = {});
 
-/// The root in a box at most `width` wide, if max_precision bits do; else as narrow as they do.
-/// REQUIRES a root that these equations have, width > 0.
+/// The root in a box at most `width` wide if max_precision bits suffice; otherwise as narrow as they allow. REQUIRES a
+/// root of these equations, width > 0.
 template <std::size_t N>
 IsolatedRoot<N> refined(const PolynomialSystem<N>& system, IsolatedRoot<N> root,
                         const Rational& width, int max_precision = 1 << 16);

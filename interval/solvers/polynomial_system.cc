@@ -37,10 +37,10 @@ class WideEquations {
       internal::restrict_to(rows_[r], exact.grid(), frame, precision);
     }
   }
-  // Double intervals of them, each equation times a power of two; empty if their relative errors are too large.
-  // Equations of nearly dependent gradients are replaced by combinations first, until no combination is much smaller
-  // than its parts: their difference would be lost in double. Multipliers are doubles, so that one round gains at most
-  // 53 bits.
+  // The equations in double intervals, each times a power of two; empty if their relative errors are too large.
+  // Equations with nearly dependent gradients are replaced by combinations first, until no combination is much smaller
+  // than its parts, because such a difference would be lost in double. Multipliers are doubles, so that one round gains
+  // at most 53 bits.
   std::optional<Bezier<Interval, N>> independent() {
     for (int round = 0; round <= precision_ / 32; ++round) {
       const auto out = normalised();
@@ -67,8 +67,8 @@ class WideEquations {
     }
     return out;
   }
-  // REQUIRES normalised rows. Multiplies by the matrix (triangular but for the order of its rows, 1 at the pivots:
-  // invertible).
+  // Multiplies by the matrix if some row becomes much smaller, and returns whether it did. The matrix is invertible: it
+  // is triangular up to the order of its rows, with 1 at the pivots. REQUIRES normalised rows.
   bool shrinks_by(const ApproxMatrix<N>& matrix) {
     std::array<std::vector<MpInterval>, N> out;
     bool shrunk = false;

@@ -13,16 +13,16 @@
 
 namespace veritope {
 
-/// Equations on [0,1]^N with exact coefficients, and a frame, a box: there, independent combinations of the equations
-/// are held in double intervals, computed from the exact coefficients with as many bits (MpInterval) as make their
-/// errors at most 2^-40 of the largest coefficient of each. So double arithmetic tells apart roots 1e-30 from each
-/// other, once the frame is that small.
+/// Equations on [0,1]^N with exact coefficients, and a frame, which is a box. On the frame, independent combinations of
+/// the equations are held in double intervals. They are computed from the exact coefficients with enough bits
+/// (MpInterval) that their errors are at most 2^-40 of the largest coefficient of each. So double arithmetic separates
+/// roots that are 1e-30 apart, once the frame is that small.
 template <std::size_t N>
 class PolynomialSystem {
  public:
   using Piece = Bezier<Interval, N>;
 
-  /// Makes a system of N scalar equations in all: the components of the given maps, each map of its own degrees.
+  /// Makes a system of N scalar equations in all: the components of the given maps, each map with its own degrees.
   /// @error kBadArgument: not N components, or a rational map; kOverLimit: more than kMaxCoefficients after raising
   /// degrees.
   static Result<PolynomialSystem> make(std::span<const Bezier<Rational, N>> equations);
@@ -33,15 +33,16 @@ class PolynomialSystem {
   const ExactBox<N>& frame() const { return frame_; }
   int precision() const { return precision_; }
 
-  // What root_isolation.h asks of a system. REQUIRES a live ScopedUpward.
+  // The interface that root_isolation.h asks of a system. REQUIRES a live ScopedUpward.
   Piece whole() const { return local_; }
   Examination<N> examine(const Piece& piece) const { return veritope::examine(piece); }
   std::pair<Piece, Piece> halves(const Piece& piece, std::size_t axis) const {
     return veritope::halves(piece, axis);
   }
-  /// Converts the equations to another frame; empty if max_precision bits do not suffice. REQUIRES no side a point.
+  /// Converts the equations to another frame; empty if max_precision bits do not suffice. REQUIRES that no side is a
+  /// point.
   std::optional<PolynomialSystem> zoom(const ExactBox<N>& frame, int max_precision) const;
-  /// All equations vanish there, exactly.
+  /// True if all equations vanish at the point, exactly.
   bool vanishes_at(const std::array<Rational, N>& point) const;
   const Bezier<Rational, N>& equations() const { return *exact_; }
 

@@ -15,8 +15,8 @@
 namespace veritope {
 
 /// N equations in N unknowns on a box, the frame. A piece stands for the equations on a part of the frame;
-/// examine(piece) means what Examination says, and its proofs hold on that part; zoom(box) is the same system with
-/// better numbers on a smaller frame, or empty.
+/// examine(piece) returns what Examination describes, and its proofs hold on that part; zoom(box) is the same system
+/// with better numbers on a smaller frame, or empty.
 template <typename S, std::size_t N>
 concept EquationSystem = requires(const S& s, const typename S::Piece& piece,
                                   const ExactBox<N>& box, std::array<Rational, N> point) {
@@ -33,7 +33,7 @@ concept EquationSystem = requires(const S& s, const typename S::Piece& piece,
 
 namespace internal {
 
-/// A box examined, in the coordinates in which the box of `examined` is [0,1]^N, and back.
+/// The box `examined`, inflated by kInflation of its sides on each side.
 template <std::size_t N>
 ExactBox<N> inflated_place(const ExactBox<N>& examined) {
   ExactBox<N> out = examined;
@@ -103,9 +103,9 @@ std::optional<ExactBox<N>> hull_of_live_parts(const S& system, SolverEffort& eff
 
 }  // namespace internal
 
-/// The box of a proved root narrowed to sides of at most `width`, or as far as max_precision bits and the system's
-/// numbers go. REQUIRES a live ScopedUpward, width > 0. @cost one zoom and one examination a step; steps double the
-/// digits once they are many.
+/// Narrows the box of a proved root to sides of at most `width`, or as far as max_precision bits and the system's
+/// numbers go. REQUIRES a live ScopedUpward, width > 0. @cost one zoom and one examination per step; once there are
+/// many digits, a step doubles them.
 template <std::size_t N, EquationSystem<N> S>
 void refine_root(const S& system, const Rational& width, int max_precision, IsolatedRoot<N>& root,
                  SolverEffort& effort) {
@@ -161,8 +161,8 @@ class RootSearch {
     IsolatedRoot<N> root;
     bool is_outside;  // of the domain
   };
-  // Halvings before a piece may count as exhausted; and the least side in a frame: doubles cut it, exactly, at its
-  // middle.
+  // How often a piece must be halved before it may count as exhausted, and the least side in a frame: doubles cut it
+  // exactly at its middle.
   static constexpr int kMinDepth = 5 * static_cast<int>(N);
   static constexpr double kLeastSide = 0x1p-44;
 
@@ -237,7 +237,7 @@ class RootSearch {
     return false;
   }
 
-  // Notes the root unless it is known; false if that could not be decided.
+  // Records the root unless it is known; returns false if that could not be decided.
   bool add(const S& frame, const Box<N>& local, const Box<N>& place) {
     Found f;
     f.root.unique_in = internal::inflated_place(placed(internal::exact_box(local), frame.frame()));
@@ -255,7 +255,7 @@ class RootSearch {
   }
 
   enum class Sameness { kSame, kDifferent, kUnknown };
-  // A root in the other's box of uniqueness is the other; roots in boxes that do not touch differ.
+  // A root in the other's box of uniqueness is the other root; roots in boxes that do not touch differ.
   Sameness compare(IsolatedRoot<N>& a, IsolatedRoot<N>& b) {
     for (Rational width = a.box.width();; width /= Rational(1 << 20)) {
       refine_root(system_, width, options_.max_precision, a, effort_);
@@ -287,7 +287,7 @@ class RootSearch {
         f.root.place = RootPlace::kOnBoundary;
     if (f.root.place == RootPlace::kAtBoundary) f.root.place = RootPlace::kInside;
   }
-  // Short fractions only: those of a random root's box have denominators near its width's inverse square root.
+  // Admits short fractions only: those of a random root's box have denominators near its width's inverse square root.
   void find_fraction(const ExactBox<N>& box, std::optional<std::array<Rational, N>>& out) {
     std::array<Rational, N> point;
     for (std::size_t i = 0; i < N; ++i) {
@@ -315,7 +315,7 @@ class RootSearch {
   const SolverOptions& options_;
   SolverEffort effort_;
   std::vector<Found> found_;
-  std::vector<Box<N>> covered_;  // proved boxes in the coordinates of the frame in work
+  std::vector<Box<N>> covered_;  // proved boxes in the coordinates of the current frame
   std::array<std::vector<ExactBox<N>>, 3> open_;
 };
 

@@ -16,24 +16,25 @@ namespace veritope {
 enum class RootPlace {
   kInside,      ///< proved: in the open domain
   kOnBoundary,  ///< proved: on a face, in the closed domain
-  kAtBoundary,  ///< within the width of its box of a face: on it, inside or outside
+  kAtBoundary,  ///< no farther from a face than its box is wide: on it, inside or outside
 };
 
 /// Proved: in `unique_in` the system has exactly one root, it is simple, and it lies in `box`, a subset of `unique_in`.
-/// `unique_in` may stick out of the domain: there the equations are continued by the same formulas.
+/// `unique_in` may extend beyond the domain: there the equations are continued by the same formulas.
 template <std::size_t N>
 struct IsolatedRoot {
   ExactBox<N> box, unique_in;
   RootPlace place = RootPlace::kInside;
-  std::optional<std::array<Rational, N>> exact;  ///< the root, if a short fraction proved to be it
+  std::optional<std::array<Rational, N>>
+      exact;  ///< the root, if it is proved to be this short fraction
 };
 
 /// Why a part of the domain was left undecided.
 enum class OpenReason {
-  kNarrow,       ///< at least_width: a multiple root, or roots closer than that
+  kNarrow,       ///< as small as least_width: a multiple root, or roots closer than that
   kPrecision,    ///< max_precision bits do not tell the equations from dependent ones here
-  kBudget,       ///< max_boxes were examined before
-  kZeroEquation  ///< an equation is identically zero: the roots are no points
+  kBudget,       ///< max_boxes had been examined
+  kZeroEquation  ///< an equation is identically zero: its roots are not isolated points
 };
 
 /// A part of the domain where roots were neither isolated nor excluded.
@@ -41,13 +42,13 @@ template <std::size_t N>
 struct RootCluster {
   ExactBox<N> box;
   OpenReason reason = OpenReason::kNarrow;
-  std::optional<std::array<Rational, N>> exact;  ///< a root in it, proved; empty: unknown
+  std::optional<std::array<Rational, N>> exact;  ///< a proved root in the cluster; empty if unknown
 };
 
 struct SolverEffort {
   std::uint64_t boxes = 0;   ///< examined
   std::uint64_t frames = 0;  ///< parts whose equations were computed anew from the exact ones
-  int precision = 53;        ///< bits, the most that were used
+  int precision = 53;        ///< the most bits that were used
 };
 
 struct SolverOptions {

@@ -147,7 +147,7 @@ std::vector<Interval> points_of(const ExactPieces<N>& map, const ExactBox<N>& bo
     const ExactBox<N> place = place_of(map, cells.index_of(i));
     if (!touches(place, box)) continue;
     ExactBox<N> local = seen_from(intersection(box, place), place);
-    for (ExactInterval& s : local.side)  // a point of a side: widened a little
+    for (ExactInterval& s : local.side)  // a side that is a point is widened a little
       if (s.lo == s.hi) {
         const Rational little = Rational::power_of_two(-200);
         s = {s.lo - little, s.hi + little};

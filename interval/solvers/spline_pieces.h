@@ -14,8 +14,8 @@ namespace veritope {
 template <std::size_t N>
 using ExactPieces = BezierPieces<Rational, N>;
 
-/// A part of a map that is continuously differentiable by its knots' multiplicities: between neighbouring breaks of
-/// multiplicity >= degree. `is_first`: no part before it along that axis shares its low border.
+/// A part of a map between neighbouring breaks of multiplicity >= degree: by the multiplicities of its knots the map is
+/// continuously differentiable there. `is_first`: no part before it along that axis shares its low border.
 template <std::size_t N>
 struct SmoothPart {
   ExactPieces<N> pieces;

@@ -22,8 +22,8 @@ struct AffineMap {
 
 namespace internal {
 
-/// The components after the map, of as many entries each as before. Homogeneous: the translation times the weight; the
-/// weight stays.
+/// The components after the affine map, each with as many entries as before. In homogeneous coordinates the translation
+/// is multiplied by the weight, and the weight stays.
 template <Ring R>
 std::vector<R> mapped(const AffineMap& affine, std::span<const R> from, bool is_rational) {
   const auto rows = static_cast<std::size_t>(affine.rows),

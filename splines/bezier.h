@@ -14,11 +14,11 @@ namespace veritope {
 
 /// A map from [0,1]^N with num_components() polynomials in Bernstein form of the same degrees. Rational maps
 /// are homogeneous: the last component is the weight w, the others are w times the coordinates.
-/// Coefficients lie component by component; within one as Grid says, the last variable fastest.
+/// Coefficients are stored component by component, and within a component as Grid says, the last variable fastest.
 template <Ring R, std::size_t N>
 class Bezier : public ControlNet<R> {
  public:
-  /// REQUIRES count of coefficients = num_components * product of (degrees + 1).
+  /// REQUIRES num_components * product of (degrees + 1) coefficients.
   Bezier(std::array<int, N> degrees, int num_components, bool is_rational,
          std::vector<R> coefficients)
       : ControlNet<R>(grid_of(degrees).count(), num_components, is_rational,

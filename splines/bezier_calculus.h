@@ -13,8 +13,8 @@
 
 namespace veritope {
 
-/// The derivative along `axis`. Polynomial: of a degree lower by one along it (of degree 0 from degree 0).
-/// Rational: (w P' - w' P) / w^2, of twice the degrees, the weight squared.
+/// The derivative along `axis`. For a polynomial map its degree along the axis is one lower (0 from degree 0). For a
+/// rational map it is (w P' - w' P) / w^2, with twice the degrees and the squared weight.
 template <Ring R, std::size_t N>
 Bezier<R, N> derivative(const Bezier<R, N>& map, std::size_t axis) {
   if (map.is_rational()) {
@@ -35,7 +35,7 @@ Bezier<R, N> derivative(const Bezier<R, N>& map, std::size_t axis) {
                               })};
 }
 
-/// The integral along `axis` from 0 to its variable: of one degree more. REQUIRES a polynomial map.
+/// The integral along `axis` from 0 to its variable, with a degree one higher. REQUIRES a polynomial map.
 template <Ring R, std::size_t N>
 Bezier<R, N> antiderivative(const Bezier<R, N>& map, std::size_t axis) {
   VT_CHECK(!map.is_rational(), "integral of a rational map");

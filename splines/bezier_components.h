@@ -22,12 +22,12 @@ Bezier<R, N> components(const Bezier<R, N>& map, int first, int count) {
           std::vector<R>(
               begin, begin + static_cast<std::ptrdiff_t>(size * static_cast<std::size_t>(count)))};
 }
-/// Without the weight: of a rational map, the weight times the coordinates.
+/// The components without the weight; in a rational map they are the weight times the coordinates.
 template <Ring R, std::size_t N>
 Bezier<R, N> numerators(const Bezier<R, N>& map) {
   return components(map, 0, map.dimension());
 }
-/// The polynomial 1 if the map is not rational.
+/// The weight; the polynomial 1 if the map is not rational.
 template <Ring R, std::size_t N>
 Bezier<R, N> weight(const Bezier<R, N>& map) {
   if (map.is_rational()) return components(map, map.dimension(), 1);

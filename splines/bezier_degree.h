@@ -15,7 +15,7 @@
 namespace veritope {
 
 /// Raises the degree along `axis` by `by`; the map stays the same. Each new coefficient is a convex combination of old
-/// ones. REQUIRES by >= 0.  @cost (degree + 1)(by + 1) products a line.  @source [FR88]
+/// ones. REQUIRES by >= 0.  @cost (degree + 1)(by + 1) products per line.  @source [FR88]
 template <Ring R, std::size_t N>
 Bezier<R, N> elevate(const Bezier<R, N>& map, std::size_t axis, int by) {
   VT_CHECK(by >= 0, "a degree can only be raised");
@@ -35,7 +35,7 @@ Bezier<R, N> elevate(const Bezier<R, N>& map, std::size_t axis, int by) {
           })};
 }
 
-/// Raises the degrees to the given ones; the map stays the same. REQUIRES none below the map's.
+/// Raises the degrees to the given ones; the map stays the same. REQUIRES that none is below the map's.
 template <Ring R, std::size_t N>
 Bezier<R, N> elevate_to(Bezier<R, N> map, const std::array<int, N>& degrees) {
   for (std::size_t axis = 0; axis < N; ++axis)
@@ -43,8 +43,8 @@ Bezier<R, N> elevate_to(Bezier<R, N> map, const std::array<int, N>& degrees) {
   return map;
 }
 
-/// Both maps with the greater degree along each axis. Polynomial maps are equal iff their coefficients then are;
-/// rational maps are, if the coefficients are up to one factor.
+/// Both maps with the greater degree along each axis. Polynomial maps are equal iff their coefficients then are equal;
+/// rational maps are equal if their coefficients then are equal up to one factor.
 template <Ring R, std::size_t N>
 std::pair<Bezier<R, N>, Bezier<R, N>> to_common_degrees(const Bezier<R, N>& a,
                                                         const Bezier<R, N>& b) {

@@ -57,7 +57,7 @@ Bezier<R, N> swapped(const Bezier<R, N>& map, std::size_t axis, std::size_t othe
   return permuted(map, order);
 }
 
-/// The map of the other variables where that of `axis` is t. @cost degree^2 / 2 blends a line
+/// The map in the other variables, with that of `axis` fixed at t. @cost degree^2 / 2 blends per line
 template <Ring R, std::size_t N>
 requires(N > 1) Bezier<R, N - 1> isoparametric(Bezier<R, N> map, std::size_t axis, const R& t) {
   const auto blend = internal::cut_at(t);
@@ -66,7 +66,7 @@ requires(N > 1) Bezier<R, N - 1> isoparametric(Bezier<R, N> map, std::size_t axi
   });
   return boundary(map, axis, 0);
 }
-/// The map of the other variables where that of `axis` is 0 (end = 0) or 1 (end = 1): coefficients are copied.
+/// The map in the other variables, with that of `axis` fixed at 0 (end = 0) or 1 (end = 1): coefficients are copied.
 template <Ring R, std::size_t N>
 requires(N > 1) Bezier<R, N - 1> boundary(const Bezier<R, N>& map, std::size_t axis, int end) {
   const auto at = end == 0 ? 0 : static_cast<std::size_t>(map.degree(axis));

@@ -54,7 +54,7 @@ Bezier<R, N> combined(const Bezier<R, N>& a, const Bezier<R, N>& b, Combine comb
 
 }  // namespace internal
 
-/// s times every component of the map, s a scalar map. Either may be rational, and the product then is.
+/// s times every component of the map, where s is a scalar map. If either is rational, so is the product.
 template <Ring R, std::size_t N>
 Bezier<R, N> multiplied(const Bezier<R, N>& s, const Bezier<R, N>& map) {
   VT_CHECK(s.dimension() == 1, "the factor of a map is a scalar");
@@ -99,7 +99,7 @@ Bezier<R, N> cross(const Bezier<R, N>& a, const Bezier<R, N>& b) {
   return std::move(out).result();
 }
 
-/// a + b and a - b, of the greater degree along each axis; of the sum of degrees where one is rational.
+/// a + b and a - b, with the greater degree along each axis, or with the sum of the degrees if one is rational.
 /// REQUIRES the same dimension.
 template <Ring R, std::size_t N>
 Bezier<R, N> sum(const Bezier<R, N>& a, const Bezier<R, N>& b) {

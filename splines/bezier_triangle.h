@@ -17,7 +17,7 @@
 
 namespace veritope {
 
-/// A point of the parameter triangle: its barycentric coordinates, of sum 1. A direction: of sum 0.
+/// Barycentric coordinates, of a point of the parameter triangle if their sum is 1, of a direction if it is 0.
 template <Ring R>
 using Barycentric = std::array<R, 3>;
 
@@ -26,8 +26,8 @@ inline std::size_t num_triangle_coefficients(int degree) {
   const auto n = static_cast<std::size_t>(degree);
   return (n + 1) * (n + 2) / 2;
 }
-/// The place of the coefficient of u^i v^j w^k, i + j + k = n, whatever n is: rows of constant i from corner 0 on, in
-/// them k rises.
+/// The place of the coefficient of u^i v^j w^k, i + j + k = n, whatever n is: rows of constant i follow each other from
+/// corner 0 on, and within a row k rises.
 inline std::size_t triangle_index(int j, int k) {
   return static_cast<std::size_t>((j + k) * (j + k + 1) / 2 + k);
 }
@@ -44,8 +44,8 @@ void for_each_triangle_index(int degree, Visit visit) {
 template <Ring R>
 class BezierTriangle {
  public:
-  /// REQUIRES degree >= 0 and num_triangle_coefficients(degree) coefficients a component; read data go through
-  /// make_bezier_triangle.
+  /// REQUIRES degree >= 0 and num_triangle_coefficients(degree) coefficients per component; data that were read go
+  /// through make_bezier_triangle.
   BezierTriangle(int degree, int num_components, bool is_rational, std::vector<R> coefficients)
       : degree_(degree),
         num_components_(num_components),
@@ -61,7 +61,7 @@ class BezierTriangle {
                                       static_cast<std::size_t>(num_components))) {}
 
   int degree() const { return degree_; }
-  /// The weight included.
+  /// Includes the weight.
   int num_components() const { return num_components_; }
   bool is_rational() const { return is_rational_; }
   int dimension() const { return num_components_ - (is_rational_ ? 1 : 0); }
@@ -161,7 +161,8 @@ BezierTriangle<R> directional_derivative(const BezierTriangle<R>& map,
   return out;
 }
 
-/// The three triangles at a point p: that at index e has p in the place of corner e. @cost one evaluation
+/// The three triangles into which a point p cuts the map: the one at index e has p in place of corner e. @cost one
+/// evaluation
 template <Ring R>
 std::array<BezierTriangle<R>, 3> split_at(const BezierTriangle<R>& map, const Barycentric<R>& p) {
   std::array<BezierTriangle<R>, 3> parts{map, map, map};
@@ -182,8 +183,8 @@ std::array<BezierTriangle<R>, 3> split_at(const BezierTriangle<R>& map, const Ba
 }
 
 /// The map on the triangle with these corners, as a map of the whole parameter triangle: its composition with an affine
-/// map of the parameters. The corners may lie anywhere; equal ones give a map that is constant along lines. @cost
-/// O(degree^5) products a component
+/// map of the parameters. The corners may lie anywhere; equal ones give a map that is constant along lines.
+/// @cost O(degree^5) products per component
 template <Ring R>
 BezierTriangle<R> restricted(const BezierTriangle<R>& map,
                              const std::array<Barycentric<R>, 3>& corners) {
@@ -206,9 +207,9 @@ BezierTriangle<R> restricted(const BezierTriangle<R>& map,
   return out;
 }
 
-/// The four triangles between the corners and the midpoints of the edges: number e < 3 keeps corner e in its place,
-/// number 3 is the middle one, with the midpoint of the edge opposite to corner e in the place of corner e. All keep
-/// the orientation.
+/// The four triangles between the corners and the midpoints of the edges: number e < 3 keeps corner e in its place;
+/// number 3 is the middle one, with the midpoint of the edge opposite to corner e in place of corner e. All keep the
+/// orientation.
 template <Ring R>
 std::array<BezierTriangle<R>, 4> split_in_four(const BezierTriangle<R>& map) {
   const R h = RingNumbers<R>::ratio(1, 2), o = one<R>(), z = R();

@@ -77,15 +77,16 @@ BezierTriangle<R> elevated(const BezierTriangle<R>& map) {
   }
   return out;
 }
-/// To a degree that is no less than the map's.
+/// Raises the degree to one that is not below the map's.
 template <Ring R>
 BezierTriangle<R> elevated_to(BezierTriangle<R> map, int degree) {
   while (map.degree() < degree) map = elevated(map);
   return map;
 }
 
-/// Component by component, weights included; a factor of one component, not rational, multiplies all but the weight.
-/// REQUIRES as many components and both rational or neither, or `a` of one component and not rational.
+/// The product, component by component, weights included; a factor that has one component and is not rational
+/// multiplies all components but the weight. REQUIRES equally many components and both maps rational or neither, or an
+/// `a` that has one component and is not rational.
 template <Ring R>
 BezierTriangle<R> product(const BezierTriangle<R>& a, const BezierTriangle<R>& b) {
   const bool is_scalar = a.num_components() == 1 && !a.is_rational();
@@ -107,7 +108,7 @@ BezierTriangle<R> product(const BezierTriangle<R>& a, const BezierTriangle<R>& b
   return out;
 }
 
-/// The sum of two maps with as many coordinates, over the product of their weights if one is rational.
+/// The sum of two maps with equally many coordinates, over the product of their weights if one is rational.
 template <Ring R>
 BezierTriangle<R> sum(const BezierTriangle<R>& a, const BezierTriangle<R>& b) {
   VT_CHECK(a.dimension() == b.dimension(), "a sum of two maps with as many coordinates");
@@ -176,8 +177,8 @@ BezierTriangle<R> affine_image(const BezierTriangle<R>& map, std::span<const R> 
                            map.is_rational(), std::move(c));
 }
 
-/// A tensor-product map of degrees (p, q) on the triangle with these corners of its parameter plane, of degree p + q.
-/// @cost O(q p^4 + q^2 p^2) products a component
+/// A tensor-product map of degrees (p, q) on the triangle with these corners in its parameter plane; its degree is p +
+/// q. @cost O(q p^4 + q^2 p^2) products per component
 template <Ring R>
 BezierTriangle<R> on_triangle(const BezierSurface<R>& map,
                               const std::array<std::array<R, 2>, 3>& corners) {

@@ -54,13 +54,13 @@ R ring_number(const Rational& q) {
   }
 }
 
-/// n over k in the ring. Rings of double: rounded once. REQUIRES n >= 0.
+/// n over k in the ring; rings of double round it once. REQUIRES n >= 0.
 template <Ring R>
 R binomial_in(int n, int k) {
   if (n <= kMaxBinomialRow) return RingNumbers<R>::ratio(binomial_int64(n, k), 1);
   return ring_number<R>(Rational(binomial(n, k)));
 }
-/// 1 / (n over k). Rings of double: rounded at most twice. REQUIRES 0 <= k <= n.
+/// 1 / (n over k); rings of double round it at most twice. REQUIRES 0 <= k <= n.
 template <Ring R>
 R inverse_binomial_in(int n, int k) {
   if (n <= kMaxBinomialRow) return RingNumbers<R>::ratio(1, binomial_int64(n, k));
@@ -68,7 +68,7 @@ R inverse_binomial_in(int n, int k) {
 }
 
 namespace internal {
-/// binomial_in<R>(n, k), made once in each thread, for code that asks for the same few very often. REQUIRES 0 <= k
+/// binomial_in<R>(n, k), computed once in each thread, for code that asks for the same few very often. REQUIRES 0 <= k
 /// <= n.
 template <Ring R>
 const R& known_binomial(int n, int k) {
@@ -83,7 +83,7 @@ const R& known_binomial(int n, int k) {
 }  // namespace internal
 
 /// (p over i) (q over j) / (p + q over i + j), which is at most 1: the factor of a_i b_j in coefficient i + j of the
-/// product of polynomials of degrees p and q in Bernstein form. Rings of double: rounded at most three times. REQUIRES
+/// product of polynomials of degrees p and q in Bernstein form. Rings of double round it at most three times. REQUIRES
 /// 0 <= i <= p, 0 <= j <= q.  Source: [FR88].
 template <Ring R>
 R product_weight(int p, int i, int q, int j) {

@@ -11,9 +11,9 @@
 
 namespace veritope {
 
-/// The blossoms of the components: symmetric and affine in each of the degree(a) arguments for axis a, for every a; the
-/// map itself where the arguments of each axis are equal; coefficient (i, j, ...) where i of those of axis 0 are 1, the
-/// others 0, ... REQUIRES arguments[a].size() = degree(a).  @cost as evaluation.  @source [Ram89]
+/// The blossoms of the components. They are symmetric and affine in the degree(a) arguments of every axis a. They are
+/// the map itself where the arguments of each axis are equal, and coefficient (i, j, ...) where i arguments of axis 0
+/// are 1 and its others 0, and so on. REQUIRES arguments[a].size() = degree(a).  @cost as evaluation.  @source [Ram89]
 template <Ring R, std::size_t N>
 std::vector<R> blossom(const Bezier<R, N>& map, const std::array<std::vector<R>, N>& arguments) {
   std::vector<R> values, work;

@@ -24,8 +24,8 @@ std::size_t find_span(const KnotAxis<Knot>& axis, const Knot& u) {
 }
 
 /// The factors of control points span - degree, ..., span in the blossom, at the given arguments, of the polynomial on
-/// a span that is not empty. Arguments all equal to a u in the span: the values there of the basis functions, none
-/// negative, computed without a difference of nearly equal terms. REQUIRES `degree` arguments, in any order.
+/// a span that is not empty. If all arguments equal a u in the span, they are the values of the basis functions at u,
+/// none negative, computed without a difference of nearly equal terms. REQUIRES `degree` arguments, in any order.
 /// @cost degree^2 / 2 quotients.  @source [Ram89], [PT97] A2.2
 template <typename Knot>
 std::vector<Knot> blossom_weights(const KnotAxis<Knot>& axis, std::size_t span,
@@ -45,7 +45,7 @@ std::vector<Knot> blossom_weights(const KnotAxis<Knot>& axis, std::size_t span,
   return weights;
 }
 
-/// Those of the value at u.
+/// The factors of the value at u.
 template <typename Knot>
 std::vector<Knot> basis_values(const KnotAxis<Knot>& axis, std::size_t span, const Knot& u) {
   return blossom_weights<Knot>(axis, span,

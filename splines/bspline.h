@@ -15,15 +15,15 @@
 namespace veritope {
 
 /// A piecewise polynomial (rational) map from the product of the axes' domains. Rational maps are homogeneous: the last
-/// component is the weight, the others are the weight times the coordinates. Coefficients lie component by component;
-/// within one as Grid says, the last axis fastest.
+/// component is the weight, the others are the weight times the coordinates. Coefficients are stored component by
+/// component, and within a component as Grid says, the last axis fastest.
 template <Ring R, std::size_t N>
 class BSpline : public ControlNet<R> {
  public:
   using Knot = typename RingNumbers<R>::Knot;
   using Axis = KnotAxis<Knot>;
 
-  /// REQUIRES what KnotAxis says and the right number of coefficients; read data go through make_bspline.
+  /// REQUIRES what KnotAxis says and the right number of coefficients; data that were read go through make_bspline.
   BSpline(std::array<Axis, N> axes, int num_components, bool is_rational,
           std::vector<R> coefficients)
       : ControlNet<R>(grid_of(axes).count(), num_components, is_rational, std::move(coefficients)),

@@ -15,9 +15,9 @@
 
 namespace veritope {
 
-/// Both maps, clamped, with the greater degree along each axis and each knot as often as the one needs that needs it
-/// more often. Polynomial maps are equal iff their coefficients then are; rational maps are, if the coefficients are up
-/// to one factor.
+/// Both maps, clamped, with the greater degree along each axis and each knot as often as the map requires that needs it
+/// more often. Polynomial maps are equal iff their coefficients then are equal; rational maps are equal if their
+/// coefficients then are equal up to one factor.
 /// @error kBadArgument, with the axis and a parameter, if the domains differ: see with_domain.
 template <Ring R, std::size_t N>
 Result<std::pair<BSpline<R, N>, BSpline<R, N>>> to_common_axes(BSpline<R, N> a, BSpline<R, N> b) {

@@ -17,7 +17,7 @@
 namespace veritope {
 namespace internal {
 
-/// Every knot once more.
+/// The knots, with one more copy of each.
 template <typename Knot>
 std::vector<Knot> doubled(const std::vector<Knot>& knots) {
   std::vector<Knot> out;
@@ -29,7 +29,7 @@ std::vector<Knot> doubled(const std::vector<Knot>& knots) {
 }
 
 /// The axis with additional knots and control points before and after it, so that every old knot lies in the domain:
-/// those of the other periods, or any.
+/// those of the other periods, or arbitrary ones.
 template <typename Knot>
 KnotAxis<Knot> padded_axis(const KnotAxis<Knot>& axis) {
   if (axis.is_periodic) return extended_axis(axis);
@@ -42,8 +42,9 @@ KnotAxis<Knot> padded_axis(const KnotAxis<Knot>& axis) {
   return padded;
 }
 
-/// Every knot once more, and of those outside of the domain as many as a degree raised by one needs. Without a period
-/// the domain begins and ends at the copies next to its inside: then the new control points depend on old ones only.
+/// The axis of a degree raised by one: every knot has one more copy, and outside of the domain there are as many knots
+/// as that degree needs. Without a period the domain begins and ends at the copies next to its inside: then the new
+/// control points depend on old ones only.
 template <typename Knot>
 KnotAxis<Knot> raised_axis(const KnotAxis<Knot>& axis) {
   const std::size_t q = static_cast<std::size_t>(axis.degree) + 1;
@@ -63,8 +64,8 @@ KnotAxis<Knot> raised_axis(const KnotAxis<Knot>& axis) {
           axis.is_periodic};
 }
 
-/// One of the degree + 1 refined nets whose mean is the net of the raised degree: that whose knots are those of the
-/// raised axis but every (degree + 1)th. Control point i of the mean takes point position[i] of it.
+/// One of the degree + 1 refined nets whose mean is the net of the raised degree: the one whose knots are those of the
+/// raised axis except every (degree + 1)th. Control point i of the mean takes point position[i] of this net.
 template <Ring R>
 class ElevationPart {
  public:
@@ -101,10 +102,10 @@ class ElevationPart {
 
  private:
   // The control point of the refined knots whose blossom arguments are raised[i + 1], ..., raised[i + q] without the
-  // one whose number is `residue` modulo q. They follow each other in `refined`: knots between the first and the last
-  // argument occur equally often in both, and of the first argument the last copies are meant. Unless all arguments are
-  // one knot u, of which `refined` may have q copies: then the map jumps at u, and it is the point left of u if
-  // raised[i] < u, else that right of it.
+  // one whose number is `residue` modulo q. These arguments follow each other in `refined`: knots between the first and
+  // the last argument occur equally often in both, and the last copies of the first argument are meant. The exception:
+  // all arguments are one knot u, of which `refined` may have q copies. Then the map jumps at u, and the result is the
+  // point left of u if raised[i] < u, otherwise the one right of it.
   static std::size_t find(const std::vector<Knot>& refined, const KnotAxis<Knot>& raised,
                           std::size_t i, std::size_t residue) {
     const auto q = static_cast<std::size_t>(raised.degree);
@@ -154,10 +155,10 @@ BSpline<R, N> elevate_once(const BSpline<R, N>& map, std::size_t axis) {
 }  // namespace internal
 
 /// Raises the degree along `axis` by `by`; the map stays the same. Every knot of the domain occurs `by` times more, so
-/// that the map is as smooth there as before; of the knots outside of it those are left that the degree needs. A
+/// that the map is as smooth there as before; outside of the domain only the knots that the degree needs are left. A
 /// clamped axis stays clamped, a periodic one periodic. Each new control point is a convex combination of old ones.
 /// REQUIRES degree >= 1, by >= 0.
-/// @cost `by` times for each line: degree + 1 refinements, each with one knot or none for every different knot
+/// @cost for each line, `by` times: degree + 1 refinements, each with at most one knot for every different knot
 /// @source [Pra84], here for knots of any multiplicity and ends of any kind
 template <Ring R, std::size_t N>
 BSpline<R, N> elevate(BSpline<R, N> map, std::size_t axis, int by) {

@@ -17,8 +17,8 @@
 namespace veritope {
 namespace internal {
 
-/// Control points i = factors[i] (from[index[i]] - from[index[i] - 1]), of a degree lower by one.
-/// Over an empty span, between the two values of a jump, there is no difference: its knot becomes one less.
+/// Control points i = factors[i] (from[index[i]] - from[index[i] - 1]), with a degree one lower. Over an empty span,
+/// between the two values of a jump, there is no difference: its knot loses one copy.
 template <typename Knot>
 struct DerivativeAxis {
   KnotAxis<Knot> axis;
@@ -110,11 +110,11 @@ BSpline<R, N> quotient_derivative(const BSpline<R, N>& map, std::size_t axis) {
 
 }  // namespace internal
 
-/// The derivative along `axis`; at a knot inside the domain where it jumps, that from the right.
-/// Polynomial: of a degree lower by one along the axis, with the same knots but the first and the last, periodic if the
-/// map is. From degree 1, a piecewise constant map of degree 0, which has no derivative itself.
-/// Rational: (w P' - w' P) / w^2, rational, of twice the degrees along all axes, clamped; the knots as often as its
-/// smoothness needs, its weight w^2.
+/// The derivative along `axis`; at a knot inside the domain where it jumps, the derivative from the right. For a
+/// polynomial map its degree along the axis is one lower; it has the same knots but the first and the last, and is
+/// periodic if the map is. From degree 1 it is a piecewise constant map of degree 0, which has no derivative itself.
+/// For a rational map it is (w P' - w' P) / w^2: rational, clamped, with twice the degrees along all axes, with the
+/// weight w^2, and with each knot as often as its smoothness needs.
 template <Ring R, std::size_t N>
 BSpline<R, N> derivative(const BSpline<R, N>& map, std::size_t axis) {
   return map.is_rational() ? internal::quotient_derivative(map, axis)

@@ -44,7 +44,8 @@ BSpline<R, N> clamped_part(BSpline<R, N> map, std::size_t axis,
                        }));
 }
 
-/// Other knots, increasing as the old ones, and the control points in their order or the reverse.
+/// The map with other knots, which increase as the old ones do, and the control points in the same or the reverse
+/// order.
 template <Ring R, std::size_t N>
 BSpline<R, N> with_knots(const BSpline<R, N>& map, std::size_t axis,
                          std::vector<typename RingNumbers<R>::Knot> knots, bool reversed) {
@@ -60,8 +61,8 @@ BSpline<R, N> with_knots(const BSpline<R, N>& map, std::size_t axis,
 }  // namespace internal
 
 /// The map on the part [a, b] of the domain of `axis`, clamped: a and b are its first and last degree + 1 knots. Where
-/// the map jumps at a or b, with its value inside. @error kBadArgument, with the axis and the value, unless a < b in
-/// the domain.
+/// the map jumps at a or b, the part has the value from inside. @error kBadArgument, with the axis and the value,
+/// unless a < b in the domain.
 template <Ring R, std::size_t N>
 Result<BSpline<R, N>> restricted(const BSpline<R, N>& map, std::size_t axis,
                                  const typename RingNumbers<R>::Knot& a,
@@ -72,7 +73,7 @@ Result<BSpline<R, N>> restricted(const BSpline<R, N>& map, std::size_t axis,
   if (!(a < b)) return internal::empty_domain(axis, a, b);
   return internal::clamped_part(map, axis, a, b);
 }
-/// On a box: [a[0], b[0]] x [a[1], b[1]] x ...
+/// The map on the box [a[0], b[0]] x [a[1], b[1]] x ...
 template <Ring R, std::size_t N>
 Result<BSpline<R, N>> restricted(const BSpline<R, N>& map,
                                  const std::array<typename RingNumbers<R>::Knot, N>& a,
@@ -82,14 +83,14 @@ Result<BSpline<R, N>> restricted(const BSpline<R, N>& map,
     part = restricted(part.value(), axis, a[axis], b[axis]);
   return part;
 }
-/// Clamps the map at both ends of an axis; knots outside of the domain are gone.
+/// Clamps the map at both ends of an axis; knots outside of the domain are dropped.
 template <Ring R, std::size_t N>
 BSpline<R, N> clamped(const BSpline<R, N>& map, std::size_t axis) {
   return internal::clamped_part(map, axis, map.axis(axis).domain_begin(),
                                 map.axis(axis).domain_end());
 }
 
-/// u -> F(-u) on the domain [-end, -begin]: without rounding in every ring.
+/// u -> F(-u) on the domain [-end, -begin]: no ring rounds it.
 template <Ring R, std::size_t N>
 BSpline<R, N> mirrored(const BSpline<R, N>& map, std::size_t axis) {
   std::vector<typename RingNumbers<R>::Knot> knots;
@@ -98,7 +99,7 @@ BSpline<R, N> mirrored(const BSpline<R, N>& map, std::size_t axis) {
   return internal::with_knots(map, axis, std::move(knots), true);
 }
 
-/// u -> F(begin + end - u), on the same domain. Where knots are rounded (double), mirrored does not move them.
+/// u -> F(begin + end - u), on the same domain. It needs exact knots; where knots are rounded (double), use mirrored.
 template <Ring R, std::size_t N>
 requires std::same_as<typename RingNumbers<R>::Knot, Rational> BSpline<R, N> reversed(
     const BSpline<R, N>& map, std::size_t axis) {

@@ -10,9 +10,9 @@
 
 namespace veritope {
 
-/// The B-spline, if the data are one; N = 1, 2, 3. For axes as make_knot_axis accepts; a coefficient for every
-/// component and control point; of a rational map at least one component besides the weight, and every weight positive;
-/// along a periodic axis of degree p the last p control points equal to the first p.
+/// The B-spline, if the data describe one; N = 1, 2, 3. make_knot_axis must accept the axes; every component and
+/// control point needs a coefficient; a rational map needs at least one component besides the weight, and every weight
+/// positive; along a periodic axis of degree p the last p control points must equal the first p.
 /// @error kBadArgument or kOverLimit, with the axis, the index of the knot or control point, from 0, and the value.
 template <std::size_t N>
 Result<BSpline<Rational, N>> make_bspline(std::array<KnotAxis<Rational>, N> axes,

@@ -36,7 +36,7 @@ BSpline<R, N> to_bspline(const Bezier<R, N>& map,
   return {std::move(axes), map.num_components(), map.is_rational(),
           std::vector<R>(map.coefficients().begin(), map.coefficients().end())};
 }
-/// On [0,1]^N.
+/// Converts the map to a B-spline on [0,1]^N without inner knots.
 template <Ring R, std::size_t N>
 BSpline<R, N> to_bspline(const Bezier<R, N>& map) {
   std::array<typename RingNumbers<R>::Knot, N> begin, end;
@@ -45,8 +45,8 @@ BSpline<R, N> to_bspline(const Bezier<R, N>& map) {
   return to_bspline(map, begin, end);
 }
 
-/// The pieces as one clamped map: of any continuity, since every inner knot occurs degree + 1 times. Undoes
-/// bezier_pieces up to these knots. REQUIRES pieces of the same degrees, number of components and kind.
+/// The pieces as one clamped map, of any continuity, since every inner knot occurs degree + 1 times. It undoes
+/// bezier_pieces, except for these knots. REQUIRES pieces of the same degrees, number of components and kind.
 template <Ring R, std::size_t N>
 BSpline<R, N> joined(const BezierPieces<R, N>& in) {
   const Bezier<R, N>& any = in.pieces.front();
@@ -77,10 +77,10 @@ BSpline<R, N> joined(const BezierPieces<R, N>& in) {
 
 namespace internal {
 
-/// The map on an axis with fewer knots, by blossoms at its knots; each from the middle one of the spans where the
-/// control point counts. Equal to `map` iff the map has such a form. REQUIRES a clamped axis of the same degree and
-/// domain, its knots among those of the map.
-/// @cost degree^2 / 2 quotients a control point, and degree products for each line
+/// The map on an axis with fewer knots, by blossoms at its knots; each blossom is that of the middle one of the spans
+/// where the control point counts. Equal to `map` iff the map has such a form. REQUIRES a clamped axis of the same
+/// degree and domain, its knots among those of the map.
+/// @cost degree^2 / 2 quotients per control point, and degree products for each line
 template <Ring R, std::size_t N>
 BSpline<R, N> with_fewer_knots(const BSpline<R, N>& map, std::size_t axis,
                                KnotAxis<typename RingNumbers<R>::Knot> coarse) {
@@ -127,9 +127,8 @@ KnotAxis<Knot> clamped_axis(int degree, const std::vector<Knot>& breaks,
 }  // namespace internal
 
 /// Removes some knots; the map stays the same.
-/// @error kBadArgument for a knot that the axis does not have, or not strictly inside of the domain; kLossy if no map
-/// with the
-///        other knots is the same.
+/// @error kBadArgument for a knot that the axis does not have, or that is not strictly inside of the domain; kLossy if
+///        no map with the other knots is the same.
 template <std::size_t N>
 Result<BSpline<Rational, N>> without_knots(const BSpline<Rational, N>& map, std::size_t axis,
                                            const std::vector<Rational>& knots) {

@@ -16,7 +16,7 @@
 
 namespace veritope {
 
-/// Counted over all components of a composed map.
+/// The limit on coefficients, counted over all components of a composed map.
 inline constexpr std::size_t kMaxComposedCoefficients = std::size_t{1} << 24;
 
 /// The degrees of the composed map: those of the inner one, each times the sum of the outer ones.

@@ -66,7 +66,7 @@ Inner absolute(Inner inner) {
   return inner;
 }
 
-// What the algorithm needs of an inner map: of itself, or of the absolute values of its coefficients.
+// What the algorithm needs of an inner map: of the map itself, or of the absolute values of its coefficients.
 template <std::size_t M>
 struct Prepared {
   internal::InnerMap<DoubleAlgebra, M> map;
@@ -92,7 +92,7 @@ double sum_of_sizes(const Polynomial& p) {
   return sum;
 }
 
-// What underflow can have done to a scaled coefficient of a component: docs/bounds/composition.md, section 3.
+// The error that underflow may have made in a scaled coefficient of a component: docs/bounds/composition.md, section 3.
 template <std::size_t M>
 double underflow_error(const std::array<int, M>& degrees, const Inner& inner, double largest) {
   const auto blended = [&](double error, std::size_t m) {
@@ -134,8 +134,7 @@ int internal::composition_roundings(const std::array<int, M>& outer,
   const int last = outer[M - 1];
   int sum = 0;
   for (const int a : outer) sum += a;
-  // The last variable's triangle begins with a product, not a blend; whatever is blended later begins with x, not q = 1
-  // - x.
+  // The last variable's triangle begins with a product, not a blend; later blends begin with x, not q = 1 - x.
   const int first_product =
       last == 0 ? 0 : filter_roundings(small, 2) - filter_roundings(small, 1) + (last == 1 ? 0 : 1);
   return sum * (filter_roundings(small, 2) + factor) - first_product + (1 + last) +

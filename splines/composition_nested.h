@@ -53,8 +53,8 @@ std::vector<typename Algebra::Polynomial> basis_polynomials(const Algebra& algeb
   return basis;
 }
 
-/// One component. coefficients: of the outer map, the last variable fastest; last_basis: basis_polynomials of the last
-/// variable.
+/// Composes one component. coefficients: those of the outer map, the last variable fastest; last_basis:
+/// basis_polynomials of the last variable.
 template <typename Algebra, std::size_t M>
 typename Algebra::Polynomial compose_component(
     const Algebra& algebra, const std::array<int, M>& degrees,

@@ -16,7 +16,7 @@ AxisMatrix AxisMatrix::powers(const PrimeField& field, std::size_t rows, std::si
 }
 
 // Column z holds the coefficients of Lagrange's polynomial of the node z: the product of t - s over all other nodes s,
-// by the product over all nodes divided by t - z, over z! (size - 1 - z)! (-1)^(size - 1 - z).
+// which is the product over all nodes divided by t - z, over z! (size - 1 - z)! (-1)^(size - 1 - z).
 AxisMatrix AxisMatrix::interpolation(const PrimeField& field, std::size_t size) {
   std::vector<Number> all{1};  // of all nodes; all[i]: of t^i
   for (std::size_t s = 0; s < size; ++s) {

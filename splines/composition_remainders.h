@@ -3,9 +3,9 @@
 // and interpolation.
 //
 // In the variables z = x / (1 - x) the scaled coefficients are those of ordinary polynomials. Modulo a prime p the
-// inner map is evaluated at z in {0, ..., D}^N, the outer map at its values, and the result, of degree D in each
-// variable, interpolated: exact, as modulo p nothing is ill-conditioned. In floating point the same is forbidden: its
-// condition grows like 2^D an axis.
+// inner map is evaluated at z in {0, ..., D}^N, the outer map is evaluated at its values, and the result, of degree D
+// in each variable, is interpolated. This is exact, as nothing is ill-conditioned modulo p. In floating point it would
+// not do: its condition grows like 2^D per axis.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ struct IntegerProblem {
   }
 };
 
-/// A grid of numbers with each line along an axis multiplied by a matrix, row by row.
+/// A matrix, row by row, by which each line of a grid along an axis is multiplied.
 struct AxisMatrix {
   std::size_t rows, columns;
   std::vector<PrimeField::Number> entries;
@@ -68,7 +68,7 @@ void multiply_axis(const PrimeField& field, const AxisMatrix& matrix, std::size_
   values = std::move(to);
 }
 
-/// C(a, i) x^i q^(a - i), i = 0..a, of numbers. binomials: those of a.
+/// Sets C(a, i) x^i q^(a - i) of numbers for i = 0..a. binomials: those of a.
 inline void basis_numbers(const PrimeField& field, std::span<const PrimeField::Number> binomials,
                           PrimeField::Number x, PrimeField::Number q,
                           std::span<PrimeField::Number> basis) {
@@ -80,7 +80,7 @@ inline void basis_numbers(const PrimeField& field, std::span<const PrimeField::N
     basis[i] = field.multiply(basis[i], power);
 }
 
-/// The whole of one prime: remainders of all scaled coefficients to `out`, component by component.
+/// The whole work for one prime: writes the remainders of all scaled coefficients to `out`, component by component.
 template <std::size_t M, std::size_t N>
 void compose_modulo(const PrimeField& field, const IntegerProblem<M, N>& problem,
                     const Grid<N>& out_grid, PrimeField::Number* out) {

@@ -14,7 +14,7 @@
 
 namespace veritope {
 
-/// Rings whose numbers are exact, and so can be compared with knots.
+/// Rings whose numbers are exact and can therefore be compared with knots.
 template <typename R>
 concept ComparableRing = Ring<R> &&(std::same_as<R, double> || std::same_as<R, Rational>);
 
@@ -22,7 +22,7 @@ namespace internal {
 inline Rational exactly(double v) { return Rational::from_double(v); }
 inline const Rational& exactly(const Rational& v) { return v; }
 
-/// Least and greatest of a coordinate over the control points, exactly; the weight divided out.
+/// The least and the greatest value of a coordinate over the control points, exactly, with the weight divided out.
 /// @error kBadArgument for a weight that is not positive.
 template <ComparableRing R, std::size_t N>
 Result<std::pair<Rational, Rational>> hull_of(const Bezier<R, N>& map, int coordinate) {
@@ -44,7 +44,7 @@ Result<std::pair<Rational, Rational>> hull_of(const Bezier<R, N>& map, int coord
   return hull;
 }
 
-/// The span of the axis whose closed interval contains the hull; the left one of two.
+/// The span of the axis whose closed interval contains the hull; if there are two, the left one.
 template <typename Knot>
 Result<std::size_t> span_of_hull(const KnotAxis<Knot>& axis,
                                  const std::pair<Rational, Rational>& hull, std::size_t number) {
@@ -63,7 +63,7 @@ Result<std::size_t> span_of_hull(const KnotAxis<Knot>& axis,
 
 /// For every axis, the number k of the knot span [knots[k], knots[k + 1]], not empty and in the domain, that contains
 /// all control points of the inner map. The hull decides, in exact numbers: a map that stays in a span while a control
-/// point does not is refused, too: split it.
+/// point does not is refused, too. Callers may split such a map.
 /// @error kBadArgument with the coordinate and its range, or with a weight that is not positive; inner.dimension() !=
 /// M.
 template <ComparableRing R, std::size_t M, std::size_t N>

@@ -15,7 +15,7 @@ namespace veritope {
 template <Ring R>
 class ControlNet {
  public:
-  /// The weight included.
+  /// Includes the weight.
   int num_components() const { return num_components_; }
   bool is_rational() const { return is_rational_; }
   /// The dimension of the points, without the weight.

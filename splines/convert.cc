@@ -41,7 +41,7 @@ Result<std::vector<Rational>> exact_numbers(std::span<const double> values, cons
   return out;
 }
 
-// The coefficients of a map, the weights, which are the last ones, not 0 unless they were.
+// The rounded coefficients of a map. Refuses a weight, these are the last ones, that becomes 0 and was not.
 template <typename Map>
 Result<std::vector<double>> rounded_coefficients(const Map& map) {
   auto out = rounded(map.coefficients(), "coefficient");

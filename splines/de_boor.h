@@ -21,7 +21,7 @@ Status require_in_domain(const KnotAxis<Knot>& axis, std::size_t number, const K
   return outside_domain(number, u, axis);
 }
 
-/// Homogeneous values to coordinates.
+/// Converts homogeneous values to coordinates.
 template <Ring R>
 std::vector<R> divided_by_weight(std::vector<R> values) {
   const R weight = values.back();
@@ -74,8 +74,8 @@ Result<std::vector<R>> evaluate(const BSpline<R, N>& map,
   return values;
 }
 
-/// The point at a place of the domain: without the weight, divided by it. Weights of control points are positive in
-/// maps that make_bspline returned, and so is then the weight everywhere. REQUIRES, of others, that it is not 0 there.
+/// The point at a parameter of the domain: its coordinates, divided by the weight. Maps that make_bspline returned have
+/// positive weights at control points, and therefore everywhere. For others, REQUIRES that the weight is not 0 there.
 /// @error as evaluate
 template <Ring R, std::size_t N>
 Result<std::vector<R>> point(const BSpline<R, N>& map,
@@ -91,7 +91,7 @@ std::vector<R> point(const Bezier<R, N>& map, const std::array<R, N>& at) {
   return map.is_rational() ? internal::divided_by_weight(std::move(values)) : values;
 }
 
-/// The map of the other variables where that of `axis` is u. @error as evaluate
+/// The map in the other variables, with that of `axis` fixed at u. @error as evaluate
 template <Ring R, std::size_t N>
 requires(N > 1) Result<BSpline<R, N - 1>> isoparametric(const BSpline<R, N>& map, std::size_t axis,
                                                         const typename RingNumbers<R>::Knot& u) {

@@ -39,7 +39,7 @@ Bezier<R, N> left_part(Bezier<R, N> map, std::size_t axis, const R& t) {
   });
   return map;
 }
-/// On the part [t, 1].
+/// Restricts the map to the part [t, 1].
 template <Ring R, std::size_t N>
 Bezier<R, N> right_part(Bezier<R, N> map, std::size_t axis, const R& t) {
   const auto blend = internal::cut_at(t);

@@ -12,7 +12,7 @@ namespace veritope::internal {
 //   into_second(a, b)   b <- blend of a and b
 
 /// s a + t b. With s = 1 - t the scheme cuts at t. With other s and t, s + t not 0, it cuts at t / (s + t), and the
-/// result of n blends one after the other is (s + t)^n times as large: so do integers without a division.
+/// result of n blends one after the other is (s + t)^n times as large: integers avoid a division this way.
 template <typename R>
 struct AffineBlend {
   R s, t;

@@ -29,7 +29,7 @@ struct FastSpline<N>::Data {
   internal::FastStorage<N> storage;
   internal::FastTables tables;
   std::size_t dimension;
-  int entry;  // of FastKernels: the degree if all are one and unrolled, else 0
+  int entry;  // in FastKernels: the degree if all are one and unrolled, else 0
 
   explicit Data(internal::FastStorage<N> s) : storage(std::move(s)), tables(storage.tables()) {
     dimension = static_cast<std::size_t>(storage.num_components) - (storage.is_rational ? 1 : 0);

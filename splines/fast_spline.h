@@ -20,7 +20,7 @@ FastBackEnd widest_fast_back_end();
 /// Where results go: point after point, and within a point
 ///   value, value_bound       dimension() numbers
 ///   partial, partial_bound   the derivative by the first parameter, dimension() numbers, then by the second, ...
-/// Null where not wanted; value is always wanted, and each bound only together with what it bounds.
+/// A pointer is null if its result is not wanted; value is always wanted, and each bound only with what it bounds.
 struct FastSplineOutput {
   double* value = nullptr;
   double* value_bound = nullptr;
@@ -29,12 +29,13 @@ struct FastSplineOutput {
 };
 
 /// A map cut into Bezier pieces whose control points are rounded once. A copy shares its tables.
-/// Claim    |computed - exact| <= bound, coordinate by coordinate; exact: the spline of the exact knots and control
-///          points, of its cell's polynomial, at the exact value of the binary64 parameter. Conversion included.
-/// Not      the least bound: of polynomial maps it is one number a piece and coordinate.
+/// Claim    |computed - exact| <= bound, coordinate by coordinate. exact is the value of the spline with exact knots
+///          and control points, of its cell's polynomial, at the exact value of the binary64 parameter. The bound
+///          includes the errors of conversion.
+/// Not      the least bound: polynomial maps have one number for each piece and coordinate.
 /// Outside  of the domain, and for NaN, values are NaN and bounds infinite. At a break the right-hand cell counts.
 /// Computes to nearest with gradual underflow whatever the caller's control word is; the same bits on every processor.
-/// Memory: 32 bytes a coefficient of every piece, for four components.
+/// Memory: 32 bytes for a coefficient of every piece, for four components.
 template <std::size_t N>
 class FastSpline {
  public:
@@ -49,7 +50,7 @@ class FastSpline {
   /// The least and the greatest binary64 numbers in the domain of an axis.
   std::array<double, 2> domain(std::size_t axis) const;
 
-  /// at[a][i]: parameter a of point i, i < n.  @cost bicubic 25, tricubic 42 ns a point (docs/benchmarks.md)
+  /// at[a][i]: parameter a of point i, i < n.  @cost bicubic 25, tricubic 42 ns per point (docs/benchmarks.md)
   void evaluate(const std::array<const double*, N>& at, std::size_t n,
                 const FastSplineOutput& out) const;
   /// REQUIRES is_available(back_end).

@@ -8,7 +8,7 @@ namespace veritope::internal {
 namespace {
 
 /// The Bernstein polynomials of degree n at s in b[0..n], those of degree n - 1 in below[0..n - 1], t = 1 - s.
-/// REQUIRES n >= 1. Additions and products of numbers that are not negative only.
+/// REQUIRES n >= 1. Uses only additions and products of numbers that are not negative.
 template <typename T>
 [[gnu::always_inline]] inline void bernstein_weights(int n, T s, T t, T one, T* b, T* below) {
   below[0] = one;

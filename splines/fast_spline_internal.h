@@ -13,11 +13,11 @@ inline constexpr double kFastQuotientRel = 0x1p-52, kFastQuotientSlack = 0x1.000
                         kFastQuotientFloor = 0x1p-1000;
 
 /// One axis: `pieces` cells, breaks[i] <= u < breaks[i + 1] for the binary64 numbers u of cell i, the last one closed.
-/// u lies in bucket trunc((u - breaks[0]) * per_bucket), and then in one of the cells first[bucket] .. first[bucket +
-/// 1].
+/// u lies in bucket trunc((u - breaks[0]) * per_bucket), and then in one of the cells
+/// first[bucket] .. first[bucket + 1].
 struct FastAxis {
   const double* breaks;        // pieces + 1
-  const double* origin;        // the cell's begin, to nearest
+  const double* origin;        // the cell's begin, rounded down
   const double* rate;          // 1 / its length, to nearest
   const double* slope_scale;   // degree / its length, to nearest
   const std::uint32_t* first;  // buckets + 2
@@ -26,15 +26,16 @@ struct FastAxis {
   int degree;
 };
 
-/// Lanes of four components, the last ones 0; those of a piece are [block][coefficient][4]. Bounds of a piece, per
-/// component: the value's, then the partial derivatives' by each axis.
+/// Lanes of four components, the last ones 0; those of a piece are [block][coefficient][4]. The bounds of a piece are,
+/// for each component, that of the value and then those of the partial derivatives by each axis.
 struct FastTables {
   FastAxis axis[3];
   const double* coefficients;
   const double* bounds;
-  const double* inverse_weight;  // upper bounds of 1 / w, a piece each; null for polynomial maps
+  const double*
+      inverse_weight;  // upper bounds of 1 / w, one for each piece; null for polynomial maps
   std::size_t num_coefficients;  // of a piece and component
-  int num_components;            // the weight, which is the last one, included
+  int num_components;            // includes the weight, which is the last one
 
   bool is_rational() const { return inverse_weight != nullptr; }
   std::size_t dimension() const {
@@ -60,7 +61,7 @@ struct FastKernels {
   FastKernel jet[3][kFastDegrees + 1];
 };
 extern const FastKernels kFastBaseline;
-// Null where the compiler does not make such code.
+// Null where the compiler cannot generate such code.
 const FastKernels* fast_avx2();
 
 }  // namespace veritope::internal

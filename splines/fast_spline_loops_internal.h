@@ -13,7 +13,7 @@ constexpr int kFastMaxDegree = 63;
 
 [[gnu::always_inline]] inline double fast_abs(double x) { return __builtin_fabs(x); }
 
-/// The cell of u. REQUIRES breaks[0] <= u <= breaks[pieces]. Right for every rounding of the bucket's number: the
+/// The cell of u. REQUIRES breaks[0] <= u <= breaks[pieces]. Correct for every rounding of the bucket's number: the
 /// function u -> bucket is monotone, and `first` was made with it.
 [[gnu::always_inline]] inline std::size_t fast_cell(const FastAxis& axis, double u) {
   auto bucket = static_cast<std::size_t>((u - axis.breaks[0]) * axis.per_bucket);
@@ -38,7 +38,7 @@ struct FastLoop {
     std::size_t cell[N];
     alignas(32) double s[4] = {0, 0, 0, 0};
   };
-  // False if a parameter is outside of the domain, or NaN.
+  // Returns false if a parameter is outside of the domain, or NaN.
   [[gnu::always_inline]] static bool locate(const FastTables& t, const double* const* at,
                                             std::size_t i, Place& place) {
     for (std::size_t a = 0; a < N; ++a) {
@@ -55,7 +55,7 @@ struct FastLoop {
     return true;
   }
 
-  // Degrees known: the weights of all axes side by side in the lanes.
+  // For known degrees: the weights of all axes side by side in the lanes.
   struct FixedWeights {
     alignas(32) double b[Degree + 1][4], d[Degree + 1][4];
     template <bool WithSlopes>
@@ -162,7 +162,7 @@ struct FastLoop {
         if (out.value_bound != nullptr) copy(out.value_bound + i * dimension, bounds, dimension);
         continue;
       }
-      // The block of the weight first: the last one.
+      // The block of the weight, which is the last one, comes first.
       const double inverse_w = t.inverse_weight[place.piece];
       alignas(32) double lanes[4];
       double w = 0;

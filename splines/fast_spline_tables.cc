@@ -18,11 +18,11 @@ Rational rounding_error(int roundings) {
   return exactly(round_up(ku / (Rational(1) - ku)));
 }
 
-// What one component of one piece is made of.
+// Sizes and errors of one component of one piece.
 struct Component {
   Rational conversion;               // max |exact - rounded|
   Rational size;                     // max |rounded|
-  std::vector<Rational> difference;  // an axis each: max |difference of exact neighbours|
+  std::vector<Rational> difference;  // for each axis: max |difference of exact neighbours|
 };
 
 template <std::size_t N>
@@ -46,7 +46,7 @@ Component measure(const Bezier<Rational, N>& piece, int c, std::vector<double>& 
         most = std::max(most,
                         std::abs(rounded[first + i * stride] - rounded[first + (i - 1) * stride]));
     });
-    // The difference is rounded once, in any mode: the factor pays. A difference does not underflow.
+    // The difference is rounded once, in any mode; the factor pays for that. A difference does not underflow.
     out.difference.push_back(exactly(round_up(exactly(most) * exactly(0x1.0000000000002p0))) +
                              Rational(2) * out.conversion);
   }

@@ -18,7 +18,7 @@ struct Grid {
     for (const std::size_t s : size) product *= s;
     return product;
   }
-  /// count(), or nothing if it is over the limit; no overflow on the way: for sizes that a file claims.
+  /// count(), or nothing if it is over the limit. It never overflows: sizes may be those that a file claims.
   std::optional<std::size_t> count_up_to(std::size_t limit) const {
     if (std::find(size.begin(), size.end(), std::size_t{0}) != size.end()) return 0;
     std::size_t product = 1;
@@ -28,7 +28,7 @@ struct Grid {
     }
     return product;
   }
-  /// From one entry to the next along `axis`.
+  /// The offset from one entry to the next along `axis`.
   std::size_t stride(std::size_t axis) const {
     std::size_t product = 1;
     for (std::size_t i = axis + 1; i < N; ++i) product *= size[i];

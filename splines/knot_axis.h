@@ -13,10 +13,11 @@ namespace veritope {
 /// The greatest degree that the constructors accept.
 inline constexpr int kMaxSplineDegree = 63;
 
-/// The knots of one axis. For n control points of degree p: n + p + 1 knots, not decreasing, the domain
-/// [knots[p], knots[n]] not empty, no knot more than p + 1 times. Clamped and unclamped alike. Periodic: also
-/// knots[n + i] - knots[p + i] = knots[n] - knots[p] wherever both exist, and the first p control points along the axis
-/// equal the last p: stored in full, so that nothing but the flag tells a periodic axis from an unclamped one.
+/// The knots of one axis, clamped or unclamped. For n control points of degree p there are n + p + 1 knots, not
+/// decreasing; the domain [knots[p], knots[n]] is not empty, and no knot occurs more than p + 1 times. On a periodic
+/// axis also knots[n + i] - knots[p + i] = knots[n] - knots[p] wherever both exist, and the first p control points
+/// along the axis equal the last p. They are stored in full, so that only the flag tells a periodic axis from an
+/// unclamped one.
 template <typename Knot>
 struct KnotAxis {
   int degree = 0;
@@ -42,7 +43,7 @@ std::string knot_text(double u);
 /// "axis 1: <sentence>"
 Error axis_error(Code code, std::size_t number, const std::string& sentence);
 
-/// A parameter of axis `number` that is not in its domain.
+/// The error of a parameter of axis `number` that is not in its domain.
 template <typename Knot>
 Error outside_domain(std::size_t number, const Knot& u, const KnotAxis<Knot>& axis) {
   return axis_error(Code::kBadArgument, number,
@@ -55,7 +56,7 @@ Error empty_domain(std::size_t number, const Knot& begin, const Knot& end) {
       Code::kBadArgument, number,
       "a domain from " + knot_text(begin) + " to " + knot_text(end) + " would be empty");
 }
-/// Knot i, which was u, would become `rounded` and no longer be as far from the others as the map needs.
+/// The error that knot i, which was u, would become `rounded` and no longer be as far from the others as the map needs.
 template <typename Knot, typename Rounded>
 Error knots_collide(std::size_t number, std::size_t i, const Knot& u, const Rounded& rounded) {
   return axis_error(Code::kLossy, number,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// splines/knot_insertion.h: more knots, the same map; up to the Bezier pieces of a B-spline.
+// splines/knot_insertion.h: inserts knots without changing the map, up to the Bezier pieces of a B-spline.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -25,14 +25,14 @@ int multiplicity(const KnotAxis<Knot>& axis, const Knot& u) {
 
 namespace internal {
 
-/// Many insertions into one axis, ready to be done to line after line of control points.
+/// Many insertions into one axis, prepared to be applied to line after line of control points.
 /// Source: [PT97] A5.4, which goes through the knots once, from the last to the first.
 template <Ring R>
 class Refinement {
  public:
   using Knot = typename RingNumbers<R>::Knot;
 
-  /// REQUIRES what refine says; at least one knot. @cost degree quotients an inserted knot
+  /// REQUIRES what refine says; at least one knot. @cost degree quotients per inserted knot
   Refinement(const KnotAxis<Knot>& old_axis, const std::vector<Knot>& inserted)
       : p_(static_cast<std::size_t>(old_axis.degree)),
         n_(old_axis.num_control()),
@@ -53,10 +53,11 @@ class Refinement {
     }
   }
 
-  /// Not periodic.
+  /// The new axis, which is not periodic.
   const KnotAxis<Knot>& axis() const { return axis_; }
 
-  /// From the num_control() points of a line of the old axis to those of the new. @cost degree blends an inserted knot
+  /// Computes the points of a line of the new axis from the num_control() points of the old one. @cost degree blends
+  /// per inserted knot
   void apply(Line<const R> from, Line<R> to) const {
     for (std::size_t j = 0; j + p_ <= first_span_; ++j) to[j] = from[j];
     for (std::size_t j = past_last_span_ - 1; j < n_; ++j) to[j + num_inserted_] = from[j];
@@ -79,7 +80,7 @@ class Refinement {
     Kind kind;
     R first, second;  // factors of the two points
   };
-  // 0 and 1 are not multiplied with: exact in rings that round, and cheaper.
+  // Nothing is multiplied by 0 or 1: this is exact in rings that round, and cheaper.
   static Blend blend_at(const Knot& u, const Knot& low, const Knot& high) {
     if (!(u < high)) return {Kind::kTakeSecond, R(), R()};
     if (!(low < u)) return {Kind::kTakeFirst, R(), R()};
@@ -98,9 +99,9 @@ class Refinement {
 }  // namespace internal
 
 /// Inserts knots on an axis; the map stays the same. A periodic axis becomes an unclamped one. Each new control point
-/// is a convex combination of old ones. REQUIRES knots in the domain, not decreasing, of which none becomes more than
-/// degree + 1 times one.
-/// @cost degree blends an inserted knot, and one copy a control point, for each line
+/// is a convex combination of old ones. REQUIRES knots in the domain, not decreasing, of which none then occurs more
+/// than degree + 1 times.
+/// @cost degree blends per inserted knot, and one copy per control point, for each line
 template <Ring R, std::size_t N>
 BSpline<R, N> refine(const BSpline<R, N>& map, std::size_t axis,
                      const std::vector<typename RingNumbers<R>::Knot>& knots) {
@@ -121,7 +122,7 @@ BSpline<R, N> refine(const BSpline<R, N>& map, std::size_t axis,
                           [&](auto from, auto to) { refinement.apply(from, to); }));
 }
 
-/// With u once more among the knots of an axis. REQUIRES u in the domain, its multiplicity <= degree.
+/// Inserts u once more into the knots of an axis. REQUIRES u in the domain, its multiplicity <= degree.
 template <Ring R, std::size_t N>
 BSpline<R, N> insert_knot(const BSpline<R, N>& map, std::size_t axis,
                           const typename RingNumbers<R>::Knot& u) {
@@ -156,7 +157,7 @@ std::vector<Knot> breaks_of(const KnotAxis<Knot>& axis) {
   return breaks;
 }
 
-/// What each of the given knots lacks to be one `degree` times.
+/// The copies that each of the given knots lacks to occur `degree` times.
 template <typename Knot>
 std::vector<Knot> missing_knots(const KnotAxis<Knot>& axis, const std::vector<Knot>& breaks) {
   std::vector<Knot> missing;

@@ -71,7 +71,7 @@ std::vector<R> permuted_net(std::span<const R> from, const Grid<N>& grid,
   return to;
 }
 
-/// x + y into x, without a copy where the ring allows.
+/// Adds y to x, without a copy where the ring allows.
 template <typename R>
 void accumulate(R& x, const R& y) {
   if constexpr (requires { x += y; }) {

@@ -76,7 +76,7 @@ PnPoint pn_edge_normal(const Vector<S>& p, const Vector<S>& q, const Vector<S>& 
 }
 
 // The two edge points at corner i add up to ((4 p + a + b) (n.n) - ((a + b - 2p).n) n) / (3 n.n) for the other corners
-// a, b: the sum over the corners over a common denominator, less two thirds of the corners' sum, is four times the
+// a, b. Their sum over all corners, over a common denominator, minus two thirds of the corners' sum is four times the
 // centre.
 template <typename S>
 PnPoint pn_centre(const PnCorners<S>& corners) {

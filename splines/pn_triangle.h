@@ -13,18 +13,17 @@ using PnPoint = std::array<Rational, 3>;
 
 /// points: degree 3. It interpolates the corners, where its tangent planes are orthogonal to the normals; its boundary
 /// over an edge depends on that edge's ends and their normals only. The lengths of the normals do not matter.
-/// normals: degree 2, not normalised. At the corners the given normals with their lengths; over an edge it depends on
-/// the edge alone. It is not the normal of `points`, only like it. [VPBM01] has all coefficients normalised: here the
-/// middle coefficient of an edge is theirs times the cosine of half the angle between the two normals if these are of
-/// length 1, so that no root is needed.
+/// normals: degree 2, not normalised. It has the given normals, with their lengths, at the corners; over an edge it
+/// depends on the edge alone. It is not the normal of `points`, but resembles it. [VPBM01] normalises all coefficients:
+/// the middle coefficient of an edge here is theirs times the cosine of half the angle between the two normals if these
+/// are of length 1, so that no root is needed.
 struct PnTriangle {
   BezierTriangle<Rational> points;
   BezierTriangle<Rational> normals;
 };
 
 /// @error kBadArgument: a degenerate triangle; a normal that is zero, or 90 degrees or more off the triangle's plane
-/// normal
-///        (p1 - p0) x (p2 - p0), with the corner, from 0, as Place::vertex.
+///        normal (p1 - p0) x (p2 - p0), with the corner, from 0, as Place::vertex.
 Result<PnTriangle> make_pn_triangle(const std::array<PnPoint, 3>& corners,
                                     const std::array<PnPoint, 3>& normals);
 
@@ -40,17 +39,17 @@ Status check_pn_triangle(const PnCorners<S>& corners);
 template <typename S>
 PnPoint pn_edge_point(const std::array<S, 3>& p, const std::array<S, 3>& q,
                       const std::array<S, 3>& n);
-/// The normals' middle coefficient of an edge: half of n + m, reflected in the plane across the edge,
+/// The middle coefficient of an edge's normals: half of n + m, reflected in the plane across the edge,
 /// (n + m) / 2 - (d.(n + m) / (d.d)) d for d = q - p. Symmetric. REQUIRES p != q.
 template <typename S>
 PnPoint pn_edge_normal(const std::array<S, 3>& p, const std::array<S, 3>& q,
                        const std::array<S, 3>& n, const std::array<S, 3>& m);
-/// The centre: E + (E - V) / 2 of the means E of the six edge points and V of the corners. REQUIRES no normal zero.
+/// The centre: E + (E - V) / 2 for the means E of the six edge points and V of the corners. REQUIRES no normal zero.
 template <typename S>
 PnPoint pn_centre(const PnCorners<S>& corners);
 
-/// The forms from their coefficients, of any ring. edge_points[e]: of the edge opposite to corner e, the one next to
-/// corner e + 1, then the one next to corner e + 2 (modulo 3); edge_normals[e]: of that edge.
+/// The forms from their coefficients, over any ring. edge_points[e] belongs to the edge opposite to corner e: first the
+/// point next to corner e + 1, then the one next to corner e + 2 (modulo 3). edge_normals[e] belongs to that edge.
 template <Ring R>
 BezierTriangle<R> pn_points(const std::array<std::array<R, 3>, 3>& corners,
                             const std::array<std::array<std::array<R, 3>, 2>, 3>& edge_points,

@@ -14,7 +14,7 @@
 
 namespace veritope::internal {
 
-/// Results are made kLanes at a time, in registers of two: as many chains of dependent sums.
+/// Results are made kLanes at a time, in registers of two, so that there are several chains of dependent sums.
 struct DoubleLanes {
   using Scalar = double;
   typedef double Pair __attribute__((vector_size(16)));
@@ -71,7 +71,7 @@ struct FilterAlgebra {
   }
 
  private:
-  // The large factor's coefficients where the product's array has them, after as many zeros as the small factor
+  // The large factor's coefficients at their places in the product's array, after as many zeros as the small factor
   // reaches back.
   struct Spread {
     Grid<3> grid;  // of the product
@@ -124,7 +124,7 @@ struct FilterAlgebra {
 using DoubleAlgebra = FilterAlgebra<DoubleLanes>;
 
 /// The most roundings that one term of a sum of `products` (1 or 2) products goes through, for small factors of this
-/// grid: one of the multiplication, and a sum less than there are summands in its row, of rows in its plane, and of
+/// grid: one for the multiplication, and then one fewer than there are summands in its row, rows in its plane, and
 /// planes.
 inline int filter_roundings(const Grid<3>& small, int products) {
   return static_cast<int>(small.size[0] + small.size[2]) +

@@ -92,7 +92,7 @@ RemainderBasis::RemainderBasis(std::uint64_t bits) : bits_(bits) {
 Integer RemainderBasis::combined(const Number* remainder, std::size_t stride) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const PrimeField& field = fields_[k];
-    // digit_[j] is below 2^61 but may be no number of this field: products of 2^122 all the same.
+    // digit_[j] is below 2^61 but may not be a number of this field: its products are below 2^122 all the same.
     const Number rest = field.add(field.add(remainder[k * stride], offset_[k]),
                                   field.dot(digit_.data(), minus_product_[k].data(), k));
     digit_[k] = field.multiply(rest, inverse_[k]);
@@ -104,7 +104,7 @@ Integer RemainderBasis::combined(const Number* remainder, std::size_t stride) {
     const mp_limb_t carry = mpn_addmul_1(limbs_.data(), product_[k].data(), n, digit_[k]);
     mpn_add_1(limbs_.data() + n, limbs_.data() + n, static_cast<mp_size_t>(size) - n, carry);
   }
-  // Minus 2^bits: the number is below 2^(bits + 1), so negative iff its bit `bits` is not set.
+  // Subtracts 2^bits: the number is below 2^(bits + 1), so the result is negative iff bit `bits` is not set.
   std::uint64_t& limb = limbs_[static_cast<std::size_t>(bits_ / 64)];
   const std::uint64_t bit = std::uint64_t{1} << bits_ % 64;
   if ((limb & bit) != 0) {

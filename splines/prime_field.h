@@ -18,10 +18,10 @@ class PrimeField {
  public:
   using Number = std::uint64_t;
   static constexpr Number kTop = Number{1} << 61;
-  /// So many products of two numbers and a number add up to less than 2^128: 64 (2^61 - 1)^2 + 2^61.
+  /// The sum of this many products of two numbers and one number is below 2^128: 64 (2^61 - 1)^2 + 2^61.
   static constexpr std::size_t kMaxTerms = 64;
 
-  /// REQUIRES 0 < c < 2^24. That 2^61 - c is prime matters to inverse() only.
+  /// REQUIRES 0 < c < 2^24. Only inverse() needs 2^61 - c to be prime.
   explicit PrimeField(Number c) : c_(c), p_(kTop - c) {}
 
   Number prime() const { return p_; }
@@ -57,9 +57,9 @@ class PrimeField {
   Number c_, p_;
 };
 
-/// The `count` largest primes below 2^61, in descending order: the first is 2^61 - 1. REQUIRES count <= 4096: then c <
-/// 2^24. Proved prime by the strong test to the first twelve prime bases, which decides all numbers below 3.1 10^23
-/// [SW17].
+/// The `count` largest primes below 2^61, in descending order: the first is 2^61 - 1. REQUIRES count <= 4096, which
+/// keeps c < 2^24. They are proved prime by the strong test to the first twelve prime bases, which decides all numbers
+/// below 3.1 10^23 [SW17].
 std::vector<PrimeField> largest_primes(std::size_t count);
 
 /// Integers of less than 2^bits in magnitude from their remainders modulo the fewest largest primes that suffice.
@@ -67,7 +67,8 @@ class RemainderBasis {
  public:
   explicit RemainderBasis(std::uint64_t bits);
   std::span<const PrimeField> fields() const { return fields_; }
-  /// remainder[k * stride]: modulo fields()[k]. Garner's mixed digits, their sums of products reduced once a digit.
+  /// remainder[k * stride] is modulo fields()[k]. Makes Garner's mixed digits, whose sums of products are reduced once
+  /// per digit.
   Integer combined(const PrimeField::Number* remainder, std::size_t stride);
 
  private:

@@ -41,7 +41,7 @@ struct PartCuts {
   OrderOfCuts order;
   Blend begin, end;
 
-  /// The coefficients on [a, b] in the place of those on [0, 1].  @cost degree^2 blends or fewer
+  /// Replaces the coefficients on [0, 1] by those on [a, b].  @cost degree^2 blends or fewer
   template <typename R>
   void apply(R* first, std::size_t stride, int degree) const {
     if (order.cuts_end && order.end_first) keep_left(first, stride, degree, end);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // splines/ring.h: what the algebra of splines asks of its numbers. It adds, subtracts and multiplies
-// them and never compares them, so that double, Interval and Rational alike will do.
+// them and never compares them, so that double, Interval and Rational will all do.
 #pragma once
 #include <concepts>
 #include <cstdint>
@@ -66,7 +66,7 @@ struct RingNumbers<Integer> {
   }
 };
 
-/// a + t (b - a), evaluated as (1 - t) a + t b: on equal ends exact in t = 0 and t = 1 for every ring.
+/// a + t (b - a), evaluated as (1 - t) a + t b: exact at t = 0 and t = 1 in every ring.
 template <Ring R>
 R blend(const R& a, const R& b, const R& one_minus_t, const R& t) {
   return one_minus_t * a + t * b;

@@ -62,13 +62,13 @@ Bezier<R, N> from_scaled(Bezier<R, N> map) {
   return map;
 }
 
-/// Adds to `out` the product of two polynomials, all three by scaled coefficients.
+/// Adds to `out` the product of two polynomials, all three in scaled coefficients.
 /// REQUIRES shapes with out.size[i] + 1 = a.size[i] + b.size[i].  @cost a.count() b.count() products
 template <Ring R, std::size_t N>
 void add_scaled_product(std::span<const R> a, const Grid<N>& a_grid, std::span<const R> b,
                         const Grid<N>& b_grid, std::span<R> out, const Grid<N>& out_grid) {
   if constexpr (std::same_as<R, Rational>) {
-    // One denominator: a gcd for each sum, not for each term.
+    // With one denominator there is a gcd for each sum, not for each term.
     const internal::OverOne p(a), q(b);
     std::vector<Integer> sums(out.size());
     internal::add_product_on_grids(p.numerators.data(), a_grid, q.numerators.data(), b_grid,

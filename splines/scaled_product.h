@@ -46,7 +46,7 @@ void add_product_of_rows(const S* a, std::span<const ScaledRow> a_rows, const S*
     }
 }
 
-/// The rows of a grid, numbered as those of `out`, a greater one or the same.
+/// The rows of a grid, numbered as in the grid `out`, which is at least as large.
 template <std::size_t N>
 std::vector<ScaledRow> rows_within(const Grid<N>& grid, const Grid<N>& out) {
   const std::size_t size = grid.size[N - 1], count = grid.count();

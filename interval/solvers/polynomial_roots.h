@@ -17,7 +17,7 @@ namespace veritope {
 template <std::size_t N>
 Result<RootReport<N>> polynomial_roots(std::span<const Bezier<Rational, N>> equations,
                                        const SolverOptions& options = {});
-/// Takes the coefficients as exact numbers. @error kNotFinite: a coefficient that is not a number.
+/// Takes the coefficients as exact numbers. @error kNotFinite: a coefficient that is not finite.
 template <std::size_t N>
 Result<RootReport<N>> polynomial_roots(std::span<const Bezier<double, N>> equations,
                                        const SolverOptions& options = {});

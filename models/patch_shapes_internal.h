@@ -21,11 +21,11 @@ class Scalar {
   Scalar(Bezier<Rational, 2> map) : map_(std::move(map)) {}
   Scalar(const Rational& constant) : map_({0, 0}, 1, false, {constant}) {}
   Scalar(int constant) : Scalar(Rational(constant)) {}
-  /// From `begin` to `end` along an axis.
+  /// The linear polynomial from `begin` to `end` along an axis.
   static Scalar linear(std::size_t axis, const Rational& begin, const Rational& end) {
     return Bezier<Rational, 2>({axis == 0 ? 1 : 0, axis == 1 ? 1 : 0}, 1, false, {begin, end});
   }
-  /// Bernstein coefficients along an axis.
+  /// The polynomial with these Bernstein coefficients along an axis.
   static Scalar along(std::size_t axis, std::vector<Rational> b) {
     const int n = static_cast<int>(b.size()) - 1;
     return Bezier<Rational, 2>({axis == 0 ? n : 0, axis == 1 ? n : 0}, 1, false, std::move(b));
@@ -59,7 +59,7 @@ inline void add(Patches& to, Patch::Triangle map) {
 /// A bilinear patch with these corners.
 Patch::Tensor bilinear(const std::array<Point, 4>& corners);
 
-/// (x, y) turned by `quarters` right angles.
+/// (x, y) rotated by `quarters` right angles.
 template <typename T>
 std::pair<T, T> turned_xy(T x, T y, int quarters) {
   for (; quarters > 0; --quarters) {
@@ -76,16 +76,16 @@ struct PlaneCurve {
 };
 /// The unit circle from angle 90 quarter to 90 (quarter + 1) degrees: weights 1, 1, 2, or 2, 1, 1 if quarter is odd.
 PlaneCurve quarter_circle(int quarter);
-/// The unit circle, once around from (1, 0), of degree 5 with positive weights, those of the ends 1.
+/// The unit circle, once around from (1, 0), of degree 5 with positive weights; the weights of the ends are 1.
 PlaneCurve whole_circle();
 
-/// Profiles (rho, z) turned about the z axis, each by four quarters. The normals point to the right of the profile's
+/// Profiles (rho, z) revolved about the z axis, each in four quarters. The normals point to the right of the profile's
 /// direction of travel in the half-plane rho >= 0, z up: counterclockwise profiles give normals that point out. Points
 /// with rho = 0 become poles.
 void add_revolved(Patches& to, const std::vector<PlaneCurve>& profiles);
 
-/// An end of a turned solid: a circle at `height`, joined by four patches to a level square of half-diagonal radius / 2
-/// around `centre`.
+/// An end of a solid of revolution: a circle at `height`, joined by four patches to a level square of half-diagonal
+/// radius / 2 around `centre`.
 struct EndDisk {
   Rational radius, height;
   Point centre;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The lists of models with their truth; the broken ones.
+// The lists of models with their truth, and the builders of the broken ones.
 #include "models/patch_shapes.h"
 #include "models/patch_shapes_internal.h"
 
@@ -8,8 +8,8 @@ namespace {
 
 const Rational kHalf = Rational(1) / 2, kQuarter = Rational(1) / 4;
 
-// The bottom of the sphere, its inner control points lifted by 4: above each point of the lower cap the way up leaves
-// the ball through other patches, and the middle is lifted by over 2, so that it lies beyond them.
+// The sphere with the inner control points of its bottom lifted by 4: above each point of the lower cap the way up
+// leaves the ball through other patches, and the middle is lifted by over 2, so that it lies beyond them.
 Patches pushed_through_sphere() {
   Patches out = sphere();
   Patch::Tensor map = out[0].tensor();
@@ -20,7 +20,7 @@ Patches pushed_through_sphere() {
   return out;
 }
 
-// The top of the unit box as a bicubic patch in the same plane with inner control points at x = 2 and x = -1, in this
+// The unit box whose top is a bicubic patch in the same plane with inner control points at x = 2 and x = -1, in this
 // order: it runs to and fro, three sheets deep in the middle.
 Patches folded_box() {
   Patches out = box({0, 0, 0}, {1, 1, 1});
@@ -33,7 +33,8 @@ Patches folded_box() {
   return out;
 }
 
-// The torus (3, 1) of one patch, an inner control point pulled so far that a horn crosses the tube on the other side.
+// The torus (3, 1) of one patch, with an inner control point pulled so far that a horn crosses the tube on the other
+// side.
 Patches pulled_torus() {
   Patches out = one_patch_torus(3, 1);
   Patch::Tensor map = out[0].tensor();
@@ -44,7 +45,7 @@ Patches pulled_torus() {
   return out;
 }
 
-// The upper end's middle pushed down below the lower end, which it crosses.
+// The cylinder with the middle of its upper end pushed down below the lower end, which it crosses.
 Patches pushed_through_cylinder() {
   Patches out;
   internal::add_revolved(out, {{{1, 1}, {0, 2}, {1, 1}}});
@@ -52,8 +53,8 @@ Patches pushed_through_cylinder() {
   internal::add_end(out, {1, 2, {0, 0, -1}, true});
   return out;
 }
-// The middle of the base moved up and aside, out of the cone: segments from the far side of the rim enter the cone and
-// leave it.
+// The cone with the middle of its base moved up and aside, out of the cone: segments from the far side of the rim enter
+// the cone and leave it.
 Patches pushed_through_cone() {
   Patches out;
   internal::add_revolved(out, {{{1, 0}, {0, 2}, {1, 1}}});
@@ -61,7 +62,7 @@ Patches pushed_through_cone() {
   return out;
 }
 
-// The corner (0, 0, 1) of a plate pulled down to z = -1: the upper face of its cube crosses the lower one.
+// The plate with its corner (0, 0, 1) pulled down to z = -1: the upper face of its cube crosses the lower one.
 Patches crossed_plate(int g) {
   return internal::block_faces(internal::plate_cubes(g), [](const internal::Cube& p) {
     Point out = internal::at_integers(p);
@@ -70,8 +71,8 @@ Patches crossed_plate(int g) {
   });
 }
 
-// The neck turns outwards and down, and returns through the belly: from outside of the lower part of the profile to
-// inside.
+// The teapot with a neck that turns outwards and down, and returns through the belly: from outside of the lower part of
+// the profile to inside.
 Patches crossed_teapot() {
   auto profile = internal::teapot_profile();
   const std::vector<Rational> w{1, 1, 1, 1};

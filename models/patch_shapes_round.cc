@@ -87,14 +87,14 @@ Patches one_patch_torus(const Rational& big_radius, const Rational& radius) {
   return out;
 }
 
-// Points (2 Re(p conj q), 2 Im(p conj q), |p|^2 - |q|^2) / (|p|^2 + |q|^2) of complex polynomials p, q, that is z = p /
-// q projected from the north pole; -1 <= s, t <= 1.
+// Points (2 Re(p conj q), 2 Im(p conj q), |p|^2 - |q|^2) / (|p|^2 + |q|^2) of complex polynomials p, q, that is, the
+// projections of z = p / q from the north pole; -1 <= s, t <= 1.
 //   south  z = a (s + i t), the square of half-side a = 3/8
 //   north  1 / z = a (s - i t), times 1 + i s t
-//   side   z = (1 + i t) ((1 - r) a + r) / ((1 - r) + r a (1 + t^2)), 0 <= r <= 1, and this turned by right angles: the
-//          argument depends on t
-//          alone, |z| rises with r since a^2 (1 + t^2) < 1. At r = 0 it is z = a (1 + i t), at r = 1 the north's side s
-//          = 1 with its factor.
+//   side   z = (1 + i t) ((1 - r) a + r) / ((1 - r) + r a (1 + t^2)), 0 <= r <= 1, and this rotated by right angles:
+//   the
+//          argument depends on t alone, |z| rises with r since a^2 (1 + t^2) < 1. At r = 0 it is z = a (1 + i t), at
+//          r = 1 the north's side s = 1 with its factor.
 Patches sphere() {
   const Rational a = Rational(3) / 8;
   const Scalar s = Scalar::linear(0, -1, 1), t = Scalar::linear(1, -1, 1), two = 2, one = 1;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kTurn = 6.283185307179586;
 
 double fraction_of_turn(int i, int n) { return kTurn * i / n; }
-// Rounded to a multiple of 2^-bits: the same on every machine but for ties.
+// Rounded to a multiple of 2^-bits: the same on every machine except for ties.
 Rational rounded_to(double v, int bits) {
   return Rational(std::llround(std::ldexp(v, bits))) / Rational::power_of_two(bits);
 }
@@ -80,7 +80,8 @@ class ClosedGrid {
   std::vector<Point> points_;
 };
 
-// (2 + cos 3t) (cos 2t, sin 2t), height sin 3t: on a torus, whose normal is `normal`, at right angles to the curve.
+// The trefoil (2 + cos 3t) (cos 2t, sin 2t), height sin 3t. It lies on a torus, whose normal is `normal`, at right
+// angles to the curve.
 struct Frame {
   Vec3d centre, normal, binormal;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Turned solids: cylinder, cone, teapot.
+// Solids of revolution: cylinder, cone, teapot.
 #include "models/patch_shapes.h"
 #include "models/patch_shapes_internal.h"
 #include "robust/base/check.h"

@@ -20,7 +20,7 @@ Loop polygon(const std::vector<Point>& corners);
 BezierCurve<Rational> bezier(const std::vector<Point>& control);
 /// x -> factor * x + shift. REQUIRES factor > 0.
 Loop placed(const Loop& loop, const Rational& factor, const Point& shift);
-/// The other way round.
+/// The loop in the opposite direction.
 Loop reversed(const Loop& loop);
 
 }  // namespace veritope::plane_shapes

@@ -12,7 +12,7 @@ namespace {
 using internal::kNone;
 
 /// What remains of the cells of one dimension below 3: how many cofaces each has, and the exclusive or of their ids,
-/// which is the coface's id when there is one. No list of cofaces is needed.
+/// which is the coface's id when there is only one. So no list of cofaces is needed.
 class Remaining {
  public:
   explicit Remaining(std::size_t size) : state_(size, kAbsent), cofaces_(size, 0) {}
@@ -37,7 +37,7 @@ class Remaining {
   std::uint32_t size() const { return static_cast<std::uint32_t>(state_.size()); }
 
  private:
-  // Below kInDPlus: the number of remaining cofaces, at most 6. Cofaces of what has gone have gone before it.
+  // Below kInDPlus: the number of remaining cofaces, at most 6. The cofaces of a removed cell were removed before it.
   static constexpr std::uint8_t kInDPlus = 0x10, kGone = 0x40, kAbsent = 0x80;
   std::vector<std::uint8_t> state_;
   std::vector<std::uint32_t> cofaces_;

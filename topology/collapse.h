@@ -13,14 +13,14 @@
 
 namespace veritope {
 
-/// Removes a cell of dimension d and a free face of it, of dimension d - 1: one that no other remaining cell has.
+/// Removes a cell of dimension d and a free face of it, of dimension d - 1: a face that no other remaining cell has.
 struct Collapse {
   std::uint32_t face, coface;
   friend bool operator==(const Collapse&, const Collapse&) = default;
 };
 
-/// First all of `cells`, then `faces`, then `edges`, each in order. This order loses nothing: a collapse of higher
-/// dimension may be moved before one of lower dimension, whose cells are no faces of a remaining cell.
+/// All of `cells` come first, then `faces`, then `edges`, each in order. This order loses nothing: a collapse of higher
+/// dimension may be moved before one of lower dimension, whose cells are not faces of a remaining cell.
 struct CollapseSequence {
   std::vector<Collapse> cells;  ///< (face, cell)
   std::vector<Collapse> faces;  ///< (edge, face)
@@ -40,7 +40,7 @@ enum class CollapseOrder {
 struct CollapseAttempt {
   CollapseSequence sequence;
   std::vector<std::uint32_t> stuck;  ///< bodies where something outside d+ remains, ascending
-  /// Their vertices, edges, faces, cells outside d+ that remain; no cell ever does.
+  /// The numbers of vertices, edges, faces and cells outside d+ that remain in them; no cell ever does.
   std::array<std::uint64_t, 4> remaining{};
   /// Dimension and id of a remaining cell of the greatest dimension.
   std::array<std::uint32_t, 2> remains_at{};
@@ -57,7 +57,7 @@ CollapseAttempt collapse_greedily(const CommonSubdivision& complex, const Comple
                                   std::span<const std::uint32_t> d_plus, CollapseOrder order,
                                   std::uint64_t seed);
 
-/// Why a claimed sequence is no collapse.
+/// Why a claimed sequence is not a collapse.
 enum class CollapseFault {
   kNone,
   kNoSuchCell,       ///< an id out of range, or d+ is not ascending
@@ -72,13 +72,13 @@ enum class CollapseFault {
 
 struct CollapseCheck {
   CollapseFault fault = CollapseFault::kNone;
-  std::uint64_t step = 0;  ///< of the sequence: cells, faces and edges are numbered consecutively
-  unsigned dimension = 0;  ///< of what the fault is about
+  std::uint64_t step = 0;  ///< in the sequence, which numbers cells, faces and edges consecutively
+  unsigned dimension = 0;  ///< of the cell at fault
   std::uint32_t id = 0;
   std::string message;  ///< a sentence with the place; empty without fault
 };
 
-/// K2 and K3, as a checker decides them: are the faces d_plus whole boundary components, and does the sequence collapse
+/// Decides K2 and K3 as a checker does: are the faces d_plus whole boundary components, and does the sequence collapse
 /// the complex onto them? Takes any input and trusts none of it. What follows from the answer REQUIRES K1.
 /// @cost O(size of the complex)
 CollapseCheck replay_collapse(const CommonSubdivision& complex,
@@ -86,7 +86,7 @@ CollapseCheck replay_collapse(const CommonSubdivision& complex,
                               const CollapseSequence& sequence);
 
 /// "edge (16 16 28)-(16 16 30) / 32": coordinates in units of the finest level that occurs.
-/// REQUIRES dimension <= 3, an id of it.
+/// REQUIRES dimension <= 3 and an id of that dimension.
 std::string name_of(const CommonSubdivision& complex, unsigned dimension, std::uint32_t id);
 
 }  // namespace veritope

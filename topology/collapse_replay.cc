@@ -78,8 +78,8 @@ class Replay {
     return true;
   }
 
-  // That s has one remaining coface of the next dimension suffices: what remains is closed, so if t had a coface u, s
-  // would have a second one in u.
+  // It is enough that s has one remaining coface t of the next dimension: what remains is closed, so if t had a coface
+  // u, s would have a second coface in u.
   bool accept(unsigned dimension, const std::vector<Collapse>& collapses) {
     for (const Collapse& step : collapses) {
       const std::uint32_t s = step.face, t = step.coface;

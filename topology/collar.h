@@ -17,13 +17,13 @@ namespace veritope {
 
 enum class CollarOutcome {
   kCollar,  ///< K1, K2, K3 hold: every body is a product, between the two components of its boundary
-  kNotManifold,  ///< K1 fails: |K| is no 3-manifold
+  kNotManifold,  ///< K1 fails: |K| is not a 3-manifold
   kNotProduct,   ///< |K| is a 3-manifold, but some body does not have two boundary components of one genus
   kUndecided,    ///< every order that was tried got stuck: it may be a product or not
 };
 
 struct CollarOptions {
-  /// Boundary faces, at most one component of each body: their components are d+. The others' d+ is chosen.
+  /// Boundary faces, in at most one component of each body: their components are d+. For the other bodies d+ is chosen.
   std::span<const std::uint32_t> d_plus = {};
   unsigned max_attempts = 8;  ///< orders that are tried for each body; at least 1
   std::uint64_t seed = 1;     ///< of the later orders
@@ -41,9 +41,9 @@ struct Collar {
   CollarOutcome outcome = CollarOutcome::kUndecided;
   std::string message;  ///< empty for a collar, else the reason with the place
   ComplexBoundary boundary;
-  std::vector<CollarBody> bodies;  ///< beside boundary.bodies; empty if K1 fails
+  std::vector<CollarBody> bodies;  ///< parallel to boundary.bodies; empty if K1 fails
   CollapseSequence collapses;      ///< of the bodies that are products: certificate content
-  /// Vertices, edges, faces, cells outside d+ that the last order left of the bodies that are undecided.
+  /// The numbers of vertices, edges, faces and cells outside d+ that the last order left in the undecided bodies.
   std::array<std::uint64_t, 4> remaining{};
 
   /// All faces of the d+ of products, ascending: with `collapses` the input of replay_collapse.

@@ -24,7 +24,7 @@ class FaceLister {
  public:
   explicit FaceLister(const OctreeKeySet& cells) : cells_(cells) {}
 
-  /// False if there are more than max_faces; stops there.
+  /// Returns false if there are more than max_faces; stops there.
   bool run(std::uint32_t max_faces) {
     faces_.reserve(4 * cells_.size());
     for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
@@ -57,14 +57,14 @@ class FaceLister {
     }
   }
 
-  /// Is `key`, of which no cell in the set is a part, part of one? `at` is its lower bound.
+  /// Is `key`, which contains no cell of the set, contained in one? `at` is its lower bound.
   bool has_container(OctreeKey key, std::size_t at) const {
     return (at < cells_.size() && cells_[at].contains(key)) ||
            (at > 0 && cells_[at - 1].contains(key));
   }
 
   /// Lists the part of the cell's side that lies on `across`, which is of the cell's level or finer and contains the
-  /// cells of `range`, if some of these touch it; returns whether. Each node is visited for at most one coarse cell a
+  /// cells of `range`, if some of these touch it; returns whether. Each node is visited for at most one coarse cell per
   /// side: O(n depth) in all.
   bool split(OctreeKey across, Range range) {
     if (range.empty()) return false;
@@ -191,7 +191,7 @@ class SubdivisionBuilder {
   void link_vertices(unsigned axis) {
     const std::size_t n = s_.points_.size();
     next_.resize(3 * n, kNone);
-    // Rotated so that the axis has the lowest bits: points of one line are adjacent.
+    // The bits are rotated so that the axis has the lowest ones: points of one line are then adjacent.
     const unsigned all = 3 * s_.bits_, shift = axis * s_.bits_;
     const std::uint64_t mask = (std::uint64_t{1} << all) - 1;
     const auto rotated = [&](std::uint64_t p) {

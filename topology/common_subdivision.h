@@ -41,7 +41,7 @@ class CommonSubdivision {
 
   /// @error kOverLimit if there are more than max_faces faces (the cap on memory: found before anything else is built).
   ///        REQUIRES max_faces <= kMaxFaces.
-  /// @cost  O(n depth) time and memory for n cells (about 0.5 kB a cell in uniform levels).
+  /// @cost  O(n depth) time and memory for n cells (approximately 0.5 kB per cell in uniform levels).
   static Result<CommonSubdivision> build(OctreeKeySet cells, std::uint32_t max_faces = kMaxFaces);
 
   const OctreeKeySet& cells() const { return cells_; }
@@ -56,12 +56,12 @@ class CommonSubdivision {
   std::span<const std::uint32_t> faces_of_cell(std::uint32_t cell) const {
     return {cell_faces_.data() + cell_first_[cell], cell_faces_.data() + cell_first_[cell + 1]};
   }
-  /// The edges of a face, side by side: the sides from its least corner, then the sides to its greatest; 4 or more.
+  /// The edges of a face, side after side: the sides from its least corner, then the sides to its greatest; 4 or more.
   std::span<const std::uint32_t> edges_of_face(std::uint32_t face) const {
     return {face_edges_.data() + face_first_[face], face_edges_.data() + face_first_[face + 1]};
   }
 
-  /// In units of the finest level that octrees have, each in [0, OctreeKey::kGrid].
+  /// The coordinates, in units of the finest level that octrees have, each in [0, OctreeKey::kGrid].
   std::array<std::uint32_t, 3> point(std::uint32_t vertex) const {
     const std::uint64_t p = points_[vertex], mask = (std::uint64_t{1} << bits_) - 1;
     const auto at = [&](unsigned a) {

@@ -20,7 +20,7 @@ constexpr Corners pair_bit(unsigned p, unsigned q) {
   return static_cast<Corners>(1u << (q * (q - 1) / 2 + p));
 }
 
-/// Classes of directions that occur in a pair.
+/// The number of classes of directions that occur in a pair.
 unsigned num_classes(Corners corners) {
   std::array<unsigned, 6> reach{};  // as bit sets
   for (unsigned q = 1; q < 6; ++q)
@@ -95,7 +95,7 @@ class Analysis {
     add_corners(f, edges);
   }
 
-  /// At each vertex of the face, corner or not, the two of its edges that meet there.
+  /// Adds the two edges of the face that meet at each of its vertices, corner or not.
   void add_corners(std::uint32_t f, std::span<const std::uint32_t> edges) {
     // edges_of_face: the sides in the order (0 1) (0 2) (2 3) (1 3) of the corners 0 least, 3 greatest, each from its
     // lower end.
@@ -168,7 +168,7 @@ class Analysis {
       ++out_.components[component].vertices;
   }
 
-  /// Each component as often as it has bad vertices.
+  /// Lists each component as often as it has bad vertices.
   std::vector<std::uint32_t> components_at_bad_vertices() const {
     if (out_.bad_vertices.empty()) return {};
     std::vector<bool> is_bad(c_.num_vertices());

@@ -22,7 +22,7 @@ struct BadVertex {
 /// Boundary faces connected through edges.
 struct BoundaryComponent {
   std::uint32_t first_face;  ///< its least face; components are numbered by it
-  std::uint32_t body;  ///< the body that it bounds; one of them, if the complex is no manifold
+  std::uint32_t body;  ///< the body that it bounds; one of them, if the complex is not a manifold
   std::uint64_t vertices = 0, edges = 0, faces = 0;
   std::int64_t euler() const {
     return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) +

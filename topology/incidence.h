@@ -17,8 +17,8 @@ class Incidence {
   /// Largest number of faces that a corner can name.
   static constexpr std::uint64_t kMaxFaces = 1u << 30;
 
-  /// REQUIRES ids < num_vertices, faces.size() <= kMaxFaces. Corners of a vertex ascend. @cost O(F + V) time, 4 bytes a
-  /// corner and jobs * 4 bytes a vertex.
+  /// REQUIRES ids < num_vertices, faces.size() <= kMaxFaces. Corners of a vertex ascend. @cost O(F + V) time, 4 bytes
+  /// per corner and jobs * 4 bytes per vertex.
   static Incidence build(std::span<const std::array<std::uint32_t, 3>> faces, std::uint32_t num_vertices,
                          unsigned jobs);
 

@@ -14,8 +14,7 @@
 namespace veritope {
 
 /// A cell of the octree over a cubic root: [i, i + 1] x [j, j + 1] x [k, k + 1] in units of 2^-level of the root's
-/// edge.
-/// Plain data, possibly out of range: OctreeKey::make decides.
+/// edge. It is plain data, possibly out of range: OctreeKey::make decides.
 struct OctreeCell {
   std::uint32_t level = 0, i = 0, j = 0, k = 0;
   friend constexpr bool operator==(const OctreeCell&, const OctreeCell&) = default;
@@ -26,8 +25,8 @@ std::string to_string(const OctreeCell& cell);
 
 /// A cell in range, as one integer: the Morton code of (i, j, k) (bit 0: i, bit 1: j, bit 2: k), a 1, and
 /// 3 (20 - level) zeros. A cell and all cells inside it are one interval of codes, [first_code(), last_code()].
-/// Laws: (1) a.contains(b) iff b's code lies in a's interval; (2) codes order cells of which none contains another as
-/// their Morton codes do, and every cell after the cells of its first half and before those of its second.
+/// Laws: (1) a.contains(b) iff b's code lies in a's interval; (2) codes order cells, of which none contains another, as
+/// their Morton codes do, and place every cell after the cells of its first half and before those of its second.
 class OctreeKey {
  public:
   static constexpr unsigned kMaxLevel = 20;
@@ -70,7 +69,7 @@ class OctreeKey {
     const std::uint64_t bit = std::uint64_t{1} << (3 * (kMaxLevel - level));
     return OctreeKey((code_ & ~(2 * bit - 1)) | bit);
   }
-  /// Bit a of `octant`: the upper half along axis a. REQUIRES level() < 20, octant < 8.
+  /// Bit a of `octant` selects the upper half along axis a. REQUIRES level() < 20, octant < 8.
   constexpr OctreeKey child(unsigned octant) const {
     const std::uint64_t bit = low_bit() >> 3;
     return OctreeKey((code_ ^ low_bit()) + (2 * octant + 1) * bit);

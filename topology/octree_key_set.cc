@@ -59,7 +59,7 @@ Result<OctreeKeySet> OctreeKeySet::make(std::vector<OctreeKey> keys) {
 
 void OctreeKeySet::build_index() {
   for (const OctreeKey key : keys_) finest_level_ = std::max(finest_level_, key.level());
-  // Buckets of equal length between the first and the last code, about one for each key.
+  // Buckets of equal length between the first and the last code, approximately one for each key.
   const std::uint64_t last = keys_.back().code();
   while (last >> shift_ > 2 * keys_.size()) ++shift_;
   bucket_.assign((last >> shift_) + 2, static_cast<std::uint32_t>(keys_.size()));

@@ -16,7 +16,7 @@ class OctreeKeySet {
  public:
   static constexpr std::size_t kMaxCells = std::size_t{1} << 24;
 
-  /// The cells in any order.
+  /// Makes the set from cells in any order.
   /// @error kEmpty without a cell; kOverLimit if there are more than kMaxCells; kBadArgument if a cell is out of range
   ///        (its position is the place's entity), occurs twice or contains another one: the message names the cells.
   /// @cost  O(n log n)
@@ -29,7 +29,7 @@ class OctreeKeySet {
   unsigned finest_level() const { return finest_level_; }
 
   /// The position of the first key whose code is not below `code`; size() if all are below.
-  /// @cost O(1) for evenly spread cells, O(log n) for any.
+  /// @cost O(1) for evenly spread cells, O(log n) at worst.
   std::size_t lower_bound(std::uint64_t code) const;
 
  private:

@@ -15,7 +15,8 @@ struct KeyedRecord {
   std::uint32_t record;
 };
 
-/// Stable. REQUIRES keys < 2^bits, fewer than 2^32 records. @cost O(n bits / 11), a second array of the same size.
+/// Sorts stably. REQUIRES keys < 2^bits, fewer than 2^32 records. @cost O(n bits / 11), a second array of the same
+/// size.
 inline void radix_sort(Buffer<KeyedRecord>& records, unsigned bits) {
   constexpr unsigned kDigit = 11;
   Buffer<KeyedRecord> other(records.size());

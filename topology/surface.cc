@@ -157,7 +157,7 @@ void connect_faces(Faces faces, const Incidence& incidence, const FanNodes& fans
   }
 }
 
-// The usual case: every face is in one component. False if not.
+// Handles the usual case that every face is in one component; returns false otherwise.
 bool is_one_shell(Faces faces, const FanNodes& fans, ConcurrentDisjointSets& sets, unsigned jobs,
                   SurfaceTopology& out) {
   if (faces.empty() || !out.collapsed.empty() || !fans.irregular.empty()) return false;

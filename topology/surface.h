@@ -34,9 +34,9 @@ struct Shell {
   }
 };
 
-/// What the incidences of a triangle complex are. A face with a repeated id is no triangle: it is listed in `collapsed`
-/// and takes part in nothing else. Counts are exact; the lists of defects hold the first `max_listed` of each kind, in
-/// ascending order of (vertex ids), whatever the number of jobs.
+/// What the incidences of a triangle complex show. A face with a repeated id is not a triangle: it is listed in
+/// `collapsed` and takes part in nothing else. Counts are exact; the lists of defects hold the first `max_listed` of
+/// each kind, in ascending order of (vertex ids), whatever the number of jobs.
 struct SurfaceTopology {
   std::uint64_t vertices = 0;              ///< referenced by a face that is not collapsed
   std::uint64_t edges = 0, faces = 0;      ///< undirected edges; faces that are not collapsed
@@ -57,13 +57,13 @@ struct SurfaceTopology {
     return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) +
            static_cast<std::int64_t>(faces);
   }
-  /// Every edge has two faces in opposite directions and every vertex one fan.
+  /// True if every edge has two faces in opposite directions and every vertex one fan.
   bool is_closed_oriented_manifold() const {
     return boundary_edges + nonmanifold_edges + misoriented_edges + nonmanifold_vertices == 0 && is_cycle;
   }
 };
 
-/// REQUIRES incidence built from the same faces. @cost O(F), a sort at each vertex that is not one closed fan.
+/// REQUIRES incidence built from the same faces. @cost O(F), and a sort at each vertex that is not one closed fan.
 SurfaceTopology analyse_surface(std::span<const std::array<std::uint32_t, 3>> faces,
                                 const Incidence& incidence, std::size_t max_listed, unsigned jobs);
 

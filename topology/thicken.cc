@@ -22,7 +22,7 @@ class Filler {
       fill_around(boundary.bad_vertices[i].vertex, vertex_level_[i]);
   }
 
-  /// The greatest ones of the added cells: these are disjoint.
+  /// The added cells that no other added cell contains: these are disjoint.
   std::vector<OctreeKey> result() {
     const auto before = [](OctreeKey a, OctreeKey b) {  // a cell before those that it contains
       return std::pair(a.first_code(), a.level()) < std::pair(b.first_code(), b.level());
@@ -59,7 +59,7 @@ class Filler {
     }
   }
 
-  /// `cell` and the one diagonally across the edge are in K, its neighbour across the plane through the edge is not.
+  /// `cell` and the one diagonally across the edge are in K; its neighbour across the plane through the edge is not.
   void fill_beside(std::uint32_t edge, OctreeKey cell) {
     const unsigned axis = (c_.edge_axis(edge) + 1) % 3;
     const bool is_above = cell.corner()[axis] == c_.point(c_.edges()[edge].lower)[axis];
@@ -81,7 +81,7 @@ class Filler {
     }
   }
 
-  /// Adds what K leaves free of `node`.
+  /// Adds the parts of `node` that K leaves free.
   void fill(OctreeKey node) {
     const std::size_t at = k_.lower_bound(node.first_code());
     const bool has_part = at < k_.size() && node.contains(k_[at]);

@@ -36,7 +36,7 @@ bool FanWalker::is_closed_fan(std::span<const std::array<std::uint32_t, 3>> face
   std::uint32_t at = start;
   do {
     const Mark& m = marks_[at];
-    if (m.stamp != stamp) return false;  // no face leaves v along the edge by which the last one came in
+    if (m.stamp != stamp) return false;  // no face leaves v along the edge by which the last face came in
     at = m.prev;
   } while (++steps < corners.size() && at != start);
   if (at != start || steps != corners.size()) return false;

@@ -14,7 +14,7 @@ class FanWalker {
   explicit FanWalker(std::uint32_t num_vertices) : marks_(num_vertices) {}
 
   /// True iff the faces at v form exactly one cycle, each edge at v used once in each direction. Adds the number of
-  /// edges {v, w} with w > v to `edges` if so. REQUIRES that no v is asked twice of one walker.
+  /// edges {v, w} with w > v to `edges` if so. REQUIRES that no v is passed twice to one walker.
   bool is_closed_fan(std::span<const std::array<std::uint32_t, 3>> faces,
                      std::span<const std::uint32_t> corners, std::uint32_t v, std::uint64_t& edges);
 

@@ -28,7 +28,7 @@ template <int L>
 constexpr int bits_held(FixedInt<L>*) {
   return FixedInt<L>::kBits;
 }
-// Bits by the place of the last column only; the static_asserts below show that each column holds its sums.
+// Counts bits by the place of the last column only; the static_asserts below show that each column holds its sums.
 template <int N>
 constexpr int bits_held(Columns<N>*) {
   return kDigitBits * (N - 1) + 127;
@@ -92,10 +92,10 @@ using Short = Width<30, std::int64_t, std::int64_t, int128, FixedInt<3>>;
 using ShortCircle = Width<30, std::int64_t, std::int64_t, int128, int128>;
 using Tiny = Width<11, std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
 
-// The columns hold their sums. Digits in units of 2^60: a low one is below 4; of differences up to 2
-// the high digit of a minor or of x^2 + y^2 (2^123) is up to 2, of x^2 + y^2 + z^2 (3 2^122) up to 3,
-// of a sum of three products of a minor and a difference (3 2^184) up to 3. A column holds less than
-// 128 units squared; the carries, below 2^65, are far less than one.
+// The columns hold their sums. In units of 2^60 a low digit is below 4; for differences up to 2 the high digit of a
+// minor or of x^2 + y^2 (2^123) is up to 2, that of x^2 + y^2 + z^2 (3 2^122) up to 3, that of a sum of three products
+// of a minor and a difference (3 2^184) up to 3. A column holds less than 128 units squared; the carries, below 2^65,
+// are far less than one.
 static_assert(lattice_bits(1) + 1 == 61);
 static_assert(3 * (2 * 4) < 127 && 3 * (2 * 2) < 127, "Columns<2> of orient3d and in_sphere");
 static_assert(3 * (4 * 4) < 127 && 3 * (4 * 2 + 2 * 4) < 127, "Columns<3> of in_circle");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/formulas.h: each determinant once, over any ring. The filter (double), the interval
-// tier, the slowest exact tier (Integer) and the tests that derive the filters' constants from the
-// roundings in these very lines all instantiate them.
+// predicates/formulas.h: each determinant, written once over any ring. The filter (double), the interval tier, the
+// slowest exact tier (Integer) and the tests that derive the filters' constants from the roundings in these very lines
+// all instantiate it.
 //
 // det() is the determinant; magnitude(abs) is the same expression with every term replaced by its
 // absolute value and every difference of terms by a sum, so that |det| <= magnitude holds after
@@ -60,7 +60,7 @@ struct Plane3 {
     return (abs(wx) * (abs(yz) + abs(zy)) + abs(wy) * (abs(zx) + abs(xz))) +
            abs(wz) * (abs(xy) + abs(yx));
   }
-  /// Bounds each factor that a term of the normal is multiplied with.
+  /// A bound on each factor that a term of the normal is multiplied with.
   template <typename Abs>
   constexpr T size(const T& wx, const T& wy, const T& wz, Abs abs) const {
     return (abs(wx) + abs(wy)) + abs(wz);

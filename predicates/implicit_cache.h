@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_cache.h: an implicit point that remembers its exact digits from the first exact
-// question on. For points that occur in many questions; programs without such points pay nothing.
+// predicates/implicit_cache.h: an implicit point that remembers its exact digits from the first exact question on. It
+// is for points that occur in many questions; it costs programs without such points nothing.
 #pragma once
 #include <array>
 #include <atomic>
@@ -44,14 +44,14 @@ Sign3 orientation_of_digits(const ThreePlanesDigits& p, const Vec3d& a, const Ve
 
 }  // namespace internal
 
-/// A LinePlanePoint or a ThreePlanePoint and, from the first exact question on, its digits: 15 and 33
-/// words. Any number of threads may ask the same point at the same time: none waits; one computes the
-/// digits, the others decide without them until they are there. No allocation.
+/// A LinePlanePoint or a ThreePlanePoint and, from the first exact question on, its digits: 15 and 33 words. Any number
+/// of threads may question the same point at the same time, and none waits: one computes the digits, the others decide
+/// without them until they are there. Nothing is allocated.
 template <typename P>
 class CachedPoint {
  public:
   explicit CachedPoint(const P& p) noexcept : point_(p) {}
-  /// The copy finds its digits again.
+  /// The copy computes its digits again.
   CachedPoint(const CachedPoint& other) noexcept : point_(other.point_) {}
   CachedPoint& operator=(const CachedPoint&) = delete;
 
@@ -81,7 +81,7 @@ class CachedPoint {
   mutable std::atomic<State> state_{State::kUnasked};
 };
 
-/// As orient3d of the point itself.
+/// Like orient3d of the point itself.
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const CachedPoint<LinePlanePoint>& d,
               TierCounts* tally = nullptr);
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const CachedPoint<ThreePlanePoint>& d,

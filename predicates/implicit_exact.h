@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_exact.h: the exact sign of a polynomial in coordinates: on the stack if it has
-// room, else in integers of any size. The one place that chooses.
+// predicates/implicit_exact.h: the exact sign of a polynomial in coordinates, on the stack if there is room, otherwise
+// in integers of any size. Only this file makes that choice.
 #pragma once
 #include <type_traits>
 

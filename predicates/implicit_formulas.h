@@ -33,7 +33,7 @@ template <int N>
 constexpr Digits<N + 1> settle(const Columns<N>& v) {
   return settled(v);
 }
-/// The last sum of a formula: only its sign is asked for.
+/// The last sum of a formula, of which only the sign is used.
 template <typename A, typename B>
 constexpr auto last_sum(const A& a, const B& b) {
   return a + b;
@@ -95,8 +95,8 @@ template <typename T>
 struct PlaneVectors {
   Triple<T> v, w, g;
 };
-/// Three planes; the base is a point of the first one, whose g is 0 and not looked at. Denominator 0:
-/// they do not meet in one point.
+/// Three planes; the base is a point of the first one, whose g is 0 and is not read. Denominator 0: they do not meet in
+/// one point.
 template <typename T>
 constexpr auto three_planes(const PlaneVectors<T>& first, const PlaneVectors<T>& second,
                             const PlaneVectors<T>& third) {
@@ -110,7 +110,7 @@ constexpr auto three_planes(const PlaneVectors<T>& first, const PlaneVectors<T>&
                                                                  denominator};
 }
 
-/// Times the denominator: (point - a) . (v x w), for e = base - a and v, w in a plane through a.
+/// (point - a) . (v x w), times the denominator, for e = base - a and v, w in a plane through a.
 template <typename N, typename D, typename T>
 constexpr auto orientation(const Homogeneous<N, D>& h, const Triple<T>& e, const Triple<T>& v,
                            const Triple<T>& w) {

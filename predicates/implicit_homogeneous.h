@@ -37,8 +37,8 @@ constexpr auto homogeneous(const std::array<Triple<T>, N>& t) {
   }
 }
 
-/// One of several points: (base + numerator / denominator) 2^exponent. Numerator and denominator of an
-/// explicit point are not looked at.
+/// One of several points: (base + numerator / denominator) 2^exponent. Numerator and denominator of an explicit point
+/// are not read.
 template <typename T>
 struct Place {
   std::array<T, 3> base, numerator;
@@ -47,7 +47,7 @@ struct Place {
   bool is_explicit = true;
 };
 
-/// Times both denominators, on an axis: p - q. REQUIRES equal exponents.
+/// p - q on an axis, times both denominators. REQUIRES equal exponents.
 template <typename T>
 T difference(const Place<T>& p, const Place<T>& q, int axis) {
   const T e = p.base[axis] - q.base[axis];
@@ -62,7 +62,7 @@ template <typename T>
 struct Vector {
   std::array<T, 3> v;
   T w;
-  bool is_whole;  ///< w = 1, and not looked at
+  bool is_whole;  ///< w = 1 and is not read
 };
 /// REQUIRES that q is explicit if p is.
 template <typename T>
@@ -96,7 +96,7 @@ T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
   const T ab = times_w(times_w(minor2(a, b, 0, 1), a), b);
   return (lift(a) * bc + lift(b) * ca) + lift(c) * ab;
 }
-/// The determinant with three columns of coordinates, signed as InSphere.
+/// The determinant with three columns of coordinates, signed as in InSphere.
 template <typename T>
 T lifted(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c, const Vector<T>& d) {
   const auto lift = [](const Vector<T>& r) -> T {
@@ -138,7 +138,7 @@ std::array<formulas::Triple<T>, N / 3> triples(const std::array<T, N>& c) {
   return t;
 }
 
-/// c[i] = out[i] * 2^exponent: integers with the largest exponent that they allow, or intervals (0).
+/// Sets out to c[i] / 2^exponent: integers, with the largest exponent that they allow, or intervals (exponent 0).
 template <std::size_t N>
 int to_numbers(const std::array<double, N>& c, std::array<Interval, N>& out) {
   for (std::size_t i = 0; i < N; ++i) out[i] = Interval(c[i]);

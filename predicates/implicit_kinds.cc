@@ -9,10 +9,10 @@
 namespace veritope {
 namespace {
 
-// The last one is the denominator.
+// Makes the last weight, the denominator, positive.
 template <std::size_t N>
 std::array<double, N> normalised(std::array<double, N> weights) {
-  // By their bits: fast-math reads signbit as < 0, which flushing to zero makes false.
+  // Compares bits: fast-math reads signbit as < 0, which flushing to zero makes false.
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
   const std::uint64_t flip = std::bit_cast<std::uint64_t>(weights[N - 1]) & kSign;
   for (double& w : weights) w = std::bit_cast<double>(std::bit_cast<std::uint64_t>(w) ^ flip);

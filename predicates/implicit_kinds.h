@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_kinds.h: the other points that no doubles hold, on a segment or a triangle by
-// rational weights and, in the plane, where two lines meet; and one view of points of every kind.
+// predicates/implicit_kinds.h: the other points that doubles cannot hold: on a segment or a triangle, given by rational
+// weights, and in the plane, where two lines meet; and one view of points of every kind.
 // Source: [Att20]; the weighted points generalise its LNC and BPT.
 #pragma once
 #include <array>
@@ -54,7 +54,7 @@ class TrianglePoint {
   std::array<double, 3> weights_;
 };
 
-/// In the plane: a + (b - a) numerator / denominator. Immutable.
+/// The point a + (b - a) numerator / denominator of the plane. Immutable.
 class SegmentPoint2d {
  public:
   /// REQUIRES finite numbers.
@@ -69,7 +69,7 @@ class SegmentPoint2d {
   std::array<double, 2> weights_;
 };
 
-/// In the plane: the point of the line through a and b on the line through c and d. Immutable.
+/// The point of the plane where the line through a and b meets the line through c and d. Immutable.
 class SegmentSegmentPoint2d {
  public:
   /// REQUIRES finite coordinates.
@@ -124,7 +124,7 @@ class AnyPoint3 {
   Kind kind_;
 };
 
-/// A point of any kind in the plane, as AnyPoint3 in space.
+/// A point of any kind in the plane, like AnyPoint3 in space.
 class AnyPoint2 {
  public:
   enum class Kind : std::uint8_t { kExplicit, kSegment, kSegmentSegment };

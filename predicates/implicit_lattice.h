@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_lattice.h: lattice.h's conversion for many coordinates at once, to one digit each,
-// on a lattice that can be kept for later ones.
+// predicates/implicit_lattice.h: converts many coordinates at once, as lattice.h does, to one digit each, on a lattice
+// that can be kept for later ones.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -46,8 +46,8 @@ template <std::size_t N>
 #endif
 }
 
-/// The lattice on which numbers with that biased exponent are less than 2^bits (much less, if they are below about
-/// 2^-960).
+/// The lattice on which numbers with that biased exponent are less than 2^bits (much less, if they are below
+/// approximately 2^-960).
 inline LatticeUnit lattice_of(std::uint64_t biased, int bits) {
   const auto n = static_cast<std::uint64_t>(bits);
   biased = std::max(biased, n);
@@ -55,7 +55,7 @@ inline LatticeUnit lattice_of(std::uint64_t biased, int bits) {
           std::bit_cast<double>((biased - n + 1) << 52), static_cast<int>(biased - n) - 1022};
 }
 
-/// out[i] = c[i] * scale; false if some c[i] is not on the lattice. Right in every floating-point
+/// Sets out[i] = c[i] * scale; returns false if some c[i] is not on the lattice. Correct in every floating-point
 /// environment, as to_lattice is. REQUIRES |c[i] * scale| <= 2^62.
 template <std::size_t N>
 [[gnu::always_inline]] inline bool on_lattice(const LatticeUnit& lattice,

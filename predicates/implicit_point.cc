@@ -64,9 +64,9 @@ constexpr bool limbs_hold(ImplicitBudget b) {
   return b.n() < 128 * L - 1 && b.n_d() < 192 * L - 1 && b.c() < 256 * L - 1 &&
          b.n_c() < 384 * L - 1 && b.line() < 384 * L - 1 && b.planes() < 576 * L - 1;
 }
-// As digits, of one limb: differences have 1, n 2, n . d 3, n x n 4 and n . (n x n) 6. A top digit holds
-// what is above the digits below it, and is at most 2^62, so that a product of digits is at most 2^124;
-// no column has more than six of them, and the last sum three and a carry.
+// As digits, on a lattice of one limb: a difference has 1 digit, n 2, n . d 3, n x n 4 and n . (n x n) 6. A top digit
+// holds what is above the digits below it, and is at most 2^62, so that a product of digits is at most 2^124; no column
+// has more than six of them, and the last sum three and a carry.
 constexpr bool digits_hold(ImplicitBudget b) {
   constexpr int k = kDigitBits;
   return b.d <= k && b.n() - k <= k && b.n_d() - 2 * k <= k && b.c() - 3 * k <= k &&

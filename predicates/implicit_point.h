@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_point.h: points that no doubles hold, given by explicit ones: where a line
-// meets a plane, where three planes meet. Decisions about them are exact; nothing is rounded.
+// predicates/implicit_point.h: points that doubles cannot hold, given by explicit ones: where a line meets a plane,
+// where three planes meet. Decisions about them are exact; nothing is rounded.
 // Source: [Att20], LPI and TPI.  Bound: docs/bounds/implicit_point.md.
 #pragma once
 #include <array>
@@ -13,8 +13,8 @@
 namespace veritope {
 
 namespace internal {
-/// What the filter needs: base + (x, y, z) / d, rounded, with two scalars that bound the errors. d > 0:
-/// so is the exact denominator, or both were negated; d = 0: the filter does not know the point.
+/// What the filter needs: base + (x, y, z) / d, rounded, with two scalars that bound the errors. If d > 0, so is the
+/// exact denominator, or both were negated; if d = 0, the filter does not know the point.
 struct ImplicitLayer {
   double x = 0, y = 0, z = 0, d = 0;
   double scale = 0, reach = 0;
@@ -63,10 +63,9 @@ class ThreePlanePoint {
   Sign denominator_;
 };
 
-/// As orient3d(a, b, c, d) of explicit points: positive iff a, b, c turn counter-clockwise as seen
-/// from d; zero iff d lies on their plane. Exact for all finite coordinates. Neither this nor the
-/// constructors allocate, unless the coordinates' bits span more than 124 binary places or the largest
-/// is below about 2^-900.
+/// Like orient3d(a, b, c, d) of explicit points: positive iff a, b, c turn counter-clockwise as seen from d; zero iff d
+/// lies on their plane. Exact for all finite coordinates. Neither this nor the constructors allocate, unless the
+/// coordinates' bits span more than 124 binary places or the largest is below approximately 2^-900.
 /// REQUIRES d.is_defined(), finite coordinates. Throws InternalError for a point that is not defined.
 Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const LinePlanePoint& d,
               TierCounts* tally = nullptr);
@@ -84,13 +83,13 @@ inline constexpr double kImplicitReach = 0x1p100;
 
 Sign3 implicit_filter(const ImplicitLayer& layer, const Vec3d& base, const Vec3d& a, const Vec3d& b,
                       const Vec3d& c) noexcept;
-// Each later tier, for both kinds of points: exact, or uncertain. The sign of the orientation times
-// that of the denominator.
+// The later tiers, for both kinds of points; each is exact, or uncertain. Their result is the sign of the orientation
+// times that of the denominator.
 template <typename Point>
 Sign3 implicit_lattice(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
 template <typename Point>
 Sign3 implicit_interval(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
-// Two limbs, else implicit_integer, which takes any exponents.
+// Computes in two limbs if they suffice, otherwise by implicit_integer, which takes any exponents.
 template <typename Point>
 Sign implicit_exact(const Point& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept;
 template <typename Point>

@@ -135,7 +135,7 @@ constexpr bool kTakesDigits = requires {
   T::from_digits(nullptr, 0);
 };
 
-// Digits of fixed lengths are faster, where the point has some.
+// Digits of fixed lengths are faster, if the point has them.
 template <typename T, typename P>
 Place<T> planes_place(const P& p) {
   check_defined(p.is_defined());
@@ -198,7 +198,7 @@ Place<T> place(const AnyPoint2& p) {
   }
 }
 
-// All with one exponent.
+// The places of the points, all with one exponent.
 template <typename T, typename Point, std::size_t N>
 std::array<Place<T>, N> places(const std::array<const Point*, N>& points) {
   std::array<Place<T>, N> r;
@@ -230,7 +230,7 @@ Sign decide(TierCounts* tally, Value value) {
       [&] { return internal::exact_sign<IsLong>(value); });
 }
 
-// The predicate is antisymmetric: the cheapest point comes first, to be the origin of the others.
+// The predicate is antisymmetric: the cheapest point is moved to the front, to be the origin of the others.
 template <typename Point, std::size_t N>
 Sign cheapest_first(std::array<const Point*, N>& points) {
   const auto least = std::min_element(points.begin(), points.end(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_predicates.h: the predicates on explicit and implicit points in every
-// combination. All of them exact for all finite coordinates and weights.
+// predicates/implicit_predicates.h: the predicates on explicit and implicit points in every combination. All are exact
+// for all finite coordinates and weights.
 // Bound: docs/bounds/implicit_point.md.  Design: docs/design/0007-implicit-points.md.
 #pragma once
 #include "predicates/compare_along.h"
@@ -11,10 +11,10 @@
 
 namespace veritope {
 
-// Each answers as the predicate of the same name on explicit points does, with the same laws, and is
-// that predicate where all points are explicit. REQUIRES finite explicit points. Throws InternalError for a
-// point that is not defined. No allocation, unless numbers of more than some 40 limbs (in_circle and
-// in_sphere: 112) arise: with 60-bit coordinates, never.
+// Each answers as the predicate of the same name on explicit points does, with the same laws, and is that predicate
+// where all points are explicit. REQUIRES finite explicit points. Throws InternalError for a point that is not defined.
+// Allocates only if numbers of more than 44 limbs (112 in in_circle and in_sphere) arise, which never happens with
+// 60-bit coordinates.
 
 Sign orient3d(const AnyPoint3& a, const AnyPoint3& b, const AnyPoint3& c, const AnyPoint3& d,
               TierCounts* tally = nullptr);
@@ -29,7 +29,7 @@ Sign compare_along(const Vec3d& direction, const AnyPoint3& p, const AnyPoint3& 
 Sign side_of_plane(const PlaneCoefficients& plane, const AnyPoint3& p, TierCounts* tally = nullptr);
 /// The sign of p - q on an axis: 0, 1 or 2.
 Sign compare_axis(const AnyPoint3& p, const AnyPoint3& q, int axis, TierCounts* tally = nullptr);
-/// That of the first axis on which p and q differ; zero iff they coincide.
+/// The sign of p - q on the first axis on which they differ; zero iff they coincide.
 Sign compare_lexicographic(const AnyPoint3& p, const AnyPoint3& q, TierCounts* tally = nullptr);
 
 Sign orient2d(const AnyPoint2& a, const AnyPoint2& b, const AnyPoint2& c,

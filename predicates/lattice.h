@@ -76,10 +76,9 @@ template <int L>
   }
 }
 
-/// out[i] = c[i] * 2^k, |out[i]| <= 2^lattice_bits(L), for one k. False if no such k is found: the
-/// coordinates' bits span more than that many places, or the coordinates are below about 2^-960 (L = 1) or
-/// 2^-900 (L = 2).
-/// Right under every rounding mode and with FTZ or DAZ, too: each step is exact or is caught by the
+/// Sets out[i] = c[i] * 2^k, |out[i]| <= 2^lattice_bits(L), for one k. Returns false if no such k is found: the
+/// coordinates' bits span more than that many places, or the coordinates are below approximately 2^-960 (L = 1) or
+/// 2^-900 (L = 2). Correct under every rounding mode and with FTZ or DAZ, too: each step is exact or is caught by the
 /// comparison of bits.
 /// REQUIRES finite coordinates.
 template <int L, std::size_t N>

@@ -24,7 +24,7 @@ struct Axis {
   int unit = 0, bits = 0;
 };
 
-// Odd mantissas, or 0.
+// Splits v so that its mantissa is odd, or 0.
 Binary64 reduced(double v) {
   Binary64 part = split(v);
   if (part.mantissa == 0) return part;
@@ -32,9 +32,9 @@ Binary64 reduced(double v) {
   return {part.mantissa >> zeros, part.exponent + zeros};
 }
 
-// coordinate(i), i < n, as integers in vertices[i][k]; the units are the lowest bit that is set in
-// any of them. False if one of them reaches 2^62 units: it differs by more than 2^61 from the one
-// that has the lowest bit, which is less than 2^53; and that difference is odd.
+// Sets vertices[i][k] to coordinate(i), i < n, as integers; their unit is the lowest bit that is set in any of them.
+// Returns false if one of them reaches 2^62 units: it differs by more than 2^61 from the one that has the lowest bit,
+// which is less than 2^53; and that difference is odd.
 template <std::size_t Dim, typename Coordinate>
 bool in_lowest_bits(LatticeModel<Dim>& model, std::size_t k, int& unit, Coordinate coordinate) {
   constexpr int kNone = 1 << 20;
@@ -54,7 +54,7 @@ bool in_lowest_bits(LatticeModel<Dim>& model, std::size_t k, int& unit, Coordina
   return true;
 }
 
-// Moves the first vertex to 0 and divides by the power of two that all have then. False if a
+// Moves the first vertex to 0 and divides by the power of two that all vertices then share. Returns false if a
 // difference is greater than 2^61.
 template <std::size_t Dim>
 bool from_first_vertex(LatticeModel<Dim>& model, std::size_t k, Axis& axis) {
@@ -118,7 +118,7 @@ Sign orient3d_of(const Point& a, const Point& b, const Point& c, const Point& d)
                            {b[2] - a[2], c[2] - a[2], d[2] - a[2]});
 }
 
-// The first points minus the last one, all axes in one unit: what the lifted determinants take.
+// The first points minus the last one, all axes in one unit, as the lifted determinants take them.
 template <std::size_t Dim, typename... Points>
 [[gnu::always_inline]] inline auto differences(const LatticeModel<Dim>& model,
                                                const std::array<std::int64_t, Dim>& last,

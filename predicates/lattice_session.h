@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/lattice_session.h: the predicates for a model whose coordinates fit one lattice: each
-// vertex becomes integers once, a decision is a few integer products of the width that the model
-// needs. Beside session.h: for models of few digits, where degenerate tuples are the rule.
+// predicates/lattice_session.h: the predicates for a model whose coordinates fit one lattice: each vertex becomes
+// integers once, and a decision is a few integer products of the width that the model needs. It complements session.h
+// for models of few digits, where degenerate tuples are the rule.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -33,22 +33,21 @@ struct LatticeModel {
 
 }  // namespace internal
 
-/// The exact signs of orient2d and in_circle for the vertices of one model, by their indices.
-/// Immutable: threads may share it. 16 bytes a vertex; 32 if the differences exceed 2^30 units, for
-/// the filter goes first then.
+/// The exact signs of orient2d and in_circle for the vertices of one model, by their indices. Immutable: threads may
+/// share it. It takes 16 bytes per vertex, or 32 if the differences exceed 2^30 units, because then the filter goes
+/// first.
 class LatticeSession2d {
  public:
-  /// The session of n points, indexed as they are. Nothing iff a coordinate is not finite or, on
-  /// some axis, two differ by more than 2^61 times the greatest power of two that divides all
-  /// differences of that axis: use Session2d then. n = 0 is allowed. O(n), in integers only: right
-  /// in every floating-point environment.
+  /// The session of n points, with their indices. Empty iff a coordinate is not finite or, on some axis, two differ by
+  /// more than 2^61 times the greatest power of two that divides all differences of that axis: use Session2d then. n =
+  /// 0 is allowed. O(n), in integers only: correct in every floating-point environment.
   static std::optional<LatticeSession2d> of(const Vec2d* points, std::size_t n);
 
   std::size_t size() const noexcept { return model_.vertices.size(); }
-  /// Do both axes fit 2^61 of one unit? Else orient2d is all there is.
+  /// Do both axes fit 2^61 of one unit? Otherwise orient2d is the only predicate.
   bool has_circles() const noexcept { return model_.common != internal::LatticeSpan::kTooWide; }
 
-  /// As the functions of these names. REQUIRES indices < size(); in_circle REQUIRES has_circles(),
+  /// Like the functions of these names. REQUIRES indices < size(); in_circle REQUIRES has_circles(),
   /// else InternalError. Counted as Tier::kLattice, or Tier::kFilter where that goes first.
   Sign orient2d(std::size_t a, std::size_t b, std::size_t c, TierCounts* tally = nullptr) const;
   Sign in_circle(std::size_t a, std::size_t b, std::size_t c, std::size_t d,
@@ -57,20 +56,20 @@ class LatticeSession2d {
  private:
   LatticeSession2d() = default;
   internal::LatticeModel<2> model_;
-  std::vector<Vec2d> points_;  // for the filter; empty if it is never asked
+  std::vector<Vec2d> points_;  // for the filter; empty if the filter is never used
 };
 
-/// Vertices in space. 24 bytes a vertex; 48 if the differences exceed 2^11 units.
+/// The predicates for vertices in space. 24 bytes per vertex; 48 if the differences exceed 2^11 units.
 class LatticeSession3d {
  public:
-  /// As LatticeSession2d::of.
+  /// Like LatticeSession2d::of.
   static std::optional<LatticeSession3d> of(const Vec3d* points, std::size_t n);
 
   std::size_t size() const noexcept { return model_.vertices.size(); }
-  /// Do all axes fit 2^61 of one unit? Else orient3d is all there is.
+  /// Do all axes fit 2^61 of one unit? Otherwise orient3d is the only predicate.
   bool has_spheres() const noexcept { return model_.common != internal::LatticeSpan::kTooWide; }
 
-  /// As the functions of these names. REQUIRES indices < size(); in_sphere REQUIRES has_spheres(),
+  /// Like the functions of these names. REQUIRES indices < size(); in_sphere REQUIRES has_spheres(),
   /// else InternalError. Counted as above.
   Sign orient3d(std::size_t a, std::size_t b, std::size_t c, std::size_t d,
                 TierCounts* tally = nullptr) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/order_on_line.h: points of one line in their order along it, by x, then by y; in every
+// predicates/order_on_line.h: the order of points along the line on which they lie, by x, then by y; in every
 // floating-point environment.
 #pragma once
 #include "predicates/vec.h"

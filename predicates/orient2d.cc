@@ -16,7 +16,7 @@ template <int L>
   return to_sign3(orient2d_fixed<LatticeWidth<L>>(from_first(x), from_first(y)));
 }
 
-// Part of each caller's body: degenerate points need one call, not two.
+// Inlined into each caller, so that degenerate points need one call, not two.
 [[gnu::always_inline]] inline Sign3 lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   const Sign3 s = on_lattice<1>(a, b, c);
   if (is_certain(s)) return s;

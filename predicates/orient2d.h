@@ -55,8 +55,8 @@ inline Sign3 orient2d_filter(const Vec2d& a, const Vec2d& b, const Vec2d& c) noe
 
 namespace internal {
 /// Zero if a column of the determinant is zero (the points lie on a line along an axis) or its first row is (a = b).
-/// Both are frequent in models, and this costs less than a call. By the bits, so that the floating-point environment
-/// does not matter; 0 and -0 count as different, which leaves the answer to the next tier.
+/// Both are frequent in models, and this costs less than a call. It compares bits, so that the floating-point
+/// environment does not matter; 0 and -0 count as different, which leaves the answer to the next tier.
 inline Sign3 orient2d_zero_line(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
   if (same_bits(a.x, b.x) && (same_bits(a.y, b.y) || same_bits(a.x, c.x))) return Sign3::kZero;
   return same_bits(a.y, b.y, c.y) ? Sign3::kZero : Sign3::kUncertain;

@@ -23,7 +23,7 @@ class Perturbation {
  public:
   static constexpr int kDim = IsLifted ? N - 2 : N - 1;
 
-  /// coordinates: of the points in the order of their ids.
+  /// coordinates: those of the points, in the order of their ids.
   explicit Perturbation(const std::array<double, N * kDim>& coordinates)
       : coordinates_(coordinates) {
     column_of_.fill(kNone);
@@ -45,8 +45,8 @@ class Perturbation {
     return 1 + (IsLifted ? r - N : r) % kDim;
   }
 
-  // Products of the amounts chosen and of some with numbers below r. The larger products first: those without
-  // the amount r - 1, which is less than any product of larger ones.
+  // Runs through the products of the amounts chosen and of some with numbers below r. The larger products come first:
+  // those without the amount r - 1, which is less than any product of larger ones.
   Sign first_below(int r) {
     if (r == 0) return num_chosen_ == 0 ? Sign::kZero : coefficient();  // 0: known to be zero
     if (const Sign s = first_below(r - 1); s != Sign::kZero) return s;
@@ -109,7 +109,7 @@ Sign perturbed(const std::array<Point, N>& points, const std::array<PointId, N>&
   std::array<std::size_t, N> order;
   std::iota(order.begin(), order.end(), std::size_t{0});
   Sign parity = Sign::kPositive;
-  for (std::size_t i = 1; i < N; ++i) {  // insertion: each swap of neighbours turns the sign
+  for (std::size_t i = 1; i < N; ++i) {  // insertion: each swap of neighbours negates the sign
     for (std::size_t k = i; k > 0 && ids[order[k]] < ids[order[k - 1]]; --k) {
       std::swap(order[k], order[k - 1]);
       parity = -parity;
@@ -137,7 +137,7 @@ Sign orient3d_perturbed(const std::array<Vec3d, 4>& p, const std::array<PointId,
   const Sign s = orient3d(p[0], p[1], p[2], p[3], tally);
   return s != Sign::kZero ? s : perturbed<false>(p, ids);
 }
-// Against that of the rows (1, coordinates, squares), the lifted determinants are negated.
+// Compared with the determinant of the rows (1, coordinates, squares), the lifted determinants are negated.
 Sign in_circle_perturbed(const std::array<Vec2d, 4>& p, const std::array<PointId, 4>& ids,
                          TierCounts* tally) {
   const Sign s = in_circle(p[0], p[1], p[2], p[3], tally);

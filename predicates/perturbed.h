@@ -20,7 +20,7 @@ using PointId = std::uint64_t;
 // in_sphere the sum of the squares x^2 + y^2 (+ z^2) of the unmoved point by a further one, e(k). (That is a
 // weight: the circle is that of a power diagram.) Every amount is less than any product of larger ones:
 //   e(0) >> e(1) >> ... >> e(0, x) >> e(0, y) >> e(0, z) >> e(1, x) >> ...
-// precisely, the r-th one in this order is e^(2^r) for one e > 0 that is smaller than any given number.
+// More precisely, the r-th one in this order is e^(2^r) for one e > 0 that is smaller than any given number.
 // Laws:
 //   (1) never zero;
 //   (2) swapping two points together with their ids negates it: the order of the arguments does not matter;

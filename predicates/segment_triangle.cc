@@ -33,7 +33,7 @@ bool any_negative(const std::array<Sign, 3>& s) {
   return s[0] == Sign::kNegative || s[1] == Sign::kNegative || s[2] == Sign::kNegative;
 }
 
-// All in one plane, seen along an axis as a plane in which t turns counter-clockwise.
+// Segment and triangle in one plane, seen along an axis so that t turns counter-clockwise.
 class InPlane {
  public:
   InPlane(const Vec3d& p, const Vec3d& q, const std::array<Vec3d, 3>& t, TierCounts* tally)
@@ -100,8 +100,8 @@ SegmentTriangleContact segment_triangle(const Vec3d& p, const Vec3d& q,
   const Sign sp = orient3d(t[0], t[1], t[2], p, tally), sq = orient3d(t[0], t[1], t[2], q, tally);
   if (sp * sq == Sign::kPositive) return {};
   if (sp == Sign::kZero && sq == Sign::kZero) return InPlane(p, q, t, tally).contact();
-  // One end at most is on the plane. The line goes down through the plane (from p, if p is above)
-  // and passes the edge i on its inner side iff the edge and the segment make a positive volume.
+  // At most one end is on the plane. The line goes down through the plane (from p, if p is above) and passes the edge i
+  // on its inner side iff the edge and the segment make a positive volume.
   const bool down = sp == Sign::kPositive || sq == Sign::kNegative;
   const Vec3d &above = down ? p : q, &below = down ? q : p;
   std::array<Sign, 3> s;

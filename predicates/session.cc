@@ -7,9 +7,9 @@
 
 namespace veritope {
 
-// The bound of a filter grows with the absolute values of the differences of coordinates, rounding
-// included; none is greater than the rounded extent of the box. Computed in the default environment:
-// a session may be made in one thread and used in another.
+// The bound of a filter grows with the absolute values of the differences of coordinates, rounding included; none is
+// greater than the rounded extent of the box. It is computed in the default environment, because a session may be made
+// in one thread and used in another.
 
 Session2d::Session2d(Vec2d lo, Vec2d hi) : lo_(lo), hi_(hi) {
   VT_CHECK(lo.x <= hi.x && lo.y <= hi.y, "a session needs a box with lo <= hi");

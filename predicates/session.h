@@ -26,7 +26,7 @@ class Session2d {
   bool contains(Vec2d p) const noexcept {
     return lo_.x <= p.x && p.x <= hi_.x && lo_.y <= p.y && p.y <= hi_.y;
   }
-  /// As the functions of these names. REQUIRES that contains() holds for each point.
+  /// Like the functions of these names. REQUIRES that contains() holds for each point.
   Sign orient2d(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally = nullptr) const;
   Sign in_circle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d,
                  TierCounts* tally = nullptr) const;
@@ -36,7 +36,7 @@ class Session2d {
   double orient_error_, circle_error_;
 };
 
-/// The exact signs of orient3d and in_sphere for points of one box in space, as Session2d in the plane.
+/// The exact signs of orient3d and in_sphere for points of one box in space, like Session2d in the plane.
 class Session3d {
  public:
   /// REQUIRES finite lo <= hi.
@@ -48,7 +48,7 @@ class Session3d {
     return lo_.x <= p.x && p.x <= hi_.x && lo_.y <= p.y && p.y <= hi_.y && lo_.z <= p.z &&
            p.z <= hi_.z;
   }
-  /// As the functions of these names. REQUIRES that contains() holds for each point.
+  /// Like the functions of these names. REQUIRES that contains() holds for each point.
   Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,
                 TierCounts* tally = nullptr) const;
   Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // predicates/side_batch.h: on which side of the plane through a, b, c does each of many points lie?
-// The filter of orient3d.h over arrays of coordinates, several points an instruction; the
-// instruction set is chosen at run time.  Bound: docs/bounds/orient3d.md.
+// The filter of orient3d.h over arrays of coordinates, several points per instruction; the instruction set is chosen at
+// run time.  Bound: docs/bounds/orient3d.md.
 #pragma once
 #include <cstddef>
 

@@ -19,14 +19,14 @@ using SideKernel = void (*)(const SidePlane& plane, const double* x, const doubl
                             const double* z, std::size_t n, int* out);
 void side_baseline(const SidePlane& plane, const double* x, const double* y, const double* z,
                    std::size_t n, int* out);
-// Null where the compiler does not make such code.
+// Null where the compiler cannot generate such code.
 SideKernel side_avx2();
 SideKernel side_avx512();
 
 namespace {
 
-// V has: kLanes; load, load_part (0 < count < kLanes), all; add, sub, mul to nearest; abs;
-// store_signs(det, error, out, count): of sign_beyond(det, error), robust/filter.h.
+// V has: kLanes; load, load_part (0 < count < kLanes), all; add, sub, mul to nearest; abs; store_signs(det, error, out,
+// count), which stores sign_beyond(det, error) of robust/filter.h.
 template <typename V>
 struct SideLoop {
   V ox, oy, oz, nx, ny, nz, gx, gy, gz, rel, eta, least;
@@ -45,7 +45,7 @@ struct SideLoop {
         eta(V::all(p.eta)),
         least(V::all(p.abs)) {}
 
-  // The operations of orient3d.h in their order: the same bits.
+  // These are the operations of orient3d.h in their order, so that the bits are the same.
   [[gnu::always_inline]] void decide(V x, V y, V z, int* out, std::size_t count) const {
     const V wx = V::sub(x, ox), wy = V::sub(y, oy), wz = V::sub(z, oz);
     const V ax = V::abs(wx), ay = V::abs(wy), az = V::abs(wz);

@@ -40,7 +40,7 @@ struct BoxDomain {
   }
   std::array<Point, 2> place(const Region& r) const { return {r.lo, r.hi}; }
 
-  // The axis along which coefficients differ most; every N-th cut goes by turns, so that no axis starves.
+  // The axis along which coefficients differ most; every (N + 1)-th cut takes the axes in turn, so that none starves.
   Cut choose(const Region&, const std::vector<Interval>& values, std::size_t depth) const {
     if (depth % (N + 1) == N) return depth / (N + 1) % N;
     Cut best = 0;

@@ -28,7 +28,7 @@ struct SignWitness {
   Sign sign = Sign::kZero;
 };
 
-/// How many pieces may be looked at, and how often one may be halved.
+/// How many pieces may be examined, and how often one may be halved.
 struct SignBudget {
   std::size_t max_pieces = 20000;
   int max_depth = 200;
@@ -38,9 +38,10 @@ struct SignBudget {
 template <std::size_t N, std::size_t NumCorners>
 struct SignReport {
   PatchSign answer = PatchSign::kUndecided;
-  std::array<SignWitness<N>, 2> witnesses{};                ///< of kMixed: signs differ
-  std::array<std::array<Rational, N>, NumCorners> place{};  ///< of kUndecided: a piece that is left
-  std::size_t num_left = 0;                                 ///< of kUndecided: how many are
+  std::array<SignWitness<N>, 2> witnesses{};  ///< for kMixed: their signs differ
+  std::array<std::array<Rational, N>, NumCorners>
+      place{};               ///< for kUndecided: a piece that is left
+  std::size_t num_left = 0;  ///< for kUndecided: how many pieces are left
   std::size_t num_pieces = 0,
               num_exact = 0;  ///< spent: pieces examined, and how many of them in rationals
   int depth = 0;              ///< of the deepest piece
@@ -51,16 +52,16 @@ using BoxSign = SignReport<N, 2>;
 using TriangleSign = SignReport<3, 3>;
 
 /// The signs of one component on [0,1]^N. Halves the box until the coefficients of every piece have one sign, or
-/// corners, which are values, have two. Intervals first; rationals where those are too wide.
-/// Zeros that no corner of a dyadic piece meets (f >= 0 that touches 0 at 1/3) end undecided.
-/// REQUIRES 0 <= component < num_components, max_pieces >= 1.  @cost a de Casteljau step and a scan a piece, in
-/// intervals
+/// corners, which are values, have two. Uses intervals first, and rationals where those are too wide. Zeros that no
+/// corner of a dyadic piece meets (f >= 0 that touches 0 at 1/3) end undecided.
+/// REQUIRES 0 <= component < num_components, max_pieces >= 1.
+/// @cost a de Casteljau step and a scan for each piece, in intervals
 template <std::size_t N>
 BoxSign<N> sign_over_box(const Bezier<Rational, N>& map, int component = 0,
                          const SignBudget& budget = {});
 
 /// The signs of sum n! / (i! j! k!) u^i v^j w^k b_ijk on the triangle u + v + w = 1, u, v, w >= 0. b_ijk is coefficient
-/// (j + k)(j + k + 1) / 2 + k: rows of falling i, in them k rises.
+/// (j + k)(j + k + 1) / 2 + k: rows of falling i, within which k rises.
 /// REQUIRES (degree + 1)(degree + 2) / 2 coefficients, degree >= 0.
 TriangleSign sign_over_triangle(int degree, const std::vector<Rational>& coefficients,
                                 const SignBudget& budget = {});

@@ -71,7 +71,7 @@ class SignSearch {
     report_.depth = std::max(report_.depth, static_cast<int>(piece.path.size()));
     std::vector<Sign3> signs;
     Signs all = signs_of(piece.rounded, signs);
-    // Uncertain ones matter unless the piece is to be halved anyway.
+    // Uncertain coefficients matter unless the piece is to be halved anyway.
     if (all.uncertain && !(all.positive && all.negative)) {
       ++report_.num_exact;
       all = signs_of(exact_values(piece), signs);
@@ -95,7 +95,7 @@ class SignSearch {
     }
     halve(piece);
   }
-  // A corner is zero and the inside is not: mixed, with the sign of the middle of the piece.
+  // Notes that a corner is zero and the inside is not: mixed, with the sign of the middle of the piece.
   void note_inside(const Piece& piece, const Signs& all) {
     note(all.positive ? Sign3::kPositive : Sign3::kNegative, domain_.middle(piece.region));
     VT_CHECK(is_done_, "a zero and another sign");

@@ -21,8 +21,8 @@ Corners rotated(const IndexedTriangle& t, int first) {
   return {&t.point[first], &t.point[second], &t.point[third]};
 }
 
-// Signs of some points over the plane of three corners. The filter is asked for all of them before
-// a dearer tier is asked for any, because the filter's answers alone often settle the pair.
+// Signs of some points over the plane of three corners. The filter is asked about all of them before a more expensive
+// tier is asked about any, because the filter's answers alone often settle the pair.
 template <int N>
 class SignsOverPlane {
  public:
@@ -34,7 +34,7 @@ class SignsOverPlane {
       if (tally != nullptr && is_certain(sign_[i])) ++tally->decided[0];
     }
   }
-  // All certain and strictly on one side.
+  // True if all are certain and strictly on one side.
   bool on_one_side() const {
     bool same = is_certain(sign_[0]) && sign_[0] != Sign3::kZero;
     for (int i = 1; i < N; ++i) same = same && sign_[i] == sign_[0];

@@ -65,7 +65,7 @@ std::array<Point, 2> section_ends(const Corners& t, const std::array<Rational, 3
   return {crossing(s.rising), crossing(s.falling)};
 }
 
-// The two segments on the line of the planes, intersected.
+// The intersection of the two segments on the line of the planes.
 std::vector<Point> transversal(const Corners& t, const Corners& u) {
   const Point nt = normal(t), nu = normal(u);
   std::array<Rational, 3> ht, hu;
@@ -91,7 +91,7 @@ Rational area(const Point& a, const Point& b, const Point& c, int axis) {
   return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
 }
 
-// t cut with the three half-planes of u.
+// The part of t inside the three half-planes of u.
 std::vector<Point> coplanar(const Corners& t, const Corners& u, const AxisProjection& u_view) {
   std::vector<Point> polygon(t.begin(), t.end());
   for (int e = 0; e < 3; ++e) {

@@ -13,8 +13,8 @@ namespace veritope {
 /// A common point of two triangles outside their common simplex, in the weights of each, and the extent of the
 /// intersection.
 struct TriangleWitness {
-  /// point = sum t_weight[i] * t.point[i] / sum t_weight[i], and the same for u. Weights are >= 0
-  /// and of one triangle coprime.
+  /// point = sum t_weight[i] * t.point[i] / sum t_weight[i], and the same for u. Weights are >= 0, and those of one
+  /// triangle are coprime.
   std::array<Integer, 3> t_weight, u_weight;
   std::array<Rational, 3> point;
   /// The square of the greatest distance of two points of the intersection; 0 iff the triangles

@@ -15,7 +15,7 @@ const char kStarText[] = " body_sha256 certificate claim subject_format subject_
 
 void add_keys(const std::string& names, const char* kind,
               std::map<std::string, std::string>* keys) {
-  for (size_t at = 0; at < names.size();) {  // a blank precedes each
+  for (size_t at = 0; at < names.size();) {  // a blank precedes each name
     const size_t end = std::min(names.find(' ', at + 1), names.size());
     (*keys)[names.substr(at + 1, end - at - 1)] = kind;
     at = end;

@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
   if (argc == 2 && first == "--claims") return say(stdout, claims_as_text(), 0);
   if (argc != 3 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
-  std::string name = argv[2];  // of the file that may be refused
+  std::string name = argv[2];  // the file that a refusal names
   try {
     const std::string certificate = read_file(name);
     name = first;

@@ -3,10 +3,10 @@
 #pragma once
 #include "../patches/star_box.h"
 
-struct CollarBody {  // what docs/certificates/collar.md adds
+struct CollarBody {  // what docs/certificates/collar.md adds to the body
   uint64_t shift = 0, leaves = 0;
   int64_t low[3];                     // corner of the root cube, in units 2^E
-  std::vector<uint64_t> differences;  // of the cells' codes
+  std::vector<uint64_t> differences;  // between the codes of successive cells
   std::vector<uint8_t> sides, symbols;
   std::vector<int64_t> collapses;  // differences of faces' numbers
   std::vector<Walk> shores;        // from the components' least vertices
@@ -15,11 +15,12 @@ const int64_t kRootEdge = 1 << 20;  // in units 2^(E + shift); with both ends in
 CollarBody read_collar_body(StarBytes* bytes);
 
 const uint32_t kNone = 0xffffffff;
-const int kDepth = 20;                          // of the deepest cells
+const int kDepth = 20;                          // the level of the deepest cells
 const uint64_t kMostCells = 1 << 24;            // K0
 const uint64_t kMostFaces = uint64_t(1) << 26;  // a limit of this checker, about 6 GiB
 
-// Points of the grid, [0, 2^20]^3, by (z, y, x): along an axis the keys of its points rise.
+// Points of the grid, [0, 2^20]^3, are ordered by (z, y, x): along an axis, the keys of its points
+// rise.
 const uint64_t kGrid = uint64_t(kRootEdge) + 1;
 inline uint64_t point_key(const uint32_t* x) { return (x[2] * kGrid + x[1]) * kGrid + x[0]; }
 inline void point_of(uint64_t key, uint32_t* x) {
@@ -33,7 +34,7 @@ struct Cell {
 Cell cell_of(uint64_t code);
 
 struct Face {
-  uint64_t key;      // of its least corner, times 3, plus its normal axis: faces are ordered by it
+  uint64_t key;      // of its least corner, times 3, plus its normal axis; faces are ordered by it
   uint32_t cell[2];  // below and above it along the axis, or kNone
   uint32_t
       corner[4];  // vertices; bit 0: high along the next axis after its normal, 1: the one after
@@ -42,26 +43,26 @@ struct Face {
   uint32_t any_cell() const { return cell[0] != kNone ? cell[0] : cell[1]; }
 };
 
-// The parts of edges between neighbouring vertices of a line. Each has a place for a face in either
+// The parts of edges between neighbouring vertices of a line. Each has room for one face in either
 // direction along either of the two other axes.
 struct Around {
   uint32_t face[4];
 };
 
-// The common subdivision. Everything but the codes is built by sorting: O(n log n) time, n the
-// number of faces, and about 90 bytes a face.
+// The common subdivision. Everything but the codes is built by sorting: O(n log n) time and about
+// 90 bytes a face, n the number of faces.
 struct Complex {
   std::vector<uint64_t> codes;
   std::vector<Face> faces;
   std::vector<uint64_t> vertices;  // keys, ascending
-  // Along axis d: the vertices in the order of lines, order[d]; where they are in it, place[d]; and
-  // around[d][i]: the edge from order[d][i] to order[d][i + 1], if a face is in it.
+  // Along axis d: order[d] has the vertices in the order of lines; place[d] is the inverse;
+  // around[d][i] is the edge from order[d][i] to order[d][i + 1], if a face has it.
   std::vector<uint32_t> order[3], place[3];
   std::vector<Around> around[3];
 
   explicit Complex(const CollarBody& body);  // K0
 
-  // use(axis, i, slot) for the edges of a face.
+  // Calls use(axis, i, slot) for the edges of a face.
   template <class Use>
   void each_edge(const Face& f, Use use) const {
     for (int k = 0; k < 2; ++k) {  // along axis n + 1 + k
@@ -73,7 +74,7 @@ struct Complex {
       }
     }
   }
-  // use(axis, i) for the at most six edges at a vertex; empty ones may be among them.
+  // Calls use(axis, i) for the at most six edges at a vertex; some of them may be empty.
   template <class Use>
   void each_edge_at(uint32_t vertex, Use use) const {
     for (int d = 0; d < 3; ++d) {
@@ -96,7 +97,7 @@ struct Shores {
   std::vector<uint32_t> of_face;       // the boundary component, or kNone
   std::vector<uint32_t> of_cell;       // the component of |K|
   std::vector<uint32_t> least;         // face of each boundary component
-  std::vector<uint32_t> outer, inner;  // of each component of |K|, that in d+, that in d-
+  std::vector<uint32_t> outer, inner;  // boundary components of each component of |K|
   std::vector<int64_t> chi;            // of each boundary component
   std::vector<bool> is_outer;          // in d+, of each boundary component
   bool is_kept(uint32_t face) const { return of_face[face] != kNone && is_outer[of_face[face]]; }

@@ -16,7 +16,7 @@ struct Reader {
       require(v < kFarthest - kRootEdge, "B1", "a coordinate is too far away");
       in->scaled(v + kRootEdge, out.shift);
     }
-    const uint64_t cells = in->body.count(2);  // a collapse is another byte
+    const uint64_t cells = in->body.count(2);  // each collapse takes a byte, too
     require(cells >= 1, "B1", "there are no cells");
     for (uint64_t i = 0; i < cells; ++i) {
       out.differences.push_back(in->varint());
@@ -32,7 +32,8 @@ struct Reader {
       in->points_and_end(&out.shores.back());
     }
   }
-  // A tree for each leaf of the body's trees, which have one root in the last level that is open.
+  // Reads a tree for each leaf of the body's trees. A symbol that comes when no level is open is a
+  // root.
   void leaves() {
     uint64_t open[kLevels + 1] = {};
     int level = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// collar_collapse.cc: K3 of docs/certificates/collar.md. Cells go in the order of the certificate;
-// edges with faces, then vertices with edges, in any order: each removal makes the only place where
-// another one may become possible known, so the work is linear.
+// collar_collapse.cc: K3 of docs/certificates/collar.md. Cells are removed in the order of the
+// certificate, then edges with faces, then vertices with edges, in any order. After a removal it is
+// known where another one may have become possible, so the work is linear.
 #include "collar.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 namespace {
 
-const uint64_t kPlane = uint64_t(1) << (2 * kDepth + 1);  // codes of squares are below it
+const uint64_t kPlane = uint64_t(1) << (2 * kDepth + 1);  // codes of squares are less
 
 // A face of a cell: plane, then the code of its square, made like those of cells.
 struct Item {
@@ -14,7 +14,7 @@ struct Item {
 };
 bool operator<(const Item& a, const Item& b) { return a.code < b.code; }
 
-// Where a code stands for: a cube or square of 2^dimension parts, `half` around it.
+// Splits the squares of one plane into faces. items: the faces of cells in the plane, by code.
 struct Squares {
   std::vector<Item> items;
   int axis;
@@ -28,8 +28,8 @@ struct Squares {
     faces->push_back(
         Face{3 * point_key(x) + uint64_t(axis), {cover[0], cover[1]}, {size, 0, 0, 0}});
   }
-  // The square with this code, size and least corner: its faces in the items lo, ..., hi - 1, all of
-  // which lie in it; above and below it the cells `cover`.
+  // The square with this code, size and least corner. Its faces are among the items lo, ..., hi - 1, all of which lie
+  // in it; `cover` holds the cells above and below it.
   void split(size_t lo, size_t hi, uint64_t code, uint32_t size, uint32_t b, uint32_t c,
              const uint32_t* cover) const {
     uint32_t own[2] = {cover[0], cover[1]};
@@ -69,7 +69,7 @@ Cell cell_of(uint64_t code) {
 Complex::Complex(const CollarBody& body) {
   const uint64_t cells = body.differences.size();
   require(cells <= kMostCells, "K0", "over 2^24 cells:", cells);
-  uint64_t code = 0, end = 0;  // of the codes inside the cell before
+  uint64_t code = 0, end = 0;  // end: of the codes inside the previous cell
   for (uint64_t i = 0; i < cells; ++i) {
     require(body.differences[i] < uint64_t(1) << 61, "K0", "no code of a cell, cell", i);
     code += body.differences[i];
@@ -86,7 +86,7 @@ Complex::Complex(const CollarBody& body) {
   add_edges();
 }
 
-// Squares of a plane: a square is split iff smaller ones lie in it.
+// The squares of a plane: a square is split iff smaller ones lie in it.
 void Complex::add_faces(int axis) {
   Squares s = {{}, axis, 0, &faces};
   s.items.reserve(2 * codes.size());
@@ -109,8 +109,8 @@ void Complex::add_faces(int axis) {
   }
 }
 
-// The corners of the faces; faces of one axis and size meet each of their four corners in the order
-// of the vertices, so that each of these rows is followed with one finger.
+// The corners of the faces. Faces of one axis and size meet each of their four corners in the order
+// of the vertices, so one pointer for each of these rows suffices to merge them.
 void Complex::add_vertices() {
   const auto corner = [](const Face& f, uint32_t size, int c) {
     uint32_t x[3];
@@ -147,7 +147,7 @@ void Complex::add_edges() {
     for (uint32_t v = 0; v < n; ++v) {
       uint32_t x[3];
       point_of(vertices[v], x);
-      std::swap(x[0], x[d]);  // the axis itself counts least
+      std::swap(x[0], x[d]);  // the axis itself is the least significant
       by_line[v] = std::make_pair(point_key(x), v);
     }
     if (d > 0) std::sort(by_line.begin(), by_line.end());

@@ -20,7 +20,7 @@ struct Inside {
     for (int i = 0; i < 3; ++i) b.lo[i] = at(i, c.low[i]), b.hi[i] = at(i, c.low[i] + c.size);
     return b;
   }
-  // The codes lo, ..., hi - 1 are those of the cells of K in the cell of this code.
+  // The codes lo, ..., hi - 1 are those of the cells of K inside the cell with this code.
   bool holds(size_t lo, size_t hi, uint64_t code, const Cell& c) {
     units.add(1);
     if (hull->misses(box(c))) return true;
@@ -55,11 +55,11 @@ struct Inside {
   }
 };
 
-// The symbols of the body's trees with those of their leaves' trees in the place of leaves.
+// The symbols of the body's trees, with the trees of their leaves in place of the leaves.
 struct Symbols {
   const uint32_t* star;
   const uint8_t* leaf;
-  uint64_t open;  // in a leaf's tree
+  uint64_t open;  // nodes to come in a leaf's tree
   bool operator()() {
     if (open == 0) {
       if (*star++ == 0) return false;

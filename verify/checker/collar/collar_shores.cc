@@ -37,7 +37,7 @@ bool is_one_cycle(const Complex& k, uint32_t vertex) {
     if (boundary_faces(k, k.around[d][i], faces[n]) != 0) ++n;
   });
   bool reached[6] = {true, false, false, false, false, false};
-  int open[6] = {0}, num = n > 0;  // reached edges, each once
+  int open[6] = {0}, num = n > 0;  // edges that were reached, each once
   for (int at = 0; at < num; ++at)
     for (int j = 0; j < n; ++j) {
       const uint32_t *const a = faces[open[at]], *const b = faces[j];

@@ -61,7 +61,7 @@ inline bool decimal_to_key(const std::string& token, int64_t* key) {
   const bool below = s != end && *s == '-';
   if (s != end && (*s == '+' || *s == '-')) ++s;
   Nat num;          // the digits; |value| = (num, plus less than one if sticky) * 10^ten
-  int64_t ten = 0;  // digits are counted in `size` after the leading zeros
+  int64_t ten = 0;  // `size` counts the digits after the leading zeros
   int size = 0;
   bool any = false, point = false, sticky = false;
   for (; s != end && ((*s >= '0' && *s <= '9') || (*s == '.' && !point)); ++s) {

@@ -45,7 +45,7 @@ inline std::string sha256(const void* data, uint64_t size) {
                    0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   uint64_t left = size;
   for (; left >= 64; left -= 64, p += 64) sha256_block(h, p);
-  uint8_t end[128] = {0};  // the rest, a bit 1, zeros, the size in bits
+  uint8_t end[128] = {0};  // the rest of the bytes, a bit 1, zeros, the number of bits
   const int total = left < 56 ? 64 : 128;
   std::copy(p, p + left, end);
   end[left] = 0x80;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// statement.cc: conditions S1 to S4 of docs/certificates/mesh.md; what differs by claim is its row's.
+// statement.cc: conditions S1 to S4 of docs/certificates/mesh.md; the claim's row has what differs by claim.
 #include "checker.h"
 #include "sha256.h"
 
@@ -71,12 +71,12 @@ std::string keys(const std::map<std::string, T>& values) {  // a map is sorted b
   return r;
 }
 
-// One of the words that commas separate.
+// Whether the word is one of those that commas separate.
 bool is_among(const std::string& word, const std::string& words) {
   return word.find(',') == word.npos && (',' + words + ',').find(',' + word + ',') != words.npos;
 }
 
-// S1, after its syntax.
+// S1, except its syntax.
 void check_form(const std::vector<Claim>& claims, Statement* s) {
   for (const Claim& row : claims)
     if (s->text["claim"] == row.name) s->claim = &row;

@@ -48,8 +48,8 @@ inline Fixed<L> operator-(Fixed<L> a, const Fixed<L>& b) {
   add(a.d, b.d, L, ~uint64_t(0), ~uint64_t(0));
   return a;
 }
-// Cannot overflow. The limbs are multiplied as unsigned numbers; a negative operand of n limbs was
-// then read 2^(64 n) too large, so the other operand is subtracted n limbs up.
+// Cannot overflow. The limbs are multiplied as unsigned numbers, which reads a negative operand of
+// n limbs as 2^(64 n) too large; the other operand, shifted up by n limbs, is subtracted for it.
 template <int A, int B>
 inline Fixed<A + B> operator*(const Fixed<A>& a, const Fixed<B>& b) {
   Fixed<A + B> r = fixed<A + B>(0);
@@ -112,8 +112,8 @@ inline Vec<C> lattice_point(const int64_t* key, int low) {  // in units of 2^(lo
                  lattice_coordinate<C>(key[2], low)}};
 }
 
-// Does the ray from v along axis u, upwards or downwards, stab the triangle t? 1 yes, 0 no, -1: v
-// lies in its plane. nu becomes the sign of component u of its normal, if the line stabs it.
+// Whether the ray from v along axis u, upward or downward, stabs the triangle t: 1 yes, 0 no, -1: v
+// lies in its plane. If the line stabs t, nu becomes the sign of component u of its normal.
 template <int C>
 inline int stab(const Vec<C>& v, const Vec<C>* t, int u, bool upwards, int* nu) {
   const int p = (u + 1) % 3, q = (u + 2) % 3;

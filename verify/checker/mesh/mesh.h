@@ -28,7 +28,7 @@ Model read_triangles(std::string file, const std::string& format);  // not yet m
 // Shells and neighbours. Edge 3 f + i goes from corner i of triangle f to the next corner.
 struct Surface {
   explicit Surface(const Model& model);
-  // If V4 holds: the next of the edges that start where e does; it is in the neighbour triangle.
+  // If V4 holds: the next edge that starts where e does; it belongs to the neighbour triangle.
   uint32_t around(uint32_t e) const { return twin[e % 3 == 0 ? e + 2 : e - 1]; }
 
   std::vector<uint32_t> shell;              // of each triangle; triangles with a common edge agree

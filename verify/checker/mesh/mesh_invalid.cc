@@ -144,7 +144,8 @@ class InvalidCheck {
     return has(g, corners(f)[0]) && has(g, corners(f)[1]) && has(g, corners(f)[2]);
   }
 
-  // How many triangles have the edge {a, b}; `forth` becomes how many of them run from a to b.
+  // The number of triangles with the edge {a, b}; `forth` becomes the number of those that run from
+  // a to b.
   int64_t uses(uint32_t a, uint32_t b, int64_t* forth) {
     const uint32_t v = degree(b) < degree(a) ? b : a;
     work_.add(degree(v));
@@ -157,7 +158,7 @@ class InvalidCheck {
       }
     return n;
   }
-  // Classes of the triangles at v that edges {v, w} connect.
+  // The number of classes of the triangles at v, connected by edges {v, w}.
   size_t fans(uint32_t v) {
     work_.add(degree(v));
     const std::vector<uint32_t> f(of_.begin() + start_[v], of_.begin() + start_[v + size_t(1)]);
@@ -184,7 +185,7 @@ class InvalidCheck {
     }
     return classes;
   }
-  Nat absolute(int64_t key) const {  // the coordinate in lattice units, without its sign
+  Nat absolute(int64_t key) const {  // the coordinate's absolute value in lattice units
     if (key == 0) return Nat();
     const int zeros = __builtin_ctzll(key_mantissa(key)), up = key_exponent(key) + zeros - low_;
     Nat r(size_t(up / 32), 0);
@@ -192,7 +193,8 @@ class InvalidCheck {
       r.push_back(uint32_t(rest));
     return r;
   }
-  // Do the weights name a point of both triangles that is not in a common vertex or edge?
+  // Whether the weights name a point of both triangles that does not lie in a common vertex or
+  // edge.
   bool meet(uint32_t f, uint32_t g, const Nat* weight) const {
     const Nat total[2] = {sum(sum(weight[0], weight[1]), weight[2]),
                           sum(sum(weight[3], weight[4]), weight[5])};
@@ -203,7 +205,7 @@ class InvalidCheck {
       scaled[j] = product(weight[j], total[j < 3 ? 1 : 0]);
       apart = apart || (j < 3 && !weight[j].empty() && !has(g, corners(f)[j]));
     }
-    for (int i = 0; i < 3 && apart; ++i) {  // terms below zero go to the other side of the equation
+    for (int i = 0; i < 3 && apart; ++i) {  // negative terms move to the other side of the equation
       Nat side[2];
       for (int j = 0; j < 6; ++j) {
         const int64_t c = model_.key[3 * size_t(corners(j < 3 ? f : g)[j % 3]) + i];
@@ -214,7 +216,7 @@ class InvalidCheck {
     }
     return apart;
   }
-  // The signed stabs of rules M8 and M9; 0, too, where the rule is not applicable.
+  // The signed stabs of rules M8 and M9; 0 also if the rule does not apply.
   int64_t winding(uint32_t f, int u) {
     work_.add(model_.faces());
     const int up = sign(normal(f).x[u]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// mesh_model.cc: from the file to shells, neighbours and boxes: what needs no exact arithmetic.
+// mesh_model.cc: from the file to shells, neighbours and boxes: everything that needs no exact
+// arithmetic.
 #include <algorithm>
 #include <array>
 
@@ -7,7 +8,7 @@
 
 namespace {
 
-// One vertex for equal positions; the ids are the ranks of the first ones.
+// Makes vertices with equal positions one vertex; its id is the rank of their first occurrence.
 void merge(Model* model) {
   std::vector<std::array<int64_t, 4>> places(model->vertices());
   for (size_t v = 0; v < places.size(); ++v) {

@@ -5,7 +5,7 @@
 namespace {
 
 template <int L>
-Nat nat(const Fixed<L>& a) {  // needs a >= 0
+Nat nat(const Fixed<L>& a) {  // REQUIRES a >= 0
   Nat r;
   for (int i = 0; i < 2 * L; ++i) r.push_back(uint32_t(a.d[i / 2] >> 32 * (i % 2)));
   while (!r.empty() && r.back() == 0) r.pop_back();  // NOT COVERED: no volume is 0 here
@@ -41,7 +41,7 @@ class NestingCheck {
     for (size_t c = 0; c < model_.tri.size(); ++c) {
       const uint32_t v = model_.tri[c], s = surface_.shell[c / 3];
       const uint32_t* const t = &model_.tri[c];
-      if (c % 3 == 0)  // times 1, for the width
+      if (c % 3 == 0)  // multiplied by 1 for the width of the result
         volumes[s] = volumes[s] + dot(cross(point(v), point(t[1])), point(t[2])) * fixed<C>(1);
       if (tips[s] == kNone || (!codes_.empty() && is_beyond(v, tips[s], codes_[s]))) tips[s] = v;
     }
@@ -75,9 +75,9 @@ class NestingCheck {
     }
     return depth;
   }
-  // Notes the triangles of other shells that the ray of shell s from v stabs. Boxes are passed over
-  // where the stab rule cannot count: q or p leaves out every edge; p counts every edge that q does
-  // not leave out (an even number); or u is behind v for every point of the box.
+  // Records the triangles of other shells that the ray of shell s from v stabs. Skips boxes in
+  // which the stab rule cannot count: by q or p no edge counts, or by p every edge counts that q
+  // admits (an even number), or every point of the box is behind v along u.
   void shoot(const Range& r, uint32_t s, uint32_t v) {
     work_.add(1);
     const int u = codes_[s] / 2, p = (u + 1) % 3, q = (u + 2) % 3;

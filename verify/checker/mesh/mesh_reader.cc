@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// mesh_reader.cc: docs/certificates/reading-rule-1.md, section by section, but for merging.
+// mesh_reader.cc: docs/certificates/reading-rule-1.md, section by section, except merging.
 #include <sstream>
 
 #include "mesh.h"
@@ -7,7 +7,7 @@
 
 namespace {
 
-// PLY types are the numbers 0 to 7, with two names each; of the integers the even ones are signed.
+// PLY types are numbers from 0 to 7, with two names each; even numbers of integer types are signed.
 const char* const kTypes[16] = {"char",   "int8",    "uchar",  "uint8",  "short", "int16",
                                 "ushort", "uint16",  "int",    "int32",  "uint",  "uint32",
                                 "float",  "float32", "double", "float64"};
@@ -30,8 +30,8 @@ struct Reader {
   const char *begin, *end, *p, *at;  // of text; the place, and what a message points at
   bool binary = false, big = false;
   Model model;
-  std::vector<uint32_t> corners;  // of the polygon or strip at hand
-  int64_t top_index = -1;         // the greatest index so far, and where it stands
+  std::vector<uint32_t> corners;  // of the current polygon or strip
+  int64_t top_index = -1;         // the greatest index so far, and its place
   const char* top_at = nullptr;
 
   [[noreturn]] void refuse(const std::string& why) const {
@@ -56,13 +56,13 @@ struct Reader {
     }
     text.resize(n);
   }
-  std::string word(bool any_line = true) {  // the next one of the file or line; empty: none
+  std::string word(bool any_line = true) {  // of the file or line; empty: no more words
     while (p != end && (is_blank(*p) || (any_line && is_end(*p)))) ++p;
     at = p;
     while (p != end && !is_blank(*p) && !is_end(*p)) ++p;
     return std::string(at, p);
   }
-  std::string keyword() {  // of STL: in any case
+  std::string keyword() {  // of STL: in upper or lower case
     std::string s = word();
     for (char& c : s) c = c >= 'A' && c <= 'Z' ? char(c + 32) : c;
     return s;
@@ -116,7 +116,7 @@ struct Reader {
     return v < 0 ? -key : key;
   }
 
-  // Triangles. Indices are compared with the number of vertices when the file has been read.
+  // Triangles. Indices are compared with the number of vertices after the whole file has been read.
   void triangle(uint32_t a, uint32_t b, uint32_t c) {
     for (uint32_t v : {a, b, c}) model.tri.push_back(v);
   }

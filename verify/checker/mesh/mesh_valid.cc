@@ -20,7 +20,7 @@ struct Separator {
   Vec<1> d;
 };
 
-struct Ids {  // a set of vertices; four stand for any greater number
+struct Ids {  // a set of vertices; four mean that there may be more
   uint32_t id[4];
   size_t n;
   void add(uint32_t v) {
@@ -190,7 +190,7 @@ class ValidCheck {
               "does not hold: separator", used_separators_);
       if (++used_separators_ < separator_.size()) steps_left_ = separator_[used_separators_].gap;
     } else if (a.size() == 1 && b.size() == 1) {
-      // A later failure of V8 comes before this one of V9 and has to be looked for.
+      // A later failure of V8 is named before this failure of V9, so the search for one goes on.
       if (bad_leaf_ == kNone && !leaves_apart(p, q)) bad_leaf_ = order_[a.lo];
     } else if (a.size() >= b.size()) {
       cross_nodes(a.left(), b);
@@ -201,7 +201,7 @@ class ValidCheck {
     }
   }
 
-  // Where d.x is greatest (sense 1) or least (-1) among n vertices.
+  // The vertices, among n, where d.x is greatest (sense 1) or least (-1).
   template <int D>
   Fixed<D + C> extreme(const Vec<D>& d, int sense, const uint32_t* v, size_t n, Ids* where) const {
     Fixed<D + C> best = dot(d, point_[v[0]]);

@@ -34,7 +34,7 @@ class LimbList {
  private:
   static constexpr size_t kNear = 4;
   uint64_t near_[kNear] = {};
-  size_t near_size_ = 0;  // 0 if there are far ones
+  size_t near_size_ = 0;  // 0 if the limbs are far
   std::vector<uint64_t> far_;
 };
 
@@ -119,7 +119,7 @@ inline Big operator*(const Big& a, const Big& b) {
   }
   return r.trim();
 }
-inline Big shifted(const Big& a, int64_t up) {  // a 2^up; down: the magnitude is rounded down
+inline Big shifted(const Big& a, int64_t up) {  // a 2^up; if up < 0, the magnitude is rounded down
   Big r;
   r.neg = a.neg;
   const int64_t limbs = up >= 0 ? up / 64 : -((63 - up) / 64), n = int64_t(a.m.size());
@@ -147,7 +147,7 @@ inline Big divide(const Big& a, const Big& b, Big* rest) {
   q.m.resize(r.m.size() - n, 0);
   for (size_t k = q.m.size(); k-- > 0;) {
     const u128 top = u128(r.m[k + n]) << 64 | r.m[k + n - 1];
-    u128 guess = std::min<u128>(top / d.m[n - 1], ~uint64_t(0));  // at most 2 too large
+    u128 guess = std::min<u128>(top / d.m[n - 1], ~uint64_t(0));  // too large by 2 at most
     for (;; --guess) {
       u128 carry = 0, borrow = 0;
       std::vector<uint64_t> next(n + 1);
@@ -170,7 +170,7 @@ inline Big divide(const Big& a, const Big& b, Big* rest) {
 inline Big gcd(Big a, Big b) {  // >= 0
   a.neg = b.neg = false;
   const int64_t twos = std::min(a.zeros(), b.zeros());
-  while (!b.m.empty()) {  // two has been counted: it may be divided out of either
+  while (!b.m.empty()) {  // powers of two were counted, and may be divided out of either
     if (!a.m.empty()) a = shifted(a, -a.zeros());
     b = shifted(b, -b.zeros());
     if (b == Big(1)) return shifted(b, twos);
@@ -182,7 +182,7 @@ inline Big gcd(Big a, Big b) {  // >= 0
   return a.m.empty() ? a : shifted(shifted(a, -a.zeros()), twos);
 }
 
-struct Ratio {  // n / d, d > 0, in lowest terms if it comes out of a function
+struct Ratio {  // n / d, d > 0; results of functions are in lowest terms
   Big n, d;
   Ratio(const Big& num = Big(), const Big& den = Big(1)) : n(num), d(den) {}
 };

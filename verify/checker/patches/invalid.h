@@ -30,13 +30,13 @@ struct OuterSide {
   Curve curve;
 };
 
-// [a, b] and [c, d] at other scales: the sign of a / 2^k - c / 2^l.
+// Compares numbers of different scales: the sign of a / 2^k - c / 2^l.
 inline int compare_dyadic(int64_t a, int k, int64_t c, int l) {
   const u128 x = u128(a) << l, y = u128(c) << k;  // below 2^124
   return x < y ? -1 : x > y;
 }
 
 void check_crossing(const Crossing& x, const Patch& a, const Patch& b);  // X1 to X3
-// D1 to D4. outer: by patch and side; num_outer: with those that are collapsed.
+// D1 to D4. outer: by patch and side; num_outer: their number, collapsed ones included.
 void check_sides(const Sides& s, const std::vector<OuterSide>& outer, uint64_t num_outer,
                  bool has_flags, uint64_t same, uint64_t opposite);

@@ -82,7 +82,8 @@ std::vector<uint64_t> outer_patches(const Cuts& cuts) {
   }
   return r;
 }
-// use(patch, number, place) for the patches with these numbers; B2 for their coefficients.
+// Calls use(patch, number, place) for the patches with these numbers; tests B2 for their
+// coefficients.
 template <class Use>
 void each_patch(const Cuts& cuts, const std::vector<uint64_t>& numbers, Use use) {
   std::vector<Place> places;
@@ -95,7 +96,7 @@ void each_patch(const Cuts& cuts, const std::vector<uint64_t>& numbers, Use use)
 }
 struct Outer {
   std::vector<OuterSide> sides;
-  uint64_t number = 0;  // with those that are collapsed
+  uint64_t number = 0;  // collapsed ones included
 };
 Outer outer_sides(const Cuts& cuts) {
   Outer r;

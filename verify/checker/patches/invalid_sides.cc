@@ -13,7 +13,7 @@ bool before(const Arc& a, const Arc& b) {
 }
 bool is_on(const OuterSide& s, const Arc& a) { return s.patch == a.patch && s.e == a.side; }
 
-// Null: an inner side, or a collapsed one.
+// Null for an inner side, or a collapsed one.
 const OuterSide* side_of(const Arc& a, const std::vector<OuterSide>& outer) {
   const auto at =
       std::lower_bound(outer.begin(), outer.end(), a, [](const OuterSide& s, const Arc& b) {
@@ -40,7 +40,7 @@ void check_arcs(const Sides& s, const std::vector<Arc>& sorted,
           "the point is not inside the first arc");
 }
 
-Curve curve_of(const Arc& a, const OuterSide& side) {  // not reversed by the flag
+Curve curve_of(const Arc& a, const OuterSide& side) {  // before the flag reverses it
   return restricted(side.curve, side.curve.size() / 4, a.t);
 }
 void check_curves(const Sides& s, const std::vector<OuterSide>& outer, bool has_flags,
@@ -62,13 +62,13 @@ void check_curves(const Sides& s, const std::vector<OuterSide>& outer, bool has_
           "flags may have turned one of the two");
 }
 
-// D3: the coefficients of X' w - X w', up to binomials and a positive factor: of X' = p times the
-// differences, and their products' sums.
+// D3: the coefficients of X' w - X w', up to binomials and a positive factor. The coefficients of
+// X' are p times the differences; those of products are sums of products.
 bool is_monotone(const Curve& c, int axis, bool is_rational) {
   const size_t p = c.size() / 4 - 1;
   const auto x = [&](size_t i) -> const Big& { return c[4 * i + size_t(axis)]; };
   const auto w = [&](size_t i) -> const Big& { return c[4 * i + 3]; };
-  std::vector<Big> binomial(1, Big(1)), to(is_rational ? 2 * p : p);  // of p
+  std::vector<Big> binomial(1, Big(1)), to(is_rational ? 2 * p : p);  // binomials of degree p
   for (size_t i = 0; i < p; ++i)
     binomial.push_back(divide(binomial[i] * Big(int64_t(p - i)), Big(int64_t(i + 1)), nullptr));
   for (size_t i = 0; i < p; ++i) {

@@ -31,7 +31,7 @@ struct Binomials {
       binomial = binomial * u128(degree - r) / u128(r + 1);
     }
   }
-  // From powers to Bernstein coefficients, times `common`.
+  // Converts powers to Bernstein coefficients, times `common`.
   void transform(std::vector<Big>* a, size_t first, size_t step) const {
     const auto at = [&](size_t r) -> Big& { return (*a)[first + r * step]; };
     for (size_t r = 0; r < c.size(); ++r) at(r) = at(r) * divide(common, c[r], nullptr);
@@ -39,8 +39,8 @@ struct Binomials {
       for (size_t i = c.size(); i-- > k;) at(i) = at(i) + at(i - 1);
   }
 };
-// n / d in lowest terms. REQUIRES that no prime over 61 divides d, as none divides a power of ten or
-// a binomial of a degree below 64: Euclid's algorithm would take a step for each other bit.
+// n / d in lowest terms. REQUIRES that d has no prime factor over 61 (powers of ten, and binomials of a degree below
+// 64, have none): Euclid's algorithm would take a step for each other bit.
 Ratio shortened(Big n, Big d) {
   const int64_t twos = std::min(n.zeros(), d.zeros());
   n = shifted(n, -twos), d = shifted(d, -twos);
@@ -58,8 +58,8 @@ Ratio shortened(Big n, Big d) {
     }
   return Ratio(n, d);
 }
-// The net of a surface in the power basis, u fastest, becomes that in Bernstein's: each component in
-// integers, since sums of long fractions are slow.
+// Converts the net of a surface, u fastest, from the power basis to Bernstein's, each component in integers, because
+// sums of long fractions are slow.
 void to_bernstein(std::vector<Ratio>* net, size_t components, const std::vector<int64_t>& degrees) {
   const Binomials u(degrees[0]), v(degrees[1]);
   for (size_t j = 0; j < components; ++j) {
@@ -82,7 +82,7 @@ struct Reader {
 
   // Section 1.
   void skip() { at = std::min(text.find_first_not_of(" \t\v\f\n\r", at), text.size()); }
-  std::string word() {  // empty: a bracket, a string or the end comes first
+  std::string word() {  // empty if a bracket, a string or the end comes first
     skip();
     const size_t begin = at;
     at = std::min(text.find_first_of(" \t\v\f\n\r[]\"", at), text.size());
@@ -94,13 +94,13 @@ struct Reader {
     at += is;
     return is;
   }
-  void string() {  // from after its first quote
+  void string() {  // starts after its first quote
     for (; at < text.size() && text[at] != '"'; ++at)
       if (text[at] == '\\') ++at;
     expect(at < text.size(), "a string does not end");
     ++at;
   }
-  void group() {  // from within to after its ]
+  void group() {  // starts inside the group, ends after its ]
     for (uint64_t depth = 1; depth > 0;) {
       at = std::min(text.find_first_of("[]\"", at), text.size());
       expect(at < text.size(), "a group does not end");
@@ -129,11 +129,11 @@ struct Reader {
       w[i] == '.' ? point = true : ++digits;
     expect(digits > 0 && digits <= kMostDigits, "expected a decimal of at most 1000 digits");
     expect(i == w.size() || w[i] == 'e' || w[i] == 'E', "expected a decimal");
-    return read_number(w);  // looks at the exponent
+    return read_number(w);  // tests the exponent
   }
 
   // Section 3.
-  // Two groups; an axis of KVP has more control points than the file lists.
+  // Reads two groups; an axis of KVP has more control points than the file lists.
   void knots(const uint64_t* given, uint64_t* stored, Entity* e) {
     for (size_t a = 0; a < 2; ++a) {
       expect(take_if('['), "expected a group of knots");
@@ -156,7 +156,7 @@ struct Reader {
     expect(take_if(']'), "more control points than belong there");
     return flat;
   }
-  Entity surface(bool is_multivariate) {  // from after its keyword
+  Entity surface(bool is_multivariate) {  // starts after its keyword
     const std::string basis = word();
     expect(is_in(kBases, basis), "expected BEZIER, BSPLINE or POWER");
     while (take_if('[')) {
@@ -166,7 +166,7 @@ struct Reader {
     expect(!is_multivariate || count() == 2, "a multivariate of another number of parameters");
     Entity e;
     e.kind = Entity::kSurface;
-    const uint64_t given[2] = {count(), count()};  // in this order
+    const uint64_t given[2] = {count(), count()};  // m before n
     uint64_t order[2] = {given[0], given[1]}, stored[2] = {given[0], given[1]};
     for (uint64_t& k : order) k = basis == "BSPLINE" ? count() : k;
     for (size_t a = 0; a < 2; ++a) {

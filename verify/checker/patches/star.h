@@ -9,7 +9,7 @@
 
 const uint32_t kNoPair = 0xffffffff;
 const int kLevels = 24;                        // below the roots
-const int64_t kFarthest = int64_t(1) << 61;    // coordinates are less in absolute value
+const int64_t kFarthest = int64_t(1) << 61;    // absolute values of coordinates are less
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // of patches; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
@@ -36,7 +36,7 @@ struct Shape {
   int at(int i, int j) const { return i * (q + 1) + j; }                 // tensor
   int at3(int j, int k) const { return (j + k) * (j + k + 1) / 2 + k; }  // triangle; i = p - j - k
   int side_degree(int e) const { return !is_triangle && e % 2 == 0 ? p : e % 2 != 0 ? q : p; }
-  int on_side(int e, int k) const;  // the k-th of the row of side e, in its direction of travel
+  int on_side(int e, int k) const;  // the k-th point of side e's row, in its direction of travel
 };
 inline int Shape::on_side(int e, int k) const {
   if (is_triangle) return e == 0 ? at3(p - k, k) : e == 1 ? at3(0, p - k) : at3(k, 0);

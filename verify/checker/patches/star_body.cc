@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_body.cc: B1 of docs/certificates/star-box.md, and what of B2 needs no coefficients.
+// star_body.cc: B1 of docs/certificates/star-box.md, and the part of B2 that needs no coefficients.
 #include "star_bytes.h"
 
 namespace {

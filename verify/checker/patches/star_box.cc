@@ -6,7 +6,7 @@
 
 namespace {
 
-// Boxes near one another are tested one after the other, so that their nodes are still there.
+// Boxes near one another are tested in succession, so that their nodes are still in memory.
 std::vector<uint32_t> by_place(const std::vector<Box>& boxes) {
   int64_t lo[3] = {kFarthest, kFarthest, kFarthest}, width = 1;
   for (const Box& b : boxes)

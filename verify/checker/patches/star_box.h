@@ -20,14 +20,15 @@ struct Walks {
   uint64_t wrong;   // the first walk on whose component w(c-) is not 1; none: 2^64 - 1
 };
 Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Units* units);  // W1
-// The descents of a walk, or shore, with this number drop everything; else units->id fails.
+// The descents of the walk or shore with this number must drop everything; otherwise units->id
+// fails.
 void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
                     Units* units);
 
 struct MoreThanBoxes {  // what a claim on top of star-box-1 adds
   virtual ~MoreThanBoxes() {}
   virtual void read(StarBytes* bytes) = 0;  // after the walks
-  // After W3; what ACCEPT prints of it.
+  // Called after W3; the result is what ACCEPT prints of the additions.
   virtual std::string check(const Statement& statement, const StarBody& body, const Gluing& x,
                             Forest* forest, Units* units) = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_bytes.h: what the bodies of certificates about spline models have in common. Everything here
-// is B1 of docs/certificates/star-box.md, sections 2 and 3, but for check_kinds.
+// star_bytes.h: what the bodies of certificates about spline models share. Everything here except
+// check_kinds is B1 of docs/certificates/star-box.md, sections 2 and 3.
 #pragma once
 #include "star.h"
 
@@ -34,7 +34,7 @@ struct StarBytes : Bytes {  // of a body with boxes
   uint64_t box_index();
   void points_and_end(Walk* w);  // of a walk, after its start
 };
-// What a claim on top of star boxes has after the walks; all claims: B1, B2.
+// Reads a body; a claim based on star boxes adds what comes after the walks. All claims: B1, B2.
 StarBody read_star_body(const Statement& statement, const std::vector<Entity>& entities, Body body,
                         const std::function<void(StarBytes*)>& rest);
 
@@ -42,8 +42,8 @@ struct Cuts {  // how a body cuts the model into patches
   const std::vector<Entity>* entities;
   std::vector<bool> flipped;
   std::vector<std::vector<Ratio>> breaks;  // two for each surface
-  std::vector<uint64_t> first;             // patch of each entity, and the number of all
-  std::vector<size_t> surface;             // of each entity: how many stand before it
+  std::vector<uint64_t> first;             // patch of each entity, then the number of all
+  std::vector<size_t> surface;             // the number of surfaces before each entity
   uint64_t num_flipped = 0;
 
   uint64_t patches() const { return first.back(); }
@@ -55,8 +55,8 @@ struct Cuts {  // how a body cuts the model into patches
   }
   Place place(size_t entity, uint64_t patch) const;  // of this entity
 };
-// Magic, N, flags and breaks. If patches take bytes, their number is compared with the bytes left,
-// three for each.
+// Reads magic, N, flags and breaks. If patches take bytes (three each), their number is compared
+// with the bytes left.
 Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool take_bytes, Bytes* bytes);
-// B2: what needs no coefficients.
+// The part of B2 that needs no coefficients.
 void check_kinds(const std::vector<Entity>& entities);

@@ -10,7 +10,7 @@ struct Side {  // of a piece, as an interval of a line of its patch, or of a pai
   uint64_t line;
   int64_t place, lo, hi;
   bool is_forward;   // travelled with the line's parameter
-  bool is_reversed;  // the node's own direction is against it
+  bool is_reversed;  // the node's own direction is opposite
   int e;
   const Piece* piece;
 };
@@ -65,7 +65,7 @@ struct Counter {
     i = (k + 1) % 3, j = (k + 2) % 3;
   }
 
-  // The side's, in the node's own direction.
+  // The curve of the side, in the node's own direction.
   Curve curve(const Side& s) const {
     const Patch& p = *s.piece->patch;
     const Node& node = *s.piece->node;
@@ -107,8 +107,8 @@ struct Counter {
     halve(c, half);
     return crossings(half[0], halvings + 1) + crossings(half[1], halvings + 1);
   }
-  // The part [lo, hi] of a side, c: what no other piece passes in the opposite direction. Intervals
-  // are dyadic: one ends inside another only if it lies in it.
+  // The part [lo, hi] of a side, whose curve is c, without what other pieces pass in the opposite
+  // direction. Intervals are dyadic: one ends inside another only if it lies in it.
   int64_t remaining(const Side& s, int64_t lo, int64_t hi, const Curve& c) {
     Side key = s;
     key.is_forward = !s.is_forward;

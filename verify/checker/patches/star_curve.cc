@@ -3,7 +3,7 @@
 
 namespace {
 
-// One degree lower, if the curve has it.
+// Lowers the degree by one, if the curve permits it.
 bool reduce(Curve* c) {
   const size_t n = c->size() / 4 - 1;
   if (n == 0) return false;

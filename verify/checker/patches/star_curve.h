@@ -17,7 +17,7 @@ struct Part {  // [a, b] / 2^k, a <= b <= 2^k, k <= 62
   int64_t a, b;
   bool is_point() const { return a == b; }
 };
-// The coefficients, up to a positive factor, on a part of [0, 1]; a point: all of them are equal. The
-// row has this many coefficients, of the same number of numbers each.
+// The coefficients on a part of [0, 1], up to a positive factor; on a point they are all equal. The row has this many
+// coefficients, each of the same number of numbers.
 std::vector<Big> restricted(std::vector<Big> row, size_t points, const Part& t);
 void halve(const Curve& c, Curve* lower, Curve* upper);

@@ -6,7 +6,7 @@ const uint64_t kKeptLimbs = uint64_t(40) << 20;    // 320 MiB between boxes
 const uint64_t kMostLimbs = uint64_t(160) << 20;   // 1,280 MiB within one
 const uint64_t kNodeLimbs = sizeof(Node) / 8 + 8;  // what a node costs besides its numbers
 
-uint64_t limbs_below(const Node& n) {  // itself included
+uint64_t limbs_below(const Node& n) {  // its own included
   uint64_t r = n.limbs() + kNodeLimbs;
   for (int c = 0; c < 4 && n.child; ++c) r += limbs_below(n.child[c]);
   return r;
@@ -75,7 +75,7 @@ void Forest::tidy() {
   if (limbs_ <= kKeptLimbs) return;
   std::sort(live_.begin(), live_.end(),
             [&](uint64_t a, uint64_t b) { return used_[a] < used_[b]; });
-  // Half of it goes, so that the sort is paid by what was made since the last one.
+  // Drops half, so that the nodes made since the last sort pay for this one.
   size_t first = live_.size();
   for (limbs_ = 0; first > 0; --first) {
     const uint64_t one = limbs_below(*roots_[live_[first - 1]]);

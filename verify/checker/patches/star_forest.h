@@ -8,8 +8,9 @@ class Forest {
   // C1, and the component of each box.
   Forest(StarBody* body, Units* units);
 
-  // visit(patch, root) for every root whose hull may meet the box with corners lo, hi (some that do
-  // not may come, too), and to which all boxes on the way lead: leads(lo, hi).
+  // Calls visit(patch, root) for every root whose hull may meet the box with corners lo, hi
+  // (possibly for some that do not) and for which leads(lo, hi) holds for all boxes on the way to
+  // it.
   template <class Leads, class Visit>
   void descend(Leads leads, Visit visit) {
     std::vector<size_t> open(1, 0);
@@ -35,7 +36,7 @@ class Forest {
     return node->child.get();
   }
   void need_g(const Patch& p, Node* node, Node* parent);
-  // visit(patch, node) for the leaves of trees that are read in preorder, one for each root;
+  // Calls visit(patch, node) for the leaves of trees that are read in preorder, one for each root;
   // is_leaf() reads a symbol.
   template <class IsLeaf, class Visit>
   void each_leaf(IsLeaf is_leaf, Visit visit) {
@@ -44,7 +45,7 @@ class Forest {
       tidy();
     }
   }
-  // Forgets what was used least lately if there is too much. Ends the use of all nodes.
+  // Drops what was used least recently if there is too much. No reference to a node remains valid.
   void tidy();
 
  private:

@@ -6,8 +6,8 @@ namespace {
 
 __extension__ typedef __int128 i128;
 
-// A polynomial by its coefficients times binomials (of a triangle: trinomials): products of
-// polynomials are then products of coefficients.
+// A polynomial, given by its coefficients times binomials (of a triangle: trinomials): the product
+// of two polynomials is then the product of such coefficients.
 struct Poly {
   Shape shape;
   std::vector<Big> c;
@@ -17,7 +17,7 @@ int64_t binomial(int n, int k) {
   for (int i = 0; i < k; ++i) r = r * (n - i) / (i + 1);
   return r;
 }
-// f(index, factor) for each coefficient; factor: its binomials' product.
+// Calls f(index, factor) for each coefficient; factor is the product of its binomials.
 template <class F>
 void each_binomial(const Shape& s, F f) {
   if (s.is_triangle) {
@@ -51,7 +51,7 @@ Poly combined(const Poly& a, const Poly& b, int sign) {
   for (size_t i = 0; i < r.c.size(); ++i) r.c[i] = sign > 0 ? a.c[i] + b.c[i] : a.c[i] - b.c[i];
   return r;
 }
-// (X, Y, Z, W)[k], or, of axis 0 or 1, its derivative up to a positive factor.
+// (X, Y, Z, W)[k], or its derivative along axis 0 or 1 up to a positive factor.
 Poly component(const Patch& p, const Node& node, int k, int axis) {
   const Shape& s = p.shape;
   const auto at = [&](int i) {
@@ -75,8 +75,8 @@ Poly component(const Patch& p, const Node& node, int k, int axis) {
   return r;
 }
 
-// The signs of g_c at both centres are right: of G0 + c.G; sgn -1 for a reversed patch. Products
-// are below 2^125 in absolute value, three of them and the carry below 2^127.
+// Whether the signs of g_c at both centres are right, with g_c = G0 + c.G; sgn is -1 for a reversed
+// patch. Products are below 2^125 in absolute value, three of them and the carry below 2^127.
 template <int N>
 bool signs_of(const uint64_t* g, const Box& b, int sgn, int n) {
   const int width = N != 0 ? N : n;
@@ -164,7 +164,7 @@ bool star_test(const Patch& p, Node* node, const Box& b) {
   bool is_before = p.is_collapsed(s.sides() - 1) && node->is_outer(p, s.sides() - 1);
   for (int e = 0; e < s.sides(); ++e) {
     const bool is_pole = p.is_collapsed(e) && node->is_outer(p, e);
-    if (is_pole && is_before) return false;  // two with a common corner
+    if (is_pole && is_before) return false;  // two collapsed sides with a common corner
     is_before = is_pole;
     if (!is_pole) continue;
     left_out.resize(size_t(s.count()));

@@ -34,8 +34,8 @@ struct Limbs {
     }
   }
 
-  // The two halves of a row of p + 1 points, each of `numbers` numbers, `step` limbs apart; times
-  // 2^p. lower and upper come with the row in them.
+  // The two halves of a row of p + 1 points, each of `numbers` numbers, `step` limbs apart, times
+  // 2^p. On entry lower and upper both hold the row.
   static void halve(uint64_t* lower, uint64_t* upper, int p, size_t step, int numbers, int n) {
     for (int s = 1; s <= p; ++s)
       for (int i = p; i >= s; --i) add(lower + step * i, lower + step * (i - 1), numbers, n);
@@ -56,8 +56,8 @@ struct Limbs {
     }
   }
 
-  // In the net of a triangle, the corner `to` is replaced by its midpoint with the corner `from`;
-  // points of index r in `to` come out times 2^r.
+  // Replaces the corner `to` of a triangle's net by its midpoint with the corner `from`; points of
+  // index r in `to` are multiplied by 2^r.
   static void replace(const Shape& s, int from, int to, uint64_t* a, int numbers, int n) {
     const size_t point = size_t(numbers) * size_t(n);
     for (int m = 1; m <= s.p; ++m)  // the rows with from + to = m
@@ -86,7 +86,7 @@ struct Limbs {
     std::vector<uint64_t> d(a, a + point * size_t(s.count()));
     for (int r = 0; r <= s.p; ++r) {
       const Shape now = {true, s.p - r, s.p - r}, next = {true, s.p - r - 1, s.p - r - 1};
-      for (int j = 0; j <= s.p - r; ++j)  // second index, of m0; of m1: p - r - j
+      for (int j = 0; j <= s.p - r; ++j)  // j: second index, that of m0; index of m1: p - r - j
         std::copy(&d[point * size_t(now.at3(j, 0))], &d[point * size_t(now.at3(j, 0))] + point,
                   out + point * size_t(s.at3(s.p - r - j, r)));
       // In place: the targets of a row come before their sources.

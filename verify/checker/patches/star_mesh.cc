@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_mesh.cc: mesh boxes, docs/certificates/star-box.md, section 5, by separating axes: two convex
-// polygons, segments or boxes that are disjoint have disjoint projections to one of the normals of
-// their faces, products of their edges' directions, or, in a plane, normals of edges.
+// star_mesh.cc: mesh boxes, docs/certificates/star-box.md, section 5, by separating axes: two disjoint convex polygons,
+// segments or boxes have disjoint projections to a normal of one of their faces, to a product of directions of their
+// edges, or, in a plane, to a normal of an edge.
 #include "star_box.h"
 
 namespace {
@@ -31,7 +31,7 @@ bool is_zero(const Vec& a) {
 }
 
 typedef std::vector<Vec> Points;
-// The values of d on P all lie below, or all above, those on Q.
+// Whether the values of d on P all lie below, or all above, those on Q.
 bool separates(const Vec& d, const Points& p, const Points& q) {
   Big lo[2], hi[2];
   for (int s = 0; s < 2; ++s) {
@@ -51,7 +51,8 @@ struct Triangle {
   Triangle(const Points& corners) : v(corners), n(cross(v[1] - v[0], v[2] - v[0])) {
     for (size_t i = 0; i < 3; ++i) e[i] = v[(i + 1) % 3] - v[i];
   }
-  // From the plane polygon or segment with these edges and, if it is a triangle, the normal m.
+  // Whether q is disjoint from the plane polygon or segment with these edges and, if it is a
+  // triangle, the normal m.
   bool is_apart(const Points& q, const std::vector<Vec>& edges, const Vec* m) const {
     if (separates(n, v, q) || (m != nullptr && separates(*m, v, q))) return true;
     for (const Vec& f : edges) {
@@ -95,7 +96,8 @@ bool meet_properly(const Piece& a, const Piece& b) {
   }
   if (common != 2 || edges != 1) return false;
   if (!is_zero(cross(t.n, u.n))) return true;
-  // One plane: with opposite directions on the common edge, normals that agree are different sides.
+  // In one plane: if the directions on the common edge are opposite, equal normals mean different
+  // sides of the edge.
   return dot(t.n, u.n).sign() == (a.patch->is_flipped == b.patch->is_flipped ? 1 : -1);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_model.h: what the readers of spline models share. Their functions say only why they refuse;
-// read_spline_model adds where.
+// star_model.h: what the readers of spline models share. Their functions only say why they refuse a
+// model; read_spline_model adds the place.
 #pragma once
 #include "star.h"
 
@@ -13,6 +13,6 @@ Ratio read_number(std::string text);  // of docs/formats/spline-json.md: decimal
 // Degrees, knots, numbers of points, weights; `count` points were read.
 void check_entity(const Entity& e, const std::vector<bool>& periodic, uint64_t count);
 
-// From *at, which stays where the reader is.
+// Starts at *at, which follows the reader.
 std::vector<Entity> read_json_model(const std::string& file, size_t* at);
 std::vector<Entity> read_itd_model(const std::string& file, size_t* at);

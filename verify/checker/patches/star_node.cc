@@ -21,7 +21,7 @@ Block widened(const Block& b, int n) {
   }
   return r;
 }
-// The largest magnitude's bits, and how often 2 divides all.
+// The number of bits of the largest magnitude, and how often 2 divides all numbers.
 int bits_of(const Block& b, int* twos) {
   std::vector<uint64_t> any(size_t(b.n)), low(size_t(b.n));
   for (size_t i = 0; i < b.d.size(); i += size_t(b.n)) {
@@ -69,7 +69,7 @@ void halves(const Shape& s, int axis, int numbers, const Block& b, Block* out) {
       Limbs<0>::shift(&out[i].d[k], 1, n, p);
   }
 }
-// floor(x / w), cut at +-kFarthest; w > 0.
+// floor(x / w), limited to +-kFarthest; w > 0.
 int64_t floor_ratio(const uint64_t* x, const uint64_t* w, int n, bool* exact) {
   if (n == 1) {
     const int64_t a = int64_t(*x), d = int64_t(*w), q = a / d - (a % d < 0);
@@ -206,8 +206,8 @@ void make_children(const Patch& p, Node* node) {
     to.net = std::move(quarter[c]);
     for (int i = 0; i < p.shape.sides(); ++i)
       for (int k = 0; k < 2; ++k) {
-        // The midpoint with the corner that the quarter is at; of the middle triangle, of the two
-        // other corners.
+        // The midpoint with the corner at which the quarter lies; for the middle triangle, the
+        // midpoint of the two other corners.
         const int own = p.shape.is_triangle ? c : (c == 0 ? 0 : c == 1 ? 3 : c == 2 ? 1 : 2);
         to.at[i][k] =
             (own < p.shape.sides() ? a[i][k] + a[own][k] : a[(i + 1) % 3][k] + a[(i + 2) % 3][k]) /

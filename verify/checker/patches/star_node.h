@@ -2,10 +2,10 @@
 // star_node.h: nodes of docs/certificates/star-box.md, section 4: hulls, quarters, S1.
 //
 // Numbers are integers in two's complement, as many limbs each as the largest of a block needs.
-// Halving multiplies by 2^degree instead of dividing: p + q bits a quartering of a tensor product,
-// p bits of a triangle; common powers of two are divided out again. All values are controlled by
-// control points of the node they belong to, so limbs for B + p + q + 1 bits hold every result, and
-// sums that pass this range on the way are right modulo the width.
+// Halving multiplies by 2^degree instead of dividing: by 2^(p + q) for the quarters of a tensor
+// product, by 2^p for those of a triangle; common powers of two are then divided out. Control
+// points of a node bound all its values, so limbs for B + p + q + 1 bits hold every result, and
+// intermediate sums that exceed this range are right modulo the width.
 #pragma once
 #include "star.h"
 
@@ -46,17 +46,17 @@ struct Node {
   const uint64_t* coordinate(const Patch& p, int point, int k) const {
     return net.number(size_t((p.is_rational ? 4 : 3) * point + k));
   }
-  // Is side e part of a side of the patch? Then it is of the side e.
+  // Whether side e of the node is a part of a side of the patch; that side is then side e, too.
   bool is_outer(const Patch& p, int e) const;
 };
 
 Node make_root(const Patch& p, uint64_t root);   // v fastest
 void make_children(const Patch& p, Node* node);  // with nets and hulls
 void make_root_g(const Patch& p, Node* root);
-void make_children_g(const Patch& p, Node* node);          // REQUIRES the node's own, and children
+void make_children_g(const Patch& p, Node* node);          // REQUIRES the node's g, and children
 bool star_test(const Patch& p, Node* node, const Box& b);  // S1 on the node; REQUIRES its g
 
 Block packed(const std::vector<Big>& numbers);
-// The blocks of the children: of points of `numbers` numbers each, and what follows them (a
-// common weight), all times the same power of two.
+// The blocks of the children: points of `numbers` numbers each, and what follows them (a common
+// weight), all times the same power of two.
 void quarters(const Shape& s, int numbers, const Block& b, Block* out);

@@ -61,7 +61,7 @@ Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a,
   return e;
 }
 
-// Control points i * row + j with i, j from first on, p times q of them, homogeneous.
+// The control points i * row + j, i and j from `first` on, p times q of them, homogeneous.
 std::vector<Big> window(const Entity& e, const size_t* first, size_t p, size_t q, size_t row,
                         int64_t unit) {
   const size_t components = size_t(e.components);

@@ -121,7 +121,7 @@ struct Reader {
     while (take_if(','));
     take(']');
   }
-  // value(i) reads the value of keys[i].
+  // Calls value(i) to read the value of keys[i].
   template <class Value>
   void object(const std::vector<std::string>& keys, Value value) {
     std::vector<bool> seen(keys.size());

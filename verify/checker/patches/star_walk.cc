@@ -8,12 +8,12 @@ __extension__ typedef __int128 i128;
 int sign(const Big& x) { return x.sign(); }
 int sign(i128 x) { return x < 0 ? -1 : x > 0; }
 
-struct Line {  // from a along d: as far as a + d, or without end
+struct Line {  // from a along d: to a + d, or without an end
   int64_t a[3], d[3];
   bool is_ray;
 
-  // Meets the closed box of lo / w, hi / w, per axis, each with its own w > 0.
-  // I = i128: REQUIRES w = 1 and |lo|, |hi| <= kFarthest; then no product reaches 2^125.
+  // Whether the line meets the closed box of lo / w, hi / w, with a w > 0 for each bound. I = i128:
+  // REQUIRES w = 1 and |lo|, |hi| <= kFarthest; then all products are below 2^125.
   template <class I>
   bool meets(const I* lo, const I* lo_w, const I* hi, const I* hi_w) const {
     I least = 0, least_w = 1, most = 1, most_w = 1;  // of the parameters that are left
@@ -47,7 +47,7 @@ struct Descent {
     const i128 one[3] = {1, 1, 1}, l[3] = {lo[0], lo[1], lo[2]}, h[3] = {hi[0], hi[1], hi[2]};
     return line.meets(l, one, h, one);
   }
-  // The exact hull's.
+  // Whether the line meets the exact hull.
   bool meets(const Patch& p, const Node& node) const {
     if (!leads(node.hull.out_lo, node.hull.out_hi)) return false;
     Big end[2][3], w[2][3];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The table of claims: one row for each that this checker decides. tests/claims_table_test.py compares it with the C++
-checker's."""
+"""The table of claims: one row for each claim that this checker decides. tests/claims_table_test.py compares it with
+the C++ checker's."""
 from collections import namedtuple
 
 from .common.statement import keys_of
@@ -28,7 +28,8 @@ CLAIMS = {claim.name: claim for claim in (
 )}
 
 def lines():
-    """What --claims prints, a line for each claim: name, magic, formats, keys with the kinds of their values."""
+    """The text that --claims prints, a line for each claim: name, magic, formats, keys with the kinds of their
+    values."""
     kinds = {int: "number", bool: "flag"}
     for claim in CLAIMS.values():
         keys = ["%s=%s" % (key, kinds.get(rule, "text")) for key, rule in sorted(keys_of(claim).items())]

@@ -17,7 +17,7 @@ def check(claim, statement, body, model, skip):
     Checker(claim.magic, statement, body, read_subject(model, statement["subject_format"]), skip).run()
 
 class CollarCertificate(Certificate):
-    """section 2."""
+    """Reads the body: section 2."""
 
     def read_rest(self, body):
         shift = body.shift()
@@ -42,7 +42,8 @@ class CollarCertificate(Certificate):
         self.shores = [self.way(body) for _ in self.sides]
 
     def with_finer(self, body, tree):
-        """The tree with a tree for each leaf: True for a node with children, False for a leaf."""
+        """Replaces each leaf of a tree by the tree that the body has for it: True for a node with children, False for a
+        leaf."""
         result, levels = [], [0]
         for box in tree:
             level = levels.pop()
@@ -91,7 +92,7 @@ class Checker(star.Checker):
     # ------------------------------------------------------------ I1, I2
 
     def check_places(self, cells, complex_):
-        """The component of |K| of each component of X."""
+        """I1 and I2: the component of |K| for each component of X."""
         bodies, split = {}, None
         for patch, trees in zip(self.patches, self.cert.finer):
             for node in self.leaves_of(patch, trees):

@@ -23,7 +23,7 @@ def corner(at):
     return at % S, at // S % S, at // (S * S)
 
 def third_bits(m):
-    """The number of the bits 0, 3, 6, ..., 57."""
+    """The number whose bits 0, 1, 2, ... are the bits 0, 3, 6, ..., 57 of m."""
     m &= 0x1249249249249249
     for shift, mask in ((2, 0x10c30c30c30c30c3), (4, 0x100f00f00f00f00f), (8, 0x1f0000ff0000ff), (16, 0x1f00000000ffff), (32, 0x1fffff)):
         m = (m | m >> shift) & mask
@@ -40,7 +40,7 @@ def code_of(p, size):
     return 2 * (spread(p[0]) | spread(p[1]) << 1 | spread(p[2]) << 2) + size ** 3
 
 def cell_of(code):
-    """(least corner, size), or None."""
+    """(least corner, size) of the cell with this code, or None if no cell has it."""
     zeros = (code & -code).bit_length() - 1
     if code <= 0 or zeros % 3 or zeros > 3 * LEVELS or code >> 3 * LEVELS + 1:
         return None
@@ -48,7 +48,7 @@ def cell_of(code):
     return (third_bits(m), third_bits(m >> 1), third_bits(m >> 2)), 1 << zeros // 3
 
 class Cells:
-    """K0."""
+    """Tests K0."""
 
     def __init__(self, codes, stated):
         self.codes, self.cells = codes, [cell_of(code) for code in codes]
@@ -61,7 +61,7 @@ class Cells:
         self.stated = stated
 
     def any_inside(self, code, size):
-        """A cell of K in this cell that is not in K?"""
+        """Whether a cell of K lies in this cell and is not in K itself."""
         return bisect_left(self.codes, code + size ** 3) > bisect_right(self.codes, code - size ** 3)
 
     def squares(self, p, size, axis, near):
@@ -168,14 +168,14 @@ class Complex:
     # ------------------------------------------------------------ K1 to K3: None, or what is wrong
 
     def bad_edge(self):
-        """K1E."""
+        """Tests K1E."""
         for e, around in self.edge_to_boundary.items():
             if len(around) != 2:
                 return "an edge at %s lies in %d boundary faces" % (corner(e // 4), len(around))
         return None
 
     def bad_vertex(self):
-        """K1V, given K1E: the boundary faces at a vertex are connected through edges there."""
+        """Tests K1V, given K1E: the boundary faces at a vertex are connected through edges there."""
         number = {}
         pairs = [[number.setdefault((v, n), len(number)) for n in around] for e, around in self.edge_to_boundary.items() for v in self.ends(e)]
         groups = Groups(len(number))
@@ -189,7 +189,7 @@ class Complex:
         return None
 
     def bad_sides(self, sides):
-        """K2."""
+        """Tests K2."""
         of_body = [[] for _ in range(self.num_bodies)]
         for component, side in enumerate(sides):
             of_body[self.body_of_component[component]].append(side)
@@ -199,7 +199,7 @@ class Complex:
         return None
 
     def bad_collapse(self, sides, steps):
-        """K3."""
+        """Tests K3."""
         outer = {n for n, c in self.component_of.items() if sides[c] == 1}
         remaining = [list(of) for of in self.cells_of]
         faces_of = [[] for _ in self.cells.cells]

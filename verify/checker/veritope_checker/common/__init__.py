@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""What every claim needs."""
+"""The parts that every claim needs."""

@@ -20,7 +20,7 @@ COMMON_KEYS = {"certificate": "veritope-certificate-1", "tool": r".{0,200}",
                "subject_sha256": HEX64, "subject_bytes": int, "body_sha256": HEX64}
 
 def read_statement(claims, cert, model):
-    """(statement, body): S1 to S4.  claims: the rows by name."""
+    """(statement, body), after S1 to S4.  claims: the rows by name."""
     statement, body = parse_statement(claims, cert)
     if statement.get("reading_rule", READING_RULE) != READING_RULE:
         raise Reject("S2", "another reading rule")
@@ -32,7 +32,7 @@ def read_statement(claims, cert, model):
     return statement, body
 
 def parse_statement(claims, cert):
-    """(statement, body): S1."""
+    """(statement, body), after S1."""
     end = cert.find(b"\n")
     if not 0 <= end <= 65536:
         raise Reject("S1", "no line feed in the first 64 KiB")
@@ -58,7 +58,7 @@ def parse_statement(claims, cert):
     return statement, cert[end + 1:]
 
 def keys_of(claim):
-    """Every key of the claim's statement, with what its value is: a pattern of a text, int or bool."""
+    """Every key of the claim's statement with the kind of its value: a pattern of a text, int or bool."""
     return {**COMMON_KEYS, "claim": re.escape(claim.name), "subject_format": "|".join(claim.formats), **claim.keys}
 
 def check_keys(claims, statement):

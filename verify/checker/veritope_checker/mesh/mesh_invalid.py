@@ -36,7 +36,7 @@ def check(claim, statement, body, model, skip):
         raise Reject("I10", "the statement lists %s, the witnesses %s" % (statement["rules"], rules))
 
 def work_of(rule, mesh, fields):
-    """What section 7 counts for a witness."""
+    """The work that section 7 counts for a witness."""
     if rule in (3, 4, 5, 6):
         return min(len(mesh.fans[v]) for v in fields)
     return len(mesh.triangles) if rule > 7 else 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """What both claims about meshes compute from a model, and the cursor over a body.
 
-A float only ever holds a coordinate: it is read, compared and turned into its exact ratio, never added or
+A float only ever holds a coordinate: it is read, compared and converted to its exact ratio, never added or
 multiplied."""
 import struct
 from fractions import Fraction
@@ -65,7 +65,7 @@ class Body:
             raise Reject("B1", "F or V differs from the model's")
 
     def work(self, mesh):
-        """How many units of work the certificate may ask for."""
+        """The number of units of work that the certificate may take."""
         return 1000 * (len(mesh.triangles) + len(self.data))
 
     def end(self):
@@ -73,7 +73,7 @@ class Body:
             raise Reject("B1", "bytes after the end of the body")
 
 class Mesh:
-    """floats: coordinates for comparisons; points: the same as integers, times 2^-E = 1/unit."""
+    """floats: coordinates for comparisons; points: the same coordinates as integers, times 2^-E = 1/unit."""
 
     def __init__(self, floats, triangles):
         self.floats, self.triangles = floats, triangles
@@ -116,7 +116,7 @@ def collapsed(t):
     return t[0] == t[1] or t[1] == t[2] or t[2] == t[0]
 
 def directed_edges(triangles):
-    """How often each directed edge occurs."""
+    """The number of occurrences of each directed edge."""
     count = {}
     for a, b, c in triangles:
         for edge in ((a, b), (b, c), (c, a)):
@@ -142,7 +142,7 @@ def shells_of(triangles):
     return [numbers.setdefault(root(f), len(numbers)) for f in range(len(triangles))], len(first)
 
 def line_stabs(t, v, u):
-    """Section 6: does the line along axis u through v, moved by (e, e^2), stab triangle t?"""
+    """Section 6: whether the line along axis u through v, moved by (e, e^2), stabs triangle t."""
     p, q = (u + 1) % 3, (u + 2) % 3
     vp, vq, odd = v[p], v[q], False
     for l, h in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):

@@ -169,7 +169,7 @@ PLY_TYPES = {b"char": "b", b"int8": "b", b"uchar": "B", b"uint8": "B", b"short":
 SIZES = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "f": 4, "d": 8}
 
 class PlyBody:
-    """The values behind the header: ASCII tokens, or packed numbers if an endianness is given."""
+    """The values after the header: ASCII tokens, or packed numbers if an endianness is given."""
 
     def __init__(self, data, endian):
         self.data, self.endian, self.pos = data if endian else data.split(), endian, 0
@@ -222,7 +222,7 @@ def ply_header(data):
             raise Refused("ply: header line %r" % b" ".join(words)[:60])
 
 def ply_rows(body, element, wanted):
-    """For each instance the values of the wanted properties (a list's values as a sequence)."""
+    """For each instance, the values of the wanted properties (those of a list as a sequence)."""
     rows, (_, count, properties) = [], element
     for _ in range(count if properties else 0):
         values = []

@@ -26,7 +26,7 @@ def check(claim, statement, body, model, skip):
             raise Reject("V11", "%s: stated %s, computed %s" % (key, statement[key], found[key]))
 
 class ValidBody:
-    """The fields of section 3: B1."""
+    """Reads the fields of section 3: B1."""
 
     def __init__(self, magic, body, mesh):
         body.header(magic, mesh)
@@ -122,7 +122,7 @@ def v7_stars(cert, mesh):
             return "vertex %d: its triangles turn %d times around it" % (v, turns)
 
 def compare(d, ps, qs, points):
-    """Test of a direction: 0 it fails, 1 it holds, or the open pair (P', Q')."""
+    """Tests a direction: 0 if it fails, 1 if it holds, or the open pair (P', Q')."""
     dx, dy, dz = d
     up = [dx * x + dy * y + dz * z for x, y, z in map(points.__getitem__, ps)]
     uq = [dx * x + dy * y + dz * z for x, y, z in map(points.__getitem__, qs)]

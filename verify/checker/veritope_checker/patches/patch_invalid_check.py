@@ -24,7 +24,7 @@ def check(claim, statement, body, model, skip):
 # ---------------------------------------------------------------- section 2: the body
 
 class Interval:
-    """[lo / full, hi / full]."""
+    """The interval [lo / full, hi / full]."""
 
     def __init__(self, body):
         k = body.varint(MAX_BITS + 1)
@@ -36,22 +36,22 @@ class Interval:
         return self.lo == self.hi
 
     def is_open(self):
-        """No end of [0, 1] in it?"""
+        """Whether it contains neither end of [0, 1]."""
         return 0 < self.lo and self.hi < self.full
 
     def misses(self, other):
         return self.hi * other.full < other.lo * self.full or other.hi * self.full < self.lo * other.full
 
     def overlaps(self, other):
-        """Do inner points of both agree?"""
+        """Whether the two have an inner point in common."""
         return self.lo * other.full < other.hi * self.full and other.lo * self.full < self.hi * other.full
 
     def holds(self, n, level):
-        """[n, n + 1] / 2^level?"""
+        """Whether it contains [n, n + 1] / 2^level."""
         return self.lo << level <= n * self.full and (n + 1) * self.full <= self.hi << level
 
 class Rectangle:
-    """A crossing's A or B."""
+    """A or B of a crossing."""
 
     def __init__(self, body, patches):
         self.patch, self.at = patches.number(body.varint()), (Interval(body), Interval(body))
@@ -64,7 +64,7 @@ class Arc:
         self.side, self.at = body.u8(patches.num_sides(self.patch) - 1), Interval(body)
 
 class Patches:
-    """The patches by number, made when they are asked for: a body of n breaks may speak of n^2 of them."""
+    """The patches by number, made on demand: a body of n breaks may define n^2 of them."""
 
     def __init__(self, entities, flags, breaks):
         self.entities, self.flags, self.breaks, self.made, self.matrices = entities, flags, breaks, {}, {}
@@ -80,7 +80,7 @@ class Patches:
         return n
 
     def place(self, n):
-        """(entity, u, v)."""
+        """(entity, u, v) of a patch."""
         e = bisect_right(self.first, n) - 1
         return (e, *divmod(n - self.first[e], self.sizes[e][1]))
 
@@ -92,7 +92,7 @@ class Patches:
         return not self.breaks[e] or side in outer_sides_of(u, v, *self.sizes[e])
 
     def outer(self):
-        """All (patch, side)."""
+        """All pairs (patch, side)."""
         for first, b, (m, n) in zip(self.first, self.breaks, self.sizes):
             if not b:
                 yield from ((first, side) for side in range(3))
@@ -140,13 +140,13 @@ def part_of_curve(points, at):
     return list(zip(*[part(list(c), at) for c in zip(*points)]))
 
 def elevated(row, n, factor):
-    """As coefficients of degree n, times factor, which all comb(n, i) divide."""
+    """The coefficients in degree n, times factor, which all comb(n, i) divide."""
     r = len(row) - 1
     return [sum(comb(r, j) * comb(n - r, i - j) * c for j, c in enumerate(row) if 0 <= i - j <= n - r) * (factor // comb(n, i))
             for i in range(n + 1)]
 
 def tensor_net(patch):
-    """The patch's net; a triangle's as a tensor over (s, t), at the point (1 - s, s (1 - t), s t)."""
+    """The patch's net; for a triangle, that of a tensor patch over (s, t), at the point (1 - s, s (1 - t), s t)."""
     if patch.is_tensor:
         return patch.net
     n = patch.degrees[0]
@@ -154,7 +154,7 @@ def tensor_net(patch):
     return [[elevated(row, n, factor) for row in a] for a in patch.net]
 
 def slopes(x, w):
-    """Coefficients of x' w - x w', each times a factor > 0."""
+    """The coefficients of x' w - x w', each times a factor > 0."""
     p = len(x) - 1
     result = [0] * (2 * p)
     for i in range(p):
@@ -163,7 +163,7 @@ def slopes(x, w):
     return result
 
 def less(a, b):
-    """(numerator, denominator > 0)."""
+    """Whether a < b, each as (numerator, denominator > 0)."""
     return a[0] * b[1] < b[0] * a[1]
 
 
@@ -205,7 +205,7 @@ class Checker:
             self.check_others()
 
     def check_entities(self):
-        """B2; makes the patches that the finding is about."""
+        """Tests B2; makes the patches that the finding is about."""
         for i, entity in enumerate(self.entities):
             if not entity or entity.dimension != 3 or max(entity.degrees) > MAX_DEGREE:
                 raise Reject("B2", "entity %d is no surface or triangle in space of degree at most %d" % (i, MAX_DEGREE))
@@ -217,7 +217,7 @@ class Checker:
             self.patches[n]
 
     def check_statement(self):
-        """B3."""
+        """Tests B3."""
         found = {"finding": "crossing" if self.is_crossing else "side", "patches": self.patches.count, "flipped": sum(self.flags)}
         if self.is_crossing:
             found.update(same=0, opposite=0)
@@ -226,7 +226,7 @@ class Checker:
                 self.fail("B3", "%s: %s in the body, %s in the statement" % (key, value, self.statement[key]))
 
     def check_places(self):
-        """X1."""
+        """Tests X1."""
         a, b = self.pair
         if sum(at.is_point() for at in a.at + b.at) != 1:
             self.fail("X1", "not exactly one of the four intervals is a point")
@@ -238,13 +238,13 @@ class Checker:
             self.fail("X1", "an interval of s contains 0")
 
     def check_rows(self):
-        """X2."""
+        """Tests X2."""
         (a, b, c), (d, e, f), (g, h, i) = self.y
         if a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) == 0:
             self.fail("X2", "det Y is 0")
 
     def check_faces(self):
-        """X3."""
+        """Tests X3."""
         nets = [[part_of_tensor(a, r.at) for a in tensor_net(self.patches[r.patch])] for r in self.pair]
         free = [(which, axis) for which, r in enumerate(self.pair) for axis, at in enumerate(r.at) if not at.is_point()]
         for i, ((which, axis), y) in enumerate(zip(free, self.y)):
@@ -255,7 +255,7 @@ class Checker:
                     self.fail("X3", "row %d does not separate A and B where its parameter is %s" % (i + 1, "low" if end == 0 else "high"))
 
     def check_arcs(self):
-        """D1."""
+        """Tests D1."""
         of_side = {}
         for i, arc in enumerate(self.arcs):
             if not self.patches.is_outer(arc.patch, arc.side):
@@ -272,7 +272,7 @@ class Checker:
             self.fail("D1", "the point is not inside the first arc")
 
     def check_curves(self):
-        """D2."""
+        """Tests D2."""
         keys = []
         for arc in self.arcs:
             curve = part_of_curve(self.patches[arc.patch].side(arc.side), arc.at)
@@ -295,7 +295,7 @@ class Checker:
                       (same, opposite, self.statement["same"], self.statement["opposite"]))
 
     def check_slopes(self):
-        """D3."""
+        """Tests D3."""
         arc = self.arcs[0]
         patch = self.patches[arc.patch]
         curve = part_of_curve(patch.side(arc.side), arc.at)
@@ -305,7 +305,7 @@ class Checker:
             self.fail("D3", "the first arc is not seen to be monotone along its axis")
 
     def check_others(self):
-        """D4."""
+        """Tests D4."""
         arcs, (a, full), first = {}, self.t0, self.arcs[0]
         for arc in self.arcs:
             arcs.setdefault((arc.patch, arc.side), []).append(arc.at)
@@ -333,7 +333,7 @@ def face(net, axis, end):
     return [[a[end]] if axis == 0 else [[row[end]] for row in a] for a in net]
 
 def control_values(y, net):
-    """The least and the greatest of Y.P / w."""
+    """The least and the greatest value of Y.P / w."""
     x, w = [], []
     for rows in zip(*net):
         for px, py, pz, pw in zip(*rows):
@@ -342,7 +342,7 @@ def control_values(y, net):
     return extremes(x, w)
 
 def misses_point(curve, p):
-    """Does the closed hull of a curve (x, y, z, w) not contain the homogeneous point p?"""
+    """Whether the closed hull of a curve (x, y, z, w) misses the homogeneous point p."""
     for c in range(3):
         least, greatest = extremes(curve[c], curve[3])
         if less((p[c], p[3]), least) or less(greatest, (p[c], p[3])):

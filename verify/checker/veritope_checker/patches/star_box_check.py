@@ -34,7 +34,7 @@ class Node:
         self.g = self.kids = self.lo = self.keep = None
 
     def hull(self):
-        """The least and the greatest (numerator, denominator > 0) of each coordinate."""
+        """The least and the greatest value of each coordinate, as (numerator, denominator > 0)."""
         if self.lo is None:
             x, y, z, w = [[c for row in a for c in row] for a in self.net]
             if not self.patch.rational:                     # all w are equal
@@ -74,8 +74,8 @@ class Node:
         return None if a[e] else e, e, a[e]
 
     def kept(self, arrays):
-        """Flags of the coefficients that S1 is about; True: all; False: none, S1 fails at a corner of two collapsed
-        sides."""
+        """Flags of the coefficients that S1 is about. True: all of them; False: S1 does not hold, because two collapsed
+        sides share a corner."""
         if self.keep is None:
             sides = [s for s in range(self.patch.num_sides)
                      if self.line(s)[0] is not None and self.patch.sides[self.line(s)[0]] is None]
@@ -125,7 +125,7 @@ def extremes(a, w):
     return least, greatest
 
 def root_nodes(patch):
-    """v fastest."""
+    """The root nodes of a patch, v fastest."""
     if not patch.is_tensor:
         yield Node(patch, 0, [(FULL, 0, 0), (0, FULL, 0), (0, 0, FULL)], patch.net)
         return
@@ -163,7 +163,8 @@ class Forest:
                     stack += item
 
     def descend(self, misses, condition, taken):
-        """The nodes that are taken; those whose hulls miss are dropped, the others split down to the last level."""
+        """The nodes that are taken. Nodes whose hulls miss are dropped; the others are split, down to the last
+        level."""
         stack, result = list(self.roots_near(misses, condition)), []
         while stack:
             node = stack.pop()
@@ -183,14 +184,14 @@ class Forest:
         return result
 
     def forget(self):
-        """Nodes that are in use keep what they need of their own."""
+        """Forgets cached nodes if there are too many; nodes that are in use keep what they need."""
         if self.cached > MAX_CACHED:
             for root in self.roots:
                 root.kids = root.g = None
             self.cached = 0
 
 def hierarchy(items):
-    """Halves along the axis in which the middles spread most; (lo, hi, node or two halves)."""
+    """Halves along the axis on which the middles spread most: (lo, hi, node or two halves)."""
     if not items:
         return None
     lo, hi = [min(c) for c in zip(*[i[0] for i in items])], [max(c) for c in zip(*[i[1] for i in items])]
@@ -208,7 +209,7 @@ def misses_box(box):
     return misses
 
 def misses_segment(p, d, is_ray):
-    """The points p + t d, 0 <= t (<= 1 if it is no ray)."""
+    """Whether a box misses the points p + t d with 0 <= t (and t <= 1 unless it is a ray), as a function of the box."""
     def misses(lo, hi):
         first, last = Fraction(0), None if is_ray else Fraction(1)
         for k in range(3):
@@ -227,7 +228,7 @@ def misses_segment(p, d, is_ray):
 # ---------------------------------------------------------------- section 4: the crossing number
 
 class Crossing:
-    """The crossing number of the tested nodes of a star box; spend: called for each curve that is halved."""
+    """The crossing number of the tested nodes of a star box. spend: called for each curve that is halved."""
 
     def __init__(self, nodes, box, spend):
         self.box, self.spend = box, spend
@@ -325,7 +326,7 @@ def corners_of(patch):
     return [tuple(Fraction(c, p[3]) for c in p[:3]) for p in (patch.side(1)[1], patch.side(2)[1], patch.side(0)[1])]
 
 def triangle_misses_box(patch, box):
-    """A separating direction among the 13 that decide it for a triangle, degenerate or not, and a box."""
+    """A separating direction, among the 13 that suffice for a triangle, degenerate or not, and a box."""
     t, units = corners_of(patch), ((1, 0, 0), (0, 1, 0), (0, 0, 1))
     edges = [sub(t[i - 2], t[i]) for i in range(3)]
     for axis in [*units, cross(edges[0], edges[1]), *[cross(u, e) for u in units for e in edges]]:
@@ -336,7 +337,7 @@ def triangle_misses_box(patch, box):
     return False
 
 def common_points(s, t):
-    """Corners of the intersection of two triangles, t not degenerate: s cut by the plane and the sides of t."""
+    """The corners of the intersection of two triangles, t not degenerate: s cut by the plane and the sides of t."""
     normal, polygon = cross(sub(t[1], t[0]), sub(t[2], t[0])), list(s)
     planes = [(normal, t[0]), (tuple(-n for n in normal), t[0])] + [(cross(normal, sub(t[i - 2], t[i])), t[i]) for i in range(3)]
     for n, at in planes:
@@ -351,7 +352,7 @@ def common_points(s, t):
     return polygon
 
 def meet_properly(s, t, common, num_edges):
-    """Do triangles meet exactly in the hull of the common vertices?  common: their points."""
+    """Whether triangles meet exactly in the hull of the common vertices.  common: the points of these vertices."""
     if (len(common), num_edges) not in ((0, 0), (1, 0), (2, 1)):
         return False
     points = common_points(s, t)
@@ -405,7 +406,7 @@ class Checker:
             patch.index, patch.roots = i, roots
 
     def check_leaves(self, i, patch):
-        """C1 for the trees of patch i."""
+        """Tests C1 for the trees of patch i."""
         for root, tree in zip(root_nodes(patch), self.cert.trees[i]):
             stack = [root]
             for number in tree:
@@ -448,7 +449,7 @@ class Checker:
                     self.fail("C4", "triangles %d and %d in box %d do not meet properly" % (other.index, patch.index, i))
 
     def check_walks(self):
-        """W1 for the walks; inner: w(c-) of each component."""
+        """Tests W1 for the walks; inner: w(c-) of each component."""
         boxes = self.cert.boxes
         for i, (start, points, end, direction) in enumerate(self.cert.walks):
             component = boxes[start[0]].component
@@ -463,7 +464,7 @@ class Checker:
             self.fail("W1", "%d walks for %d components" % (len(self.inner), len(self.chi)))
 
     def follow(self, start, points, end, direction, condition):
-        """The hull descents of a polyline's segments."""
+        """Tests the hull descents of a polyline's segments."""
         points = [start, *points, *([self.cert.boxes[end[0]].c[end[1]]] if end else [])]
         segments = [(p, sub(q, p), False) for p, q in zip(points, points[1:])]
         if not end:
@@ -474,7 +475,8 @@ class Checker:
             self.forest.descend(misses_segment(*segment), condition, lambda node: condition in self.skip)
 
     def check_values(self):
-        """W2; the numbers of the statement that this claim has otherwise, or alone."""
+        """Tests W2; returns the numbers of the statement in which this claim differs from others, or that it alone
+        has."""
         if self.statement["claim"] == "star-box-turned-1":
             last = self.inner[self.cert.boxes[self.cert.walks[-1][0][0]].component] if self.cert.walks else 1
             if last == 1:

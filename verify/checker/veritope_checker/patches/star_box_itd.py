@@ -30,7 +30,7 @@ class Reader:
     # -- section 1
 
     def peek(self):
-        """The byte behind blanks; empty at the end."""
+        """The byte after any blanks; empty at the end."""
         self.pos = BLANKS.match(self.data, self.pos).end()
         return self.data[self.pos:self.pos + 1]
 
@@ -40,7 +40,7 @@ class Reader:
         self.pos += 1
 
     def word(self):
-        """Empty if something else comes first."""
+        """The next word; empty if something else comes first."""
         self.peek()
         m = WORD.match(self.data, self.pos)
         self.pos = m.end()
@@ -53,7 +53,7 @@ class Reader:
         self.pos = m.end()
 
     def group(self):
-        """From within a group to behind it."""
+        """Moves from within a group to after it."""
         depth = 1
         while depth:
             m = MARK.search(self.data, self.pos)

@@ -3,8 +3,8 @@
 (docs/certificates/star-box.md, section 3).
 
 An *array* holds the coefficients of one polynomial as a list of rows.  Tensor: row i, entry j of u^i v^j.  Triangle:
-row r = j + k, entry k of the coefficient of corner 0^i corner 1^j corner 2^k.  A *net* is the arrays of x, y, z, w.  A
-factor > 0 that all coefficients of a net share is dropped or multiplied in at will: all are integers.
+row r = j + k, entry k of the coefficient of corner 0^i corner 1^j corner 2^k.  A *net* is the arrays of x, y, z, w.
+Nets are multiplied by, or divided by, common factors > 0 so that all their coefficients are integers.
 """
 from bisect import bisect_right
 from fractions import Fraction
@@ -37,14 +37,15 @@ def half_of_tensor(rows, axis, which):
     return [halves(r)[which] for r in rows]
 
 def quarters_of_tensor(rows):
-    """By (u half, v half), times 2^(both degrees)."""
+    """The four quarters by (u half, v half), times 2^(both degrees)."""
     result = []
     for part in zip(*[halves(c) for c in zip(*rows)]):
         result += [list(q) for q in zip(*[halves(r) for r in transposed(part)])]
     return result
 
 def moved_corner(levels, corner):
-    """The triangle with this corner moved to where levels were evaluated: levels[r] after r steps, all of one scale."""
+    """The triangle with this corner moved to the point at which levels were evaluated. levels[r]: after r steps, all of
+    one scale."""
     n = len(levels) - 1
     if corner == 0:
         return [[levels[n - r][r][k] for k in range(r + 1)] for r in range(n + 1)]
@@ -67,7 +68,7 @@ def bisected(rows, e):
     return moved_corner(levels, (e + 1) % 3), moved_corner(levels, (e + 2) % 3)
 
 def quarters_of_triangle(rows):
-    """(c0, m2, m1), (m2, c1, m0), (m1, m0, c2), (m0, m1, m2), times 2^(2 degree)."""
+    """The quarters (c0, m2, m1), (m2, c1, m0), (m1, m0, c2), (m0, m1, m2), times 2^(2 degree)."""
     n = len(rows) - 1
     right, left = bisected(rows, 0)                         # (c0, m0, c2), (c0, c1, m0)
     second, near = bisected(left, 2)                        # (m2, c1, m0), (c0, m2, m0)
@@ -90,7 +91,7 @@ def side_of_triangle(rows, s):
 # ---------------------------------------------------------------- section 3: patches and X
 
 def integers(values, most_bits, what):
-    """The values times a factor > 0 that makes them integers, without a common factor."""
+    """The values times a factor > 0 that makes them integers without a common factor."""
     factor = 1
     for v in values:
         factor = lcm(factor, v.denominator)
@@ -103,7 +104,7 @@ def integers(values, most_bits, what):
     return [v // common for v in result]
 
 def bezier_matrix(knots, p, k, a, b):
-    """Row i: the blossom at a (p - i times), b (i times) on the control points k - p to k; times one factor > 0."""
+    """Row i: the blossom at a (p - i times) and b (i times) of the control points k - p to k, times one factor > 0."""
     t = integers([x - a for x in knots[k - p + 1:k + p + 1]] + [b - a], MAX_KNOT_BITS, "knots and breaks")
     b, matrix = t.pop(), []
     for i in range(p + 1):
@@ -133,7 +134,7 @@ def triangle_patch(entity, flag, unit):
     return Patch(entity, flag, [[[p[0] * scale, p[1] * scale, p[2] * scale, p[3]] for p in row] for row in entity.rows])
 
 def surface_patch(entity, flag, unit, u, v):
-    """u, v: of axis_matrix."""
+    """The patch of two intervals; u, v: results of axis_matrix."""
     scale, (p, q), (ku, mu), (kv, mv) = Fraction(2) ** -unit, entity.degrees, u, v
     rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]] for row in entity.rows[ku - p:ku + 1]]
     return Patch(entity, flag, rows, (mu, mv))
@@ -192,7 +193,7 @@ class Patch:
         return arrays
 
     def make_g(self):
-        """Arrays D, X, Y, Z of Bernstein coefficients with g_c = D - c.(X, Y, Z), times one factor > 0."""
+        """The arrays D, X, Y, Z of Bernstein coefficients with g_c = D - c.(X, Y, Z), times one factor > 0."""
         if self.g is None:
             self.g = determinant(self.net, self.is_tensor)
             if self.flag:
@@ -246,7 +247,7 @@ def determinant(net, is_tensor):
     return result
 
 class Groups:
-    """Classes of 0, 1, ...: union-find."""
+    """Classes of 0, 1, ... by union-find."""
 
     def __init__(self, n):
         self.parent = list(range(n))
@@ -261,7 +262,7 @@ class Groups:
         self.parent[max(x, y)] = min(x, y)
 
     def number(self):
-        """The number of each one's class: by least members."""
+        """The number of each element's class; classes are ordered by their least elements."""
         numbers = {}
         return [numbers.setdefault(self.find(x), len(numbers)) for x in range(len(self.parent))]
 
@@ -269,7 +270,8 @@ def is_collapsed(curve):
     return all(p[c] * curve[0][3] == curve[0][c] * p[3] for p in curve for c in range(3))
 
 def curve_key(points):
-    """Equal for homogeneous curves that agree, in any degree, up to a positive factor.  Text: its hash is keyed."""
+    """A text that is equal for homogeneous curves that agree, in any degree, up to a positive factor.  A text has a
+    keyed hash."""
     powers, n = [], len(points) - 1
     for k in range(n + 1):                                  # coefficients of the powers of t
         powers += [comb(n, k) * c for c in points[0]]

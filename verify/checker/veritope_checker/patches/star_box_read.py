@@ -22,13 +22,13 @@ DECIMAL = re.compile(r"([-+]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([-+]?[0-9]+))?")
 HEXADECIMAL = re.compile(r"([-+]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([-+]?[0-9]+))?")
 
 class Entity:
-    """A surface or a triangle; rows: of homogeneous points; a triangle's as of an array."""
+    """A surface or a triangle.  rows: rows of homogeneous points; a triangle has the rows of an array."""
 
     def __init__(self, kind):
         self.kind, self.degrees, self.knots, self.rational, self.dimension, self.rows = kind, (), (), False, 0, ()
 
 def natural(digits):
-    """Python refuses long decimals in one go."""
+    """int() of a natural of any length: Python refuses long decimals in one call."""
     return int(digits) if len(digits) <= 4000 else natural(digits[:-4000]) * 10 ** 4000 + int(digits[-4000:])
 
 def number(text):
@@ -68,7 +68,7 @@ def members(value, *keys):
     return [value[key] for key in keys]
 
 def read_model(data):
-    """The entities: an Entity each, or None for a kind that no star-box certificate is about."""
+    """The entities: an Entity each, or None for a kind that star-box certificates do not cover."""
     def unique(pairs):
         if len(dict(pairs)) != len(pairs):
             raise Refused("a key twice")
@@ -127,7 +127,7 @@ def read_entity(entity, num_groups):
     return read_surface(shape) if kind == "surface" else read_triangle(shape)
 
 def read_points(entity, points, components, rational, num_points):
-    """Homogeneous points; their number is compared before they are read."""
+    """Reads homogeneous points; their number is tested before they are read."""
     whole(components, 1 + typed(rational, bool), 1001)
     entity.rational, entity.dimension = rational, components - rational
     if len(typed(points, list)) != num_points:
@@ -271,7 +271,7 @@ def read_entities(body, magic, entities):
     return flags, [read_breaks(body, e) if e and e.kind == "surface" else None for e in entities]
 
 class Certificate:
-    """The body for these entities: B1."""
+    """Reads the body for these entities: B1."""
 
     def __init__(self, magic, data, entities):
         body = Body(data)
@@ -295,10 +295,10 @@ class Certificate:
         body.end()
 
     def read_rest(self, body):
-        """What other claims have behind the walks."""
+        """Reads what other claims have after the walks."""
 
     def tree(self, body):
-        """Preorder: None for a node with children, else the leaf's box."""
+        """Reads a tree in preorder: None for a node with children, else the leaf's box."""
         tree, levels = [], [0]
         while levels:
             level, code = levels.pop(), body.varint()
@@ -321,11 +321,11 @@ class Certificate:
         return box, sign
 
     def walk(self, body):
-        """(start, points, None or the box it ends at, the direction to infinity)."""
+        """Reads a walk: (start, points, None or the box at which it ends, the direction to infinity)."""
         return (self.end_of_walk(body), *self.way(body))
 
     def way(self, body):
-        """A walk without its start."""
+        """Reads a walk without its start."""
         points = []
         for _ in range(body.count(4)):
             shift = body.shift()

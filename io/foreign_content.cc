@@ -18,7 +18,7 @@ struct Signature {
   const char* name;
 };
 
-// The four-byte marks stand before the two-byte ones that they begin with.
+// The four-byte marks precede the two-byte ones with which they begin.
 constexpr std::array kForeign = {
     Signature{"\xFF\xFE\0\0"sv, "UTF-32 text"},
     Signature{"\0\0\xFE\xFF"sv, "UTF-32 text"},
@@ -41,7 +41,7 @@ std::string_view all_of(const Source& source) {
 
 bool contains(std::string_view text, std::string_view word) { return text.find(word) != text.npos; }
 
-// From the first word on.
+// The text from the first word on.
 std::string_view text_of(const Source& source) {
   const char* const p = skip_space(skip_byte_order_mark(source), source.end);
   return {p, static_cast<std::size_t>(source.end - p)};
@@ -84,7 +84,8 @@ bool is_collada(const Source& source) {
   return head.starts_with("<") && contains(head, "<COLLADA");
 }
 
-// A zip archive with the part that every 3MF package has. Names of parts stand at the end, too.
+// A zip archive with the part that every 3MF package has. The names of parts are also listed at the
+// end of the archive.
 bool is_3mf(const Source& source) {
   const std::string_view text = all_of(source);
   return text.starts_with("PK\3\4") && contains(text, "3D/3dmodel.model");

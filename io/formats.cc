@@ -60,7 +60,7 @@ ModelFormat splines(std::vector<std::string_view> endings, LooksLike looks_like)
           can_write(kFormat) ? write<kFormat> : nullptr};
 }
 
-// The table. Meshes come first: a content that looks like a mesh and like splines is taken as a mesh.
+// The table. Meshes come first: content that looks like both a mesh and splines is read as a mesh.
 const std::vector<ModelFormat>& rows() {
   static const std::vector<ModelFormat> table = {
       mesh<MeshFormat::kStl>({"stl"}, looks_like_stl, size_as_binary_stl),

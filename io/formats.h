@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/formats.h: the table of formats. A new format is a new row in io/formats.cc, and nothing else outside of its
+// io/formats.h: the table of formats. A new format needs a new row in io/formats.cc, and nothing else outside its
 // folder.
 #pragma once
 #include <optional>
@@ -15,14 +15,14 @@ namespace veritope {
 
 struct ModelFormat {
   FormatId id;
-  const char* name;  ///< in certificates, reports and --format: "stl"
+  const char* name;  ///< as in certificates, reports and --format: "stl"
   /// Endings of file names, in lower case, without the dot. Each ending and the name itself denote this format.
   std::vector<std::string_view> endings;
   /// Whether the bytes look like this format. The first row that accepts them wins.
   bool (*looks_like)(const Source& source);
   /// REQUIRES that the source is not empty. Does not set sha256 and the seconds.
   Result<ModelFile> (*read)(const Source& source, const ModelReadOptions& options);
-  /// For messages, or null: what a refused file of this format may have been meant as; may be empty.
+  /// For messages; may be null. What a refused file of this format may have been meant to be; may be empty.
   std::string (*second_guess)(const Source& source);
   /// Null: this format is not written. REQUIRES a file of this format's kind.
   Result<std::string> (*write)(const ModelFile& file, const ReadLimits& limits);
@@ -36,8 +36,8 @@ std::span<const ModelFormat> model_formats();
 /// The row of a format.
 const ModelFormat& model_format(const FormatId& id);
 
-/// Each returns null if no row fits; with a kind, only the formats of that kind count. Letters of
-/// either case are equal. The ending of a path is what follows the last dot of its file name.
+/// Each returns null if no row fits. If a kind is given, only formats of that kind count. Letters
+/// of either case are equal. The ending of a path is the part of its file name after the last dot.
 const ModelFormat* format_from_name(std::string_view name,
                                     std::optional<ModelKind> kind = std::nullopt);
 const ModelFormat* format_from_path(std::string_view path,

@@ -8,7 +8,7 @@
 namespace veritope {
 namespace {
 
-// What every kind has; a mesh has it in the report of its reader.
+// What every kind has; a mesh keeps it in the report of its reader.
 template <typename File>
 const auto& facts_of(const File& file) {
   if constexpr (requires { file.report; }) {

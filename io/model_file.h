@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/model_file.h: what a file of a model can hold, and how to read it. Design: docs/design/0020-one-front-door.md.
+// io/model_file.h: what the file of a model can hold, and how to read it. Design: docs/design/0020-one-front-door.md.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -27,7 +27,7 @@ using ModelFile = std::variant<MeshFile, SplineFile>;
 /// A format, typed by its kind.
 using FormatId = std::variant<MeshFormat, SplineFormat>;
 
-/// In sentences: "a mesh", "a file of splines".
+/// The kind in sentences: "a mesh", "a file of splines".
 const char* title_of(ModelKind kind);
 
 inline ModelKind kind_of(const FormatId& format) { return static_cast<ModelKind>(format.index()); }
@@ -40,7 +40,7 @@ const std::string& sha256_of(const ModelFile& file);
 
 struct ModelReadOptions {
   std::optional<FormatId> format;  ///< nothing: from the ending of the name, else from the content
-  std::optional<ModelKind> kind;   ///< nothing: any; else formats of this kind only are considered
+  std::optional<ModelKind> kind;   ///< nothing: any; else only formats of this kind are considered
   bool as_indexed = false;         ///< meshes: keep the file's own indices (no effect on STL)
   ReadLimits limits;               ///< max_faces has an effect on meshes only
   int jobs = 1;                    ///< threads; the result is the same for every value >= 1

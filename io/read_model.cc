@@ -17,7 +17,8 @@
 namespace veritope {
 namespace {
 
-// Hashes beside the parser if the options allow another thread and the bytes are worth one.
+// Computes the hash beside the parser, if the options allow another thread and there are enough
+// bytes.
 class Hashing {
  public:
   Hashing(const ByteBuffer& bytes, int jobs) : bytes_(bytes) {
@@ -26,7 +27,7 @@ class Hashing {
     try {
       thread_ = std::jthread([this](const std::stop_token& stop) { hash(stop); });
     } catch (const std::system_error&) {
-      // The system refuses another thread: finish() hashes.
+      // The system refuses another thread: finish() computes the hash.
     }
   }
 
@@ -37,7 +38,7 @@ class Hashing {
   double seconds() const { return seconds_; }
 
  private:
-  // In pieces, so that a refused file need not be hashed to its end.
+  // Hashes in pieces, so that a refused file need not be hashed to its end.
   void hash(const std::stop_token& stop) {
     Stopwatch watch;
     std::span<const unsigned char> rest(bytes_.data(), bytes_.size());
@@ -61,7 +62,7 @@ std::optional<Error> check_options(const std::string& name, const ModelReadOptio
                        "jobs must be at least 1, not " + std::to_string(options.jobs));
 }
 
-// Why no format was found.
+// The error that says why no format was found.
 Error unknown_format(const Source& source, const ModelReadOptions& options) {
   const std::string wanted = format_names("or", options.kind);
   if (const std::string other = unread_format(source); !other.empty())

@@ -11,7 +11,7 @@
 
 namespace veritope {
 
-/// The bytes of a file under the name that errors show; the ending of the name counts as the file's.
+/// The bytes of a file under the name that errors show; the ending of this name is that of the file.
 struct ModelBytes {
   std::string name;
   ByteBuffer bytes;
@@ -22,7 +22,7 @@ struct ModelBytes {
 /// @error  kCannotOpen, kOverLimit; kBadArgument for "-" without a format and for jobs < 1
 Result<ModelBytes> load_model(const std::string& path, const ModelReadOptions& options);
 
-/// The format in which read_model reads the bytes: options.format, else the one of the name's ending, else the one that
+/// The format in which read_model reads the bytes: options.format, else that of the name's ending, else the one that
 /// the content looks like.
 /// @error  kEmpty; kForeignFormat for a content that is known and not read; kUnknownFormat; kBadArgument if
 ///         options.format is not of options.kind
@@ -34,7 +34,7 @@ Result<FormatId> choose_format(const ModelBytes& file, const ModelReadOptions& o
 /// @cost O(bytes) time for meshes; memory at most a constant times the bytes, never an announced count
 Result<ModelFile> read_model(const ModelBytes& file, const ModelReadOptions& options);
 
-/// Both.
+/// Calls load_model, then read_model.
 Result<ModelFile> read_model_file(const std::string& path, const ModelReadOptions& options);
 
 /// Reads bytes in memory by the same rules.

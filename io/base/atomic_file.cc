@@ -29,7 +29,7 @@ constexpr int kNumSlots = 64;
 Slot slots[kNumSlots];
 static_assert(std::atomic<int>::is_always_lock_free, "needed in signal handlers");
 
-// A slot that unlinks `path` from now on; -1: all are taken, or the path is too long.
+// Takes a slot that unlinks `path` from now on; -1 if all are taken, or if the path is too long.
 int arm_slot(const std::string& path) {
   if (path.size() >= PATH_MAX) return -1;
   for (int i = 0; i < kNumSlots; ++i) {
@@ -78,11 +78,11 @@ std::string resolve(const std::string& path) {
 void sync_folder(const std::string& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
-  ::fsync(descriptor);  // the name is there; whether it outlives a power cut is not in our hands
+  ::fsync(descriptor);  // the name is there; whether it survives a power cut is up to the system
   ::close(descriptor);
 }
 
-// A number that no other temporary of this process had.
+// A number that no other temporary file of this process has had.
 unsigned next_number() {
   static std::atomic<unsigned> number{0};
   return number++;

@@ -20,7 +20,8 @@ class AtomicFile {
   AtomicFile& operator=(AtomicFile&&) = delete;
   ~AtomicFile();
 
-  /// All of the bytes. @error kCannotWrite, for instance on a full disk; then commit() fails, too
+  /// Writes all of the bytes. @error kCannotWrite, for instance on a full disk; then commit()
+  /// fails, too
   Status write(std::string_view bytes);
 
   /// fsync, rename, fsync of the folder. Afterwards write() and commit() fail. @error kCannotWrite
@@ -42,7 +43,8 @@ class AtomicFile {
 /// which must end the process afterwards.
 void remove_unfinished_files() noexcept;
 
-/// Both exist and are one file (same device and inode), whatever the names. For "output equals an input".
+/// Whether both exist and are one file (same device and inode), whatever their names. To detect an output that is an
+/// input.
 bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace veritope

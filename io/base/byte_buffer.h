@@ -24,7 +24,7 @@ class ByteBuffer {
   /// Keeps the used bytes. Throws std::bad_alloc.
   void grow(std::size_t capacity);
 
-  /// Says how many bytes are used and writes the padding. REQUIRES size <= capacity().
+  /// Sets the number of used bytes and writes the padding. REQUIRES size <= capacity().
   void set_size(std::size_t size);
 
  private:

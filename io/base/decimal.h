@@ -46,10 +46,11 @@ class DecimalReader {
   /// read_slowly). A true answer is correctly rounded and within the limits; the next character is not examined.
   bool read_fast(const char*& p, double& value) const;
 
-  /// Every number: `token` is the whole token.
+  /// Reads any number: `token` is the whole token.
   DecimalFault read_slowly(std::string_view token, double& value) const;
 
-  /// REQUIRES w > 0. w * 10^q rounded, if the two-word product tells; else nothing.
+  /// w * 10^q rounded, if the two-word product decides the rounding; otherwise nothing. REQUIRES w
+  /// > 0.
   std::optional<double> scale(std::uint64_t w, int q) const;
 
  private:

@@ -158,7 +158,7 @@ DecimalFault read_exact_number(std::string_view token, const ReadLimits& limits,
   const bool is_negative = take_sign(rest);
   if (rest.starts_with("0x") || rest.starts_with("0X"))
     return read_hexadecimal(rest.substr(2), is_negative, limits, value);
-  // Written out, a decimal within the limits may have so many digits.
+  // A decimal within the limits may have this many digits when it is written out.
   const std::uint64_t most = std::uint64_t{limits.max_digits} + limits.max_exponent;
   const std::size_t slash = rest.find('/');
   if (slash == rest.npos) {

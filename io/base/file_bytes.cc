@@ -26,7 +26,7 @@ Error too_large(const std::string& name, std::uint64_t max_bytes) {
                        "more than " + limit + " bytes (--max-bytes " + limit + ")");
 }
 
-// Nothing for a regular file.
+// A word for the kind of file; null for a regular file.
 const char* kind_of(mode_t mode) {
   if (S_ISREG(mode)) return nullptr;
   if (S_ISDIR(mode)) return "it is a directory";
@@ -76,7 +76,7 @@ Result<ByteBuffer> read_descriptor(int descriptor, const std::string& name, std:
 }
 
 Result<ByteBuffer> read_file_bytes(const std::string& path, std::uint64_t max_bytes) {
-  // Not blocking: the open of a FIFO would wait for a writer.
+  // Opens without blocking: opening a FIFO would wait for a writer.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (file.number() < 0) return cannot_open(path, reason(errno));
   struct stat status {};

@@ -7,8 +7,8 @@
 
 namespace veritope {
 
-/// Budgets. A file that needs more than a limit is refused with kOverLimit and the name of the flag; one
-/// that needs exactly the limit is read.
+/// Budgets. A file that needs more than a limit is refused with kOverLimit and the name of the option; one that needs
+/// exactly the limit is read.
 struct ReadLimits {
   std::uint64_t max_bytes = std::uint64_t{4} << 30;  ///< --max-bytes: size of the file
   std::uint64_t max_faces = 200'000'000;  ///< --max-faces: triangles, after splitting polygons

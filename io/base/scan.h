@@ -48,7 +48,7 @@ inline const char* skip_space(const char* p, const char* end) {
   while (p < end && has_class(*p, kTokenEnd)) ++p;
   return p;
 }
-/// Behind the line end at p: CR LF is one.
+/// The character after the line end at p; CR LF is one line end.
 inline const char* skip_eol(const char* p, const char* end) {
   return p + (*p == '\r' && p + 1 < end && p[1] == '\n' ? 2 : 1);
 }

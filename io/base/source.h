@@ -22,19 +22,20 @@ struct Source {
 
 Source source_of(const ByteBuffer& buffer, const std::string& name);
 
-/// Behind a UTF-8 byte order mark, if there is one: where text begins.
+/// Where text begins: after a UTF-8 byte order mark, if there is one.
 const char* skip_byte_order_mark(const Source& source);
 
-/// Error in a text: the place is the line of `at`. CR LF, LF and CR each end one line. @cost O(at - begin)
+/// An error in a text; its place is the line of `at`. CR LF, LF and CR each end one line. @cost O(at - begin)
 Error error_at_line(const Source& source, const char* at, Code code, std::string message);
 
-/// Error in binary data: the place is the offset of `at`.
+/// An error in binary data; its place is the offset of `at`.
 Error error_at_byte(const Source& source, const char* at, Code code, std::string message);
 
-/// Error about the file as a whole.
+/// An error about the file as a whole.
 Error error_in_file(const std::string& name, Code code, std::string message);
 
-/// Bytes other than printable ASCII become \xNN; cut to 40 characters, then three dots follow.
+/// The text with bytes other than printable ASCII as \xNN, cut to 40 characters and "..." if it is
+/// longer.
 std::string escaped(std::string_view text);
 
 /// escaped() between single quotes.

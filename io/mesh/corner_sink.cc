@@ -7,7 +7,7 @@ namespace veritope {
 
 void CornerSink::reserve(std::size_t num_facets) {
   mesh_.faces.reserve(num_facets);
-  // A closed surface has about half as many vertices as facets.
+  // A closed surface has approximately half as many vertices as facets.
   table_.reserve(num_facets / 2 + 3);
   mesh_.positions.resize(num_facets / 2 + 3 + kBatch);
 }

@@ -39,7 +39,7 @@ void set_scaled(BigInt& result, double x) {
   }
 }
 
-// |d|^2 * 2^2148.
+// Sets the result to |d|^2 * 2^2148.
 void set_square(BigInt& result, const Vec3d& d) {
   BigInt component;
   mpz_set_ui(result.get(), 0);
@@ -95,7 +95,7 @@ void measure(const TriangleMesh& mesh, LossReport& report) {
   report.coordinates_change = report.moved_vertices > 0;
 }
 
-// What an STL of these positions would be read as.
+// The mesh that a reader would get from an STL with these positions.
 TriangleMesh as_stl(const TriangleMesh& mesh, const std::vector<Vec3d>& positions) {
   CornerSink sink;
   sink.reserve(mesh.faces.size());

@@ -22,7 +22,7 @@ void put_position(const Vec3d& p, ChunkedOutput& out) {
   out.text("\n");
 }
 
-// Three ids plus `base`, each behind a blank, and a line end.
+// Writes three ids plus `base`, each after a blank, and a line end.
 void put_corners(const Face& face, std::uint64_t base, ChunkedOutput& out) {
   for (const std::uint32_t v : face) {
     out.text(" ");
@@ -31,7 +31,7 @@ void put_corners(const Face& face, std::uint64_t base, ChunkedOutput& out) {
   out.text("\n");
 }
 
-// A unit normal for programs that want one: rounded, zero if it cannot be computed; no reader of ours looks at it.
+// A unit normal for programs that want one: rounded, zero if it cannot be computed; our readers ignore it.
 Vec3d approx_normal(const TriangleMesh& mesh, const Face& face) {
   const Vec3d &a = mesh.positions[face[0]], &b = mesh.positions[face[1]],
               &c = mesh.positions[face[2]];
@@ -87,7 +87,7 @@ void encode_stl_ascii(const TriangleMesh& mesh, ChunkedOutput& out) {
   out.text("endsolid veritope\n");
 }
 
-// REQUIRES to_binary32 takes all three.
+// REQUIRES three coordinates that to_binary32 accepts.
 void put_floats(const Vec3d& p, bool is_big_endian, ChunkedOutput& out) {
   out.binary(to_binary32(p.x).value(), is_big_endian);
   out.binary(to_binary32(p.y).value(), is_big_endian);

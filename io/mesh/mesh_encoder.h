@@ -50,13 +50,14 @@ class ChunkedOutput {
   std::string buffer_;
 };
 
-/// Nearest binary32, ties to even; nothing if that is infinite. -0 becomes +0.
+/// The nearest binary32, ties to even; nothing if that is infinite. -0 becomes +0.
 std::optional<float> to_binary32(double value);
 
-/// True if the options round coordinates to binary32.
+/// Whether the options round coordinates to binary32.
 bool is_rounding(const WriteOptions& options);
 
-/// REQUIRES options that exist, and coordinates that to_binary32 takes if is_rounding(options).
+/// REQUIRES a valid combination of options, and coordinates that to_binary32 accepts if
+/// is_rounding(options).
 void encode_mesh(const TriangleMesh& mesh, const WriteOptions& options, ChunkedOutput& out);
 
 }  // namespace veritope

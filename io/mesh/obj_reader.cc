@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/mesh/obj_reader.cc: reading rule v1, section 3.
-// A line is first read where it stands. Only a line with a joint (backslash before its end) whose meaning may
-// depend on what follows is copied together and read again.
+// A line is first read in place. Only a line with a joint (a backslash before its end) whose meaning may depend on what
+// follows is copied without the joint, and read again.
 #include "io/mesh/parsed_mesh.h"
 #include "io/mesh/text_reader.h"
 
@@ -62,12 +62,12 @@ class ObjReader : TextReader {
   // Whether a joint is at p_: what the reader took for the end of the line or of a token goes on in the next line.
   bool is_at_joint() const { return p_ < text_end_ && is_eol(*p_) && p_[-1] == '\\'; }
 
-  // A backslash directly before the line end at `eol`.
+  // Whether there is a backslash directly before the line end at `eol`.
   bool has_joint_before(const char* eol) const {
     return eol < source_.end && eol > source_.begin && eol[-1] == '\\';
   }
 
-  // Copies the lines from `line` on without the joints between them, reads the copy, goes on after them.
+  // Copies the lines from `line` on without the joints between them, reads the copy, and continues after them.
   bool read_joined_line(const char* line) {
     anchor_ = line;
     joined_.clear();
@@ -172,7 +172,8 @@ class ObjReader : TextReader {
                     " vertices up to here)");
   }
 
-  // A face may name a later vertex; whether that exists is known at the end.
+  // Tests indices of vertices that come later in the file than the face: they are known only at the
+  // end.
   bool check_forward_indices() {
     if (sink_.faces.empty() || largest_ < positions_.size()) return true;
     return fail(largest_at_, Code::kIndexOutOfRange,

@@ -31,16 +31,16 @@ class OffReader : TextReader {
   }
 
  private:
-  // Behind blanks, line ends and comments.
+  // Moves p_ past blanks, line ends and comments.
   void skip_to_token() {
     for (;;) {
       p_ = skip_space(p_, source_.end);
-      if (*p_ != '#') return;  // the padding holds none
+      if (*p_ != '#') return;  // the padding contains no #
       p_ = find_eol(p_);
     }
   }
 
-  // To the end of the line; true if there was more than blanks and a comment.
+  // Moves to the end of the line; true if it passed more than blanks and a comment.
   bool skip_rest() {
     if (is_eol(*p_)) return false;
     p_ = skip_blanks(p_);

@@ -15,7 +15,7 @@
 
 namespace veritope {
 
-/// Ids are 32-bit numbers, and tables need one more; so for faces.
+/// Ids are 32-bit numbers, and tables need one more value; the same holds for faces.
 inline constexpr std::uint64_t kMaxVertices = 0xFFFFFFFE;
 
 /// Counts by name, in the order of first mention. At most kMost names from the file; later ones are "other".
@@ -61,7 +61,8 @@ struct ParsedMesh {
   std::vector<std::uint32_t> polygon_of_face;
 };
 
-/// If `bytes` of them are left: "12 more bytes follow <what>: the count may be wrong".
+/// If `bytes` of them are left, adds the notice "12 more bytes follow <what>: the count may be
+/// wrong".
 void notice_rest(std::uint64_t bytes, const std::string& what, ReadReport& report);
 
 /// Moves the sink's content into `parsed`.

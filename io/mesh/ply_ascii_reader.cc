@@ -16,7 +16,7 @@ class PlyAsciiReader : TextReader {
 
   Result<ParsedMesh> read() {
     for (const PlyElement& element : header_.elements) {
-      if (element.properties.empty()) continue;  // any number of nothing
+      if (element.properties.empty()) continue;  // its instances have no tokens
       const PlyRole role = ply_role(element);
       const bool has_triangles = role == PlyRole::kFaces || role == PlyRole::kStrips;
       const std::size_t list = has_triangles ? ply_index_list(element) : 0;
@@ -101,7 +101,7 @@ class PlyAsciiReader : TextReader {
     if (!next_token()) return false;
     ScannedInteger index;
     if (!read_integer(p_, index)) return false;
-    // Whatever does not fit is out of range, too.
+    // A value that does not fit is out of range, too.
     const auto size = static_cast<std::int64_t>(
         std::min<std::uint64_t>(index.magnitude, std::uint64_t{INT64_MAX}));
     indices_.push_back(index.is_negative ? -size : size);

@@ -49,7 +49,7 @@ class PlyBinaryReader {
 
   Result<ParsedMesh> read() {
     for (const PlyElement& element : header_.elements) {
-      if (element.properties.empty()) continue;  // any number of nothing
+      if (element.properties.empty()) continue;  // its instances have no bytes
       if (!read_element(element)) return std::move(*error_);
     }
     return lists_.finish(source_, header_, std::move(positions_), p_);
@@ -100,7 +100,7 @@ class PlyBinaryReader {
     return true;
   }
 
-  // Where x, y and z stand in the instance at p_, and after it. Lists make that differ from one to the next.
+  // Finds x, y and z in the instance at p_, and moves past it. Lists make their positions differ between instances.
   bool find_xyz(const PlyElement& element, std::array<const char*, 3>& xyz) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -171,7 +171,7 @@ class PlyBinaryReader {
     return !fault || fail(at, fault->code, fault->message);
   }
 
-  // The usual case of read_list.
+  // A fast version of read_list for the usual case.
   bool read_triangle(PlyType type) {
     const char* const at = p_;
     const std::size_t size = ply_type_size(type);
@@ -179,7 +179,7 @@ class PlyBinaryReader {
     std::array<std::int64_t, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = load_integer(type, at + k * size, is_big_);
     if (lists_.add_triangle(corners)) return true;
-    const auto fault = lists_.add(PlyRole::kFaces, corners);  // says why not
+    const auto fault = lists_.add(PlyRole::kFaces, corners);  // names the fault
     return !fault || fail(at, fault->code, fault->message);
   }
 

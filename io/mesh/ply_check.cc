@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/mesh/ply_check.cc: does a PLY header announce a mesh, and can the bytes after it hold that?
+// io/mesh/ply_check.cc: whether a PLY header announces a mesh, and whether the bytes after it can
+// hold that mesh.
 #include <array>
 
 #include "io/mesh/parsed_mesh.h"

@@ -46,7 +46,7 @@ struct PlyElement {
   bool has_lists() const;
 };
 
-/// What an element is to the mesh.
+/// The role of an element in the mesh.
 enum class PlyRole { kVertices, kFaces, kStrips, kOther };
 PlyRole ply_role(const PlyElement& element);
 
@@ -56,7 +56,7 @@ struct PlyHeader {
   std::uint64_t comments = 0;  ///< comment and obj_info lines
   const char* body = nullptr;  ///< after the line end of end_header
 
-  // Valid once check_ply_header() said so.
+  // Valid after check_ply_header() returned success.
   std::uint64_t num_vertices = 0;
   std::size_t xyz[3] = {0, 0, 0};  ///< property numbers in element vertex
 };

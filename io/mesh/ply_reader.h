@@ -17,7 +17,7 @@ class PlyLists {
   PlyLists(const ReadLimits& limits, std::uint64_t num_vertices)
       : sink_(limits.max_faces), limits_(limits), num_vertices_(num_vertices) {}
 
-  /// Why a list was refused; kEmpty: it was not.
+  /// The reason why a list was refused; kEmpty: it was accepted.
   struct Fault {
     Code code = Code::kEmpty;
     std::string message;
@@ -28,7 +28,8 @@ class PlyLists {
   bool is_vertex(std::int64_t index) const {
     return index >= 0 && static_cast<std::uint64_t>(index) < num_vertices_;
   }
-  /// The usual case of add(): false, and nothing done, if add() would find a fault.
+  /// A fast version of add() for the usual case: returns false and does nothing if add() would find
+  /// a fault.
   bool add_triangle(const std::array<std::int64_t, 3>& v) {
     if (!(is_vertex(v[0]) && is_vertex(v[1]) && is_vertex(v[2]))) return false;
     return sink_.add_triangle(static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1]),
@@ -36,7 +37,7 @@ class PlyLists {
   }
   void reserve(std::size_t faces) { sink_.faces.reserve(faces); }
 
-  /// Positions and lists to the mesh of the file. `end`: after the last instance.
+  /// Combines positions and lists to the mesh of the file. `end`: after the last instance.
   Result<ParsedMesh> finish(const Source& source, const PlyHeader& header,
                             std::vector<Vec3d> positions, const char* end);
 

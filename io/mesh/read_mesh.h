@@ -15,19 +15,19 @@
 
 namespace veritope {
 
-/// Something that the reading rule takes as it is, and that the author of the file may not have meant.
+/// Something that the reading rule accepts, but that the author of the file may not have meant.
 struct ReadNotice {
   std::string code;     ///< "data-after-end": the file goes on after what its counts announce
   std::string message;  ///< "7 more facets follow the stated 5: the count may be wrong"
 };
 
-/// What was read, and what was passed over.
+/// What was read, and what was ignored.
 struct ReadReport {
   MeshFormat format = MeshFormat::kStl;
   std::string variant;  ///< stl-ascii, stl-binary, obj, ply-ascii, ply-binary-little-endian,
                         ///< ply-binary-big-endian, off
   std::uint64_t bytes = 0;
-  bool as_indexed = false;  ///< the file's own vertex indices were kept: asked for, and not STL
+  bool as_indexed = false;  ///< the file's own vertex indices were kept: requested, and not STL
   std::uint64_t file_vertices =
       0;  ///< that the file lists; for STL the number of distinct positions
   std::uint64_t distinct_vertices = 0;      ///< positions that differ as numbers
@@ -53,7 +53,7 @@ struct MeshFile {
   double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing
 };
 
-/// The bytes as a file of this format. Leaves sha256 and the seconds open. Files are read by io/read_model.h.
+/// Reads the bytes as a file of this format. Does not set sha256 and the seconds. Files are read by io/read_model.h.
 /// @param  as_indexed  keep the file's own indices (no effect on STL)
 /// @error  kEmpty, kSyntax, kTruncated, kNotFinite, kIndexOutOfRange, kOverLimit, with the line of a text or the byte
 ///         of binary data

@@ -38,7 +38,7 @@ std::string_view first_word(const Source& source) {
   return {p, static_cast<std::size_t>(last - p)};
 }
 
-// A guess for messages, never for decisions: bytes that no text has in a file that has the size of a header.
+// A guess for messages, never for decisions: the file is at least as large as a header and has bytes that no text has.
 bool looks_like_binary_stl(const Source& source) {
   if (source.size() < kStlHeader) return false;
   const auto is_no_text = [](unsigned char c) { return c < 9 || (c > 13 && c < 32); };

@@ -7,14 +7,14 @@
 
 namespace veritope {
 
-/// The word `solid`, or a binary STL of the exact size.
+/// Recognises the word `solid`, or a binary STL of the exact size.
 bool looks_like_stl(const Source& source);
-/// Each by its first word: a keyword of OBJ, `ply`, OFF with its prefixes.
+/// Each recognises its first word: a keyword of OBJ, `ply`, OFF with its prefixes.
 bool looks_like_obj(const Source& source);
 bool looks_like_ply(const Source& source);
 bool looks_like_off(const Source& source);
 
-/// For messages: how long a file would be if it were the binary STL that its bytes may mean; empty for a text.
+/// For messages: the size that the file would have as the binary STL that its bytes may mean; empty for a text.
 std::string size_as_binary_stl(const Source& source);
 
 }  // namespace veritope

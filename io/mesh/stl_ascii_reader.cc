@@ -48,7 +48,7 @@ class StlAsciiReader : TextReader {
            fail_expected(p_, std::string("'") + word + "'");
   }
 
-  // From one `solid` to after the line of its `endsolid`.
+  // Reads from one `solid` to after the line of its `endsolid`.
   bool read_block() {
     if (!expect("solid")) return false;
     p_ = find_eol(p_);
@@ -64,10 +64,10 @@ class StlAsciiReader : TextReader {
     return true;
   }
 
-  // Behind the word `facet`.
+  // Reads what follows the word `facet`.
   bool read_facet() {
     const char* const facet = p_;
-    for (int normal = 0;; ++normal) {  // at most `normal` and three numbers, which are not read
+    for (int normal = 0;; ++normal) {  // at most `normal` and three numbers, which are ignored
       p_ = skip_space(p_, source_.end);
       if (p_ < source_.end && take_word("outer")) break;
       if (p_ >= source_.end || normal == 4) return fail_expected(p_, "'outer'");

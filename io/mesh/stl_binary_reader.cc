@@ -16,7 +16,7 @@ std::array<float, 9> load_corners(const char* facet) {
   return values;
 }
 
-// Largest biased exponent: NaN or infinity.
+// The largest biased exponent means NaN or infinity.
 bool is_finite(float value) {
   return (std::bit_cast<std::uint32_t>(value) & 0x7F800000) != 0x7F800000;
 }
@@ -53,7 +53,7 @@ Status check_size(const Source& source, const ReadLimits& limits) {
   return ok_status();
 }
 
-// Bytes that are no whole number of facets are padding as likely as a wrong count.
+// Bytes that are not a whole number of facets are as likely padding as a sign of a wrong count.
 void notice_facets(std::uint64_t bytes, std::uint64_t stated, ReadReport& report) {
   if (bytes == 0 || bytes % kStlFacet != 0) return;
   const std::uint64_t more = bytes / kStlFacet;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/mesh/stl_reader.h: the two kinds of STL, and the vertices that both find by their corners.
+// io/mesh/stl_reader.h: the two kinds of STL, and the vertices that both derive from their corners.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@ namespace veritope {
 
 inline constexpr std::uint64_t kStlHeader = 84, kStlFacet = 50;
 
-/// The content decides, not the header's word.
+/// Decides by the content, not by the first word of the header.
 bool is_stl_binary(const Source& source);
 /// 84 + 50 n. REQUIRES at least 84 bytes.
 std::uint64_t stl_binary_size(const Source& source);
@@ -27,7 +27,7 @@ class CornerSink {
   void reserve(std::size_t num_facets);
   /// Three corners a facet. REQUIRES corners.size() <= kBatch and divisible by three.
   void add(std::span<const Vec3d> corners);
-  /// The triangles so far. Leaves nothing here.
+  /// The triangles so far; the sink is empty afterwards.
   TriangleMesh take();
   std::size_t num_facets() const { return mesh_.faces.size(); }
 

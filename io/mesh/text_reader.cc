@@ -4,7 +4,7 @@
 namespace veritope {
 namespace {
 
-// The words that other programs print for NaN and infinity: the error then says what they mean.
+// Words that other programs print for NaN and infinity; the error then says what they mean.
 bool names_no_finite_number(std::string_view token) {
   if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
   return is_word(token, "nan") || is_word(token, "inf") || is_word(token, "infinity") ||

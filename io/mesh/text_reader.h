@@ -21,7 +21,7 @@ class TextReader {
       : source_(source), limits_(limits), decimals_(limits), ends_(ends), text_end_(source.end) {}
 
  protected:
-  /// One decimal at p, up to the end of its token.
+  /// Reads one decimal at p, up to the end of its token.
   bool read_decimal(const char*& p, double& value) {
     const char* q = p;
     if (decimals_.read_fast(q, value) && has_class(*q, ends_)) [[likely]] {
@@ -30,7 +30,7 @@ class TextReader {
     }
     return read_decimal_slowly(p, value);
   }
-  /// Three decimals after blanks, all on this line.
+  /// Reads three decimals after blanks, all on this line.
   bool read_position(const char*& p, Vec3d& position) {
     double xyz[3];
     for (double& value : xyz) {
@@ -41,7 +41,7 @@ class TextReader {
     position = {xyz[0] + 0.0, xyz[1] + 0.0, xyz[2] + 0.0};
     return true;
   }
-  /// One integer at p; the token must end after it.
+  /// Reads one integer at p; the token must end after it.
   bool read_integer(const char*& p, ScannedInteger& value) {
     const char* const token = p;
     value = scan_integer(p);
@@ -56,9 +56,11 @@ class TextReader {
   bool fail_integer(const char* token, const ScannedInteger& value);
   bool fail_faces(const char* at);
   bool fail_vertices(const char* at);
-  /// "<expected> instead of <token at `at`>": kSyntax, or kTruncated at the end of the file.
+  /// Fails with "<expected> instead of <token at `at`>": kSyntax, or kTruncated at the end of the
+  /// file.
   bool fail_expected(const char* at, const std::string& expected);
-  /// REQUIRES that a function failed. Finds the line only now: a joined line may fail once and then be read well.
+  /// Finds the line only now, because a joined line may fail once and then be read well. REQUIRES that a function
+  /// failed.
   Error take_error();
 
   const Source& source_;

@@ -71,7 +71,7 @@ void VertexTable::rehash(std::size_t num_slots, const Vec3d* store) {
 }
 
 void VertexTable::insert(std::span<const Vec3d> points, Vec3d* store, std::uint32_t* ids) {
-  // At most 3/4 full.
+  // The table is at most 3/4 full.
   if ((num_ + points.size()) * 4 > num_slots_ * 3) {
     rehash(std::bit_ceil(std::max<std::size_t>(256, (num_ + points.size()) * 2)), store);
   }

@@ -21,7 +21,7 @@ class VertexTable {
   explicit VertexTable(std::uint64_t key) : key_(key) {}
   VertexTable();
 
-  /// Room for `num` positions, so that insert() need not rehash on the way.
+  /// Makes room for `num` positions, so that insert() need not rehash meanwhile.
   void reserve(std::size_t num);
 
   /// ids[i] = id of points[i]. REQUIRES points.size() <= kBatch. New positions go to store[num_positions()...]:
@@ -51,7 +51,7 @@ class VertexTable {
 /// @return the number of distinct positions = mesh.positions.size() afterwards
 std::size_t merge_equal_positions(TriangleMesh& mesh);
 
-/// Counts distinct positions, changes nothing.
+/// Counts distinct positions without changing the mesh.
 std::size_t count_distinct_positions(const TriangleMesh& mesh);
 
 }  // namespace veritope

@@ -28,7 +28,7 @@ struct WriteOptions {
 std::optional<WriteOptions> write_options_from_name(std::string_view variant);
 std::vector<std::string> write_variant_names();
 
-/// What a format means without further words: STL in ASCII, PLY little-endian double (both keep the coordinates).
+/// The default options of a format: STL in ASCII, PLY little-endian double (both keep the coordinates).
 WriteOptions default_write_options(MeshFormat format);
 
 /// What reading the file back would change. Exact: no tolerance.
@@ -36,8 +36,8 @@ struct LossReport {
   bool coordinates_change = false;
   /// Other vertex ids or triangles would be read: STL keeps no indices, and positions may become equal.
   bool indexing_changes = false;
-  std::uint64_t moved_vertices = 0;   ///< whose coordinates change
-  std::uint64_t merged_vertices = 0;  ///< distinct positions before minus after rounding
+  std::uint64_t moved_vertices = 0;   ///< vertices whose coordinates change
+  std::uint64_t merged_vertices = 0;  ///< distinct positions before rounding, minus those after it
   double max_displacement =
       0;  ///< Euclidean, rounded up; infinity if a coordinate is too large for binary32
   std::uint32_t vertex = 0;  ///< the lowest id that moves that far, if any moves

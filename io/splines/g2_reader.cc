@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// GoTools' .g2: a sequence of objects, each "class major minor n aux..." and its numbers. Splines are taken over; of
-// the elementary shapes lines, planes and linear extrusions are, where no square root is needed: the others are left
+// GoTools' .g2: a sequence of objects, each "class major minor n aux..." and its numbers. Splines are read. Of the
+// elementary shapes, lines, planes and linear extrusions are read where that needs no square root; the others are left
 // out.
 #include "io/splines/g2_shape_reader.h"
 
@@ -28,7 +28,7 @@ class G2Reader : G2ShapeReader {
   bool keep(G2Shape<Spline> shape, std::int64_t type, SplineEntity& entity, bool& is_known);
 };
 
-// A curve on a surface: which one counts, the classes of both, both.
+// Reads a curve on a surface: which of two curves counts, the classes of both, then both curves.
 bool G2Reader::read_piece(TrimCurve& piece) {
   std::uint64_t prefers_parameter = 0;
   std::int64_t types[2] = {0, 0};

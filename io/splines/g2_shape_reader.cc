@@ -68,7 +68,7 @@ bool G2ShapeReader::read_dimension(std::uint64_t& dimension) {
   return read_count("a dimension", 1, 1000, dimension);
 }
 
-// 0 or 1; 10 more if a parameter domain follows.
+// Reads a flag: 0 or 1, plus 10 if a parameter domain follows.
 bool G2ShapeReader::read_flag(const char* what, bool& flag, bool& has_domain) {
   skip();
   const char* const at = p_;
@@ -118,7 +118,7 @@ bool G2ShapeReader::read_spline(std::optional<BSpline<Rational, N>>& spline) {
   return spline.has_value();
 }
 
-// dim, scalars, vectors, scalars; then the bounds.
+// Reads dim, scalars, vectors, scalars; then the bounds.
 bool G2ShapeReader::read_elementary(std::uint64_t scalars_first, std::uint64_t vectors,
                                     bool is_bounded_flag, std::uint64_t scalars_last) {
   std::uint64_t dimension = 0;
@@ -129,7 +129,7 @@ bool G2ShapeReader::read_elementary(std::uint64_t scalars_first, std::uint64_t v
   bool flag = false, has_domain = false;
   if (is_bounded_flag) {
     if (!read_flag("the bounded flag", flag, has_domain)) return false;
-    const std::uint64_t bounds = flag ? 4 : 2;  // unbounded: in the second parameter only
+    const std::uint64_t bounds = flag ? 4 : 2;  // false: unbounded in the second parameter only
     return read_numbers(has_domain ? 2 * bounds : bounds, ignored) &&
            read_flag("the swapped flag", flag, has_domain);
   }
@@ -174,7 +174,7 @@ bool G2ShapeReader::read_curve(std::int64_t type, G2Shape<ExactCurve>& shape) {
   bool flag = false, has_domain = false;
   std::uint64_t dimension = 0;
   switch (type) {
-    case 1:  // of old files
+    case 1:  // in old files
     case kSplineCurve: return read_spline(shape.spline);
     case kLine: return read_line(shape);
     case kCircle:

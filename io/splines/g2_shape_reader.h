@@ -30,7 +30,7 @@ enum G2Class : std::int64_t {
   kSplineVolume = 700,
 };
 
-/// "line", "torus", ...: of what may be left out.
+/// "line", "torus", ...: the name of a shape that may be left out.
 const char* g2_class_name(std::int64_t type);
 
 /// A curve or a surface, or the reason why it is left out.

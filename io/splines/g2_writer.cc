@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// GoTools' .g2. It has no groups, no periodic flag, no models and no triangles: those axes are written unclamped, the
-// rest as nothing.
+// GoTools' .g2. The format has no groups, no periodic flag, no models and no triangles: periodic axes are written
+// unclamped, the rest is left out.
 #include "io/splines/write_splines.h"
 
 namespace veritope {
@@ -69,7 +69,7 @@ class G2Writer {
     spline(s.surface);
     out_ += std::to_string(s.loops.size()) + '\n';
     for (const TrimLoop& loop : s.loops) {
-      out_ += std::to_string(loop.size()) + " 0\n";  // the tolerance: none is promised
+      out_ += std::to_string(loop.size()) + " 0\n";  // 0: we promise no tolerance
       for (const TrimCurve& piece : loop) {
         out_ += std::string(piece.parameter ? "1 100" : "0 0") + (piece.space ? " 100\n" : " 0\n");
         if (piece.parameter) spline(*piece.parameter);

@@ -176,7 +176,7 @@ bool GismoReader::refuse_format(const Tag& tag) {
   return true;
 }
 
-// An element within <Geometry>; the tags of bases are passed, their knots kept in order.
+// Reads an element within <Geometry>; tags of bases are skipped, and their knots kept in order.
 bool GismoReader::read_part(const Tag& tag, Geometry& g) {
   if (tag.name == "Geometry")
     return fail(tag.at, Code::kSyntax, "a <Geometry> within a <Geometry> is not read");
@@ -269,7 +269,7 @@ bool GismoReader::finish(Geometry g, SplineEntity& entity) {
   return true;
 }
 
-// Passes an element with all that is in it.
+// Skips an element with its content.
 bool GismoReader::skip_element(const Tag& open) {
   if (open.is_empty) return true;
   for (std::uint64_t depth = 1; depth > 0;) {

@@ -49,7 +49,7 @@ bool ItdLexer::skip_brackets() {
   return true;
 }
 
-// From after its '['.
+// Starts after the attribute's '['.
 bool ItdLexer::read_attribute(std::vector<std::string>& into) {
   skip();
   const char* const start = p_;
@@ -61,7 +61,7 @@ bool ItdLexer::read_attribute(std::vector<std::string>& into) {
   return true;
 }
 
-// An attribute may hold whole objects (animations, textures): they stay text, but are mentioned.
+// Attributes that hold whole objects (animations, textures) stay text, but are mentioned.
 void ItdLexer::count_splines_in(std::string_view attribute) {
   constexpr std::pair<std::string_view, const char*> kWords[] = {
       {"CURVE ", "curves within attributes"},

@@ -16,15 +16,15 @@ class ItdLexer : public SplineTextReader {
   bool at(char c) { return peek() == std::string_view(&c, 1); }
   bool take_bracket(char c);
   bool take_word(std::string& word);
-  /// '[' and the keyword.
+  /// Reads '[' and the keyword.
   bool open_keyword(const char* keyword);
-  /// From its first quote to after its last.
+  /// Moves from the string's first quote to after its last.
   bool skip_string();
-  /// From after an opening bracket to after its closing one.
+  /// Moves from after an opening bracket to after its closing one.
   bool skip_brackets();
-  /// From after its '[' to after its ']'; the text between them is kept.
+  /// Reads from after the attribute's '[' to after its ']'; keeps the text between them.
   bool read_attribute(std::vector<std::string>& into);
-  /// All [...] up to one that is a part of a spline.
+  /// Reads all [...] up to one that is a part of a spline.
   bool read_attributes(std::vector<std::string>& into);
   /// Mentions attributes that the model has no place for.
   void drop_attributes(const std::vector<std::string>& inner);

@@ -162,7 +162,7 @@ bool ItdReader::add(SplineEntity entity) {
   return end_entity(std::move(entity));
 }
 
-// The cursor is behind the keyword. is_data: it was an entity or something known to be left out.
+// Starts after the keyword. is_data: it was an entity, or something that is known to be left out.
 bool ItdReader::read_data(const char* open, const std::string& keyword, bool& is_data) {
   is_data = true;
   for (const Skipped& s : kSkipped)
@@ -202,7 +202,7 @@ bool ItdReader::read_data(const char* open, const std::string& keyword, bool& is
   return add(std::move(entity));
 }
 
-// What stands within an object: an attribute, data, another object, its name, or its end.
+// Reads an item of an object: an attribute, data, another object, its name, or its end.
 bool ItdReader::read_object_item() {
   Open& object = open_.back();
   if (at(']')) {
@@ -246,7 +246,7 @@ bool ItdReader::read_object_item() {
 }
 
 bool ItdReader::read() {
-  // A file of comments only is no model without splines: it was cut off, or is something else.
+  // A file of comments only is not a model without splines: it was cut off, or is something else.
   if (std::find(p_, source_.end, '[') == source_.end) return fail_expected("'['");
   for (;;) {
     if (!open_.empty()) {
@@ -272,7 +272,7 @@ bool ItdReader::read() {
   }
 }
 
-// Groups without splines (cameras, numbers) go; the rest keeps its order.
+// Drops groups without splines (cameras, numbers); keeps the order of the rest.
 SplineFile ItdReader::take() {
   std::vector<bool> is_used(model_.groups.size());
   for (const SplineEntity& e : model_.entities)

@@ -10,19 +10,19 @@ class ItdSplineReader : public ItdLexer {
   using ItdLexer::ItdLexer;
 
  protected:
-  /// From after the keyword to after the closing bracket; an error of the whole is placed at `open`. N = 1, 2, 3.
+  /// Reads from after the keyword to after the closing bracket; places an error of the whole at `open`. N = 1, 2, 3.
   template <std::size_t N>
   bool read_spline(const char* open, std::optional<BSpline<Rational, N>>& spline,
                    std::vector<std::string>& attributes);
-  /// A whole [KEYWORD ...] whose attributes are dropped. N = 1, 2.
+  /// Reads a whole [KEYWORD ...] whose attributes are dropped. N = 1, 2.
   template <std::size_t N>
   bool read_inner(const char* keyword, std::optional<BSpline<Rational, N>>& spline);
-  /// MULTIVAR; is_known: it has up to three parameters, else it was left out.
+  /// Reads MULTIVAR. is_known: whether it has up to three parameters; otherwise it was left out.
   bool read_multivariate(const char* open, SplineEntity& entity, bool& is_known);
 
  private:
   enum class Basis { kBezier, kBspline, kPower };
-  /// What follows the keyword, before the knots.
+  /// Reads what lies between the keyword and the knots.
   template <std::size_t N>
   struct Header {
     Basis basis = Basis::kBspline;

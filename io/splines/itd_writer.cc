@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// IRIT's .itd. Bezier splines are written as BSPLINE, so that reading gives the same knots; periodic axes as KVP. It
-// has no Bezier triangles: they are left out.
+// IRIT's .itd. Bezier splines are written as BSPLINE, so that reading gives the same knots; periodic axes as KVP. The
+// format has no Bezier triangles: they are left out.
 #include <algorithm>
 
 #include "io/base/scan.h"

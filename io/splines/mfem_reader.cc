@@ -68,7 +68,7 @@ bool MfemReader::read_header() {
   return true;
 }
 
-// "attribute geometry vertices"; of an element the geometry is the dimension's.
+// Reads "attribute geometry vertices"; for elements the dimension determines the geometry.
 bool MfemReader::read_shape(std::uint64_t vertices_of_elements,
                             std::vector<std::uint64_t>& vertices) {
   skip();
@@ -162,7 +162,7 @@ bool MfemReader::read_knot_vector(KnotVector& knots) {
   return fail_with(at, error);
 }
 
-// How the knots grade a refinement: no part of the map.
+// Spacings say how the knots grade a refinement; they are not part of the map.
 bool MfemReader::read_spacing() {
   std::uint64_t count = 0, integers = 0, reals = 0;
   std::int64_t ignored = 0;

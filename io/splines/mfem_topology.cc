@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
 
-// The two corners of each local edge, turned to run along the axis: MFEM's order of edges.
+// The two corners of each local edge, so ordered that the edge runs along the axis. The order of
+// edges is MFEM's.
 constexpr std::array<std::array<int, 2>, 1> kSegmentEdges = {{{0, 1}}};
 constexpr std::array<std::array<int, 2>, 4> kSquareEdges = {{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
 constexpr std::array<std::array<int, 2>, 12> kCubeEdges = {{{0, 1},
@@ -39,7 +40,8 @@ std::uint64_t product(std::uint64_t a, std::uint64_t b) {
 }
 std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return std::min(kMost, a + b); }
 
-// How `test` lies over `base`: 2i if it starts i places on, 2i + 1 if it also runs the other way.
+// The orientation of `test` relative to `base`: 2i if it starts i places later, 2i + 1 if it also
+// runs the other way.
 int quad_orientation(const std::array<std::uint64_t, 4>& base,
                      const std::array<std::uint64_t, 4>& test) {
   int i = 0;
@@ -139,7 +141,7 @@ std::uint64_t MfemNumbering::knot_vector(std::size_t patch, int axis) const {
 
 std::optional<bool> MfemNumbering::is_reversed(std::size_t patch, int axis) const {
   const auto locals = local_edges(topology_.dimension);
-  // MFEM: with one parameter the sign of the edge alone decides.
+  // With one parameter, MFEM uses only the sign of the edge.
   if (topology_.dimension == 1) {
     const auto& e = topology_.edges[patches_[patch].edges[0]];
     return e.from > e.to;

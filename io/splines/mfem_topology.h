@@ -31,12 +31,14 @@ class MfemNumbering {
  public:
   MfemNumbering(const MfemTopology& topology, const std::vector<std::uint64_t>& num_control);
 
-  /// Why the edges do not fit the patches; nothing: they do. All else REQUIRES that.
+  /// Why the edges do not fit the patches; nothing if they do. All other functions REQUIRE that
+  /// they fit.
   const std::optional<std::string>& fault() const { return fault_; }
   std::uint64_t num_points() const { return num_points_; }
-  /// Control points of all patches, those shared by several counted for each; saturated at 2^62.
+  /// The number of control points of all patches, shared ones counted once a patch; saturated at
+  /// 2^62.
   std::uint64_t num_patch_points() const { return num_patch_points_; }
-  /// The knot vector of a patch's axis, and whether it runs backwards there. Nothing if its edges disagree.
+  /// The knot vector of a patch's axis, and whether it runs in reverse there. Nothing if its edges disagree.
   std::uint64_t knot_vector(std::size_t patch, int axis) const;
   std::optional<bool> is_reversed(std::size_t patch, int axis) const;
   /// The number of control point (i, j, k) of a patch.

@@ -8,7 +8,7 @@
 
 namespace veritope {
 
-/// Seven bytes, 1e4096, are a number of 1700 bytes: a file of such numbers is refused before it fills the memory.
+/// A budget is needed because seven bytes, 1e4096, are a number of 1700 bytes: such a file would fill the memory.
 /// Claim  A file whose numbers are within the range of binary64 is within the budget as read: six bytes, 1e308, are 128
 ///        bytes, seven, 5e-324, are 135; both are less than kPerByte for each byte.
 class NumberBudget {
@@ -20,11 +20,11 @@ class NumberBudget {
                                                                    : kFree + kPerByte * file_bytes),
         left_(total_) {}
 
-  /// Numerator and denominator without leading zeros.
+  /// The bytes of numerator and denominator without leading zeros.
   static std::uint64_t bytes_of(const Rational& x) {
     return (x.numerator().bit_length() + x.denominator().bit_length() + 7) / 8;
   }
-  /// False if fewer are left.
+  /// Spends so many bytes; false if fewer are left.
   bool spend(std::uint64_t bytes) {
     if (bytes > left_) return false;
     left_ -= bytes;

@@ -11,7 +11,7 @@
 namespace veritope {
 namespace {
 
-// Nothing: it lies in space.
+// Nothing if the entity lies in space.
 std::optional<ForeignEntity> foreign_of(const SplineEntity& entity, std::uint64_t number) {
   const auto* const surface = std::get_if<ExactSurface>(&entity.shape);
   const auto* const triangle = std::get_if<ExactTriangle>(&entity.shape);
@@ -23,7 +23,7 @@ std::optional<ForeignEntity> foreign_of(const SplineEntity& entity, std::uint64_
   return out;
 }
 
-// The model's surfaces, side by side, with their numbers in it.
+// The model's surfaces in one list, with their numbers in the model.
 struct Surfaces {
   std::vector<ExactSurface> maps;
   std::vector<std::uint64_t> numbers;

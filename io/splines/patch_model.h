@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/patch_model.h: patch complexes as spline models, to write them, and back, to certify them.
+// io/splines/patch_model.h: patch complexes as spline models (to write them), and the reverse (to certify them).
 // Design: docs/design/0015-patch-complex.md.
 #pragma once
 #include <array>
@@ -28,10 +28,10 @@ struct PatchEntity {
   /// Where a surface is cut, along u and v, in its own parameters (SurfacePieces). Empty for a triangle.
   std::array<std::vector<Rational>, 2> breaks;
 };
-/// An entity that is no surface or triangle in space.
+/// An entity that is not a surface or triangle in space.
 struct ForeignEntity {
   std::string kind;              ///< spline_kind_name
-  std::optional<int> dimension;  ///< of a surface or triangle, whose fault it is
+  std::optional<int> dimension;  ///< of a surface or triangle that is foreign because of it
   Place place;                   ///< with the entity's number
 };
 /// "entity 3, a curve", "entity 0, a surface with 2 coordinates": why a model is no patch complex.

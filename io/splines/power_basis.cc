@@ -47,7 +47,7 @@ Numerators numerators_of(const std::vector<Rational>& points, std::size_t first,
   return out;
 }
 
-// Along the axis whose neighbours are `stride` apart.
+// Transforms along the axis on which neighbours are `stride` apart.
 void transform(std::vector<Integer>& values, std::size_t count, std::size_t stride,
                const Factors& factors) {
   for (std::size_t block = 0; block < values.size(); block += stride * count)
@@ -59,7 +59,7 @@ void transform(std::vector<Integer>& values, std::size_t count, std::size_t stri
     }
 }
 
-/// Bits that no result of a component is longer than, numerator and denominator together.
+/// A bound of the bits of a component's results, numerator and denominator together.
 std::uint64_t most_bits(const std::vector<Rational>& points, std::size_t first, std::size_t step) {
   std::uint64_t numerator = 0;
   Integer common(1);

@@ -17,7 +17,7 @@ namespace veritope {
 /// Something in the file that the model does not hold.
 struct LeftOut {
   std::string what;          ///< "polygons", "matrices", "trimmed cylinder", ...
-  std::string reason;        ///< empty: it is no part of a spline model
+  std::string reason;        ///< empty: it is not part of a spline model
   bool is_geometry = false;  ///< writing the model without it loses a shape
   std::uint64_t count = 0;
 };
@@ -38,8 +38,8 @@ struct SplineFile {
   std::optional<Error> beyond_default_limits;
 };
 
-/// The bytes as a file of this format. Leaves sha256 and the seconds open. Files are read by io/read_model.h. A file
-/// without any spline is read, too: the model is empty and left_out says what there is.
+/// Reads the bytes as a file of this format. Does not set sha256 and the seconds. Files are read by io/read_model.h. A
+/// file without any spline is read, too: the model is empty and left_out lists the content.
 /// @param  limits  max_faces has no effect
 /// @error  kSyntax, kTruncated, kNotFinite, kIndexOutOfRange, kOverLimit, kBadSpline, with the line and, in a spline,
 ///         its entity

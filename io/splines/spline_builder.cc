@@ -15,7 +15,7 @@ std::string of_axis(std::size_t axis) {
   return N == 1 ? std::string() : std::string("axis ") + kAxisNames[axis] + ": ";
 }
 
-// The axis for `stored` control points. Repeating points need not mean repeating knots: then it is only unclamped.
+// The axis for `stored` control points. If the points repeat but the knots do not, the axis is only unclamped.
 Result<KnotAxis<Rational>> build_axis(int degree, std::vector<Rational> knots, bool is_periodic,
                                       std::uint64_t stored) {
   if (degree < 0 || knots.size() != stored + static_cast<std::uint64_t>(degree) + 1)

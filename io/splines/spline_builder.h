@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/spline_builder.h: from a file's numbers to a valid spline, or to the sentence that says why they make no
-// spline.
+// io/splines/spline_builder.h: from a file's numbers to a valid spline, or to the sentence that says why they do not
+// make one.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -36,8 +36,9 @@ Result<BSpline<Rational, N>> build_spline(RawSpline<N> raw);
 /// The knots of one Bezier piece over [0, 1].
 std::vector<Rational> bezier_knots(int degree);
 
-/// Coefficients of t^i s^j ... over [0, 1] become Bernstein coefficients, in place. False, and nothing has happened, if
-/// they might take more than the budget: each may become as long as a common denominator and the largest together.
+/// Converts coefficients of t^i s^j ... over [0, 1] to Bernstein coefficients, in place. Returns false and changes
+/// nothing if the result might exceed the budget: each may become as long as a common denominator and the largest
+/// together.
 /// @cost  one common denominator for each component; then additions, count * (sum of degrees) / 2 of them
 template <std::size_t N>
 bool power_to_bernstein(RawSpline<N>& raw, NumberBudget& budget);

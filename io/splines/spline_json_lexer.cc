@@ -27,7 +27,7 @@ bool SplineJsonLexer::read_hex4(unsigned& code) {
   return true;
 }
 
-// Behind the backslash.
+// Reads an escape after its backslash.
 bool SplineJsonLexer::read_escape(std::string& text) {
   constexpr std::string_view kFrom = "\"\\/bfnrt", kTo = "\"\\/\b\f\n\r\t";
   if (p_ >= source_.end) return fail(p_, Code::kTruncated, "a string does not end");

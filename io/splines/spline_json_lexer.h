@@ -9,7 +9,7 @@
 
 namespace veritope {
 
-/// Functions return false after they set the error, take_null without one.
+/// Functions return false after they set the error; take_null returns false without one.
 class SplineJsonLexer : public SplineTextReader {
  public:
   SplineJsonLexer(const Source& source, const ReadLimits& limits)
@@ -18,16 +18,16 @@ class SplineJsonLexer : public SplineTextReader {
   }
 
  protected:
-  /// Whether there was a null.
+  /// Reads a null; false if the next token is something else.
   bool take_null();
   bool read_string(std::string& text);
   bool read_bool(bool& value);
-  /// A string with a number in it.
+  /// Reads a string that contains a number.
   bool read_exact(Rational& value);
   /// [item, item, ...]
   template <typename Item>
   bool read_list(Item item);
-  /// {"key": value, ...}: value(i) reads that of keys[i]; all of `keys` must be there, once, in any order.
+  /// Reads {"key": value, ...}; value(i) reads the value of keys[i]. All of `keys` must occur, once each, in any order.
   template <typename Value>
   bool read_object(std::initializer_list<std::string_view> keys, Value value);
 

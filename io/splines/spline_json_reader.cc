@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Our exact text form: docs/formats/spline-json.md. Keys in any order, none unknown, none missing.
+// Our exact text form: docs/formats/spline-json.md. Keys come in any order; none is unknown, none
+// is missing.
 #include <algorithm>
 
 #include "io/splines/spline_json_lexer.h"
@@ -103,7 +104,8 @@ bool JsonReader::check_components(const RawNet& raw) {
                   std::to_string(raw.components));
 }
 
-// Component by component. REQUIRES check_components(raw); leaves it without points.
+// Takes the coefficients component by component. REQUIRES check_components(raw); leaves it without
+// points.
 std::vector<Rational> JsonReader::take_coefficients(RawNet& raw) {
   const auto components = static_cast<std::size_t>(raw.components);
   std::vector<Rational> coefficients(raw.points.size());

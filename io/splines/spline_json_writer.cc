@@ -80,7 +80,7 @@ class JsonWriter {
     out_ += ",\n  ";
     points(s, s.grid().count());
   }
-  // What maps of axes and triangles have in common.
+  // Writes what maps of axes and triangles have in common.
   template <typename Map>
   void points(const Map& s, std::size_t count) {
     out_ += std::string("\"rational\": ") + (s.is_rational() ? "true" : "false") +
@@ -106,7 +106,7 @@ class JsonWriter {
     out_ += ", \"space\": ";
     optional_map(curve);
   }
-  // An object's map and what opens the list of its loops.
+  // Writes an object's map and the beginning of the list of its loops.
   template <typename Surface>
   void map_and_loops(const Surface& s, const char* blanks) {
     out_ += "{\"map\": ";
@@ -116,7 +116,7 @@ class JsonWriter {
   void shape(const ExactCurve& s) { map(s); }
   void shape(const ExactSurface& s) { map(s); }
   void shape(const ExactVolume& s) { map(s); }
-  // Stored in the order that the format has.
+  // A triangle is stored in the order that the format has.
   void shape(const ExactTriangle& t) {
     out_ += "{\"degree\": " + std::to_string(t.degree()) + ", ";
     points(t, t.count());

@@ -21,26 +21,27 @@ using ExactSurface = BSplineSurface<Rational>;
 using ExactVolume = BSplineVolume<Rational>;
 using ExactTriangle = BezierTriangle<Rational>;
 
-/// A piece of a trimming loop. Either curve may be missing; the reason says why the file's was not taken over.
+/// A piece of a trimming loop. Either curve may be missing; `omitted` then says why the file's was not used.
 struct TrimCurve {
   std::optional<ExactCurve>
       parameter;                    ///< in the surface's (u, v); a third coordinate has no meaning
   std::optional<ExactCurve> space;  ///< the file's claim of the same curve in space
-  std::string omitted;              ///< a remark, no part of the model; empty: nothing was left out
+  std::string omitted;              ///< a remark; empty: nothing was left out
   friend bool operator==(const TrimCurve& a, const TrimCurve& b) {
     return a.parameter == b.parameter && a.space == b.space;
   }
 };
 using TrimLoop = std::vector<TrimCurve>;
 
-/// A surface and its trimming loops as the file has them: neither closed, nor oriented, nor disjoint as far as we know.
+/// A surface and its trimming loops as the file has them: they need not be closed, oriented or disjoint.
 struct TrimmedSurface {
   ExactSurface surface;
   std::vector<TrimLoop> loops;
   friend bool operator==(const TrimmedSurface&, const TrimmedSurface&) = default;
 };
 
-/// A surface of a model; its loops name segments, from 1, negative where they are passed backwards.
+/// A surface of a model; its loops name segments, from 1, negative where they are passed in
+/// reverse.
 struct BrepFace {
   ExactSurface surface;
   std::vector<std::vector<std::int64_t>> loops;
@@ -93,10 +94,10 @@ const char* spline_kind_name(const SplineEntity& entity);
 template <typename Visit>
 void for_each_spline(const SplineEntity& entity, Visit visit);
 
-/// How many splines of each number of parameters there are, those of trimming included.
+/// The number of splines with one, two and three parameters, those of trimming included.
 std::array<std::uint64_t, 3> count_splines(const SplineModel& model);
 
-/// How many entities are Bezier triangles.
+/// The number of entities that are Bezier triangles.
 std::uint64_t count_triangles(const SplineModel& model);
 
 // ---- bodies

@@ -5,9 +5,10 @@
 
 namespace veritope {
 
-/// A group or a spline in brackets, in a text that is none of the three formats with a first word of their own.
+/// Recognises a group or a spline in brackets, in a text that is none of the three formats with a first word of their
+/// own.
 bool looks_like_itd(const Source& source);
-/// The number of a class of GoTools, and another number after it.
+/// Recognises the number of a class of GoTools, followed by another number.
 bool looks_like_g2(const Source& source);
 bool looks_like_mfem(const Source& source);
 bool looks_like_gismo(const Source& source);

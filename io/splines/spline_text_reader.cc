@@ -152,7 +152,7 @@ void SplineTextReader::note_long(const char* at, std::string_view token,
 bool SplineTextReader::read_token(const char* at, std::string_view token, Rational& value,
                                   DecimalFault (*read)(std::string_view, const ReadLimits&,
                                                        Rational&)) {
-  // 10^e has more than 3 e bits: a larger exponent is over the budget before it is written out.
+  // 10^e has more than 3 e bits, so a larger exponent exceeds the budget before it is written out.
   ReadLimits limits = limits_;
   const std::uint64_t affordable = budget_.left() * 8 / 3 + 1;
   limits.max_exponent =

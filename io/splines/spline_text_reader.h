@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/splines/spline_text_reader.h: what the readers of spline texts share: tokens, exact numbers, counts, errors with
-// entity.
+// an entity.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -41,14 +41,14 @@ class SplineTextReader {
   }
 
  protected:
-  /// The place is the line of `at`, and the entity if one is being read.
+  /// Sets an error; its place is the line of `at`, and the entity if one is being read.
   bool fail(const char* at, Code code, std::string message);
-  /// "<expected> expected, but there is <token>": kSyntax, or kTruncated at the end.
+  /// Fails with "<expected> expected, but there is <token>": kSyntax, or kTruncated at the end.
   bool fail_expected(const std::string& expected);
   /// Passes on an error of a library function: its code and sentence, with our place.
   bool fail_with(const char* at, const Error& error) { return fail(at, error.code, error.message); }
 
-  /// Past blanks, line ends and, if has_comments_, # comments.
+  /// Skips blanks, line ends and, if has_comments_, # comments.
   void skip();
   /// The token at the cursor after blanks, not consumed; empty at the end of the file.
   std::string_view peek();
@@ -60,21 +60,22 @@ class SplineTextReader {
   /// Reads `token` as `read` does (read_exact_decimal, read_exact_number); an error is placed at `at`.
   bool read_token(const char* at, std::string_view token, Rational& value,
                   DecimalFault (*read)(std::string_view, const ReadLimits&, Rational&));
-  /// For numbers that are made of the file's: whether the budget allows one more.
+  /// For numbers computed from those of the file: whether the budget allows one more.
   bool charge(const char* at, const Rational& value);
   /// x *= factor, if the budget allows its growth.
   bool multiply(const char* at, Rational& x, const Rational& factor);
-  /// An integer of at most `most`; `what` names it in errors.
+  /// Reads an integer from `least` to `most`; `what` names it in errors.
   bool read_count(const char* what, std::uint64_t least, std::uint64_t most, std::uint64_t& value);
   bool read_integer(const char* what, std::int64_t& value);
-  /// Whether so many more numbers can be in the file, at two bytes each; else kTruncated.
+  /// Whether the file can hold so many more numbers, at two bytes each; otherwise fails with
+  /// kTruncated.
   bool check_announced(std::uint64_t count, const char* what);
   /// For N counts and a factor: their product, if it passes check_announced.
   template <std::size_t N>
   bool check_grid(const std::array<std::uint64_t, N>& counts, std::uint64_t components,
                   std::uint64_t& total);
 
-  /// Builds it; an error is placed at `at`.
+  /// Builds the spline; an error is placed at `at`.
   template <std::size_t N>
   std::optional<BSpline<Rational, N>> build(const char* at, RawSpline<N> raw) {
     if (!charge_repeated(at, raw.points, raw.is_periodic)) return std::nullopt;
@@ -88,9 +89,9 @@ class SplineTextReader {
   std::uint64_t line_of(const char* at);
   Place place_of(const char* at);
 
-  /// The next entity, found at `at`; its shape is still to come.
+  /// Begins the next entity, found at `at`; its shape comes later.
   SplineEntity begin_entity(const char* at);
-  /// It goes into the model.
+  /// Adds the entity to the model.
   bool end_entity(SplineEntity entity);
 
   void leave_out(std::string what, std::string reason, bool is_geometry, std::uint64_t count = 1);
@@ -104,13 +105,13 @@ class SplineTextReader {
   std::uint8_t ends_ = kTokenEnd;        ///< what ends a token
   bool has_comments_ = false;            ///< # to the end of the line
   std::string_view own_tokens_;          ///< characters that are tokens of their own
-  std::optional<std::uint64_t> entity_;  ///< that is being read
+  std::optional<std::uint64_t> entity_;  ///< the entity that is being read
   SplineModel model_;
   std::vector<LeftOut> left_out_;
   NumberBudget budget_;
 
  private:
-  /// The points that a periodic axis repeats are at most as many as there are.
+  /// The budget for the points that a periodic axis repeats, at most as many as there are.
   bool charge_repeated(const char* at, const std::vector<Rational>& points,
                        std::span<const bool> is_periodic);
 
@@ -127,7 +128,7 @@ class SplineTextReader {
   std::uint64_t line_ = 1;
 };
 
-/// All of a format's reader: bool read(), take_error(), take().
+/// Runs the reader of a format: bool read(), take_error(), take().
 template <typename Reader>
 Result<SplineFile> run_reader(const Source& source, const ReadLimits& limits) {
   Reader reader(source, limits);
@@ -135,7 +136,7 @@ Result<SplineFile> run_reader(const Source& source, const ReadLimits& limits) {
   return reader.take();
 }
 
-/// Valid UTF-8 stays; otherwise every byte is the Latin-1 character of its number.
+/// Valid UTF-8 is unchanged; in other texts every byte is the Latin-1 character with its number.
 std::string to_utf8(std::string_view text);
 
 /// The formats. Errors as read_splines.

@@ -21,7 +21,7 @@ namespace {
 
 using Piece = BezierVolume<Rational>;
 
-// The derivative in the middle, times the squared weight there.
+// The derivative at the middle, times the squared weight there.
 PatchPoint direction(const Piece& piece, std::size_t axis) {
   std::array<Rational, 3> middle;
   middle.fill(Rational(Integer(1), Integer(2)));
@@ -50,7 +50,7 @@ Sign handedness(const Piece& piece) {
   return det.sign();
 }
 
-// True, and the pieces are right-handed now, if they were left-handed.
+// If the first piece with a sign other than 0 is left-handed, mirrors all pieces and returns true.
 bool mirror_left_handed(std::vector<Piece>& pieces) {
   const auto tells = std::find_if(pieces.begin(), pieces.end(), [](const Piece& piece) {
     return handedness(piece) != Sign::kZero;
@@ -60,7 +60,8 @@ bool mirror_left_handed(std::vector<Piece>& pieces) {
   return true;
 }
 
-// One point; or along an axis all lines of control points are the same but for a factor: a curve.
+// Whether the patch is one point, or a curve: along an axis all lines of control points are equal
+// up to a factor.
 bool is_without_area(const Patch& patch) {
   const Patch::Tensor net = to_rational(patch.tensor());
   const auto count = net.grid().count();
@@ -95,7 +96,7 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
       return error_at_entity(
           Code::kBadArgument, e,
           "a volume with " + std::to_string(volume->dimension()) + " coordinates, not in space");
-    // At most as many pieces as control points.
+    // There are at most as many pieces as control points.
     if (volume->grid().count() > kMaxPatches / 6 - all.size())
       return error_at_entity(
           Code::kOverLimit, e,

@@ -14,16 +14,16 @@ namespace veritope {
 struct VolumeFaces {
   std::vector<Patch> patches;           ///< Bezier pieces; numbers: 6 piece + 2 axis + end
   std::uint64_t num_volumes = 0;        ///< entities
-  std::uint64_t num_others = 0;         ///< entities that are no volumes, not examined
+  std::uint64_t num_others = 0;         ///< entities that are not volumes; they are not examined
   std::uint64_t num_flat = 0;           ///< faces without area that were left out
   std::vector<std::uint64_t> mirrored;  ///< entities that are left-handed
 };
-/// The faces of the Bezier pieces of all volumes. Left out: walls, which two pieces share as a whole and exactly
-/// (faces_of); faces without area: points, and those whose homogeneous control points are the same along an axis but
-/// for a factor (where a volume is collapsed onto an axis, say). Normals point out of each volume whose Jacobian
-/// determinant is positive in the middle of a piece, the first piece where it is not 0, or that is mirrored (its first
-/// two axes change places) because it is negative there. Whether the determinant has one sign everywhere is not looked
-/// at, nor whether the patches bound a solid.
+/// The faces of the Bezier pieces of all volumes, except walls, which two pieces share as a whole and exactly
+/// (faces_of), and faces without area: points, and faces whose homogeneous control points are equal along an axis up to
+/// a factor (where a volume is collapsed onto an axis, for example). The sign of the Jacobian determinant in the middle
+/// of a piece, the first piece where it is not 0, decides: if it is positive, normals point out of the volume; if it is
+/// negative, the volume is mirrored first (its first two axes change places). It is not tested whether the determinant
+/// has one sign everywhere, nor whether the patches bound a solid.
 /// @error kEmpty without a volume, and where no face is left (a flat volume). With the entity: kBadArgument for one not
 /// in space, kOverLimit for over kMaxPatches faces before walls go.
 Result<VolumeFaces> volume_faces(const SplineModel& model);

@@ -22,7 +22,7 @@ bool same_shapes(const SplineModel& a, const SplineModel& b) {
   return true;
 }
 
-// The number of entities that are not there any more or not the same; by position, as writers keep the order.
+// The number of entities that are missing or differ afterwards; compared by position, as writers keep the order.
 std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
   std::size_t changed = 0, j = 0;
   for (const SplineEntity& entity : model.entities) {
@@ -31,13 +31,13 @@ std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
       continue;
     }
     ++changed;
-    // Rounded: of the same kind, in the same place.
+    // A rounded entity has the same kind and the same place.
     if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index()) ++j;
   }
   return changed;
 }
 
-// At least 17 significant digits, cut, of a magnitude that binary64 does not have. REQUIRES value != 0.
+// At least 17 significant digits, truncated, of a magnitude that binary64 does not have. REQUIRES value != 0.
 std::string seventeen_digits(const Rational& value, const ReadLimits& limits) {
   const auto bits = static_cast<std::int64_t>(value.numerator().bit_length()) -
                     static_cast<std::int64_t>(value.denominator().bit_length());

@@ -26,10 +26,10 @@ std::string spline_bytes(const SplineModel& model, SplineFormat format,
 /// limits (max_bytes apart) and compared.
 struct SplineLoss {
   std::vector<std::string>
-      shapes;  ///< lost or rounded shapes: a conversion that does this is lossy
+      shapes;  ///< lost or rounded shapes: a conversion with any of these is lossy
   std::vector<std::string>
-      dropped;  ///< names, attributes, order of groups: no part of the geometry
-  /// The rounded numbers make no spline, no spline is left, or the bytes are over a limit: this file must not be
+      dropped;  ///< names, attributes, order of groups: not part of the geometry
+  /// Set if the rounded numbers make no spline, no spline is left, or the bytes exceed a limit: this file must not be
   /// written.
   std::optional<Error> unreadable;
 };

@@ -80,7 +80,7 @@ std::string reversed_text(const std::vector<std::uint64_t>& reversed) {
                                      (reversed.size() > internal::kMostShown ? ", ..." : ""));
 }
 
-std::string file_text(const FileReport& report, const PatchFacts& f) {
+std::string patch_file_text(const FileReport& report, const PatchFacts& f) {
   const auto& source = std::get<SplineSource>(report.source);
   std::string out = detail_line("file", std::string(spline_format_name(source.format)) + ", " +
                                             counted(source.bytes, "byte", "bytes") + ", " +
@@ -130,7 +130,7 @@ std::string patch_summary(const FileReport& report) {
 
 std::string patch_details(const FileReport& report, const TextOptions&) {
   const PatchFacts& f = facts_of(report);
-  std::string out = file_text(report, f) + reversed_text(f.reversed);
+  std::string out = patch_file_text(report, f) + reversed_text(f.reversed);
   if (report.verdict == Verdict::kValid) return out + valid_text(f);
   if (!report.defects.empty()) return out + defects_text(report.defects);
   const bool is_open = report.fault && report.fault->code == "not-certified";

@@ -27,21 +27,22 @@ namespace {
 // What is true of a model if a claim about it is. Flags are the prover's choice: with flags a certificate speaks of
 // another orientation.
 enum Fact : unsigned {
-  kEmbedded = 1,   // the patches can be oriented and are mapped injectively
-  kSolid = 2,      // and as they are they bound a solid
-  kTurned = 4,     // as they are they bound none, though they are closed and oriented
-  kCrossing = 8,   // the map is not injective
-  kSide = 16       // a border that is passed wrongly, or twice
+  kEmbedded = 1,  // the patches can be oriented and are mapped injectively
+  kSolid = 2,     // and as they are they bound a solid
+  kReversed = 4,  // as they are they bound none, though they are closed and oriented
+  kCrossing = 8,  // the map is not injective
+  kSide = 16      // a border that is passed wrongly, or twice
 };
 unsigned facts(const std::string& statement) {
   const std::string claim = get(statement, "claim");
-  if (claim == "patch-invalid-1") return get(statement, "finding") == "crossing" ? kCrossing : kSide;
-  if (claim == "star-box-turned-1") return kEmbedded | kTurned;
+  if (claim == "patch-invalid-1")
+    return get(statement, "finding") == "crossing" ? kCrossing : kSide;
+  if (claim == "star-box-turned-1") return kEmbedded | kReversed;
   return get(statement, "flipped") == "0" ? kEmbedded | kSolid : kEmbedded;
 }
 bool contradict(unsigned all) {
   const auto both = [&](unsigned a, unsigned b) { return (all & a) != 0 && (all & b) != 0; };
-  return both(kEmbedded, kCrossing) || both(kSolid | kTurned, kSide) || both(kSolid, kTurned);
+  return both(kEmbedded, kCrossing) || both(kSolid | kReversed, kSide) || both(kSolid, kReversed);
 }
 
 void check(const Input& in) {
@@ -56,12 +57,14 @@ void check(const Input& in) {
   if (answer.substr(0, 4) == "BUG ") fail(answer);
   if (answer.substr(0, 7) != "ACCEPT ") return;
   if (!is_explained) fail(answer + "\nbut it is not explained: " + why);
-  if (!std::ranges::equal(decoded->claim->encode(decoded->body), bytes.subspan(statement.size() + 1)))
+  if (!std::ranges::equal(decoded->claim->encode(decoded->body),
+                          bytes.subspan(statement.size() + 1)))
     fail(answer + "\nbut what is decoded is encoded otherwise");
   static std::map<std::string, unsigned>* const known = new std::map<std::string, unsigned>;
   unsigned& all = (*known)[hash(in.model)];
   all |= facts(statement);
-  if (contradict(all)) fail(answer + "\nbut of this model a claim was accepted that contradicts it");
+  if (contradict(all))
+    fail(answer + "\nbut of this model a claim was accepted that contradicts it");
 }
 
 class Mutator {
@@ -96,7 +99,9 @@ class Mutator {
     switch (pick(4)) {
       case 0: c = static_cast<char>(pick(8)); break;
       case 1: c = static_cast<char>(c + 2 * static_cast<int>(pick(2)) - 1); break;
-      case 2: c = static_cast<char>(c + 4 * static_cast<int>(pick(2)) - 2); break;  // a zigzag number by one
+      case 2:
+        c = static_cast<char>(c + 4 * static_cast<int>(pick(2)) - 2);
+        break;  // a zigzag number by one
       default: c = static_cast<char>(c ^ (1 << pick(8)));
     }
   }
@@ -120,8 +125,9 @@ class Mutator {
                      body_.begin() + static_cast<std::ptrdiff_t>(at + n));
   }
   void change_statement() {
-    static const char* const kNumbers[] = {"patches", "edges",   "vertices", "shells", "bodies",  "genus",
-                                           "boxes",   "flipped", "winding",  "cells",  "same",    "opposite"};
+    static const char* const kNumbers[] = {"patches", "edges", "vertices", "shells",
+                                           "bodies",  "genus", "boxes",    "flipped",
+                                           "winding", "cells", "same",     "opposite"};
     const std::span<const certificate::Claim> claims = certificate::all_claims();
     switch (pick(4)) {
       case 0: set(statement_, "claim", std::string(claims[pick(claims.size())].name)); break;

@@ -66,7 +66,7 @@ Patches joined(std::initializer_list<Patches> parts) {
   return renumbered(all);
 }
 
-Patches inside_out(const Patches& patches) {
+Patches reversed(const Patches& patches) {
   Patches out;
   for (const Patch& p : patches) out.push_back(reversed(p));
   return out;

@@ -61,7 +61,7 @@ Patches placed(const Patches& patches, const Rational& factor, const Point& shif
 /// All patches of the parts, numbered anew.
 Patches joined(std::initializer_list<Patches> parts);
 /// The patches with every normal reversed.
-Patches inside_out(const Patches& patches);
+Patches reversed(const Patches& patches);
 
 /// The cube [-4,4]^3 of 38 flat triangles whose top is folded like a Z without leaving its plane: three sheets in the
 /// middle, S0 true. Its set of points looks like that of a sound cube: it must be refused all the same.

@@ -90,13 +90,13 @@ Patches at_x(const Patches& patches, const Rational& x) { return placed(patches,
 // Radius 3 with a hole of radius 2, and in it a ball of radius 1.
 Patches nested_spheres() {
   const Point o{0, 0, 0};
-  return joined({placed(sphere(), 3, o), inside_out(placed(sphere(), 2, o)), sphere()});
+  return joined({placed(sphere(), 3, o), reversed(placed(sphere(), 2, o)), sphere()});
 }
 
 }  // namespace
 
 Patches thin_shell(const Rational& thickness) {
-  return joined({sphere(), inside_out(placed(sphere(), Rational(1) - thickness, {0, 0, 0}))});
+  return joined({sphere(), reversed(placed(sphere(), Rational(1) - thickness, {0, 0, 0}))});
 }
 
 std::vector<Shape> sound_shapes() {
@@ -124,7 +124,7 @@ std::vector<Shape> broken_shapes() {
     return joined({unit_box, box(low, high)});
   };
   const auto hole = [&](const Rational& x) {
-    return joined({ball, inside_out(placed(ball, kHalf, {x, 0, 0}))});
+    return joined({ball, reversed(placed(ball, kHalf, {x, 0, 0}))});
   };
   const Rational near = kQuarter, far = Rational(3) / 4;
   return {

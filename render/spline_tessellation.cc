@@ -210,7 +210,7 @@ class Tessellator {
     return static_cast<std::uint32_t>(out_.points.size() - 1);
   }
   template <typename At>
-  Status sheet(std::size_t m, std::size_t n, bool is_turned, At at) {
+  Status sheet(std::size_t m, std::size_t n, bool is_reversed, At at) {
     if (out_.points.size() + m * n > internal::kMostViewPoints)
       return internal::view_error(Code::kOverLimit, entity_,
                                   "more than 33554432 points; a larger chord gives fewer");
@@ -224,7 +224,7 @@ class Tessellator {
       for (std::size_t j = 0; j + 1 < n; ++j) {
         std::array<std::uint32_t, 3> a = {id(i, j), id(i + 1, j), id(i + 1, j + 1)},
                                      b = {id(i, j), id(i + 1, j + 1), id(i, j + 1)};
-        if (is_turned) std::swap(a[1], a[2]), std::swap(b[1], b[2]);
+        if (is_reversed) std::swap(a[1], a[2]), std::swap(b[1], b[2]);
         out_.triangles.push_back(a);
         out_.triangles.push_back(b);
       }

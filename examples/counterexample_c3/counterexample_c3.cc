@@ -52,7 +52,7 @@ int main() {
     }
   report("Theorem 2.5: [-4,4]^3 without the open unit ball, and six slabs",
          model_of(patch_shapes::joined({patch_shapes::box({-4, -4, -4}, {4, 4, 4}),
-                                        patch_shapes::inside_out(patch_shapes::octant_sphere())})),
+                                        patch_shapes::reversed(patch_shapes::octant_sphere())})),
          nine);
   report("In the plane: the unit circle and the same rectangles",
          BoundaryModel::make_planar({plane_shapes::circle()}).value(), three_boxes());

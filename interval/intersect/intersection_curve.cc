@@ -43,15 +43,15 @@ Interval control_hull(const std::array<Point4, 4>& c, std::size_t i) {
 
 /// The span of an axis that holds an interval of parameters, and by how much the interval sticks out. At the domain's
 /// ends pieces are continued, but no further than rounding goes.
-struct Place {
+struct SpanAt {
   std::size_t span = 0;
   double outside = 0;
 };
-Place place_of(const EnclosedSurface& s, std::size_t axis, const Interval& x) {
+SpanAt span_at(const EnclosedSurface& s, std::size_t axis, const Interval& x) {
   const auto& b = s.breaks(axis);
   const double m = approx_middle(x);
   const auto above = std::upper_bound(b.begin() + 1, b.end() - 1, m);
-  Place out;
+  SpanAt out;
   out.span = static_cast<std::size_t>(above - b.begin()) - 1;
   out.outside = std::max({0.0, b[out.span] - x.lo(), x.hi() - b[out.span + 1]});
   return out;
@@ -64,12 +64,12 @@ class Gap {
   /// The bound. Infinite if the cubic leaves the pieces that hold its middle; not the least bound if it is above
   /// `give_up_above`.
   double of(const std::array<Point4, 4>& c, double give_up_above) const {
-    std::array<Place, 4> places;
+    std::array<SpanAt, 4> places;
     double slack = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const EnclosedSurface& s = *surfaces_[i / 2];
       const Interval x = control_hull(c, i);
-      places[i] = place_of(s, i % 2, x);
+      places[i] = span_at(s, i % 2, x);
       const auto& b = s.breaks(i % 2);
       const double span = b[places[i].span + 1] - b[places[i].span];
       if (places[i].outside > 0x1p-30 * span) return std::numeric_limits<double>::infinity();
@@ -110,7 +110,7 @@ class Gap {
     return surfaces_[0]->is_rational() || surfaces_[1]->is_rational() ? sum : most;
   }
   /// How fast the surface and the piece, continued beyond its knot, may part there: both start from the same point.
-  double speed(const std::array<Point4, 4>& c, const std::array<Place, 4>& places,
+  double speed(const std::array<Point4, 4>& c, const std::array<SpanAt, 4>& places,
                std::size_t i) const {
     const std::size_t k = i / 2;
     const Interval u = control_hull(c, 2 * k), v = control_hull(c, 2 * k + 1);

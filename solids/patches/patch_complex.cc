@@ -34,9 +34,9 @@ class PatchComplexBuilder {
     for (std::uint32_t p = 0; p < out_.patches_.size(); ++p)
       if (flips.flip[p]) {
         out_.patches_[p] = reversed(out_.patches_[p]);
-        out_.flipped_.push_back(p);
+        out_.reversed_.push_back(p);
       }
-    return !out_.flipped_.empty();
+    return !out_.reversed_.empty();
   }
 
   void adopt(internal::MatchedSides matched) {

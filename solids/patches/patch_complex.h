@@ -103,7 +103,7 @@ class PatchComplex {
   std::span<const Patch> patches() const { return patches_; }
   const Patch& patch(std::uint32_t number) const { return patches_[number]; }
   /// The patches that PatchOrientation::kAuto reversed, ascending; patches() holds the reversed ones.
-  std::span<const std::uint32_t> flipped() const { return flipped_; }
+  std::span<const std::uint32_t> reversed() const { return reversed_; }
 
   bool is_collapsed(PatchSide side) const { return edge_of_side_[slot(side)] == kNone; }
   /// kNone if the side is collapsed.
@@ -146,7 +146,7 @@ class PatchComplex {
   static std::size_t slot(PatchSide s) { return 4 * std::size_t{s.patch} + s.side; }
 
   std::vector<Patch> patches_;
-  std::vector<std::uint32_t> flipped_;
+  std::vector<std::uint32_t> reversed_;
   std::vector<std::uint32_t> edge_of_side_, vertex_of_corner_, shell_of_patch_;
   std::vector<Travel> travel_;
   std::vector<std::size_t> first_side_{0};

@@ -54,7 +54,7 @@ std::string sentence(const PatchComplex& complex, const PatchFinding& f) {
              " of " + patch(1);
     case PatchDefect::kOneSided:
       return side(0) + ", and side " + std::to_string(f.sides[1].side) + " of " + patch(1) +
-             ": whichever patches are flipped, some sides of this shell run in the same direction";
+             ": whichever patches are reversed, some sides of this shell run in the same direction";
     case PatchDefect::kRepeatedPatch:
       return patch(1) + ": is " + patch(0) + " again" +
              (f.has_other_normal ? " with the other normal" : "");

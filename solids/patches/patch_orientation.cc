@@ -55,7 +55,7 @@ Flips find_flips(std::size_t num_patches, const MatchedSides& matched) {
     if (seen[seed]) continue;
     shell.assign(1, seed);
     seen[seed] = true;
-    std::size_t num_flipped = 0;
+    std::size_t num_reversed = 0;
     std::uint32_t conflict = PatchComplex::kNone;
     for (std::size_t i = 0; i < shell.size(); ++i) {
       const std::uint32_t p = shell[i];
@@ -65,14 +65,14 @@ Flips find_flips(std::size_t num_patches, const MatchedSides& matched) {
         if (!seen[link.patch]) {
           seen[link.patch] = true;
           out.flip[link.patch] = wanted;
-          num_flipped += wanted ? 1 : 0;
+          num_reversed += wanted ? 1 : 0;
           shell.push_back(link.patch);
         } else if (out.flip[link.patch] != wanted) {
           conflict = std::min(conflict, link.edge);
         }
       }
     }
-    const bool fewer_others = 2 * num_flipped > shell.size();
+    const bool fewer_others = 2 * num_reversed > shell.size();
     for (const std::uint32_t p : shell)
       out.flip[p] = conflict == PatchComplex::kNone && out.flip[p] != fewer_others;
     if (conflict != PatchComplex::kNone) out.conflicts.push_back(conflict);

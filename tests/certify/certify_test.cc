@@ -60,8 +60,8 @@ TEST(Certify, AMeshIsValidOrInvalidAndItsCertificateIsAccepted) {
   EXPECT_TRUE(valid.findings.empty());
   EXPECT_EQ(std::get<MeshFacts>(valid.facts).decision.counts.faces, 12u);
 
-  const std::string inside_out = bytes_of(shapes::flipped(shapes::box({0, 0, 0}, {1, 2, 3})));
-  const Certified invalid = certify(read(inside_out, "box.ply")).value();
+  const std::string backward = bytes_of(shapes::reversed(shapes::box({0, 0, 0}, {1, 2, 3})));
+  const Certified invalid = certify(read(backward, "box.ply")).value();
   EXPECT_EQ(invalid.verdict, Verdict::kInvalid);
   EXPECT_EQ(invalid.claim, "mesh-invalid-1");
   ASSERT_EQ(invalid.findings.size(), 1u);
@@ -170,12 +170,12 @@ TEST(Certify, ThePlainFrameIsTriedAgainForACollar) {
 }
 
 TEST(Certify, OrientationIsMendedOnlyWhenAskedFor) {
-  Patches turned = patch_shapes::box({0, 0, 0}, {1, 1, 1});
-  turned[2] = reversed(turned[2]);
-  EXPECT_EQ(certify_patches(turned).findings.at(0).code, "side-direction");
+  Patches changed = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  changed[2] = reversed(changed[2]);
+  EXPECT_EQ(certify_patches(changed).findings.at(0).code, "side-direction");
   CertifyOptions options;
   options.orientation = PatchOrientation::kAuto;
-  const std::string file = bytes_of(turned);
+  const std::string file = bytes_of(changed);
   const Certified mended = certify(read(file, "box.vjson"), options).value();
   EXPECT_EQ(mended.verdict, Verdict::kValid);
   EXPECT_EQ(patch_facts(mended).reversed, (std::vector<std::uint64_t>{2}));
@@ -184,18 +184,18 @@ TEST(Certify, OrientationIsMendedOnlyWhenAskedFor) {
 
 // Which shells are inside out takes winding numbers to see: the patches of each fit together.
 TEST(Certify, ShellsThatAreInsideOutAreTurnedAsAWhole) {
-  Patches inside_out;
-  for (const Patch& p : patch_shapes::sphere()) inside_out.push_back(reversed(p));
-  const Certified wrong = certify_patches(inside_out);
+  Patches backward;
+  for (const Patch& p : patch_shapes::sphere()) backward.push_back(reversed(p));
+  const Certified wrong = certify_patches(backward);
   EXPECT_EQ(wrong.verdict, Verdict::kInvalid);
   EXPECT_EQ(wrong.claim, "star-box-turned-1");
   EXPECT_EQ(wrong.findings.at(0).witness.winding, 0);
   CertifyOptions options;
   options.orientation = PatchOrientation::kAuto;
-  const std::string file = bytes_of(inside_out);
+  const std::string file = bytes_of(backward);
   const Certified mended = certify(read(file, "ball.vjson"), options).value();
   EXPECT_EQ(mended.verdict, Verdict::kValid);
-  EXPECT_EQ(patch_facts(mended).reversed.size(), inside_out.size());
+  EXPECT_EQ(patch_facts(mended).reversed.size(), backward.size());
   expect_accepted(file, mended);
 }
 
@@ -218,14 +218,14 @@ class Boxes {
     return add(knots, points);
   }
   // Without lid; with a bottom only if asked for.
-  Boxes& cup(int x0, bool has_bottom = true, bool is_inside_out = false) {
+  Boxes& cup(int x0, bool has_bottom = true, bool is_reversed = false) {
     const std::string a = std::to_string(x0), b = std::to_string(x0 + 1);
     if (has_bottom)
-      face({{{a, "0", "0"}, {b, "0", "0"}, {a, "1", "0"}, {b, "1", "0"}}}, is_inside_out);
-    face({{{b, "0", "0"}, {b, "0", "1"}, {b, "1", "0"}, {b, "1", "1"}}}, is_inside_out);
-    face({{{a, "0", "0"}, {a, "1", "0"}, {a, "0", "1"}, {a, "1", "1"}}}, is_inside_out);
-    face({{{a, "1", "0"}, {b, "1", "0"}, {a, "1", "1"}, {b, "1", "1"}}}, is_inside_out);
-    face({{{a, "0", "0"}, {a, "0", "1"}, {b, "0", "0"}, {b, "0", "1"}}}, is_inside_out);
+      face({{{a, "0", "0"}, {b, "0", "0"}, {a, "1", "0"}, {b, "1", "0"}}}, is_reversed);
+    face({{{b, "0", "0"}, {b, "0", "1"}, {b, "1", "0"}, {b, "1", "1"}}}, is_reversed);
+    face({{{a, "0", "0"}, {a, "1", "0"}, {a, "0", "1"}, {a, "1", "1"}}}, is_reversed);
+    face({{{a, "1", "0"}, {b, "1", "0"}, {a, "1", "1"}, {b, "1", "1"}}}, is_reversed);
+    face({{{a, "0", "0"}, {a, "0", "1"}, {b, "0", "0"}, {b, "0", "1"}}}, is_reversed);
     return *this;
   }
   std::string bytes() const {
@@ -304,10 +304,10 @@ TEST(Certify, ARefutationOfReversedNormalsIsNone) {
 }
 
 TEST(Certify, OtherRefutationsStandAfterPatchesWereReversed) {
-  Patches turned = patch_shapes::box({0, 0, 0}, {1, 1, 1});
-  turned.pop_back();
-  turned[2] = reversed(turned[2]);
-  const Certified open = certify_patches(turned, oriented());
+  Patches changed = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  changed.pop_back();
+  changed[2] = reversed(changed[2]);
+  const Certified open = certify_patches(changed, oriented());
   EXPECT_EQ(open.verdict, Verdict::kInvalid);
   EXPECT_EQ(open.findings.at(0).code, "side-open");
 }

@@ -68,7 +68,7 @@ TEST_F(CheckersDiff, AcceptWhatTheKernelSaysOfEveryGenerator) {
         shapes::tilted_cylinder(120, Cap::kZigzag), shapes::hyperboloid(90, 30), shapes::saddle(),
         shapes::wave(12, 30), shapes::nested_boxes(7), shapes::box_grid(3, 0.25),
         shapes::nested_scene(random, 30), shapes::needles(random, 30),
-        shapes::flipped(shapes::torus(5, 5, 3, 1)), shapes::scaled(shapes::saddle(), -1060),
+        shapes::reversed(shapes::torus(5, 5, 3, 1)), shapes::scaled(shapes::saddle(), -1060),
         shapes::scaled(shapes::saddle(), 1000)})
     expect_accepted(mesh);
 }

@@ -198,7 +198,7 @@ TEST(CutBoxes, AreAsThinAsAGapAndAsLongAsItsSheets) {
             {box, patch_shapes::box({quarter, quarter, far}, {quarter * 3, quarter * 3, 2})}),
         patch_shapes::joined({box, patch_shapes::box({1, far, 0}, {2, 2, 1})}),
         patch_shapes::joined(
-            {box, patch_shapes::inside_out(patch_shapes::box({gap, gap, gap}, {in, in, in}))})};
+            {box, patch_shapes::reversed(patch_shapes::box({gap, gap, gap}, {in, in, in}))})};
     for (const Patches& model : models) {
       SCOPED_TRACE("2^-" + std::to_string(k) + ", model " + std::to_string(&model - models));
       const CertifiedPatches c = certified_patches(model);
@@ -218,7 +218,7 @@ TEST(CutBoxes, HaveCentresBetweenWallsOfOtherThicknesses) {
     const CertifiedPatches c = certified_patches(patch_shapes::joined(
         {patch_shapes::box({0, -2, 0}, {1, -1, 3}),
          patch_shapes::box({1, 0, ratio(1, 3)}, {ratio(11, 3), w, ratio(7, 4)}),
-         patch_shapes::inside_out(
+         patch_shapes::reversed(
              patch_shapes::box({ratio(65, 64), w * ratio(3, 4), ratio(1, 2)},
                                {ratio(161, 48), w * ratio(99, 100), ratio(7, 4) - g}))}));
     ASSERT_TRUE(c.decision.is_valid) << "2^-" << k << ": " << c.decision.open->message;
@@ -250,7 +250,7 @@ TEST(ShellsToTurn, MakeEveryNestingASolid) {
   const auto ball = [](int radius) {
     return patch_shapes::placed(patch_shapes::sphere(), radius, {0, 0, 0});
   };
-  const auto in = [](const Patches& p) { return patch_shapes::inside_out(p); };
+  const auto in = [](const Patches& p) { return patch_shapes::reversed(p); };
   const std::vector<std::pair<Patches, std::vector<std::uint32_t>>> cases = {
       {ball(1), {}},
       {in(ball(1)), {0}},
@@ -262,12 +262,12 @@ TEST(ShellsToTurn, MakeEveryNestingASolid) {
     const PatchComplex complex = complex_of(patches);
     PieceForest forest = PieceForest::make(complex).value();
     const ShellWalks walks = find_shell_walks(forest, find_star_cover(forest, {}));
-    EXPECT_EQ(shells_to_turn(walks), expected);
-    Patches turned(complex.patches().begin(), complex.patches().end());
-    for (std::uint32_t p = 0; p < turned.size(); ++p)
+    EXPECT_EQ(shells_to_reverse(walks), expected);
+    Patches changed(complex.patches().begin(), complex.patches().end());
+    for (std::uint32_t p = 0; p < changed.size(); ++p)
       if (std::binary_search(expected.begin(), expected.end(), complex.shell(p)))
-        turned[p] = reversed(turned[p]);
-    EXPECT_TRUE(certified_patches(turned).decision.is_valid);
+        changed[p] = reversed(changed[p]);
+    EXPECT_TRUE(certified_patches(changed).decision.is_valid);
   }
 }
 

@@ -58,7 +58,7 @@ TEST(MeshCertifier, LongThinModelsGetSeparators) {
 }
 
 TEST(MeshCertifier, ConesAndBipyramidsAreCertified) {
-  for (const TriangleMesh& mesh : {shapes::cone(200), shapes::bipyramid(200), shapes::flipped(shapes::cone(50))}) expect_accepted(mesh);
+  for (const TriangleMesh& mesh : {shapes::cone(200), shapes::bipyramid(200), shapes::reversed(shapes::cone(50))}) expect_accepted(mesh);
 }
 
 // The two sides of a thin plate whose polygons are fans: the fans must not be mixed, or both the work and the certificate grow with the square.

@@ -37,7 +37,7 @@ Patches cube(const Rational& half) {
   return patch_shapes::box(at(-half, -half, -half), at(half, half, half));
 }
 Patches hollow_box(const Rational& wall) {
-  return patch_shapes::joined({cube(1), patch_shapes::inside_out(cube(Rational(1) - wall))});
+  return patch_shapes::joined({cube(1), patch_shapes::reversed(cube(Rational(1) - wall))});
 }
 
 TEST(PatchCollar, IsFoundAroundSmallModelsWithTheirGenus) {
@@ -334,7 +334,7 @@ TEST(CollarTraps, ASurfaceThatSeparatesNothingIsRefusedByItsWindingNumbers) {
 // With the wrong side out, taken for the right one: what is reached from c+ is inside the ball.
 // PROVES COLLAR-2.W
 TEST(CollarTraps, AReversedShellIsRefusedByItsWindingNumbers) {
-  const PatchComplex complex = complex_of(patch_shapes::inside_out(ball(1)));
+  const PatchComplex complex = complex_of(patch_shapes::reversed(ball(1)));
   PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
   const StarCover cover = find_star_cover(forest, {});
   const OctreeRoot root = root_around(hull_of_roots(forest)).value();

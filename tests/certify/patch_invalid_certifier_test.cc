@@ -183,9 +183,9 @@ TEST(RefutationFinding, AreInTheFilesTerms) {
   EXPECT_NEAR(std::hypot((*f.place.near)[0], (*f.place.near)[1], (*f.place.near)[2]), 1, 1e-5);
   EXPECT_TRUE(f.place.box->lo[0] <= 0.5 && 0.5 <= f.place.box->hi[0]);
 
-  Patches turned = patch_shapes::box({0, 0, 0}, {1, 1, 1});
-  turned[2] = reversed(turned[2]);
-  const Decided t(turned);
+  Patches changed = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  changed[2] = reversed(changed[2]);
+  const Decided t(changed);
   EXPECT_EQ(finding_of(t.complex, entities_of(t.complex), *t.decision.refutation).code,
             "side-direction");
   const Decided b(patch_shapes::blocks({{0, 0, 0}, {1, 1, 0}}));
@@ -194,7 +194,7 @@ TEST(RefutationFinding, AreInTheFilesTerms) {
 }
 
 // The wrong shell's walk stands last, and the claim is another one.
-TEST(TurnedShells, AreRefutedWithTheirWindingNumber) {
+TEST(ReversedShells, AreRefutedWithTheirWindingNumber) {
   const auto ball = [](int r, int x) {
     return patch_shapes::placed(patch_shapes::sphere(), r, {x, 0, 0});
   };
@@ -203,18 +203,18 @@ TEST(TurnedShells, AreRefutedWithTheirWindingNumber) {
     int winding;
     const char* code;
   } cases[] = {
-      {patch_shapes::inside_out(ball(1, 0)), 0, "\"winding\":0}"},
+      {patch_shapes::reversed(ball(1, 0)), 0, "\"winding\":0}"},
       {patch_shapes::joined({ball(2, 0), ball(1, 0)}), 2, "\"winding\":4}"},
-      {patch_shapes::joined({ball(2, 0), patch_shapes::inside_out(ball(1, 5))}), 0,
+      {patch_shapes::joined({ball(2, 0), patch_shapes::reversed(ball(1, 5))}), 0,
        "\"winding\":0}"},
       // A sound ball behind the wrong one in the list of walks.
-      {patch_shapes::joined({patch_shapes::inside_out(ball(1, 0)), ball(1, 5)}), 0,
+      {patch_shapes::joined({patch_shapes::reversed(ball(1, 0)), ball(1, 5)}), 0,
        "\"winding\":0}"},
   };
   for (const auto& c : cases) {
     const Decided d(c.patches);
     ASSERT_TRUE(d.decision.refutation) << c.code;
-    EXPECT_EQ(std::get<TurnedShell>(*d.decision.refutation).winding, c.winding);
+    EXPECT_EQ(std::get<ReversedShell>(*d.decision.refutation).winding, c.winding);
     EXPECT_NE(d.decision.walks.walks.back().winding_inside, 1);
     const Made made = parts_of(make_star_box_certificate(
         *d.forest, d.decision.cover, d.decision.walks, entities_of(d.complex), {}));

@@ -47,9 +47,9 @@ TEST(SideWitness, NamesOpenBordersDirectionsAndOverusedEdges) {
   expect_witness("open box", without(unit_box(), 5), 1, 0);
   expect_witness("open octants", without(patch_shapes::octant_sphere(), 2), 1, 0);
   expect_witness("open PN torus", without(patch_shapes::pn_torus(12, 8), 17), 1, 0);
-  Patches turned = unit_box();
-  turned[2] = reversed(turned[2]);
-  expect_witness("a face reversed", turned, 2, 0);
+  Patches changed = unit_box();
+  changed[2] = reversed(changed[2]);
+  expect_witness("a face reversed", changed, 2, 0);
   expect_witness("blocks at an edge", patch_shapes::blocks({{0, 0, 0}, {1, 1, 0}}), 2, 2);
   Patches ulp = unit_box();
   Patch::Tensor map = ulp[5].tensor();
@@ -170,10 +170,10 @@ TEST(SideWitness, HoldsForOtherDescriptions) {
     const auto w = find_side_witness(complex, {});
     ASSERT_TRUE(w);
     // The same of the reversed patches: other numbers of sides, other directions.
-    Patches turned;
-    for (const Patch& p : complex.patches()) turned.push_back(reversed(p));
+    Patches changed;
+    for (const Patch& p : complex.patches()) changed.push_back(reversed(p));
     const SideWitness r = with_reversed(complex, std::vector<bool>(patches.size(), true), *w);
-    EXPECT_EQ(broken_condition(complex_of(turned), {}, r), std::nullopt);
+    EXPECT_EQ(broken_condition(complex_of(changed), {}, r), std::nullopt);
   }
 }
 

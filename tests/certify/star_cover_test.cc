@@ -126,7 +126,7 @@ TEST(StarCover, NeverCoversWhatTouchesOrCrossesItself) {
        patch_shapes::joined(
            {ball, patch_shapes::placed(ball, ratio(1), {ratio(2), ratio(0), ratio(0)})})},
       {"ball that touches its cavity",
-       patch_shapes::joined({ball, patch_shapes::inside_out(patch_shapes::placed(
+       patch_shapes::joined({ball, patch_shapes::reversed(patch_shapes::placed(
                                        ball, ratio(1, 2), {ratio(1, 2), ratio(0), ratio(0)}))})},
   };
   for (const auto& [name, patches] : models) {
@@ -140,13 +140,13 @@ TEST(ShellWalks, CountBodiesByDepthAndSeeReversedShells) {
   const auto ball = [](int radius) {
     return patch_shapes::placed(patch_shapes::sphere(), ratio(radius), origin());
   };
-  Model nested(patch_shapes::joined({patch_shapes::inside_out(ball(2)), ball(3), ball(1)}));
+  Model nested(patch_shapes::joined({patch_shapes::reversed(ball(2)), ball(3), ball(1)}));
   const ShellWalks walks = find_shell_walks(nested.forest, nested.cover);
   ASSERT_TRUE(walks.missing.empty());
   EXPECT_EQ(walks.num_bodies(), 2u);
   for (const ShellWalk& w : walks.walks) EXPECT_EQ(w.winding_inside, 1) << "shell " << w.shell;
 
-  Model reversed(patch_shapes::inside_out(ball(1)));
+  Model reversed(patch_shapes::reversed(ball(1)));
   EXPECT_EQ(find_shell_walks(reversed.forest, reversed.cover).walks.at(0).winding_inside, 0);
   Model twice(patch_shapes::joined({ball(2), ball(1)}));
   const ShellWalks both = find_shell_walks(twice.forest, twice.cover);

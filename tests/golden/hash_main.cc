@@ -34,7 +34,7 @@ std::vector<Model> models() {
                          {"wave", shapes::wave(14, 30)},
                          {"nest", shapes::nested_boxes(6)},
                          {"grid", shapes::box_grid(4, 0.25)},
-                         {"inside_out", shapes::flipped(shapes::torus(9, 7, 3, 1))},
+                         {"inside_out", shapes::reversed(shapes::torus(9, 7, 3, 1))},
                          {"huge", shapes::scaled(shapes::torus(9, 7, 3, 1), 1000)},
                          {"tiny", shapes::scaled(shapes::torus(9, 7, 3, 1), -1060)}};
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {

@@ -55,7 +55,7 @@ TEST(CounterexampleC3, Theorem25WithTheSixSlabs) {
     }
   BoundaryModel model =
       model_of(patch_shapes::joined({patch_shapes::box({-4, -4, -4}, {4, 4, 4}),
-                                     patch_shapes::inside_out(patch_shapes::sphere())}));
+                                     patch_shapes::reversed(patch_shapes::sphere())}));
   EXPECT_EQ(only_offence(model, boxes).euler, 2);
 }
 

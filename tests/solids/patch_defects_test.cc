@@ -47,8 +47,8 @@ TEST(PatchDefects, AFlippedPatchIsNamedAndFlippedBackOnRequest) {
   EXPECT_FALSE(kept.is_closed_oriented_surface());
   const PatchComplex repaired = complex_of(box, PatchOrientation::kAuto);
   EXPECT_TRUE(repaired.is_closed_oriented_surface()) << all_findings(repaired);
-  ASSERT_EQ(repaired.flipped().size(), 1u);
-  EXPECT_EQ(repaired.flipped()[0], 3u);
+  ASSERT_EQ(repaired.reversed().size(), 1u);
+  EXPECT_EQ(repaired.reversed()[0], 3u);
   EXPECT_EQ(repaired.patch(3), unit_box()[3]);
 }
 // A ring of three quadrangles with half a twist, each side of the ring the other's continuation.
@@ -60,7 +60,7 @@ TEST(PatchDefects, AMoebiusStripIsOneSided) {
     EXPECT_EQ(complex.count(PatchDefect::kOneSided), 1u) << all_findings(complex);
     EXPECT_EQ(complex.count(PatchDefect::kDirection), 1u);
     EXPECT_EQ(complex.count(PatchDefect::kOpenSide), 6u);
-    EXPECT_TRUE(complex.flipped().empty());
+    EXPECT_TRUE(complex.reversed().empty());
   }
 }
 TEST(PatchDefects, SidesThatDifferByOneUlpAreSaidTo) {

@@ -56,7 +56,7 @@ TEST(PatchShapes, VolumesAreThoseOfTheSolids) {
   expect(patch_shapes::frustum(1, 0, 2), 2 * pi / 3);
   expect(patch_shapes::plate(3), 18);
   expect(patch_shapes::thin_shell(Rational(1) / 2), 4 * pi / 3 * 7 / 8);
-  expect(patch_shapes::inside_out(patch_shapes::placed(patch_shapes::torus(3, 1), -2, {1, 2, 3})),
+  expect(patch_shapes::reversed(patch_shapes::placed(patch_shapes::torus(3, 1), -2, {1, 2, 3})),
          -48 * pi * pi);
 }
 

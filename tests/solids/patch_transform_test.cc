@@ -94,7 +94,7 @@ TEST(PatchTransform, CutsAlongBeltsKeepTopologyAndVolume) {
   }
   EXPECT_GE(cut_in_part, 6u);
 }
-// Half of the patches, chosen at random, reversed: all directions agree again, and no more than half of a shell is flipped.
+// Half of the patches, chosen at random, reversed: all directions agree again, and no more than half of a shell is reversed.
 TEST(PatchTransform, AnyFlipsAreRepaired) {
   Random random(kSeed + 1);
   for (const auto& shape : patch_shapes::sound_shapes()) {
@@ -104,13 +104,13 @@ TEST(PatchTransform, AnyFlipsAreRepaired) {
       if (random.below(2) == 1) p = reversed(p);
     const PatchComplex complex = complex_of(mixed, PatchOrientation::kAuto);
     EXPECT_TRUE(complex.is_closed_oriented_surface()) << all_findings(complex);
-    std::vector<std::size_t> flipped(complex.shells().size(), 0);
-    for (const std::uint32_t p : complex.flipped()) {
+    std::vector<std::size_t> num_reversed(complex.shells().size(), 0);
+    for (const std::uint32_t p : complex.reversed()) {
       EXPECT_EQ(complex.patch(p), reversed(mixed[p]));
-      ++flipped[complex.shell(p)];
+      ++num_reversed[complex.shell(p)];
     }
-    for (std::size_t s = 0; s < flipped.size(); ++s)
-      EXPECT_LE(2 * flipped[s], complex.shells()[s].patches);
+    for (std::size_t s = 0; s < num_reversed.size(); ++s)
+      EXPECT_LE(2 * num_reversed[s], complex.shells()[s].patches);
   }
 }
 

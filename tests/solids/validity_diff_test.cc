@@ -60,7 +60,7 @@ TEST(ValidityDiff, OnNestsOfTetrahedraAndBoxes) {
       const double s = any(r, 1, 7);
       parts.push_back(r.below(2) == 0 ? shapes::box({x, y, z}, {x + s, y + s, z + s})
                                       : shapes::mapped(shapes::parse("tet 0,0,0 1,0,0 0,1,0 0,0,1"), shapes::random_matrix(r, 6), {any(r, 0, 9), any(r, 0, 9), any(r, 0, 9)}));
-      if (r.below(2) == 0) parts.back() = shapes::flipped(parts.back());
+      if (r.below(2) == 0) parts.back() = shapes::reversed(parts.back());
     }
     return r.below(2) == 0 ? shapes::joined(parts) : shapes::merged(shapes::joined(parts));
   });

@@ -20,7 +20,7 @@ struct Model {
 std::vector<Model> models(std::uint64_t seed) {
   Random random(seed);
   std::vector<Model> out{{"box", shapes::box({0, 0, 0}, {1, 2, 3}, 2)},
-                         {"inside out", shapes::flipped(shapes::box({0, 0, 0}, {1, 2, 3}))},
+                         {"inside out", shapes::reversed(shapes::box({0, 0, 0}, {1, 2, 3}))},
                          {"torus", shapes::torus(8, 6, 3, 1)},
                          {"star", shapes::star_polyhedron(random, 1)},
                          {"saddle", shapes::saddle()},
@@ -61,7 +61,7 @@ TEST(ValidityLaw, ExactAffineMapsKeepTheVerdictOrTurnEveryShellOver) {
       const shapes::Matrix matrix = shapes::random_matrix(random, 5);
       const int det = shapes::determinant(matrix);
       const TriangleMesh image = shapes::mapped(m.mesh, matrix, {-7, 100, 3});
-      const ValidityReport a = decide(m.mesh), b = decide(det > 0 ? image : shapes::flipped(image));
+      const ValidityReport a = decide(m.mesh), b = decide(det > 0 ? image : shapes::reversed(image));
       EXPECT_EQ(verdict(a), verdict(b)) << m.name << ", seed " << seed;
       ASSERT_EQ(a.volume.has_value(), b.volume.has_value());
       if (a.volume) {
@@ -82,7 +82,7 @@ TEST(ValidityLaw, ExactAffineMapsKeepTheVerdictOrTurnEveryShellOver) {
 
 TEST(ValidityLaw, FlippingFlipsEveryShell) {
   for (const Model& m : models(3)) {
-    const ValidityReport a = decide(m.mesh), b = decide(shapes::flipped(m.mesh));
+    const ValidityReport a = decide(m.mesh), b = decide(shapes::reversed(m.mesh));
     for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(a.rule_counts[i], b.rule_counts[i]) << m.name;
     if (a.nesting_decided) {
       EXPECT_EQ(a.rule_counts[7] + a.rule_counts[8] + b.rule_counts[7] + b.rule_counts[8], a.counts.shells) << m.name;

@@ -149,7 +149,7 @@ TEST(Validity, SizesAreInModelUnitsAtEveryScale) {
     EXPECT_TRUE(found);
   }
   for (int e : {-1000, -600, -400, 0, 600, 1000}) {
-    const ValidityReport r = decide(shapes::scaled(shapes::flipped(shapes::box({0, 0, 0}, {2, 2, 2})), e));
+    const ValidityReport r = decide(shapes::scaled(shapes::reversed(shapes::box({0, 0, 0}, {2, 2, 2})), e));
     ASSERT_EQ(r.defects.size(), 1u);
     EXPECT_DOUBLE_EQ(r.defects[0].place.size, std::ldexp(2.0, e)) << e;
   }

@@ -80,7 +80,7 @@ TEST(VertexStars, ConvexVerticesHaveOne) {
 }
 
 TEST(VertexStars, InwardSurfacesHaveThemToo) {
-  const TriangleMesh mesh = shapes::flipped(shapes::bipyramid(12));
+  const TriangleMesh mesh = shapes::reversed(shapes::bipyramid(12));
   EXPECT_EQ(num_stars(stars_of(mesh)), mesh.positions.size());
   expect_right(mesh);
 }

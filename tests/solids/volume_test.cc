@@ -35,7 +35,7 @@ void expect_exact(const TriangleMesh& mesh, unsigned jobs = 1) {
 // PROVES MESH-8
 TEST(Volume, OfBoxesAndTetrahedra) {
   EXPECT_EQ(spelled(one_shell(shapes::box({0, 0, 0}, {1, 1, 1}))[0]), "1");
-  EXPECT_EQ(spelled(one_shell(shapes::flipped(shapes::box({0, 0, 0}, {2, 3, 4})))[0]), "-24");
+  EXPECT_EQ(spelled(one_shell(shapes::reversed(shapes::box({0, 0, 0}, {2, 3, 4})))[0]), "-24");
   EXPECT_EQ(spelled(one_shell(shapes::parse("tet 0,0,0 1,0,0 0,1,0 0,0,1"))[0]), "1/6");
   EXPECT_EQ(spelled(one_shell(shapes::box({-0.5, -0.25, 100}, {0.5, 0.25, 100.125}, 3))[0]), "1/16");
 }

@@ -381,7 +381,7 @@ TriangleMesh nested_boxes(int depth) {
   for (int i = 0; i < depth; ++i) {
     const double r = 2 * (depth - i);
     parts.push_back(box({-r, -r, -r}, {r, r, r}));
-    if (i % 2 == 1) parts.back() = flipped(std::move(parts.back()));
+    if (i % 2 == 1) parts.back() = reversed(std::move(parts.back()));
   }
   return joined(parts);
 }
@@ -428,7 +428,7 @@ TriangleMesh nested_scene(Random& random, int shells) {
                      {room.hi.x - margin(size.x), room.hi.y - margin(size.y), room.hi.z - margin(size.z)},
                      room.depth + 1};
     parts.push_back(box(inner.lo, inner.hi));
-    if (room.depth % 2 == 1) parts.back() = flipped(std::move(parts.back()));
+    if (room.depth % 2 == 1) parts.back() = reversed(std::move(parts.back()));
     rooms.push_back(inner);
   }
   return joined(parts);
@@ -504,7 +504,7 @@ TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
   return joined(both);
 }
 
-TriangleMesh flipped(TriangleMesh mesh) {
+TriangleMesh reversed(TriangleMesh mesh) {
   for (Face& f : mesh.faces) std::swap(f[1], f[2]);
   return mesh;
 }

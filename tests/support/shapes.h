@@ -57,7 +57,7 @@ TriangleMesh random_indexed(Random& random, int num_triangles, int num_vertices,
 // Of models.
 TriangleMesh joined(std::span<const TriangleMesh> parts);         ///< ids one behind the other, no merging
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
-TriangleMesh flipped(TriangleMesh mesh);
+TriangleMesh reversed(TriangleMesh mesh);
 TriangleMesh moved(TriangleMesh mesh, Vec3d by);                  ///< rounded
 TriangleMesh scaled(TriangleMesh mesh, int exponent);             ///< times 2^exponent
 TriangleMesh merged(const TriangleMesh& mesh);                    ///< equal coordinates become one vertex, by first occurrence

@@ -53,14 +53,14 @@ std::optional<Finding> uncovered_patches(const FilePatches& patches) {
 bool is_of_orientation(const PatchRefutation& refutation) {
   if (const auto* const sides = std::get_if<SideWitness>(&refutation))
     return sides->same == 2 && sides->opposite == 0;
-  return std::holds_alternative<TurnedShell>(refutation);
+  return std::holds_alternative<ReversedShell>(refutation);
 }
 
 std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
   if (!decision.refutation)
     return has_collar ? certificate::kCollarClaim : certificate::kStarBoxClaim;
-  return std::holds_alternative<TurnedShell>(*decision.refutation)
-             ? certificate::kTurnedShellClaim
+  return std::holds_alternative<ReversedShell>(*decision.refutation)
+             ? certificate::kReversedShellClaim
              : certificate::kPatchInvalidClaim;
 }
 

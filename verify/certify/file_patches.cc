@@ -36,7 +36,7 @@ std::size_t end_of(const FilePatches& patches, std::size_t entity) {
 // Certificates reverse whole entities.
 void note_reversed(FilePatches& patches) {
   std::vector<bool> is_reversed(patches.complex->patches().size());
-  for (const std::uint32_t p : patches.complex->flipped()) is_reversed[p] = true;
+  for (const std::uint32_t p : patches.complex->reversed()) is_reversed[p] = true;
   for (std::size_t e = 0; e < patches.entities.size(); ++e) {
     StarBoxEntity& entity = patches.entities[e];
     const std::size_t first = entity.first_patch, last = end_of(patches, e);
@@ -75,12 +75,12 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
 // The shells whose normals point the wrong way, ascending: winding numbers are needed to find them.
 std::vector<std::uint32_t> wrong_shells(const ShellWalks& walks) {
   if (walks.walks.empty() || !walks.missing.empty()) return {};
-  return shells_to_turn(walks);
+  return shells_to_reverse(walks);
 }
 
 // Each entity lies in one shell.
 void turn(FilePatches& patches, const std::vector<std::uint32_t>& shells) {
-  std::vector<Patch> turned(patches.complex->patches().begin(), patches.complex->patches().end());
+  std::vector<Patch> oriented(patches.complex->patches().begin(), patches.complex->patches().end());
   for (std::size_t e = 0; e < patches.entities.size(); ++e) {
     StarBoxEntity& entity = patches.entities[e];
     const std::size_t first = entity.first_patch, last = end_of(patches, e);
@@ -88,9 +88,9 @@ void turn(FilePatches& patches, const std::vector<std::uint32_t>& shells) {
     const std::uint32_t shell = patches.complex->shell(entity.first_patch);
     if (!std::binary_search(shells.begin(), shells.end(), shell)) continue;
     entity.is_reversed = !entity.is_reversed;
-    for (std::size_t p = first; p < last; ++p) turned[p] = reversed(turned[p]);
+    for (std::size_t p = first; p < last; ++p) oriented[p] = reversed(oriented[p]);
   }
-  patches.complex = std::make_unique<PatchComplex>(make_patch_complex(std::move(turned)).value());
+  patches.complex = std::make_unique<PatchComplex>(make_patch_complex(std::move(oriented)).value());
 }
 
 }  // namespace

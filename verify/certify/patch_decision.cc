@@ -176,7 +176,7 @@ class Decider {
     Finding why = orientation_question(*wrong);
     if (!put_wrong_walk_last()) return open(std::move(why));
     const ShellWalk& last = out_.walks.walks.back();
-    return refuted(TurnedShell{last.shell, last.winding_inside});
+    return refuted(ReversedShell{last.shell, last.winding_inside});
   }
   static bool is_wrong(const ShellWalk& w) { return w.winding_inside != 1; }
 

@@ -38,12 +38,12 @@ inline constexpr const char* kOrientation = "orientation";
 }  // namespace open_code
 
 /// The winding number on the inner side of the shell of the last walk is not 1.
-struct TurnedShell {
+struct ReversedShell {
   std::uint32_t shell = 0;
   int winding = 0;
 };
 /// A proof that the patches do not bound a solid.
-using PatchRefutation = std::variant<CrossingWitness, SideWitness, TurnedShell>;
+using PatchRefutation = std::variant<CrossingWitness, SideWitness, ReversedShell>;
 
 struct PatchShellFacts {
   std::int64_t euler = 0, genus = 0;

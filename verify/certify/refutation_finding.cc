@@ -79,18 +79,19 @@ class FactFinder {
     return out;
   }
 
-  Finding operator()(const TurnedShell& turned) const {
+  Finding operator()(const ReversedShell& reversed) const {
     Finding out;
     out.code = "shell-turned";
-    out.place.shell = turned.shell;
-    out.witness.winding = turned.winding;
-    const std::uint32_t patch = complex_.shells()[turned.shell].first_patch;
+    out.place.shell = reversed.shell;
+    out.witness.winding = reversed.winding;
+    const std::uint32_t patch = complex_.shells()[reversed.shell].first_patch;
     out.place.parts.push_back(
         part_of(PatchRectangle{patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
     out.message =
-        "the winding number is " + std::to_string(turned.winding) + " on the inner side of shell " +
-        std::to_string(turned.shell) + " (entity " + std::to_string(out.place.parts[0].entity) +
-        ") and " + std::to_string(turned.winding - 1) +
+        "the winding number is " + std::to_string(reversed.winding) +
+        " on the inner side of shell " + std::to_string(reversed.shell) + " (entity " +
+        std::to_string(out.place.parts[0].entity) + ") and " +
+        std::to_string(reversed.winding - 1) +
         " on its outer side, not 1 and 0: its normals point the wrong way, or it is wrongly "
         "nested";
     return out;

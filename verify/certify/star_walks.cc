@@ -222,22 +222,22 @@ std::uint64_t ShellWalks::num_bodies() const {
   return n;
 }
 
-std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks) {
+std::vector<std::uint32_t> shells_to_reverse(const ShellWalks& walks) {
   VT_CHECK(walks.missing.empty(), "depths are known when every shell has a walk");
-  struct Nesting {
+  struct Nested {
     int depth = 0;
     bool is_outward = true;  // the unbounded side is the outer one
   };
-  std::map<std::uint32_t, Nesting> of_shell;
+  std::map<std::uint32_t, Nested> of_shell;
   std::vector<std::uint32_t> out;
   for (const ShellWalk& w : walks.walks) {
-    Nesting place{0, w.starts_outside};
+    Nested own{0, w.starts_outside};
     if (w.direction == 6) {
-      const Nesting& other = of_shell.at(w.end_shell);
-      place.depth = other.depth + (w.ends_outside == other.is_outward ? 0 : 1);
+      const Nested& other = of_shell.at(w.end_shell);
+      own.depth = other.depth + (w.ends_outside == other.is_outward ? 0 : 1);
     }
-    of_shell[w.shell] = place;
-    if (place.is_outward != (place.depth % 2 == 0)) out.push_back(w.shell);
+    of_shell[w.shell] = own;
+    if (own.is_outward != (own.depth % 2 == 0)) out.push_back(w.shell);
   }
   std::sort(out.begin(), out.end());
   return out;

@@ -35,7 +35,7 @@ struct ShellWalks {
 /// The shells that must be reversed so that the normals of every shell at even depth, counted from outside, point to
 /// its unbounded side, and those of every other shell away from it: then the winding numbers are 1 inside and 0 outside
 /// of all shells. Ascending. REQUIRES walks.missing is empty.
-std::vector<std::uint32_t> shells_to_turn(const ShellWalks& walks);
+std::vector<std::uint32_t> shells_to_reverse(const ShellWalks& walks);
 
 /// True if no closed hull of a piece, split finely enough, meets the closed segment from a to b. False also when the
 /// budget is spent.

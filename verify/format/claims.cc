@@ -89,7 +89,7 @@ constexpr auto kClaims = std::to_array<Claim>({
      encode_as<InvalidBody>, decode_whole<internal::read_invalid>, explain_as<InvalidBody>},
     {kStarBoxClaim, kStarBoxMagic, "star-box.md", kSplines, "", kStarNumbers, "",
      encode_as<StarBoxBody>, decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
-    {kTurnedShellClaim, kStarBoxMagic, "star-box.md", kSplines, "",
+    {kReversedShellClaim, kStarBoxMagic, "star-box.md", kSplines, "",
      "bodies boxes edges flipped genus patches shells vertices winding", "", encode_as<StarBoxBody>,
      decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
     {kPatchInvalidClaim, kPatchInvalidMagic, "patch-invalid.md", kSplines, "finding",

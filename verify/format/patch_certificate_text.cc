@@ -25,7 +25,7 @@ std::string head_text(std::string_view claim, const std::vector<PatchEntity>& en
   for (const PatchEntity& e : entities) surfaces += e.is_surface ? 1 : 0;
   return "body: " + std::string(claim) + ", " + number(entities.size()) + " entities (" +
          number(surfaces) + " surfaces, " + number(entities.size() - surfaces) + " triangles; " +
-         number(num_flipped(entities)) + " reversed), " + number(internal::num_patches(entities)) +
+         number(num_reversed(entities)) + " reversed), " + number(internal::num_patches(entities)) +
          " patches\n";
 }
 

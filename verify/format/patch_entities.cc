@@ -66,7 +66,7 @@ Fraction read_fraction(ByteReader& r) {
 
 }  // namespace
 
-std::uint64_t num_flipped(const std::vector<PatchEntity>& entities) {
+std::uint64_t num_reversed(const std::vector<PatchEntity>& entities) {
   std::uint64_t n = 0;
   for (const PatchEntity& e : entities) n += e.is_reversed ? 1 : 0;
   return n;

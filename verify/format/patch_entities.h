@@ -24,7 +24,7 @@ struct PatchEntity {
 };
 
 /// The number of entities that are reversed.
-std::uint64_t num_flipped(const std::vector<PatchEntity>& entities);
+std::uint64_t num_reversed(const std::vector<PatchEntity>& entities);
 
 namespace internal {
 class ByteReader;

@@ -87,7 +87,7 @@ Bytes encode(const Subject& subject, std::uint64_t patches, const PatchInvalidBo
   w.text("body_sha256", to_hex(sha256(bytes)));
   w.text("finding", sides != nullptr ? "side" : "crossing");
   w.number("patches", patches);
-  w.number("flipped", num_flipped(body.entities));
+  w.number("flipped", num_reversed(body.entities));
   w.number("same", sides != nullptr ? sides->same : 0);
   w.number("opposite", sides != nullptr ? sides->opposite : 0);
   return internal::join(w.take(), bytes);

@@ -102,11 +102,11 @@ Bytes encode(const StarBoxBody& body) {
 }
 
 Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBody& body,
-             std::optional<std::int64_t> turned) {
+             std::optional<std::int64_t> winding) {
   const Bytes bytes = encode(body);
   internal::StatementWriter w = internal::state_star_boxes(
-      subject, turned ? kTurnedShellClaim : kStarBoxClaim, q, body, bytes);
-  if (turned) w.number("winding", zigzag_code(*turned));
+      subject, winding ? kReversedShellClaim : kStarBoxClaim, q, body, bytes);
+  if (winding) w.number("winding", zigzag_code(*winding));
   return internal::join(w.take(), bytes);
 }
 
@@ -137,7 +137,7 @@ StatementWriter state_star_boxes(const Subject& subject, std::string_view claim,
   w.number("bodies", q.bodies);
   w.number("genus", q.genus);
   w.number("boxes", body.boxes.size());
-  w.number("flipped", num_flipped(body.entities));
+  w.number("flipped", num_reversed(body.entities));
   return w;
 }
 

@@ -15,7 +15,7 @@
 namespace veritope::certificate {
 
 inline constexpr std::string_view kStarBoxClaim = "star-box-1";
-inline constexpr std::string_view kTurnedShellClaim = "star-box-turned-1";
+inline constexpr std::string_view kReversedShellClaim = "star-box-turned-1";
 inline constexpr std::string_view kStarBoxMagic = "VTSB";  ///< of collar-1, too
 
 /// A box, in units of 2^(exponent + shift), where exponent is the body's.
@@ -63,10 +63,10 @@ struct StarBoxQuantities {
 
 Bytes encode(const StarBoxBody& body);
 /// The whole certificate. `subject.reading_rule` and `as_indexed` are not used.
-/// @param turned  nothing: the claim is kStarBoxClaim; else kTurnedShellClaim, and this is the winding number of the
+/// @param winding nothing: the claim is kStarBoxClaim; else kReversedShellClaim, and this is the winding number of the
 /// last walk's inner side
 Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const StarBoxBody& body,
-             std::optional<std::int64_t> turned = {});
+             std::optional<std::int64_t> winding = {});
 
 namespace internal {
 class ByteReader;

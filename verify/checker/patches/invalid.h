@@ -26,7 +26,7 @@ struct Sides {
 struct OuterSide {
   uint64_t patch;
   int e;
-  bool is_flipped, is_rational;
+  bool is_reversed, is_rational;
   Curve curve;
 };
 

@@ -107,7 +107,7 @@ Outer outer_sides(const Cuts& cuts) {
       ++r.number;
       const Curve c = side_curve(p, e, false);
       if (!is_point(c))
-        r.sides.push_back(OuterSide{number, e, cuts.flipped[entity], p.is_rational, c});
+        r.sides.push_back(OuterSide{number, e, cuts.reversed[entity], p.is_rational, c});
     }
   });
   return r;
@@ -147,8 +147,8 @@ std::string check_patch_invalid(const Statement& s, std::string model, const Bod
   require((s.text.at("finding") == "side") == is_side, "B3", "the body has another finding");
   require(s.number.at("patches") == cuts.patches(), "B3", "the number of patches is",
           cuts.patches());
-  require(s.number.at("flipped") == cuts.num_flipped, "B3", "the number of flipped is",
-          cuts.num_flipped);
+  require(s.number.at("flipped") == cuts.num_reversed, "B3", "the number of flipped is",
+          cuts.num_reversed);
   require(is_side || (same == 0 && opposite == 0), "B3", "a crossing has same or opposite sides");
   const std::string text = std::to_string(cuts.patches()) + " patches, ";
   if (!is_side) {
@@ -156,7 +156,7 @@ std::string check_patch_invalid(const Statement& s, std::string model, const Bod
     return text + "a crossing of patches " + std::to_string(crossing.sheet[0].patch) + " and " +
            std::to_string(crossing.sheet[1].patch);
   }
-  check_sides(sides, outer.sides, outer.number, cuts.num_flipped > 0, same, opposite);
+  check_sides(sides, outer.sides, outer.number, cuts.num_reversed > 0, same, opposite);
   return text + "an arc passed " + std::to_string(same) + " and, the other way, " +
          std::to_string(opposite) + " times";
 }

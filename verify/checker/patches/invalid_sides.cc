@@ -50,8 +50,8 @@ void check_curves(const Sides& s, const std::vector<OuterSide>& outer, bool has_
   for (size_t i = 0; i < s.arcs.size(); ++i) {
     const OuterSide& side = *side_of(s.arcs[i], outer);
     const Curve c = canonical(curve_of(s.arcs[i], side));
-    const std::string one = text(c, side.is_flipped);
-    if (i == 0) forward = one, backward = text(c, !side.is_flipped);
+    const std::string one = text(c, side.is_reversed);
+    if (i == 0) forward = one, backward = text(c, !side.is_reversed);
     require(one == forward || one == backward, "D2", "another curve than the first's: arc", i);
     ++count[one == forward ? 0 : 1];
   }

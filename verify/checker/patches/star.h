@@ -45,7 +45,7 @@ inline int Shape::on_side(int e, int k) const {
 
 struct Patch {
   Shape shape;
-  bool is_rational, is_flipped;
+  bool is_rational, is_reversed;
   uint8_t roots[2];
   uint64_t first_root;
   std::vector<Big> net;  // of shape.count() points (X, Y, Z, W), in units 2^E, no common factor
@@ -82,7 +82,7 @@ struct StarBody {
   std::vector<Box> boxes;
   std::vector<uint32_t> symbols;  // of the trees, in the body's order: 0, or 1 + a box
   std::vector<Walk> walks;
-  uint64_t flipped = 0, leaves = 0, num_roots = 0;
+  uint64_t num_reversed = 0, leaves = 0, num_roots = 0;
 };
 
 struct Place {  // of a patch: its entity, and the numbers of its intervals along u and v

@@ -88,7 +88,7 @@ StarBody read_star_body(const Statement& statement, const std::vector<Entity>& e
   StarBody out;
   Reader r(bytes, &out);
   const Cuts cuts = read_cuts(entities, statement.claim->magic, true, &r);
-  out.flipped = cuts.num_flipped;
+  out.num_reversed = cuts.num_reversed;
   std::vector<Place> places;
   std::vector<uint8_t> roots;
   for (uint64_t i = 0; i < cuts.patches(); ++i) {
@@ -115,7 +115,7 @@ StarBody read_star_body(const Statement& statement, const std::vector<Entity>& e
               [&](Patch&& patch) { out.patches.push_back(std::move(patch)); });
   for (size_t i = 0; i < places.size(); ++i) {
     Patch& made = out.patches[i];
-    made.is_flipped = cuts.flipped[cuts.entity_of(i)];
+    made.is_reversed = cuts.reversed[cuts.entity_of(i)];
     std::copy(&roots[2 * i], &roots[2 * i] + 2, made.roots);
     made.first_root = out.num_roots;
     out.num_roots += made.num_roots();

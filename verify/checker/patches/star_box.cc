@@ -104,7 +104,7 @@ std::string check_star_box(const Statement& s, std::string model, const Body& by
 
 std::string check_star_boxes(const Statement& s, const std::string& model, const Body& bytes,
                              MoreThanBoxes* more) {
-  const bool is_turned = s.number.count("winding") != 0;
+  const bool is_reversed = s.number.count("winding") != 0;
   StarBody body = read_star_body(s, read_spline_model(model, s.text.at("subject_format")), bytes,
                                  [more](StarBytes* b) {
                                    if (more != nullptr) more->read(b);
@@ -115,20 +115,20 @@ std::string check_star_boxes(const Statement& s, const std::string& model, const
   check_boxes(body, &forest, &units);
   units.id = "W1";
   const Walks walks = check_walks(body, x.components, &forest, &units);
-  require(is_turned || walks.wrong == ~uint64_t(0), "W2", "w is wrong at the start of walk",
+  require(is_reversed || walks.wrong == ~uint64_t(0), "W2", "w is wrong at the start of walk",
           walks.wrong);
-  require(!is_turned || walks.last != 1, "W2", "w(c-) is 1 on the component of the last walk");
+  require(!is_reversed || walks.last != 1, "W2", "w(c-) is 1 on the component of the last walk");
   std::map<std::string, uint64_t> numbers = {{"patches", body.patches.size()},
                                              {"edges", x.edges},
                                              {"vertices", x.vertices},
                                              {"shells", x.components},
-                                             {"bodies", is_turned ? 0 : walks.bodies},
+                                             {"bodies", is_reversed ? 0 : walks.bodies},
                                              {"genus", x.genus},
                                              {"boxes", body.boxes.size()},
-                                             {"flipped", body.flipped}};
-  require(!is_turned || body.flipped == 0, "W3",
-          "flags, by which any solid could be turned:", body.flipped);
-  if (is_turned) numbers["winding"] = 2 * magnitude(walks.last) - (walks.last < 0);
+                                             {"flipped", body.num_reversed}};
+  require(!is_reversed || body.num_reversed == 0, "W3",
+          "flags, by which any solid could be turned:", body.num_reversed);
+  if (is_reversed) numbers["winding"] = 2 * magnitude(walks.last) - (walks.last < 0);
   std::string text;
   for (const auto& n : numbers) {
     require(s.number.at(n.first) == n.second, "W3", ("the number of " + n.first + " is").c_str(),

@@ -94,8 +94,8 @@ Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool take
           entities.size());
   require(!entities.empty(), "B1", "a model without entities bounds nothing");
   for (size_t i = 0; i < entities.size(); ++i) {
-    r.flipped.push_back(bytes->at_most(bytes->body.natural(1), 1, "a flag is") == 1);
-    r.num_flipped += r.flipped.back();
+    r.reversed.push_back(bytes->at_most(bytes->body.natural(1), 1, "a flag is") == 1);
+    r.num_reversed += r.reversed.back();
   }
   r.first.push_back(0);
   for (size_t i = 0; i < entities.size(); ++i) {

@@ -40,11 +40,11 @@ StarBody read_star_body(const Statement& statement, const std::vector<Entity>& e
 
 struct Cuts {  // how a body cuts the model into patches
   const std::vector<Entity>* entities;
-  std::vector<bool> flipped;
+  std::vector<bool> reversed;
   std::vector<std::vector<Ratio>> breaks;  // two for each surface
-  std::vector<uint64_t> first;             // patch of each entity, then the number of all
-  std::vector<size_t> surface;             // the number of surfaces before each entity
-  uint64_t num_flipped = 0;
+  std::vector<uint64_t> first;             // patch of each entity, and the number of all
+  std::vector<size_t> surface;             // of each entity: how many stand before it
+  uint64_t num_reversed = 0;
 
   uint64_t patches() const { return first.back(); }
   uint64_t intervals(size_t entity, size_t axis) const {

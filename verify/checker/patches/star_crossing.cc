@@ -33,13 +33,13 @@ Side side_of(const Piece& piece, int e) {
     const int64_t* const at = piece.node->at[(first + i) % n];
     t[i] = tri ? barycentric(at, (e + 2) % 3) : at[e % 2];
     if (outer && !tri && e >= 2) t[i] = kWholeSide - t[i];  // now in the direction of travel
-    if (outer && p.is_flipped != p.is_second[e]) t[i] = kWholeSide - t[i];
+    if (outer && p.is_reversed != p.is_second[e]) t[i] = kWholeSide - t[i];
   }
   Side s = {outer ? p.pair[e] : uint64_t(1) << 63 | (4 * p.first_root + uint64_t(tri ? e : e % 2)),
             0,
             std::min(t[0], t[1]),
             std::max(t[0], t[1]),
-            (t[1] > t[0]) != p.is_flipped,
+            (t[1] > t[0]) != p.is_reversed,
             t[1] < t[0],
             e,
             &piece};
@@ -145,7 +145,7 @@ int64_t crossing_number(const std::vector<Piece>& pieces, const Box& b, Units* u
     const auto o = std::lower_bound(counter.sides.begin(), counter.sides.end(), key, before);
     if (o != counter.sides.end() && !before(key, *o) && o->hi >= s.hi) continue;
     const int64_t one = counter.remaining(s, s.lo, s.hi, counter.curve(s));
-    sum += s.piece->patch->is_flipped ? -one : one;
+    sum += s.piece->patch->is_reversed ? -one : one;
   }
   return counter.d[counter.k] < 0 ? -sum : sum;
 }

@@ -158,7 +158,7 @@ void make_children_g(const Patch& p, Node* node) {
 }
 
 bool star_test(const Patch& p, Node* node, const Box& b) {
-  const int d = p.shape.is_triangle ? 2 : 1, sgn = p.is_flipped ? -1 : 1, n = node->g.n;
+  const int d = p.shape.is_triangle ? 2 : 1, sgn = p.is_reversed ? -1 : 1, n = node->g.n;
   const Shape s = {p.shape.is_triangle, 3 * p.shape.p - d, 3 * p.shape.q - d};
   std::vector<bool> left_out;
   bool is_before = p.is_collapsed(s.sides() - 1) && node->is_outer(p, s.sides() - 1);

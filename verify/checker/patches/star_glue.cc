@@ -12,10 +12,10 @@ void unite(std::vector<uint32_t>* parent, uint32_t i, uint32_t j) {
   i = find(parent, i), j = find(parent, j);
   (*parent)[std::max(i, j)] = std::min(i, j);
 }
-// Corner i of a tensor patch is where its side i starts unflipped; of a triangle, its corner i.
+// Corner i of a tensor patch is where its side i starts if the patch is not reversed; of a triangle, its corner i.
 uint32_t end_of(const Patch& p, int e, bool last) {  // in the direction of travel
   const int n = p.shape.sides(), first = p.shape.is_triangle ? e + 1 : e;
-  return uint32_t((first + (last != p.is_flipped)) % n);
+  return uint32_t((first + (last != p.is_reversed)) % n);
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Gluing::Gluing(std::vector<Patch>* patches) {
     Patch& p = (*patches)[i];
     std::fill(p.pair, p.pair + 4, kNoPair);
     for (int e = 0; e < p.shape.sides(); ++e) {
-      const Curve c = side_curve(p, e, p.is_flipped);
+      const Curve c = side_curve(p, e, p.is_reversed);
       if (is_point(c)) continue;
       const Curve key = canonical(c);
       forward.push_back(Entry(text(key, false), 4 * i + uint32_t(e)));

@@ -98,7 +98,7 @@ bool meet_properly(const Piece& a, const Piece& b) {
   if (!is_zero(cross(t.n, u.n))) return true;
   // In one plane: if the directions on the common edge are opposite, equal normals mean different
   // sides of the edge.
-  return dot(t.n, u.n).sign() == (a.patch->is_flipped == b.patch->is_flipped ? 1 : -1);
+  return dot(t.n, u.n).sign() == (a.patch->is_reversed == b.patch->is_reversed ? 1 : -1);
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 // the sign of any polynomial in the coordinates of implicit points, without an allocation.
 #pragma once
 #include <algorithm>
-#include <bit>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 
 #include "robust/base/int128.h"
 #include "robust/base/sign.h"
-#include "robust/fixed_int.h"
 #include "robust/integer.h"
+#include "robust/limbs.h"
 
 namespace veritope::internal {
 
@@ -21,7 +21,7 @@ class StackInteger {
  public:
   StackInteger() : size_(0), is_negative_(false) {}
   explicit StackInteger(std::int64_t v) : size_(v != 0), is_negative_(v < 0) {
-    limb_[0] = magnitude(v);
+    limb_[0] = magnitude_of(v);
   }
   // Only the limbs in use.
   StackInteger(const StackInteger& v) { assign(v); }
@@ -84,7 +84,7 @@ class StackInteger {
       return r;
     }
     r.is_negative_ = a.is_negative_ != b.is_negative_;
-    multiply_limbs(a, b, r);
+    multiply_limbs(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
     r.size_ = a.size_ + b.size_;
     if (r.limb_[r.size_ - 1] == 0) --r.size_;
     return r;
@@ -114,41 +114,14 @@ class StackInteger {
  private:
   static constexpr int kUnknown = -1;
 
-  static std::uint64_t magnitude(std::int64_t v) {
-    const auto u = static_cast<std::uint64_t>(v);
-    return v < 0 ? 0 - u : u;
-  }
   void assign(const StackInteger& v) {
     size_ = v.size_, is_negative_ = v.is_negative_;
     for (int i = 0; i < size_; ++i) limb_[i] = v.limb_[i];
   }
-  static void multiply_limbs(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    const int n = b.size_;
-    std::uint64_t carry = 0;
-    for (int j = 0; j < n; ++j) {
-      const uint128 t = static_cast<uint128>(a.limb_[0]) * b.limb_[j] + carry;
-      r.limb_[j] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
-    }
-    r.limb_[n] = carry;
-    for (int i = 1; i < a.size_; ++i) {
-      const std::uint64_t factor = a.limb_[i];
-      carry = 0;
-      for (int j = 0; j < n; ++j) {
-        const uint128 t = static_cast<uint128>(factor) * b.limb_[j] + r.limb_[i + j] + carry;
-        r.limb_[i + j] = static_cast<std::uint64_t>(t);
-        carry = static_cast<std::uint64_t>(t >> 64);
-      }
-      r.limb_[i + n] = carry;
-    }
-  }
-  // -1, 0, 1 as |a| <, =, > |b|
-  static int compare_magnitudes(const StackInteger& a, const StackInteger& b) {
-    if (a.size_ != b.size_) return a.size_ < b.size_ ? -1 : 1;
-    for (int i = a.size_ - 1; i >= 0; --i) {
-      if (a.limb_[i] != b.limb_[i]) return a.limb_[i] < b.limb_[i] ? -1 : 1;
-    }
-    return 0;
+  // |a| <=> |b|
+  static std::strong_ordering compare_magnitudes(const StackInteger& a, const StackInteger& b) {
+    if (a.size_ != b.size_) return a.size_ <=> b.size_;
+    return compare_limbs(a.limb_, b.limb_, a.size_);
   }
   // a + |b| or a - |b|
   static StackInteger sum(const StackInteger& a, const StackInteger& b, bool b_is_negative) {
@@ -162,7 +135,7 @@ class StackInteger {
       r.is_negative_ = b_is_negative;
       return r;
     }
-    const int order = compare_magnitudes(a, b);
+    const auto order = compare_magnitudes(a, b);
     if (order == 0) return r;
     subtract_magnitudes(order > 0 ? a : b, order > 0 ? b : a, r);
     r.is_negative_ = order > 0 ? a.is_negative_ : b_is_negative;
@@ -170,10 +143,7 @@ class StackInteger {
   }
   // REQUIRES a.size_ >= b.size_
   static void add_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    unsigned char carry = 0;
-    int i = 0;
-    for (; i < b.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], b.limb_[i]);
-    for (; i < a.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], 0);
+    const unsigned char carry = combine_limbs<true>(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
     r.size_ = a.size_;
     if (carry == 0) return;
     if (r.size_ == Capacity) {
@@ -184,12 +154,8 @@ class StackInteger {
   }
   // REQUIRES |a| > |b|
   static void subtract_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    unsigned char carry = 1;
-    int i = 0;
-    for (; i < b.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], ~b.limb_[i]);
-    for (; i < a.size_; ++i) r.limb_[i] = add_with_carry(carry, a.limb_[i], ~std::uint64_t{0});
-    r.size_ = a.size_;
-    while (r.limb_[r.size_ - 1] == 0) --r.size_;
+    combine_limbs<false>(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
+    r.size_ = significant_size(r.limb_, a.size_);
   }
 
   std::uint64_t limb_[Capacity];  // of the magnitude, least significant first

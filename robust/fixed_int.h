@@ -9,13 +9,10 @@
 #include <cstdint>
 #include <type_traits>
 
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
-
 #include "robust/base/int128.h"
 #include "robust/base/sign.h"
 #include "robust/integer.h"
+#include "robust/limbs.h"
 
 #if defined(__GNUC__) && !defined(__clang__)
 #define VT_UNROLL _Pragma("GCC unroll 16")
@@ -24,23 +21,6 @@
 #endif
 
 namespace veritope {
-
-namespace internal {
-/// a + b + carry modulo 2^64; carry, 0 or 1, becomes what is carried out.
-[[gnu::always_inline]] constexpr std::uint64_t add_with_carry(unsigned char& carry, std::uint64_t a,
-                                                              std::uint64_t b) {
-#if defined(__x86_64__)
-  if (!std::is_constant_evaluated()) {
-    unsigned long long sum;
-    carry = _addcarry_u64(carry, a, b, &sum);
-    return sum;
-  }
-#endif
-  const uint128 sum = static_cast<uint128>(a) + b + carry;
-  carry = static_cast<unsigned char>(sum >> 64);
-  return static_cast<std::uint64_t>(sum);
-}
-}  // namespace internal
 
 template <int L>
 struct FixedInt {
@@ -117,9 +97,7 @@ struct FixedInt {
     VT_UNROLL for (int i = 0; i < L; ++i) {
       std::uint64_t carry = 0;
       VT_UNROLL for (int j = 0; j < L - i; ++j) {
-        const uint128 t = static_cast<uint128>(a.limb[i]) * b.limb[j] + r.limb[i + j] + carry;
-        r.limb[i + j] = static_cast<std::uint64_t>(t);
-        carry = static_cast<std::uint64_t>(t >> 64);
+        r.limb[i + j] = internal::multiply_add(carry, a.limb[i], b.limb[j], r.limb[i + j]);
       }
     }
     return r;
@@ -196,9 +174,7 @@ template <int A, int B>
   VT_UNROLL for (int i = 0; i < A; ++i) {
     std::uint64_t carry = 0;
     VT_UNROLL for (int j = 0; j < B; ++j) {
-      const uint128 t = static_cast<uint128>(a.limb[i]) * b.limb[j] + r.limb[i + j] + carry;
-      r.limb[i + j] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
+      r.limb[i + j] = internal::multiply_add(carry, a.limb[i], b.limb[j], r.limb[i + j]);
     }
     r.limb[i + B] = carry;
   }

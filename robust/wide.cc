@@ -3,9 +3,10 @@
 
 #include <gmp.h>
 
+#include <compare>
 #include <utility>
 
-#include "robust/fixed_int.h"
+#include "robust/limbs.h"
 
 namespace veritope::internal {
 namespace {
@@ -21,22 +22,20 @@ struct Operand {
   int high() const { return head.low + head.size; }
 };
 
-// |a| <=> |b| as -1, 0, 1; both not zero. The highest limbs usually decide.
-int compare_magnitudes(const Operand& a, const Operand& b) {
-  if (a.high() != b.high()) return a.high() < b.high() ? -1 : 1;
+// |a| <=> |b|; both not zero.
+std::strong_ordering compare_magnitudes(const Operand& a, const Operand& b) {
+  if (a.high() != b.high()) return a.high() <=> b.high();
   const int shared = a.head.size < b.head.size ? a.head.size : b.head.size;
-  for (int i = 1; i <= shared; ++i) {
-    const std::uint64_t v = a.limb[a.head.size - i], w = b.limb[b.head.size - i];
-    if (v != w) return v < w ? -1 : 1;
-  }
-  return a.head.size < b.head.size ? -1 : static_cast<int>(a.head.size > b.head.size);
+  const auto order =
+      compare_limbs(a.limb + a.head.size - shared, b.limb + b.head.size - shared, shared);
+  return order != 0 ? order : a.head.size <=> b.head.size;
 }
 
-// Drops zero limbs on both ends.
+// Drops zero limbs on both ends. REQUIRES that some limb is not 0.
 WideHead trimmed(std::uint64_t* r, WideHead h) {
-  while (h.size > 0 && r[h.size - 1] == 0) --h.size;
+  h.size = significant_size(r, h.size);
   int zeros = 0;
-  while (zeros < h.size && r[zeros] == 0) ++zeros;
+  while (r[zeros] == 0) ++zeros;
   if (zeros > 0) {
     h.size -= zeros;
     h.low += zeros;
@@ -64,21 +63,6 @@ unsigned char combine(std::uint64_t* r, const Operand& a, const Operand& b, int 
   return carry;
 }
 
-// r = the product of the limbs; for few of them faster than a call.
-void multiply_short(std::uint64_t* r, const std::uint64_t* a, int a_size, const std::uint64_t* b,
-                    int b_size) {
-  for (int i = 0; i < a_size; ++i) r[i] = 0;
-  for (int j = 0; j < b_size; ++j) {
-    std::uint64_t carry = 0;
-    for (int i = 0; i < a_size; ++i) {
-      const uint128 t = static_cast<uint128>(a[i]) * b[j] + r[i + j] + carry;
-      r[i + j] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
-    }
-    r[a_size + j] = carry;
-  }
-}
-
 }  // namespace
 
 WideHead wide_sum(std::uint64_t* r, const WideHead& a_head, const std::uint64_t* a_limb,
@@ -95,7 +79,7 @@ WideHead wide_sum(std::uint64_t* r, const WideHead& a_head, const std::uint64_t*
   if (a.head.is_negative == b.head.is_negative) {
     if (combine<true>(r, a, b, low, high) != 0) r[high++ - low] = 1;
   } else {
-    const int order = compare_magnitudes(a, b);
+    const auto order = compare_magnitudes(a, b);
     if (order == 0) return {};
     if (order < 0) std::swap(a, b);
     combine<false>(r, a, b, low, high);
@@ -108,7 +92,7 @@ WideHead wide_product(std::uint64_t* r, const WideHead& a, const std::uint64_t* 
   if (a.size == 0 || b.size == 0) return {};
   constexpr int kShort = 6;
   if (a.size <= kShort && b.size <= kShort) {
-    multiply_short(r, a_limb, a.size, b_limb, b.size);
+    multiply_limbs(r, a_limb, a.size, b_limb, b.size);
   } else if (a.size >= b.size) {
     mpn_mul(limbs(r), limbs(a_limb), a.size, limbs(b_limb), b.size);
   } else {
@@ -120,7 +104,7 @@ WideHead wide_product(std::uint64_t* r, const WideHead& a, const std::uint64_t* 
 WideHead wide_from(std::uint64_t* r, std::int64_t mantissa, int shift) noexcept {
   if (mantissa == 0) return {};
   const bool is_negative = mantissa < 0;
-  const std::uint64_t magnitude = static_cast<std::uint64_t>(is_negative ? -mantissa : mantissa);
+  const std::uint64_t magnitude = magnitude_of(mantissa);
   const int part = shift % 64;
   r[0] = magnitude << part;
   r[1] = part == 0 ? 0 : magnitude >> (64 - part);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/patch_shapes.h"
@@ -66,6 +67,136 @@ TEST(SideWitness, OfThreeSides) {
   const auto w = find_side_witness(complex, {});
   ASSERT_TRUE(w);
   EXPECT_EQ(w->same + w->opposite, 3u);
+}
+
+// A patch over a plane curve x(t), y(t), which is its side 3 run downwards: the other sides lie at z = 5.
+Patch strip_over(const std::vector<Rational>& x, const std::vector<Rational>& y) {
+  std::vector<Rational> c;
+  for (const auto* values : {&x, &y})
+    for (const Rational& v : *values) c.insert(c.end(), 2, v);
+  for (std::size_t i = 0; i < x.size(); ++i) c.push_back(Rational(0)), c.push_back(Rational(5));
+  const int degree = static_cast<int>(x.size()) - 1;
+  return make_patch(BezierSurface<Rational>({degree, 1}, 3, false, c)).value();
+}
+// The side of a strip that lies over z = 0, and whether parameters run along it.
+SideWitness on_curve(const Patch& strip, const DyadicInterval& arc, unsigned bits,
+                     std::uint64_t point) {
+  SideWitness w;
+  for (std::uint32_t s = 0; s < strip.num_sides(); ++s) {
+    const auto z = strip.side(s);
+    const auto values = z.component(2);
+    if (std::all_of(values.begin(), values.end(),
+                    [](const Rational& v) { return v.sign() == Sign::kZero; }))
+      w.arcs = {{{0, s}, arc}};
+  }
+  w.point_bits = bits, w.point = point, w.same = 1;
+  return w;
+}
+// The first of the three coordinates with which the witness holds, or why it does not with the best of them.
+std::optional<SideCondition> best(const PatchComplex& complex, SideWitness w) {
+  std::optional<SideCondition> out = SideCondition::kD1;
+  for (w.axis = 0; w.axis < 3; ++w.axis) {
+    const auto broken = broken_condition(complex, {}, w);
+    if (!broken) return broken;
+    if (*broken > *out) out = broken;
+  }
+  return out;
+}
+
+// The cubic x = s^2, y = s^3 - s passes (1, 0) for s = -1 and s = 1. Wherever these two lie among the parameters, an arc around
+// one of them does not hold the other, and an arc around another point of the curve is a proof.
+TEST(SideWitness, APointThatItsOwnSidePassesAgainIsNoProof) {
+  for (std::uint64_t a = 1; a < 12; a += 3)
+    for (std::uint64_t b = a + 3; b < 16; b += 4) {
+      SCOPED_TRACE(std::to_string(a) + " / 16 and " + std::to_string(b) + " / 16");
+      // s = p + q t with s(a / 16) = -1, s(b / 16) = 1; in Bernstein form by blossoms.
+      const Rational q = Rational(32) / Rational(b - a), p = Rational(-1) - q * Rational(a) / 16;
+      const Rational s0 = p, s1 = p + q;
+      const Rational third = Rational(1) / Rational(3);
+      const auto square = [&](const Rational& u, const Rational& v, const Rational& w) {
+        return third * (u * v + v * w + w * u);
+      };
+      const auto cubic = [&](const Rational& u, const Rational& v, const Rational& w) {
+        return u * v * w - third * (u + v + w);
+      };
+      const Patch strip = strip_over(
+          {square(s0, s0, s0), square(s0, s0, s1), square(s0, s1, s1), square(s1, s1, s1)},
+          {cubic(s0, s0, s0), cubic(s0, s0, s1), cubic(s0, s1, s1), cubic(s1, s1, s1)});
+      const PatchComplex complex = complex_of({strip});
+      const Patch& kept = complex.patch(0);
+      for (const std::uint64_t at : {a, b}) {
+        // Within 1 / 32 of the node, and of a place 1 / 32 further on.
+        const DyadicInterval arc{5, 2 * at - 1, 2 * at + 1}, next{6, 4 * at + 1, 4 * at + 3};
+        EXPECT_EQ(best(complex, on_curve(kept, arc, 4, at)), SideCondition::kD4);
+        EXPECT_EQ(best(complex, on_curve(kept, next, 5, 2 * at + 1)), std::nullopt);
+      }
+    }
+}
+
+// The finest arcs that a certificate can name.
+TEST(SideWitness, ArcsOfSixtyTwoBitsAreProofs) {
+  const PatchComplex complex = complex_of({strip_over({0, 1}, {0, 0})});
+  const Patch& kept = complex.patch(0);
+  const std::uint64_t most = std::uint64_t{1} << 61;
+  EXPECT_EQ(best(complex, on_curve(kept, {61, 0, 1}, 62, 1)), std::nullopt);
+  EXPECT_EQ(best(complex, on_curve(kept, {61, most - 1, most}, 62, 2 * most - 1)), std::nullopt);
+  EXPECT_EQ(best(complex, on_curve(kept, DyadicInterval::whole(), 62, most)), std::nullopt);
+  EXPECT_EQ(best(complex, on_curve(kept, DyadicInterval::whole(), 63, most)), SideCondition::kD1);
+}
+
+// Arcs of one side may have an end in common; D1 asks for inner points that no two share.
+TEST(SideWitness, ArcsThatTouchAreTwoArcs) {
+  const PatchComplex complex = complex_of({strip_over({0, 1}, {0, 0})});
+  SideWitness w = on_curve(complex.patch(0), {1, 0, 1}, 2, 1);
+  const PatchSide side = w.arcs[0].side;
+  w.same = 2;
+  w.arcs.push_back({side, {1, 1, 2}});
+  EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD2);
+  std::swap(w.arcs[0], w.arcs[1]);
+  w.point = 3;
+  EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD2);
+  w.arcs[1].at = {2, 1, 3};
+  EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD1);
+}
+
+// D4's hulls say nothing about a curve with a weight that is not positive.
+TEST(SideWitness, NoneOfModelsWithWeightsThatAreNotPositive) {
+  for (const int weight : {0, -1}) {
+    Patches patches = without(unit_box(), 5);
+    std::vector<Rational> c;
+    for (const int v : {7, 7, 9, 9 * weight, 0, 1, 0, weight, 0, 0, 0, 0, 1, 1, 1, weight})
+      c.push_back(Rational(v));
+    patches.push_back(make_patch(BezierSurface<Rational>({1, 1}, 4, true, c)).value());
+    const PatchComplex complex = complex_of(patches);
+    ASSERT_EQ(complex.count(PatchDefect::kWeight), 1u);
+    EXPECT_FALSE(find_side_witness(complex, {})) << weight;
+  }
+}
+
+// The search takes the widest arc: the whole side if a coordinate is monotone along it.
+TEST(SideWitness, ArcsAreAsWideAsACoordinateIsMonotone) {
+  const auto straight = find_side_witness(complex_of(without(unit_box(), 5)), {});
+  ASSERT_TRUE(straight);
+  EXPECT_EQ(straight->arcs[0].at, DyadicInterval::whole());
+  // The curve (t (1 - t), t^2 (1 - t)) returns to its origin: no coordinate is monotone along all of it.
+  const Rational third = Rational(1) / Rational(3);
+  const PatchComplex loop = complex_of({strip_over({0, third, third, 0}, {0, 0, third, 0})});
+  const auto bent = find_side_witness(loop, {});
+  ASSERT_TRUE(bent);
+  EXPECT_EQ(bent->arcs[0].at, (DyadicInterval{3, 3, 5}));
+}
+
+// Findings of other kinds name whole patches, or nothing.
+TEST(SideWitness, OtherFindingsArePassedOver) {
+  Patches twice = unit_box();
+  twice.push_back(twice[0]);
+  const auto w = find_side_witness(complex_of(twice), {});
+  ASSERT_TRUE(w);
+  EXPECT_EQ(w->arcs.size(), 3u);
+  PatchInput input;
+  input.patches = without(unit_box(), 5);
+  input.findings.emplace_back().defect = PatchDefect::kNotFinite;  // it names no patch
+  EXPECT_TRUE(find_side_witness(make_patch_complex(std::move(input)).value(), {}));
 }
 
 // Whatever is closed has no witness; neither has what only may be closed as a set of points.

@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Would the quick tests notice a broken kernel?  Source-level mutants of a layer's decisions.
 
-    python3 tests/mutation/kernel_mutants.py LAYER [--build build] [--only FILES] [--sample N] [--jobs J] [--slow] [--list]
+    python3 tests/mutation/kernel_mutants.py LAYER [--build build] [--only FILES] [--sample N] [--jobs J] [--again FILE] [--list]
 
 Every mutant is one small change: a constant halved, doubled or zeroed, a comparison turned round or moved by its boundary, a condition
 of an `if` held to be true or false. All of them are compiled at once: in ONE copy of the layer each place asks for the number of the mutant
-that is switched on (the variable VT_MUTANT of the environment), so a mutant costs one run of the tests that name the layer. The first run
-notes which places the tests reach at all; the others need no run.
+that is switched on (the variable VT_MUTANT of the environment), so a mutant costs no compiler. Every test is run once alone without a mutant and
+notes which places it reaches and what it costs; a mutant is then shown to the tests that reach its place, cheapest first, until one fails.
 
 A mutant is killed if a test fails, crashes or runs for far too long. kernel_equivalent.txt lists mutants that are no mistakes, each with
-the reason; they are run, too: one that is killed, or that no line of the layer gives any more, ends the run with exit 1.
+the reason; they are run, too: one that is killed, or that no line of the layer gives any more, ends the run with exit 1. Its rules for
+places that only propose (what is searched first, and for how long) excuse survivors; what the tests notice there counts as killed.
 Prints JSON lines for ./dev soak; survivors as text in between. REQUIRES a configured build folder with the layer's test binary.
 """
 import argparse
@@ -39,33 +40,41 @@ LAYERS = {
                   "tests/solids/surface_form_test.cc", "tests/solids/piece_forest_test.cc", "tests/solids/patch_volume_test.cc",
                   "tests/solids/box_hierarchy_test.cc", "tests/support/piece_bound_subjects.cc"],
         "binary": "solids_quick",
-        "filter": "Piece*:Exact*:ShellVolumes.*-" + (slow := "ShellVolumes.EndAt*:ShellVolumes.Keep*:ShellVolumes.AreAsNarrow*:ShellVolumes.HoldForHigh*"),
-        "slow": "SurfaceForm.*:" + slow,
+        "filter": "*",
     },
+    # The conditions D1 to D4, the search for what satisfies them, and the equality of sides on which they stand.
     "side_witness": {
-        "files": ["verify/certify/side_witness.cc", "verify/certify/side_search.cc"],
-        "tests": ["tests/certify/side_witness_test.cc"],
+        "files": ["verify/certify/side_witness.cc", "verify/certify/side_search.cc", "solids/patches/patch_sides.cc",
+                  "solids/patches/patch_sides.h"],
+        "tests": ["tests/certify/side_witness_test.cc", "tests/solids/patch_sides_test.cc"],
         "binary": "certify_quick",
-        "filter": "SideWitness*",
+        "filter": "*",
     },
+    # The conditions X1 to X3, the solver that proposes what satisfies them, and which pieces are searched.
     "crossing": {
-        "files": ["verify/certify/crossing_witness.cc", "verify/certify/miranda_internal.h"],
+        "files": ["verify/certify/crossing_witness.cc", "verify/certify/crossing_witness.h", "verify/certify/miranda_internal.h",
+                  "verify/certify/crossing_solver.cc", "verify/certify/sheet_tangents_internal.h", "verify/certify/piece_neighbours.cc"],
         "tests": ["tests/certify/crossing_test.cc"],
         "binary": "certify_quick",
         "filter": "*",
     },
+    # Proved arcs, what of them lies in both domains, and the cover of all common points by them.
     "tubes": {
-        "files": ["interval/intersect/intersection_tube.cc", "interval/intersect/intersection_tube.h"],
-        "tests": ["tests/interval/intersection_tube_test.cc"],
+        "files": ["interval/intersect/intersection_tube.cc", "interval/intersect/intersection_clip.cc",
+                  "interval/intersect/intersection_search.cc"],
+        "tests": ["tests/interval/intersection_tube_test.cc", "tests/interval/intersection_clip_test.cc",
+                  "tests/interval/surface_intersection_test.cc"],
         "binary": "interval_quick",
-        "filter": "*",
+        "filter": "IntersectionTube*:IntersectionClip*:SurfaceIntersection*:IntersectionCurve.Gaps*",
     },
 }
 
 SWITCH = r"""
 #pragma once
+#include <compare>
 #include <cstdio>
 #include <cstdlib>
+#include <type_traits>
 // Which mutant is switched on, and which places were reached.
 namespace vt {
 inline unsigned char reached[1 << 16];
@@ -107,6 +116,9 @@ struct Left {
   const T& v;
   int d;
 };
+// An ordering (of <=>) can be compared with a literal 0 only.
+template <typename T>
+inline constexpr bool is_ordering = std::is_convertible_v<T, std::partial_ordering>;
 // a < b becomes a < Lt{base} > b, and so on: operators of the same rank, so that operands need no parsing.
 struct Lt { int base; };
 struct Le { int base; };
@@ -118,7 +130,10 @@ struct Ne { int base; };
   template <typename T> struct Left##Tag : Left<T> {};                                                    \
   template <typename T> Left##Tag<T> operator op1(const T& a, Tag t) { return {{a, change(t.base, 2)}}; }  \
   template <typename T, typename U> bool operator op2(Left##Tag<T> l, const U& b) {                       \
-    return l.d < 0 ? static_cast<bool>(l.v op b) : l.d == 0 ? !(l.v op b) : static_cast<bool>(l.v weak b); \
+    if constexpr (is_ordering<T>)                                                                          \
+      return l.d < 0 ? l.v op 0 : l.d == 0 ? !(l.v op 0) : l.v weak 0;                                     \
+    else                                                                                                   \
+      return l.d < 0 ? static_cast<bool>(l.v op b) : l.d == 0 ? !(l.v op b) : static_cast<bool>(l.v weak b); \
   }
 VT_RELATION(Lt, <, >, <, <=)
 VT_RELATION(Le, <, >, <=, <)
@@ -128,7 +143,12 @@ VT_RELATION(Ge, >, <, >=, >)
 #define VT_EQUALITY(Tag, op)                                                                                     \
   template <typename T> struct Left##Tag : Left<T> {};                                                           \
   template <typename T> Left##Tag<T> operator op(const T& a, Tag t) { return {{a, change(t.base, 1)}}; }          \
-  template <typename T, typename U> bool operator op(Left##Tag<T> l, const U& b) { return (l.v op b) == (l.d < 0); }
+  template <typename T, typename U> bool operator op(Left##Tag<T> l, const U& b) {                               \
+    if constexpr (is_ordering<T>)                                                                                \
+      return (l.v op 0) == (l.d < 0);                                                                            \
+    else                                                                                                         \
+      return (l.v op b) == (l.d < 0);                                                                            \
+  }
 VT_EQUALITY(Eq, ==)
 VT_EQUALITY(Ne, !=)
 #undef VT_EQUALITY
@@ -297,15 +317,75 @@ def run_tests(program, tests, cpu, **env):
                           env=dict(os.environ, **env), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=3600).returncode
 
 
+Test = collections.namedtuple("Test", "seconds name reached")  # CPU seconds; numbers of the first mutants of the places
+
+
+def measured_tests(program, pattern, scratch):
+    """Every test alone without a mutant, cheapest first."""
+    listed = subprocess.run([str(program), "--gtest_list_tests", "--gtest_filter=" + pattern], stdout=subprocess.PIPE, text=True, check=True)
+    suite, out = "", []
+    for row in listed.stdout.split("\n"):
+        word = row.split("#")[0].strip()
+        if not row.startswith(" "):
+            suite = word
+            continue
+        used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        if word and run_tests(program, suite + word, 600, VT_REACHED=str(scratch / "reached")) != 0:
+            sys.exit("kernel_mutants: %s fails without a mutant" % (suite + word))
+        if word:
+            reached = {int(n) for n in (scratch / "reached").read_text().split()}
+            out.append(Test(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - used, suite + word, reached))
+    return sorted(out)
+
+
 def equivalents():
     """{(file, what, place, text): reason} of kernel_equivalent.txt: FILE | WHAT | PLACE | LINE | REASON."""
-    out = {}
+    return {tuple(k): reason for *k, reason in rows_of_equivalents() if k[1] not in RULES}
+
+
+def rules():
+    """[(file, kind, text, reason)] of kernel_equivalent.txt: FILE | line or function | proposes | LINE or NAME | REASON."""
+    return [(file, kind, text, reason) for file, kind, _, text, reason in rows_of_equivalents() if kind in RULES]
+
+
+RULES = ("line", "function")
+
+
+def rows_of_equivalents():
     for row in EQUIVALENT.read_text().split("\n"):
         if row.strip() and not row.startswith("#"):
             file, what, place, rest = [f.strip() for f in row.split(" | ", 3)]
             text, reason = [f.strip() for f in rest.rsplit(" | ", 1)]
-            out[file, what, int(place), text] = reason
+            yield file, what, place if what in RULES else int(place), text, reason
+
+
+def lines_of_function(code, name):
+    """The numbers of the lines of all definitions of this function: from its name at the margin's side of a body to the body's end."""
+    out = set()
+    for m in re.finditer(r"(?<![\w.>:])(?:\w+::)*%s\(" % re.escape(name), code):
+        head = closing(code, m.end() - 1)
+        body = re.match(r"\)[\w\s]*(?::[^;{}]*(?:\{[^{}]*\}[^;{}]*)*)?\{", code[head:])
+        if not body:
+            continue
+        depth, at = 1, head + body.end()
+        while depth and at < len(code):
+            depth += (code[at] == "{") - (code[at] == "}")
+            at += 1
+        out |= set(range(code.count("\n", 0, m.start()) + 1, code.count("\n", 0, at) + 2))
     return out
+
+
+def excused(mutants):
+    """({number: reason} of mutants at places that only propose, rules that excuse none of these files' mutants)."""
+    out, idle = {}, []
+    for file, kind, text, reason in rules():
+        here = [m for m in mutants if m.file == file]
+        lines = lines_of_function(masked((ROOT / file).read_text()), text) if kind == "function" else ()
+        found = [m.number for m in here if (m.line in lines if kind == "function" else m.text == text)]
+        out.update(dict.fromkeys(found, reason))
+        if here and not found:
+            idle.append((file, kind, text))
+    return out, idle
 
 
 def key_of(m):
@@ -320,57 +400,58 @@ def main(argv):
     a.add_argument("--seed", type=int, default=1)
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     a.add_argument("--only", default="", help="mutants of files whose path matches this expression")
-    a.add_argument("--slow", action="store_true", help="run the layer's slow tests on what survives the others")
+    a.add_argument("--again", type=pathlib.Path, help="only the mutants that an earlier output in this file names")
     a.add_argument("--list", action="store_true", help="every mutant and what became of it")
     options, start = a.parse_args(argv), time.monotonic()
     layer, build = LAYERS[options.layer], options.build.resolve()
     scratch = build / "kernel_mutants" / options.layer
     scratch.mkdir(parents=True, exist_ok=True)
-    slow = layer.get("slow") if options.slow else None
     subprocess.run(["cmake", "--build", str(build), "--target", layer["binary"]], check=True, stdout=sys.stderr)
     program, mutants = compile_all(layer, build, scratch, options.jobs)
-    reached_file = scratch / "reached"
-    used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    if run_tests(program, layer["filter"], 600, VT_REACHED=str(reached_file)) != 0:
-        sys.exit("kernel_mutants: the tests fail without a mutant")
-    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - used
-    reached_bases = {int(n) for n in reached_file.read_text().split()}
-    reached, base = set(), -1
-    for m in mutants:  # mutants of one place follow each other
-        base = m.number if m.number in reached_bases or not same_place(m, mutants, base) else base
-        if base in reached_bases:
-            reached.add(m.number)
-    print("%d mutants, %d of them reached by tests that take %.1f s" % (len(mutants), len(reached), seconds), flush=True)
+    tests = measured_tests(program, layer["filter"], scratch)
+    first = {}  # of the place of each mutant; mutants of one place follow each other
+    for m in mutants:
+        first[m.number] = first[m.number - 1] if m.number > 0 and same_place(m, mutants, first[m.number - 1]) else m.number
+    reached = {m.number for m in mutants if any(first[m.number] in t.reached for t in tests)}
+    print("%d mutants, %d of them reached by tests that take %.1f s" % (len(mutants), len(reached), sum(t.seconds for t in tests)), flush=True)
     known, keys = equivalents(), {key_of(m) for m in mutants}
-    stale = [k for k in known if k[0] in {m.file for m in mutants} and k not in keys]
+    proposals, idle = excused(mutants)
+    stale = [k for k in known if k[0] in {m.file for m in mutants} and k not in keys] + idle
     if stale:
         sys.exit("kernel_mutants: kernel_equivalent.txt lists what is no mutant: %s" % (stale[0],))
     chosen = [m for m in mutants if re.search(options.only, m.file)]
+    if options.again:
+        chosen = [m for m in chosen if any(row.endswith("%s | %d | %s" % (m.what, m.place, m.text)) for row in options.again.read_text().split("\n"))]
     if options.sample and options.sample < len(chosen):
         chosen = sorted(random.Random(options.seed).sample(chosen, options.sample))
-    cpu = int(20 * seconds) + 10
 
     def judge(m):
-        env = {"VT_MUTANT": str(m.number)}
-        return m, m.number in reached and (run_tests(program, layer["filter"], cpu, **env) != 0 or
-                                           bool(slow) and run_tests(program, slow, 20 * cpu, **env) != 0)
+        """The test that notices the mutant."""
+        for test in tests if m.number in reached else ():
+            if first[m.number] in test.reached and run_tests(program, test.name, int(20 * test.seconds) + 10, VT_MUTANT=str(m.number)) != 0:
+                return m, test.name
+        return m, None
 
     count, wrong = collections.Counter(), 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for m, killed in pool.map(judge, chosen):
+        for m, killer in pool.map(judge, chosen):
             is_known = key_of(m) in known
-            wrong += is_known and killed
-            count["equivalent" if is_known and not killed else "killed" if killed else "survived"] += 1
-            if options.list or is_known == killed:
-                word = "NOT EQUIVALENT" if is_known and killed else "killed" if killed else "equivalent" if is_known else "SURVIVED" if m.number in reached else "NOT REACHED"
-                print("%s %s:%d | %s | %d | %s" % (word, m.file, m.line, m.what, m.place, m.text), flush=True)
+            wrong += is_known and killer is not None
+            kind = ("killed" if killer else "equivalent" if is_known else "proposes" if m.number in proposals else "survived")
+            count[kind] += 1
+            if options.list or is_known == (killer is not None) and kind != "proposes":
+                word = "NOT EQUIVALENT" if is_known and killer else kind if kind != "survived" else "SURVIVED" if m.number in reached else "NOT REACHED"
+                print("%s %s:%d | %s | %d | %s%s" % (word, m.file, m.line, m.what, m.place, m.text, " | by " + killer if killer and options.list else ""), flush=True)
     real = count["killed"] + count["survived"]
-    for name, value, goal in (("kernel_mutants_" + options.layer, real, 200), ("kernel_mutants_equivalent_" + options.layer, count["equivalent"], None),
-                              ("kernel_mutants_killed_" + options.layer, count["killed"], real),
-                              ("kernel_mutation_score_percent_" + options.layer, round(100 * count["killed"] / max(real, 1), 2), 95),
-                              ("seconds", round(time.monotonic() - start, 1), None)):
+    score = count["killed"] / max(real, 1)
+    for name, value, goal in (("kernel_mutants_" + options.layer, real, ">= 200"),
+                              ("kernel_mutants_equivalent_" + options.layer, count["equivalent"], "each with its reason"),
+                              ("kernel_mutants_proposals_" + options.layer, count["proposes"], "places that decide nothing, each with its reason"),
+                              ("kernel_mutants_survived_" + options.layer, count["survived"], "<= 5 %"),
+                              ("kernel_mutation_score_" + options.layer, round(score, 4), ">= 0.95"),
+                              ("kernel_mutants_seconds_" + options.layer, round(time.monotonic() - start, 1), "")):
         print(json.dumps({"name": name, "value": value, "goal": goal}))
-    return 1 if wrong else 0
+    return 1 if wrong or score < 0.95 else 0
 
 
 def same_place(m, mutants, base):

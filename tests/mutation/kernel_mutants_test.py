@@ -45,13 +45,35 @@ class Places(unittest.TestCase):
         self.assertIn("const double kUnit = vt::number(", made.text)
 
     def test_every_layer_has_enough_places(self):
-        for layer, least in (("pieces", 400), ("side_witness", 50), ("crossing", 30), ("tubes", 80)):
+        for layer, least in (("pieces", 400), ("side_witness", 200), ("crossing", 200), ("tubes", 200)):
             self.assertGreater(len(places(layer)), least, layer)
 
     def test_equivalent_mutants_are_mutants(self):
         keys = {kernel_mutants.key_of(m) for layer in kernel_mutants.LAYERS for m in places(layer)}
         for key in kernel_mutants.equivalents():
             self.assertIn(key, keys)
+
+    def test_every_rule_names_a_place_of_some_layer(self):
+        mutants = [m for layer in kernel_mutants.LAYERS for m in places(layer)]
+        files = {m.file for m in mutants}
+        for file, _, _, reason in kernel_mutants.rules():
+            self.assertIn(file, files)
+            self.assertTrue(reason)
+        self.assertEqual(kernel_mutants.excused(mutants)[1], [])
+
+    def test_a_rule_for_a_function_ends_with_it(self):
+        code = kernel_mutants.masked("""int a(int x) const {
+  if (x < 1) return b(x);
+  return 2;
+}
+Result K::b(int x, std::optional<int> y) {
+  return a(x) < 3;
+}
+int c(int x) : d_(x) {}
+int b(int x);
+""")
+        self.assertEqual(kernel_mutants.lines_of_function(code, "a"), {1, 2, 3, 4})
+        self.assertEqual(kernel_mutants.lines_of_function(code, "b"), {5, 6, 7})
 
 
 if __name__ == "__main__":

@@ -109,6 +109,93 @@ TEST(SideForm, AgreesWithTheCanonicalCurve) {
       }
 }
 
+// x, y, z (w) of one control point after the other.
+Patch::Curve curve_of(int degree, bool is_rational, const std::vector<int>& by_points) {
+  Patch::Curve curve({degree}, is_rational ? 4 : 3, is_rational);
+  const int width = curve.num_components();
+  for (int i = 0; i <= degree; ++i)
+    for (int c = 0; c < width; ++c)
+      curve.component(c)[static_cast<std::size_t>(i)] =
+          Rational(by_points[static_cast<std::size_t>(width * i + c)]);
+  return curve;
+}
+// A patch with this curve as two of its sides.
+Patch patch_along(const Patch::Curve& curve) {
+  std::vector<Rational> c;
+  for (int k = 0; k < curve.num_components(); ++k)
+    for (const Rational& v : curve.component(k)) c.insert(c.end(), 2, v);
+  return make_patch(BezierSurface<Rational>({curve.degree(0), 1}, curve.num_components(),
+                                            curve.is_rational(), c))
+      .value();
+}
+std::vector<Patch::Curve> unlike_curves() {
+  return {
+      curve_of(1, false, {0, 0, 0, 1, 2, 3}),
+      curve_of(1, false, {0, 0, 0, 1, 2, 4}),
+      // It begins with the numbers of the first.
+      curve_of(2, false, {0, 0, 0, 1, 2, 3, 5, 5, 5}),
+      // The same twelve numbers, without and with weights.
+      curve_of(3, false, {0, 1, 2, 1, 3, 5, 4, 2, 7, 6, 9, 3}),
+      curve_of(2, true, {0, 1, 2, 1, 3, 5, 4, 2, 7, 6, 9, 3}),
+      // Without an end, or without any point.
+      curve_of(2, true, {0, 1, 2, 0, 3, 5, 4, 2, 7, 6, 9, 3}),
+      curve_of(2, true, {0, 1, 2, 1, 3, 5, 4, 2, 7, 6, 9, 0}),
+      curve_of(2, true, {0, 1, 2, 0, 3, 5, 4, 0, 7, 6, 9, 0}),
+  };
+}
+
+TEST(CanonicalCurve, UnlikeCurvesHaveUnlikeForms) {
+  const auto curves = unlike_curves();
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const CanonicalCurve a = canonical(curves[i]), b = canonical(curves[k]);
+      EXPECT_EQ(a == b, i == k) << i << " " << k;
+      EXPECT_EQ((a <=> b) == 0, i == k) << i << " " << k;
+      EXPECT_EQ((a <=> b) < 0, (b <=> a) > 0) << i << " " << k;
+    }
+}
+TEST(CanonicalCurve, AFactorOfACurveWithoutPointsDoesNotCount) {
+  Patch::Curve curve = curve_of(2, true, {0, 1, 2, 0, 3, 5, 4, 0, 7, 6, 9, 0});
+  const CanonicalCurve before = canonical(curve);
+  for (Rational& v : curve.coefficients()) v *= Rational(3);
+  EXPECT_EQ(canonical(curve), before);
+}
+
+// Sides are matched by this order: two forms that it takes for equal are one edge.
+TEST(SideForm, IsOrderedAsTheCanonicalCurvesAre) {
+  std::vector<Patch> patches = patch_shapes::sphere();
+  for (const auto& curve : unlike_curves()) patches.push_back(patch_along(curve));
+  patches.push_back(reversed(patch_shapes::pn_torus(4, 4)[0]));
+  struct Side {
+    internal::SideForm form;
+    CanonicalCurve curve;
+  };
+  std::vector<Side> sides;
+  for (const Patch& patch : patches)
+    for (std::uint32_t s = 0; s < patch.num_sides(); ++s) {
+      internal::SideForm form(patch, s);
+      ASSERT_EQ(form.is_collapsed(), is_collapsed(patch.side(s)));
+      if (form.is_collapsed()) continue;
+      const CanonicalCurve curve = canonical(patch.side(s));
+      EXPECT_EQ(form.hash(), hash_of(curve));
+      EXPECT_EQ(form.travel(), curve.travel);
+      sides.push_back({std::move(form), curve});
+    }
+  for (const Side& a : sides)
+    for (const Side& b : sides) {
+      EXPECT_EQ((a.form <=> b.form) == 0, a.curve == b.curve);
+      EXPECT_EQ(a.form <=> b.form, a.curve <=> b.curve);
+    }
+}
+TEST(SideForm, APointWithoutAWeightIsNotCollapsed) {
+  for (const auto& points : {std::vector{0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 3},
+                             std::vector{-1, 0, 1, 1, 0, 0, 0, 0, -3, 0, 3, 3}}) {
+    const Patch patch = patch_along(curve_of(2, true, points));
+    for (std::uint32_t s = 0; s < 4; ++s)
+      EXPECT_EQ(internal::SideForm(patch, s).is_collapsed(), is_collapsed(patch.side(s))) << s;
+  }
+}
+
 TEST(Patch, SidesRunFromCornerToCornerInSymmetriesToo) {
   const auto ends = [](const Patch& patch, std::uint32_t s) {
     const Patch::Curve curve = patch.side(s);

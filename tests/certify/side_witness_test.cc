@@ -194,9 +194,9 @@ TEST(SideWitness, OtherFindingsArePassedOver) {
   ASSERT_TRUE(w);
   EXPECT_EQ(w->arcs.size(), 3u);
   PatchInput input;
-  input.patches = without(unit_box(), 5);
+  input.patches = unit_box();
   input.findings.emplace_back().defect = PatchDefect::kNotFinite;  // it names no patch
-  EXPECT_TRUE(find_side_witness(make_patch_complex(std::move(input)).value(), {}));
+  EXPECT_FALSE(find_side_witness(make_patch_complex(std::move(input)).value(), {}));
 }
 
 // Whatever is closed has no witness; neither has what only may be closed as a set of points.
@@ -269,6 +269,15 @@ TEST(SideWitness, EachConditionIsNeeded) {
   w.arcs.push_back(
       {{good.arcs[0].side.patch, (good.arcs[0].side.side + 2) % 4}, DyadicInterval::whole()});
   w.opposite = 1;  // another curve
+  expect(w, SideCondition::kD2);
+  // Two more that would do as numbers, if they were the first curve run backwards.
+  w = good;
+  for (std::uint32_t p = 0; p < complex.patches().size(); ++p)
+    for (std::uint32_t side = 0; side < 4; ++side)
+      if (!complex.mate({p, side}) && PatchSide{p, side} != good.arcs[0].side && w.arcs.size() < 3)
+        w.arcs.push_back({{p, side}, DyadicInterval::whole()});
+  ASSERT_EQ(w.arcs.size(), 3u);
+  w.same = 1, w.opposite = 2;
   expect(w, SideCondition::kD2);
   for (std::uint8_t axis = 0; axis < 3; ++axis) {
     w = good;

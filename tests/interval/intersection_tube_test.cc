@@ -108,6 +108,85 @@ TEST(IntersectionTube, ContainsWhatItSays) {
   EXPECT_FALSE(tube.contains(wider));
 }
 
+TEST(IntersectionTube, ATubeAlongAnotherParameterIsComparedAsASet) {
+  const ScopedUpward upward;
+  IntersectionTube large;  // u in [0, 1], the others in [-1, 1]
+  large.w_lo = 0, large.w_hi = 1;
+  for (std::size_t i = 1; i < 4; ++i) large.offset[i] = Interval::from_bounds(-1, 1);
+  IntersectionTube other;  // v in [0.25, 0.5], s and t 0
+  other.pivot = 1;
+  other.w_lo = 0.25, other.w_hi = 0.5;
+  other.slope = {0, 1, 0, 0};
+  other.center[0] = 0.5;
+  EXPECT_TRUE(large.contains(other));
+  other.center[0] = 5;
+  EXPECT_FALSE(large.contains(other));
+}
+
+// What is returned is proved: the arc of the longer tube lies in it, however narrow the offsets are with which the search begins.
+TEST(IntersectionTube, ShortenedTubesHoldTheArcWhereFirstOffsetsAreTooNarrow) {
+  const ScopedUpward upward;
+  const auto pair = bowl_and_plane();
+  std::size_t proved = 0;
+  for (const auto& tube : pair.cover.tubes) {
+    IntersectionTube narrow = tube;
+    for (std::size_t i = 0; i < 4; ++i) narrow.derivative[i] = Interval(tube.slope[i]);
+    const auto out = shortened(pair.s1, pair.s2, narrow, tube.w_lo, tube.w_hi);
+    if (!out) continue;
+    ++proved;
+    for (const double t : {0.0, 0.125, 0.5, 0.875, 1.0}) {
+      const double w = tube.w_lo + t * (tube.w_hi - tube.w_lo);
+      EXPECT_TRUE(out->contains(locate(pair.s1, pair.s2, tube, std::min(w, tube.w_hi)))) << t;
+    }
+  }
+  EXPECT_GT(proved, 0u);
+}
+
+// contract() leaves a region without a range where it finds nothing; a search that took it for covered would drop a pair of boxes.
+TEST(IntersectionTube, ARegionWithoutARangeLiesInNoTube) {
+  const ScopedUpward upward;
+  IntersectionTube large;
+  large.w_lo = -1, large.w_hi = 1;
+  for (std::size_t i = 1; i < 4; ++i) large.offset[i] = Interval::from_bounds(-1, 1);
+  IntersectionTube small = large;
+  small.w_lo = 0, small.w_hi = 0.5;
+  EXPECT_TRUE(large.contains(small));
+  EXPECT_FALSE(large.contains(IntersectionTube{}));
+}
+
+// The inverse of the Jacobian has a row beyond the range of doubles, though the determinant has a reciprocal within. Numbers that are
+// not finite prove nothing: neither that a box is empty, nor where its points lie.
+TEST(IntersectionTube, AnInverseThatOverflowsProvesNothing) {
+  const ScopedUpward upward;
+  const auto s1 = EnclosedSurface::make(bowl()), s2 = EnclosedSurface::make(floor_plane());
+  const auto column = [](double x, double y, double z) {
+    return Box3(Interval(x), Interval(y), Interval(z));
+  };
+  const auto side = [](double r) { return Interval::from_bounds(0.5 - r, 0.5 + r); };
+  for (const double z : {0x1p-1063, 0x1p-1030, -0x1p-1063}) {
+    const double long_side = 0x1p1000;
+    const Box4 x(side(0x1p-10), side(0x1p-10), side(long_side), side(0x1p-10));
+    IntersectionTube region;
+    EXPECT_EQ(contract(*s1, *s2, x, column(0x1p33, 0, 0), column(0, 0x1p33, 0), column(0, 0, z),
+                       column(0, 0, 0), &region),
+              Contraction::kUnknown)
+        << z;
+  }
+}
+
+TEST(IntersectionClusters, BoxesThatTouchAreOneAndOthersAreNot) {
+  const auto box = [](double u, double v, double s, double t) {
+    const auto side = [](double at) { return Interval::from_bounds(at, at + 1); };
+    return Box4(side(u), side(v), side(s), side(t));
+  };
+  using Clusters = std::vector<std::vector<std::size_t>>;
+  EXPECT_EQ(clusters_of({box(0, 0, 0, 0), box(0, 0, 0, 2), box(0, 2, 0, 0), box(3, 0, 0, 0)}),
+            (Clusters{{0}, {1}, {2}, {3}}));
+  EXPECT_EQ(clusters_of({box(4, 0, 0, 0), box(0, 0, 0, 0), box(2, 0, 0, 5), box(3, 0, 0, 1),
+                         box(1, 1, 1, 1)}),
+            (Clusters{{0, 3}, {1, 4}, {2}}));
+}
+
 TEST(IntersectionTube, ShortenedTubesKeepTheArc) {
   const ScopedUpward upward;
   const auto pair = bowl_and_plane();

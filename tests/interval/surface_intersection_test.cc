@@ -210,6 +210,21 @@ TEST(SurfaceIntersection, CountsLoops) {
   EXPECT_TRUE(strips.is_complete());
 }
 
+TEST(SurfaceIntersection, PiecesOfOneSurfaceMeetWhatTheWholeMeets) {
+  // The knots of the inner borders run through the loops, and near their ends.
+  BSplineSurface<Rational> wells = double_well(q(1));
+  for (const Rational& knot : {q(1, 4), q(1, 2), q(7, 10)})
+    for (std::size_t axis = 0; axis < 2; ++axis) wells = insert_knot(wells, axis, knot);
+  BSplineSurface<Rational> floor = plane(q(-2), q(2), q(-2), q(2), q(1, 100));
+  floor = insert_knot(floor, 0, q(1, 3));
+  for (const bool is_swapped : {false, true}) {
+    const auto x = is_swapped ? of(floor, wells) : of(wells, floor);
+    EXPECT_EQ(x.branches.size(), 4u);
+    EXPECT_EQ(num_closed(x), 4u);
+    EXPECT_TRUE(x.is_complete());
+  }
+}
+
 TEST(SurfaceIntersection, AnArcEndsInTwoCorners) {
   const BSplineSurface<Rational> tilted = surface_of(
       uniform_axis(1, 1), uniform_axis(1, 1),

@@ -54,7 +54,7 @@ LAYERS = {
     "crossing": {
         "files": ["verify/certify/crossing_witness.cc", "verify/certify/crossing_witness.h", "verify/certify/miranda_internal.h",
                   "verify/certify/crossing_solver.cc", "verify/certify/sheet_tangents_internal.h", "verify/certify/piece_neighbours.cc"],
-        "tests": ["tests/certify/crossing_test.cc"],
+        "tests": ["tests/certify/crossing_test.cc", "tests/certify/crossing_solver_test.cc"],
         "binary": "certify_quick",
         "filter": "*",
     },
@@ -65,7 +65,7 @@ LAYERS = {
         "tests": ["tests/interval/intersection_tube_test.cc", "tests/interval/intersection_clip_test.cc",
                   "tests/interval/surface_intersection_test.cc"],
         "binary": "interval_quick",
-        "filter": "IntersectionTube*:IntersectionClip*:SurfaceIntersection*:IntersectionCurve.Gaps*",
+        "filter": "IntersectionTube*:IntersectionClusters*:IntersectionClip*:SurfaceIntersection*:IntersectionCurve.Gaps*",
     },
 }
 
@@ -349,6 +349,7 @@ def rules():
 
 
 RULES = ("line", "function")
+COSTLY = 0.6  # CPU seconds: tests that take longer are not run for places that only propose
 
 
 def rows_of_equivalents():
@@ -428,6 +429,8 @@ def main(argv):
     def judge(m):
         """The test that notices the mutant."""
         for test in tests if m.number in reached else ():
+            if m.number in proposals and test.seconds > COSTLY:
+                break
             if first[m.number] in test.reached and run_tests(program, test.name, int(20 * test.seconds) + 10, VT_MUTANT=str(m.number)) != 0:
                 return m, test.name
         return m, None

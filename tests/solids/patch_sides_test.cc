@@ -141,6 +141,10 @@ std::vector<Patch::Curve> unlike_curves() {
       curve_of(2, true, {0, 1, 2, 0, 3, 5, 4, 2, 7, 6, 9, 3}),
       curve_of(2, true, {0, 1, 2, 1, 3, 5, 4, 2, 7, 6, 9, 0}),
       curve_of(2, true, {0, 1, 2, 0, 3, 5, 4, 0, 7, 6, 9, 0}),
+      // From a point back to it: the first number that differs is an inner one.
+      curve_of(3, false, {1, 1, 1, 5, 0, 0, 0, 2, 0, 1, 1, 1}),
+      curve_of(3, true, {1, 1, 1, 1, 0, 2, 0, 2, 5, 0, 0, 3, 1, 1, 1, 1}),
+      curve_of(2, false, {1, 1, 1, 5, 0, 0, 1, 1, 1}),
   };
 }
 
@@ -164,7 +168,8 @@ TEST(CanonicalCurve, AFactorOfACurveWithoutPointsDoesNotCount) {
 // Sides are matched by this order: two forms that it takes for equal are one edge.
 TEST(SideForm, IsOrderedAsTheCanonicalCurvesAre) {
   std::vector<Patch> patches = patch_shapes::sphere();
-  for (const auto& curve : unlike_curves()) patches.push_back(patch_along(curve));
+  for (const auto& curve : unlike_curves())
+    for (const auto& c : {curve, reversed(curve, 0)}) patches.push_back(patch_along(c));
   patches.push_back(reversed(patch_shapes::pn_torus(4, 4)[0]));
   struct Side {
     internal::SideForm form;

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The solver on pairs of patches, each with a common point that is known.
+#include "verify/certify/crossing_solver.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/certify/planted_crossings.h"
+
+namespace veritope {
+namespace {
+
+using planted::ratio;
+
+PatchComplex complex_of(std::vector<Patch> patches) {
+  PatchInput input;
+  input.patches = std::move(patches);
+  return make_patch_complex(std::move(input)).value();
+}
+std::optional<CrossingCondition> broken(const PatchComplex& complex, const CrossingWitness& w) {
+  return broken_condition(complex.patch(w.sheets[0].patch), complex.patch(w.sheets[1].patch), w);
+}
+// Bilinear: corner + u U + v V.
+Patch flat(const PatchPoint& corner, const PatchPoint& u, const PatchPoint& v) {
+  std::vector<Rational> c;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const int a : {0, 1})
+      for (const int b : {0, 1})
+        c.push_back(corner[k] + (a == 1 ? u[k] : Rational(0)) + (b == 1 ? v[k] : Rational(0)));
+  return make_patch(BezierSurface<Rational>({1, 1}, 3, false, c)).value();
+}
+Patch floor_patch() { return flat({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
+// x = 0, y in [-1, 1], z in [bottom, bottom + 2].
+Patch wall_patch(const Rational& bottom) { return flat({0, -1, bottom}, {0, 2, 0}, {0, 0, 2}); }
+
+// How far apart the two places are in space, by exact images.
+double gap_of(const PatchComplex& complex, const std::array<SheetPlace, 2>& at) {
+  std::array<std::array<double, 3>, 2> p;
+  for (std::size_t s = 0; s < 2; ++s)
+    p[s] = approx_point(
+        planted::image(complex.patch(at[s].patch),
+                       {Rational::from_double(at[s].at[0]), Rational::from_double(at[s].at[1])}));
+  return std::hypot(p[0][0] - p[1][0], p[0][1] - p[1][1], p[0][2] - p[1][2]);
+}
+
+// Of each model only the two patches that cross at the planted point.
+TEST(CrossingSolver, ProvesWhatIsPlantedNearTheGuess) {
+  Random random(21);
+  for (int i = 0; i < 24; ++i) {
+    const planted::PlantedModel m = planted::two_shells(random);
+    SCOPED_TRACE(std::to_string(i) + ": " + m.name);
+    const PatchComplex complex =
+        complex_of({m.patches[m.places[0].patch], m.patches[m.places[1].patch]});
+    const PieceForest forest = PieceForest::make(complex).value();
+    std::array<SheetPlace, 2> guess;
+    for (std::size_t s = 0; s < 2; ++s) {
+      guess[s].patch = static_cast<std::uint32_t>(s);
+      for (std::size_t k = 0; k < 2; ++k)
+        guess[s].at[k] = std::clamp(
+            nearest_double(m.places[s].at[k]) + random.between(-9, 9) / 1000.0, 0.0, 1.0);
+    }
+    CrossingSolver solver(forest);
+    const auto solution = solver.solve(guess, 0.125);
+    ASSERT_TRUE(solution);
+    EXPECT_LE(gap_of(complex, *solution), 1e-11);
+    for (std::size_t s = 0; s < 2; ++s)
+      for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR((*solution)[s].at[k], guess[s].at[k], 0.125);
+    const auto witness = solver.prove(*solution);
+    ASSERT_TRUE(witness);
+    EXPECT_EQ(broken(complex, *witness), std::nullopt);
+  }
+}
+
+TEST(CrossingSolver, StaysWithinItsReach) {
+  const PatchComplex complex = complex_of({floor_patch(), wall_patch(-1)});
+  const PieceForest forest = PieceForest::make(complex).value();
+  CrossingSolver solver(forest);
+  const std::array<SheetPlace, 2> guess{SheetPlace{0, {0.125, 0.5}}, SheetPlace{1, {0.5, 0.5}}};
+  EXPECT_FALSE(solver.solve(guess, 0.25));
+  EXPECT_TRUE(solver.solve(guess, 0.375));
+  EXPECT_TRUE(solver.solve(guess, 0.5));
+}
+
+TEST(CrossingSolver, ParallelSheetsHaveNoSolution) {
+  const PatchComplex complex = complex_of({floor_patch(), flat({-1, -1, 1}, {2, 0, 0}, {0, 2, 0})});
+  const PieceForest forest = PieceForest::make(complex).value();
+  CrossingSolver solver(forest);
+  EXPECT_FALSE(solver.solve({SheetPlace{0, {0.25, 0.5}}, SheetPlace{1, {0.5, 0.5}}}, 1));
+}
+
+// The curve in which they meet ends on the wall's border, in the floor's interior. In either order of the two.
+TEST(CrossingSolver, ABorderInAnInteriorIsFixedThere) {
+  for (const bool floor_first : {true, false})
+    for (const bool is_end : {true, false}) {
+      const Patch floor = floor_patch(), wall = flat({0, -ratio(1, 2), -1}, {0, 1, 0}, {0, 0, 2});
+      const PatchComplex complex =
+          floor_first ? complex_of({floor, wall}) : complex_of({wall, floor});
+      const PieceForest forest = PieceForest::make(complex).value();
+      CrossingSolver solver(forest);
+      const std::uint32_t f = floor_first ? 0 : 1;
+      const double s = is_end ? 1.0 : 0.0;
+      std::array<SheetPlace, 2> at{SheetPlace{f, {0.5, 0.25 + 0.5 * s}},
+                                   SheetPlace{1 - f, {s, 0.5}}};
+      if (!floor_first) std::swap(at[0], at[1]);
+      const auto witness = solver.prove(at);
+      ASSERT_TRUE(witness);
+      EXPECT_EQ(broken(complex, *witness), std::nullopt);
+      EXPECT_EQ(witness->sheets[0].patch, f);
+      EXPECT_TRUE(witness->sheets[1].at[0].is_point());
+      EXPECT_EQ(witness->sheets[1].at[0].lower(), Rational::from_double(s));
+    }
+}
+
+// Sheets that meet at borders of both alone, as neighbours do, or that touch: nothing is proved.
+TEST(CrossingSolver, BordersThatMeetAndContactsAreNotProved) {
+  const Patch floor = floor_patch();
+  {
+    const PatchComplex complex = complex_of({floor, flat({1, -1, 0}, {0, 2, 0}, {0, 0, 2})});
+    const PieceForest forest = PieceForest::make(complex).value();
+    CrossingSolver solver(forest);
+    EXPECT_FALSE(solver.prove({SheetPlace{0, {1, 0.5}}, SheetPlace{1, {0.5, 0}}}));
+  }
+  // z = y^2 touches the floor along a line.
+  std::vector<Rational> c;
+  for (const int x : {-1, 1}) c.insert(c.end(), 3, Rational(x));
+  for (int i = 0; i < 2; ++i)
+    for (const int y : {-1, 0, 1}) c.push_back(Rational(y));
+  for (int i = 0; i < 2; ++i)
+    for (const int z : {1, -1, 1}) c.push_back(Rational(z));
+  const Patch bowl = make_patch(BezierSurface<Rational>({1, 2}, 3, false, c)).value();
+  const PatchComplex complex = complex_of({floor, bowl});
+  const PieceForest forest = PieceForest::make(complex).value();
+  CrossingSolver solver(forest);
+  const std::array<SheetPlace, 2> contact{SheetPlace{0, {0.5, 0.5}}, SheetPlace{1, {0.5, 0.5}}};
+  EXPECT_FALSE(solver.prove(contact));
+  // Nor is a place next to it, which is no solution.
+  EXPECT_FALSE(solver.prove({SheetPlace{0, {0.25, 0.75}}, SheetPlace{1, {0.25, 0.5}}}));
+}
+
+}  // namespace
+}  // namespace veritope

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope cover.
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/condition_report.h"
 #include "cli/cover_picture.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "io/read_model.h"
 #include "report/report_text.h"
+#include "report/sweep_report.h"
 #include "solids/interval_boxes/condition_sweep.h"
+#include "solids/star_box/star_box.h"
 #include "verify/certify/file_patches.h"
 
 namespace veritope::cli {
@@ -60,6 +62,26 @@ std::string contradiction(const Options& o) {
   if (o.output.empty() && !o.sweep) return "-o,--output is required";
   if (o.output == "-") return "--output needs a file name, not -";
   return "";
+}
+
+/// The greatest power of two that is at most a quarter of the longest side of the box of the model's control points.
+double default_eps(BoundaryModel& model) {
+  const Box3d all = hull_of_roots(model.forest());
+  // Twice, because the exponent of an unbounded hull is the greatest int.
+  return std::ldexp(std::ldexp(1, std::ilogb(extent(all))), -2 - model.forest().scale());
+}
+
+/// Budgets, in boxes and cells: a row takes seconds, tens of them at worst. What they do not suffice for is undecided.
+SweepOptions sweep_budgets() {
+  SweepOptions out;
+  out.boxes.max_boxes = 4'000;
+  out.conditions.trace.max_cells = 500;
+  out.conditions.max_cells = 50'000;
+  out.conditions.max_intersections = 50'000;
+  out.conditions.max_listed = 1;
+  out.conditions.stops_at_refutation = true;
+  out.max_cells = 6'000;
+  return out;
 }
 
 class CoverRun {

@@ -4,12 +4,15 @@
 #include <new>
 
 #include "cli/commands.h"
+#include "cli/model_input.h"
 #include "cli/output_plan.h"
-#include "cli/spline_report.h"
+#include "io/formats.h"
 #include "io/mesh/write_mesh.h"
+#include "io/splines/write_splines.h"
 #include "report/file_report.h"
 #include "report/info_report.h"
 #include "report/report_json.h"
+#include "report/spline_report.h"
 
 namespace veritope::cli {
 
@@ -55,6 +58,38 @@ InfoReport info_of(const std::string& path, ModelInput& input) {
     return report;
   }
   report.exit = kExitUnreadable;
+  return report;
+}
+
+std::vector<std::string> lossless_formats(const SplineFile& file) {
+  std::vector<std::string> names;
+  for (const ModelFormat& row : model_formats()) {
+    if (row.kind() != ModelKind::kSplines || row.write == nullptr) continue;
+    const SplineFormat format = std::get<SplineFormat>(row.id);
+    const SplineLoss loss = spline_loss(file.model, format, spline_bytes(file.model, format));
+    if (loss.shapes.empty() && loss.dropped.empty() && !loss.unreadable)
+      names.emplace_back(row.name);
+  }
+  return names;
+}
+
+SplineReport spline_report(const std::string& path, ModelInput& input) {
+  SplineReport report;
+  report.path = path;
+  try {
+    Result<ModelFile> file = input.take();
+    if (file) {
+      report.file = std::get<SplineFile>(std::move(*file));
+      report.lossless = lossless_formats(*report.file);
+      return report;
+    }
+    report.fault = finding_of(file.error());
+    report.exit = kExitUnreadable;
+  } catch (const std::bad_alloc&) {
+    report.file.reset();
+    report.fault = fault_of("out-of-memory", "not enough memory for this file");
+    report.exit = kExitUndecided;
+  }
   return report;
 }
 

@@ -3,10 +3,11 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/intersection_report.h"
+#include "cli/intersection_picture.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "io/read_model.h"
+#include "report/intersection_report.h"
 #include "report/text_style.h"
 
 namespace veritope::cli {

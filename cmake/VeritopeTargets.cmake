@@ -32,7 +32,8 @@ function(veritope_batches target)
 endfunction()
 
 # veritope_layer(NAME FOLDER LINK...): one library a row of docs/layers.txt, from the .cc files that belong to its
-# folder. LINK names the layers that the row allows, so that the linker knows the same arrows as the test.
+# folder. LINK names the layers that the row allows, so that the linker knows the same arrows as the test. A layer whose
+# units share a large header of others names it in VERITOPE_ALSO_PRECOMPILED.
 function(veritope_layer name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.cc")
   foreach(room IN LISTS VERITOPE_ROOMS)
@@ -47,7 +48,11 @@ function(veritope_layer name folder)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/veritope>)
   target_compile_features(veritope_${name} PUBLIC cxx_std_20)
   target_link_libraries(veritope_${name} PRIVATE $<BUILD_INTERFACE:veritope_flags>)
-  target_precompile_headers(veritope_${name} REUSE_FROM veritope_pch)
+  if(VERITOPE_ALSO_PRECOMPILED)
+    target_precompile_headers(veritope_${name} PRIVATE ${VERITOPE_PRECOMPILED} ${VERITOPE_ALSO_PRECOMPILED})
+  else()
+    target_precompile_headers(veritope_${name} REUSE_FROM veritope_pch)
+  endif()
   foreach(lower IN LISTS ARGN)
     target_link_libraries(veritope_${name} PUBLIC ${lower})
   endforeach()

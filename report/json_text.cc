@@ -31,6 +31,10 @@ void append(std::string& out, const Json& json) {
 
 }  // namespace
 
+Json interval_json(const Interval& a) {
+  return Json::array({number_json(a.lo()), number_json(a.hi())});
+}
+
 Json point_json(const Point3d& point) {
   return Json::array({number_json(point[0]), number_json(point[1]), number_json(point[2])});
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "interval/interval.h"
 #include "robust/base/box3d.h"
 #include "solids/base/finding.h"
 
@@ -24,6 +25,8 @@ inline Json text_json(const std::string& text) { return text.empty() ? Json(null
 /// JSON has no infinity: null.
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// [least, greatest]
+Json interval_json(const Interval& a);
 Json point_json(const Point3d& point);
 /// Null without a box, or if the box has bounds beyond binary64.
 Json box_json(const std::optional<Box3d>& box);

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "cli/condition_report.h"
-
-#include <cmath>
+#include "report/sweep_report.h"
 
 #include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/text_style.h"
 #include "verify/certify/certify.h"
-#include "solids/star_box/star_box.h"
 
-namespace veritope::cli {
-
-using namespace report;
+namespace veritope::report {
 namespace {
 
 const char* short_word(Answer a) {
@@ -44,24 +39,6 @@ Json row_json(const SweepRow& row) {
 }
 
 }  // namespace
-
-double default_eps(BoundaryModel& model) {
-  const Box3d all = hull_of_roots(model.forest());
-  // Twice, because the exponent of an unbounded hull is the greatest int.
-  return std::ldexp(std::ldexp(1, std::ilogb(extent(all))), -2 - model.forest().scale());
-}
-
-SweepOptions sweep_budgets() {
-  SweepOptions out;
-  out.boxes.max_boxes = 4'000;
-  out.conditions.trace.max_cells = 500;
-  out.conditions.max_cells = 50'000;
-  out.conditions.max_intersections = 50'000;
-  out.conditions.max_listed = 1;
-  out.conditions.stops_at_refutation = true;
-  out.max_cells = 6'000;
-  return out;
-}
 
 const SweepRow* finest_row(const std::vector<SweepRow>& rows) {
   const SweepRow* out = nullptr;
@@ -96,4 +73,4 @@ std::string sweep_json(const std::string& path, const std::string& sha256,
          "\n";
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

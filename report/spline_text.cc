@@ -3,23 +3,22 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/spline_report.h"
 #include "report/decimal_text.h"
+#include "report/file_report.h"
+#include "report/spline_report.h"
 
-namespace veritope::cli {
-
-using namespace report;
+namespace veritope::report {
 namespace {
 
 constexpr std::size_t kMostListed = 20;
 
-std::string box_text(const std::vector<ExactInterval>& box) {
-  std::string lo, hi;
-  for (const ExactInterval& s : box) {
-    lo += (lo.empty() ? "" : ", ") + short_decimal(s.lo);
-    hi += (hi.empty() ? "" : ", ") + short_decimal(s.hi);
-  }
-  return box.empty() ? "empty" : "(" + lo + ") to (" + hi + ")";
+std::string box_text(const ControlBox& box) {
+  const auto corner = [](const std::vector<Rational>& at) {
+    std::string text;
+    for (const Rational& x : at) text += (text.empty() ? "" : ", ") + short_decimal(x);
+    return "(" + text + ")";
+  };
+  return box.lo.empty() ? "empty" : corner(box.lo) + " to " + corner(box.hi);
 }
 
 template <std::size_t N>
@@ -94,7 +93,7 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   for (const LeftOut& l : file.left_out)
     out += detail_line("left out", std::to_string(l.count) + " " + harmless(l.what) +
                                        (l.reason.empty() ? "" : ": " + harmless(l.reason)));
-  std::vector<ExactInterval> all;
+  ControlBox all;
   for (const SplineEntity& e : file.model.entities) unite(all, control_box(e));
   out += detail_line("box", box_text(all));
   std::string names;
@@ -113,4 +112,4 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   return out;
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/projection_report.h: what veritope project says: for one point and the curves and surfaces of a file.
+// report/projection_report.h: what veritope project says: for one point and the curves and surfaces of a file.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -7,13 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "report/exit_code.h"
 #include "interval/intersect/point_projection.h"
-#include "io/splines/spline_model.h"
+#include "report/exit_code.h"
 
-namespace veritope::cli {
-
-using namespace report;
+namespace veritope::report {
 
 /// One curve or surface of the file.
 struct ProjectionTarget {
@@ -36,15 +33,8 @@ struct ProjectionReport {
   bool is_complete() const;
 };
 
-/// "1,-2.5,1e-3" or with fractions and hexadecimal numbers, exactly.
-Result<std::vector<Rational>> point_from_text(const std::string& text);
-
-/// @error kBadArgument: nothing to project on, or of another dimension than the point
-Result<ProjectionReport> project_on(std::vector<Rational> point, const SplineModel& model,
-                                    const SolverOptions& options);
-
-/// Schema: docs/report.schema.json, projection. One line.
+/// The schema: docs/report.schema.json, projection. One line.
 std::string projection_json(const ProjectionReport& report);
 std::string projection_text(const ProjectionReport& report);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

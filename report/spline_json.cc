@@ -3,10 +3,9 @@
 #include "cli/spline_report.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"
+#include "report/spline_report.h"
 
-namespace veritope::cli {
-
-using namespace report;
+namespace veritope::report {
 namespace {
 
 std::string name_of(const SplineModel& model, const SplineEntity& entity) {
@@ -15,8 +14,8 @@ std::string name_of(const SplineModel& model, const SplineEntity& entity) {
   return "";
 }
 
-Json box_json(const std::vector<ExactInterval>& box) {
-  if (box.empty()) return nullptr;
+Json box_json(const ControlBox& box) {
+  if (box.lo.empty()) return nullptr;
   Json lo = Json::array(), hi = Json::array();
   for (const ExactInterval& s : box) {
     lo.push_back(number_json(round_down(s.lo)));
@@ -116,7 +115,7 @@ Json counts_json(const SplineModel* model) {
 std::string spline_json(const SplineReport& report) {
   const SplineFile* const file = report.file ? &*report.file : nullptr;
   Json left_out = Json::array(), entities = Json::array();
-  std::vector<ExactInterval> all;
+  ControlBox all;
   if (file != nullptr) {
     for (const LeftOut& l : file->left_out)
       left_out.push_back({{"what", l.what},
@@ -143,4 +142,4 @@ std::string spline_json(const SplineReport& report) {
   return dump(out);
 }
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/intersection_report.h: what veritope intersect says.
+// report/intersection_report.h: what veritope intersect says.
 #pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "report/exit_code.h"
 #include "interval/intersect/surface_intersection.h"
-#include "io/splines/read_splines.h"
+#include "io/splines/spline_model.h"
+#include "report/exit_code.h"
 
-namespace veritope::cli {
-
-using namespace report;
+namespace veritope::report {
 
 /// A surface of a file: of an entity, from 0, or of a face of a model there.
 struct NamedSurface {
@@ -37,11 +38,13 @@ struct IntersectionReport {
   ExitCode exit() const { return is_complete() ? kExitValid : kExitUndecided; }
 };
 
+/// "elliptic", "hyperbolic", "unknown".
+const char* shape_name(IntersectionContact::Shape shape);
+
+/// The schema: docs/report.schema.json, intersection.
 std::string intersection_json(const IntersectionReport& report);
 std::string intersection_text(const IntersectionReport& report);
-/// The curves alone: control points in both domains.
+/// The curves alone: control points in both domains. The schema: docs/report.schema.json, curves.
 std::string curves_json(const IntersectionReport& report);
-/// The curves as VTK polygons, 8 pieces a segment, with points on the first surfaces in binary64.
-std::string curves_vtu(const IntersectionReport& report);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/condition_report.h: what veritope cover --sweep says: the paper's conditions at eps, eps / 2, ...
+// report/sweep_report.h: what veritope cover --sweep says: the paper's conditions at eps, eps / 2, ...
 // (solids/interval_boxes/condition_sweep.h).
 #pragma once
 #include <string>
@@ -7,13 +7,7 @@
 
 #include "solids/interval_boxes/condition_sweep.h"
 
-namespace veritope::cli {
-
-/// The greatest power of two that is at most a quarter of the longest side of the box of the model's control points.
-double default_eps(BoundaryModel& model);
-
-/// Budgets, in boxes and cells: a row takes seconds, tens of them at worst. What they do not suffice for is undecided.
-SweepOptions sweep_budgets();
+namespace veritope::report {
 
 /// The table, and for the smallest eps with boxes one reason for every condition that does not hold there.
 std::string sweep_text(const std::vector<SweepRow>& rows);
@@ -25,4 +19,4 @@ std::string sweep_json(const std::string& path, const std::string& sha256,
 /// The row of the smallest eps whose boxes were made; null: none.
 const SweepRow* finest_row(const std::vector<SweepRow>& rows);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

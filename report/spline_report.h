@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/spline_report.h: what veritope info says about spline files.
+// report/spline_report.h: what veritope info says about spline files.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/model_input.h"
-#include "interval/exact_box.h"
+#include "io/model_file.h"
 #include "report/exit_code.h"
-#include "report/file_report.h"
 #include "report/text_style.h"
+#include "robust/finding.h"
 
-namespace veritope::cli {
-
-using namespace report;
+namespace veritope::report {
 
 struct SplineReport {
   std::string path;
@@ -22,8 +19,6 @@ struct SplineReport {
   std::vector<std::string> lossless;  ///< formats that hold it without loss
   std::optional<Finding> fault;
 };
-
-SplineReport spline_report(const std::string& path, ModelInput& input);
 
 /// The element of "files" of veritope-info-1; one line.
 std::string spline_json(const SplineReport& report);
@@ -36,4 +31,4 @@ std::vector<ExactInterval> control_box(const SplineEntity& entity);
 /// `box` grows to hold `other`; coordinates that only one of them has stay.
 void unite(std::vector<ExactInterval>& box, const std::vector<ExactInterval>& other);
 
-}  // namespace veritope::cli
+}  // namespace veritope::report

@@ -19,8 +19,9 @@
 
 namespace veritope {
 
-/// The greatest degree, along each axis or of a triangle, of which a patch complex is sound; a patch of more is read,
-/// matched and named as a finding (PatchDefect::kDegree). A patch of degree greater than kMaxSplineDegree is refused.
+/// The greatest degree, along each axis or of a triangle, that a sound patch complex may have; a patch of a greater
+/// degree is read, matched and reported as a finding (PatchDefect::kDegree). A patch of degree greater than
+/// kMaxSplineDegree is refused.
 inline constexpr int kMaxPatchDegree = 15;
 
 using PatchPoint = std::array<Rational, 3>;
@@ -30,15 +31,15 @@ struct PatchOrigin {
   enum class Kind { kBuilt, kSurface, kFacet, kTriangle };
   Kind kind = Kind::kBuilt;
   std::uint64_t number = 0;  ///< of the surface, facet, triangle or built patch, from 0
-  std::array<std::uint32_t, 2>
-      span{};  ///< of a surface: which of its pieces, along each axis, from 0
+  /// For a surface: which of its pieces, along each axis, from 0.
+  std::array<std::uint32_t, 2> span{};
   friend bool operator==(const PatchOrigin&, const PatchOrigin&) = default;
 };
 /// "surface 3, span (0, 2)", "facet 17", "triangle 2", "patch 4".
 std::string to_string(const PatchOrigin& origin);
 
 /// A map of [0,1]^2, S(u, v) with u = axis 0 and v = axis 1, or of the standard triangle, into space. Its normal is S_u
-/// x S_v; of a triangle (corner 1 - corner 0) x (corner 2 - corner 0) where it is flat.
+/// x S_v; for a flat triangle that is (corner 1 - corner 0) x (corner 2 - corner 0).
 /// Corners: (0,0), (1,0), (1,1), (0,1); of a triangle its corners 0, 1, 2. Side s runs from corner s to corner s + 1
 /// (the last one to corner 0): counterclockwise, seen from where the normal points.
 class Patch {
@@ -59,11 +60,11 @@ class Patch {
   /// The greater of a tensor's degrees.
   int max_degree() const;
 
-  /// 3 or 4; as many corners.
+  /// 3 or 4; there are equally many corners.
   std::uint32_t num_sides() const { return is_triangle() ? 3 : 4; }
-  /// In its direction of travel; homogeneous iff is_rational(). REQUIRES side < num_sides().
+  /// The side as a curve in its direction of travel; homogeneous iff is_rational(). REQUIRES side < num_sides().
   Curve side(std::uint32_t side) const;
-  /// The number of its control points, and where in a component the i-th is.
+  /// The number of control points of a side, and where in a component the i-th of them is.
   std::size_t side_length(std::uint32_t side) const;
   std::size_t side_index(std::uint32_t side, std::size_t i) const;
   /// The homogeneous coefficients of a corner: 3, or 4 with the weight last. REQUIRES corner < num_sides().
@@ -87,8 +88,7 @@ class Patch {
 };
 
 /// @error kBadArgument unless the map has three coordinates and all degrees are 1 or more; kOverLimit for a degree over
-/// kMaxSplineDegree.
-///        Weights are not examined: see PatchDefect::kWeight.
+///        kMaxSplineDegree. Weights are not examined: see PatchDefect::kWeight.
 Result<Patch> make_patch(Patch::Tensor map, PatchOrigin origin = {});
 Result<Patch> make_patch(Patch::Triangle map, PatchOrigin origin = {});
 

@@ -54,7 +54,7 @@ void for_each_side(std::span<const Patch> patches, Visit visit) {
     for (std::uint32_t s = 0; s < patches[p].num_sides(); ++s) visit(PatchSide{p, s});
 }
 
-/// Four slots a patch; PatchComplex::kNone for collapsed sides and unused slots. Edges are numbered by their first
+/// Four slots per patch; PatchComplex::kNone for collapsed sides and unused slots. Edges are numbered by their first
 /// sides.
 struct MatchedSides {
   std::vector<std::uint32_t> edge_of_side;
@@ -68,8 +68,8 @@ MatchedSides match_sides(std::span<const Patch> patches);
 /// alike.
 inline bool run_alike(Travel a, Travel b) { return a == b && a != Travel::kBoth; }
 
-/// For each patch whether it is to be reversed, so that no edge with two sides has them run alike; no patch of a shell
-/// where that is impossible. `conflicts`: one edge of each such shell.
+/// For each patch, whether it must be reversed so that no edge has two sides that run alike; in a shell where that is
+/// impossible no patch is reversed. `conflicts`: one edge of each such shell.
 struct Flips {
   std::vector<bool> flip;
   std::vector<std::uint32_t> conflicts;
@@ -77,15 +77,15 @@ struct Flips {
 /// @cost linear
 Flips find_flips(std::size_t num_patches, const MatchedSides& matched);
 
-/// kWeight, kDegree and kAdjacentPoles, by patch.
+/// Adds the findings kWeight, kDegree and kAdjacentPoles, by patch.
 void find_bad_patches(std::span<const Patch> patches, const MatchedSides& matched,
                       std::vector<PatchFinding>& out);
-/// Each patch that repeats an earlier one, once, with that earlier patch.
+/// Adds each patch that repeats an earlier one, once, with that earlier patch.
 void find_repeated_patches(std::span<const Patch> patches, const MatchedSides& matched,
                            std::vector<PatchFinding>& out);
-/// For each open side the nearest other one, if their ends lie within a small part (2^-16) of the largest coordinate of
-/// each other; each pair once. The search compares a side only with the few next ones, so it may miss a pair: a hint
-/// for people, not a decision.
+/// Adds, for each open side, the nearest other one, if their ends lie within a small part (2^-16) of the largest
+/// coordinate of each other; each pair once. The search compares a side only with the few next ones, so it may miss a
+/// pair: it gives people a hint and decides nothing.
 void find_near_misses(std::span<const Patch> patches, std::span<const PatchSide> open,
                       std::vector<PatchFinding>& out);
 

@@ -99,7 +99,7 @@ bool is_collapsed(const BSplineCurve<Rational>& curve) {
                    {curve.coefficients().begin(), curve.coefficients().end()}));
 }
 
-// Axes that must have the same breaks, some reversed against their class.
+// Axes that must have the same breaks, some of them reversed relative to their class.
 class TiedAxes {
  public:
   explicit TiedAxes(std::size_t n) : parent_(n), flips_(n, false), is_symmetric_(n, false) {

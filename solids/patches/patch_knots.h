@@ -29,8 +29,8 @@ CommonBreaks common_breaks(std::span<const BSplineSurface<Rational>> surfaces);
 
 namespace internal {
 
-/// A B-spline curve on [0,1] whatever its degree and knots: the breaks at which the curve is no polynomial, and a form
-/// of each piece.
+/// A B-spline curve on [0,1] whatever its degree and knots: the breaks at which the curve is not one polynomial, and a
+/// form of each piece between them.
 struct SplineCurveForm {
   std::vector<Rational> breaks;  ///< the inner breaks
   std::vector<CanonicalCurve> pieces;

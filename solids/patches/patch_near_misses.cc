@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Open sides that nearly fit another one: by how much they differ.
+// Open sides that nearly fit another side, and by how much they differ.
 #include <algorithm>
 #include <array>
 #include <bit>

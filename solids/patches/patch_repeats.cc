@@ -11,7 +11,7 @@ namespace {
 
 using SideEdges = std::array<std::uint32_t, 4>;
 
-// Its edges, ascending; nothing if one of them has no other side: then the patch does not occur again.
+// The edges of a patch, ascending; nothing if one of them has no other side: then the patch does not occur again.
 std::optional<SideEdges> edges_of(const Patch& patch, std::uint32_t p, const MatchedSides& m) {
   SideEdges out;
   out.fill(PatchComplex::kNone - 1);  // of a triangle: no edge has this number

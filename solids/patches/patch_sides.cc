@@ -27,7 +27,7 @@ std::strong_ordering order_of_parts(const Rational& a, const Rational& b) {
 
 namespace {
 
-// The coefficient of t^n, up to a factor, is not 0: the last difference of `count` numbers.
+// True if the coefficient of t^n, up to a factor the last difference of `count` numbers, is not 0.
 template <typename At>
 bool has_last_difference(std::size_t count, At at) {
   const int n = static_cast<int>(count) - 1;
@@ -86,7 +86,7 @@ std::vector<Rational> backwards(const std::vector<Rational>& values, std::size_t
   return out;
 }
 
-// Divides by the absolute value of the first weight that is not 0; if all weights are 0, of the first number that is
+// Divides by the absolute value of the first weight that is not 0 or, if all weights are 0, of the first number that is
 // not 0.
 void normalise(std::vector<Rational>& values, std::size_t width) {
   const Rational* factor = nullptr;
@@ -205,8 +205,8 @@ bool SideForm::is_one_point() const {
   return true;
 }
 
-// What canonical does, for all but rare cases: false, and nothing done, if the degree can be lowered, weights are equal
-// or 0, or the ends are one point.
+// Does what canonical does, for all but rare cases. Returns false, and does nothing, if the degree can be lowered,
+// weights are equal or 0, or the ends are one point.
 bool SideForm::make_in_place() {
   const std::size_t last = num_points() - 1;
   bool has_full_degree = false;

@@ -20,8 +20,8 @@ enum class Travel : std::uint8_t { kForward, kBackward, kBoth };
 struct CanonicalCurve {
   std::size_t width = 3;  ///< 3, or 4 with weights
   std::vector<Rational> values;
-  Travel travel =
-      Travel::kForward;  ///< direction of the curve from which it was made; not compared
+  /// Direction of the curve from which it was made; not compared.
+  Travel travel = Travel::kForward;
 
   /// A total order without meaning.
   friend std::strong_ordering operator<=>(const CanonicalCurve& a, const CanonicalCurve& b);
@@ -42,7 +42,7 @@ CanonicalCurve directed_form(const Patch::Curve& curve);
 /// The directed form of the curve run backwards, made from that of the curve.
 CanonicalCurve run_backwards(const CanonicalCurve& directed);
 
-/// All control points are one point: S0's collapsed row. A weight of 0 gives no point, and the row is then not
+/// True if all control points are one point: S0's collapsed row. A weight of 0 gives no point, and the row is then not
 /// collapsed.
 bool is_collapsed(const Patch::Curve& curve);
 
@@ -53,7 +53,7 @@ std::uint64_t hash_of(const CanonicalCurve& curve);
 namespace internal {
 
 /// The canonical form of a side, with few copies: where the side already has that form up to the direction, this points
-/// at the numbers of the patch, which must live as long. Not to be copied: its pointers may point into itself.
+/// at the numbers of the patch, which must live as long. It must not be copied: its pointers may point into itself.
 class SideForm {
  public:
   SideForm(const Patch& patch, std::uint32_t side);

@@ -127,7 +127,7 @@ Status check_count(const CommonBreaks& breaks, std::span<const std::uint64_t> nu
   return ok_status();
 }
 
-// With a knot at each of the breaks. REQUIRES a clamped axis.
+// The surface with a knot at each of the breaks. REQUIRES a clamped axis.
 Surface cut_at(const Surface& surface, std::size_t axis, const std::vector<Rational>& breaks) {
   const auto& knots = surface.axis(axis).knots;
   std::vector<Rational> missing;
@@ -176,7 +176,7 @@ Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> 
 
 namespace {
 
-// Without the walls between volumes: faces that occur twice, with opposite normals.
+// The faces without the walls between volumes, which are faces that occur twice, with opposite normals.
 std::vector<Patch> without_walls(std::vector<Patch> faces) {
   std::vector<std::pair<CanonicalNet, std::size_t>> nets;
   for (std::size_t f = 0; f < faces.size(); ++f) nets.emplace_back(canonical_net(faces[f]), f);
@@ -205,8 +205,8 @@ Result<std::vector<Patch>> faces_of(std::span<const BezierVolume<Rational>> volu
   for (std::size_t v = 0; v < volumes.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const int end : {0, 1}) {
-        // The rest of the axes in their order: dS/du x dS/dv points along +axis for axes 0 and 2, along -axis for axis
-        // 1.
+        // The rest of the axes in their order: dS/du x dS/dv points along +axis for axes 0 and 2, and along -axis for
+        // axis 1.
         Result<Patch> face = make_patch(
             boundary(volumes[v], axis, end),
             {PatchOrigin::Kind::kSurface, 6 * v + 2 * axis + static_cast<std::size_t>(end), {}});

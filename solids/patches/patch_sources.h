@@ -31,9 +31,8 @@ std::vector<Patch> patches_of(const PnMesh<double>& mesh);
 /// opposite sides, until no cut is missing. Surfaces that share only a part of a side do not fit, nor do those whose
 /// common curve runs at another speed.
 /// @error kBadArgument for a surface not in space; kOverLimit if there would be over kMaxPatches pieces, or a degree is
-/// over
-///        kMaxSplineDegree, with the surface.
-/// @cost  near-linear in the pieces, but for the comparison of sides: O(spans degree^2) each
+///        over kMaxSplineDegree, with the surface.
+/// @cost  near-linear in the pieces, except for the comparison of sides: O(spans degree^2) each
 Result<std::vector<Patch>> patches_of(std::span<const BSplineSurface<Rational>> surfaces);
 
 /// The pieces of the surfaces, and where each surface is cut.

@@ -86,7 +86,7 @@ Map sheared_map(const Map& map, const QuadraticShear& shear) {
   return assembled(parts, map.is_rational());
 }
 
-// Which axes of tensor patches are cut: whole classes of those that mates tie.
+// Chooses the axes of tensor patches that are cut: whole classes of axes that mates tie.
 std::vector<bool> chosen_axes(std::span<const Patch> patches, Random& random) {
   const PatchComplex complex =
       make_patch_complex(std::vector<Patch>(patches.begin(), patches.end())).value();

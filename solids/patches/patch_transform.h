@@ -17,8 +17,8 @@ namespace veritope {
 /// normals stay outward. @error kBadArgument unless `linear` is a map of space with a determinant other than 0.
 Result<std::vector<Patch>> affine_image(std::span<const Patch> patches, const AffineMap& map);
 
-/// The image under the automorphism of space that adds factor * x_i * x_j to coordinate `target`: one to one, of
-/// determinant 1, so the image of an embedded surface is embedded, with the same topology, volume and orientation.
+/// The image under the automorphism of space that adds factor * x_i * x_j to coordinate `target`. It is one to one and
+/// of determinant 1, so the image of an embedded surface is embedded, with the same topology, volume and orientation.
 /// Degrees are doubled. REQUIRES target, i, j < 3; i and j other than target; degrees of at most kMaxSplineDegree / 2.
 struct QuadraticShear {
   std::size_t target, i, j;
@@ -26,7 +26,7 @@ struct QuadraticShear {
 };
 std::vector<Patch> sheared(std::span<const Patch> patches, const QuadraticShear& shear);
 
-/// The patches in another order, each turned by some corner, as `random` says: the same surface.
+/// The patches in another order, each turned to another corner 0, as `random` says: the same surface.
 std::vector<Patch> relabelled(std::span<const Patch> patches, Random& random);
 /// Each patch cut into 4: a tensor at u, v = 1/2, a triangle at the middles of its sides.
 std::vector<Patch> subdivided(std::span<const Patch> patches);

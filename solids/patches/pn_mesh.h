@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/patches/pn_mesh.h: a smooth surface over a triangle mesh with vertex normals: a cubic patch and a quadratic
-// normal field for every triangle (splines/pn_triangle.h), edges are computed once, so that both sides share their
+// normal field for every triangle (splines/pn_triangle.h). Edges are computed once, so that both sides share their
 // control points bit for bit.
 #pragma once
 #include <array>
@@ -46,13 +46,12 @@ class PnMesh {
 
 /// The exact patches. normals: of any length, one for each vertex; those of vertices that no face has are ignored.
 /// @error kBadArgument with the face, the vertex and its corner: a degenerate triangle, a normal that is zero or 90
-/// degrees or more off a
-///        triangle at the vertex; or the number of normals is not that of vertices. kNotFinite, kIndexOutOfRange
-///        with the place.
-/// @cost  approximately 50 microseconds a face for coordinates of all 53 bits
+///        degrees or more off a triangle at the vertex; or the number of normals is not that of vertices. kNotFinite,
+///        kIndexOutOfRange with the place.
+/// @cost  approximately 50 microseconds per face for coordinates of all 53 bits
 Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh, std::span<const Vec3d> normals);
 
-/// Every number rounded to nearest once: a control point has one value, whichever face asks.
+/// Rounds every number to nearest once: a control point has one value, whichever face asks.
 /// @error kNotFinite with the face, if a control point is beyond the largest double.
 Result<PnMesh<double>> rounded(const PnMesh<Rational>& mesh);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kFlush = 1 << 12;
-constexpr std::uint64_t kWorkPerPair = 8;  // deciding a pair costs as much as comparing so many facets with a group
+constexpr std::uint64_t kWorkPerPair = 8;  // deciding a pair costs as much as comparing that many facets with a group
 constexpr float kInf = std::numeric_limits<float>::infinity();
 // enough to keep several threads busy to the end; a constant, so tasks do not depend on jobs
 constexpr std::size_t kTaskGoal = 256;
@@ -57,7 +57,7 @@ struct BroadPhaseWalk {
     if (!found.empty()) sink(task, found);
     found.clear();
   }
-  // Adds up the work of all tasks; true once that is over the budget.
+  // Adds up the work of all tasks; returns true once that is over the budget.
   bool exhausted() {
     if (work - reported >= 4096) report();
     return total.load(std::memory_order_relaxed) > budget;
@@ -67,7 +67,7 @@ struct BroadPhaseWalk {
     reported = work;
   }
 
-  // All groups under both nodes; instruction set chosen at run time.
+  // Compares all groups under both nodes; the instruction set is chosen at run time.
   void run(std::uint32_t level, std::uint32_t a, std::uint32_t b);
 };
 

@@ -22,23 +22,23 @@ using FacetPair = std::pair<std::uint32_t, std::uint32_t>;
 /// (UnitScale), so that it misses no overlap. Walked in independent tasks.
 class BoxGroups {
  public:
-  /// REQUIRES fewer than 2^30 facets in `order`. 36 bytes a facet.
+  /// REQUIRES fewer than 2^30 facets in `order`. 36 bytes per facet.
   BoxGroups(const TriangleMesh& mesh, std::vector<std::uint32_t> order, const VertexStars& stars,
             const UnitScale& scale, unsigned jobs);
 
   /// Receives pairs, some at a time, each unordered pair once in all; `task` numbers the task that found them.
   using Sink = std::function<void(std::size_t task, std::span<const FacetPair>)>;
 
-  /// Finds every unordered pair whose boxes overlap and whose common vertices, if any, are no stars. Which task finds a
-  /// pair does not depend on jobs. Stops early and returns false when the work (facets compared with groups, and 8 for
-  /// each pair) exceeds `budget`: the boxes of long thin facets overlap too much for this method, and what the sink has
-  /// seen is incomplete. Whether it returns false does not depend on jobs either.
+  /// Finds every unordered pair whose boxes overlap and whose common vertices, if any, are not stars. Which task finds
+  /// a pair does not depend on jobs. Stops early and returns false when the work (facets compared with groups, and 8
+  /// for each pair) exceeds `budget`: the boxes of long thin facets overlap too much for this method, and what the sink
+  /// has seen is incomplete. Whether it returns false does not depend on jobs either.
   bool for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink& sink) const;
   std::size_t num_tasks() const { return tasks_.size(); }
 
   /// Appends the facets whose boxes meet the ray from `from` along +axis (or -axis), in ascending position of the
-  /// order; boxes that only touch it, and perhaps a few that just miss it, are among them. False if there are more than
-  /// `most`: then some are left out.
+  /// order; boxes that only touch it, and perhaps a few that just miss it, are among them. Returns false if there are
+  /// more than `most`: then some are left out.
   bool stabbed(const Vec3d& from, int axis, bool positive, std::size_t most, std::vector<std::uint32_t>& out) const;
 
  private:
@@ -46,7 +46,7 @@ class BoxGroups {
     float lo[3][8], hi[3][8];
   };
   struct alignas(32) Ids8 {
-    std::uint32_t id[3][8];  // star vertices of the facets; kNone where a corner is no star
+    std::uint32_t id[3][8];  // star vertices of the facets; kNone where a corner is not a star
   };
   struct Task {
     std::uint32_t level, a, b;

@@ -4,7 +4,7 @@
 
 namespace veritope::internal {
 
-/// From now on, in this process: true = the walk uses no instruction that some x86-64 lacks. The pairs found are the
+/// Sets for this process whether the walk uses no instruction that some x86-64 processor lacks. The pairs found are the
 /// same.
 void use_baseline_boxes(bool only_baseline);
 

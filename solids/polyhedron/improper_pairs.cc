@@ -12,7 +12,7 @@
 namespace veritope {
 namespace {
 
-// Work of the box groups a facet: ordinary meshes need 5 to 25.
+// The work of the box groups per facet: ordinary meshes need 5 to 25.
 constexpr std::uint64_t kBudgetPerFacet = 96;
 
 IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {

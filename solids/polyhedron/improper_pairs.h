@@ -16,7 +16,8 @@ struct ImproperPairs {
   bool long_thin = false;         ///< the box groups gave up and the separator walk decided
 };
 
-/// Among the facets of `boxes`. REQUIRES none of them degenerate. The result does not depend on jobs.
+/// Finds the pairs among the facets of `boxes`. REQUIRES that none of these is degenerate. The result does not depend
+/// on jobs.
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs);

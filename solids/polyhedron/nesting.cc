@@ -24,7 +24,7 @@ bool counts(Vec2d a, Vec2d b, Vec2d v) {
   return orient2d(up ? a : b, up ? b : a, v) == Sign::kPositive;
 }
 
-// The vertices of each shell that are greatest (code 2k) or least (2k + 1) in coordinate k; the least id of several.
+// The vertices of each shell that are greatest (code 2k) or least (2k + 1) in coordinate k; on a tie the least id.
 using Extremes = std::array<std::uint32_t, 6>;
 
 std::vector<Extremes> extreme_vertices(const TriangleMesh& mesh,

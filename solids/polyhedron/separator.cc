@@ -22,13 +22,14 @@ Vec3d cross(const Vec3d& a, const Vec3d& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// A heuristic's length: anything may happen near the limits of the range.
+// The unit vector of a heuristic: near the limits of the range the result may be anything.
 Vec3d unit(const Vec3d& a) {
   const double length = std::sqrt(dot(a, a));
   return {a.x / length, a.y / length, a.z / length};
 }
 
-// A simplex of at most four points and its point nearest to the origin. A heuristic: nothing relies on its rounding.
+// A simplex of at most four points and its point nearest to the origin. It is a heuristic: nothing relies on its
+// rounding.
 class Simplex {
  public:
   void add(const Vec3d& p) { at_[size_++] = p; }
@@ -179,8 +180,8 @@ bool SeparatorFinder::proves_apart(const IntVec3& d, std::span<const std::uint32
   return false;
 }
 
-// The corners of up to kSampleFacets facets, few of them twice. In the second group, vertices of the first are noticed
-// (and left out); false if there are two of them.
+// Collects the corners of up to kSampleFacets facets, few of them twice. In the second group, vertices of the first are
+// noticed (and left out); returns false if there are two of them.
 bool SeparatorFinder::take_sample(std::span<const std::uint32_t> facets, bool second, std::vector<Vec3d>& out) {
   out.clear();
   ++stamp_;
@@ -207,7 +208,7 @@ std::optional<IntVec3> SeparatorFinder::find(std::span<const std::uint32_t> a, s
   return common_ == kNoVertex ? find_apart(a, b) : find_at_common(a, b);
 }
 
-// The difference of the hulls nearest to the origin.
+// Searches for the point of the hulls' difference nearest to the origin.
 std::optional<IntVec3> SeparatorFinder::find_apart(std::span<const std::uint32_t> a,
                                                    std::span<const std::uint32_t> b) {
   Simplex simplex;

@@ -42,19 +42,21 @@ inline bool is_worth_separating(const TreeRange& a, const TreeRange& b) {
 /// groups have one vertex v in common, d.p < d.v < d.q for all others. Either way each two facets of the groups meet
 /// exactly in their common simplex (docs/THEORY.md, MESH-4). The direction is searched for in floating point (the point
 /// of a convex hull nearest to the origin, [GJK88], on a sample that grows where it was wrong), then proved: the
-/// computed gap exceeds the rounding errors of both sides. One finder a thread: it keeps its buffers.
+/// computed gap exceeds the rounding errors of both sides. Each thread needs a finder of its own, which keeps its
+/// buffers.
 class SeparatorFinder {
  public:
-  /// `largest` = largest_coordinate(mesh), asked for once for all finders of a model.
+  /// `largest` = largest_coordinate(mesh), computed once for all finders of a model.
   SeparatorFinder(const TriangleMesh& mesh, double largest) : mesh_(mesh), largest_(largest) {}
-  /// nullopt: none was found; the groups may touch, or be disjoint by less than rounding can tell.
+  /// Empty if none was found; the groups may touch, or be disjoint by less than rounding can tell.
   std::optional<IntVec3> find(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
   /// One step, for tests: true only if d.p < d.q for all p of a, q of b.
   bool proves_apart(const IntVec3& d, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
  private:
-  // Vertices met lately, by the low bits of their ids: finds almost all repetitions at the price of an array access.
+  // Vertices met recently, by the low bits of their ids: they show almost all repetitions at the cost of an array
+  // access.
   struct Slot {
     std::uint32_t vertex = 0, stamp = 0;
   };

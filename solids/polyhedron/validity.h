@@ -53,7 +53,7 @@ struct ValidityOptions {
   std::size_t max_defects = 20;   ///< listed in detail for each rule; all are counted
 };
 
-/// Seconds of the decision's parts, for bench/ and for people who wonder.
+/// Seconds that the parts of the decision took, for bench/ and for curious users.
 struct DecisionTimes {
   double incidence = 0, signs = 0, topology = 0, stars = 0, boxes = 0, pairs = 0, volume = 0, nesting = 0;
 };
@@ -77,8 +77,8 @@ struct ValidityReport {
 };
 
 /// Decides rules M1-M9. REQUIRES finite coordinates, ids in range, fewer than 2^30 faces, at least one face.
-/// @cost about 0.3 microseconds a facet on ordinary meshes; near-linear on long thin facets; plus the number of
-/// intersecting pairs.
+/// @cost approximately 0.3 microseconds per facet on ordinary meshes; near-linear on long thin facets; plus the number
+/// of intersecting pairs.
 ValidityReport decide_validity(const TriangleMesh& mesh, const ValidityOptions& options);
 
 }  // namespace veritope

@@ -28,8 +28,8 @@ struct Fan {
   }
 };
 
-// Facets with g.(p - v) >= 0 > g.(q - v); p and q exchanged if the fan is seen from behind. `before(x)` says g.(x - v)
-// < 0.
+// Whether exactly one facet has g.(p - v) >= 0 > g.(q - v), with p and q exchanged if the fan is seen from behind.
+// `before(x)` says g.(x - v) < 0.
 template <typename Before>
 bool turns_once(const Fan& fan, bool reversed, Before before) {
   unsigned turns = 0;
@@ -41,7 +41,7 @@ bool turns_once(const Fan& fan, bool reversed, Before before) {
   return turns == 1;
 }
 
-// The coordinate axes: g is a coordinate axis, too, and its signs are comparisons.
+// For a coordinate axis g is a coordinate axis, too, and its signs are comparisons.
 bool turns_once_along_axis(const Fan& fan, int axis, bool reversed) {
   const Vec3d& v = fan.centre;
   if (axis == 0) return turns_once(fan, reversed, [&](const Vec3d& x) { return x.z < v.z; });

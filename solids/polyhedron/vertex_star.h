@@ -29,13 +29,13 @@ inline constexpr std::uint8_t kOwnDirection = 14;
 /// the facets turn around v exactly once; hence any two facets that share v meet exactly in their common simplex. The
 /// converse does not hold: kNoStar says nothing.
 struct VertexStars {
-  std::vector<std::uint8_t> code;                            ///< a vertex
-  std::vector<std::pair<std::uint32_t, IntVec3>> own;        ///< of code kOwnDirection, by ascending vertex
+  std::vector<std::uint8_t> code;                            ///< one for each vertex
+  std::vector<std::pair<std::uint32_t, IntVec3>> own;        ///< for code kOwnDirection, by ascending vertex
   bool operator[](std::uint32_t v) const { return code[v] != kNoStar; }
 };
 
-/// Looks for a direction at every vertex but those of `irregular` (ascending): all whose facets are not one closed,
-/// oriented fan must be there (the lemma needs the fan). The result does not depend on jobs. @cost O(F).
+/// Looks for a direction at every vertex but those of `irregular` (ascending), which must contain all vertices whose
+/// facets are not one closed, oriented fan (the lemma needs the fan). The result does not depend on jobs. @cost O(F).
 VertexStars find_vertex_stars(const TriangleMesh& mesh, const Incidence& incidence, const FacetSigns& signs,
                               std::span<const std::uint32_t> irregular, unsigned jobs);
 

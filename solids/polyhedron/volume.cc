@@ -104,7 +104,7 @@ struct ShortCoordinates {
   Int128 operator()(double v) const { return static_cast<std::int64_t>(v * scale); }
 };
 
-// ... of at most 120 bits.
+// Coordinates as lattice integers of at most 120 bits.
 struct LongCoordinates {
   int unit;
   Int128 operator()(double v) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The nodes of a PieceForest that doubles do not stand for: in integers, as many as the budget allows.
+// The nodes of a PieceForest in integers, where doubles do not decide: as many as the budget allows.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -98,7 +98,7 @@ void ExactPiece::set_control(const PieceForest& forest, const PieceForest::Node&
     control_.push_back(x.numerator() * divide_exactly(denominator, x.denominator()));
 }
 
-// Without the common factor.
+// Divides all numbers by their common factor.
 void ExactPiece::shorten() {
   Integer common;
   for (const Integer& x : control_) common = gcd(common, x);

@@ -37,7 +37,7 @@ Interval mean(const std::vector<Interval>& coefficients) {
   return sum / Interval(static_cast<double>(coefficients.size()));
 }
 
-// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. Nothing is believed of
+// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. std::cos is not trusted:
 // std::cos: `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its
 // coefficients' magnitudes in T_0, ..., T_{K+1} (2 t T_k = T_{k+1} + T_{|k-1|}). It is 2^-K at the zeros themselves.
 struct InterpolationNodes {
@@ -102,7 +102,7 @@ class Integrator {
     int order = 1;
     while (order < kMostOrder && !(2 * rest(w, most, order) <= enough)) ++order;
     const bool is_near = 2 * rest(w, most, order) <= enough;
-    // What rounding adds to a near one is not less on parts of it.
+    // If the order suffices for a node, rounding does not add less on parts of the node.
     if (is_near || node.level >= kMaxLevel)
       return area * over_cubed_weight(form, g, w, order, rest(w, most, order));
     forest_.limit_memory(kMemory);
@@ -158,11 +158,10 @@ class Integrator {
 
   // f = (1 + x)^-3 is interpolated at x_j = d c_j, j = 0 .. K. The divided differences of f are
   // (-1)^k h_2(y_0, ..., y_k) y_0 ... y_k, y_j = 1 / (1 + x_j), h_2 the sum of all C(k + 2, 2) products of two (by
-  // induction on k, as for 1 / (1 + x), where h_0 = 1 stands for h_2). The error at x is the divided difference of
-  // x_0, ..., x_K, x times the product of all x - x_j, which is at most d^(K + 1) times that of the nodes. Since every
-  // y
-  // is at most 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) product.
-  // The result times |g| / m^3 bounds what the mean of g / w^3 loses.
+  // induction on k, as for 1 / (1 + x), where h_0 = 1 stands for h_2). The error at x is the divided difference of x_0,
+  // ..., x_K, x times the product of all x - x_j, which is at most d^(K + 1) times that of the nodes. Since every y is
+  // at most 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) product. The result times |g| / m^3
+  // bounds what the mean of g / w^3 loses.
   double rest(const Weight& w, double most, int order) const {
     if (!(w.d < 0.5)) return std::numeric_limits<double>::infinity();
     const Interval d(w.d), y = Interval(1.0) / (Interval(1.0) - d);

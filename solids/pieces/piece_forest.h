@@ -54,10 +54,10 @@ class PieceForest {
     std::vector<double> root_control, root_determinants;  ///< nets of the whole patch
   };
 
-  /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. Plain (one scale, no
-  /// shift) unless the model lies far from the origin, by 16 times its size, or an axis is 16 times as long as another:
-  /// then doubles, or cubes, would have to be too fine; or a patch is 2^32 times smaller than the model: then the
-  /// origin lies in it.
+  /// Coordinate k of the model minus shift[k], times 2^scale[k]. Star boxes stay star boxes. A frame is plain (one
+  /// scale, no shift) unless the model lies far from the origin, by 16 times its size, or an axis is 16 times as long
+  /// as another, since doubles, or cubes, would then have to be too fine; or unless a patch is 2^32 times smaller than
+  /// the model: then the origin lies in it.
   struct Frame {
     std::array<int, 3> scale{};
     std::array<Rational, 3>
@@ -100,10 +100,10 @@ class PieceForest {
   template <typename Visit>
   void for_each_kept(const Node& node, Visit visit) const;
 
-  /// Uncertain if two sides of the piece lie in collapsed sides and share a corner: there g_c is 0 and the corner is
-  /// never certified. The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides
-  /// left out; uncertain if they differ or one is 0. Where the bound of doubles does not decide, integers do while the
-  /// budget for them lasts; after that the sign is uncertain, too.
+  /// The sign that all coefficients of g_c = det(F, F_u, F_v, (c, 1)) have, rows of collapsed sides left out; uncertain
+  /// if they differ or one is 0. It is also uncertain if two sides of the piece lie in collapsed sides and share a
+  /// corner: there g_c is 0 and the corner is never certified. Where the bound of doubles does not decide, integers do
+  /// while the budget for them lasts; after that the sign is uncertain, too.
   Sign3 side_of(Id id, const Point3d& c);
   /// Approximate coefficients of G0 .. G3 relative to origin(), for searches.
   const double* approx_determinants(Id id);

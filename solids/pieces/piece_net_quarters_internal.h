@@ -18,7 +18,7 @@ Number* row_of(Number* net, int r) {
   return net + r * (r + 1) / 2;
 }
 
-// (a[m] + b[m]) / 2 to b[m].
+// Sets b[m] to (a[m] + b[m]) / 2.
 template <typename Number>
 void average_into(const Number* a, Number* b, int n) {
   for (int m = 0; m < n; ++m) b[m] = average(a[m], b[m]);
@@ -87,7 +87,7 @@ template <typename Number>
 void quarter_tensor(const FormShape& shape, const Number* net, Number* const children[4]) {
   const auto columns = static_cast<std::size_t>(shape.q + 1);
   std::copy(net, net + shape.count(), children[0]);
-  // As split_keeping_left, on all columns at once.
+  // Like split_keeping_left, on all columns at once.
   for (int level = 0; level <= shape.p; ++level) {
     const auto row = [&](int i) { return children[0] + static_cast<std::size_t>(i) * columns; };
     std::copy(row(shape.p), row(shape.p) + columns,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/surface_form.h: of a patch, the four polynomials whose signs condition S1 asks for, as Bernstein
+// solids/pieces/surface_form.h: the four polynomials of a patch whose signs condition S1 asks for, as Bernstein
 // coefficients over any ring. Theory: docs/THEORY.md §4.
 #pragma once
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace veritope {
 
-/// Where the coefficients of a polynomial of two parameters stand: tensor (degrees p, q): row by row, the second index
-/// fastest; triangle (degree p): in the order of triangle_index.
+/// Where the coefficients of a polynomial of two parameters are stored: tensor (degrees p, q): row by row, the second
+/// index fastest; triangle (degree p): in the order of triangle_index.
 struct FormShape {
   bool is_triangle = false;
   int p = 0, q = 0;
@@ -35,8 +35,8 @@ inline FormShape determinant_shape(const FormShape& s) {
 
 namespace internal {
 
-/// R: a ring with division by integers. A polynomial with its coefficients times the binomials (trinomials) that turn
-/// products into convolutions; a square array, of which a triangle uses the indices (j, k) with j + k <= p.
+/// A polynomial with its coefficients times the binomials (trinomials) that turn products into convolutions: a square
+/// array, of which a triangle uses the indices (j, k) with j + k <= p. R is a ring with division by integers.
 template <Ring R>
 class ScaledForm {
  public:

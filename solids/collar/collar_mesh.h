@@ -20,7 +20,7 @@ enum class CellSide {
 /// The boundary faces of some components, in model units: coordinates times 2^-scale. A face with four vertices becomes
 /// two triangles; one with more, where smaller faces hang on its sides, a fan around its middle. Each coordinate is
 /// exact. REQUIRES boundary = analyse_boundary(complex), which.size() == boundary.components.size(), K1.
-/// @error kNotFinite if a coordinate is no binary64 number; kEmpty without a face
+/// @error kNotFinite if a coordinate is not a binary64 number; kEmpty without a face
 Result<TriangleMesh> boundary_mesh(const CommonSubdivision& complex,
                                    const ComplexBoundary& boundary, const std::vector<bool>& which,
                                    CellSide side, const OctreeRoot& root, int scale);

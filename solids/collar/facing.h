@@ -13,14 +13,14 @@ using Facing = std::uint32_t;
 inline constexpr Facing kAllDirections = (Facing{1} << 26) - 1;
 
 /// The directions with which the coefficients of a piece's normals, as approximate numbers, have a positive product,
-/// not too small. The intersection over several pieces is not empty if their normals lie in a cone of half-angle 60
-/// degrees or so: there they are one sheet without a fold, or sheets that face alike.
+/// not too small. The intersection over several pieces is not empty if their normals lie in a cone of half-angle
+/// approximately 60 degrees: there they are one sheet without a fold, or sheets that face alike.
 class FacingOfPieces {
  public:
   explicit FacingOfPieces(PieceForest& forest) : forest_(forest) {}
   Facing of(PieceForest::Id id);
-  /// How the parts of the piece that meet the box face; the piece is cut until no part is much longer than half of the
-  /// box.
+  /// The directions in which the parts of the piece that meet the box face; the piece is cut until no part is much
+  /// longer than half of the box.
   Facing of_part(PieceForest::Id id, const Box3d& box);
 
  private:

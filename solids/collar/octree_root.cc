@@ -7,8 +7,8 @@ namespace veritope {
 namespace {
 
 // Offsets as parts of an eighth of the edge, in units of 2^-17 of that eighth: approximately 1/3, 2/3 and 1/5, and odd.
-// Their binary digits have short periods, so that at every level the grid stands at 1/3 or 2/3, on the last axis at
-// 1/5, 2/5, 3/5 or 4/5, of a cell.
+// Their binary digits have short periods, so that at every level the grid lies at 1/3 or 2/3 of a cell, on the last
+// axis at 1/5, 2/5, 3/5 or 4/5.
 constexpr double kOffsets[3] = {43691, 87381, 26215};
 constexpr double kStep = 1u << 17;
 

@@ -10,24 +10,24 @@
 namespace veritope {
 
 /// Cells that cover the surface: the hull of every piece that is small enough lies in their union, and its interior. At
-/// first the root alone. A cell is dropped when all pieces that meet it are so small that their hulls miss it; it stays
-/// for good once a hull lies in it, or a piece that meets it is at most kPiece times as long as it. So the union keeps
-/// close to the surface, and pieces are split near the walls of cells only.
+/// first the root is the only cell. A cell is dropped when all pieces that meet it are so small that their hulls miss
+/// it; it stays for good once a hull lies in it, or a piece that meets it is at most kPiece times as long as it. So the
+/// union keeps close to the surface, and pieces are split near the walls of cells only.
 class PieceOctree {
  public:
   static constexpr double kPiece = 0.25;
 
   struct Cell {
     OctreeKey key;
-    std::vector<PieceForest::Id>
-        pieces;  ///< all pieces that meet the closed cell are parts of these, whose hulls meet it
+    /// All pieces that meet the closed cell are parts of these, whose hulls meet it.
+    std::vector<PieceForest::Id> pieces;
   };
 
   /// `memory`: bytes that the nets of the forest may take.
   PieceOctree(PieceForest& forest, const OctreeRoot& root, std::size_t memory);
 
   const OctreeRoot& root() const { return root_; }
-  /// Ascending.
+  /// The cells, ascending.
   const std::vector<Cell>& cells() const { return cells_; }
   std::vector<OctreeKey> keys() const;
   /// Replaces the cells where `which` is true by those of their children that meet pieces.

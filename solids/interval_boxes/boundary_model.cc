@@ -127,7 +127,7 @@ Box3d BoundaryModel::from_forest(const Box3d& box) const {
 
 namespace {
 
-// By the net of the piece itself.
+// Computes the signs from the net of the piece itself.
 std::array<int, 3> own_normal_signs(PieceForest& forest, PieceForest::Id piece) {
   const PieceForest::Node node = forest.node(piece);
   const PieceForest::Form& form = forest.form(node.patch);

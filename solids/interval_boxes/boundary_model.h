@@ -24,7 +24,7 @@ namespace veritope {
 /// The cones never meet a box; they may cross each other or the wall's rim.
 ///
 /// Nothing is said about whether V is embedded: the conditions are decided from the part of the abstract surface in a
-/// box, and a box that two sheets enter is no disk. Embeddedness as a whole is what certificates prove (THEORY 4).
+/// box, and a box that two sheets enter is not a disk. Embeddedness as a whole is what certificates prove (THEORY 4).
 class BoundaryModel {
  public:
   /// @error kBadArgument unless the complex is a closed oriented surface (the message names the first finding); as
@@ -51,7 +51,7 @@ class BoundaryModel {
   /// Converts a box to the forest's coordinates; in a planar model the box's third side is replaced. Nothing if a
   /// coordinate is not finite or would lose bits.
   std::optional<Box3d> to_forest(const Box3d& box) const;
-  /// Exact: back to the model's units.
+  /// Converts a box back to the model's units, exactly.
   Box3d from_forest(const Box3d& box) const;
 
  private:

@@ -25,7 +25,7 @@ inline double size_of(const Box3d& b, int dimension) {
     e = std::max(e, b.hi[k] - b.lo[k]);
   return e;
 }
-/// Positive length along the first `dimension` axes.
+/// Whether the box has positive length along the first `dimension` axes.
 inline bool is_solid(const Box3d& b, int dimension) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
     if (!(b.lo[k] < b.hi[k])) return false;

@@ -15,8 +15,8 @@ namespace veritope {
 struct BoxTrace {
   enum class Kind { kMissed, kSurface, kUndecided };
   Kind kind = Kind::kUndecided;
-  int euler =
-      0;  ///< kSurface: V∩b is a compact surface, its boundary V∩(boundary of b), with this Euler characteristic
+  /// kSurface: V∩b is a compact surface, its boundary V∩(boundary of b), with this Euler characteristic.
+  int euler = 0;
   bool is_connected = false;  ///< kSurface: proved to be; false: not known
   Box3d place{};  ///< kUndecided: a box in which nothing was decided, in the forest's coordinates
   std::size_t cells = 0;  ///< cells that were examined
@@ -29,8 +29,8 @@ struct BoxTrace {
 };
 
 struct TraceOptions {
-  std::size_t max_cells =
-      40000;  ///< boxes that are examined for one trace, for each of three choices of cuts
+  /// Boxes that are examined for one trace, for each of three choices of cuts.
+  std::size_t max_cells = 40000;
   int max_splits = 36;
   std::size_t max_pieces = 256;               ///< of V in a box that is decided as one
   std::size_t memory = std::size_t{1} << 28;  ///< bytes of the nets of pieces, between two traces

@@ -48,8 +48,8 @@ class BoxGrid {
   std::size_t index(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     return (std::size_t{k} * size_[1] + j) * size_[0] + i;
   }
-  std::array<std::vector<double>, 3>
-      at_;  // ascending; cell c of an axis lies between at_[c - 1] and at_[c]
+  // The coordinates along each axis, ascending; cell c of an axis lies between at_[c - 1] and at_[c].
+  std::array<std::vector<double>, 3> at_;
   std::array<std::uint32_t, 3> size_{};
   std::vector<bool> filled_;
 };
@@ -59,8 +59,8 @@ struct UnionTopology {
   bool is_manifold = false;  ///< a compact 3-manifold with boundary (the link test)
   std::string defect;        ///< unless it is: where the link test fails
   std::size_t bodies = 0;
-  std::vector<std::int64_t>
-      boundary_euler;  ///< of each component of the boundary, if it is a manifold
+  /// The Euler characteristic of each component of the boundary, if the union is a manifold.
+  std::vector<std::int64_t> boundary_euler;
   /// A solid in the paper's sense: a connected 3-manifold with boundary (in space it is orientable).
   bool is_solid() const { return is_manifold && bodies == 1; }
   /// A closed ball: a solid bounded by one sphere (Alexander).

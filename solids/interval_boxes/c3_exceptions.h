@@ -14,14 +14,12 @@ namespace veritope {
 
 /// The four exceptions to C3, with the paper's numbers.
 enum class C3Exception {
-  kSelfDistance =
-      /// in the surroundings of both (half the smaller one's size around them), V is not (proved to be) connected: two
+  /// in the surroundings of both (half the smaller one's size around them), V is not (proved to be) connected: two
   /// parts of it come near each other
-  1,
-  kVaryingSize =
-      /// one part of V (or not decided); boxes as small as the smaller one around the same middles would not meet
+  kSelfDistance = 1,
+  /// one part of V (or not decided); boxes as small as the smaller one around the same middles would not meet
   /// (figure 5a)
-  2,
+  kVaryingSize = 2,
   kSmallFeature = 3,  ///< one part of V (or not decided), and they would (figure 5b)
   kContact = 4,       ///< they meet in a face, an edge or a point only
 };
@@ -33,8 +31,8 @@ struct C3Failure {
   std::uint32_t i = 0, j = 0;
   C3Exception exception = C3Exception::kSmallFeature;
   /// Remark 3.1: B_k such that |B_k| is a closed ball with C2, |B_k|∩b_ij is a closed ball, |B_k|∩b_i and |B_k|∩b_j
-  /// have C2. Only where V misses b_ij. Empty: none was found. It mends C3 as the paper reads it; it makes no
-  /// certificate.
+  /// have C2. It is searched for only where V misses b_ij, and empty if none was found. It mends C3 as the paper reads
+  /// it; it makes no
   std::vector<std::uint32_t> sub_collection;
   /// kContact: box i with its sides moved by `step`, a power of two, so that C3 holds at (i, j), or they are apart, C2
   /// holds of box i, it meets the same other boxes, A and C3 hold wherever they held, and, if it shrank, C1 still
@@ -48,8 +46,8 @@ struct C3Failure {
 
 struct ExceptionOptions {
   ConditionOptions conditions;
-  std::size_t max_candidates =
-      12;  ///< boxes that a sub-collection is chosen from, the nearest ones
+  /// Boxes that a sub-collection is chosen from, the nearest ones.
+  std::size_t max_candidates = 12;
   std::size_t max_sub_collection = 3;  ///< its size
   int max_halvings = 20;               ///< steps from 1/4 of the box down
   std::size_t max_failures = 1000;
@@ -66,12 +64,12 @@ inline constexpr std::size_t kMaxBallBoxes = 10;
 bool is_ball_with_c2(BoundaryModel& model, std::span<const Box3d> boxes,
                      const TraceOptions& options = {});
 
-/// The least distance of parts of V that are no neighbours: patches without a common vertex. Model units.
+/// The least distance of parts of V that are not neighbours: patches without a common vertex. Model units.
 struct SelfDistance {
   double lo = 0, hi = 0;
   bool is_as_asked = false;  ///< hi <= (1 + 2^-6) lo; else the budget was spent
   /// Footnote 3 of [SSP01]: boxes of size below d / sqrt(3) that each hold a point of their part of V at the middle
-  /// never meet for patches that are no neighbours: exception 1 does not happen between them. By the lower bound.
+  /// never meet for patches that are not neighbours: exception 1 does not happen between them. By the lower bound.
   double box_bound() const;
 };
 /// Nothing if all patches are neighbours. @cost branch and bound over pairs of pieces

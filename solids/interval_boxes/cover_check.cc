@@ -125,7 +125,7 @@ class CoverCheck {
         }
     return false;
   }
-  // The interior of c and the part of the hull in the plane x_k = at.
+  // Whether the interior of c meets the part of the hull in the plane x_k = at.
   bool interior_meets(const Box3d& c, const Box3d& hull, std::size_t k, double at) const {
     for (std::size_t j = 0; j < static_cast<std::size_t>(dimension_); ++j) {
       const double lo = j == k ? at : hull.lo[j], hi = j == k ? at : hull.hi[j];
@@ -145,7 +145,7 @@ class CoverCheck {
     return false;
   }
 
-  static constexpr int kMaxStuck = 8;  // one curve of contact has endless pieces
+  static constexpr int kMaxStuck = 8;  // one curve of contact has infinitely many pieces
 
   PieceForest& forest_;
   int dimension_;

@@ -44,12 +44,12 @@ std::vector<std::array<std::uint32_t, 2>> meeting_pairs(std::span<const Box3d> b
 DistinctIntersections distinct_intersections(std::span<const Box3d> boxes, std::size_t cap) {
   DistinctIntersections out;
   std::unordered_map<std::array<double, 6>, std::size_t, BoxHash> place;
-  // For each box the intersections so far that lie in one of its earlier neighbours and meet it: all that are new with
-  // it.
+  // For each box, the intersections so far that lie in one of its earlier neighbours and meet it: cut by the box, these
+  // give all that are new with it.
   std::vector<std::vector<std::uint32_t>> earlier(boxes.size());
   for (const auto& [i, j] : meeting_pairs(boxes)) earlier[j].push_back(i);
   // Items by the last box of their set: an intersection with box j is one of a set of its earlier neighbours, cut by
-  // it.
+  // box j.
   std::vector<std::vector<std::size_t>> with_box(boxes.size());
   const auto add = [&](const Box3d& box, std::vector<std::uint32_t> set) {
     const auto [it, is_new] = place.try_emplace(key_of(box), out.items.size());

@@ -119,7 +119,7 @@ class CoverMaker {
     return b;
   }
 
-  // Where the piece touches sides of its patch. At poles: `poles`.
+  // Adds the stretches and points where the piece touches sides of its patch; a piece at a pole goes to `poles_`.
   void add_contacts(Id id) {
     const PieceForest::Node& node = forest_.node(id);
     const PieceForest::Form& form = forest_.form(node.patch);
@@ -199,7 +199,7 @@ class CoverMaker {
         return model_.complex().vertex({node.patch, s});
   }
 
-  // The vertices at the ends of an edge: of its first side.
+  // The vertices at the ends of an edge, as its first side has them.
   std::array<std::uint32_t, 2> ends(std::uint32_t edge) const {
     const PatchComplex& complex = model_.complex();
     const PatchSide side = complex.sides(edge)[0];

@@ -13,7 +13,7 @@
 namespace veritope {
 
 struct SurfaceBoxOptions {
-  /// As a part of eps: how far a box extends beyond the hull of what it stands for, on every side. [SSP01] gets this
+  /// How far a box extends beyond the hull of what it stands for, on every side, as a part of eps. [SSP01] gets this
   /// from rounded interval arithmetic over an interval of parameters (eq. 13), whose widths are positive along every
   /// axis.
   double margin = 0.125;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/binary64.h: the parts of an IEEE 754 binary64 number, by its bits: right in every
-// floating-point environment.
+// robust/binary64.h: the parts of an IEEE 754 binary64 number, by its bits: correct in every floating-point
+// environment.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -41,8 +41,8 @@ constexpr Binary64 split(double v) {
   return {(bits >> 63) != 0 ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 1075};
 }
 
-/// Integers in the order of the doubles, 0 and -0 the same: comparing doubles themselves takes
-/// subnormal ones for 0 in a thread with DAZ. REQUIRES no NaN.
+/// Integers in the order of the doubles, equal for 0 and -0: a comparison of doubles themselves takes subnormal ones
+/// for 0 in a thread with DAZ. REQUIRES no NaN.
 constexpr std::int64_t binary64_order(double v) {
   const std::int64_t bits = static_cast<std::int64_t>(integer_bits(v));
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;

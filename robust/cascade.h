@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/cascade.h: ask the cheapest tier first, the exact one last. Knows no geometry and no
-// number type.
+// robust/cascade.h: asks the cheapest tier first and the exact one last. It knows no geometry and no number type.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -55,12 +54,11 @@ namespace internal {
 /// The answer of the first tier that is certain. Each argument is asked at most once, in order:
 ///   `Sign3 tier()`            may be uncertain; not allowed in the last place;
 ///   `Sign tier()`             always answers; the last place;
-///   `Sign rest(TierCounts*)`  the last place: a cascade that goes on from here and keeps the tally
-///   itself.
+///   `Sign rest(TierCounts*)`  the last place: a cascade that goes on from here and keeps the tally itself.
 /// If `tally` is not null, the tier that answers is counted at position First, First + 1, ...; a
 /// constant null costs nothing.
-/// Audit mode (VT_AUDIT in all translation units: CMake's VERITOPE_AUDIT): the later tiers are asked,
-/// too, uncounted, each at most once; one that contradicts the answer is our bug, an InternalError.
+/// Audit mode (VT_AUDIT in all translation units: CMake's VERITOPE_AUDIT): the later tiers are asked, too, uncounted,
+/// each at most once; if one contradicts the answer, that is our bug, an InternalError.
 template <std::size_t First = 0, typename T, typename... Rest>
 [[gnu::always_inline]] constexpr Sign cascade(TierCounts* tally, T&& tier, Rest&&... rest) {
   if constexpr (sizeof...(Rest) == 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/digits.h: integers of a fixed number of 62-bit digits, and sums of their products that are
-// carried once. No sign corrections, no carries between products: for signs of short polynomials.
+// robust/digits.h: integers of a fixed number of 62-bit digits, and sums of their products that are carried once. They
+// need no sign corrections and no carries between products; they are for signs of short polynomials.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -23,8 +23,8 @@ struct Digits {
   }
 };
 
-/// c[0] + c[1] 2^62 + c[2] 2^124 + ... Sums wrap around if a column leaves (-2^127, 2^127): whoever
-/// adds up products of digits of at most 2^62 may have seven in a column, carries included.
+/// c[0] + c[1] 2^62 + c[2] 2^124 + ... Sums wrap around if a column leaves (-2^127, 2^127): a column can hold seven
+/// products of digits of at most 2^62, carries included.
 template <int N>
 struct Columns {
   std::array<int128, N> c;
@@ -84,7 +84,7 @@ template <int N>
   return r;
 }
 
-/// At most min(A, B) products of digits in a column.
+/// The product; a column holds at most min(A, B) products of digits.
 template <int A, int B>
 [[gnu::always_inline]] constexpr Columns<A + B - 1> column_product(const Digits<A>& a,
                                                                    const Digits<B>& b) {

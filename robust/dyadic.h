@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/dyadic.h: m * 2^e, the ring that every finite binary64 number lives in. No division, so no
+// robust/dyadic.h: m * 2^e, a ring that contains every finite binary64 number. It has no division and so needs no
 // common denominators.
 #pragma once
 #include <compare>
@@ -17,7 +17,7 @@ namespace veritope {
 class Dyadic {
  public:
   Dyadic() = default;
-  /// mantissa * 2^exponent. An integer converts; a double must be asked for: from_double.
+  /// mantissa * 2^exponent. An integer converts implicitly; a double does not: use from_double.
   Dyadic(Integer mantissa, std::int64_t exponent = 0);
   template <BuiltinInteger T>
   Dyadic(T mantissa, std::int64_t exponent = 0) : Dyadic(Integer(mantissa), exponent) {}

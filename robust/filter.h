@@ -55,8 +55,8 @@ using FilterReal = double;
 /// A NaN on either side, or an infinite bound, is uncertain: overflow is no answer. The floor is
 /// infinite, and every answer uncertain, in a thread whose floating point is not as the bounds assume;
 /// in a translation unit of that kind every answer is uncertain, too.
-/// No branch on the sign itself, which is as good as random where it matters: a mispredicted branch
-/// costs more than the predicate (bench/bench_predicates.cc).
+/// There is no branch on the sign itself, which is as good as random where it matters: a mispredicted branch costs more
+/// than the predicate (bench/bench_predicates.cc).
 /// REQUIRES bound(floor) >= 0 or NaN, at least the floor.
 template <typename Bound>
 requires std::is_invocable_r_v<double, Bound, double>
@@ -75,7 +75,7 @@ requires std::is_invocable_r_v<double, Bound, double>
     return s;
   return internal::probe_filters() ? compared() : s;
 }
-/// As above, with the bound `bound` + floor.
+/// Like the function above, with the bound `bound` + floor.
 [[gnu::always_inline]] inline Sign3 sign_beyond(double value, double bound) {
   return sign_beyond(value, [bound](double floor) { return bound + floor; });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/rational.h: exact fractions in lowest terms. Slow and sure: oracles, witnesses and
-// reports, not hot loops.
+// robust/rational.h: exact fractions in lowest terms. They are slow and sure: for oracles, witnesses and reports, not
+// for hot loops.
 #pragma once
 #include <compare>
 #include <string>
@@ -15,7 +15,7 @@ namespace veritope {
 class Rational {
  public:
   Rational() noexcept : den_(1) {}
-  /// Exact from an integer; a double is exact too, but must be asked for: from_double.
+  /// An integer converts exactly; a double converts exactly, too, but only by from_double.
   Rational(Integer numerator) noexcept : num_(std::move(numerator)), den_(1) {}
   template <BuiltinInteger T>
   Rational(T numerator) noexcept : num_(numerator), den_(1) {}
@@ -61,10 +61,10 @@ class Rational {
 Rational abs(Rational a) noexcept;
 inline Sign sign_of(const Rational& a) noexcept { return a.sign(); }
 
-/// The binary64 number next to `a`, ties to even; infinity from the overflow threshold on, as IEEE
-/// 754 rounds. Independent of the rounding mode.
+/// The binary64 number nearest to `a`, ties to even; infinity from the overflow threshold on, as IEEE 754 rounds. It
+/// does not depend on the rounding mode.
 double nearest_double(const Rational& a);
-/// The largest binary64 number <= a, and the least >= a; infinities where none is finite.
+/// The largest binary64 number <= a, and the least >= a; infinities where no finite one is.
 double round_down(const Rational& a);
 double round_up(const Rational& a);
 

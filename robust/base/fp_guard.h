@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/fp_guard.h: does this thread, in this build, compute as the filters' bounds assume?
-// Asked by the first filter of a thread; where the answer is no, filters are uncertain and integers
-// decide. fp_strict.h handles what the compiler's macros admit.
+// robust/base/fp_guard.h: does this thread, in this build, compute as the filters' bounds assume? The first filter of a
+// thread asks this; if the answer is no, filters are uncertain and integers decide. fp_strict.h handles what the
+// compiler's macros show.
 #pragma once
 #include <string>
 #include <vector>

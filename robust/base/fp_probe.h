@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/fp_probe.h: the arithmetic of fp_guard.h's probe. Internal linkage on purpose: each
-// translation unit that includes it judges its own compiler flags. It must not include fp_strict.h,
-// so that a test can build it under wrong flags.
+// robust/base/fp_probe.h: the arithmetic of fp_guard.h's probe. It has internal linkage on purpose: each translation
+// unit that includes it judges its own compiler flags. It must not include fp_strict.h, so that a test can build it
+// under wrong flags.
 #pragma once
 
 namespace veritope::internal {

@@ -11,8 +11,8 @@ namespace veritope {
 inline constexpr double kFilterFloor = 0x1p-900;
 
 namespace internal {
-/// kFilterFloor in a thread that computes as the bounds assume; infinite, so that no filter decides,
-/// in one that does not or was not asked yet. A thread starts with infinity.
+/// kFilterFloor in a thread that computes as the bounds assume; infinite, so that no filter decides, in a thread that
+/// does not or was not probed yet. A thread starts with infinity.
 extern constinit thread_local double fp_floor __attribute__((tls_model("initial-exec")));
 extern constinit thread_local bool fp_is_probed __attribute__((tls_model("initial-exec")));
 /// The part of this state that a scope with another control word saves and restores.

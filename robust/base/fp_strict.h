@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/fp_strict.h: what the compiler admits to. The filters' error bounds hold for IEEE 754
-// operations, rounded one at a time; where a translation unit may not have them, its filters and
-// intervals are left out, and integers decide: slower, and equally right. fp_guard.h detects what
-// only shows at run time.
+// robust/base/fp_strict.h: what the compiler's macros show. The filters' error bounds hold for IEEE 754 operations,
+// rounded one at a time; where a translation unit may not have them, its filters and intervals are left out, and
+// integers decide: more slowly, and equally right. fp_guard.h detects what only shows at run time.
 #pragma once
 
 /// 1 if this translation unit's filters and intervals are left out.

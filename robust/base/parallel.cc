@@ -78,7 +78,7 @@ class WorkerScope::Crew {
     }
   }
 
-  static constexpr int kSpins = 2000;  // about 50 us
+  static constexpr int kSpins = 2000;  // approximately 50 us
 
   // Written by the owner between rounds, read by the threads after the round's release.
   void (*work_)(void*) = nullptr;

@@ -15,7 +15,7 @@ unsigned hardware_jobs();
 /// While it lives, the parallel_for calls of the thread that made it share its threads, instead of starting and
 /// joining their own (30 to 100 us each time). The constructor starts min(jobs, hardware_jobs()) - 1 threads (jobs = 0:
 /// hardware_jobs() - 1), the destructor joins them; a scope inside another does nothing. Results do not depend on it.
-/// Between two calls the threads spin for about 50 us, then sleep.
+/// Between two calls the threads spin for approximately 50 us, then sleep.
 class WorkerScope {
  public:
   explicit WorkerScope(unsigned jobs);

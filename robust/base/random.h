@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/base/random.h: small seeded generator for tests, generators and searches; the same numbers
-// on every machine. Not for secrets.
+// robust/base/random.h: a small seeded generator for tests, generators and searches, with the same numbers on every
+// machine. It is not for secrets.
 // Source: xoshiro256** with splitmix64 seeding, [BV21].
 #pragma once
 #include <array>

@@ -26,7 +26,7 @@ double wid(const Interval& a);
 double mag(const Interval& a);
 double mig(const Interval& a);
 
-/// [lo, hi], or empty with kUndefinedOperation when that is no interval (NaN, lo > hi, lo =
+/// [lo, hi], or empty with kUndefinedOperation when that is not an interval (NaN, lo > hi, lo =
 /// +infinity, hi = -infinity).
 Signalled<Interval> nums_to_interval(double lo, double hi);
 

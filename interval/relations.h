@@ -12,7 +12,7 @@ inline bool is_subset(const Interval& a, const Interval& b) {
   return internal::less_equal(b.lo_bits(), a.lo_bits()) &&
          internal::less_equal(a.hi_bits(), b.hi_bits());
 }
-/// a lies in the topological interior of b: an infinite end of b is no boundary.
+/// a lies in the topological interior of b: an infinite end of b is not a boundary.
 inline bool is_interior(const Interval& a, const Interval& b) {
   if (a.is_empty() || b.is_empty()) return a.is_empty();
   return (internal::less(b.lo_bits(), a.lo_bits()) || internal::is_infinite(b.lo_bits())) &&

@@ -32,6 +32,9 @@ BANNED = [(name, re.compile(pattern), better) for name, pattern, better in (
     ("told", r"\b(?:is|are|was|were|be|been|not) told\b", "programs report, callers pass, names say"),
     ("is none", r"\b(?:is|are) none\b(?! of)", "'does not exist', 'has no ...'"),
     ("a digit less", r"\b(?:an?|one) [a-z]+ less\b(?! than)", "'one fewer digit'"),
+    ("is no number", r"(?<![Tt]here )\b(?:is|are) no (?:legal )?(?:numbers?|points?|intervals?|boundary|manifolds?|polynomials?|"
+                     r"signs?|decimals?|products?|members?|parameters?|facts?|defects?)\b", "'is not a number'"),
+    ("one behind the other", r"\bone behind (?:the other|another)\b", "'one after the other'"),
 )]
 CODE = {".h", ".cc", ".inc", ".py", ".cmake"}
 
@@ -146,7 +149,9 @@ class PlantedFaults(unittest.TestCase):
                                    ("As many numbers over one denominator.", "opens with As many"), ("None of them fits.", "opens with None"),
                                    ("Back to the first one.", "opens with Back"), ("The same for triangles.", "opens with The same"),
                                    ("The caller is told so.", "told"), ("A sum of these is none.", "is none"),
-                                   ("With an operation less.", "a digit less")):
+                                   ("With an operation less.", "a digit less"), ("A sum that is no number.", "is no number"),
+                                   ("Such covers are no manifolds.", "is no number"),
+                                   ("The parts lie one behind the other.", "one behind the other")):
             self.assert_fault("robust/a.h", f"/// {sentence}\n", expected)
             self.assert_fault("robust/a.h", f"/// What is true is said. {sentence}\nint a;\n", expected)
             self.assert_fault("robust/a.h", f"int a;  ///< {sentence}\n", expected)
@@ -154,6 +159,9 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_sentence_is_found_where_its_lines_are_broken(self):
         self.assert_fault("robust/a.h", "/// One.\n/// Here a name is\n/// told.\n", "robust/a.h:2: told")
+
+    def test_what_does_not_exist_may_be_none(self):
+        self.assertEqual(self.faults({"robust/a.h": "/// There is no number; there are no points. The sum is no longer than this.\n"}), [])
 
     def test_a_continued_line_opens_no_sentence(self):
         self.assertEqual(self.faults({"robust/a.h": "/// The faces are those\n/// Of the model, without\n/// The same ones again.\n"}), [])

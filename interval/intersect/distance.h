@@ -65,7 +65,7 @@ Result<DistanceEnclosure> least_distance(const Shape& a, const Shape& b,
 Result<DistanceEnclosure> greatest_distance(const Shape& a, const Shape& b,
                                             const DistanceOptions& options = {});
 
-/// min |x - y| over x and y in pieces that are no neighbours: the seed's least distance of parts of a boundary that do
+/// min |x - y| over x and y in pieces that are not neighbours: the seed's least distance of parts of a boundary that do
 /// not meet [SSP01] 3, for the parts into which the knots cut the map; more knots make finer parts. 0 iff the map meets
 /// itself outside of neighbours.
 Result<DistanceEnclosure> least_self_distance(const Shape& shape,

@@ -292,7 +292,7 @@ void add_klein_bottle(Boxes& file) {
                    {corner(i, j), corner(i, j + 1), corner(i + 1, j), corner(i + 1, j + 1)});
 }
 
-// "These normals disagree" is no fact about the file once some were reversed: here the lid of the box was.
+// "These normals disagree" is not a fact about the file once some were reversed: here the lid of the box was.
 TEST(Certify, ARefutationOfReversedNormalsIsNone) {
   Boxes file;
   file.cup(0).surface("\"0\", \"0\", \"1\", \"1\"",

@@ -101,9 +101,9 @@ TEST(CrossingWitness, EachConditionIsNeeded) {
   expect(w, CrossingCondition::kX3);
 }
 
-// Of one patch the rectangles must have no common place: otherwise every sheet crosses itself.
+// Two rectangles of one patch must have no common place: otherwise every sheet crosses itself.
 TEST(CrossingWitness, OverlappingRectanglesOfOnePatchAreNoProof) {
-  // The same map twice, once under another number: A = B has solutions, along the diagonal.
+  // One map occurs twice, once under another number: A = B has solutions, along the diagonal.
   const Patch a = flat({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   CrossingWitness w;
   const DyadicInterval around{3, 3, 5};

@@ -144,7 +144,7 @@ TEST(Frames, ShellsThatArePointsAreLeftOpen) {
   EXPECT_EQ(d.open->place.patch, 6u);
 }
 
-// Every contact is found at once, at its place, and its distance and angle are told.
+// Every contact is found at once, at its place, and its distance and angle are reported.
 TEST(Contacts, AreUndecidedAtTheirPlace) {
   for (const patch_shapes::Shape& shape : patch_shapes::broken_shapes()) {
     if (shape.truth != patch_shapes::Truth::kTouching) continue;

@@ -28,7 +28,7 @@ oracle::NamedTriangle<Integer> exact(const TriangleMesh& mesh, std::uint32_t f) 
   return out;
 }
 
-// Of the facets 0 and 1, both ways round.
+// The codes of the facets 0 and 1 are right, both ways round.
 void expect_right(const TriangleMesh& mesh) {
   for (const auto& [f, g] : {std::pair{0u, 1u}, std::pair{1u, 0u}}) {
     const auto codes = find_pair_codes(mesh, f, g);

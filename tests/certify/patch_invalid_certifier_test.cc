@@ -150,7 +150,7 @@ TEST(PatchInvalidCertificate, IsNotMadeOfAFalseWitness) {
   EXPECT_THROW(make_patch_invalid_certificate(d.complex, sides, entities, {}), InternalError);
 }
 
-// Of entities that are reversed the certificate names the file's parameters: it is made only if the witness proves it there.
+// For reversed entities the certificate names the file's parameters: it is made only if the witness proves it there.
 TEST(PatchInvalidCertificate, OfReversedEntitiesIsInTheParametersOfTheFile) {
   for (const Patches& patches :
        {crossing_balls(), patch_shapes::joined({patch_shapes::pn_torus(12, 8),

@@ -37,7 +37,7 @@ inline PatchPoint image(const Patch& patch, const std::array<Rational, 2>& at) {
   return point_of(std::span<const Rational>(p)).value();
 }
 
-/// Of length 1, about.
+/// Its length is approximately 1.
 inline std::array<double, 3> approx_normal(const Patch& patch, const std::array<Rational, 2>& at) {
   std::array<std::array<double, 3>, 2> d;
   for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -294,7 +294,7 @@ TEST(SideWitness, EachConditionIsNeeded) {
       const auto broken = broken_condition(complex, {}, w);
       EXPECT_TRUE(broken == SideCondition::kD3 || broken == SideCondition::kD4);
     }
-    // Both: once in each direction is no defect.
+    // Both: once in each direction is not a defect.
     const PatchSide mate = *complex.mate({0, side});
     w.arcs.push_back({mate, DyadicInterval::whole()});
     w.opposite = 1;
@@ -309,7 +309,7 @@ TEST(SideWitness, HoldsForOtherDescriptions) {
     const PatchComplex complex = complex_of(patches);
     const auto w = find_side_witness(complex, {});
     ASSERT_TRUE(w);
-    // The same of the reversed patches: other numbers of sides, other directions.
+    // The witness also proves it for the reversed patches, whose sides have other numbers and directions.
     Patches changed;
     for (const Patch& p : complex.patches()) changed.push_back(reversed(p));
     const SideWitness r = with_reversed(complex, std::vector<bool>(patches.size(), true), *w);

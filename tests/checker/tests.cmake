@@ -1,4 +1,4 @@
-# The tests of the Python checker, with both checkers as judges; the real models are skipped with one message where there are none.
+# The tests of the Python checker, with both checkers as judges; the real models are skipped with one message where they are missing.
 function(veritope_judges_test part script label)
   add_test(NAME checker_cpp_${part} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker/${script}_test.py")
   veritope_tier(${label} checker_cpp_${part})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""A prover of collar certificates for small models: tests only. It covers the hulls of leaves with cells, or is told the cells, collapses
+"""A prover of collar certificates for small models: tests only. It covers the hulls of leaves with cells, or takes given cells, collapses
 greedily and looks for straight shores. It uses the checker's own complex, which collar_test.py compares with grids of unit cubes."""
 import copy
 from collections import deque
@@ -40,7 +40,7 @@ def encoded(tree):
 
 
 class Collar:
-    """Of a model that a star-box Prover has proved. The root is [corner, corner + 2^shift]^3 in units of the model."""
+    """A collar of a model that a star-box Prover has proved. The root is [corner, corner + 2^shift]^3 in units of the model."""
 
     def __init__(self, prover, corner, shift, depth=0):
         self.prover, self.plan = prover, Plan([]).take(prover.plan)
@@ -84,7 +84,7 @@ class Collar:
         return sorted(complexes.code_of([(c - o) * unit for c, o in zip(p, self.corner)], size * unit) for *p, size in cells)
 
     def build(self, codes, inner=None, shores=True, steps=True):
-        """inner: is d+ the inner side? None: the first that works."""
+        """inner: is d+ the inner side? With None it is the first side that works."""
         plan = self.plan
         plan.codes, plan.values["cells"] = codes, len(codes)
         self.complex = complexes.Complex(complexes.Cells(codes, len(codes)))

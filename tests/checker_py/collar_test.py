@@ -189,7 +189,7 @@ class Lies(CollarTest):
         self.says("ACCEPT", self.pits((12, 12, 32), (20, 16, 32), (20, 16, 28)))
 
     def test_k2(self):
-        """Components of the boundary that are not two are no product, and get stuck; all of them in d+ are never collapsed onto: never alone
+        """Components of the boundary that are not two do not make a product, and get stuck; all of them in d+ are never collapsed onto: never alone
         (referee-2, 2.3), but for a side that is neither 0 nor 1."""
         for sides in ([1, 1], [0, 0], [1, 2], [2, 1], [0, 255], [1], [0, 1, 1], []):
             shores = (self.honest.plan.shores * 2)[:len(sides)]
@@ -434,7 +434,7 @@ def grid(full):
 
 
 def classes(lists):
-    """Of things that are in one list together."""
+    """The classes of things that are in one list together."""
     neighbours, result = {}, []
     for items in lists:
         for item in items:

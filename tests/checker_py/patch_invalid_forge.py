@@ -135,7 +135,7 @@ WHOLE, MOST = (0, 0, 1), (2, 1, 3)
 
 
 def passing(entities, patch, side, flags=None, part=WHOLE):
-    """The same part, in space, of all outer sides that are the same curve as this one, which comes first, or the opposite one:
+    """This part, in space, of all outer sides that are the same curve as this one, which comes first, or the opposite one:
     (arcs, same, opposite)."""
     patches = Parsed(entities, flags).patches
     k, a, b = part

@@ -311,7 +311,7 @@ class Lies(PatchInvalidTest):
 
     # PROVES INVALID-2.D1
     def test_d1_an_inner_break_line(self):
-        """Of a sound box whose first face has a knot in the middle: nothing else passes there, so D2 to D4 hold."""
+        """A sound box has a knot in the middle of its first face: nothing else passes there, so D2 to D4 hold."""
         faces = models.cube()
         p = [tuple(Q(c) for c in q) for q in faces[0]["shape"]["points"]]
         middle = [tuple((a + b) / 2 for a, b in zip(p[j], p[2 + j])) for j in (0, 1)]

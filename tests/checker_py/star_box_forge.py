@@ -209,7 +209,7 @@ class Prover:
         return None
 
     def centres(self, rows, lo, hi):
-        """Of rows n.c < d (for c-) and n.c > d (for c+): push c along the worst one, inside the box."""
+        """Solves the rows n.c < d (for c-) and n.c > d (for c+): pushes c along the worst one, inside the box."""
         result = []
         for sign in (1, -1):
             c, size = [(a + b) / 2 for a, b in zip(lo, hi)], min(b - a for a, b in zip(lo, hi))

@@ -93,7 +93,7 @@ class Hostile(star.StarBoxTest):
         self.assertEqual(self.judged(data, plan.certificate(data), "weight"), 4)
 
     def read_as_json(self, kind, shape, name="A", key="name"):
-        """Of a model with one entity more: is it read, or refused?  An entity of another kind has a shape that is not looked into."""
+        """Is a model with one more entity read, or refused?  An entity of another kind has a shape that is not examined."""
         prover = forge.Prover(models.cube(), checked=False)
         text = prover.model.decode().replace('"groups": []', '"groups": [{"%s": "%s", "parent": null, "attributes": []}]' % (key, name), 1)
         text = text[:-2] + ', {"kind": "%s", "group": 0, "attributes": [], "shape": %s}]}' % (kind, shape)

@@ -39,7 +39,7 @@ def surface(net, degrees=(1, 1), rational=False):
 
 
 def elevated(net):
-    """Of degrees (3, 3)."""
+    """The net raised to degrees (3, 3)."""
     a, b, c, d = net
     return [[((3 - i) * (3 - j) * a[k] + (3 - i) * j * b[k] + i * (3 - j) * c[k] + i * j * d[k]) * Fraction(1, 9) for k in range(3)]
             for i in range(4) for j in range(4)]

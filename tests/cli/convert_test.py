@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""veritope convert: what is written reads back as the same model, or it is refused, or the loss is told."""
+"""veritope convert: what is written reads back as the same model, or it is refused, or the loss is reported."""
 import re
 import unittest
 

@@ -80,7 +80,7 @@ def homogeneous(kind, v):
 
 
 def implicit_sign(name, operands):
-    """None if a point does not exist."""
+    """The sign; None if a point does not exist."""
     exponent = 1074  # coordinates in units of 2^-1074; weights, too: only their ratio matters
     v = [int(Fraction(x) * 2**exponent) for x in operands]
     common = math.gcd(*v) or 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// An interval is no number.
+// An interval is not a number.
 // EXPECT cannot convert|no viable
 #include "interval/interval.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// An answer that may be uncertain is no sign.
+// An answer that may be uncertain is not a sign.
 // EXPECT cannot convert|incompatible
 #include "robust/base/sign.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// A plane's point is no point of space.
+// A point of the plane is not a point of space.
 // EXPECT invalid initialization|no viable
 #include "predicates/orient3d.h"
 

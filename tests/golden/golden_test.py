@@ -44,7 +44,7 @@ def is_golden(name, hashes):
 
 
 def needed_objects(linker_map):
-    """Of a program in the folder tests/ of a build: the objects of our libraries in it, as paths in any build."""
+    """The objects of our libraries in a program of the folder tests/ of a build, as paths in any build."""
     top, objects = linker_map.parent.parent, ["tests/CMakeFiles/golden_hash.dir/golden/hash_main.cc.o"]
     members = set(re.findall(r"(?m)^(\S*?)lib(veritope\w*)\.a\((\S+)\)", linker_map.read_text()))
     for folder, library, name in sorted(members):

@@ -1,4 +1,4 @@
-# The same bytes from every compiler, optimization level and number of threads: golden_test.py builds this program four more times.
+# Every compiler, optimization level and number of threads gives the same bytes: golden_test.py builds this program four more times.
 add_executable(golden_hash "${CMAKE_CURRENT_LIST_DIR}/hash_main.cc")
 target_link_libraries(golden_hash PRIVATE veritope_flags veritope_test_support veritope::certify)
 target_link_options(golden_hash PRIVATE "LINKER:-Map,${PROJECT_BINARY_DIR}/tests/golden_hash.map")

@@ -105,7 +105,7 @@ TEST(Distance, EndsWithinTheBudget) {
   EXPECT_TRUE(encloses_root_of(d.distance, at(3, 4)));  // at x^2 + y^2 = 1/2
 }
 
-// Opposite arcs of the circle: quarter 0 and quarter 2 are no neighbours, 0 and 3 meet over the seam.
+// Opposite arcs of the circle: quarter 0 and quarter 2 are not neighbours, 0 and 3 meet over the seam.
 TEST(SelfDistance, IsThatOfPartsThatDoNotMeet) {
   const Shape ring = Shape::of(circle()).value();
   EXPECT_TRUE(ring.are_neighbours(ring.pieces()[0], ring.pieces()[3]));

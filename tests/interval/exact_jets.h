@@ -17,7 +17,7 @@ struct Bracket {
   Bracket(const Rational& lo, const Rational& hi) : below(round_down(lo)), above(round_up(hi)) {}
 };
 /// For an exact number: is it a member? A number between neighbours is in [lo, hi] iff both neighbours are, for doubles
-/// lo, hi. For a range: false only if some number of it, up to one spacing of doubles, is no member.
+/// lo, hi. For a range: false only if some number of it, up to one spacing of doubles, is not a member.
 inline bool holds(const Interval& a, const Bracket& x, bool is_exact = true) {
   if (a.is_empty()) return false;
   return is_exact ? a.lo() <= x.below && x.above <= a.hi() : a.lo() <= x.above && x.below <= a.hi();

@@ -32,7 +32,7 @@ std::vector<Rational> mids(const std::vector<MidRadius<Rational>>& line) {
 
 // The example of the issue: centre to centre only in this form.
 TEST(IntervalDeBoor, ProductOfIntervalsIsAroundTheProductOfMiddles) {
-  // P = t D1 on [0, 1] with D1 = [-1, 3], t = [0, 2] is no legal parameter, so on [0, 4]: alpha = [0, 1/2].
+  // P = t D1 on [0, 1] with D1 = [-1, 3], t = [0, 2] is not a legal parameter, so on [0, 4]: alpha = [0, 1/2].
   const auto axis = make_knot_axis(1, {0, 0, 4, 4}).value();
   const auto box = interval_de_boor<Rational>(axis, {{0, 0}, {1, 2}}, 0, 2);
   EXPECT_EQ(box.mid, ratio(1, 4));  // 1/4 * 1
@@ -103,7 +103,7 @@ TEST(IntervalDeBoor, RadiusIsAPolynomialOfTheDegreeWhereNoSignChanges) {
       const Rational t = begin + ratio(7 + 13 * k, 100) * length;
       EXPECT_EQ(radius(t), interpolated(x, y, t)) << "loop " << loop;
     }
-    // Of degree p indeed, and not less, for eps > 0 and these data: one point fewer does not determine it.
+    // The degree is p indeed, and not less, for eps > 0 and these data: one point fewer does not determine it.
     x.pop_back(), y.pop_back();
     if (p > 1) {
       EXPECT_NE(radius(begin + ratio(9, 10) * length),

@@ -144,7 +144,7 @@ TEST(PolynomialRoots, AreTheSameAfterMixingElevationAndAffineMaps) {
     auto lifted = system.equations;
     for (auto& e : lifted) e = known::multiplied(e, factor);
     EXPECT_EQ(roots_of(lifted).roots.size(), count) << "case " << i;
-    // The same equations of higher degree: one and the constant 1.
+    // Equations of higher degree with the same roots: one is multiplied by a positive polynomial.
     auto raised = system.equations;
     raised[0] = known::multiplied(raised[0], Powers<2>({2, 3}) + Powers<2>::constant(Rational(1)));
     EXPECT_EQ(roots_of(raised).roots.size(), count) << "case " << i;

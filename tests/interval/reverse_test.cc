@@ -83,7 +83,7 @@ TEST(Reverse, PowersComeBack) {
     ASSERT_TRUE(is_member(x, pow_rev1(ys, z, xs))) << x << ' ' << y;
     ASSERT_TRUE(is_member(y, pow_rev2(xs, z))) << x << ' ' << y;
     ASSERT_TRUE(is_subset(pow_rev2(xs, z, ys), ys)) << x << ' ' << y;
-    // Of point sets the answer is as narrow as the rounding of z lets it be.
+    // For sets of one point the answer is as narrow as the rounding of z allows.
     if (x > 0.1 && std::abs(y) > 0.1) {
       ASSERT_LT(wid(pow_rev1(Interval(y), z)), x * 0x1p-45) << x << ' ' << y;
     }

@@ -29,7 +29,7 @@ inline Polynomial minus_remainder(Polynomial a, const Polynomial& b) {
   for (Rational& c : a) c = -c;
   return a;
 }
-/// Of a polynomial that is not zero.
+/// The Sturm sequence of a polynomial that is not zero.
 class Sequence {
  public:
   explicit Sequence(Polynomial p) {

@@ -23,7 +23,7 @@ inline Result<MeshFile> read(MeshFormat format, std::string_view text,
   return read_mesh_bytes(bytes(text), "model", options);
 }
 
-/// "code@line" or "code@byteN" of the error, "ok" if there is none.
+/// "code@line" or "code@byteN" of the error, "ok" without an error.
 inline std::string outcome(const Result<MeshFile>& file) {
   if (file) return "ok";
   const Error& error = file.error();

@@ -374,7 +374,7 @@ void expect_agreement(const std::vector<Case>& cases) {
   }
 }
 
-// The same with all cases in one Python process.
+// Compares with Python, all cases in one Python process.
 void expect_python_agreement(const std::vector<Case>& cases) {
   const TempFolder folder;
   write_cases(cases, folder);

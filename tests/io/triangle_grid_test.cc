@@ -25,7 +25,7 @@ ExactTriangle random_triangle(Random& random, int degree, bool is_rational) {
   }
   return out;
 }
-// The same map with corner 1 in the place of corner 0, 2 in that of 1, 0 in that of 2.
+// Turns the domain: corner 1 takes the place of corner 0, 2 that of 1, 0 that of 2.
 ExactTriangle turned(const ExactTriangle& t) {
   ExactTriangle out(t.degree(), t.num_components(), t.is_rational());
   for (int c = 0; c < t.num_components(); ++c)

@@ -40,7 +40,7 @@ std::string box(int x) {
       for (const int i : {x, x + 1}) text += " [" + std::to_string(i) + y + z;
   return text + "]\n";
 }
-/// The same with u and v exchanged: left-handed.
+/// A left-handed box: u and v are exchanged.
 std::string mirrored_box(int x) {
   std::string text = "[TRIVAR BEZIER 2 2 2 E3";
   for (const char* const z : {" 0]", " 1]"})

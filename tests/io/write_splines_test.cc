@@ -74,7 +74,7 @@ TEST(WriteSplines, WhatAFormatCannotHoldIsALoss) {
     EXPECT_EQ(found.shapes[0], "4 of " + std::to_string(mixed.entities.size()) +
                                    " entities are rounded or left out");
   }
-  // A third is no decimal: rounded to the nearest binary64.
+  // A third is not a decimal: it is rounded to the nearest binary64 number.
   SplineModel third = model_of(SplineFormat::kItd, "[CURVE BEZIER 2 E1 [0] [3]]");
   std::get<ExactCurve>(third.entities[0].shape).component(0)[1] = Rational(Integer(1), Integer(3));
   EXPECT_TRUE(loss(third, SplineFormat::kJson).shapes.empty());

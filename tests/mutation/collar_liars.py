@@ -85,7 +85,7 @@ class Kept:
 
 
 def coarse_hulls(rng):
-    """Leaves of a ball that are not refined: the claim is true, the proof is none. 24 of the 114 hulls stick out, so some of those that stay coarse do."""
+    """Leaves of a ball that are not refined: the claim is true, but this does not prove it. 24 of the 114 hulls stick out, so some of those that stay coarse do."""
     def make():
         ball = ps.made("ball", lambda: ps.proved(ps.models.bicubic_ball(), ((0, 0, 0), Q(1, 3))))
         made = forge.Collar(Surface(ball), (-4,) * 3, 3, 2)
@@ -209,7 +209,7 @@ def collar_attacks(rng):
 
 
 def lies_about_a_collar(rng):
-    """The collar is one; cells that it needs are left out, its numbers are others, the proof that it collapses is none."""
+    """The collar is a true one; cells that it needs are left out, its numbers are changed, its collapses are wrong."""
     made = collar(brick(2, 10), WALL)
     plan = made.plan
     outer = [n for n, c in made.complex.component_of.items() if plan.sides[c] == 1]

@@ -76,7 +76,7 @@ def other_form(text, rng):
 
 
 def rewritten(entities, rng):
-    """The same entities, their numbers in other forms; all keys in another order, kind before shape."""
+    """Rewrites the entities with numbers in other forms and all keys in another order, kind before shape."""
     def numbers(value):
         return [numbers(v) for v in value] if isinstance(value, list) else other_form(value, rng) if rng.random() < .7 else value
 
@@ -141,7 +141,7 @@ def model_case(rng):
     name, is_itd = rng.choice((("same", False), ("vjson", False), ("vjson", False), ("itd", True), ("itd", True)))
     try:
         text = "x\n[OBJECT [a 1] N\n" + itd.itd_text(entities) + "]\n" if is_itd else ""
-    except (KeyError, ValueError):                        # a triangle, or a number that is no decimal
+    except (KeyError, ValueError):                        # a triangle, or a number that is not a decimal
         name, is_itd = "vjson", False
     if is_itd:
         data = text.encode()

@@ -80,7 +80,7 @@ def touching_poles(rng):
 
 
 def double_cover(rng):
-    """The same surface twice, the second time cut finer, so that no two sides are the same curve."""
+    """One surface twice, the second time cut finer, so that no two sides are the same curve."""
     p = ps.solid(rng, .003)
     q = ps.refined(p)
     if not q:
@@ -553,7 +553,7 @@ LIES = (plain, swapped_centres, forged_centres, grown_boxes, truncated_cover, sh
 # ---------------------------------------------------------------- lies about sound models
 
 def hollow():
-    """Of thin walls, cut so fine that a box away from the edges meets no side wall."""
+    """A box of thin walls, cut so fine that a box away from the edges meets no side wall."""
     cubes = [ps.proved(ps.cube_faces(1, (1,) * 8), roots=2) for _ in range(2)]
     outer, inner = [ps.moved(c, (0, 1, 2), (1, 1, 1), (h, h, h), (-h, -h, -h)) for c, h in zip(cubes, (8, 6))]
     return walk(ps.joined(outer, ps.turned(inner))).settle()

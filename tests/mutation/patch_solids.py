@@ -150,7 +150,7 @@ def reader(plan):
 
 
 def flat_proof(entities, inner=None):
-    """Of flat triangles: a mesh box around each, and a star box at the middle of one of each component, where there is room."""
+    """A proof for flat triangles: a mesh box around each, and a star box at the middle of one of each component, where there is room."""
     plan = forge.Plan(entities)
     prover = reader(plan)
     plan.values = dict(prover.counts)

@@ -16,7 +16,7 @@ namespace veritope::bounds {
 inline Rational unit_roundoff() { return Rational::power_of_two(-53); }
 /// The largest error of a product that underflows, round to nearest with gradual underflow.
 inline Rational underflow_unit() { return Rational::power_of_two(-1075); }
-/// The same if a thread flushed underflowing products to zero.
+/// The unit of underflow if a thread flushed underflowing products to zero.
 inline Rational flush_unit() { return Rational::power_of_two(-1022); }
 
 inline Rational power(const Rational& base, int n) {

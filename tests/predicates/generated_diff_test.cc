@@ -42,7 +42,7 @@ Exact minus(Exact a, const Exact& b) {
 }
 mpq_class squared_distance(const Exact& a, const Exact& b) { return dot(minus(a, b), minus(a, b)); }
 
-// Of rows (1, p, |p|^2 - w).
+// The sign of the determinant of the rows (1, p, |p|^2 - w).
 template <typename Point, std::size_t N>
 Sign lifted(const std::array<Point, N>& points, const Weights& w) {
   oracle::Matrix m;

@@ -18,7 +18,7 @@
 namespace {
 thread_local std::size_t allocations = 0;
 }
-// Of the whole test binary. The other forms of new call this one.
+// Replaces new in the whole test binary. The other forms of new call this one.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;

@@ -16,7 +16,7 @@ namespace {
 using internal::StackInteger;
 using Number = StackInteger<12>;
 
-// The same number twice.
+// One number in two representations.
 struct Pair {
   Number ours;
   Integer theirs;

@@ -58,7 +58,7 @@ TEST(ImplicitPointBound, RelativeConstantsFollowFromTheRoundings) {
   const int m_planes = magnitude(((d * d) * (d * d)) * (d * d), d, d, d + d, d).roundings;
   expect_tight(internal::kLinePlaneRel, k_line, m_line, Rational(36));
   expect_tight(internal::kThreePlanesRel, k_planes, m_planes, Rational(288));
-  // The same constant bounds the denominator's error, which has fewer terms and roundings.
+  // This constant also bounds the denominator's error, which has fewer terms and roundings.
   EXPECT_LE(line.denominator.roundings, k_line);
   EXPECT_LE(planes.denominator.roundings, k_planes);
 }
@@ -164,7 +164,7 @@ TEST(ImplicitPointBound, TheAbsoluteConstantPaysForUnderflowAndForFlushing) {
                   Rational(4) * unit,
               abs);
     EXPECT_LE(at_reach(planes.denominator.error), abs);
-    // Of the layer alone, and of rel * scale * reach.
+    // The errors of the layer alone, and of rel * scale * reach.
     EXPECT_LE(at_reach(planes.numerator.x.error) +
                   missing(((d * d) * (d * d)) * (d * d), internal::kThreePlanesRel),
               abs);

@@ -33,7 +33,7 @@ Point normal(const Point& a, const Point& b, const Point& c) {
 Sign side(const Point& a, const Point& b, const Point& c, const Point& d) {
   return formulas::dot(normal(a, b, c), formulas::difference(d, a)).sign();
 }
-// p + t (q - p) with n . (a - p) = t n . (q - p); false if there is none.
+// p + t (q - p) with n . (a - p) = t n . (q - p); false if no such point exists.
 bool intersect(const std::array<Vec3d, 5>& v, Point& out) {
   const Point p = rational(v[0]), u = formulas::difference(rational(v[1]), p), a = rational(v[2]),
               n = normal(a, rational(v[3]), rational(v[4]));

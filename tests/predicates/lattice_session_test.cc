@@ -283,7 +283,7 @@ TEST(LatticeSession, SwapsNegateAndMovedOrScaledModelsHaveTheSameSigns) {
   }
 }
 
-// Of subnormal coordinates, with another rounding direction: the bits of the coordinates decide.
+// The coordinates are subnormal, and the rounding direction is another: the bits of the coordinates decide.
 TEST(LatticeSession, IsMadeAndAskedInAnyFloatingPointEnvironment) {
   constexpr double kUnit = std::numeric_limits<double>::denorm_min(), kFar = 0x1.8p40 * kUnit;
   const Space p{{0, 0, 0}, {kFar, 0, 0}, {0, kFar, 0}, {0, 0, kFar}, {kUnit, kUnit, kUnit}};

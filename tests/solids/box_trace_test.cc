@@ -94,8 +94,8 @@ TEST(BoxTrace, TangenciesAreUndecided) {
   EXPECT_EQ(trace_in(cube, {{0.25, 0.25, 1}, {0.5, 0.5, 2}}).kind, BoxTrace::Kind::kUndecided);
 }
 
-// Of a box that the sphere cuts near one corner or far from all, the answer is known from distances: a disk around the corner nearest to the middle if that
-// corner alone is inside.
+// For a box that the sphere cuts near one corner or far from all, the answer is known from distances: a disk around the
+// corner nearest to the middle if that corner alone is inside.
 TEST(BoxTrace, BoxesWithOneCornerInsideOfTheSphereAreDisks) {
   BoundaryModel sphere = model_of(patch_shapes::octant_sphere());
   int decided = 0, asked = 0;

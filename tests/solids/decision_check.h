@@ -21,7 +21,7 @@ inline ValidityReport decide(const TriangleMesh& mesh, unsigned jobs = 1, std::s
   return decide_validity(mesh, options);
 }
 
-/// The same as summary(), from the definitions alone.
+/// What summary() writes, from the definitions alone.
 inline std::string summary(const TriangleMesh& mesh, const oracle::BruteDecision& b) {
   std::string out = b.is_valid ? "valid" : "invalid";
   for (std::uint64_t n : b.rules) out += " " + std::to_string(n);

@@ -20,7 +20,7 @@ TEST(PatchShapesDiff, TessellationsOfSoundShapesAreValidWithTheirGenusAndBodies)
     EXPECT_EQ(report.counts.bodies, std::optional(static_cast<std::uint64_t>(shape.bodies)));
   }
 }
-// Of the tangent ones a tessellation need not touch itself; those at four points a side do.
+// A tessellation of a tangent shape need not touch itself; those with four points per side do.
 TEST(PatchShapesDiff, TessellationsOfBrokenShapesAreNot) {
   for (const auto& shape : patch_shapes::broken_shapes())
     EXPECT_FALSE(decide_validity(tessellated(shape.patches, 4), {}).is_valid) << shape.name;

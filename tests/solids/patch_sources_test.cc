@@ -22,7 +22,7 @@ std::vector<Surface> as_surfaces(const Patches& patches) {
   return out;
 }
 
-// The same surface with a few more knots, higher degrees, another domain and corner 0.
+// The surface of the patch with a few more knots, higher degrees, another domain and corner 0.
 Surface disguised(const Patch& patch, Random& random) {
   Surface s = to_bspline(turned(patch, static_cast<std::uint32_t>(random.below(4))).tensor());
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {

@@ -60,7 +60,7 @@ TEST(PieceOctree, CoversTheSurfaceHoweverItIsSplit) {
                               [&](PieceForest::Id id) { return m.forest.node(id).patch == p; }));
     }
   }
-  // None is farther from the surface than a piece may be long: |(sqrt(x^2 + y^2) - 3, z)| is 1 on it.
+  // No cell is farther from the surface than a piece may be long: |(sqrt(x^2 + y^2) - 3, z)| is 1 on it.
   const double unit = std::exp2(m.forest.scale());
   for (const PieceOctree::Cell& cell : octree.cells()) {
     const Box3d box = m.root.box(cell.key);

@@ -146,7 +146,7 @@ TEST(ConditionSweep, CellsThatTouchInAVertexAreNoManifold) {
   }
 }
 
-// In the forest's coordinates these sizes, or planes two cells beside the model, are no numbers.
+// In the forest's coordinates these sizes, or planes two cells beside the model, are not doubles.
 TEST(ConditionSweep, SizesBeyondBinary64EndARow) {
   BoundaryModel model = model_of(patch_shapes::placed(patch_shapes::box({0, 0, 0}, {1, 1, 1}),
                                                       Rational::power_of_two(-40), {0, 0, 0}));

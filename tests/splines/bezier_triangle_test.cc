@@ -228,7 +228,7 @@ TEST(BezierTriangle, OfATensorProductHasItsPoints) {
   }
 }
 
-// Of u^i v^j w^k over the triangle: i! j! k! / (i + j + k + 2)!.
+// The integral of u^i v^j w^k over the triangle is i! j! k! / (i + j + k + 2)!.
 TEST(BezierTriangle, IntegralIsThatOfMonomials) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)

@@ -14,7 +14,7 @@ namespace {
 using internal::compose_exact_by;
 using internal::ExactWay;
 
-// Of few bits, of all 53 and one magnitude, with exponents far apart, zeros among them.
+// Numbers of few bits, of all 53 and one magnitude, with exponents far apart, zeros among them.
 double draw(Random& random, std::uint64_t kind) {
   const double v = 2 * random.unit() - 1;
   if (random.below(8) == 0) return 0;

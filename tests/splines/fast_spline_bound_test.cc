@@ -94,7 +94,7 @@ TEST(FastSplineBound, ParameterErrorIsReachedWithinAFactor) {
     ASSERT_LE(error, axis.error[0]) << x;
     most = most < error ? error : most;
   }
-  EXPECT_GT(Rational(4) * most, axis.error[0]);  // a term less, and the loop above would fail
+  EXPECT_GT(Rational(4) * most, axis.error[0]);  // with one fewer term the loop above would fail
 }
 
 TEST(FastSplineBound, QuotientSlackCoversTheBoundsOwnRoundings) {
@@ -177,7 +177,7 @@ TEST(FastSplineBound, QuotientsAreWithinTheirBoundsAtEveryCorner) {
       closest_slope = std::max(closest_slope, nearest_double(slope_error) / partial_bound);
     }
   }
-  EXPECT_GT(closest_value, 0.95);  // a term less would have failed
+  EXPECT_GT(closest_value, 0.95);  // one fewer term would have failed
   EXPECT_GT(closest_slope, 0.9);
 }
 

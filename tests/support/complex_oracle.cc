@@ -67,7 +67,7 @@ std::array<GridPoint, 4> corners(const GridSquare& s) {
           moved(s.low, c, s.size)};
 }
 
-// Of the segment between two corners, cut at those points that lie inside it.
+// The parts of the segment between two corners, cut at those points that lie inside it.
 std::vector<Segment> cut(GridPoint from, GridPoint to, const std::set<GridPoint>& points) {
   if (to < from) std::swap(from, to);
   const unsigned axis = from[0] != to[0] ? 0 : from[1] != to[1] ? 1 : 2;

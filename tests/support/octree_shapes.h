@@ -49,7 +49,7 @@ Cells without(const Cells& cells, const Cells& removed);
 Cells refine(const Cells& cells, const std::function<bool(const OctreeCell&)>& chosen);
 /// Replaces 8 children by their parent wherever all are there, once.
 Cells coarsen(const Cells& cells);
-/// The same set two octants deeper: the root becomes the cell (1, i, j, k).
+/// The set of cells two octants deeper: the root becomes the cell (1, i, j, k).
 Cells into_octant(const Cells& cells, std::uint32_t i, std::uint32_t j, std::uint32_t k);
 /// One of the 48 symmetries of the root: axes permuted, then mirrored by the bits of `mirror`.
 Cells transformed(const Cells& cells, std::array<unsigned, 3> axes, unsigned mirror);

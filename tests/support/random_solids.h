@@ -33,7 +33,7 @@ Model perturbed_blocks(Random& random, double share, bool has_opposed = false);
 
 /// An embedded model: perturbed blocks with share in [0.2, 0.97].
 Model embedded(Random& random);
-/// The same, with opposed faces: embedded, but beyond what the method promises to certify.
+/// Such a model with opposed faces: embedded, but beyond what the method promises to certify.
 Model opposed(Random& random);
 /// Not one to one: two sheets pass a planted point, inside a patch each, at an angle whose sine is at least 1/8. Two shells, the second an affine image moved there, or one
 /// shell, two of whose patches without a common vertex were made to meet by their inner control points.

@@ -54,8 +54,8 @@ TriangleMesh needle_soup(Random& random, int num_triangles);      ///< open; lon
 TriangleMesh grid_soup(Random& random, int num_triangles, int grid);  ///< corners in {0..grid-1}^3, merged; degenerate ones too
 TriangleMesh random_indexed(Random& random, int num_triangles, int num_vertices, int grid);  ///< ids at random
 
-// Of models.
-TriangleMesh joined(std::span<const TriangleMesh> parts);         ///< ids one behind the other, no merging
+// Functions of models.
+TriangleMesh joined(std::span<const TriangleMesh> parts);         ///< ids one after the other, no merging
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 TriangleMesh reversed(TriangleMesh mesh);
 TriangleMesh moved(TriangleMesh mesh, Vec3d by);                  ///< rounded
@@ -66,7 +66,7 @@ int determinant(const Matrix& m);
 /// Exact for coordinates with few bits. REQUIRES (checked) that it was.
 TriangleMesh mapped(const TriangleMesh& mesh, const Matrix& m, std::array<int, 3> shift);
 Matrix random_matrix(Random& random, int size);                   ///< |determinant| > 0
-/// The same model with vertices renumbered, facets in another order and corners rotated.
+/// The model with vertices renumbered, facets in another order and corners rotated.
 TriangleMesh relabelled(const TriangleMesh& mesh, Random& random);
 /// Every facet into four at the midpoints of its edges. REQUIRES (checked) midpoints that binary64 holds.
 TriangleMesh subdivided(const TriangleMesh& mesh);

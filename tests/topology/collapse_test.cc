@@ -111,7 +111,7 @@ TEST(Replay, AcceptsWhatTheSearchFoundAndTheDefinitionAgrees) {
                 complex.num_cells());
 }
 
-// Of one cell onto one of its faces: first the face across, then the sides from there, then their far edges' ends.
+// Collapses one cell onto one of its faces: first the face across, then the sides from there, then their far edges' ends.
 CollapseSequence collapse_of_cube(const CommonSubdivision& cube, std::uint32_t onto) {
   CollapseSequence out;
   const auto has_edge = [&](std::uint32_t f, std::uint32_t e) {

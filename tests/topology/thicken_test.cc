@@ -97,7 +97,7 @@ std::function<unsigned(const OctreeCell&)> finer_near_a_point(unsigned fine, std
   };
 }
 
-// Most such covers are no manifolds, where levels change.
+// Most such covers are not manifolds, because of places where levels change.
 TEST(Thicken, MakesCollarsOfCoversOfMixedLevels) {
   int with_defects = 0;
   for (std::uint64_t seed = 1; seed <= 36; ++seed) {

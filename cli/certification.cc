@@ -26,7 +26,7 @@ std::string_view as_text(const certificate::Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// A name as a shell takes it.
+// A name, quoted for a shell.
 std::string shell_word(const std::string& name) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/+-";
@@ -160,7 +160,7 @@ class Certification {
     return outcome.is_accepted || judge_refusal(outcome);
   }
 
-  // Always false.
+  // Drops the verdict because of the checker's answer. Returns false.
   bool judge_refusal(const CheckerOutcome& outcome) {
     const std::string words = " (" + outcome.words + ")";
     if (!outcome.is_started)
@@ -181,7 +181,7 @@ class Certification {
           fault_of("not-covered",
                    "the file has longer numbers than certificates may be about" + words));
     if (file_has_changed()) {
-      FileReport blank;  // what was found is about bytes that are gone
+      FileReport blank;  // findings about bytes that are gone are not reported
       blank.path = report_.path;
       blank.seconds = report_.seconds;
       report_ = std::move(blank);

@@ -17,7 +17,7 @@ using namespace report;
 struct CertifySettings {
   ModelReadOptions reading;
   CertifyOptions certify;  ///< on_phase is set here
-  std::string checker;     ///< its program; empty: --no-check
+  std::string checker;     ///< the checker's program; empty: --no-check
   bool with_picture = false;
 };
 
@@ -26,12 +26,12 @@ using KeepCertificate = std::function<Result<std::string>(std::string_view bytes
 
 struct CertifiedFile {
   report::FileReport report;
-  std::string picture;  ///< PLY; empty: none was requested, there is no verdict, or it is no mesh
+  std::string picture;  ///< PLY; empty: not requested, no verdict, or not a mesh
 };
 
 /// @param path  a file, or "-" for standard input
 /// @param keep  called once, last, if there is a verdict; empty: the certificate is not kept
-/// Never throws for a reason that lies in the file; an internal error becomes exit 5 with the words to report it.
+/// Never throws because of the file's content; an internal error becomes exit 5 with the words to report it.
 CertifiedFile certify_file(const std::string& path, const CertifySettings& settings,
                            const KeepCertificate& keep, Progress& progress);
 

@@ -24,7 +24,7 @@ namespace veritope::cli {
 namespace {
 
 constexpr std::string_view kName = "veritope-check";
-constexpr int kOutOfMemory = 3;  // its exit status
+constexpr int kOutOfMemory = 3;  // the checker's exit status
 
 bool is_program(const std::string& path) {
   struct stat status {};
@@ -60,7 +60,7 @@ std::vector<std::string> candidates() {
   return paths;
 }
 
-// The start of what comes out of the pipe; the rest is read and dropped, so that the writer never waits.
+// The beginning of what comes out of the pipe; the rest is read and dropped, so that the writer never waits.
 std::string drain(int descriptor) {
   constexpr std::size_t kMost = 4096;
   std::string kept;
@@ -81,7 +81,7 @@ bool says_accept(const std::string& line, const std::string& claim) {
   return line.size() == wanted.size() || line[wanted.size()] == ' ' || line[wanted.size()] == ':';
 }
 
-// Whether it says REJECT, the condition, and then one of these.
+// Whether the line says REJECT, a condition, and a reason that begins with one of these.
 bool rejects_with(std::string_view line, std::initializer_list<std::string_view> words) {
   const std::size_t colon = line.find(": ");
   if (!line.starts_with("REJECT ") || colon == line.npos) return false;
@@ -110,8 +110,8 @@ void judge(int status, const std::string& claim, CheckerOutcome& outcome) {
   if (outcome.words.empty()) outcome.words = "said nothing, exit " + std::to_string(outcome.exit);
 }
 
-// What the child has that this process has not: /dev/null to read, the pipe to write, `inherited`,
-// the signals ignored here.
+// What the child gets apart from this process: /dev/null to read, the pipe to write, `inherited`,
+// and the signals that are ignored here.
 class SpawnSettings {
  public:
   SpawnSettings(const std::vector<int>& inherited, int output) {
@@ -183,7 +183,7 @@ CheckerOutcome run_checker(const std::string& checker, const std::string& model,
                            const std::string& certificate, const std::string& claim,
                            const std::vector<int>& inherited) {
   const auto begin = std::chrono::steady_clock::now();
-  // A name that looks like an option is a file all the same.
+  // A name that looks like an option is a file, too.
   const std::string named = model.compare(0, 1, "-") == 0 ? "./" + model : model;
   const char* const arguments[] = {checker.c_str(), named.c_str(), certificate.c_str(), nullptr};
   CheckerOutcome outcome;

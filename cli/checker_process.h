@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/checker_process.h: veritope-check as another process. Its word, not ours, makes a verdict.
+// cli/checker_process.h: veritope-check as another process. There is no verdict unless it accepts
+// the certificate.
 #pragma once
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct CheckerOutcome {
   bool exceeds_lengths =
       false;  ///< "REJECT B2: a number has more bits ...": a model that the format does not cover
   int exit = -1;      ///< exit status; -1: ended by a signal, or never started
-  std::string words;  ///< its first line of output; or how it died
+  std::string words;  ///< its first line of output, or how it ended
   double seconds = 0;
 };
 

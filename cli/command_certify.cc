@@ -66,13 +66,13 @@ void print(const FileReport& report, bool quiet, bool lists_pairs, StandardOutpu
   out.write(verdict_line(report, options.style) + (quiet ? "" : details_text(report, options)));
 }
 
-// A verdict with a fault beside it: the certificate could not be kept.
+// Reports a fault beside a verdict: the certificate could not be kept.
 void complain_beside_verdict(const FileReport& report) {
   if (!report.has_verdict() || !report.fault) return;
   complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
 }
 
-// kExitValid, or kExitUnreadable and why on standard error.
+// kExitValid; or kExitUnreadable, after the reason was printed on standard error.
 ExitCode write_picture(const std::string& path, const std::string& bytes, StandardOutput& out) {
   const Status status = write_output(path, bytes, out);
   if (status) return kExitValid;
@@ -101,7 +101,7 @@ CertifySettings settings_of(const Options& options) {
   return out;
 }
 
-// The picture is refused where it could not show anything, and where it would overwrite something.
+// Refuses a picture where it could not show anything, and where it would overwrite another file.
 Status check_picture(const Options& options, const OutputPlan& plan) {
   if (!options.picture) return ok_status();
   const std::vector<std::string>& files = options.input.files;

@@ -20,7 +20,7 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-// The names of --to, and what io/ calls them.
+// The names of --to, and the names of these variants in io/.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kTargets = {{
     {"stl", "stl-binary"},
     {"stl-ascii", "stl-ascii"},
@@ -56,7 +56,7 @@ Result<WriteOptions> target_of(const ConvertOptions& o) {
     return options;
   }
   if (const auto options = write_options_from_name(name); options && !o.single_precision) {
-    return *options;  // as `info` calls them
+    return *options;  // the names that `info` prints
   }
   return bad_argument("--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " +
                       name);
@@ -70,7 +70,8 @@ std::string displacement_text(const LossReport& loss) {
          short_decimal(loss.max_displacement) + " (vertex " + std::to_string(loss.vertex) + ")";
 }
 
-// What the new file would not keep; empty if it keeps everything. Vertex ids count only if they were kept on reading.
+// What the new file would not keep; empty if it keeps everything. Vertex ids count only if they were kept when the file
+// was read.
 std::string loss_text(const LossReport& loss, bool as_indexed) {
   std::string text;
   if (loss.coordinates_change) text = displacement_text(loss);
@@ -84,7 +85,7 @@ std::string loss_text(const LossReport& loss, bool as_indexed) {
   return text;
 }
 
-// What is no part of the model: it is not kept, and that is no loss.
+// Data that are not part of the model: they are dropped, and that is no loss.
 std::string dropped_text(const ReadReport& reading, const WriteOptions& target) {
   std::string text;
   const auto add = [&text](const std::string& words) {
@@ -116,7 +117,7 @@ ExitCode refuse(const ConvertOptions& o, const LossReport& loss, const std::stri
   return kExitInvalid;
 }
 
-// A failure of standard output is main's to report.
+// main reports a failure of standard output.
 Status write_model(const std::string& path, const TriangleMesh& mesh, const WriteOptions& target,
                    StandardOutput& out) {
   if (!is_stream(path)) return write_mesh_file(path, mesh, target);

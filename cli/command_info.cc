@@ -24,7 +24,8 @@ struct Options {
   std::optional<std::string> json;
 };
 
-// The variants that read back as the same model. Vertex ids are part of it only if they were kept.
+// The variants that read back as the same model. Vertex ids are part of it only if they were kept
+// when the file was read.
 std::vector<std::string> lossless_variants(const MeshFile& file, bool as_indexed) {
   std::vector<std::string> names;
   for (const std::string& name : write_variant_names()) {

@@ -34,7 +34,7 @@ void declare(OptionSet& set, Options& o) {
   declare_format(set, o.input);
 }
 
-/// Intersects every surface of one model with every one of the other.
+/// Intersects every surface of one model with every surface of the other.
 Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& files,
                                             const Options& options, Progress& progress) {
   IntersectionReport report;

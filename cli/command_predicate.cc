@@ -48,7 +48,7 @@ class CaseRun {
         cases_(options.predicate, options.expect),
         out_(out) {}
 
-  /// To the end of the file, or to the first line that cannot be read. What was found before it is printed.
+  /// Decides up to the end of the file, or to the first line that cannot be read. Answers before that line are printed.
   Status decide_all(LineReader& lines) {
     Status status = decide_lines(lines);
     flush();
@@ -69,7 +69,8 @@ class CaseRun {
 
   Status decide_lines(LineReader& lines) {
     for (;;) {
-      // Whoever writes the cases one by one may wait for an answer before the next.
+      // A program that writes the cases one by one may wait for an answer before it writes the
+      // next.
       if (pending_.size() >= kFull || lines.must_read()) flush();
       const Result<std::optional<std::string_view>> line = lines.next();
       if (!line) return line.error();

@@ -21,7 +21,7 @@ struct Options {
   std::string point;
   InputOptions input;
   std::optional<std::string> json;
-  std::uint64_t max_boxes = 100000;  ///< of each curve and surface
+  std::uint64_t max_boxes = 100000;  ///< for each curve and surface
 };
 
 void declare(OptionSet& set, Options& o) {

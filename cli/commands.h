@@ -18,9 +18,9 @@ using RunCommand = std::function<ExitCode(StandardOutput& out)>;
 struct Command {
   const char* name;
   const char* summary;  ///< in the help of the program
-  /// Makes options of its own, which the function that it returns owns and reads.
+  /// Declares the command's options in an object that the returned function owns and reads.
   RunCommand (*declare)(OptionSet& set);
-  /// False: it runs even if the floating point is not as the filters need it, and reports that itself.
+  /// False: the command runs even if the floating point is not what the filters need, and reports that itself.
   bool needs_fp = true;
 };
 

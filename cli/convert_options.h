@@ -13,8 +13,8 @@ struct ConvertOptions {
   std::string output;
   std::optional<std::string> to;
   bool single_precision = false, lossy = false;
-  bool faces = false;           ///< of volumes
-  std::optional<double> chord;  ///< of splines to obj or gltf
+  bool faces = false;           ///< write the boundary of volumes
+  std::optional<double> chord;  ///< for splines written as obj or gltf
 };
 
 }  // namespace veritope::cli

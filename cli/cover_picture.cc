@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, CoverPart>, 4> kParts = {{
 
 bool is_vtu(const std::string& path) { return path.ends_with(".vtu"); }
 
-// In model units, exactly.
+// The box in model units, exactly.
 Result<Box3d> scaled(const Box3d& box, int scale) {
   Box3d out;
   for (std::size_t k = 0; k < 3; ++k)

@@ -49,7 +49,7 @@ LineReader::~LineReader() {
 
 bool LineReader::must_read() { return !is_at_end_ && find_line_feed() == kNone; }
 
-// Its position, or kNone.
+// The position of the next line feed, or kNone.
 std::size_t LineReader::find_line_feed() {
   const unsigned char* const data = buffer_.data();
   const std::size_t rest = buffer_.size() - scanned_;
@@ -64,7 +64,7 @@ std::size_t LineReader::find_line_feed() {
 Result<std::optional<std::string_view>> LineReader::next() {
   ++line_;
   std::size_t end = find_line_feed();
-  // One byte more than a line may have: it may be the CR of CR LF.
+  // Reads one byte more than a line may have: that byte may be the CR of CR LF.
   while (end == kNone && !is_at_end_ && buffer_.size() - begin_ <= kMaxLine + 1) {
     if (Status status = refill(); !status) return status.error();
     end = find_line_feed();

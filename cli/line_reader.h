@@ -17,14 +17,14 @@ class LineReader {
  public:
   static constexpr std::size_t kMaxLine = std::size_t{1} << 20;  ///< bytes, without the line end
 
-  /// "-" is standard input. Files, pipes and devices. @error kCannotOpen
+  /// Opens a file, pipe or device; "-" is standard input. @error kCannotOpen
   static Result<LineReader> open(const std::string& path);
   LineReader(LineReader&& other) noexcept;
   ~LineReader();
 
-  /// The next line without its end, nothing after the last one. It holds until the next call, and 8 bytes
-  /// after it may be read (io/base/scan.h).
-  /// @error kCannotOpen if reading fails; kOverLimit with the line. Not to be called after an error.
+  /// The next line without its end; nothing after the last one. It is valid until the next call, and 8 bytes after it
+  /// may be read (io/base/scan.h). Must not be called after an error.
+  /// @error kCannotOpen if reading fails; kOverLimit with the line
   Result<std::optional<std::string_view>> next();
 
   /// The number of the line that next() returned last, counted from 1.
@@ -43,7 +43,7 @@ class LineReader {
   std::string name_;
   int descriptor_;
   ByteBuffer buffer_;
-  std::size_t begin_ = 0;    // of what next() has not given yet; it ends at buffer_.size()
+  std::size_t begin_ = 0;    // of the bytes still to come from next(); they end at buffer_.size()
   std::size_t scanned_ = 0;  // no line feed in [begin_, scanned_)
   std::uint64_t line_ = 0;
   bool is_at_end_ = false;

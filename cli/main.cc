@@ -26,8 +26,8 @@ constexpr char kFooter[] =
     "Exit: 0 valid or done, 1 invalid, 2 wrong usage, 3 undecided, 4 unreadable, over\n"
     "a limit or cannot write, 5 our bug; of several files the first of 5, 1, 4, 3, 0";
 
-// A file that is opened later must not get the number of a standard stream. What is written to a stream that was closed
-// then fails: it is not lost in silence.
+// Prevents a file that is opened later from getting the number of a standard stream that was closed. Writing to that
+// stream then fails, and is not lost silently.
 void occupy_standard_streams() {
   int descriptor = 0;
   do {

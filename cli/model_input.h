@@ -13,11 +13,11 @@ class ModelInput {
   ModelInput(std::string path, const ModelReadOptions& options)
       : path_(std::move(path)), options_(options) {}
 
-  /// As --format or the ending of the name says, else as the content says. An input that cannot be read or recognised
-  /// counts as a mesh: take() says what is wrong with it.
+  /// Decided by --format or the ending of the name, else by the content. An input that cannot be read or recognised
+  /// counts as a mesh: take() reports what is wrong with it.
   ModelKind kind();
 
-  /// Reads it as read_model_file does. The bytes are gone afterwards.
+  /// Reads it as read_model_file does. The bytes are released.
   Result<ModelFile> take();
 
  private:

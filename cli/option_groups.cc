@@ -10,7 +10,7 @@ namespace veritope::cli {
 namespace {
 
 constexpr unsigned kMostJobs = 1024;
-constexpr std::uint64_t kMostFaces = (std::uint64_t{1} << 30) - 1;  // decide_validity's
+constexpr std::uint64_t kMostFaces = (std::uint64_t{1} << 30) - 1;  // the limit of decide_validity
 
 std::string wrong_files(const InputOptions& input) {
   const auto& files = input.files;
@@ -56,12 +56,12 @@ void declare_reading(OptionSet& set, ModelReadOptions& reading) {
   set.number("--max-bytes", limits.max_bytes, {0, kMost64},
              "limit: size of a file (4 GiB); --max-faces N: triangles");
   set.number("--max-faces", limits.max_faces, {0, kMostFaces}, "limit: triangles (200000000)");
-  set.hide("--max-faces");  // in the line above
+  set.hide("--max-faces");  // the help line above names it
   set.number("--max-digits", limits.max_digits, {1, kMost32},
              "limit: digits (1000); --max-exponent N: exponent (4096)");
   set.number("--max-exponent", limits.max_exponent, {0, kMost32},
              "limit: exponent of a number (4096)");
-  set.hide("--max-exponent");  // in the line above
+  set.hide("--max-exponent");  // the help line above names it
 }
 
 void declare_jobs(OptionSet& set, int& jobs) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/option_groups.h: options that several commands share. A command declares those it has, in the order of its help.
+// cli/option_groups.h: options that several commands share. A command declares its options in the order of its help.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@ namespace veritope::cli {
 
 using namespace report;
 
-/// The threads of this machine, at most as many as --jobs takes.
+/// The number of threads of this machine, at most what --jobs accepts.
 int default_jobs();
 
 /// Files of models, and how they are read.
@@ -39,10 +39,10 @@ void declare_jobs(OptionSet& set, int& jobs);
 
 /// --json. `what` begins the help: "write the report".
 void declare_json(OptionSet& set, std::optional<std::string>& json, const std::string& what);
-/// --orient; what does not fit is reversed if `is_auto` becomes true.
+/// --orient; `is_auto` becomes true if patches that do not fit are to be reversed.
 void declare_orientation(OptionSet& set, bool& is_auto, const std::string& what_is_reversed);
 
-/// One file that is no model.
+/// One file that is not a model.
 void declare_plain_file(OptionSet& set, const std::string& name, std::string& file,
                         const std::string& help);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kHelpColumn = 23;
 
-// Complaints name the option as `shown`.
+// Error messages call the option `shown`.
 CLI::Option* add(CLI::App* command, const std::string& name, const std::string& shown,
                  TakeText take, const std::string& help) {
   const auto check = [shown, take = std::move(take)](const std::string& text) {

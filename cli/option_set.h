@@ -17,8 +17,8 @@ class App;
 
 namespace veritope::cli {
 
-/// Takes the text of an option. Returns what is wrong with it, in words that follow the name of the option ("must be
-/// auto or keep, not x"), or nothing.
+/// Takes the text of an option. Returns nothing, or what is wrong with the text, in words that follow the name of the
+/// option ("must be auto or keep, not x").
 using TakeText = std::function<std::string(const std::string& text)>;
 
 /// Takes any text as it is, for a string or an optional one that lives until the line is parsed.
@@ -30,40 +30,41 @@ TakeText any_text(Text& target) {
   };
 }
 
-/// Returns what is wrong with the options of a command as a whole, as a sentence, or nothing.
+/// Returns nothing, or what is wrong with the options of a command as a whole, as a sentence.
 using OptionRule = std::function<std::string()>;
 
 constexpr std::uint64_t kMost64 = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMost32 = std::numeric_limits<std::uint32_t>::max();
 
-/// The numbers that an option takes, both ends included.
+/// The range of numbers that an option accepts, both ends included.
 struct NumberRange {
   std::uint64_t least = 0, most = kMost64;
 };
 
-/// Options are listed in the help in the order of their declaration. Names are those of CLI11: "-j,--jobs".
+/// The help lists options in the order of their declaration. Names are those of CLI11: "-j,--jobs".
 /// REQUIRES that every target lives until the line is parsed.
 class OptionSet {
  public:
   explicit OptionSet(CLI::App& command) : command_(&command) {}
 
   void flag(const std::string& name, bool& target, const std::string& help);
-  /// Any text but an empty one.
+  /// Accepts any text that is not empty.
   void text(const std::string& name, std::optional<std::string>& target, const std::string& help,
             const std::string& type = "F");
-  /// Decimal digits and nothing else.
+  /// Accepts decimal digits only.
   template <typename T>
   void number(const std::string& name, T& target, NumberRange range, const std::string& help) {
     add_number(name, range, help,
                [&target](std::uint64_t value) { target = static_cast<T>(value); });
   }
-  /// A decimal number from 1e-300 to 1e300, so that a few roundings of its products stay finite.
+  /// Accepts a decimal number from 1e-300 to 1e300, so that products stay finite after a few
+  /// roundings.
   template <typename T>
   void length(const std::string& name, const std::string& type, T& target,
               const std::string& help) {
     add_length(name, type, help, [&target](double value) { target = value; });
   }
-  /// Whatever `take` takes; `type` stands for the value in the help.
+  /// Accepts whatever `take` accepts; the help shows `type` for the value.
   void option(const std::string& name, const std::string& type, TakeText take,
               const std::string& help);
 
@@ -74,11 +75,12 @@ class OptionSet {
   void operands(const std::string& name, std::vector<std::string>& target, const std::string& help,
                 int count = 0);
 
-  /// Leaves an option out of the help, because another line there names it.
+  /// Omits an option from the help, because another line there names it.
   void hide(const std::string& name);
   void excludes(const std::string& name, const std::string& other);
   void needs(const std::string& name, const std::string& other);
-  /// Rules are asked after parsing, in the order of their declaration. The first complaint counts.
+  /// Rules are tested after parsing, in the order of their declaration. The first complaint is
+  /// reported.
   void rule(OptionRule rule) { rules_.push_back(std::move(rule)); }
 
  private:

@@ -9,8 +9,8 @@
 
 namespace veritope::cli {
 
-/// Standard output. A pipe that nobody reads any more is no error: the rest is dropped quietly. Any
-/// other failure (a full disk) is remembered and reported once, by status().
+/// Standard output. If nobody reads a pipe any more, that is no error: the rest is dropped
+/// silently. Any other failure (a full disk) is remembered and reported once, by status().
 class StandardOutput {
  public:
   void write(std::string_view text);
@@ -32,13 +32,15 @@ report::ExitCode fail(const Error& error);
 /// @error kCannotWrite
 Status write_output(const std::string& path, std::string_view bytes, StandardOutput& out);
 
-/// "-", a device or a pipe: bytes go through it, there is nothing to replace.
+/// Whether the path is "-", a device or a pipe: bytes are written through it, and no file is
+/// replaced.
 bool is_stream(const std::string& path);
 
-/// Whether write_output could write there now, found by trying; nothing is left behind. @error kCannotWrite
+/// Tests by trying whether write_output could write there now; leaves nothing behind. @error kCannotWrite
 Status try_output(const std::string& path);
 
-/// Both name one file: one that exists, under whatever names, or one that does not exist yet. Devices never conflict.
+/// Whether both name one file: one that exists, under whatever names, or one that does not exist yet. Devices never
+/// conflict.
 bool same_target(const std::string& a, const std::string& b);
 
 }  // namespace veritope::cli

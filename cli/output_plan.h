@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/output_plan.h: which file each output goes to; refused before any work if two outputs, or an
-// output and an input, are one file.
+// cli/output_plan.h: where each output goes; refuses before any work if two outputs, or an output
+// and an input, are one file.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,19 +13,19 @@ namespace veritope::cli {
 struct OutputPlan {
   /// One for each input: where its certificate goes. Empty: no certificates are kept.
   std::vector<std::string> certificates;
-  std::optional<std::string> new_folder;  ///< of the certificates; to be made
+  std::optional<std::string> new_folder;  ///< for the certificates; does not exist yet
   bool json_in_new_folder = false;        ///< the report goes there, too
 };
 
-/// `certificate`: a file for one input, a folder (that may be new) for several; for one input, too,
-/// if the folder exists or the name ends in "/". In the folder the names are those of the inputs followed by ".cert".
+/// `certificate`: a file for one input, a folder (possibly new) for several; for one input a folder, too, if it exists
+/// or the name ends in "/". Files in the folder have the names of the inputs followed by ".cert".
 /// @error kBadArgument: two outputs, or an output and an input, are one file; a file where a folder is needed.
 ///        kCannotWrite: an output could not be written
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
                                 const std::optional<std::string>& certificate,
                                 const std::optional<std::string>& json);
 
-/// One more output, that `option` names, beside those of the plan. @error as plan_outputs
+/// Checks one more output, named by `option`, against those of the plan. @error as plan_outputs
 Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,
                     const std::optional<std::string>& json);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/patch_explanations.h: what veritope explain says of the answers about patches of spline files. docs/rules/ says
-// it at length.
+// cli/patch_explanations.h: the texts of veritope explain about the answers for patches of spline files. docs/rules/
+// has longer ones.
 #pragma once
 #include <optional>
 #include <span>
@@ -17,7 +17,7 @@ struct PatchExplanation {
 };
 
 std::span<const PatchExplanation> patch_explanations();
-/// Nothing for a code that has none.
+/// Null for a code without an explanation.
 const PatchExplanation* patch_explanation(std::string_view code);
 
 }  // namespace veritope::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/progress.h: one line on a terminal that says what is being done; nothing for work that is done soon.
+// cli/progress.h: one line on a terminal that says what the program does; nothing for work that ends soon.
 #pragma once
 #include <condition_variable>
 #include <mutex>
@@ -17,7 +17,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What is being done from now on.
+  /// Sets what is being done from now on.
   void phase(const std::string& file, const std::string& what);
   /// Erases the line. Call it before anything is printed.
   void clear();

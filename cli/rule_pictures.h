@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/rule_pictures.h: the rules as small pictures of letters, for veritope explain. docs/rules/ has the same ones.
+// cli/rule_pictures.h: the rules as small pictures made of characters, for veritope explain; docs/rules/ has them, too.
 #pragma once
 #include <string_view>
 

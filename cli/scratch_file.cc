@@ -20,13 +20,13 @@ std::string scratch_folder() {
   return folder != nullptr && *folder != '\0' ? folder : "/tmp";
 }
 
-// -1 and errno on failure.
+// A descriptor; -1, and errno, on failure.
 int open_nameless(const std::string& folder) {
 #ifdef O_TMPFILE
   const int nameless = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (nameless >= 0) return nameless;
 #endif
-  // Some file systems cannot make nameless files: one with a name for a moment.
+  // Some file systems cannot make nameless files: there the file has a name for a moment.
   const SignalsBlocked blocked;
   std::string name = folder + "/veritope-XXXXXX";
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);

@@ -8,8 +8,8 @@
 
 namespace veritope::cli {
 
-/// A file in $TMPDIR (else /tmp) that has no name in any folder: it is gone when the last process that
-/// has it open ends, whatever ends it.
+/// A file in $TMPDIR (else /tmp) that has no name in any folder: it vanishes when the last process that has it open
+/// ends, however it ends.
 class ScratchFile {
  public:
   /// @error kCannotWrite: no such folder, no permission, a full disk

@@ -11,7 +11,8 @@ namespace veritope::cli {
 /// see cli/output.h.
 void install_signal_handlers();
 
-/// Blocks SIGINT, SIGTERM and SIGHUP in this thread as long as it lives, so that what must not be cut in two is not.
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread while it lives, so that they cannot interrupt what must be done as
+/// a whole.
 class SignalsBlocked {
  public:
   SignalsBlocked();
@@ -23,10 +24,10 @@ class SignalsBlocked {
   unsigned char saved_[128];  ///< a sigset_t
 };
 
-/// The child that an interruption ends as well; 0: none.
+/// Sets the child that an interruption ends as well; 0: none.
 void set_child(pid_t child);
 
-/// Whether a line of progress stands on the terminal, to be erased by an interruption.
+/// Sets whether a line of progress is on the terminal, which an interruption then erases.
 void set_progress_shown(bool is_shown);
 
 }  // namespace veritope::cli

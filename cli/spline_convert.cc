@@ -44,7 +44,7 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-// What the model lacks against the file: shapes, and the rest.
+// What the file has and the model lacks: shapes, and the rest.
 std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
   std::array<std::vector<std::string>, 2> out;
   for (const LeftOut& l : file.left_out)
@@ -53,7 +53,8 @@ std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
   return out;
 }
 
-// Instead of the volumes, their faces. What else there is, is lost; what was done to them stands with what is dropped.
+// Replaces the volumes by their faces. Everything else is lost; what was done to the volumes is listed with what is
+// dropped.
 Status take_faces(SplineFile& file, const std::string& path, std::vector<std::string>& lost,
                   std::vector<std::string>& dropped) {
   Result<VolumeFaces> faces = volume_faces(file.model);

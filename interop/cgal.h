@@ -18,8 +18,7 @@
 
 namespace veritope {
 
-/// A CGAL point for our code, exactly. Only for kernels whose coordinates are doubles: those of others
-/// would have to be rounded.
+/// A CGAL point for our code, exactly. Only for kernels whose coordinates are doubles: others would have to be rounded.
 template <typename Kernel>
 Vec2d from_cgal(const CGAL::Point_2<Kernel>& p) {
   static_assert(std::is_same_v<typename Kernel::FT, double>, "coordinates that are not doubles");
@@ -40,7 +39,7 @@ typename Kernel::Point_3 to_cgal(const Vec3d& p) {
   return typename Kernel::Point_3(p.x, p.y, p.z);
 }
 
-/// The same set.
+/// Our interval with the same members.
 template <bool Protected>
 Interval from_cgal(const CGAL::Interval_nt<Protected>& x) {
   return Interval::from_bounds(x.inf(), x.sup());
@@ -88,7 +87,7 @@ struct CgalProjected {
   int axis;
   veritope::Sign sign;
 };
-// The first of the projections to xy, yz, xz that is not a line, as CGAL takes them.
+// The first projection, of those to xy, yz and xz in CGAL's order, that is not a line.
 inline CgalProjected cgal_first_projection(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   for (const int axis : {2, 0}) {
     const veritope::Sign sign = cgal_project(axis, a, b, c);
@@ -96,8 +95,8 @@ inline CgalProjected cgal_first_projection(const Vec3d& a, const Vec3d& b, const
   }
   return {1, cgal_project(1, a, b, c)};
 }
-// a moved along an axis that the plane of a, b, c does not contain, by about the triangle's size, so
-// that filters work. REQUIRES a, b, c not collinear.
+// a moved along an axis that the plane of a, b, c does not contain, by approximately the triangle's size, so that
+// filters suffice. REQUIRES a, b, c not collinear.
 inline Vec3d cgal_off_plane(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   double by = 0;
   for (const int k : {0, 1, 2})
@@ -180,8 +179,8 @@ struct CgalCoplanarOrientation3 : Epick::Coplanar_orientation_3 {
   }
 };
 struct CgalCoplanarSideOfBoundedCircle3 : Epick::Coplanar_side_of_bounded_circle_3 {
-  /// Any sphere through p, q, r meets their plane in their circle, and has the same side inside.
-  /// REQUIRES the four coplanar, p, q, r not collinear.
+  /// Any sphere through p, q, r meets their plane in their circle, and its inside meets the plane
+  /// in the circle's inside. REQUIRES the four coplanar, p, q, r not collinear.
   CGAL::Bounded_side operator()(const EpickPoint3& p, const EpickPoint3& q, const EpickPoint3& r,
                                 const EpickPoint3& t) const {
     const Vec3d a = from_cgal(p), b = from_cgal(q), c = from_cgal(r), s = cgal_off_plane(a, b, c);
@@ -208,14 +207,13 @@ struct CgalSideOfBoundedSphere3 : Epick::Side_of_bounded_sphere_3 {
 
 }  // namespace internal
 
-/// EPICK with our predicates in the place of its own: a kernel and traits class for CGAL's algorithms
-/// (Delaunay_triangulation_2 and _3, convex_hull_2, convex_hull_3 with Convex_hull_traits_3<CgalTraits,
-/// Mesh, CGAL::Tag_false>, ...). Points, constructions and what is not listed here are EPICK's, so that
-/// points need no conversion; its comparisons of coordinates are exact as they are. CGAL's signs are
-/// ours: an orientation is that of orient2d and orient3d, a side of a circle or sphere that of in_circle
-/// and in_sphere.
-/// REQUIRES finite coordinates, and in a scope that changes the rounding mode after the thread's first
-/// decision (CGAL::Protect_FPU_rounding<true>) refresh_fp(). As EPICK: compile with -frounding-math.
+/// EPICK with our predicates in place of its own: a kernel and traits class for CGAL's algorithms
+/// (Delaunay_triangulation_2 and _3, convex_hull_2, convex_hull_3 with Convex_hull_traits_3<CgalTraits, Mesh,
+/// CGAL::Tag_false>, ...). Points, constructions and what is not listed here are EPICK's, so that points need no
+/// conversion; EPICK's comparisons of coordinates are exact. Signs agree: CGAL's orientation is that of orient2d and
+/// orient3d, its side of a circle or sphere that of in_circle and in_sphere. REQUIRES finite coordinates, and a call of
+/// refresh_fp() in a scope that changes the rounding mode after the thread's first decision
+/// (CGAL::Protect_FPU_rounding<true>). As with EPICK, compile with -frounding-math.
 class CgalTraits : public internal::Epick {
  public:
   using Orientation_2 = internal::CgalOrientation2;
@@ -248,7 +246,7 @@ class CgalTraits : public internal::Epick {
 }  // namespace veritope
 
 namespace CGAL {
-/// Point location walks near its goal with rounded orientations first, as on EPICK; only exact ones decide.
+/// Point location first walks near its goal with rounded orientations, as on EPICK; only exact ones decide.
 template <>
 struct Triangulation_structural_filtering_traits<veritope::CgalTraits> {
   typedef Tag_true Use_structural_filtering_tag;

@@ -3,9 +3,9 @@
 // inverses by cofactors (up to 4 rows). Opt-in: nothing of ours includes it.
 // Use: docs/how-to/use-with-cgal-boost-eigen.md.
 //
-// What compares entries (a pivot, a norm, a tolerance) does not compile: intervals have no order, and a pivot
-// chosen by a guess would be no proof. REQUIRES a live ScopedUpward where an expression is evaluated, which
-// is where it is assigned, and that it is evaluated in that thread: Eigen's own threads have other modes.
+// Operations that compare entries (a pivot, a norm, a tolerance) do not compile: intervals have no order, and a pivot
+// chosen by a guess would prove nothing. REQUIRES a live ScopedUpward where an expression is evaluated (where it is
+// assigned), in the same thread: Eigen's own threads have other modes.
 #pragma once
 #if defined(_OPENMP) && !defined(EIGEN_DONT_PARALLELIZE)
 #error "veritope: define EIGEN_DONT_PARALLELIZE; Eigen's OpenMP threads do not round upward"
@@ -19,7 +19,7 @@
 
 namespace Eigen {
 
-/// Precision and range are those of the bounds. Every entry is initialised, to [0, 0].
+/// Precision and range are those of the bounds. Every entry is initialised to [0, 0].
 template <>
 struct NumTraits<veritope::Interval> : GenericNumTraits<veritope::Interval> {
   using Interval = veritope::Interval;
@@ -47,7 +47,7 @@ struct NumTraits<veritope::Interval> : GenericNumTraits<veritope::Interval> {
 
 namespace veritope {
 
-/// The matrix of the intervals around the entries of m, one point each. REQUIRES finite entries.
+/// The matrix of point intervals at the entries of m. REQUIRES finite entries.
 template <typename Derived>
 auto to_intervals(const Eigen::MatrixBase<Derived>& m) {
   using Scalar = typename Derived::Scalar;

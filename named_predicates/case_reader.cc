@@ -13,7 +13,7 @@ constexpr std::string_view kBlanks = " \t";
 
 using Columns = std::array<std::string_view, kMostOperands + 2>;  // a name and a sign
 
-// The number of columns; those that fit stand in `columns`.
+// The number of columns; `columns` gets those that fit.
 std::size_t split(std::string_view line, Columns& columns) {
   std::size_t count = 0;
   for (;;) {

@@ -24,7 +24,7 @@ class CaseReader {
   CaseReader(const NamedPredicate* predicate, bool has_expected)
       : predicate_(predicate), has_expected_(has_expected) {}
 
-  /// Nothing for an empty line and for a comment. REQUIRES that 8 bytes after the line may be read.
+  /// Nothing for an empty line or a comment. REQUIRES that 8 bytes after the line may be read.
   /// @error of NumberReader with the column, counted from 1; kSyntax for another number of columns, for an
   /// unknown name and for points that do not exist.
   Result<std::optional<PredicateCase>> read(std::string_view line) const;

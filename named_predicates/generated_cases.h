@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/generated_cases.h: the generated predicates, and those made of them, on operands in one row.
+// named_predicates/generated_cases.h: the generated predicates, and those based on them, on operands in one row.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ auto point_at(const Operands& v, std::size_t i) {
   }
 }
 
-/// Points only.
+/// A predicate on points only.
 template <std::size_t Dim, auto Predicate>
 Sign decide_three(const Operands& v, TierCounts* tally) {
   return Predicate(point_at<Dim>(v, 0), point_at<Dim>(v, Dim), point_at<Dim>(v, 2 * Dim), tally);
@@ -41,7 +41,7 @@ Sign decide_four(const Operands& v, TierCounts* tally) {
                    point_at<Dim>(v, 3 * Dim), tally);
 }
 
-/// Points, each followed by its weight.
+/// A predicate on points, each followed by its weight.
 template <std::size_t Dim, auto Predicate>
 Sign decide_edge(const Operands& v, TierCounts* tally) {
   return Predicate(point_at<Dim>(v, 0), v[Dim], point_at<Dim>(v, Dim + 1), v[2 * Dim + 1],
@@ -91,7 +91,7 @@ inline Sign order_on_circle_by_formula(const Operands& v) {
   for (std::size_t i = 1; i <= 3; ++i) {
     if (dot(i, i) == Sign::kZero) return Sign::kZero;
   }
-  // Eighths of a turn from p, to the half: 0, (0, 4), 4, (4, 8).
+  // The turn from p in eighths; 2 means any value in (0, 4), and 6 any in (4, 8).
   const auto eighths = [&](std::size_t i) {
     const int side = to_int(cross(1, i));
     return side == 0 ? 2 - 2 * to_int(dot(1, i)) : 4 - 2 * side;

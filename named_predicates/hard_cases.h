@@ -16,8 +16,8 @@ struct HardCase {
   Operands operands;
 };
 
-/// The predicates on points, in turn: a third of the cases and more are exactly zero, others some units in the
-/// last place from it; exponents to both ends of binary64. All points exist.
+/// The predicates on points, in turn. At least a third of the cases are exactly zero, others differ from zero by some
+/// units in the last place; exponents reach both ends of binary64. All points exist.
 class HardCases {
  public:
   explicit HardCases(std::uint64_t seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // named_predicates/hard_explicit_operands.h: operands of the predicates on explicit points that are hard to decide:
-// half of them from hard_points.h as they come, the others made to be zero, exactly where the numbers allow it and
-// nearly elsewhere.
+// half of them from hard_points.h unchanged; the others are changed so that the answer is zero, exactly where the
+// numbers allow it and nearly elsewhere.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace veritope {
 
-// Half of the cases from the kinds that are made to be exactly zero, the others from all kinds.
+// Half of the cases are of kinds that are exactly zero, the others of any kind.
 inline generate::Kind hard_kind(bool is_flat, Random& random) {
   using generate::Kind;
   if (random.below(2) == 0) return static_cast<Kind>(random.below(generate::kNumKinds));
@@ -29,8 +29,8 @@ inline double finite(double v) {
   return v != v ? 0 : (v > kMost ? kMost : (v < -kMost ? -kMost : v));
 }
 
-/// to + the vector from a to b, x and y exchanged and one sign turned, rounded: as long. Without z, for the
-/// dimension 2, at a right angle.
+/// `to` plus a vector as long as that from a to b, rounded: x and y are exchanged, and one sign is changed. Without z
+/// (dimension 2) the vector is at a right angle.
 inline Vec3d turned(const Vec3d& to, const Vec3d& a, const Vec3d& b, int dimension = 2) {
   const double dz = dimension == 3 ? b.z - a.z : 0;
   return {finite(to.x - (b.y - a.y)), finite(to.y + (b.x - a.x)), finite(to.z - dz)};
@@ -40,7 +40,7 @@ inline double square_distance(const Vec3d& a, const Vec3d& b, int dimension) {
   return finite((dx * dx + dy * dy) + dz * dz);
 }
 
-/// The weights that make the power of every point with respect to `centre` one number; or all equal; or any.
+/// Weights that give all points the same power with respect to `centre`; or equal weights; or any.
 inline std::vector<double> hard_weights(const generate::Points& p, std::size_t n, int dimension,
                                         Random& random) {
   std::vector<double> w(n);
@@ -51,7 +51,7 @@ inline std::vector<double> hard_weights(const generate::Points& p, std::size_t n
   return w;
 }
 
-/// Changes points of the predicate `name` so that the answer is zero or nearly.
+/// Changes points of the predicate `name` so that the answer is zero, or nearly zero.
 inline void make_tied(std::string_view name, int dimension, generate::Points& p) {
   if (name.starts_with("compare_distance")) p[2] = turned(p[0], p[0], p[1], dimension);
   if (name.starts_with("side_of_bisector")) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // named_predicates/hard_implicit_points.h: hard cases for predicates on implicit points, seeded. Integer points that
 // are exactly degenerate (on a plane, on a sphere, on a small grid, coincident) are disguised: written as points of
-// another kind. Then all is scaled, or moved by some units in the last place; or the defining points are any.
+// another kind. Then all numbers are scaled, or moved by some units in the last place. Other cases have arbitrary
+// defining points.
 #pragma once
 #include <array>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace veritope::generate {
 struct Disguised {
   char kind = 'e';
   std::vector<double> numbers;      ///< coordinates, then weights
-  std::size_t num_coordinates = 0;  ///< how many are coordinates
+  std::size_t num_coordinates = 0;  ///< the number of coordinates
 };
 
 constexpr bool is_flat_kind(char kind) { return kind == 'E' || kind == 'S' || kind == 'X'; }
@@ -27,7 +28,7 @@ class Disguise {
  public:
   explicit Disguise(Random& random) : random_(random), range_(1 << random.between(2, 12)) {}
 
-  /// The point as one of the kind. REQUIRES integers below 2^48.
+  /// The point p, written as a point of this kind. REQUIRES integers below 2^48.
   Disguised operator()(const Vec3d& p, char kind) {
     Disguised d{kind, {}, 0};
     const int dimension = is_flat_kind(kind) ? 2 : 3;
@@ -77,7 +78,7 @@ class Disguise {
   }
   Vec3d vector() {
     const auto draw = [&] { return static_cast<double>(random_.between(-range_, range_)); };
-    const double x = draw(), y = draw(), z = draw();  // the order of braces' elements is fixed, too
+    const double x = draw(), y = draw(), z = draw();  // braces would fix the order, too
     return {x, y, z};
   }
   double factor() { return static_cast<double>(random_.between(1, 3)); }
@@ -86,7 +87,7 @@ class Disguise {
   std::int64_t range_;
 };
 
-/// Puts other numbers, of any kind of points, into the place of all.
+/// Replaces all numbers by others, of any kind of points.
 inline void replace_by_any(Disguised& d, Kind kind, Random& random) {
   const int dimension = is_flat_kind(d.kind) ? 2 : 3;
   for (std::size_t k = 0; k < d.num_coordinates;) {
@@ -101,7 +102,7 @@ inline void replace_by_any(Disguised& d, Kind kind, Random& random) {
 
 enum class Wanted { kFlat, kRound, kEqual };  ///< what the points are exactly, in some cases
 
-/// Points of the kinds, at most five. They may not exist, in a case of a hundred or so.
+/// At most five points of the kinds. In approximately one case in a hundred they do not exist.
 inline std::vector<Disguised> disguised_points(std::string_view kinds, Wanted wanted,
                                                Random& random) {
   const std::uint64_t how = random.below(8);  // 0 to 4: wanted, 5: on a small grid, 6: flat, 7: any

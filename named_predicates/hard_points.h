@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/hard_points.h: seeded points for self-tests and differential tests. Each class is one way in which
-// predicates have been wrong.
+// named_predicates/hard_points.h: seeded points for self-tests and differential tests. Each class is a way in which
+// predicates have failed.
 #pragma once
 #include <array>
 #include <bit>
@@ -94,7 +94,7 @@ inline Points near_limits(Random& random) {
   constexpr int kLimits[] = {1024, -900, -960, -1022, -1074};
   const int degree = static_cast<int>(random.between(2, 5));
   const int exponent = kLimits[random.below(5)] / degree + static_cast<int>(random.between(-3, 3));
-  // Every second time one axis is longer and another shorter.
+  // In half of the cases one axis is longer and another shorter.
   const int slant = random.below(2) == 0 ? 0 : static_cast<int>(random.between(-8, 8));
   Points points;
   for (Vec3d& p : points) {

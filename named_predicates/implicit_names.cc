@@ -188,7 +188,7 @@ struct CompareLexicographic {
 template <typename Predicate, char... Kinds>
 Sign decide(const Operands& v, TierCounts* tally) {
   Reader r(v);
-  const std::tuple points{point<Kinds>(r)...};  // braces: in order
+  const std::tuple points{point<Kinds>(r)...};  // braces evaluate in order
   return std::apply([&](const auto&... p) { return Predicate::decide(p..., tally); }, points);
 }
 template <typename Predicate, char... Kinds>

@@ -8,7 +8,7 @@
 
 namespace veritope {
 
-/// In the order in which people read them. `kinds` of each is not empty.
+/// In an order for readers. `kinds` of each is not empty.
 std::span<const NamedPredicate> implicit_predicates();
 
 }  // namespace veritope

@@ -17,7 +17,7 @@
 namespace veritope {
 namespace {
 
-// The vector that begins at operand i.
+// The vector whose first coordinate is operand i.
 Vec2d flat(const Operands& v, std::size_t i) { return {v[i], v[i + 1]}; }
 Vec3d solid(const Operands& v, std::size_t i) { return {v[i], v[i + 1], v[i + 2]}; }
 

@@ -12,7 +12,8 @@
 
 namespace veritope {
 
-/// Coordinates of the arguments in their order; what a predicate does not take is ignored.
+/// The operands are the coordinates of the arguments in their order; a predicate ignores those that
+/// it does not take.
 inline constexpr std::size_t kMostOperands = 62;
 using Operands = std::array<double, kMostOperands>;
 
@@ -28,11 +29,11 @@ struct NamedPredicate {
   /// The kinds of the points, in order, as letters of named_predicates/hard_implicit_points.h; empty if all are
   /// explicit.
   std::string_view kinds = {};
-  /// Do the implicit points exist? If not, there is no sign. Null if all are explicit.
+  /// Whether the implicit points exist; if not, there is no sign. Null if all points are explicit.
   bool (*is_defined)(const Operands&) = nullptr;
 };
 
-/// Those on explicit points, in the order in which people read them; named_predicates/implicit_names.h has the others.
+/// The predicates on explicit points, in an order for readers; named_predicates/implicit_names.h has the others.
 std::span<const NamedPredicate> named_predicates();
 
 /// Null for an unknown name.
@@ -41,7 +42,7 @@ const NamedPredicate* predicate_from_name(std::string_view name);
 /// "orient2d, orient3d, ...".
 std::string predicate_names();
 
-/// "filter 12, lattice 3, interval 0, exact 1": how many cases each tier decided.
+/// "filter 12, lattice 3, interval 0, exact 1": the number of cases that each tier decided.
 std::string tiers_text(const TierCounts& tiers);
 
 }  // namespace veritope

@@ -43,21 +43,22 @@ bool is_hexadecimal(std::string_view token) {
   return number.size() > 1 && number[0] == '0' && (number[1] == 'x' || number[1] == 'X');
 }
 
-// 0 to 15, or -1.
+// The digit's value, 0 to 15, or -1.
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-// mantissa * 2^exponent, and more if has_rest: a positive number below 2^exponent.
+// mantissa * 2^exponent, plus a positive number below 2^exponent if has_rest.
 struct HexNumber {
   std::uint64_t mantissa = 0;
   std::int64_t exponent = 0;
   bool has_rest = false;
 };
 
-// Hexadecimal digits from the front of `text`; removes them from it. `shift` is added to the exponent for each digit.
+// Removes hexadecimal digits from the front of `text` and appends them to the number. `shift` is added to the exponent
+// for each digit.
 std::size_t take_hex_digits(std::string_view& text, std::int64_t shift, HexNumber& number) {
   std::size_t count = 0;
   for (; count < text.size() && hex_digit(text[count]) >= 0; ++count) {
@@ -74,10 +75,10 @@ std::size_t take_hex_digits(std::string_view& text, std::int64_t shift, HexNumbe
   return count;
 }
 
-// `p [+-]? digits` or nothing, to the end of `text`; false if something else is there.
+// Reads `p [+-]? digits`, or nothing, up to the end of `text`; false if something else is there.
 bool take_binary_exponent(std::string_view text, HexNumber& number) {
   constexpr std::int64_t kFar = std::int64_t{1}
-                                << 50;  // beyond what any number of digits makes good
+                                << 50;  // too large for any number of digits to compensate
   if (text.empty()) return true;
   if (text[0] != 'p' && text[0] != 'P') return false;
   text.remove_prefix(1);

@@ -11,7 +11,7 @@ namespace veritope {
 /// Two grammars, case of letters ignored:
 ///   decimal      [+-]? ( digits [ . digits? ] | . digits ) ( e [+-]? digits )?, rounded to nearest, ties to even;
 ///   hexadecimal  [+-]? 0x ( hexdigits [ . hexdigits? ] | . hexdigits ) ( p [+-]? digits )?, exact or refused:
-///                a hexadecimal number stands for itself, rounded it would be another one.
+///                it means itself, and rounding would make it another number.
 /// -0 becomes +0.
 class NumberReader {
  public:

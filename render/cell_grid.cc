@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kTriangle = 5, kHexahedron = 12;  // VTK_TRIANGLE, VTK_HEXAHEDRON
 
-// Corner i of a box: bits of x, y, z.
+// Corner i of a box; the bits of i select ends along x, y, z.
 Point3d corner(const Box3d& box, unsigned bits) {
   Point3d out{};
   for (std::size_t k = 0; k < 3; ++k) out[k] = (bits >> k & 1) != 0 ? box.hi[k] : box.lo[k];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/coloured_ply.h: a mesh to look at: binary PLY whose faces have colours, as MeshLab, Blender and others show
-// them.
+// render/coloured_ply.h: a mesh to look at: binary PLY whose faces have colours, for viewers such as MeshLab and
+// Blender.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -12,7 +12,8 @@ namespace veritope {
 namespace {
 
 constexpr Colour kModel{190, 190, 190};
-// Apart from each other for colour-blind eyes, too (the palette of Okabe and Ito, and two greys).
+// Colours that colour-blind readers can distinguish, too (the palette of Okabe and Ito, and two
+// greys).
 constexpr std::array<Colour, kNumMeshRules> kColours = {{{0, 0, 0},
                                                          {0, 114, 178},
                                                          {230, 159, 0},
@@ -29,7 +30,7 @@ double marker_radius(const TriangleMesh& mesh) {
   return std::isfinite(side) ? side * kMarker : 0;
 }
 
-// Eight triangles.
+// Adds eight triangles.
 void add_octahedron(const Vec3d& centre, double radius, TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (int axis = 0; axis < 3; ++axis)

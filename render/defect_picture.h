@@ -10,12 +10,13 @@
 
 namespace veritope {
 
-/// The colour of a rule's defects; those of rule M1 come first where a face has several.
+/// The colour of a rule's defects. A face with several defects has the colour of the one listed
+/// first.
 Colour colour_of(MeshRule rule);
 
-/// REQUIRES defects of this mesh, as decide_validity lists them. The model in grey, the faces of each of the mesh's
-/// defects in the colour of its rule, and an octahedron of that colour around the defect's point, so that a defect too
-/// small to be seen is found. @cost O(faces + defects)
+/// The model in grey, the faces of each defect in the colour of its rule, and an octahedron of that colour around the
+/// defect's point, so that a defect too small to be seen is found. REQUIRES defects of this mesh, as decide_validity
+/// lists them. @cost O(faces + defects)
 std::string defect_picture(const TriangleMesh& mesh, std::span<const Finding> defects);
 
 }  // namespace veritope

@@ -54,10 +54,10 @@ double mixed_difference(const Bezier<double, N>& piece, std::size_t axis, std::s
   return most;
 }
 
-// Pieces of each span of an axis. A chord over 1/n of a Bezier curve of degree p is off by at most
-// p (p - 1) max |second difference| / (8 n^2). A surface adds up both axes and the twist of its cells: two triangles
-// are off the bilinear cell by a quarter of it, p q max |mixed difference| / (4 n m). Each of the three terms gets a
-// third of the chord.
+// The number of pieces for each span of an axis. A chord over 1/n of a Bezier curve of degree p deviates by at most p
+// (p - 1) max |second difference| / (8 n^2). A surface adds up both axes and the twist of its cells: two triangles
+// deviate from the bilinear cell by a quarter of its twist, p q max |mixed difference| / (4 n m). Each of the three
+// terms gets a third of the chord.
 template <std::size_t N>
 std::vector<std::size_t> divisions(const RoundedPieces<N>& s, std::size_t axis, double chord) {
   const Grid<N> cells = s.grid();
@@ -80,7 +80,7 @@ std::vector<std::size_t> divisions(const RoundedPieces<N>& s, std::size_t axis, 
   return out;
 }
 
-// The grid lines of an axis: in which span, where in it.
+// A grid line of an axis: its span, and its place in the span.
 struct Sample {
   std::size_t span;
   double t;
@@ -112,7 +112,7 @@ Sample locate(const std::vector<double>& breaks, double u) {
 
 class Tessellator {
  public:
-  /// @param divisions  of the sides of triangles
+  /// @param divisions  for the sides of triangles
   Tessellator(std::uint64_t entity, double chord, std::size_t divisions, std::string name)
       : entity_(entity), chord_(chord), divisions_(divisions) {
     out_.name = std::move(name);
@@ -155,7 +155,7 @@ class Tessellator {
       }
     return ok_status();
   }
-  // A trimming curve, taken to space by the surface.
+  // Adds a trimming curve, mapped to space by the surface.
   Status add(const ExactCurve& parameter, const ExactSurface& surface) {
     const auto s = internal::rounded_pieces(surface, entity_);
     const auto c = internal::rounded_pieces(parameter, entity_);
@@ -237,7 +237,7 @@ class Tessellator {
   Tessellation out_;
 };
 
-// A length that suits the model: 1/1000 of the diagonal of its control points.
+// A length that fits the model: 1/1000 of the diagonal of its control points.
 double default_chord(const SplineModel& model) {
   Point3d lo, hi;
   lo.fill(HUGE_VAL), hi.fill(-HUGE_VAL);
@@ -269,7 +269,8 @@ double default_chord(const SplineModel& model) {
   return std::isfinite(chord) && chord > 0 ? chord : 1;
 }
 
-// What all triangles' sides are cut into, that they fit together.
+// The number of parts into which the sides of all triangles are cut, the same for all so that they
+// fit together.
 Result<std::size_t> common_divisions(const SplineModel& model, double chord) {
   std::size_t most = 1, num_triangles = 0, last = 0;
   for (std::size_t i = 0; i < model.entities.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/spline_view.h: spline models for viewers: Bezier cells (.vtu) and tessellations (.obj, .gltf). Pictures:
-// everything is rounded to binary64 (gltf: binary32), trimmed surfaces are shown whole with their loops as lines.
+// render/spline_view.h: spline models for viewers: Bezier cells (.vtu) and tessellations (.obj, .gltf). These are
+// pictures: everything is rounded to binary64 (gltf: binary32), trimmed surfaces are shown whole with their loops as
+// lines.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -36,7 +37,8 @@ struct Tessellation {
 };
 
 /// One tessellation for each entity: of a volume its boundary, of trimmed surfaces and models also their loops. All
-/// Bezier triangles are cut alike, as finely as the most bent one needs, so that they fit at common sides.
+/// Bezier triangles have the same number of divisions, which the most curved one needs, so that they fit at common
+/// sides.
 /// @error kNotFinite for a coordinate beyond binary64, with the entity; kOverLimit for more than 2^25 points
 Result<std::vector<Tessellation>> tessellate(const SplineModel& model, const ViewOptions& options);
 

@@ -18,7 +18,7 @@ inline Error view_error(Code code, std::uint64_t entity, std::string message) {
   return error;
 }
 
-/// The Bezier pieces, cut exactly or (is_cut_exactly) with 256 bits, then rounded.
+/// The Bezier pieces, cut exactly if is_cut_exactly, else with 256 bits, and then rounded.
 template <std::size_t N>
 struct RoundedPieces {
   std::array<std::vector<double>, N> breaks;
@@ -30,7 +30,7 @@ struct RoundedPieces {
   }
 };
 
-/// How many control points the pieces have; saturated.
+/// The number of control points of the pieces; saturated.
 template <std::size_t N>
 std::uint64_t num_piece_points(const BSpline<Rational, N>& spline) {
   double total = 1;
@@ -40,8 +40,8 @@ std::uint64_t num_piece_points(const BSpline<Rational, N>& spline) {
   return total > 1e15 ? std::uint64_t{1} << 50 : static_cast<std::uint64_t>(total);
 }
 
-/// Whether the pieces' numbers stay so short that cutting them exactly takes no more than milliseconds each: a piece's
-/// coefficient has the bits of a coefficient and up to those of `degree` knots, along each axis.
+/// Whether the pieces' numbers stay so short that cutting them exactly takes at most milliseconds each: along each
+/// axis, a piece's coefficient has the bits of a coefficient plus up to those of `degree` knots.
 template <std::size_t N>
 bool is_cut_exactly(const BSpline<Rational, N>& spline) {
   constexpr std::uint64_t kMostKnotBits = 768, kMostCoefficientBits = 1200;
@@ -109,20 +109,18 @@ Result<RoundedPieces<N>> rounded_pieces(const BSpline<Rational, N>& spline, std:
   return rounded(bezier_pieces(with_wide_floats(spline)), entity);
 }
 
-/// With each coefficient rounded to nearest. @error kNotFinite as for pieces
+/// The triangle with each coefficient rounded to nearest. @error kNotFinite as for pieces
 Result<BezierTriangle<double>> rounded_triangle(const ExactTriangle& triangle,
                                                 std::uint64_t entity);
 
-/// Into how many pieces each side of a triangle is cut, so that its small flat triangles are as near to it as `chord`;
-/// at most 256.
+/// The number of pieces into which each side of a triangle is cut, so that its small flat triangles deviate by at most
+/// `chord`; at most 256.
 /// Bound    f, a map of degree p, differs from its linear interpolant at the corners c_i of a triangle at most by
 ///          1/2 sum l_i |second derivative along c_i - x| at x of barycentric coordinates l. Cut in n, c_i - x is 1/n
-///          times a
-///          combination of two edges with coefficients of sum 1 - l_i, and second derivatives along edges are averages
-///          of p (p - 1)
-///          second differences of control points, at most D: the sum is at most (4/9) p (p - 1) D / n^2, since l (1 -
-///          l)^2 <= 4/27.
-///          Up to rounding; of rational triangles an estimate.
+///          times a combination of two edges with coefficients of sum 1 - l_i, and second derivatives along edges are
+///          averages of p (p - 1) second differences of control points, at most D: the sum is at most
+///          (4/9) p (p - 1) D / n^2, since l (1 - l)^2 <= 4/27. This holds up to rounding; for rational triangles it
+///          is an estimate.
 std::size_t triangle_divisions(const BezierTriangle<double>& triangle, double chord);
 
 /// The points at (i, j, k) / divisions in the order of triangle_index. Sides with the same control points give the same

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Bezier triangles in pictures: rounded, and cut into flat ones along a uniform grid of barycentric coordinates.
+// Bezier triangles in pictures: rounded, and cut into flat triangles along a uniform grid of barycentric coordinates.
 #include <algorithm>
 
 #include "render/spline_view_internal.h"

@@ -7,9 +7,9 @@
 
 namespace veritope::internal {
 
-/// mantissa * 2^exponent. Every operation rounds down to kBits bits: an error below 2^-255 of its result. Exponents
-/// have no bounds that a number in memory reaches. A result is 0 only if the exact one is: weights stay positive when a
-/// spline is cut, which takes convex combinations only.
+/// mantissa * 2^exponent. Every operation rounds down to kBits bits: its error is below 2^-255 of its result. Exponents
+/// are not bounded in practice. A result is 0 only if the exact one is, so weights stay positive when a spline is cut,
+/// which takes convex combinations only.
 class WideFloat {
  public:
   static constexpr std::uint64_t kBits = 256;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// GoTools' .g2: a sequence of objects, each "class major minor n aux..." and its numbers. Splines are read, and lines,
-// planes and linear extrusions where that needs no square root. The other elementary shapes are left out.
+// GoTools' .g2: a sequence of objects, each "class major minor n aux..." and its numbers. The reader takes splines, and
+// lines, planes and linear extrusions where that needs no square root. The other elementary shapes are left out.
 #include "io/splines/g2_shape_reader.h"
 
 namespace veritope {

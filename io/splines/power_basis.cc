@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/splines/power_basis.cc: from the power basis over [0, 1] to Bernstein's, in integers over a common denominator.
 // Theory  b_j = sum over k <= j of C(j, k) c_k with c_k = a_k / C(n, k), along each axis in turn. The binomial
-//         transform
-//         of c is n rounds of additions: in round r, b_j += b_{j-1} for j = n down to r.
+//         transform of c is n rounds of additions: in round r, b_j += b_{j-1} for j = n down to r.
 #include <gmp.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/arb_variable.h: The balls of FLINT/Arb with 53 bits, as the loops of the benchmarks want it.
+// bench/arb_variable.h: the balls of FLINT/Arb with 53 bits, in the form that the loops of the benchmarks need.
 #pragma once
 #include <arb.h>
 

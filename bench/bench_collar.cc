@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_collar.cc: from octree keys to a proved collar: seconds for the common subdivision, for K1 with the
-// boundary, for the collapse, and for the replay of the collapses, for about 10,000, 100,000 and 1,000,000 cells, one
-// thread, least of the rounds. The cells: a wall of two cells around the surface of a square frame (genus 1), alone,
-// and with every sixteenth one in eight.
+// boundary, for the collapse, and for the replay of the collapses, for approximately 10,000, 100,000 and 1,000,000
+// cells, one thread, least of the rounds. The cells: a wall of two cells around the surface of a square frame (genus
+// 1), first as it is, then with every sixteenth cell split in eight.
 #include <algorithm>
 #include <cstdio>
 #include <string>

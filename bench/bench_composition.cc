@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_composition.cc: T(t) for a trivariate of 3 components in another: seconds, one thread, least of the
-// repetitions. Rows composition_<outer degrees>_of_<inner degree>_<way>: bounded = binary64 with error bounds beside
-// the generic ring over double (no bounds); exact = by remainders beside the nested products over integers;
-// to_rational: the exact map in lowest terms; rational: exact and to_rational beside the generic ring over Rational,
-// for degrees at which that ends. A tile is seven tricubic trivariates in one cage.
+// repetitions. Rows composition_<outer degrees>_of_<inner degree>_<way>: bounded: binary64 with error bounds, compared
+// with the generic ring over double (no bounds); exact: by remainders, compared with the nested products over integers;
+// to_rational: the exact map in lowest terms; rational: exact and to_rational, compared with the generic ring over
+// Rational, for degrees at which the latter ends. A tile is seven tricubic trivariates in one cage.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -42,7 +42,8 @@ void row(const std::string& name, double ours, double peer, std::size_t coeffici
   std::fflush(stdout);
 }
 
-// Coefficients in [low, 1). Those of a cage have both signs: bounds of one sign cost half.
+// Coefficients in [low, 1). Those of a cage have both signs: bounds of coefficients of one sign
+// cost half as much.
 Volume draw(Random& random, std::array<int, 3> degrees, double low) {
   Volume map(degrees, 3, false);
   for (double& v : map.coefficients()) v = low + (1 - low) * random.unit();

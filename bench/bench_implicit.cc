@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_implicit.cc: implicit points beside CGAL's EPECK, ns a call, one thread, least of the
-// repetitions. lpi: line and plane; tpi: three planes. G: everything uniform. Z: the query plane goes
-// through the point exactly: it contains the line, or is the third plane. cached: the same of points that
-// know their digits already. Rows without a peer: predicates on several implicit points, N: of those
-// that the filter decides, Z: exact zeros.
+// bench/bench_implicit.cc: implicit points compared with CGAL's EPECK, ns a call, one thread, least of the repetitions.
+// lpi: line and plane; tpi: three planes. G: everything uniform. Z: the query plane passes exactly through the point:
+// it contains the line, or is the third plane. cached: points that know their digits already. Rows without a peer:
+// predicates on several implicit points; N: points that the filter decides, Z: exact zeros.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -62,7 +61,7 @@ void print_row(const char* kind, const char* cell, const char* step, double ours
       static_cast<unsigned long long>(tally[Tier::kExact]));
 }
 
-// make(p): the implicit point of a tuple.
+// Calls make(p) for the implicit point of each tuple.
 template <std::size_t Defining, typename Point, typename Make>
 void rows(const char* kind, bool through, Make make) {
   constexpr std::size_t kStride = Defining + 3;
@@ -95,7 +94,7 @@ void rows(const char* kind, bool through, Make make) {
     ours.orient = std::min(ours.orient, nanoseconds([&] { ours.sum = orient(nullptr); }));
   }
   const std::size_t allocated = allocations - before;
-  for (int r = 0; r < 3; ++r) {  // anew each time: its points remember their exact coordinates
+  for (int r = 0; r < 3; ++r) {  // made anew each time: its points remember their exact coordinates
     bench::EpeckPoints epeck(p.data(), kTuples, Defining == 9);
     peer.construct = std::min(peer.construct, nanoseconds([&] { epeck.construct(); }));
     peer.orient = std::min(peer.orient, nanoseconds([&] { peer.sum = epeck.orient(); }));
@@ -126,7 +125,7 @@ void rows(const char* kind, bool through, Make make) {
             remembered.sum == peer.sum, 0, cached_tally);
 }
 
-// ask(i, tally): a sign.
+// ask(i, tally) returns a sign.
 template <typename Ask>
 void row_alone(const char* name, Ask ask) {
   constexpr std::size_t kCalls = 500;
@@ -150,7 +149,7 @@ void row_alone(const char* name, Ask ask) {
       static_cast<unsigned long long>(tally[Tier::kExact]));
 }
 
-// Points of several lines on one plane (the first five), and of other planes.
+// Points of several lines on one plane (the first five), and points of other planes.
 void rows_of_several() {
   Random random(6);
   const auto draw = [&]() -> Vec3d { return {random.unit(), random.unit(), random.unit()}; };

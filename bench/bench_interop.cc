@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_interop.cc: CGAL's algorithms on our predicates (interop/cgal.h) beside CGAL's own kernel EPICK,
-// seconds a run turn by turn, least of five. grid: integer points, all cubes degenerate.
+// bench/bench_interop.cc: CGAL's algorithms on our predicates (interop/cgal.h) and on CGAL's own kernel EPICK, seconds
+// a run, in alternating runs, least of five. grid: integer points, all cubes degenerate.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 

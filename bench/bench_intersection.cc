@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_intersection.cc: --seeds N. Random pairs of bicubic graphs, ours with proofs, Open CASCADE's
-// GeomAPI_IntSS with the tolerance 1e-7 without; the true gap of its curves measured by ours. One JSON line a row.
+// bench/bench_intersection.cc: --seeds N. Random pairs of bicubic graphs: our intersection, with proofs, and Open
+// CASCADE's GeomAPI_IntSS with the tolerance 1e-7. We measure the true gap of its curves. One JSON line a row.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_interval.cc: ns per interval operation, one thread, arrays of 1,024 in the cache, all
-// candidates turn by turn. Each pass has other operands, converted before the clock starts: a branch
-// predictor that meets the same 1,024 again learns their signs by heart. A round is eight passes; the
-// figure is the least of the rounds. Signs are random, one operand in fifty contains zero; orient3d
-// is that of point intervals. same_bounds: the sums of all bounds equal the peer's.
+// bench/bench_interval.cc: ns per interval operation, one thread, arrays of 1,024 in the cache, all candidates in turn.
+// Each pass has other operands, converted before the clock starts: on the same 1,024 a branch predictor would learn
+// their signs. A round is eight passes; the figure is the least of the rounds. Signs are random, one operand in fifty
+// contains zero; orient3d is that of point intervals. same_bounds: the sums of all bounds equal the peer's.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -26,7 +25,7 @@ using namespace veritope::bench;
 
 constexpr std::size_t kSize = 1024;
 constexpr int kRounds = 60, kSlowRounds = 4, kPasses = 8;
-constexpr std::size_t kSets = 64;  // of operands
+constexpr std::size_t kSets = 64;  // sets of operands
 
 IntervalData make_data(Random& random) {
   IntervalData data;
@@ -104,7 +103,7 @@ class BatchPeer : public IntervalPeer {
   std::vector<Array> points_;
 };
 
-// ns of one call, without the clock's own.
+// Nanoseconds of one call, without those of the clock.
 double timed(const std::function<void()>& run) {
   const double clock = Stopwatch().ns();
   const Stopwatch watch;
@@ -166,7 +165,7 @@ void interval_rows(IntervalOp op, const std::vector<IntervalData>& data, const I
   }
 }
 
-// One plane, many points: the batch beside the same filter point by point.
+// One plane, many points: the batch compared with the same filter point by point.
 void side_rows(const std::vector<IntervalData>& sets) {
   std::vector<Sign3> batch(kSize), single(kSize);
   const std::size_t back_ends = internal::num_side_back_ends();
@@ -183,7 +182,7 @@ void side_rows(const std::vector<IntervalData>& sets) {
         const Orient3dPlaneFilter filter(a, b, c);
         for (std::size_t i = 0; i < kSize; ++i) single[i] = filter(points.at(i));
       };
-      one_by_one();  // and the points are in the cache
+      one_by_one();  // afterwards the points are in the cache, too
       total[back_ends] += timed(one_by_one);
       for (std::size_t k = 0; k < back_ends; ++k) {
         total[k] += timed([&] { internal::orient3d_filter_on(k, a, b, c, points, batch.data()); });

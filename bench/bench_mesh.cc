@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The mesh decision beside CGAL's, and what certificates and checkers cost. One JSON row a line; figures in
+// The mesh decision compared with CGAL's, and what certificates and checkers cost. One JSON row a line; figures in
 // docs/benchmarks.md.
 #include <malloc.h>
 #include <sys/wait.h>
@@ -25,8 +25,8 @@ namespace veritope::bench {
 namespace {
 
 constexpr int kRuns = 7;
-constexpr int kAttempts = 60;       // at seven runs with two threads
-constexpr double kTwoCores = 1.15;  // two_thread_slowdown() on two cores, and some noise
+constexpr int kAttempts = 60;       // to get seven runs with two threads
+constexpr double kTwoCores = 1.15;  // two_thread_slowdown() on two cores, with some noise
 
 double median(std::vector<double> v) {
   std::sort(v.begin(), v.end());
@@ -65,7 +65,7 @@ ValidityReport decide(const TriangleMesh& mesh, unsigned jobs) {
   return report;
 }
 
-// Where the time of one run goes, as a JSON object in ns a facet.
+// The time of the parts of one run, as a JSON object in ns a facet.
 std::string breakdown(const DecisionTimes& t, double facets) {
   char buffer[256];
   const double ns = 1e9 / facets;
@@ -78,7 +78,7 @@ std::string breakdown(const DecisionTimes& t, double facets) {
   return buffer;
 }
 
-// Eight independent chains of integer operations: as much as a core can do at a time.
+// Eight independent chains of integer operations: as many as a core can execute at a time.
 std::uint64_t busy_work(std::uint64_t seed) {
   std::uint64_t x = seed, y = 2, z = 3, w = 4, a = 5, b = 6, c = 7, d = 8;
   for (int i = 0; i < 4'000'000; ++i) {
@@ -94,8 +94,8 @@ std::uint64_t busy_work(std::uint64_t seed) {
   return x ^ y ^ z ^ w ^ a ^ b ^ c ^ d;
 }
 
-// How much slower two threads of busy work are than one: 1 on two cores, 2 on two hardware threads of one core. Virtual
-// machines move between the two, so every run with two threads stands between two of these.
+// The time of two threads of busy work divided by that of one: 1 on two cores, 2 on two hardware threads of one core.
+// Virtual machines switch between the two, so every run with two threads lies between two of these measurements.
 double two_thread_slowdown() {
   std::atomic<std::uint64_t> sink{0};
   const double alone = seconds([&] { sink += busy_work(1); });
@@ -107,9 +107,9 @@ double two_thread_slowdown() {
   return together / alone;
 }
 
-// Ours with one thread, with two, and CGAL's in turn; medians. The parts are of the last run. A run with two threads
-// counts if the machine had two cores to give during it; at most kAttempts are made, and all of them count if it never
-// had ("cores":1).
+// Ours with one thread, ours with two, and CGAL's, in turn; medians. The parts are those of the last run. A run with
+// two threads counts if the machine had two cores during it. At most kAttempts runs are made; if there never were two
+// cores, all of them count ("cores":1).
 void decision_rows(const std::string& name, bool with_peer) {
   const TriangleMesh mesh = named_model(name);
   const double facets = static_cast<double>(mesh.faces.size());
@@ -152,8 +152,8 @@ double status_bytes(const std::string& key) {
   return 0;
 }
 
-// Peak memory of the decision, the mesh's arrays included, in a process of its own. What making the model needed is
-// returned to the system and the peak reset before the decision starts.
+// Peak memory of the decision, the mesh's arrays included, in a process of its own. The memory that making the model
+// needed is returned to the system, and the peak reset, before the decision starts.
 void memory_row(const std::string& name) {
   int ends[2];
   VT_CHECK(pipe(ends) == 0, "pipe");

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_predicates.cc: ns a call, one thread, least of the repetitions, ours, naive double and
-// the peers turn by turn; a row names the predicate, the class of its points and the peer. Tier hit
-// rates go with each row. Peers named _filter may be uncertain; "wrong" counts signs that are not
-// ours among those that are certain. The slow ones get fewer tuples.
-// Classes: U uniform; N degenerate on a grid, moved by up to 2 ulp; D, D26, D50 exactly degenerate
-// integers of up to 10, 26, 50 bits; P real coordinates on a plane along the axes, or corners of
-// such a box; R the last point constructed, then rounded; RW the same with exponents spread over
-// 2^-24..1; DW two coincident points, wide exponents.
+// bench/bench_predicates.cc: ns a call, one thread, least of the repetitions: ours, naive double arithmetic and the
+// peers, in turn. A row names the predicate, the class of its points and the peer; tier hit rates go with each row.
+// Peers named _filter may be uncertain; "wrong" counts certain signs that differ from ours. Slow peers get fewer
+// tuples. Classes: U uniform; N degenerate on a grid, moved by up to 2 ulp; D, D26, D50 exactly degenerate integers of
+// up to 10, 26, 50 bits; P real coordinates on a plane along the axes, or corners of such a box; R the last point
+// constructed, then rounded; RW the same with exponents spread over 2^-24..1; DW two coincident points, wide exponents.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,18 +29,18 @@ namespace {
 
 using namespace veritope;
 
-// So many that no branch predictor learns the signs by heart: with 4,096 tuples it does, and a
-// filter that branches on the sign looks three times as fast as it is.
+// So many that no branch predictor learns the signs: with 4,096 tuples it does, and a filter that
+// branches on the sign then seems three times as fast as it is.
 constexpr std::size_t kTuples = 32768;
 constexpr int kRepetitions = 20;
 
-// Points of one class for a predicate of `n` points in `dim` dimensions; `round` asks for
+// Points of one class for a predicate of `n` points in `dim` dimensions; `round` requests
 // cocircular or cospherical ones.
 using Tuple = std::array<Vec3d, 5>;
 
 void set(Vec3d& p, int k, double v) { (k == 0 ? p.x : (k == 1 ? p.y : p.z)) = v; }
 
-// Points of a circle: products of Gaussian integers, each factor or its conjugate, times a unit.
+// Points on a circle: products of Gaussian integers, each factor or its conjugate, times a unit.
 Tuple circle_tuple(Random& random, int bits) {
   constexpr int kFactors = 3;
   const std::int64_t range = std::int64_t{1} << ((bits - 2) / kFactors - 1);
@@ -63,7 +61,7 @@ Tuple circle_tuple(Random& random, int bits) {
   return t;
 }
 
-// Points of a sphere: q v conj(q) for quaternions q of one norm.
+// Points on a sphere: q v conj(q) for quaternions q of one norm.
 Tuple sphere_tuple(Random& random, int bits) {
   const std::int64_t range = std::int64_t{1} << ((bits - 4) / 3);
   std::array<std::int64_t, 4> q;
@@ -89,7 +87,7 @@ Tuple round_tuple(Random& random, int dim, int bits) {
   return dim == 2 ? circle_tuple(random, bits) : sphere_tuple(random, bits);
 }
 
-// Points of a line or, in space, of a plane.
+// Points on a line or, in space, on a plane.
 Tuple flat_tuple(Random& random, int dim, int bits) {
   const std::int64_t range = std::int64_t{1} << ((bits - 3) / 2);
   std::array<std::int64_t, 3> o, u, v;
@@ -190,7 +188,7 @@ std::vector<Point> tuples(const char* predicate, const std::string& kind) {
 }
 
 struct Timed {
-  double ns = 1e300;  // a call
+  double ns = 1e300;  // of a call
   long sum = 0;       // of the signs
   template <typename Run>
   void run(Run run_all, std::size_t tuples = kTuples) {
@@ -282,7 +280,7 @@ void peer_rows(const char* predicate, const std::string& kind, const std::vector
   }
 }
 
-// ours(p, tally) and session(p, tally) decide one tuple, naive(p) its determinant; peer sums over all.
+// ours(p, tally) and session(p, tally) decide one tuple, naive(p) computes its determinant; peer sums over all tuples.
 template <int N, typename Point, typename Session, typename Ours, typename InSession,
           typename Naive, typename Peer>
 void rows(const char* predicate, const std::string& kind, Ours ours, InSession in_session,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_read.cc: reading and merging 1.1 million facets from the page cache, in nanoseconds a facet.
-// Subject: read_mesh_file with one thread, SHA-256 apart (rows hash_*). Peer: CGAL::IO::read_polygon_soup, for STL with
-// the merging of equal points (the other formats keep their indices there: the peer does less). Medians of 7, in turns.
+// bench/bench_read.cc: reading and merging 1.1 million facets from the page cache, in nanoseconds a facet. Subject:
+// read_mesh_file with one thread, without SHA-256 (rows hash_*). Peer: CGAL::IO::read_polygon_soup; for STL also the
+// merging of equal points (for the other formats the peer keeps the indices, and so does less). Medians of 7, in turn.
 #include <unistd.h>
 
 #include <CGAL/IO/polygon_soup_io.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_splines.cc: ns a point of a bicubic surface (10 x 10 control points in space) and a tricubic volume (8 x
-// 8 x 8) at random parameters, one thread, all candidates turn by turn. A pass is 4,096 points, each with other
-// parameters; a figure is the least of the passes. Rows without a peer have a goal in million points a second. agrees:
-// the greatest difference of the two candidates' coordinates, for peers with a value. Enclosures: of the same surface
-// over boxes of a quarter of a span, a row a quantity.
+// 8 x 8) at random parameters, one thread, all candidates in turn. A pass is 4,096 points, each with other parameters;
+// a figure is the least of the passes. Rows without a peer have a goal in million points a second. agrees: the greatest
+// difference of the two candidates' coordinates, for peers with a value. Enclosures: of the same surface over boxes of
+// a quarter of a span, one row a quantity.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -44,7 +44,7 @@ struct Candidate {
   double ns = 1e300;
 };
 
-// Turn by turn; candidates over a microsecond a point sit most rounds out.
+// Runs the candidates in turn; those that take over a microsecond a point miss most rounds.
 void race(std::vector<Candidate>& candidates) {
   for (int round = 0; round < kRounds; ++round)
     for (Candidate& c : candidates) {
@@ -208,7 +208,7 @@ void volume_rows(Random& random) {
   print_alone("tricubic_value_baseline", all[4].ns, "");
 }
 
-// ns a box of 256 boxes inside of cells, the least of eight rounds.
+// Nanoseconds a box, for 256 boxes inside cells, the least of eight rounds.
 void enclosure_rows(Random& random) {
   std::vector<Rational> coefficients;
   for (int c = 0; c < 3; ++c)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_star_boxes.cc: [most patches]. Growth of the search for star boxes: models of about 1,000, 10,000 and
-// 100,000 patches, one thread: seconds to make the complex and to decide, boxes, bytes of the boxes' and trees' part of
-// the certificate, nodes, MiB at the peak. Then every model of patch_shapes that touches itself: seconds until the
-// search is given up.
+// bench/bench_star_boxes.cc: [most patches]. Growth of the search for star boxes: models of approximately 1,000, 10,000
+// and 100,000 patches, one thread: seconds to make the complex and to decide, boxes, bytes of the boxes' and trees'
+// part of the certificate, nodes, MiB at the peak. Then, for every model of patch_shapes that touches itself, seconds
+// until the search ends without an answer.
 #include <sys/resource.h>
 
 #include <cstdio>
@@ -25,7 +25,7 @@ double peak_mib() {
   return static_cast<double>(use.ru_maxrss) / 1024;
 }
 
-// Each patch as an entity of its own.
+// Each patch counts as an entity of its own.
 std::size_t certificate_bytes(const PieceForest& forest, const PatchDecision& decision) {
   std::vector<StarBoxEntity> entities;
   for (std::uint32_t p = 0; p < forest.num_patches(); ++p) {
@@ -63,7 +63,7 @@ void measure(const std::string& name, const Patches& patches) {
 int main(int argc, char** argv) {
   const long most = argc > 1 ? std::atol(argv[1]) : 100000;
   measure("pn-torus-192", patch_shapes::pn_torus(12, 8));
-  for (const int n : {1, 3, 10})  // squares: about 10^3, 10^4, 10^5 patches
+  for (const int n : {1, 3, 10})  // squares: approximately 10^3, 10^4, 10^5 patches
     if (1000L * n * n <= most) {
       measure("grid-torus", patch_shapes::grid_torus(40 * n, 25 * n));
       measure("pn-torus", patch_shapes::pn_torus(25 * n, 20 * n));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Boost.Interval as a filter, the mode set once a call; compiled with -frounding-math.
+// Boost.Interval as a filter; the mode is set once a call. Compiled with -frounding-math.
 #include <boost/numeric/interval.hpp>
 
 #include "bench/interval_predicates.h"

@@ -42,7 +42,7 @@ class BoostSurface : public SurfacePeer {
   }
 
  private:
-  // The four basis functions that are not zero at x, and the first one's index.
+  // Computes the four basis functions that are not zero at x, and the index of the first one.
   static std::size_t basis(const std::vector<double>& t, std::size_t num, double x, T* b) {
     const auto above =
         std::upper_bound(t.begin() + 4, t.begin() + static_cast<std::ptrdiff_t>(num), x);

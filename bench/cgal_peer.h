@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/cgal_peer.h: the same question asked of CGAL, which stays in its own file.
+// bench/cgal_peer.h: CGAL's decision about the same mesh; CGAL's headers stay in its own file.
 #pragma once
 #include <memory>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/epeck_peer.h: CGAL's EPECK constructs the points that ours keep implicit [CGAL55]; compiled
-// apart.
+// in a file of its own.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -14,10 +14,10 @@ class EpeckPoints {
  public:
   EpeckPoints(const Vec3d* points, std::size_t tuples, bool three_planes);
   ~EpeckPoints();
-  /// Constructs all points; the number of those that exist.
+  /// Constructs all points; returns the number of those that exist.
   long construct();
-  /// The sum of the orientations of the query planes and the points, which construct() made. A point
-  /// remembers what it was asked: only the first call after construct() counts.
+  /// The sum of the orientations of the query planes and the points that construct() made. A point remembers the
+  /// answers: only the first call after construct() counts.
   long orient();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// CGAL's EPECK [CGAL55]. Its points are made before the clock starts, and remember what was asked about them.
+// CGAL's EPECK [CGAL55]. Its points are made before the clock starts, and remember earlier answers.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include "bench/predicate_peers.h"

@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CHUNK = 200_000  # cases a file
 WARNING_FREE = ["-w", "-std=c++20", f"-I{ROOT}"]
 
-# What a build must stand: each flag set with each compiler that knows it.
+# What a build must withstand: each flag set with each compiler that knows it.
 FLAGS = {
     "plain": ["-O2"],
     "fast_math": ["-O3", "-ffast-math"],
@@ -36,11 +36,11 @@ COMPILERS = ["g++", "clang++-14", "clang++-19"]
 
 
 def sources():
-    """The sources of the program under test: the predicates, what they stand on, and their names."""
+    """The sources of the program under test: the predicates, their dependencies, and their names."""
     named = ["hard_cases.cc", "named_predicate.cc", "implicit_names.cc", "generated_names.cc"]
     files = [*(ROOT / "robust").rglob("*.cc"), *(ROOT / "predicates").rglob("*.cc"), *(ROOT / "interval").glob("*.cc"),
              *(p for p in (ROOT / "cli" / n for n in named) if p.exists()), ROOT / "bench" / "hostile_signs.cc"]
-    # Files of one instruction set choose their own flags; what needs MPFR is no predicate.
+    # Files for one instruction set choose their own flags; files that need MPFR are not predicates.
     skipped = ("batch", "functions", "mp_interval", "power", "trigonometric", "monotone", "reverse", "reduction")
     return [p for p in files if not (p.parent.name == "interval" and p.name.startswith(skipped)) and "side_batch" not in p.name]
 

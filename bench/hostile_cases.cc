@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/hostile_cases.cc: --cases N --seed S. Writes N hard cases of the named predicates with their
-// signs for hostile_signs.cc: by the library's cascade in a clean build, one in 64 by the formula over
-// rational numbers as well. A record: the predicate's number and the sign, 32 bits each, the operands.
+// bench/hostile_cases.cc: --cases N --seed S. Writes N hard cases of the named predicates with their signs for
+// hostile_signs.cc. The library's cascade in a clean build decides them; for one case in 64 so does the formula over
+// rational numbers. A record: the predicate's number and the sign, 32 bits each, then the operands.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/hostile_signs.cc: decides the cases of FILE, which hostile_cases.cc wrote, under every control
-// word. This file and the library in it are compiled with the flags under test. Prints a line a mode:
-// its name, cases, zeros, wrong signs; the first wrong ones on standard error. Exit 1 if there are any.
+// bench/hostile_signs.cc: decides the cases of FILE, which hostile_cases.cc wrote, under every control word. This file
+// and the library in it are compiled with the flags under test. Prints a line for each mode: its name, cases, zeros,
+// wrong signs; and the first wrong ones on standard error. Exit 1 if there are any.
 #include <cfenv>
 #include <cstdint>
 #include <cstdio>

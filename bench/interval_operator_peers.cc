@@ -25,8 +25,8 @@ struct NoScope {
 };
 
 using Default = boost::numeric::interval<double>;
-// The mode is set once, by the scope, as the library's documents say for speed: its default arithmetic, and
-// the fastest that it has (no checking).
+// The scope sets the mode once, which the library's documents recommend for speed: first with its default arithmetic,
+// then with its fastest (no checking).
 using Unprotected = lib::unprotect<Default>::type;
 using Fast =
     boost::numeric::interval<double, lib::policies<lib::save_state<lib::rounded_arith_opp<double>>,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/interval_peers.h: loops over other libraries' intervals, each compiled apart with the flags
-// that its library asks for. A library that is not installed gives no peer.
+// bench/interval_peers.h: loops over other libraries' intervals, each compiled in a file of its own
+// with the flags that its library needs. A library that is not installed gives no peer.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,8 +15,8 @@ inline constexpr IntervalOp kIntervalOps[] = {IntervalOp::kAdd, IntervalOp::kMul
                                               IntervalOp::kMulAdd, IntervalOp::kDot,
                                               IntervalOp::kOrient3d};
 
-/// Operands of all candidates: n intervals a, b, c, and n tuples of four points, axis by axis (a.x, a.y,
-/// ..., d.z), which become point intervals.
+/// The operands of all candidates: n intervals a, b, c, and n tuples of four points, axis by axis (a.x, a.y, ..., d.z),
+/// which become point intervals.
 struct IntervalData {
   struct Array {
     std::vector<double> lo, hi;
@@ -30,11 +30,12 @@ class IntervalPeer {
  public:
   explicit IntervalPeer(std::string name) : name(std::move(name)) {}
   virtual ~IntervalPeer() = default;
-  /// Other operands, converted and in the cache. REQUIRES the size of the first ones.
+  /// Replaces the operands: converts others and brings them into the cache. REQUIRES the size of
+  /// the first ones.
   virtual void load(const IntervalData& data) = 0;
-  /// The operation on all n elements, once.
+  /// Applies the operation to all n elements, once.
   virtual void run(IntervalOp op) = 0;
-  /// The sums of the lower and of the upper bounds of what run() left, to nearest.
+  /// The sums of the lower and of the upper bounds that run() computed, rounded to nearest.
   virtual std::array<double, 2> sums(IntervalOp op) = 0;
   std::string name;
 };

@@ -65,8 +65,8 @@ class IntervalFilter : public PredicatePeer {
   }
 };
 
-/// Variables of a C library wrapped in operators, without an allocation an operation: they come from a pool that the
-/// Scope of a decision starts again. V as in bench/interval_c_loops.h, and V::sign(x).
+/// Variables of a C library wrapped in operators, without an allocation for each operation: they come from a pool that
+/// starts anew with the Scope of a decision. V as in bench/interval_c_loops.h, and V::sign(x).
 template <typename V>
 struct PooledTraits {
   static V* next() {

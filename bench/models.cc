@@ -24,7 +24,7 @@ Vec3d combine(double s, const Vec3d& a, double t, const Vec3d& b) {
   return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
 }
 
-// The four facets for each facet, given the new vertex of every edge.
+// Replaces each facet by four, given the new vertex of every edge.
 void split_faces(const TriangleMesh& mesh, const std::unordered_map<Edge, std::uint32_t>& middle,
                  TriangleMesh& out) {
   for (const auto& f : mesh.faces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/mpfi_variable.h: MPFI with 53 bits, as the loops of the benchmarks want it.
+// bench/mpfi_variable.h: MPFI with 53 bits, in the form that the loops of the benchmarks need.
 #pragma once
 #include <mpfi.h>
 

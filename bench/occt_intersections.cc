@@ -77,7 +77,7 @@ double OcctPair::length() const {
 std::vector<std::vector<std::array<double, 4>>> OcctPair::sample(double tolerance,
                                                                  int points) const {
   std::vector<std::vector<std::array<double, 4>>> out;
-  GeomInt_IntSS again;  // GeomAPI_IntSS gives no curves of parameters
+  GeomInt_IntSS again;  // GeomAPI_IntSS gives no curves in the parameters
   again.Perform(state_->first, state_->second, tolerance, true, true, true);
   for (int i = 1; again.IsDone() && i <= again.NbLines(); ++i) {
     auto& line = out.emplace_back();

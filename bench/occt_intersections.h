@@ -15,7 +15,8 @@ class OcctPair {
   ~OcctPair();
   /// Intersects; returns the number of curves.
   int intersect(double tolerance);
-  /// Intersects once more with curves of parameters, by GeomInt_IntSS: (u, v, s, t) at `points` places of every curve.
+  /// Intersects once more, with curves in the parameters, by GeomInt_IntSS: (u, v, s, t) at `points` places of every
+  /// curve.
   std::vector<std::vector<std::array<double, 4>>> sample(double tolerance, int points) const;
   double length() const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/predicate_peers.h: loops over other libraries' predicates, each compiled apart. A library that is
-// not installed gives no peer.
+// bench/predicate_peers.h: loops over other libraries' predicates, each compiled in a file of its own. A library that
+// is not installed gives no peer.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -19,10 +19,10 @@ class PredicatePeer {
   PredicatePeer(std::string name, std::size_t most_tuples)
       : name(std::move(name)), most_tuples(most_tuples) {}
   virtual ~PredicatePeer() = default;
-  /// The points of all tuples; kept as a pointer, or converted here if the library has points of its own.
+  /// The points of all tuples: kept as a pointer, or converted here if the library has points of its own.
   virtual void load(const Vec2d* points, std::size_t count) { p2_ = points; }
   virtual void load(const Vec3d* points, std::size_t count) { p3_ = points; }
-  /// out[i] = the sign of tuple i < n in our convention, or 2 if the peer is a filter and cannot tell.
+  /// out[i] = the sign of tuple i < n in our convention, or 2 if the peer is a filter and cannot decide.
   virtual void decide(Predicate predicate, std::size_t n, signed char* out) = 0;
   std::string name;
   std::size_t most_tuples;  ///< slow peers get fewer

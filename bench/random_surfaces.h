@@ -42,8 +42,8 @@ inline BSplineSurface<Rational> random_graph(int n, Random& random) {
   return BSplineSurface<Rational>({axis, axis}, 3, false, std::move(c));
 }
 
-/// A bump over the unit square with its top, the height 0, at a random place, tilted; and the plane that it pierces by
-/// h: the intersection is one small loop.
+/// A bump over the unit square, tilted, with its top, of height 0, at a random place, and a plane that it pierces by h:
+/// the intersection is one small loop.
 inline std::pair<BSplineSurface<Rational>, BSplineSurface<Rational>> bump_and_plane(
     double h, Random& random) {
   const Rational x0 = Rational::from_double(0.4 + 0.2 * unit(random)),

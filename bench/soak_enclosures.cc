@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_enclosures.cc: --trials N --seed S. A trial is a random (surface patch, parameter box, point of the box)
-// and asks of every enclosure over the box that it holds what rationals find at the point: the three coordinates, their
-// five first and second derivatives, the normal, the Gauss, mean and principal curvatures, by hull and by mean value,
-// and the cone of normals. Patches: degrees 2 to 4, up to three spans an axis, polynomial or rational, knots and
-// control points that are not binary64 in half of them. A patch has 64 points at distances 2^0 .. 2^-31 of a centre, a
-// knot now and then, each evaluated once, and 128 boxes around the centre of widths 2^1 .. 2^-31, some without width: a
-// point is tried with every box that it lies in. Then the orders of convergence. One JSON line a figure.
+// bench/soak_enclosures.cc: --trials N --seed S. A trial is a random (surface patch, parameter box, point of the box).
+// It requires that every enclosure over the box contains what rationals compute at the point: the three coordinates,
+// their five first and second derivatives, the normal, the Gauss, mean and principal curvatures, by hull and by mean
+// value, and the cone of normals. Patches: degrees 2 to 4, up to three spans an axis, polynomial or rational; in half
+// of them knots and control points are not binary64. A patch has 64 points at distances 2^0 .. 2^-31 of a centre,
+// sometimes a knot, each evaluated once, and 128 boxes around the centre of widths 2^1 .. 2^-31, some without width: a
+// point is tried with every box in which it lies. Then the orders of convergence. One JSON line a figure.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -48,12 +48,12 @@ BSpline<Rational, 2> draw_patch(Random& random) {
   return map;
 }
 
-// What rationals find at a point.
+// What rationals compute at a point.
 struct Truth {
   std::array<double, 2> at;
   std::vector<std::pair<std::array<int, 2>, std::vector<Bracket>>> derivatives;
   std::vector<Bracket> normal;
-  std::vector<Bracket> curvatures;  // Gauss exact, the others ranges; none where there is no normal
+  std::vector<Bracket> curvatures;  // Gauss exact, the others ranges; empty without a normal
   exact_jets::Vector exact_normal;
 };
 
@@ -117,7 +117,7 @@ class Enclosed {
     cone_ = enclose_normal_cone(patch.enclosure, box).value();
     counts_.cones += cone_.has_value();
   }
-  // What is missed, or nothing.
+  // What an enclosure misses, or nothing.
   std::string missed(const Truth& truth) {
     std::size_t k = 0;
     for (std::size_t f = 0; f < 2; ++f) {
@@ -210,8 +210,8 @@ void soak_patch(Random& random, Counts& counts, std::uint64_t seed) {
   ++counts.patches;
 }
 
-// Orders. Excess: the width beyond the hull of 4 x 4 parts, by both forms. Where a quantity is monotone hulls are
-// exact, so that the worst box of a partition counts; the curvatures, whose hull form is exact nowhere, take one box.
+// Orders. Excess is the width beyond the hull of 4 x 4 parts, by both forms. Hulls of monotone quantities are exact, so
+// the worst box of a partition counts for them; the curvatures, whose hull form is never exact, take one box.
 using Quantity = std::vector<Interval> (*)(const SplineEnclosure<2>&, const Box2&, EnclosureForm);
 struct Named {
   const char* name;
@@ -302,7 +302,7 @@ double worst_excess(const SplineEnclosure<2>& s, const Named& quantity, Enclosur
   return worst;
 }
 
-// One piece near a graph.
+// One piece of a surface that is nearly a graph.
 BSpline<Rational, 2> draw_graph(Random& random, bool is_rational) {
   auto map =
       exact_map::random_bspline<2>(random, {{3, 3}, {1, 1}, 3 + is_rational, is_rational}, 8, 64);

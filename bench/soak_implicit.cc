@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_implicit.cc: --cases N --seed S [--jobs J]. Every predicate on points of every kind against the
-// points themselves in GMP's rationals, found by Cramer's rule, and determinants of them by elimination; every
-// second case in space, every second one in the plane; a case is five points and asks all predicates. The
-// perturbed predicates: no zero, the plain sign where there is one, and antisymmetry. One JSON line a figure.
+// bench/soak_implicit.cc: --cases N --seed S [--jobs J]. Every predicate on points of every kind is compared with the
+// points themselves in GMP's rationals, found by Cramer's rule, and determinants of them by elimination. Half of the
+// cases are in space, half in the plane; a case is five points and tests all predicates. The perturbed predicates must
+// give no zero, the plain sign where there is one, and be antisymmetric. One JSON line a figure.
 #include <cstdio>
 #include <cstdlib>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_intersections.cc: --seeds N --bumps N. Random pairs of surfaces against marching squares, and bumps that
-// pierce a plane by ever less. One JSON line a figure; differences in full on standard error.
+// bench/soak_intersections.cc: --seeds N --bumps N. Compares random pairs of surfaces with marching squares, and tests
+// bumps that pierce a plane by less and less. One JSON line a figure; differences in full on standard error.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -59,7 +59,7 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
-/// Components of the zero set on a grid: marching squares, saddles by the mean.
+/// The components of the zero set on a grid: marching squares, with saddles decided by the mean.
 Count marching_squares(const std::vector<double>& f, std::size_t points) {
   // Edge ids: horizontal (p, q)-(p + 1, q), then vertical (p, q)-(p, q + 1).
   const std::size_t half = points * points;
@@ -116,7 +116,7 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Returns how many pairs are not complete.
+/// Returns the number of pairs that are not complete.
 std::size_t random_pairs(int n, int seeds) {
   constexpr std::size_t kPoints = 901;
   std::size_t incomplete = 0, equal = 0, branches = 0;
@@ -155,7 +155,7 @@ std::size_t random_pairs(int n, int seeds) {
   return incomplete;
 }
 
-/// Returns how many bumps were neither found nor named with a box as small as asked.
+/// Returns the number of bumps that were neither found nor named with a box of the requested size.
 std::size_t bumps(double h, int count) {
   std::size_t found = 0, named = 0, bad = 0;
   double widest = 0;

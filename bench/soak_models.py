@@ -44,7 +44,7 @@ def figure(name, value, goal):
 
 
 def differences(line, status, report):
-    """What the report says other than the manifest's line."""
+    """The differences between the report and the manifest's line."""
     if line["class"] == "malformed":
         return [] if status == 4 and report["verdict"] == "UNREADABLE" else [f"exit {status}, {report['verdict']}; expected UNREADABLE"]
     valid = line["valid_solid"] == "1"
@@ -106,7 +106,7 @@ def jobs():
 
 
 def exact(value):
-    """The fraction as a float, or None if that rounds."""
+    """The fraction as a float, or None if that would round."""
     try:
         number = float(value)
     except OverflowError:
@@ -152,7 +152,7 @@ def relabelled(rng, points, faces):
 
 
 def subdivided(points, faces):
-    """Each facet cut into four at exact midpoints, or None if one rounds. Sound models only: a duplicate would stay
+    """Each facet cut into four at exact midpoints, or None if one rounds. For sound models only: a duplicate would stay
     one, but a degenerate facet would give four."""
     points, middle, out = list(points), {}, []
 
@@ -183,7 +183,7 @@ def write_off(path, points, faces):
 
 
 def compare(before, after, det, cut):
-    """What changed that must not."""
+    """The facts that changed although they must not."""
     wrong = []
     keys = ["verdict"]
     if before["verdict"] != after["verdict"]:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_patches.cc: --count N --unknown M --seed S [--only embedded|opposed|crossing|touching|unknown]. Random
-// patch models of known truth (tests/support/random_solids.h), N of each kind (M with opposed faces), and M of which
-// nothing is known, cross-checked by the mesh certifier on tessellations of three densities. One JSON line a figure;
-// wrong and undecided models in full on standard error.
+// patch models of known truth (tests/support/random_solids.h), N of each kind (M with opposed faces), and M of unknown
+// truth, compared with the mesh certifier's verdicts on tessellations of three densities. One JSON line a figure; wrong
+// and undecided models in full on standard error.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -79,7 +79,8 @@ bool has_known_numbers(const PatchDecision& decision, const Model& model) {
 
 using Make = Model (*)(Random&);
 
-/// Wrong: VALID unless `is_embedded`, then INVALID, or another genus or number of bodies.
+/// Wrong answers are VALID unless `is_embedded`, and if it is, INVALID or another genus or number
+/// of bodies.
 Tally run(const char* kind, Make make, bool is_embedded, std::size_t count, std::uint64_t seed,
           bool tells_undecided) {
   Tally t;
@@ -102,8 +103,8 @@ Tally run(const char* kind, Make make, bool is_embedded, std::size_t count, std:
   return t;
 }
 
-// Each patch as a grid of m x m quadrangles, or m x m triangles; vertices are one where their exact points round to the
-// same doubles.
+// Each patch as a grid of m x m quadrangles, or m x m triangles; vertices whose exact points round to the same doubles
+// are one vertex.
 TriangleMesh tessellated(const Patches& patches, int m) {
   TriangleMesh mesh;
   std::map<std::array<double, 3>, std::uint32_t> known;
@@ -136,7 +137,7 @@ TriangleMesh tessellated(const Patches& patches, int m) {
   return mesh;
 }
 
-/// Whether fine tessellations of the two patches of the crossing that was proved, if it is one, cross or touch.
+/// If a crossing was proved: whether fine tessellations of its two patches cross or touch.
 bool crosses_in_fine_tessellation(const Model& model, const PatchDecision& decision) {
   constexpr int kFine = 256;
   if (!decision.refutation) return false;
@@ -148,8 +149,9 @@ bool crosses_in_fine_tessellation(const Model& model, const PatchDecision& decis
   return decide_validity(tessellated(two, kFine), {}).rule_counts[rule_index(MeshRule::kM7)] > 0;
 }
 
-/// Wrong: the finest tessellation is no solid's boundary though the patches are VALID, or is one though they are
-/// INVALID and no crossing is seen in much finer ones either: to be looked at, as a tessellation is another surface.
+/// Wrong answers: the patches are VALID although the finest tessellation does not bound a solid; or they are INVALID
+/// although it does, and much finer tessellations show no crossing either. A person must then look at the model,
+/// because a tessellation is another surface.
 Tally run_unknown(std::size_t count, std::uint64_t seed) {
   static constexpr int kDensities[] = {4, 8, 16};
   Tally t;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_predicates.cc: --cases N --seed S [--jobs J]. Signs of orient2d, orient3d, in_circle
-// and in_sphere, with and without a session, against an oracle of this file's own: mpz integers on one common exponent,
-// expanded relative to another point than the subject uses; one case in 4096 is checked a third time, by
-// Gaussian elimination of the homogeneous determinant over mpq. One JSON line a figure.
+// bench/soak_predicates.cc: --cases N --seed S [--jobs J]. Signs of orient2d, orient3d, in_circle and in_sphere, with
+// and without a session, compared with an oracle of this file's own: mpz integers on one common exponent, expanded
+// relative to another point than the subject uses. One case in 4096 is checked a third time, by Gaussian elimination of
+// the homogeneous determinant over mpq. One JSON line a figure.
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -202,7 +202,7 @@ Points filled(Draw draw) {
   return p;
 }
 
-// On a line or plane: integers of up to 2 b + 1 bits.
+// On a line or plane; integers of up to 2 b + 1 bits.
 Points flat(Predicate predicate, Random& random) {
   const std::int64_t range = std::int64_t{1} << random.between(1, 24);
   std::array<std::int64_t, 3> o, u, v;
@@ -275,7 +275,7 @@ Points on_sphere(Random& random) {
   return p;
 }
 
-// Real coordinates, exactly degenerate all the same: faces along an axis, corners of a box.
+// Real coordinates that are nevertheless exactly degenerate: faces along an axis, corners of a box.
 Points along_axes(Predicate predicate, Random& random) {
   Points p = filled([&] { return random.unit(); });
   if (predicate == kOrient2d || predicate == kOrient3d) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_solvers.cc: polynomial systems with all their roots known against the solver. One JSON line a figure.
+// bench/soak_solvers.cc: compares the solver with polynomial systems whose roots are all known. One JSON line a figure.
 //   soak_solvers [--systems N] [--seed S]     N systems of each kind and dimension (default 60, 1)
 #include <chrono>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_star_boxes.cc: --rounds N --planted N --seed S. Models of known truth, and other descriptions of them,
-// against the search for star boxes and crossings: sound ones must be valid with their genus and bodies, those that
-// cross themselves invalid with a witness, those that touch themselves never valid. Planted: so many models of two
-// shells, and of one, with a common point. One JSON line a figure; what is wrong or undecided in full on standard
+// bench/soak_star_boxes.cc: --rounds N --planted N --seed S. Tests the search for star boxes and crossings on models of
+// known truth, and on other descriptions of them. Sound ones must be valid with their genus and bodies, those that
+// cross themselves invalid with a witness, and those that touch themselves never valid. Planted: that many models of
+// two shells, and of one, with a common point. One JSON line a figure; wrong and undecided models in full on standard
 // error.
 #include <algorithm>
 #include <chrono>
@@ -58,7 +58,7 @@ bool has_known_numbers(const PatchDecision& decision, const Shape& shape) {
   return found == expected;
 }
 
-// A crossing, proved once more.
+// Whether the crossing is proved, tested once more.
 bool is_proved(const PatchComplex& complex, const PatchDecision& decision) {
   const auto* const w =
       decision.refutation ? std::get_if<CrossingWitness>(&*decision.refutation) : nullptr;
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
       Random random(seed + static_cast<std::uint64_t>(round));
       for (const Shape& shape : patch_shapes::sound_shapes())
         judge(shape, d.name, d.of(shape.patches, random), 14, &sound);
-      // Tangential contacts are approached for ever: to pieces of 2^-6 here.
+      // Tangential contacts would be approached without end: here down to pieces of 2^-6.
       for (const Shape& shape : patch_shapes::broken_shapes()) {
         const bool crosses = shape.truth == Truth::kCrossing;
         judge(shape, d.name, d.of(shape.patches, random), crosses ? 14 : 6,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/spline_peers.h: other libraries' evaluation of one bicubic surface in space, each compiled apart with the
-// flags that its library asks for.
+// bench/spline_peers.h: other libraries' evaluation of one bicubic surface in space, each compiled in a file of its own
+// with the flags that its library needs.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -21,7 +21,8 @@ class SurfacePeer {
  public:
   explicit SurfacePeer(std::string name) : name(std::move(name)) {}
   virtual ~SurfacePeer() = default;
-  /// Points of n parameters, out[3 i + c]; derivatives by u and v to du, dv if they are not null.
+  /// Computes points at n parameters, out[3 i + c], and the derivatives by u and v in du, dv if
+  /// they are not null.
   virtual void run(const double* u, const double* v, std::size_t n, double* out, double* du,
                    double* dv) = 0;
   std::string name;
@@ -30,7 +31,7 @@ class SurfacePeer {
 using SurfacePeers = std::vector<std::unique_ptr<SurfacePeer>>;
 /// D0 and D1 of Geom_BSplineSurface, and of GeomAdaptor_Surface, which caches the last span.
 void add_occt_surfaces(const SurfaceData& data, SurfacePeers& out);
-/// Enclosures, whose middle is returned: basis functions by Cox and de Boor, 16 products.
+/// Enclosures, of which the middle is returned: basis functions by Cox and de Boor, 16 products.
 void add_boost_surfaces(const SurfaceData& data, SurfacePeers& out);
 
 }  // namespace veritope::bench

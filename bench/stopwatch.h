@@ -7,8 +7,8 @@
 
 namespace veritope::bench {
 
-/// ns since construction: of the wall clock, or of this thread's processor time if that is less, because
-/// the thread had to wait for a processor. The second costs a system call, too much to go alone.
+/// Nanoseconds since construction: by the wall clock, or this thread's processor time if that is less because the
+/// thread had to wait for a processor. The second one costs a system call, too much to be used alone.
 class Stopwatch {
  public:
   double ns() const {

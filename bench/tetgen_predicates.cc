@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Shewchuk's predicates as Debian's tetgen has them: 3D ones with a static filter for the model's box,
-// [She97]'s in the plane. Their orient3d has the other sign than ours, and with it insphere.
+// Shewchuk's predicates as in Debian's tetgen: those in space with a static filter for the model's box, those in the
+// plane of [She97]. Its orient3d has the opposite sign of ours, and so has its insphere.
 #include <tetgen.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "bench/predicate_peers.h"
 
-// In the library, but not in its header.
+// In the library, but missing from its header.
 REAL orient2d(REAL* a, REAL* b, REAL* c);
 REAL incircle(REAL* a, REAL* b, REAL* c, REAL* d);
 
@@ -22,7 +22,7 @@ class Tetgen : public PredicatePeer {
     c_.clear();
     for (std::size_t i = 0; i < count; ++i) c_.insert(c_.end(), {points[i].x, points[i].y});
   }
-  // The filters' bounds hold for the extents that are passed to exactinit.
+  // The bounds of the filters hold for the extents that exactinit gets.
   void load(const Vec3d* points, std::size_t count) override {
     c_.clear();
     Vec3d lo = points[0], hi = points[0];

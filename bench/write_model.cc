@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// write_model NAME FILE...: a model of bench/models.h as files; their extensions choose the formats (PLY binary,
-// doubles).
+// write_model NAME FILE...: writes a model of bench/models.h to files; their extensions determine the formats (PLY
+// binary, doubles).
 #include <cstdio>
 
 #include "bench/models.h"

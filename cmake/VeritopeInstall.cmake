@@ -1,6 +1,6 @@
-# What goes into an installation: the layers as static libraries with their public headers, the programs, the checker in
-# Python, the documents; a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc.
-# tests/install/ uses them all.
+# What an installation contains: the layers as static libraries with their public headers, the programs, the checker in
+# Python, the documents, a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc.
+# tests/install/ uses all of it.
 include(CMakePackageConfigHelpers)
 
 # veritope_programs: every executable of cli/ and verify/checker/, without the tests.
@@ -16,7 +16,8 @@ foreach(folder IN ITEMS cli verify/checker)
 endforeach()
 add_custom_target(veritope_programs DEPENDS ${veritope_executables})
 
-# Layers, lowest first. Example models and what serves only the command line stay here.
+# Layers, lowest first. Example models, and layers that only the command line uses, are not
+# installed.
 set(veritope_layers "")
 set(veritope_pc_libs "")
 get_property(layers GLOBAL PROPERTY VERITOPE_LAYERS)
@@ -37,7 +38,8 @@ foreach(layer IN LISTS layers)
   endforeach()
 endforeach()
 
-# Headers that include other libraries: a target of its own, veritope::interop, that veritope::veritope leaves out.
+# Headers that include other libraries: a target of its own, veritope::interop, which veritope::veritope does not
+# contain.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/interop/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/interop"
         FILES_MATCHING PATTERN "*.h")
 

@@ -1,4 +1,4 @@
-# Build options and the flags that every decision relies on.
+# Build options, and the flags on which every decision relies.
 option(VERITOPE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(VERITOPE_FUZZ "Build the fuzz targets (clang: libFuzzer; otherwise the replay mains)" OFF)
 option(VERITOPE_BENCH "Build the benchmarks and the soak experiments (needs CGAL as the peer)" OFF)
@@ -23,23 +23,24 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 
 find_program(VERITOPE_CCACHE ccache)
 if(VERITOPE_CCACHE AND PROJECT_IS_TOP_LEVEL)
-  # Objects that include a precompiled header are cached on these terms only; no source asks for the time.
+  # ccache accepts objects that include a precompiled header only with these settings; no source asks for the time.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${VERITOPE_CCACHE}")
 endif()
 
 find_package(Threads REQUIRED)
 
-# Instrumentation goes to every target, the checker's included.
+# All targets are instrumented, the checker included.
 if(VERITOPE_SANITIZE)
   add_compile_options(-fsanitize=${VERITOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${VERITOPE_SANITIZE})
 endif()
 if(VERITOPE_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # libFuzzer sees only code that is compiled so; its own main comes with -fsanitize=fuzzer on the targets.
+  # libFuzzer sees only code compiled with this flag; -fsanitize=fuzzer on the targets adds its main.
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(VERITOPE_COVERAGE)
-  # Source-based: a branch in the report is a condition of the source. %m: one file for each program, merged run by run.
+  # Source-based: a branch in the report is a condition of the source. %m: one file for each program, merged after each
+  # run.
   add_compile_options(-fprofile-instr-generate=${PROJECT_BINARY_DIR}/profiles/%m.profraw -fcoverage-mapping)
   add_link_options(-fprofile-instr-generate)
 endif()

@@ -3,9 +3,9 @@ set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_D
 file(STRINGS "${PROJECT_SOURCE_DIR}/docs/layers.txt" rows REGEX "^[a-z]")
 list(TRANSFORM rows REPLACE " *\\|.*" "" OUTPUT_VARIABLE VERITOPE_ROOMS)
 
-# The standard headers that most units of the layers include, compiled once: parsing them takes about a third of a
-# unit's time. It holds no header of ours, so no edit of ours compiles it again. A precompiled header can hide
-# a missing include in a .cc file: the presets debug, fuzz and coverage build without it.
+# The standard headers that most units of the layers include, compiled once: parsing them takes approximately a third of
+# a unit's time. It contains no header of ours, so our edits do not recompile it. A precompiled header can hide a
+# missing include in a .cc file: the presets debug, fuzz and coverage build without it.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/veritope_pch.cc" CONTENT "")
 add_library(veritope_pch OBJECT "${PROJECT_BINARY_DIR}/veritope_pch.cc")
 target_compile_features(veritope_pch PUBLIC cxx_std_20)
@@ -56,7 +56,7 @@ function(veritope_layer name folder)
   foreach(lower IN LISTS ARGN)
     target_link_libraries(veritope_${name} PUBLIC ${lower})
   endforeach()
-  # Users of our inline filters need the same arithmetic.
+  # Users of our inline filters need arithmetic without contraction, too.
   target_compile_options(veritope_${name} INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   set_target_properties(veritope_${name} PROPERTIES EXPORT_NAME ${name} VERITOPE_FOLDER "${folder}")
   set_property(GLOBAL APPEND PROPERTY VERITOPE_LAYERS veritope_${name})

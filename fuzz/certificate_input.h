@@ -59,7 +59,7 @@ inline void set(std::string& statement, const std::string& key, const std::strin
 }
 
 inline std::size_t random_below(std::mt19937& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
-// The first digit that twenty tries find.
+// Changes the first digit found in twenty tries.
 inline void change_digit(std::string& text, std::mt19937& random) {
   for (int tries = 0; tries < 20 && !text.empty(); ++tries) {
     char& c = text[random_below(random, text.size())];

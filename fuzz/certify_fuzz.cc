@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/certify_fuzz.cc: a small mesh is written, read back, decided and certified; the C++ checker must accept the
-// certificate, M7 must be right pair by pair, and the bytes must be the same with two threads. The mutator knows
-// places, facets and parts.
+// fuzz/certify_fuzz.cc: a small mesh is written, read again, decided and certified. The C++ checker must accept the
+// certificate, M7 must be right pair by pair, and two threads must give the same bytes. The mutator knows places,
+// facets and parts.
 #include <cstring>
 
 #include "fuzz/decision_laws.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/certify_patches_fuzz.cc: a small patch model, pulled about as the bytes say, is written, read back, decided and
-// certified: whatever the verdict, the C++ checker must accept its certificate. Four bytes a change: what, where, how
+// fuzz/certify_patches_fuzz.cc: a small patch model, changed as the bytes say, is written, read again, decided and
+// certified. The C++ checker must accept its certificate, whatever the verdict. Four bytes a change: what, where, how
 // much; points in equal places move together, unless the change is a tear.
 #include <cstdint>
 #include <cstdio>
@@ -33,7 +33,7 @@ Patches shape(std::uint8_t which) {
   }
 }
 
-// The model under change.
+// The model that is changed.
 class Pulled {
  public:
   explicit Pulled(Patches patches) : patches_(std::move(patches)) {}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/checker_fuzz.cc: any model and any certificate, straight into the C++ checker: it must not crash, and what it
-// accepts must be so. The input is the size of the model (4 bytes, little-endian), the model, the certificate. The
-// mutator changes either, and then makes the statement's sizes and hashes true again, so that changes get past S3 and
-// S4.
+// fuzz/checker_fuzz.cc: gives any model and any certificate to the C++ checker, which must not crash, and whose
+// accepted claims must be true. The input is the size of the model (4 bytes, little-endian), the model, the
+// certificate. The mutator changes either, and then corrects the statement's sizes and hashes, so that changes get past
+// S3 and S4.
 #include <algorithm>
 #include <cstring>
 #include <random>
@@ -45,7 +45,7 @@ void check(const Input& in) {
   const bool claims_valid = get(statement, "claim") == "mesh-valid-1";
   if (claims_valid != report.is_valid) fail(answer + "\nbut " + summary(report), mesh);
   if (!claims_valid) {
-    // A witness of M8 or M9 proves INVALID, not which of the two it is.
+    // A witness of M8 or M9 proves INVALID, but not which of the two rules is broken.
     for (std::size_t k = 0; k < 7; ++k)
       if (get(statement, "rules").find("M" + std::to_string(k + 1)) != std::string::npos &&
           report.rule_counts[k] == 0)
@@ -104,7 +104,7 @@ class Mutator {
       default: c = static_cast<char>(c ^ (1 << pick(8)));
     }
   }
-  // Two 4-byte words of the body, as in the order of the leaves.
+  // Swaps two 4-byte words of the body, such as two entries of the order of the leaves.
   void swap_words(std::size_t line) {
     if (in_.certificate.size() < line + 21) return;
     const std::size_t words = (in_.certificate.size() - line - 13) / 4;
@@ -114,7 +114,7 @@ class Mutator {
                      in_.certificate.begin() + static_cast<std::ptrdiff_t>(a + 4),
                      in_.certificate.begin() + static_cast<std::ptrdiff_t>(b));
   }
-  // A multiple of 4 bytes before the end: a binary model's coordinates.
+  // Changes a number at a multiple of 4 bytes before the end, where a binary model has coordinates.
   void change_double() {
     const std::size_t header = in_.model.find("end_header\n");
     if (header == in_.model.npos || in_.model.size() < header + 11 + 8) return;

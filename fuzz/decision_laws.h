@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/decision_laws.h: what every decision must keep: M7 as all pairs one by one.
+// fuzz/decision_laws.h: what every decision must satisfy: M7 agrees with a test of all pairs one by
+// one.
 #pragma once
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +18,8 @@ namespace veritope::fuzz {
   std::abort();
 }
 
-/// Pairs of facets that meet outside their common simplex, without boxes, stars or separators.
+/// The number of pairs of facets that meet outside their common simplex, found without boxes, stars
+/// or separators.
 inline std::uint64_t improper_pairs_one_by_one(const TriangleMesh& mesh) {
   const auto signs = facet_signs(mesh, 1);
   const auto indexed = [&](std::size_t f) {

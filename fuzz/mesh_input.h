@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/mesh_input.h: small meshes as bytes, and back: what certify_fuzz.cc reads and its mutator changes.
+// fuzz/mesh_input.h: small meshes as bytes, and the reverse: certify_fuzz.cc reads them and its mutator changes them.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ struct MeshInput {
   }
 };
 
-/// One change at a time, of a kind that meshes know: places, ids, facets, whole parts.
+/// One change at a time, of a kind that fits meshes: places, ids, facets, whole parts.
 class MeshMutator {
  public:
   MeshMutator(MeshInput in, unsigned seed) : in_(std::move(in)), random_(seed) {
@@ -151,7 +151,7 @@ class MeshMutator {
     add_face({id[1], id[2], id[3]});
     add_face({id[2], id[0], id[3]});
   }
-  // All of it once more, moved by a small vector, perhaps turned over.
+  // Adds a copy of the whole, moved by a small vector and sometimes reversed.
   void add_copy() {
     const std::size_t n = in_.vertices.size(), m = in_.faces.size();
     if (2 * n > MeshInput::kMaxVertices || 2 * m > MeshInput::kMaxFaces) return;
@@ -171,7 +171,7 @@ class MeshMutator {
       in_.faces.push_back(f);
     }
   }
-  // One face into three around a point near its middle.
+  // Splits one face into three around a point near its middle.
   void split_face() {
     if (in_.vertices.size() == MeshInput::kMaxVertices || in_.faces.size() + 2 > MeshInput::kMaxFaces) return;
     const std::size_t at = pick(in_.faces.size());

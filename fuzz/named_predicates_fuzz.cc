@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/named_predicates_fuzz.cc: a byte that names a predicate, then its operands: every predicate of the
-// command line, generated ones and those on implicit points among them, against its formula over
-// rationals. The mutator draws hard cases and copies or moves single numbers.
+// fuzz/named_predicates_fuzz.cc: a byte that names a predicate, then its operands. Every predicate of the command line,
+// including generated ones and those on implicit points, is compared with its formula over rationals. The mutator draws
+// hard cases and copies or moves single numbers.
 #include <algorithm>
 #include <bit>
 #include <cmath>

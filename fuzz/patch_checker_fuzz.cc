@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/patch_checker_fuzz.cc: any spline model and any certificate of a claim about patches, straight into the C++
-// checker: it must not crash or hang, and must not accept two claims about one model that contradict one another. What
-// it accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers and
-// the body, and then makes sizes and hashes true again.
+// fuzz/patch_checker_fuzz.cc: gives any spline model and any certificate of a claim about patches to the C++ checker,
+// which must not crash or hang, and must not accept two claims about one model that contradict each other. What it
+// accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers and the
+// body, and then corrects sizes and hashes.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -24,8 +24,8 @@ namespace {
   std::abort();
 }
 
-// What is true of a model if a claim about it is. Flags are the prover's choice: with flags a certificate speaks of
-// another orientation.
+// The facts about a model that follow from a claim about it. The prover chooses the flags: a certificate with flags is
+// about another orientation.
 enum Fact : unsigned {
   kEmbedded = 1,  // the patches can be oriented and are mapped injectively
   kSolid = 2,     // and as they are they bound a solid
@@ -110,7 +110,7 @@ class Mutator {
     for (std::size_t n = pick(10); n > 0; --n) out += static_cast<char>(128 + pick(128));
     return out + static_cast<char>(1 + pick(127));
   }
-  // Repeats a part of the body, whose elements follow each other.
+  // Repeats a part of the body, whose elements are stored one after the other.
   void repeat_part() {
     if (body_.empty()) return;
     const std::size_t at = pick(body_.size());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/polynomial_system_fuzz.cc: the bytes are the small integer coefficients of a polynomial system. In one unknown,
-// every claim is compared with Sturm's count. In 2 to 4, the equations are shifted so that they vanish at a fraction
-// that the bytes name: it must be in exactly one root's box or in a cluster, and in no other root's box of uniqueness.
+// fuzz/polynomial_system_fuzz.cc: the bytes are the small integer coefficients of a polynomial system. With one
+// unknown, every claim is compared with Sturm's count. With 2 to 4, the equations are shifted so that they vanish at a
+// fraction given by the bytes: it must lie in exactly one root's box or in a cluster, and in no other root's uniqueness
+// box.
 #include <algorithm>
 #include <array>
 #include <cstdint>

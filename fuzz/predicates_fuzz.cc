@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // fuzz/predicates_fuzz.cc: the bytes are up to six points and a byte of options; every predicate
-// and every tier on them against GMP's rationals. The mutator knows points: it makes them equal,
-// collinear, coplanar and cospherical, and moves exponents.
+// and every tier on them is compared with GMP's rationals. The mutator knows points: it makes them
+// equal, collinear, coplanar and cospherical, and changes exponents.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::size_t kNumPoints = 6, kNumCoordinates = 3 * kNumPoints;
 
-// A whole input: coordinates little-endian, then the options. What is missing is zero; infinities
+// A whole input: coordinates little-endian, then the options. Missing bytes are zero; infinities
 // and NaNs lose their top exponent bit.
 struct Input {
   std::array<double, kNumCoordinates> c{};
@@ -139,7 +139,7 @@ void check_signs(const Input& in) {
 void check_triangles(const Input& in) {
   IndexedTriangle t{{in.point(0), in.point(1), in.point(2)}, {0, 1, 2}};
   IndexedTriangle u{{in.point(3), in.point(4), in.point(5)}, {3, 4, 5}};
-  // The two low bits say how many corners are common.
+  // The two low bits are the number of common corners.
   const unsigned common = in.options & 3u;
   for (unsigned i = 0; i < common && i < 3; ++i) u.point[i] = t.point[i], u.id[i] = t.id[i];
   if ((in.options & 4u) != 0) std::swap(u.point[0], u.point[2]), std::swap(u.id[0], u.id[2]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/read_laws.h: what must hold whatever bytes a reader gets. Broken: InternalError. Used by the fuzz targets of the
-// readers and by tests/io/fuzz_corpus_test.cc.
+// fuzz/read_laws.h: laws that must hold whatever bytes a reader gets. A broken law throws InternalError. Used by the
+// fuzz targets of the readers and by tests/io/fuzz_corpus_test.cc.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -22,7 +22,7 @@ inline bool same_bits(const Vec3d& a, const Vec3d& b) {
   return true;
 }
 
-/// Law 1: a refusal has a file, a sentence in printable ASCII, and a place unless the whole file is meant.
+/// Law 1: a refusal has a file, a sentence in printable ASCII, and a place unless it is about the whole file.
 inline void check_error(const Error& error) {
   VT_CHECK(error.place.file == "fuzz", "an error without its file");
   VT_CHECK(!error.message.empty() && error.message.size() < 300, "a message of a wrong length");
@@ -31,7 +31,7 @@ inline void check_error(const Error& error) {
   VT_CHECK(has_place || error.code == Code::kOverLimit, "a refusal without a place");
 }
 
-/// Law 2: what was read is a mesh, and the report counts it.
+/// Law 2: the result is a mesh, and the report's counts are right.
 inline void check_mesh(const MeshFile& file) {
   const TriangleMesh& mesh = file.mesh;
   VT_CHECK(!mesh.faces.empty(), "no face");
@@ -66,7 +66,7 @@ inline void check_merging(const MeshFile& merged, const MeshFile& indexed) {
   }
 }
 
-/// Law 4: every lossless file of the mesh gives it back bit for bit.
+/// Law 4: reading any lossless file of the mesh gives the mesh again, bit for bit.
 inline void check_round_trips(const TriangleMesh& mesh) {
   for (const std::string& name : write_variant_names()) {
     const WriteOptions how = write_options_from_name(name).value();

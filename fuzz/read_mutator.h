@@ -22,7 +22,7 @@ class Mutator {
   std::string take() { return std::move(text_); }
   std::size_t pick(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
 
-  /// A token of [0, end) becomes another, doubles, goes, or gets a new neighbour.
+  /// Replaces, doubles or removes a token of [0, end), or gives it a new neighbour.
   void change_token(std::size_t end) {
     const auto [first, last] = token(end);
     const std::string old = text_.substr(first, last - first);
@@ -36,7 +36,7 @@ class Mutator {
     }
   }
 
-  /// A line of [0, end) doubles, goes, or moves to another place.
+  /// Doubles, removes or moves a line of [0, end).
   void change_line(std::size_t end) {
     const std::size_t at = pick(end);
     const std::size_t before = at == 0 ? text_.npos : text_.find_last_of("\r\n", at - 1);
@@ -49,7 +49,7 @@ class Mutator {
     text_.insert(std::min(text_.size(), pick(end)), pick(4) == 0 ? "" : line);
   }
 
-  /// The number of `size` bytes at `at` becomes an interesting one.
+  /// Replaces the number of `size` bytes at `at` by an interesting one.
   void change_binary(std::size_t at, std::size_t size) {
     if (at + size > text_.size()) return;
     static constexpr std::uint64_t kFloats[] = {0,          0x80000000, 0x3F800000, 0x7F800000,
@@ -74,7 +74,7 @@ class Mutator {
     std::memcpy(text_.data() + at, &value, size);
   }
 
-  /// Bytes [at, at + size) double or go.
+  /// Doubles or removes the bytes [at, at + size).
   void change_block(std::size_t at, std::size_t size) {
     if (at + size > text_.size()) return;
     pick(2) == 0 ? void(text_.erase(at, size)) : void(text_.insert(at, text_.substr(at, size)));
@@ -147,7 +147,7 @@ class Mutator {
     return digits;
   }
 
-  // The number in a token, a little larger or smaller.
+  // The number in a token, made a little larger or smaller.
   std::string nudged(const std::string& old) {
     std::string text = old;
     const std::size_t digit = text.find_last_of("0123456789");
@@ -161,7 +161,8 @@ class Mutator {
   std::span<const std::string_view> words_;
 };
 
-/// The frame of LLVMFuzzerCustomMutator: every third time libFuzzer's own changes, else one to three of `change`.
+/// The frame of LLVMFuzzerCustomMutator: makes libFuzzer's own changes one time in three, otherwise one to three of
+/// `change`.
 template <typename Change>
 std::size_t mutate(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
                    std::span<const std::string_view> words, Change change) {

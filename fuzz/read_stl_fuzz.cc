@@ -22,7 +22,7 @@ constexpr std::string_view kWords[] = {
     "vertex 0 0 0",
     "endsolid\nsolid x\n"};
 
-// Makes the count at byte 80 that of the size, or nearly.
+// Makes the count at byte 80 fit the size, or nearly fit it.
 void fit_count(veritope::fuzz::Mutator& m) {
   std::string& text = m.text();
   if (text.size() < kHeader) text.resize(kHeader, ' ');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/reader_agreement.h: the kernel's readers and the C++ checker's, which share no code, read the same mesh from any
-// bytes.
+// fuzz/reader_agreement.h: the kernel's readers and the C++ checker's, which share no code, must read the same mesh
+// from any bytes.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace veritope::fuzz {
 
-/// What the checker reads; nothing if it refuses.
+/// The model that the checker reads; nothing if it refuses.
 inline std::optional<::Model> model_of_checker(const std::string& bytes, MeshFormat format,
                                                bool as_indexed) {
   try {
@@ -33,7 +33,7 @@ inline std::int64_t checker_key(double value) {
                              : static_cast<std::int64_t>(bits);
 }
 
-/// Law 5. The checker has no limits of numbers: they are lifted here; a file over another one is no case.
+/// Law 5. The checker has no limits for numbers, so they are lifted here; files over another limit are not compared.
 inline void check_agreement(MeshFormat format, std::span<const std::uint8_t> bytes) {
   const std::string text(bytes.begin(), bytes.end());
   for (const bool as_indexed : {false, true}) {

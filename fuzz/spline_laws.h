@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/spline_laws.h: what the readers and writers of splines promise of any bytes.
+// fuzz/spline_laws.h: what the readers and writers of splines promise for any bytes.
 #pragma once
 #include <span>
 #include <string>
@@ -16,7 +16,7 @@ inline std::span<const unsigned char> bytes_of(std::string_view text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-/// An error has a code of those that are promised, a line or a byte, and a sentence.
+/// An error has one of the promised codes, a line or a byte, and a sentence.
 inline void check_refusal(const Error& error) {
   VT_CHECK(error.place.line || error.place.byte, "a refusal has a place");
   VT_CHECK(!error.message.empty(), "a refusal has a sentence");
@@ -28,7 +28,8 @@ inline void check_refusal(const Error& error) {
   VT_CHECK(is_promised, "a refusal has a promised code");
 }
 
-/// The JSON is canonical and gives the same model; the other writers' bytes are read, unless spline_loss says why not.
+/// The JSON is canonical and gives the same model; the other writers' bytes can be read, unless spline_loss says why
+/// not.
 inline void check_writers(const SplineModel& model) {
   const std::string json = spline_json_bytes(model);
   ModelReadOptions options;

@@ -23,7 +23,7 @@ MARK = "NOT COVERED: "
 
 
 def run_tests(build):
-    """Whether all passed. The counters start at zero."""
+    """Runs the tests with counters that start at zero; returns whether all passed."""
     for counters in (build / "profiles").glob("*.profraw"):
         counters.unlink()
     tiers = ["-L", "^(quick|standard|full)$", "-LE", "^infra$"]
@@ -51,7 +51,7 @@ def measure(build):
 
 
 def count_at(segments, place):
-    """How often the code at (line, column) ran."""
+    """The number of times that the code at (line, column) ran."""
     index = bisect.bisect_right(segments, place, key=lambda segment: (segment[0], segment[1])) - 1
     return segments[index][2] if index >= 0 and segments[index][3] else 0
 
@@ -64,7 +64,7 @@ def conditions(files):
             counts = found[line, column]
             counts[0] += true
             counts[1] += false
-    # Neither outcome, and yet the place was reached: the compiler knew the value.
+    # Neither outcome occurred although the place was reached: the compiler knew the value.
     return {place: counts for place, counts in found.items()
             if any(counts) or all(count_at(file["segments"], place) == 0 for file in files)}
 
@@ -88,7 +88,7 @@ def lines_run(file):
 
 
 class Part:
-    """What was counted in one folder."""
+    """The figures of one folder."""
 
     def __init__(self):
         self.branches = self.branches_taken = self.lines = self.lines_run = self.argued = 0

@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def refuse(message):
-    """Ends the program: wrong usage, or a row that is not as the tables' heads say."""
+    """Ends the program: wrong usage, or a row that does not follow the rules at the head of its table."""
     print(message, file=sys.stderr)
     sys.exit(2)
 
@@ -143,7 +143,7 @@ def main(arguments):
 
 
 def attempt(action, experiment):
-    """Exit status of one experiment."""
+    """Runs one experiment; returns its exit status."""
     data = os.environ.get("VERITOPE_DATA", str(ROOT.parent / "shared" / "data"))
     if "data" in experiment.needs and not os.path.isdir(data):
         print(f"{experiment.name}: not run: it needs the real models, and VERITOPE_DATA={data} is no folder", file=sys.stderr)

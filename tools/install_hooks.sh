@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# Puts tools/pre-commit where git looks for it; another hook that is there stays.
+# Puts tools/pre-commit where git looks for hooks; keeps another hook that is already there.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 hooks=$(git rev-parse --git-path hooks)

@@ -201,7 +201,7 @@ def reversed_faces(mesh):
 
 
 def union(*meshes):
-    """Side by side; equal vertices become one."""
+    """Meshes side by side; equal vertices become one."""
     ids, faces = {}, []
     for mesh in meshes:
         faces += [tuple(ids.setdefault(mesh.vertices[v], len(ids)) for v in f) for f in mesh.faces]

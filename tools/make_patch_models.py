@@ -35,7 +35,7 @@ def block(low, high):
 
 
 def moved(faces, old, new):
-    """Wherever the corner `old` occurs."""
+    """Replaces the corner `old` wherever it occurs."""
     return [[new if p == old else p for p in net] for net in faces]
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Figure 3 of [SSP01]: the size of boxes has little influence on approximate equality. (a) A notch with the same
-// pattern of boxes at every scale: two boxes bridge it and enclose a cavity that the solid has not. (b) Boxes of a
-// quarter of the model's size around a circle.
+// pattern of boxes at every scale: two boxes bridge it and enclose a cavity that the solid does not have. (b) Boxes of
+// a quarter of the model's size around a circle.
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Figure 6 of [SSP01]: b_i and b_j overlap where V is not; the box b_k between them is the sub-collection of Remark
-// 3.1. And eq. 4, which says how small boxes must be for such a b_k to exist.
+// 3.1. The program also evaluates eq. 4, which says how small boxes must be for such a b_k to exist.
 #include <cstdio>
 #include <vector>
 

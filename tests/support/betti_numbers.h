@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/betti_numbers.h: homology of unions of octree cells by GUDHI's cubical complexes over the voxels of the finest level. VT_HAVE_GUDHI is
-// defined iff libgudhi-dev is installed.
+// tests/support/betti_numbers.h: homology of unions of octree cells by GUDHI's cubical complexes over the voxels of the
+// finest level. VT_HAVE_GUDHI is defined iff libgudhi-dev is installed.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ inline Betti betti_numbers(const octree_shapes::Cells& cells) {
       high[a] = std::max(high[a], corner(c)[a] + (1u << (level - c.level)));
     }
   const Triple n{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-  // Voxels outside come in at 1: at 0 there is |K|, closed.
+  // Voxels outside enter at 1: at 0 the complex is |K|, closed.
   std::vector<double> voxels(std::size_t{n[0]} * n[1] * n[2], 1.0);
   for (const OctreeCell& c : cells) {
     const unsigned size = 1u << (level - c.level);

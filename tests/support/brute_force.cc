@@ -13,7 +13,7 @@ bool has_repeated_id(const std::array<std::uint32_t, 3>& f) { return f[0] == f[1
 
 Edge undirected(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-// Classes of `items` under the relation `touches`, each ascending, by least item.
+// The classes of `items` under the relation `touches`, each ascending, ordered by least item.
 template <typename Touches>
 std::vector<std::vector<std::uint32_t>> classes(const std::vector<std::uint32_t>& items, Touches neighbours) {
   std::set<std::uint32_t> left(items.begin(), items.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/brute_force.h: the definitions of the rules M1-M9 and of all counts, computed as they are written: maps of edges,
+// tests/support/brute_force.h: the rules M1-M9 and all counts, computed directly from their definitions: maps of edges,
 // breadth-first searches, all pairs, rational rays. For models of at most a few hundred facets.
 #pragma once
 #include <array>
@@ -17,7 +17,7 @@
 namespace veritope::oracle {
 
 using Faces = std::vector<std::array<std::uint32_t, 3>>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;  // least id first
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // lesser id first
 
 struct BruteEdge {
   std::vector<std::uint32_t> up, down;  // faces that run from the lesser to the greater id, and the other way

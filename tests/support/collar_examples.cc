@@ -17,7 +17,7 @@ std::function<unsigned(const OctreeCell&)> level(unsigned l) {
   return [l](const OctreeCell&) { return l; };
 }
 
-/// One level coarser where i is in the lower half.
+/// Levels that are one coarser where i is in the lower half.
 std::function<unsigned(const OctreeCell&)> two_levels(unsigned fine) {
   return [fine](const OctreeCell& c) { return c.i * 2 < (1u << c.level) ? fine - 1 : fine; };
 }

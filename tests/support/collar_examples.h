@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/collar_examples.h: octree cells that are collars, that are not, and the traps that a wrong rule falls into.
+// tests/support/collar_examples.h: octree cells that are collars, cells that are not, and cells that a wrong rule would
+// accept.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,9 +11,9 @@
 
 namespace veritope::octree_shapes {
 
-/// REQUIRES cells of which none contains another.
+/// REQUIRES cells of which none contains another one.
 CommonSubdivision build(const Cells& cells);
-/// A vertex in cells of the finest level that occurs.
+/// The place of a vertex, in cells of the finest level that occurs.
 oracle::GridPoint grid(const CommonSubdivision& complex, std::uint32_t vertex);
 
 struct CollarExample {

@@ -46,7 +46,7 @@ bool contains(const GridSquare& outer, const GridSquare& inner) {
   return true;
 }
 
-// The parts of a face: quadrants while smaller faces of cells lie in it.
+// The parts of a face: it is split into quadrants while smaller faces of cells lie in it.
 void parts(const GridSquare& face, const std::vector<GridSquare>& sides,
            std::vector<GridSquare>& out) {
   const bool split = std::any_of(sides.begin(), sides.end(), [&](const GridSquare& s) {
@@ -67,7 +67,7 @@ std::array<GridPoint, 4> corners(const GridSquare& s) {
           moved(s.low, c, s.size)};
 }
 
-// The parts of the segment between two corners, cut at those points that lie inside it.
+// The parts of the segment between two corners, cut at the points that lie inside it.
 std::vector<Segment> cut(GridPoint from, GridPoint to, const std::set<GridPoint>& points) {
   if (to < from) std::swap(from, to);
   const unsigned axis = from[0] != to[0] ? 0 : from[1] != to[1] ? 1 : 2;
@@ -90,7 +90,7 @@ std::size_t position(const std::vector<T>& sorted, const T& item) {
                                   sorted.begin());
 }
 
-// Connected classes of `items`, joined where `sets` intersect.
+// The connected classes of `items`, joined where `sets` intersect.
 template <typename T>
 std::size_t num_classes(const std::vector<std::set<T>>& sets) {
   std::vector<std::size_t> label(sets.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/complex_oracle.h: the common subdivision of octree cells, K1, Euler characteristics and collapses computed as
-// THEORY words them, with sets of squares and all pairs; and vertex links on a voxel grid. For a few hundred cells.
+// tests/support/complex_oracle.h: the common subdivision of octree cells, K1, Euler characteristics and collapses,
+// computed as THEORY words them, with sets of squares and all pairs; and vertex links on a voxel grid. For a few
+// hundred cells.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -37,7 +38,7 @@ struct BruteComplex {
 
   /// Edges with a number of boundary faces that is neither 0 nor 2.
   std::vector<std::size_t> bad_edges() const;
-  /// Vertices whose boundary faces are not connected through boundary edges at them.
+  /// Vertices whose boundary faces are not connected through boundary edges at the vertex.
   std::vector<std::size_t> bad_vertices() const;
   std::vector<std::set<std::size_t>> boundary_components() const;
   /// V - E + F of the closure of these faces.
@@ -48,7 +49,7 @@ struct BruteComplex {
 
 BruteComplex brute_complex(std::span<const OctreeCell> cells, EdgeRule rule);
 
-/// K1 by links on the grid of the finest level: at each of its points the occupied ones of the 8 voxels around.
+/// K1 by links on the grid of the finest level: at each grid point, the occupied ones of the 8 voxels around it.
 struct VoxelLinks {
   /// Unit edges (lower end, axis) around which two voxels are occupied, diagonally.
   std::set<std::pair<GridPoint, unsigned>> bad_edges;

@@ -5,7 +5,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES, PATCHES = ROOT / "examples", ROOT / "tests" / "models" / "patches"
-# claim: what certify gets
+# claim: the arguments of certify
 COMMANDS = {
     "mesh-valid-1": (EXAMPLES / "sound_part.stl",),
     "mesh-invalid-1": (EXAMPLES / "self_crossing.off",),
@@ -22,7 +22,7 @@ def output_of(*command):
 
 
 def claims_of(checker):
-    """The names that a checker's --claims prints. checker: a command."""
+    """The names that a checker prints for --claims. checker: a command."""
     status, text = output_of(*checker, "--claims")
     assert status == 0, text
     return [line.split(" ")[0] for line in text.splitlines()]

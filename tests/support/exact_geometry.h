@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/exact_geometry.h: points with rational coordinates and what the oracles ask of them. Slow; no line of it is shared with
-// predicates/.
+// tests/support/exact_geometry.h: points with rational coordinates, and the functions that oracles need for them. Slow;
+// shares no line with predicates/.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -51,8 +51,9 @@ inline std::vector<RVec> cut(const std::vector<RVec>& polygon, const RVec& n, co
   return out;
 }
 
-/// Do the closed triangles f and g of the mesh have a common point outside the simplex of their common ids (three common ids: always)?
-/// REQUIRES neither degenerate. By cutting f with the five half-spaces whose intersection is g.
+/// Whether the closed triangles f and g of the mesh have a common point outside the simplex of their common ids (with
+/// three common ids: always). REQUIRES neither degenerate. Method: cuts f with the five half-spaces whose intersection
+/// is g.
 inline bool meet_improperly(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g) {
   std::vector<RVec> common;
   for (std::uint32_t v : mesh.faces[f])
@@ -78,14 +79,15 @@ inline bool meet_improperly(const TriangleMesh& mesh, std::uint32_t f, std::uint
   return false;
 }
 
-/// The sum, over the facets that the ray from p in direction d crosses, of the sign of the crossing (+1: out of the facet's back). nullopt
-/// if the ray meets the edge of a facet, or p lies in a facet.
+/// The sum, over the facets that the ray from p in direction d crosses, of the sign of the crossing (+1: out of the
+/// facet's back). nullopt if the ray meets the edge of a facet, or if p lies in a facet.
 inline std::optional<int> crossings(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets, const RVec& p,
                                     const RVec& d) {
   int sum = 0;
   for (std::uint32_t f : facets) {
     const RTriangle t = rational_triangle(mesh, f);
-    // Six times the volumes of d with the edges as seen from p: all of one sign iff the line meets the inside of the facet.
+    // Six times the volumes of d with the edges as seen from p: they all have one sign iff the line meets the facet's
+    // inside.
     std::array<int, 3> side{};
     for (std::size_t i = 0; i < 3; ++i) side[i] = sgn(dot(d, cross(t[i] - p, t[(i + 1) % 3] - p)));
     const int least = std::min({side[0], side[1], side[2]}), most = std::max({side[0], side[1], side[2]});
@@ -112,7 +114,8 @@ inline int winding_number(const TriangleMesh& mesh, const std::vector<std::uint3
   }
 }
 
-/// det(a, b, c) / 6, summed: six times the sum is an integer combination, no more is assumed.
+/// The sum of det(a, b, c) / 6. Six times the sum is an integer combination; nothing more is
+/// assumed.
 inline Rational signed_volume(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets) {
   Rational sum;
   for (std::uint32_t f : facets) {

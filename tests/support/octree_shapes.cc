@@ -95,7 +95,7 @@ Cells cover(const VoxelSolid& solid,
 
 namespace {
 
-// Asks inside(x, y, z, u): the centre of a voxel is (x, y, z) / u in a root [-16, 16]^3.
+// Calls inside(x, y, z, u) for each voxel, whose centre is (x, y, z) / u in a root [-16, 16]^3.
 template <typename Inside>
 VoxelSolid solid_of(unsigned level, Inside inside) {
   const std::int64_t n = 1 << level;
@@ -230,7 +230,8 @@ std::vector<Voxel> closed_path(const std::vector<Voxel>& corners) {
 }
 
 Cells tube_in_torus(bool knotted) {
-  // The strands y = 24 (from x = 30 to 12) and x = 21 (from y = 0 to 18, 18 to 44) cross; which one is above decides.
+  // The strands y = 24 (from x = 30 to 12) and x = 21 (from y = 0 to 18, 18 to 44) cross; it matters which one is
+  // above.
   const int a = knotted ? 2 : -2, b = -a;
   std::vector<Voxel> core{{0, 12, 0}, {0, 12, 2}, {16, 12, 2}, {16, 12, -2}, {30, 12, -2}};
   for (const Voxel& p : {Voxel{30, 12, a}, Voxel{30, 24, a}, Voxel{12, 24, a}}) core.push_back(p);

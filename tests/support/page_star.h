@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/page_star.h: condition V7 as docs/certificates/mesh.md section 4 says it, in rationals.
+// tests/support/page_star.h: condition V7 in the words of docs/certificates/mesh.md section 4, in rationals.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@ inline constexpr std::array<std::array<std::int32_t, 3>, 13> kPageDirections{{{1
                                                                              {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
                                                                              {1, 1, -1}, {1, -1, 1}, {1, -1, -1}}};
 
-/// Empty if (a) and (b) hold at v with direction d, else which fails.
+/// Empty if (a) and (b) hold at v with direction d; otherwise the one that fails.
 inline std::string judge_star(const TriangleMesh& mesh, std::uint32_t v, const std::array<std::int32_t, 3>& d) {
   if (d == std::array<std::int32_t, 3>{0, 0, 0}) return "d is 0";
   const RVec e{Rational(d[0]), Rational(d[1]), Rational(d[2])};

@@ -27,7 +27,7 @@ std::vector<std::vector<Number>> quarters(const FormShape& shape, const std::vec
   return out;
 }
 
-// The lower end of a hull as piece_forest.cc computes it, and the slack.
+// The lower end of a hull as the code in piece_forest.cc computes it, and the slack.
 Numbers lower_end(double lo, double hi, double origin, bool is_rational) {
   const double slack = internal::hull_slack(lo, hi, origin, is_rational);
   return {origin + lo - slack, slack};

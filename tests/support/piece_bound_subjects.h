@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/piece_bound_subjects.h: how much of each bound of solids/pieces/piece_bounds.h the true
-// rounding error uses, for given inputs: the code's own lines are run, in a given rounding mode, and compared
-// with exact rationals. 1 would be all of the bound.
+// tests/support/piece_bound_subjects.h: the part of each bound of solids/pieces/piece_bounds.h that the true rounding
+// error uses, for given inputs. The code's own lines run in a given rounding mode, and the result is compared with
+// exact rationals. 1 means all of the bound.
 #pragma once
 #include <array>
 #include <cmath>
@@ -41,15 +41,15 @@ inline double share(const Rational& error, double bound) {
 
 /// One component of a net, quartered: the worst coefficient of the four children.
 double share_of_quarters(const FormShape& shape, const Numbers& net, Rounding mode);
-/// g0 .. g3, c, origin: ten numbers.
+/// The input has ten numbers: g0 .. g3, c, origin.
 double share_of_side(const Numbers& in, Rounding mode);
-/// x, error, origin: the lower end of a hull; what the slack had to pay for. Over 1: the computed end lies inside.
+/// x, error, origin: the lower end of a hull, and the error that the slack had to cover. Over 1: the computed end lies
+/// inside.
 double share_of_hull(const Numbers& in, Rounding mode);
-/// x, error, w, w_error, origin.
+/// The input is x, error, w, w_error, origin.
 double share_of_rational_hull(const Numbers& in, Rounding mode);
-/// m (three axes), w, the inner centre, the outer centre, the origin: 13 numbers; the last axis is the one
-/// that is projected along.
-/// 0 unless |d| is greatest there and w > 0. Both coordinates are looked at.
+/// m (three axes), w, the inner centre, the outer centre, the origin: 13 numbers; the projection is along the last
+/// axis. 0 unless |d| is greatest there and w > 0. Both coordinates are tested.
 double share_of_crossing(const Numbers& in, const std::array<double, 2>& turn, Rounding mode);
 
 /// One input of one subject. what: side, hull, rational_hull, projected, turned, tensor, triangle; p, q:

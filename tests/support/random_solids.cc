@@ -54,7 +54,7 @@ std::vector<Face> outer_faces(const std::vector<Cube>& cubes) {
   return out;
 }
 
-// The genus of each component; nothing unless every edge has two faces and the faces at every vertex are one cycle.
+// The genus of each component; nothing unless every edge has two faces and the faces at every vertex form one cycle.
 std::optional<std::vector<std::int64_t>> genera(const std::vector<Face>& faces) {
   std::map<std::pair<Cube, Cube>, std::vector<std::size_t>> edges;
   std::map<Cube, std::vector<std::size_t>> vertices;
@@ -96,7 +96,7 @@ std::optional<std::vector<std::int64_t>> genera(const std::vector<Face>& faces) 
   return out;
 }
 
-// Control points at multiples of 1/n of the corners' places, each moved by a vector of its own.
+// Control points at multiples of 1/n of the corners' places, each moved by its own vector.
 class MovedPoints {
  public:
   MovedPoints(int n, double share, Random& random) : n_(n), random_(random) {
@@ -120,7 +120,8 @@ class MovedPoints {
   std::map<Cube, Point> points_;
 };
 
-// Whether two faces at one vertex look in opposite directions: then no plane through it has both sheets' normals on one side, moved or not.
+// Whether two faces at one vertex look in opposite directions: then no plane through it has both sheets' normals on one
+// side, moved or not.
 bool has_opposed_faces(const std::vector<Face>& faces) {
   std::map<Cube, std::set<Cube>> normals;
   for (const Face& face : faces) {
@@ -190,7 +191,7 @@ Point cross(const Point& a, const Point& b) {
 }
 Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// A place on a patch: of a tensor (u, v), of a triangle the barycentric coordinates (1 - u - v, u, v).
+// A place on a patch: (u, v) of a tensor patch, the barycentric coordinates (1 - u - v, u, v) of a triangle.
 struct Contact {
   Point point, along_u, along_v;
 };
@@ -200,7 +201,8 @@ Point evaluated(const Patch& patch, const Rational& u, const Rational& v) {
                          : evaluate<Rational, 2>(patch.tensor(), {u, v});
   return {value[0], value[1], value[2]};
 }
-// Exact: the central difference of a polynomial of degree n has fewer than n/2 error terms, and Romberg's scheme takes one away with each halving.
+// Exact: the central difference of a polynomial of degree n has fewer than n/2 error terms, and Romberg's scheme
+// removes one with each halving.
 Point derivative(const Patch& patch, const Rational& u, const Rational& v, bool along_u) {
   std::vector<Point> table;
   Rational h(1);
@@ -225,7 +227,7 @@ Contact contact_at(const Patch& patch, const Rational& u, const Rational& v) {
 }
 
 Rational in_unit(Random& random) { return Rational(random.between(6, 26)) / Rational(64); }
-// Inside: u, v and 1 - u - v are at least 6/64.
+// A place inside: u, v and 1 - u - v are at least 6/64.
 Contact random_contact(const Patch& patch, Random& random) {
   const Rational u = in_unit(random), v = in_unit(random);
   const Rational scale(patch.is_triangle() ? 1 : 2);
@@ -255,7 +257,7 @@ Model crossing_shells(Random& random) {
   }
 }
 
-// The control points that are not on the patch's border.
+// The control points that do not lie on the patch's border.
 std::vector<std::size_t> inner_control(const Patch& patch) {
   std::vector<std::size_t> out;
   if (patch.is_triangle()) {
@@ -270,7 +272,7 @@ std::vector<std::size_t> inner_control(const Patch& patch) {
   return out;
 }
 
-// All coordinates of the control points `which` moved by d.
+// The patch with all coordinates of the control points `which` moved by d.
 Patch moved(const Patch& patch, const std::vector<std::size_t>& which, const Point& d) {
   const auto apply = [&](auto map) {
     for (std::size_t c = 0; c < 3; ++c)
@@ -309,7 +311,7 @@ std::optional<Model> crossing_itself(Random& random) {
   return m;
 }
 
-// The map that takes the frame (from) to (to); nothing if `from` is dependent.
+// The map that takes the frame `from` to the frame `to`; nothing if `from` is dependent.
 std::optional<std::array<Point, 3>> frame_map(const std::array<Point, 3>& from,
                                               const std::array<Point, 3>& to) {
   const Rational det = dot(from[0], cross(from[1], from[2]));
@@ -364,7 +366,7 @@ Point random_place(const Patch& patch, std::uint64_t kind, Random& random) {
 
 Model pinched_shells(Random& random) {
   const Model a = perturbed_blocks(random, 0.5), b = perturbed_blocks(random, 0.5);
-  // Not face on face: that is a crossing.
+  // Not face on face, which is a crossing.
   const std::uint64_t first = random.below(3),
                       second = first == 2 ? random.below(2) : random.below(3);
   const Point p = random_place(any(a.patches, random), first, random),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/report_text.h: a report of decide_validity as exact text, for comparing reports with each other and with golden ones.
+// tests/support/report_text.h: a report of decide_validity as exact text, to compare reports with each other and with
+// golden ones.
 #pragma once
 #include <cstdio>
 #include <string>
@@ -24,7 +25,7 @@ inline std::string summary(const ValidityReport& r) {
   return out;
 }
 
-/// The summary, every listed defect, and what the certificate is made from.
+/// The summary, every listed defect, and everything that the certificate is made from.
 inline std::string full_text(const ValidityReport& r) {
   std::string out = summary(r) + (r.long_thin ? "\nlong thin" : "\nordinary") + "\nbox";
   const auto number = [](double v) {

@@ -59,7 +59,7 @@ Vec3d point(const std::string& text) {
   return {number(c[0]), number(c[1]), number(c[2])};
 }
 
-// Vertices found again by place.
+// Finds vertices again by their place.
 class Builder {
  public:
   std::uint32_t vertex(const Vec3d& p) {
@@ -119,7 +119,7 @@ std::uint32_t add(TriangleMesh& mesh, const Vec3d& p) {
 
 double turn(int i, int n) { return 2 * std::numbers::pi * i / n; }
 
-// Triangulates the polygon `rim`, counter-clockwise as seen from outside; `centre` is used by the fan alone.
+// Triangulates the polygon `rim`, counter-clockwise as seen from outside; only the fan uses `centre`.
 void add_cap(TriangleMesh& mesh, const std::vector<std::uint32_t>& rim, Cap cap, const Vec3d& centre) {
   const std::size_t n = rim.size();
   if (cap == Cap::kCentreFan) {

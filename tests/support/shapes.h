@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/shapes.h: small models for tests, as text and by generator. What a generator promises is checked in
-// tests/solids/validity_diff_test.cc against brute force, not assumed.
+// tests/support/shapes.h: small models for tests, as text and by generator. tests/solids/validity_diff_test.cc tests
+// against brute force what the generators promise.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,18 +14,19 @@
 
 namespace veritope::shapes {
 
-/// Commands separated by ';', words by blanks. Numbers are decimals, hexadecimal floats or quotients a/b (rounded to nearest).
+/// Commands are separated by ';', words by blanks. Numbers are decimals, hexadecimal floats or quotients a/b (rounded
+/// to nearest).
 ///   tri P P P             one triangle, as given
 ///   tet P P P P           outward if orient3d of its points is positive
 ///   box P P               outward, least and greatest corner, 12 triangles
-///   flip                  turns the triangles of the last command over
+///   flip                  reverses the triangles of the last command
 ///   v P ...  f i,j,k ...  vertices and triangles as they are, ids counted from the first v of the text
 /// Vertices of tri, tet and box that have equal coordinates become one. "tet 0,0,0 1,0,0 0,1/3,0 0,0,1"
 TriangleMesh parse(std::string_view text);
-/// "v ... ; f ...", bit for bit what parse reads back.
+/// The text "v ... ; f ...", which parse reads back bit for bit.
 std::string to_text(const TriangleMesh& mesh);
 
-// Closed, outward, embedded, one shell, unless it says otherwise.
+// Closed, outward, embedded, one shell, unless the line says otherwise.
 TriangleMesh box(Vec3d lo, Vec3d hi, int parts = 1);              ///< each side cut into parts * parts squares
 TriangleMesh prism(int sides, double radius, double height);      ///< over a regular polygon; caps are fans from a corner
 TriangleMesh torus(int around, int across, double big, double small);
@@ -38,8 +39,8 @@ TriangleMesh hyperboloid(int sides, int twist);                   ///< one sheet
 TriangleMesh saddle();                                            ///< four octants; its centre has no star direction
 TriangleMesh wave(int sides, double height);                      ///< a pole of that valence whose rim goes up and down
 
-/// The boundary of a set of unit cells, vertices by place: closed and oriented; embedded only if no two cells meet in just an edge or
-/// a corner.
+/// The boundary of a set of unit cells, with equal places as one vertex: closed and oriented; embedded only if no two
+/// cells meet in just an edge or a corner.
 TriangleMesh polycube(const std::vector<std::array<int, 3>>& cells);
 TriangleMesh random_polycube(Random& random, int size, int num_cells);
 
@@ -49,7 +50,7 @@ TriangleMesh box_grid(int n, double gap);                         ///< n^3 boxes
 TriangleMesh nested_scene(Random& random, int shells);            ///< valid: boxes side by side and in each other, nested up to 6 deep
 TriangleMesh needles(Random& random, int num);                    ///< thin tetrahedra, one a cell of a grid: valid
 
-// Not valid, or as it happens.
+// Not valid, or valid by chance.
 TriangleMesh needle_soup(Random& random, int num_triangles);      ///< open; long thin triangles that cross
 TriangleMesh grid_soup(Random& random, int num_triangles, int grid);  ///< corners in {0..grid-1}^3, merged; degenerate ones too
 TriangleMesh random_indexed(Random& random, int num_triangles, int num_vertices, int grid);  ///< ids at random
@@ -63,12 +64,12 @@ TriangleMesh scaled(TriangleMesh mesh, int exponent);             ///< times 2^e
 TriangleMesh merged(const TriangleMesh& mesh);                    ///< equal coordinates become one vertex, by first occurrence
 using Matrix = std::array<std::array<int, 3>, 3>;
 int determinant(const Matrix& m);
-/// Exact for coordinates with few bits. REQUIRES (checked) that it was.
+/// REQUIRES (checked) that the image is exact, as it is for coordinates with few bits.
 TriangleMesh mapped(const TriangleMesh& mesh, const Matrix& m, std::array<int, 3> shift);
 Matrix random_matrix(Random& random, int size);                   ///< |determinant| > 0
 /// The model with vertices renumbered, facets in another order and corners rotated.
 TriangleMesh relabelled(const TriangleMesh& mesh, Random& random);
-/// Every facet into four at the midpoints of its edges. REQUIRES (checked) midpoints that binary64 holds.
+/// Every facet cut into four at the midpoints of its edges. REQUIRES (checked) midpoints that binary64 holds.
 TriangleMesh subdivided(const TriangleMesh& mesh);
 
 }  // namespace veritope::shapes

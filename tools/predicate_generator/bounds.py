@@ -30,7 +30,7 @@ def roundings(root):
 
 
 def round_up(value):
-    """The least binary64 number that is not less, as a float. REQUIRES a normal result."""
+    """The least binary64 number that is not less than value, as a float. REQUIRES a normal result."""
     exponent = math.floor(math.log2(value)) - 54
     while value / Fraction(2) ** exponent >= 2**53:
         exponent += 1
@@ -68,7 +68,7 @@ class Series:
 
 
 def underflow(root, unit):
-    """What underflow adds to the error of the computed value."""
+    """A bound of the part of the computed value's error that underflow causes."""
     size, error, grow = {}, {}, 1 + U
     for node in post_order([root]):
         key = id(node)
@@ -87,7 +87,7 @@ def underflow(root, unit):
 
 
 def lost_in_size(degree, unit):
-    """What underflow takes from m^degree, computed from left to right."""
+    """A bound of the error that underflow causes in m^degree, computed from left to right."""
     size, error = Series([Fraction(0), Fraction(1)]), Series()
     for _ in range(degree - 1):
         error = (Series([Fraction(0), Fraction(1)]) * error) * (1 + U) + Series([unit])

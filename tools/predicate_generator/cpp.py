@@ -14,12 +14,12 @@ def camel(name):
 
 
 def flat(name):
-    """The C++ name of an input: a.x is a_x where it stands alone."""
+    """The C++ name of an input; a.x is a_x where it occurs alone."""
     return name.replace(".", "_")
 
 
 class Names:
-    """What the nodes of a formula are called in C++."""
+    """The C++ names of the nodes of a formula."""
 
     def __init__(self, formula):
         self.formula, self.of = formula, {}
@@ -141,7 +141,7 @@ def magnitude_lines(formula, names):
 
 
 def prune(lines, last):
-    """Without the definitions that nothing after them mentions."""
+    """The definitions without those that no later one mentions."""
     kept, words = [], set(re.findall(r"\w+", last))
     for name, text in reversed(lines):
         if name in words:

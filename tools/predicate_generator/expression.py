@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Expressions over the inputs of a predicate: a graph without duplicates, and the polynomials that its nodes stand
-for."""
+"""Expressions over the inputs of a predicate: a graph without duplicates, and the polynomials that its nodes
+represent."""
 
 
 class Node:
@@ -12,7 +12,8 @@ class Node:
 
     @property
     def is_leaf(self):
-        """An input, or the difference of two: what is rounded once at most, and never underflows."""
+        """Whether it is an input, or the difference of two: such a node is rounded once at most, and never
+        underflows."""
         return self.kind == "input" or (self.kind == "-" and all(a.kind == "input" for a in self.args))
 
     @property
@@ -42,7 +43,7 @@ class Graph:
 
 
 def post_order(roots):
-    """Every node below the roots once, arguments first; leaves are not opened."""
+    """Every node below the roots once, arguments first; leaves are not entered."""
     seen, order, todo = set(), [], [(node, False) for node in reversed(roots)]
     while todo:
         node, opened = todo.pop()
@@ -64,7 +65,7 @@ MOST_PRODUCTS = 1_000_000  # of terms, when a product is written out: half a min
 
 
 class TooLarge(Exception):
-    """The polynomial has more terms than can be proved anything of."""
+    """The polynomial has too many terms for a proof."""
 
 
 class Polynomial:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Formula files: docs/how-to/generate-a-predicate.md has the language. What is wrong is refused with line, column and a
+"""Formula files: docs/how-to/generate-a-predicate.md has the language. Errors are refused with line, column and a
 sentence."""
 import random
 import re
@@ -25,7 +25,7 @@ class FormulaError(Exception):
 
 
 class Formula:
-    """What a formula file says.
+    """The content of a formula file.
 
     arguments: [(name, dimension)], 0 for a number; scale_of: {input: (scale, power)}; definitions: [(name, node)] in
     order, without the sign; sign: node; laws: [(kind, permutation of the arguments, factor)]; examples: [(numbers as
@@ -200,7 +200,8 @@ class _Reader:
         return formula
 
     def check_dependence(self):
-        """By values modulo a prime: a polynomial that is not constant would hide with a probability below 2^-50."""
+        """Tests by values modulo a prime: a polynomial that is not constant would pass with a probability below
+        2^-50."""
         formula, draw = self.formula, random.Random(1)
         values = {name: draw.randrange(PRIME) for name in formula.inputs}
         value = value_modulo(formula.sign, values, PRIME)

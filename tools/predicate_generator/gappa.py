@@ -53,7 +53,7 @@ def paths_of(formula, names):
 
 
 def shape_of(path, last):
-    """How often each rounding occurs, the last addition left out, in falling order."""
+    """The number of occurrences of each rounding, without the last addition, in falling order."""
     counts = {}
     for node in path.nodes:
         if node != last:
@@ -136,7 +136,7 @@ def write_by_hand_scripts(formula, names, shown, root):
 
 
 def round_down(value):
-    """A binary64 number that is not larger."""
+    """The greatest binary64 number that is not larger."""
     return math.nextafter(float(value), 0.0) if Fraction(float(value)) > value else float(value)
 
 

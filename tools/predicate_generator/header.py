@@ -67,7 +67,8 @@ ABS = "[](FilterReal v) -> FilterReal { return std::abs(static_cast<double>(v));
 
 
 def by_largest(formula):
-    """Whether S is computed with the largest difference of each axis, and of the numbers, in the place of every one."""
+    """Whether S is computed from the largest difference of each axis, and the largest of the numbers, instead of each
+    one."""
     return formula.texts.get("bound") == "largest"
 
 
@@ -77,7 +78,7 @@ def largest_name(leaf):
 
 
 def error_function(formula, names, bound):
-    """What the determinant may be off by, of the differences."""
+    """The error bound of the determinant as a function of the differences."""
     name, leaves, const = formula.name, names.leaves(), "k" + camel(formula.name)
     lines = [wrapped(f"inline double {name}_error(", [f"FilterReal {leaf}" for leaf in leaves] + ["double floor_"], ") {")]
     if by_largest(formula):

@@ -3,12 +3,12 @@
 
 
 def is_monomial(node):
-    """Its computed value's absolute value is what S computes for it: products round alike whatever the signs."""
+    """Whether S computes the absolute value of its computed value: products round alike whatever the signs."""
     return node.is_leaf or node.kind == "integer" or (node.kind in ("*", "sqr") and all(map(is_monomial, node.args)))
 
 
 def is_own_magnitude(node):
-    """Never negative, and S computes the same value for it."""
+    """Whether it is never negative, and S computes the same value for it."""
     if node.kind == "integer":
         return True
     if node.kind == "sqr":

@@ -188,8 +188,8 @@ std::vector<Point> tuples(const char* predicate, const std::string& kind) {
 }
 
 struct Timed {
-  double ns = 1e300;  // of a call
-  long sum = 0;       // of the signs
+  double ns = 1e300;  // a call
+  long sum = 0;       // the sum of the signs
   template <typename Run>
   void run(Run run_all, std::size_t tuples = kTuples) {
     const bench::Stopwatch watch;

@@ -26,7 +26,7 @@ std::vector<double> heights(const BSplineSurface<Rational>& s, std::size_t point
   std::vector<double> knots, c;
   for (const Rational& k : s.axis(0).knots) knots.push_back(nearest_double(k));
   for (const Rational& v : s.component(2)) c.push_back(nearest_double(v));
-  std::vector<double> basis(points * n, 0.0);  // of cubic B-splines, by Cox and de Boor
+  std::vector<double> basis(points * n, 0.0);  // values of cubic B-splines, by Cox and de Boor
   for (std::size_t p = 0; p < points; ++p) {
     const double x = static_cast<double>(p) / static_cast<double>(points - 1);
     std::size_t span = 3;

@@ -23,7 +23,7 @@ constexpr std::array<Colour, kNumMeshRules> kColours = {{{0, 0, 0},
                                                          {213, 94, 0},
                                                          {240, 228, 66},
                                                          {90, 60, 20}}};
-constexpr double kMarker = 1.0 / 160;  // of the longest side of the model's box
+constexpr double kMarker = 1.0 / 160;  // relative to the longest side of the model's box
 
 double marker_radius(const TriangleMesh& mesh) {
   const double side = extent(bounding_box_of_faces(mesh, 1));

@@ -35,7 +35,7 @@ class AtomicFile {
   std::string path_;    ///< as given: for errors
   std::string target_;  ///< links followed
   std::string temporary_;
-  int slot_;        ///< in the registry of temporaries; -1: not there any more
+  int slot_;        ///< its slot in the registry of temporaries; -1: not there any more
   int descriptor_;  ///< -1: closed
 };
 

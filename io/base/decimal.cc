@@ -12,7 +12,7 @@ namespace {
 // The parts of a token that matches the grammar.
 struct DecimalParts {
   bool is_negative = false;
-  std::string digits;         // of the mantissa, zeros in front included
+  std::string digits;         // the mantissa's, leading zeros included
   std::int64_t point = 0;     // the value is 0.digits * 10^point * 10^exponent
   std::int64_t exponent = 0;  // saturated at kFar
 };

@@ -58,7 +58,7 @@ std::optional<PlyLists::Fault> PlyLists::add_polygon(std::span<const std::int64_
 }
 
 std::optional<PlyLists::Fault> PlyLists::add_strips(std::span<const std::int64_t> indices) {
-  std::size_t start = 0;  // of the strip
+  std::size_t start = 0;  // the strip's first index
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] == -1) {
       start = i + 1;

@@ -29,7 +29,7 @@ struct ReadReport {
   std::uint64_t bytes = 0;
   bool as_indexed = false;  ///< the file's own vertex indices were kept: requested, and not STL
   std::uint64_t file_vertices =
-      0;  ///< that the file lists; for STL the number of distinct positions
+      0;  ///< vertices that the file lists; for STL the number of distinct positions
   std::uint64_t distinct_vertices = 0;      ///< positions that differ as numbers
   std::uint64_t referenced_vertices = 0;    ///< ids that a triangle uses
   std::uint64_t unreferenced_vertices = 0;  ///< mesh.positions.size() - referenced_vertices
@@ -45,7 +45,7 @@ struct MeshFile {
 
   TriangleMesh mesh;  ///< at least one face; every id in range; every coordinate finite, none -0
   ReadReport report;
-  std::string sha256;  ///< of the bytes that were read, 64 lower-case hex digits
+  std::string sha256;  ///< the SHA-256 of the bytes that were read, 64 lower-case hex digits
   /// The polygon (counted from 0 in file order) that a face was cut from; empty if all were triangles.
   std::vector<std::uint32_t> polygon_of_face;
   double seconds_read = 0;   ///< file to memory

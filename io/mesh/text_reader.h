@@ -67,7 +67,7 @@ class TextReader {
   const ReadLimits& limits_;
   const DecimalReader decimals_;
   const std::uint8_t ends_;
-  const char* text_end_;          ///< of the text being read: the source's, or a joined line's
+  const char* text_end_;          ///< end of the text being read: the source's, or a joined line's
   const char* anchor_ = nullptr;  ///< where in the source a joined line begins
 
  private:

@@ -175,8 +175,8 @@ class ItdWriter {
 
   const ReadLimits& limits_;
   std::string out_;
-  std::vector<std::size_t> path_;  // of open groups
-  std::size_t depth_ = 0;          // of brackets within the entity
+  std::vector<std::size_t> path_;  // the open groups
+  std::size_t depth_ = 0;          // depth of brackets within the entity
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ class MfemReader : SplineTextReader {
 
   bool is_v11_ = false;
   MfemTopology topology_;
-  std::vector<std::string> attributes_;   // of the patches
+  std::vector<std::string> attributes_;   // the patches'
   std::vector<const char*> patch_lines_;  // where each patch is named
   const char* edges_at_ = nullptr;
   std::vector<KnotVector> knot_vectors_;

@@ -46,7 +46,7 @@ class MfemNumbering {
 
  private:
   struct Face {
-    std::array<std::uint64_t, 4> vertices{};  // of the patch that has it first
+    std::array<std::uint64_t, 4> vertices{};  // as in the first patch that has it
     std::uint64_t offset = 0;
   };
   struct Patch {

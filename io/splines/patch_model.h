@@ -31,7 +31,7 @@ struct PatchEntity {
 /// An entity that is not a surface or triangle in space.
 struct ForeignEntity {
   std::string kind;              ///< spline_kind_name
-  std::optional<int> dimension;  ///< of a surface or triangle that is foreign because of it
+  std::optional<int> dimension;  ///< set for surfaces and triangles: they are foreign because of it
   Place place;                   ///< with the entity's number
 };
 /// "entity 3, a curve", "entity 0, a surface with 2 coordinates": why a model is no patch complex.

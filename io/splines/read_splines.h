@@ -28,7 +28,7 @@ struct SplineFile {
   SplineModel model;
   SplineFormat format = SplineFormat::kItd;
   std::uint64_t bytes = 0;
-  std::string sha256;             ///< of the bytes that were read, 64 lower-case hex digits
+  std::string sha256;             ///< SHA-256 of the bytes read, 64 lower-case hex digits
   double seconds_read = 0;        ///< file to memory
   double seconds_parse = 0;       ///< memory to splines
   double seconds_hash = 0;        ///< SHA-256; with jobs >= 2 at the same time as parsing

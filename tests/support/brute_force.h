@@ -24,12 +24,12 @@ struct BruteEdge {
 };
 
 struct BruteTopology {
-  std::set<std::uint32_t> vertices;  // of faces whose three ids differ
+  std::set<std::uint32_t> vertices;  // vertices of faces whose three ids differ
   std::map<Edge, BruteEdge> edges;
   std::vector<std::uint32_t> collapsed;
   std::vector<Edge> boundary, nonmanifold;
   std::vector<std::pair<Edge, Edge>> misoriented;  // undirected, and the direction that is used twice
-  std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> fans;  // of every vertex: its faces, by fan, by least face
+  std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> fans;  // of each vertex: faces by fan, by least face
   std::vector<std::uint32_t> pinched;                                     // vertices of more than one fan
   std::vector<std::uint32_t> irregular;                                   // vertices that are not one closed, oriented fan
   std::vector<std::vector<std::uint32_t>> shells;                         // ascending faces, by least face
@@ -43,7 +43,7 @@ struct BruteDecision {
   BruteTopology topology;
   std::vector<std::uint32_t> degenerate;                              // repeated ids or collinear corners
   std::vector<std::pair<std::uint32_t, std::uint32_t>> improper;      // ascending pairs
-  std::optional<std::vector<Rational>> volumes;                       // of the shells, if the model is a cycle
+  std::optional<std::vector<Rational>> volumes;                       // the shells', if the model is a cycle
   std::optional<std::vector<std::uint32_t>> depths;                   // if M1-M7 hold
   std::array<std::uint64_t, 9> rules{};                               // counts of M1..M9
   std::optional<std::int64_t> genus;                                  // if M1-M6 hold

@@ -20,7 +20,7 @@ struct CollarExample {
   std::string name;
   Cells cells;
   CollarOutcome outcome;
-  std::vector<int> genus;  ///< of each body, ascending, if it is a product
+  std::vector<int> genus;  ///< each body's, ascending, if it is a product
 };
 
 /// A wall of 6 cells of level 5 around a cubic cavity.

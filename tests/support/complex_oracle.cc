@@ -183,7 +183,7 @@ std::vector<std::size_t> BruteComplex::bad_edges() const {
 
 std::vector<std::size_t> BruteComplex::bad_vertices() const {
   std::map<GridPoint, std::vector<std::set<std::size_t>>>
-      at;  // of each boundary face, its edges there
+      at;  // for each boundary face, its edges there
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (face_cells[f].size() != 1) continue;
     std::map<GridPoint, std::set<std::size_t>> here;
@@ -300,7 +300,7 @@ VoxelLinks voxel_links(std::span<const OctreeCell> cells) {
         if (on_bad_edge) continue;
         for (const bool kind : {false, true}) {
           std::vector<std::set<unsigned>>
-              squares;  // of each voxel of that kind, the coordinate squares at the point
+              squares;  // for each voxel of that kind, the coordinate squares at the point
           for (unsigned q = 0; q < 8; ++q)
             if (full[q] == kind) {
               squares.emplace_back();

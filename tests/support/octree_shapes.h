@@ -30,7 +30,7 @@ class VoxelSolid {
 
  private:
   unsigned level_;
-  std::vector<std::int64_t> sum_;  // of voxels below (x, y, z)
+  std::vector<std::int64_t> sum_;  // the number of voxels below (x, y, z)
 };
 
 /// Cells that the solid's boundary meets: the root is split until wanted_level(cell) <= the cell's level.

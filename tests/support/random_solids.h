@@ -19,8 +19,8 @@ AffineMap random_map(Random& random);
 struct Model {
   Patches patches;
   std::string description;          ///< how it was built, with its parameters
-  std::vector<std::int64_t> genus;  ///< of the shells, ascending: of embedded models
-  std::uint64_t bodies = 0;         ///< of embedded models
+  std::vector<std::int64_t> genus;  ///< the shells', ascending; for embedded models
+  std::uint64_t bodies = 0;         ///< for embedded models
 };
 
 /// Unions of up to six unit cubes whose boundary is a manifold; their faces as tensors of degrees (n, n) or as pairs of

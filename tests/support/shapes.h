@@ -34,7 +34,7 @@ TriangleMesh star_polyhedron(Random& random, int level);          ///< 8 * 4^lev
 TriangleMesh bipyramid(int sides);                                ///< two poles of that valence
 TriangleMesh cone(int sides);                                     ///< apex of that valence, base a fan from a rim corner
 enum class Cap { kCentreFan, kRimFan, kZigzag };
-TriangleMesh tilted_cylinder(int sides, Cap cap, double length = 10);  ///< of radius 1 along (3, 2, 1)
+TriangleMesh tilted_cylinder(int sides, Cap cap, double length = 10);  ///< radius 1, along (3, 2, 1)
 TriangleMesh hyperboloid(int sides, int twist);                   ///< one sheet; the facets run askew from ring to ring; centre fans
 TriangleMesh saddle();                                            ///< four octants; its centre has no star direction
 TriangleMesh wave(int sides, double height);                      ///< a pole of that valence whose rim goes up and down

@@ -19,7 +19,7 @@ struct StarBoxEntity {
   /// The patches of the complex are those of the file, reversed: axes exchanged, or corners 1 and 2 of a triangle.
   bool is_reversed = false;
   std::uint32_t first_patch = 0;
-  std::array<std::vector<Rational>, 2> breaks;  ///< of a surface, in the file's order of axes
+  std::array<std::vector<Rational>, 2> breaks;  ///< a surface's, in the file's order of axes
 };
 
 /// Whether numerators and denominators of the breaks have few enough bits for a certificate: 2048.

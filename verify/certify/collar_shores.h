@@ -15,7 +15,7 @@ namespace veritope {
 /// A polyline from the least vertex of a component of the boundary through other vertices of that component, to
 /// infinity or to a centre of a star box.
 struct Shore {
-  std::vector<std::uint32_t> vertices;  ///< of the complex, after the least one
+  std::vector<std::uint32_t> vertices;  ///< the complex's vertices on the path, after the least one
   std::uint8_t direction = 0;           ///< 0..5: +x -x +y -y +z -z; 6: ends at end_box
   std::uint32_t end_box = 0;
   bool ends_outside = false;

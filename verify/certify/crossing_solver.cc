@@ -20,7 +20,7 @@ constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
 constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
 constexpr double kRowSize = 0x1p40;
 constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
-constexpr double kNear = 0x1p-16;      // of parameters, in units of the patch's domain
+constexpr double kNear = 0x1p-16;      // distance of parameters, in units of the patch's domain
 
 using internal::columns_without;
 using internal::dot;

@@ -87,7 +87,7 @@ std::optional<CrossingCondition> broken_condition(const Patch& a, const Patch& b
 CrossingWitness with_reversed(const Patch& a, const Patch& b, const std::array<bool, 2>& reversed,
                               CrossingWitness w) {
   const std::array<bool, 2> is_triangle{a.is_triangle(), b.is_triangle()};
-  std::size_t row = 0;  // of the sheet's first parameter that is not fixed
+  std::size_t row = 0;  // the row of the sheet's first parameter that is not fixed
   for (std::size_t s = 0; s < 2; ++s) {
     auto& at = w.sheets[s].at;
     const std::size_t num_free = (at[0].is_point() ? 0u : 1u) + (at[1].is_point() ? 0u : 1u);

@@ -20,7 +20,7 @@ namespace veritope {
 struct PatchDecisionOptions {
   StarCoverOptions cover;
   OuterSides outer;             ///< which sides may be named as open, or passed in a wrong way
-  double tolerance = 1e-5;      ///< of the volume: see shell_volumes
+  double tolerance = 1e-5;      ///< the volume's: see shell_volumes
   bool in_plain_frame = false;  ///< as collars need it: see PieceForest::Frame
 };
 

@@ -31,7 +31,7 @@ inline constexpr double kSingular = 0x1p-40;
 // coordinates and of the columns.
 inline bool invert(const Matrix3& columns, Matrix3* inverse) {
   Matrix3 c = columns;
-  Vector3 unit{};  // of a coordinate
+  Vector3 unit{};  // one for each coordinate
   for (std::size_t k = 0; k < 3; ++k) {
     for (const Vector3& v : columns) unit[k] = std::max(unit[k], std::abs(v[k]));
     if (!(unit[k] > 0)) return false;

@@ -16,7 +16,7 @@ namespace {
 using Curve = Patch::Curve;
 
 constexpr int kMaxHalvings = 200;
-constexpr std::uint64_t kWorkPerSide = 2000;  // of the certificate's page
+constexpr std::uint64_t kWorkPerSide = 2000;  // the bound on the certificate's page
 
 Curve part_of(const PatchComplex& complex, const SideArc& arc) {
   return restricted(complex.patch(arc.side.patch).side(arc.side.side), 0, arc.at.lower(),

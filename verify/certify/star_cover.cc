@@ -39,7 +39,7 @@ class CoverSearch {
 
  private:
   struct Open {
-    int scale;  // of the expected box, as a power of two, or kUnknownScale
+    int scale;  // the expected box's size, as a power of two, or kUnknownScale
     std::uint64_t number;
     Id id;
     int crowded;  // number of nested pieces around it that had no box because too many others were met

@@ -21,7 +21,7 @@ struct ShellWalk {
   bool ends_outside = false;
   /// Winding numbers on the two sides of the shell.
   int winding_inside = 0, winding_outside = 0;
-  std::uint32_t end_shell = 0;  ///< of end_box
+  std::uint32_t end_shell = 0;  ///< the shell of end_box
 };
 
 /// A walk for every shell, or nothing for those where no free path was found.

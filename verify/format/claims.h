@@ -27,8 +27,8 @@ struct ModelKinds {
 
 struct Claim {
   std::string_view name, magic;  ///< magic: the body's first bytes
-  std::string_view page;         ///< of docs/certificates
-  std::string_view formats;      ///< of the model, separated by commas
+  std::string_view page;         ///< in docs/certificates
+  std::string_view formats;      ///< the model's, separated by commas
   /// The statement's keys by the kind of their values, separated by blanks, without kCommonTextKeys and
   /// kCommonNumberKeys, which every claim has.
   std::string_view text_keys, number_keys, flag_keys;

@@ -27,7 +27,7 @@ struct Subject {
   std::string format;  ///< "stl", "obj", "ply", "off"
   bool as_indexed = false;
   std::string reading_rule;  ///< the rule's text
-  std::string tool;          ///< who wrote the certificate
+  std::string tool;          ///< the program that wrote the certificate
 };
 
 /// What a valid certificate states beside its claim.

@@ -39,7 +39,7 @@ struct SideFinding {
   std::vector<PatchArc> arcs;
   std::uint8_t axis = 0;
   std::uint64_t point_bits = 0, point = 0;
-  std::uint64_t same = 0, opposite = 0;  ///< of the statement
+  std::uint64_t same = 0, opposite = 0;  ///< as in the statement
 };
 
 struct PatchInvalidBody {

@@ -52,7 +52,7 @@ struct StarBoxBody {
   std::vector<std::array<std::uint8_t, 2>> roots;  ///< a, b of each patch
   std::int64_t exponent = 0;
   std::vector<StarBoxItem> boxes;
-  std::vector<std::int64_t> trees;  ///< of all roots of all patches, one after the other
+  std::vector<std::int64_t> trees;  ///< the trees of all roots of all patches, one after the other
   std::vector<StarWalk> walks;
 };
 

@@ -34,7 +34,7 @@ struct Cell {
 Cell cell_of(uint64_t code);
 
 struct Face {
-  uint64_t key;      // of its least corner, times 3, plus its normal axis; faces are ordered by it
+  uint64_t key;  // its least corner's key times 3, plus its normal axis; faces are ordered by it
   uint32_t cell[2];  // below and above it along the axis, or kNone
   uint32_t
       corner[4];  // vertices; bit 0: high along the next axis after its normal, 1: the one after
@@ -98,8 +98,8 @@ struct Shores {
   std::vector<uint32_t> of_cell;       // the component of |K|
   std::vector<uint32_t> least;         // face of each boundary component
   std::vector<uint32_t> outer, inner;  // boundary components of each component of |K|
-  std::vector<int64_t> chi;            // of each boundary component
-  std::vector<bool> is_outer;          // in d+, of each boundary component
+  std::vector<int64_t> chi;            // each boundary component's
+  std::vector<bool> is_outer;          // whether each boundary component is in d+
   bool is_kept(uint32_t face) const { return of_face[face] != kNone && is_outer[of_face[face]]; }
 
  private:

@@ -9,7 +9,7 @@ namespace {
 struct Remains {
   const Complex& k;
   const Shores& shores;
-  std::vector<bool> faces, edges[3], vertices;  // that remain
+  std::vector<bool> faces, edges[3], vertices;  // the remaining ones
 
   Remains(const Complex& complex, const Shores& s)
       : k(complex), shores(s), faces(k.faces.size(), true), vertices(k.vertices.size(), true) {

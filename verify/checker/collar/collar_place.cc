@@ -74,7 +74,7 @@ struct Symbols {
 void check_inside(const StarBody& star, const CollarBody& body, const Gluing& x, const Complex& k,
                   const Shores& shores, Forest* forest, Units* units) {
   Inside inside = {body, k, *units, nullptr, {}};
-  std::vector<uint32_t> collar(x.components, kNone);  // of each component of X
+  std::vector<uint32_t> collar(x.components, kNone);  // for each component of X
   uint32_t torn = kNone;
   uint64_t leaves = 0;
   Symbols symbols = {star.symbols.data(), body.symbols.data(), 0};

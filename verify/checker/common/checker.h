@@ -40,7 +40,7 @@ struct Body {  // the bytes after the statement that are still to be read
     for (unsigned i = 0; i < bytes; ++i) v |= uint64_t(*p++) << 8 * i;
     return v;
   }
-  uint64_t count(uint64_t bytes_each) {  // of elements of at least that size after the count
+  uint64_t count(uint64_t bytes_each) {  // of elements that follow, each at least that large
     const uint64_t n = natural(4);
     require(n <= left() / bytes_each, "B1", "too few bytes for the count", n);
     return n;
@@ -52,7 +52,7 @@ inline bool is_natural(const std::string& s) {  // in shortest form
 
 struct Claim {                       // a row of the table of claims (claims.cc)
   const char *name, *magic;          // magic: the first four bytes of the body
-  const char* formats;               // of the model, with commas
+  const char* formats;               // the model's, separated by commas
   const char *text, *number, *flag;  // the statement's keys by the kind of their values, sorted
   void (*check_values)(const Statement& statement);  // S1, of the claim's own keys; may be null
   // The conditions after S4. The result is what ACCEPT prints after the claim.

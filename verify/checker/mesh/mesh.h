@@ -31,8 +31,8 @@ struct Surface {
   // If V4 holds: the next edge that starts where e does; it belongs to the neighbour triangle.
   uint32_t around(uint32_t e) const { return twin[e % 3 == 0 ? e + 2 : e - 1]; }
 
-  std::vector<uint32_t> shell;              // of each triangle; triangles with a common edge agree
-  std::vector<uint32_t> twin;               // of each edge, if V4 holds
+  std::vector<uint32_t> shell;              // for each triangle; triangles with a common edge agree
+  std::vector<uint32_t> twin;               // for each edge, if V4 holds
   std::vector<uint32_t> first;              // if V4 holds: an edge from each vertex, or kNone
   uint32_t shells = 0, vertices = 0;        // vertices: the referenced ones, if V4 holds
   uint64_t edges = 0;                       // undirected ones

@@ -3,7 +3,7 @@
 #pragma once
 #include "../common/checker.h"
 
-void check_volume(const Statement& statement);  // of mesh-valid-1
-void check_rules(const Statement& statement);   // of mesh-invalid-1
+void check_volume(const Statement& statement);  // for mesh-valid-1
+void check_rules(const Statement& statement);   // for mesh-invalid-1
 std::string check_mesh_valid(const Statement& statement, std::string model, const Body& body);
 std::string check_mesh_invalid(const Statement& statement, std::string model, const Body& body);

@@ -27,10 +27,10 @@ bool is_end(char c) { return c == '\n' || c == '\r'; }
 
 struct Reader {
   std::string text;
-  const char *begin, *end, *p, *at;  // of text; the place, and what a message points at
+  const char *begin, *end, *p, *at;  // the text; the place, and what a message points at
   bool binary = false, big = false;
   Model model;
-  std::vector<uint32_t> corners;  // of the current polygon or strip
+  std::vector<uint32_t> corners;  // the current polygon's or strip's
   int64_t top_index = -1;         // the greatest index so far, and its place
   const char* top_at = nullptr;
 
@@ -62,7 +62,7 @@ struct Reader {
     while (p != end && !is_blank(*p) && !is_end(*p)) ++p;
     return std::string(at, p);
   }
-  std::string keyword() {  // of STL: in upper or lower case
+  std::string keyword() {  // STL's, in upper or lower case
     std::string s = word();
     for (char& c : s) c = c >= 'A' && c <= 'Z' ? char(c + 32) : c;
     return s;

@@ -276,7 +276,7 @@ class ValidCheck {
   std::vector<uint8_t> star_, code_, nesting_;
   std::vector<Vec<1>> vector_;
   std::vector<Separator> separator_;
-  std::vector<Vec<C>> point_;  // of the referenced vertices, as integers
+  std::vector<Vec<C>> point_;  // the referenced vertices, as integers
   const Tree* tree_ = nullptr;
   size_t used_separators_ = 0, used_codes_ = 0;
   uint64_t steps_left_ = 0;    // steps 3 of section 5 before the next separator

@@ -71,7 +71,7 @@ struct Big {
     return *this;
   }
   int sign() const { return m.empty() ? 0 : neg ? -1 : 1; }
-  int64_t bits() const {  // of the magnitude
+  int64_t bits() const {  // the magnitude's
     return m.empty() ? 0 : 64 * int64_t(m.size()) - 64 + bit_length(m.back());
   }
   int64_t zeros() const {  // how often 2 divides it; 2^60 if it is 0

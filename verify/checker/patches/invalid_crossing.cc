@@ -4,7 +4,7 @@
 
 namespace {
 
-typedef std::vector<Big> Net;  // of a tensor patch, homogeneous points, second index fastest
+typedef std::vector<Big> Net;  // a tensor patch's homogeneous points, second index fastest
 
 uint64_t choose(int n, int k) {
   uint64_t r = 1;

@@ -200,7 +200,7 @@ struct Reader {
   // Section 2.
   std::vector<Entity> model() {
     std::vector<Entity> entities;
-    std::vector<bool> has_name;  // of the objects that are open
+    std::vector<bool> has_name;  // for each open object
     bool is_empty = true;
     for (;;) {
       if (has_name.empty()) at = std::min(text.find('[', at), text.size());

@@ -3,6 +3,6 @@
 #pragma once
 #include "../common/checker.h"
 
-void check_finding(const Statement& statement);  // of patch-invalid-1
+void check_finding(const Statement& statement);  // for patch-invalid-1
 std::string check_star_box(const Statement& statement, std::string model, const Body& body);
 std::string check_patch_invalid(const Statement& statement, std::string model, const Body& body);

@@ -11,7 +11,7 @@ const uint32_t kNoPair = 0xffffffff;
 const int kLevels = 24;                        // below the roots
 const int64_t kFarthest = int64_t(1) << 61;    // absolute values of coordinates are less
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
-const int kMostDegree = 15, kMostUnit = 4096;  // of patches; of |E| and s
+const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
 
 // A surface or triangle of the model.
@@ -19,8 +19,8 @@ struct Entity {
   enum Kind { kOther, kSurface, kTriangle } kind = kOther;
   bool is_rational = false;
   int64_t components = 0;
-  std::vector<int64_t> degrees;           // of a triangle: one
-  std::vector<std::vector<Ratio>> knots;  // of a surface: two axes
+  std::vector<int64_t> degrees;           // one for a triangle, two for a surface
+  std::vector<std::vector<Ratio>> knots;  // two axes for a surface
   std::vector<Ratio> points;              // `components` numbers each, v fastest
 };
 // format: "vjson", docs/formats/spline-json.md; "itd", docs/certificates/reading-rule-itd.md
@@ -48,10 +48,10 @@ struct Patch {
   bool is_rational, is_reversed;
   uint8_t roots[2];
   uint64_t first_root;
-  std::vector<Big> net;  // of shape.count() points (X, Y, Z, W), in units 2^E, no common factor
+  std::vector<Big> net;  // shape.count() points (X, Y, Z, W), in units 2^E, no common factor
   uint64_t cost;         // units of work for a node
-  uint32_t pair[4];      // of each side; collapsed: kNoPair
-  bool is_second[4];     // of its pair
+  uint32_t pair[4];      // for each side; collapsed: kNoPair
+  bool is_second[4];     // whether the side is the second of its pair
   uint32_t vertex[4], component;
 
   bool is_collapsed(int e) const { return pair[e] == kNoPair; }
@@ -80,12 +80,12 @@ struct Walk {
 struct StarBody {
   std::vector<Patch> patches;
   std::vector<Box> boxes;
-  std::vector<uint32_t> symbols;  // of the trees, in the body's order: 0, or 1 + a box
+  std::vector<uint32_t> symbols;  // the trees', in the body's order: 0, or 1 + a box
   std::vector<Walk> walks;
   uint64_t num_reversed = 0, leaves = 0, num_roots = 0;
 };
 
-struct Place {  // of a patch: its entity, and the numbers of its intervals along u and v
+struct Place {  // a patch's entity, and the numbers of its intervals along u and v
   const Entity* entity;
   size_t surface, interval[2];  // surface: breaks 2 surface and 2 surface + 1 are its axes'
 };
@@ -98,7 +98,7 @@ struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
   explicit Gluing(std::vector<Patch>* patches);
   uint64_t edges = 0, vertices = 0, genus = 0;
   uint32_t components = 0;
-  std::vector<int64_t> chi;  // of each component
+  std::vector<int64_t> chi;  // each component's
 };
 
 struct Units {  // the work of the page's last paragraph

@@ -59,7 +59,7 @@ int64_t Bytes::scaled(int64_t v, uint64_t s) const {
 
 namespace {
 
-std::vector<Ratio> breaks(const Entity& e, size_t a, Bytes* bytes) {  // of one axis
+std::vector<Ratio> breaks(const Entity& e, size_t a, Bytes* bytes) {  // along one axis
   const std::vector<Ratio>& t = e.knots[a];
   const size_t p = size_t(e.degrees[a]), n = t.size() - p - 1;
   std::vector<Ratio> r;

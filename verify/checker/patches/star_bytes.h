@@ -23,16 +23,16 @@ struct Bytes {
   void end() const { require(body.left() == 0, "B1", "bytes behind the body's end:", body.left()); }
 
  private:
-  Big magnitude(uint64_t size);  // of this many bytes
+  Big magnitude(uint64_t size);  // from this many bytes
 };
 
-struct StarBytes : Bytes {  // of a body with boxes
+struct StarBytes : Bytes {  // a body with boxes
   StarBytes(const Body& bytes, StarBody* to) : Bytes(bytes), out(to) {}
 
   StarBody* out;
 
   uint64_t box_index();
-  void points_and_end(Walk* w);  // of a walk, after its start
+  void points_and_end(Walk* w);  // a walk without its start
 };
 // Reads a body; a claim based on star boxes adds what comes after the walks. All claims: B1, B2.
 StarBody read_star_body(const Statement& statement, const std::vector<Entity>& entities, Body body,
@@ -53,7 +53,7 @@ struct Cuts {  // how a body cuts the model into patches
   size_t entity_of(uint64_t patch) const {
     return size_t(std::upper_bound(first.begin(), first.end(), patch) - first.begin()) - 1;
   }
-  Place place(size_t entity, uint64_t patch) const;  // of this entity
+  Place place(size_t entity, uint64_t patch) const;  // a patch of this entity
 };
 // Reads magic, N, flags and breaks. If patches take bytes (three each), their number is compared
 // with the bytes left.

@@ -6,7 +6,7 @@ namespace {
 
 const int kMostHalvings = 64;
 
-struct Side {  // of a piece, as an interval of a line of its patch, or of a pair of sides
+struct Side {  // a piece's side, as an interval of a line of its patch, or of a pair of sides
   uint64_t line;
   int64_t place, lo, hi;
   bool is_forward;   // travelled with the line's parameter

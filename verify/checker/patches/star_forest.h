@@ -66,7 +66,7 @@ class Forest {
 
   const std::vector<Patch>* patches_;
   Units* units_;
-  std::vector<uint32_t> patch_of_;  // of each root
+  std::vector<uint32_t> patch_of_;  // for each root
   std::vector<std::unique_ptr<Node>> roots_;
   std::vector<uint64_t> used_, order_, live_;  // used_: when last; live_: roots that are made
   std::vector<Range> ranges_;                  // the hierarchy, in preorder

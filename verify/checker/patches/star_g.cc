@@ -128,7 +128,7 @@ void make_root_g(const Patch& p, Node* root) {
       minors[i][j] = minors[j][i];
       for (Big& x : minors[i][j].c) x = -x;
     }
-  const auto determinant = [&](int i, int j, int k) {  // of the columns of F, F_u, F_v
+  const auto determinant = [&](int i, int j, int k) {  // the columns F, F_u, F_v, rows i, j, k
     return combined(combined(product(f[i], minors[j][k]), product(f[j], minors[k][i]), 1),
                     product(f[k], minors[i][j]), 1);
   };

@@ -4,12 +4,12 @@
 #pragma once
 #include "star.h"
 
-const size_t kMostDigits = 1000, kMostExponent = 4096;  // of a number of the file
+const size_t kMostDigits = 1000, kMostExponent = 4096;  // for each number of the file
 
 inline void expect(bool holds, const char* why) {
   if (!holds) throw Refused{why};
 }
-Ratio read_number(std::string text);  // of docs/formats/spline-json.md: decimals and more
+Ratio read_number(std::string text);  // decimals and the other forms of docs/formats/spline-json.md
 // Degrees, knots, numbers of points, weights; `count` points were read.
 void check_entity(const Entity& e, const std::vector<bool>& periodic, uint64_t count);
 

@@ -39,7 +39,7 @@ struct Node {
   uint32_t last_fail;
   std::unique_ptr<Node[]> child;  // four, once needed
 
-  size_t limbs() const { return net.d.size() + g.d.size(); }  // of this node alone
+  size_t limbs() const { return net.d.size() + g.d.size(); }  // this node's alone
   const uint64_t* weight(const Patch& p, int point) const {
     return net.number(p.is_rational ? size_t(4 * point + 3) : size_t(3 * p.shape.count()));
   }

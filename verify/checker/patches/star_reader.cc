@@ -5,8 +5,8 @@
 
 namespace {
 
-const int kMostDepth = 100;   // of such a shape, docs/certificates/star-box.md
-const size_t kMostWord = 15;  // of an integer
+const int kMostDepth = 100;   // nesting of such a shape, docs/certificates/star-box.md
+const size_t kMostWord = 15;  // characters of an integer
 
 bool is_utf8(const std::string& s) {
   for (size_t i = 0; i < s.size();) {

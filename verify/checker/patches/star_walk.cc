@@ -16,7 +16,7 @@ struct Line {  // from a along d: to a + d, or without an end
   // REQUIRES w = 1 and |lo|, |hi| <= kFarthest; then all products are below 2^125.
   template <class I>
   bool meets(const I* lo, const I* lo_w, const I* hi, const I* hi_w) const {
-    I least = 0, least_w = 1, most = 1, most_w = 1;  // of the parameters that are left
+    I least = 0, least_w = 1, most = 1, most_w = 1;  // the parameters that are left
     bool is_open = is_ray;
     for (int k = 0; k < 3; ++k) {
       I p = lo[k] - I(a[k]) * lo_w[k], p_w = lo_w[k], q = hi[k] - I(a[k]) * hi_w[k], q_w = hi_w[k];

@@ -8,7 +8,7 @@ namespace veritope::report {
 namespace {
 
 template <std::size_t N>
-Json box_json(const Box<N>& box) {
+Json interval_box_json(const Box<N>& box) {
   Json out = Json::array();
   for (const Interval& side : box) out.push_back(interval_json(side));
   return out;
@@ -20,15 +20,16 @@ Json surface_json(const NamedSurface& s) {
 Json branch_json(const IntersectionBranch& b) {
   Json boxes = Json::array();
   for (const CurveSegment& s : b.segments)
-    boxes.push_back({{"parameters", box_json(s.parameters)}, {"space", box_json(s.space)}});
+    boxes.push_back(
+        {{"parameters", interval_box_json(s.parameters)}, {"space", interval_box_json(s.space)}});
   return {{"closed", b.is_closed},     {"partial", b.is_partial},
           {"num_boxes", b.num_boxes},  {"length", interval_json(b.length)},
           {"gap", number_json(b.gap)}, {"boxes", boxes}};
 }
 
 Json contact_json(const IntersectionContact& c, const SurfaceIntersection& in) {
-  Json out = {{"parameters", box_json(c.parameters)},
-              {"space", box_json(c.space)},
+  Json out = {{"parameters", interval_box_json(c.parameters)},
+              {"space", interval_box_json(c.space)},
               {"num_boxes", c.num_boxes}};
   if (c.kind == IntersectionContact::Kind::kTangency) {
     out["shape"] = shape_name(c.shape);

@@ -18,7 +18,7 @@ const char* place_name(RootPlace place) {
 }
 
 template <std::size_t N>
-Json box_json(const ExactBox<N>& box) {
+Json exact_box_json(const ExactBox<N>& box) {
   Json out = Json::array();
   for (const ExactInterval& s : box.side)
     out.push_back(Json::array({fraction_text(s.lo), fraction_text(s.hi)}));
@@ -29,7 +29,7 @@ template <std::size_t N>
 Json point_json(const CriticalPoint<N>& p) {
   Json out, position = Json::array();
   for (const Interval& x : p.point) position.push_back(interval_json(x));
-  out["parameters"] = box_json(p.parameters);
+  out["parameters"] = exact_box_json(p.parameters);
   out["held"] = p.is_held;
   out["place"] = place_name(p.place);
   out["kind"] = critical_kind_name(p.kind);
@@ -43,7 +43,7 @@ void describe(Json& out, const Projection<N>& p) {
   Json points = Json::array(), open = Json::array();
   for (const auto& c : p.points) points.push_back(point_json(c));
   for (const auto& r : p.open)
-    open.push_back({{"parameters", box_json(r.parameters)},
+    open.push_back({{"parameters", exact_box_json(r.parameters)},
                     {"reason", open_reason_name(r.reason)},
                     {"distance", interval_json(r.distance)}});
   out["points"] = points;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Spline reports as JSON. The schema: docs/report.schema.json, info_spline_file.
-#include "cli/spline_report.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/spline_report.h"
@@ -14,8 +13,8 @@ std::string name_of(const SplineModel& model, const SplineEntity& entity) {
   return "";
 }
 
-Json box_json(const ControlBox& box) {
-  if (box.lo.empty()) return nullptr;
+Json spline_box_json(const std::vector<ExactInterval>& box) {
+  if (box.empty()) return nullptr;
   Json lo = Json::array(), hi = Json::array();
   for (const ExactInterval& s : box) {
     lo.push_back(number_json(round_down(s.lo)));
@@ -83,7 +82,7 @@ Json entity_json(const SplineModel& model, const SplineEntity& entity) {
   out["degree"] = degree;
   out["loops"] = loops;
   out["surfaces"] = surfaces;
-  out["bbox"] = box_json(control_box(entity));
+  out["bbox"] = spline_box_json(control_box(entity));
   out["attributes"] = entity.attributes;
   return out;
 }
@@ -115,7 +114,7 @@ Json counts_json(const SplineModel* model) {
 std::string spline_json(const SplineReport& report) {
   const SplineFile* const file = report.file ? &*report.file : nullptr;
   Json left_out = Json::array(), entities = Json::array();
-  ControlBox all;
+  std::vector<ExactInterval> all;
   if (file != nullptr) {
     for (const LeftOut& l : file->left_out)
       left_out.push_back({{"what", l.what},
@@ -135,7 +134,7 @@ std::string spline_json(const SplineReport& report) {
   out["exit"] = static_cast<int>(report.exit);
   out["error"] = fault_json(report.fault);
   out["counts"] = counts_json(file != nullptr ? &file->model : nullptr);
-  out["bbox"] = box_json(all);
+  out["bbox"] = spline_box_json(all);
   out["left_out"] = std::move(left_out);
   out["entities"] = std::move(entities);
   out["lossless"] = report.lossless;

@@ -1,34 +1,28 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/spline_report.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace veritope::report {
 namespace {
 
-// By the control points of a spline or triangle.
+// The box grows to hold the control points of a spline or triangle.
 template <typename Map>
-void grow(ControlBox& box, const Map& s) {
+void grow(std::vector<ExactInterval>& box, const Map& s) {
   for (std::size_t i = 0; i < s.component(0).size(); ++i)
     for (int c = 0; c < s.dimension(); ++c) {
       const auto k = static_cast<std::size_t>(c);
       Rational x = s.component(c)[i];
       if (s.is_rational()) x /= s.component(s.dimension())[i];
-      if (k == box.lo.size()) {
-        box.lo.push_back(x);
-        box.hi.push_back(std::move(x));
-      } else {
-        if (x < box.lo[k]) box.lo[k] = x;
-        if (box.hi[k] < x) box.hi[k] = std::move(x);
-      }
+      if (k == box.size())
+        box.push_back({x, x});
+      else
+        box[k] = hull(box[k], {x, x});
     }
 }
 
 }  // namespace
 
-ControlBox control_box(const SplineEntity& entity) {
-  ControlBox box;
+std::vector<ExactInterval> control_box(const SplineEntity& entity) {
+  std::vector<ExactInterval> box;
   if (const auto* t = std::get_if<TrimmedSurface>(&entity.shape)) {
     grow(box, t->surface);
   } else if (const auto* b = std::get_if<SplineBrep>(&entity.shape)) {
@@ -41,15 +35,12 @@ ControlBox control_box(const SplineEntity& entity) {
   return box;
 }
 
-void unite(ControlBox& box, const ControlBox& other) {
-  for (std::size_t k = 0; k < other.lo.size(); ++k)
-    if (k == box.lo.size()) {
-      box.lo.push_back(other.lo[k]);
-      box.hi.push_back(other.hi[k]);
-    } else {
-      box.lo[k] = std::min(box.lo[k], other.lo[k]);
-      box.hi[k] = std::max(box.hi[k], other.hi[k]);
-    }
+void unite(std::vector<ExactInterval>& box, const std::vector<ExactInterval>& other) {
+  for (std::size_t k = 0; k < other.size(); ++k)
+    if (k == box.size())
+      box.push_back(other[k]);
+    else
+      box[k] = hull(box[k], other[k]);
 }
 
 }  // namespace veritope::report

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "interval/exact_box.h"
 #include "io/model_file.h"
 #include "report/exit_code.h"
 #include "report/text_style.h"
-#include "robust/finding.h"
+#include "solids/base/finding.h"
 
 namespace veritope::report {
 

@@ -10,15 +10,15 @@
 namespace veritope::report {
 namespace {
 
-constexpr std::size_t kMostListed = 20;
+constexpr std::size_t kMostEntities = 20;
 
-std::string box_text(const ControlBox& box) {
-  const auto corner = [](const std::vector<Rational>& at) {
-    std::string text;
-    for (const Rational& x : at) text += (text.empty() ? "" : ", ") + short_decimal(x);
-    return "(" + text + ")";
-  };
-  return box.lo.empty() ? "empty" : corner(box.lo) + " to " + corner(box.hi);
+std::string box_text(const std::vector<ExactInterval>& box) {
+  std::string lo, hi;
+  for (const ExactInterval& s : box) {
+    lo += (lo.empty() ? "" : ", ") + short_decimal(s.lo);
+    hi += (hi.empty() ? "" : ", ") + short_decimal(s.hi);
+  }
+  return box.empty() ? "empty" : "(" + lo + ") to (" + hi + ")";
 }
 
 template <std::size_t N>
@@ -93,22 +93,22 @@ std::string spline_text(const SplineReport& report, const Style& style) {
   for (const LeftOut& l : file.left_out)
     out += detail_line("left out", std::to_string(l.count) + " " + harmless(l.what) +
                                        (l.reason.empty() ? "" : ": " + harmless(l.reason)));
-  ControlBox all;
+  std::vector<ExactInterval> all;
   for (const SplineEntity& e : file.model.entities) unite(all, control_box(e));
   out += detail_line("box", box_text(all));
   std::string names;
   for (const std::string& name : report.lossless) names += (names.empty() ? "" : ", ") + name;
   out += detail_line("lossless as", names.empty() ? "no format" : names);
   const auto& entities = file.model.entities;
-  for (std::size_t i = 0; i < std::min(entities.size(), kMostListed); ++i) {
+  for (std::size_t i = 0; i < std::min(entities.size(), kMostEntities); ++i) {
     const SplineEntity& e = entities[i];
     out += detail_line(std::to_string(i), std::string(spline_kind_name(e)) + ", " +
                                               name_text(file.model, e) + shape_text(e) + ", box " +
                                               box_text(control_box(e)));
   }
-  if (entities.size() > kMostListed)
-    out += detail_line("...",
-                       std::to_string(entities.size() - kMostListed) + " more (--json lists them)");
+  if (entities.size() > kMostEntities)
+    out += detail_line(
+        "...", std::to_string(entities.size() - kMostEntities) + " more (--json lists them)");
   return out;
 }
 

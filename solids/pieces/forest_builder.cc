@@ -262,7 +262,7 @@ class ForestBuilder {
   }
 
   PieceForest::FrameChoice choice_;
-  ExactBox<3> least_;      // of the smallest patch that is no point
+  ExactBox<3> least_;      // of the smallest patch that is more than a point
   Rational least_length_;  // the length of that patch; 0 if all are points
   PieceForest forest_;
 };

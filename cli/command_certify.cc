@@ -53,7 +53,8 @@ std::string contradiction(const Options& o) {
 KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
   if (plan.certificates.empty()) return {};
   return [&plan, i, &out](std::string_view bytes) -> Result<std::string> {
-    // Made for the first certificate, so that a refused run leaves none behind. A failure shows in what follows.
+    // The folder is made for the first certificate, so that a refused run leaves none behind. If it could not be made,
+    // writing the certificate fails.
     if (plan.new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
     const Status status = write_output(plan.certificates[i], bytes, out);
     if (!status) return status.error();

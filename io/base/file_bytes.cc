@@ -63,7 +63,7 @@ Result<ByteBuffer> read_descriptor(int descriptor, const std::string& name, std:
   ByteBuffer buffer(capacity_for(size_hint > 0 ? size_hint : 1 << 16, max_bytes));
   for (std::size_t size = 0;;) {
     if (size == buffer.capacity()) buffer.grow(capacity_for(2 * size, max_bytes));
-    constexpr std::size_t kMost = std::size_t{1} << 30;  // Linux reads no more at once
+    constexpr std::size_t kMost = std::size_t{1} << 30;  // less than what Linux reads at once
     const ssize_t got =
         ::read(descriptor, buffer.data() + size, std::min(buffer.capacity() - size, kMost));
     if (got < 0 && errno == EINTR) continue;

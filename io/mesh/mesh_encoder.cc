@@ -147,7 +147,7 @@ void encode_ply(const TriangleMesh& mesh, const WriteOptions& options, ChunkedOu
 }  // namespace
 
 std::optional<float> to_binary32(double value) {
-  // From half an ulp above the largest binary32 on, rounding goes to infinity.
+  // Values from half an ulp above the largest binary32 on round to infinity.
   if (!(std::abs(value) < 0x1.ffffffp127)) return std::nullopt;
   return static_cast<float>(value) + 0.0f;
 }

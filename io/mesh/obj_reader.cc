@@ -59,7 +59,7 @@ class ObjReader : TextReader {
     return outcome != Line::kFailed;
   }
 
-  // Whether a joint is at p_: what the reader took for the end of the line or of a token goes on in the next line.
+  // Whether there is a joint at p_: then what seemed to end the line or a token continues in the next line.
   bool is_at_joint() const { return p_ < text_end_ && is_eol(*p_) && p_[-1] == '\\'; }
 
   // Whether there is a backslash directly before the line end at `eol`.

@@ -15,7 +15,7 @@ namespace {
 
 using namespace report;
 
-struct Options {
+struct CertifyFilesOptions {
   InputOptions input;
   std::optional<std::string> json, certificate, picture;
   std::optional<std::uint64_t>
@@ -26,7 +26,7 @@ struct Options {
   std::optional<double> tolerance;
 };
 
-void declare(OptionSet& set, Options& o) {
+void declare(OptionSet& set, CertifyFilesOptions& o) {
   declare_files(set, o.input, "meshes, VJSON, ITD; - is standard input (with --format)");
   declare_json(set, o.json, "write the report");
   set.text("--certificate", o.certificate, "keep the certificate; of several files in folder F");
@@ -42,7 +42,7 @@ void declare(OptionSet& set, Options& o) {
   declare_reading(set, o.input.reading);
 }
 
-std::string contradiction(const Options& o) {
+std::string contradiction(const CertifyFilesOptions& o) {
   if (o.picture == "-") return "--picture needs a file name, not -";
   if (o.picture && o.input.files.size() > 1) return "--picture shows one file, not several";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
@@ -81,7 +81,7 @@ ExitCode write_picture(const std::string& path, const std::string& bytes, Standa
   return kExitUnreadable;
 }
 
-ExitCode write_json(const Options& options, const OutputPlan& plan,
+ExitCode write_json(const CertifyFilesOptions& options, const OutputPlan& plan,
                     const std::vector<std::string>& files, StandardOutput& out) {
   if (plan.json_in_new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
   const Status status = write_output(*options.json, document_json("veritope-report-1", files), out);
@@ -90,7 +90,7 @@ ExitCode write_json(const Options& options, const OutputPlan& plan,
   return kExitUnreadable;
 }
 
-CertifySettings settings_of(const Options& options) {
+CertifySettings settings_of(const CertifyFilesOptions& options) {
   CertifySettings out;
   out.reading = options.input.reading;
   out.certify.jobs = static_cast<unsigned>(options.input.reading.jobs);
@@ -103,7 +103,7 @@ CertifySettings settings_of(const Options& options) {
 }
 
 // Refuses a picture where it could not show anything, and where it would overwrite another file.
-Status check_picture(const Options& options, const OutputPlan& plan) {
+Status check_picture(const CertifyFilesOptions& options, const OutputPlan& plan) {
   if (!options.picture) return ok_status();
   const std::vector<std::string>& files = options.input.files;
   const ModelKind kind = ModelInput(files.front(), options.input.reading).kind();
@@ -115,7 +115,7 @@ Status check_picture(const Options& options, const OutputPlan& plan) {
   return check_output("--picture", *options.picture, files, plan, options.json);
 }
 
-ExitCode certify_all(const Options& options, const OutputPlan& plan,
+ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
                      const CertifySettings& settings, StandardOutput& out) {
   std::vector<std::string> json;
   ExitCode exit = kExitValid;
@@ -135,7 +135,7 @@ ExitCode certify_all(const Options& options, const OutputPlan& plan,
   return options.json ? first_of(exit, write_json(options, plan, json, out)) : exit;
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const CertifyFilesOptions& options, StandardOutput& out) {
   const Result<OutputPlan> plan =
       plan_outputs(options.input.files, options.certificate, options.json);
   if (!plan) return fail(plan.error());
@@ -152,7 +152,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_certify(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<CertifyFilesOptions>();
   declare(set, *o);
   set.rule([o] { return contradiction(*o); });
   return [o](StandardOutput& out) { return run(*o, out); };

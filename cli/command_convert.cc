@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/bad_argument.h"
 #include "cli/commands.h"
 #include "cli/convert_options.h"
 #include "cli/output_plan.h"
@@ -30,10 +31,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kTargets 
     {"ply-be", "ply-binary-big-endian"},
     {"off", "off"},
 }};
-
-Error bad_argument(std::string message) {
-  return Error{Code::kBadArgument, Place{}, std::move(message)};
-}
 
 Result<WriteOptions> target_of(const ConvertOptions& o) {
   std::string name;

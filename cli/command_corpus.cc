@@ -10,7 +10,7 @@ namespace veritope::cli {
 
 namespace {
 
-ExitCode run(const HardCaseOptions& options, StandardOutput& out) {
+ExitCode run_corpus(const HardCaseOptions& options, StandardOutput& out) {
   constexpr std::size_t kFull = std::size_t{1} << 16;
   std::string text = "# veritope corpus --cases " + std::to_string(options.num_cases) + " --seed " +
                      std::to_string(options.seed) +
@@ -33,7 +33,7 @@ ExitCode run(const HardCaseOptions& options, StandardOutput& out) {
 RunCommand declare_corpus(OptionSet& set) {
   const auto o = std::make_shared<HardCaseOptions>();
   declare_hard_cases(set, *o);
-  return [o](StandardOutput& out) { return run(*o, out); };
+  return [o](StandardOutput& out) { return run_corpus(*o, out); };
 }
 
 }  // namespace veritope::cli

@@ -20,7 +20,7 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-struct Options {
+struct CoverOptions {
   InputOptions input;
   std::string output;  ///< empty: none
   CoverPart part = CoverPart::kCollar;
@@ -30,7 +30,7 @@ struct Options {
   bool orient_auto = false, quiet = false;
 };
 
-void declare(OptionSet& set, Options& o) {
+void declare(OptionSet& set, CoverOptions& o) {
   const auto take_part = [&o](const std::string& name) -> std::string {
     const auto part = cover_part_from_name(name);
     if (!part) return "must be boxes, collar, outer or inner, not " + name;
@@ -58,7 +58,7 @@ void declare(OptionSet& set, Options& o) {
   declare_format(set, o.input);
 }
 
-std::string contradiction(const Options& o) {
+std::string contradiction(const CoverOptions& o) {
   if (o.output.empty() && !o.sweep) return "-o,--output is required";
   if (o.output == "-") return "--output needs a file name, not -";
   return "";
@@ -86,7 +86,7 @@ SweepOptions sweep_budgets() {
 
 class CoverRun {
  public:
-  CoverRun(const Options& options, StandardOutput& out)
+  CoverRun(const CoverOptions& options, StandardOutput& out)
       : options_(options), out_(out), progress_(!options.quiet) {}
 
   ExitCode run() {
@@ -171,13 +171,13 @@ class CoverRun {
   }
   void phase(const char* what) { progress_.phase(harmless(options_.input.files[0]), what); }
 
-  const Options& options_;
+  const CoverOptions& options_;
   StandardOutput& out_;
   Progress progress_;
   std::string words_, said_, sha256_;
 };
 
-Status check_outputs(const Options& options) {
+Status check_outputs(const CoverOptions& options) {
   const std::vector<std::string>& files = options.input.files;
   const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
   if (!plan) return plan.error();
@@ -185,7 +185,7 @@ Status check_outputs(const Options& options) {
   return check_output("--output", options.output, files, *plan, options.json);
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const CoverOptions& options, StandardOutput& out) {
   if (const Status status = check_outputs(options); !status) return fail(status.error());
   if (!options.output.empty() && !is_cover_file(options.output)) {
     complain(harmless(options.output + ": the name must end in .vtu, .obj, .ply, .off or .stl"));
@@ -197,7 +197,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_cover(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<CoverOptions>();
   declare(set, *o);
   set.rule([o] { return contradiction(*o); });
   return [o](StandardOutput& out) { return run(*o, out); };

@@ -17,7 +17,7 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-struct Options {
+struct ExplainOptions {
   std::optional<std::string> rule;
 };
 
@@ -82,7 +82,7 @@ std::string rule_list(const Style& style) {
   return out + "Why there is no answer, or no file. More: veritope explain undecided\n";
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const ExplainOptions& options, StandardOutput& out) {
   const Style style = style_of_stdout();
   if (!options.rule) {
     out.write(rule_list(style));
@@ -108,7 +108,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_explain(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<ExplainOptions>();
   set.optional_operand("RULE", any_text(o->rule), "M1 to M9, side-open, ...");
   return [o](StandardOutput& out) { return run(*o, out); };
 }

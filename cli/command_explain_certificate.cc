@@ -16,12 +16,12 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-struct Options {
+struct ExplainCertificateOptions {
   std::string file;
   std::uint64_t max_items = 20;
 };
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const ExplainCertificateOptions& options, StandardOutput& out) {
   const Result<ByteBuffer> bytes =
       read_file_bytes(options.file, std::numeric_limits<std::uint64_t>::max());
   if (!bytes) {
@@ -47,7 +47,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_explain_certificate(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<ExplainCertificateOptions>();
   declare_plain_file(set, "F", o->file, "a certificate file");
   set.number("--max-items", o->max_items, {0, kMost32}, "items of each list that are shown (20)");
   return [o](StandardOutput& out) { return run(*o, out); };

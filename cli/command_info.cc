@@ -19,7 +19,7 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-struct Options {
+struct InfoOptions {
   InputOptions input;
   std::optional<std::string> json;
 };
@@ -99,7 +99,7 @@ struct FileText {
   std::string json, text;
 };
 
-FileText describe(const std::string& path, const Options& options, const Style& style) {
+FileText describe(const std::string& path, const InfoOptions& options, const Style& style) {
   ModelInput input(path, options.input.reading);
   if (input.kind() == ModelKind::kSplines) {
     const SplineReport report = spline_report(path, input);
@@ -109,7 +109,7 @@ FileText describe(const std::string& path, const Options& options, const Style& 
   return {report.exit, options.json ? info_json(report) : "", info_text(report, style)};
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const InfoOptions& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.input.files, std::nullopt, options.json);
   if (!plan) return fail(plan.error());
   const Style style = style_of_stdout();
@@ -130,7 +130,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_info(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<InfoOptions>();
   declare_files(
       set, o->input,
       "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML\nor VJSON; - is standard input "

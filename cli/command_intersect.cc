@@ -15,14 +15,14 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-struct Options {
+struct IntersectOptions {
   InputOptions input;
   std::optional<std::string> curves, json;
   double gap = 0;  ///< 0: chosen by the size of the model
   std::uint64_t max_pairs = 200000000;
 };
 
-void declare(OptionSet& set, Options& o) {
+void declare(OptionSet& set, IntersectOptions& o) {
   set.operands("A B", o.input.files, "two files of splines; - is standard input (with --format)",
                2);
   set.text("-o,--output", o.curves, "write the curves; F ends in .json or .vtu");
@@ -36,7 +36,7 @@ void declare(OptionSet& set, Options& o) {
 
 /// Intersects every surface of one model with every surface of the other.
 Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& files,
-                                            const Options& options, Progress& progress) {
+                                            const IntersectOptions& options, Progress& progress) {
   IntersectionReport report;
   const auto first = surfaces_of(files[0].model), second = surfaces_of(files[1].model);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -71,7 +71,7 @@ Result<IntersectionReport> intersect_models(const std::array<SplineFile, 2>& fil
   return report;
 }
 
-Status check_outputs(const Options& options) {
+Status check_outputs(const IntersectOptions& options) {
   const std::vector<std::string>& files = options.input.files;
   const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
   if (!plan) return plan.error();
@@ -79,7 +79,8 @@ Status check_outputs(const Options& options) {
   return check_output("--output", *options.curves, files, *plan, options.json);
 }
 
-ExitCode print(const IntersectionReport& report, const Options& options, StandardOutput& out) {
+ExitCode print(const IntersectionReport& report, const IntersectOptions& options,
+               StandardOutput& out) {
   ExitCode exit = report.exit();
   const auto write = [&](const std::string& path, const std::string& text) {
     const Status status = write_output(path, text, out);
@@ -93,7 +94,7 @@ ExitCode print(const IntersectionReport& report, const Options& options, Standar
   return exit;
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const IntersectOptions& options, StandardOutput& out) {
   if (const Status status = check_outputs(options); !status) return fail(status.error());
   if (options.curves && !options.curves->ends_with(".json") && !options.curves->ends_with(".vtu")) {
     complain(harmless(*options.curves + ": the name must end in .json or .vtu"));
@@ -123,7 +124,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_intersect(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<IntersectOptions>();
   declare(set, *o);
   return [o](StandardOutput& out) { return run(*o, out); };
 }

@@ -15,13 +15,13 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-struct Options {
+struct PredicateOptions {
   const NamedPredicate* predicate = nullptr;  ///< null: each line names its own
   std::string file;
   bool expect = false, tiers = false;
 };
 
-void declare(OptionSet& set, Options& o) {
+void declare(OptionSet& set, PredicateOptions& o) {
   const auto take_name = [&o](const std::string& name) -> std::string {
     o.predicate = predicate_from_name(name);
     if (o.predicate != nullptr || name == "any") return "";
@@ -42,7 +42,7 @@ void declare(OptionSet& set, Options& o) {
 
 class CaseRun {
  public:
-  CaseRun(const Options& options, StandardOutput& out)
+  CaseRun(const PredicateOptions& options, StandardOutput& out)
       : has_expected_(options.expect),
         name_(options.file == "-" ? "standard input" : harmless(options.file)),
         cases_(options.predicate, options.expect),
@@ -125,7 +125,7 @@ ExitCode fail_at_line(const Error& error) {
   return kExitUnreadable;
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const PredicateOptions& options, StandardOutput& out) {
   Result<LineReader> lines = LineReader::open(options.file);
   if (!lines) return fail_at_line(lines.error());
   CaseRun cases(options, out);
@@ -137,7 +137,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_predicate(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<PredicateOptions>();
   declare(set, *o);
   return [o](StandardOutput& out) { return run(*o, out); };
 }

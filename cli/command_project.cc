@@ -17,14 +17,14 @@ using namespace report;
 
 namespace {
 
-struct Options {
+struct ProjectOptions {
   std::string point;
   InputOptions input;
   std::optional<std::string> json;
   std::uint64_t max_boxes = 100000;  ///< for each curve and surface
 };
 
-void declare(OptionSet& set, Options& o) {
+void declare(OptionSet& set, ProjectOptions& o) {
   set.operand("POINT", any_text(o.point),
               "x,y,z: decimals, fractions or hexadecimal numbers, exact");
   declare_file(set, "SURFACE", o.input, "a file of splines; - is standard input (with --format)");
@@ -123,7 +123,7 @@ Result<ProjectionReport> project_on(std::vector<Rational> point, const SplineMod
   return out;
 }
 
-ExitCode print(const ProjectionReport& report, const Options& options, StandardOutput& out) {
+ExitCode print(const ProjectionReport& report, const ProjectOptions& options, StandardOutput& out) {
   if (options.json != "-") out.write(projection_text(report));
   if (!options.json) return report.exit;
   const Status status = write_output(*options.json, projection_json(report), out);
@@ -131,7 +131,7 @@ ExitCode print(const ProjectionReport& report, const Options& options, StandardO
   return first_of(report.exit, fail(status.error()));
 }
 
-ExitCode run(const Options& options, StandardOutput& out) {
+ExitCode run(const ProjectOptions& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.input.files, std::nullopt, options.json);
   if (!plan) return fail(plan.error());
   Result<std::vector<Rational>> point = point_from_text(options.point);
@@ -160,7 +160,7 @@ ExitCode run(const Options& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_project(OptionSet& set) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<ProjectOptions>();
   declare(set, *o);
   return [o](StandardOutput& out) { return run(*o, out); };
 }

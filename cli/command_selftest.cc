@@ -53,7 +53,7 @@ std::string summary(const NamedPredicate& predicate, const Tally& tally) {
          tiers_text(tally.tiers) + "\n";
 }
 
-ExitCode run(const HardCaseOptions& options, StandardOutput& out) {
+ExitCode run_selftest(const HardCaseOptions& options, StandardOutput& out) {
   const Status environment = check_fp();
   out.write(environment ? "floating point is as the filters need it\n"
                         : environment.error().message + "; integers decide\n");
@@ -78,7 +78,7 @@ ExitCode run(const HardCaseOptions& options, StandardOutput& out) {
 RunCommand declare_selftest(OptionSet& set) {
   const auto o = std::make_shared<HardCaseOptions>();
   declare_hard_cases(set, *o);
-  return [o](StandardOutput& out) { return run(*o, out); };
+  return [o](StandardOutput& out) { return run_selftest(*o, out); };
 }
 
 }  // namespace veritope::cli

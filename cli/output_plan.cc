@@ -9,15 +9,12 @@
 #include <map>
 #include <system_error>
 
+#include "cli/bad_argument.h"
 #include "cli/output.h"
 #include "io/base/atomic_file.h"
 
 namespace veritope::cli {
 namespace {
-
-Error bad_argument(std::string message) {
-  return Error{Code::kBadArgument, Place{}, std::move(message)};
-}
 
 bool is_folder(const std::string& path) {
   struct stat status {};

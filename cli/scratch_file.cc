@@ -34,7 +34,7 @@ int open_nameless(const std::string& folder) {
   return descriptor;
 }
 
-Error cannot_write(const std::string& folder, int number) {
+Error cannot_write_in(const std::string& folder, int number) {
   Error error{Code::kCannotWrite, Place{},
               "a temporary file cannot be written in " + folder +
                   " (TMPDIR chooses the folder): " + std::generic_category().message(number)};
@@ -47,13 +47,13 @@ Error cannot_write(const std::string& folder, int number) {
 Result<ScratchFile> ScratchFile::with(std::string_view bytes) {
   const std::string folder = scratch_folder();
   const int descriptor = open_nameless(folder);
-  if (descriptor < 0) return cannot_write(folder, errno);
+  if (descriptor < 0) return cannot_write_in(folder, errno);
   ScratchFile file(descriptor);
   while (!bytes.empty()) {
     const std::size_t size = std::min<std::size_t>(bytes.size(), std::size_t{1} << 30);
     const ssize_t put = ::write(descriptor, bytes.data(), size);
     if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return cannot_write(folder, put < 0 ? errno : ENOSPC);
+    if (put <= 0) return cannot_write_in(folder, put < 0 ? errno : ENOSPC);
     bytes.remove_prefix(static_cast<std::size_t>(put));
   }
   return file;

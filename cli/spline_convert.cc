@@ -4,6 +4,7 @@
 #include <array>
 #include <variant>
 
+#include "cli/bad_argument.h"
 #include "cli/output_plan.h"
 #include "io/formats.h"
 #include "io/splines/patch_model.h"
@@ -18,10 +19,6 @@ using namespace report;
 namespace {
 
 using Target = std::variant<SplineFormat, ViewFormat>;
-
-Error bad_argument(std::string message) {
-  return Error{Code::kBadArgument, Place{}, std::move(message)};
-}
 
 Result<Target> target_of(const ConvertOptions& o) {
   const std::size_t dot = o.output.rfind('.');

@@ -7,7 +7,7 @@ namespace veritope {
 enum class Signal {
   kNone,
   kUndefinedOperation,  ///< a constructor's arguments name no interval
-  kIntervalPartOfNai,   ///< the interval of a NaI was asked for
+  kIntervalPartOfNai,   ///< the interval of a NaI was requested
 };
 
 /// A result that is usable in any case, and what was wrong.

@@ -32,7 +32,7 @@ template <typename P>
 using PointDigits =
     std::conditional_t<std::is_same_v<P, LinePlanePoint>, LinePlaneDigits, ThreePlanesDigits>;
 
-/// False if the coordinates of the defining points fit no lattice of 59 bits.
+/// Sets the digits; returns false if the coordinates of the defining points fit no lattice of 59 bits.
 bool find_digits(const LinePlanePoint& p, LinePlaneDigits& out) noexcept;
 bool find_digits(const ThreePlanePoint& p, ThreePlanesDigits& out) noexcept;
 /// The sign of the orientation times that of the denominator; uncertain if a, b, c are not on the point's

@@ -50,11 +50,11 @@ struct FilterReal {
 using FilterReal = double;
 #endif
 
-/// The sign of `value` if it is farther from zero than bound(floor), else uncertain; never zero. If
-/// the error of value is at most bound(kFilterFloor), a certain answer is the sign of the exact value.
-/// A NaN on either side, or an infinite bound, is uncertain: overflow is no answer. The floor is
-/// infinite, and every answer uncertain, in a thread whose floating point is not as the bounds assume;
-/// in a translation unit of that kind every answer is uncertain, too.
+/// The sign of `value` if it is farther from zero than bound(floor), otherwise uncertain; never zero. If the error of
+/// value is at most bound(kFilterFloor), a certain answer is the sign of the exact value. A NaN on either side, or an
+/// infinite bound, gives uncertain: overflow decides nothing. The floor is infinite, and every answer uncertain, in a
+/// thread whose floating point is not as the bounds assume; in a translation unit of that kind every answer is
+/// uncertain, too.
 /// There is no branch on the sign itself, which is as good as random where it matters: a mispredicted branch costs more
 /// than the predicate (bench/bench_predicates.cc).
 /// REQUIRES bound(floor) >= 0 or NaN, at least the floor.

@@ -28,7 +28,7 @@ struct RangeEnclosure {
   std::vector<Interval> outer;
   double excess = 0;        ///< over all components, rounded upward
   std::size_t boxes = 0;    ///< how many the box was cut into
-  bool is_reached = false;  ///< excess <= wanted; else the limit on boxes was
+  bool is_reached = false;  ///< excess <= wanted; otherwise the limit on boxes was reached
 };
 
 /// Encloses the ranges of `enclose` over `at`: enclose(box) is a Result of one interval per component, which contains

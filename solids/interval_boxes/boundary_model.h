@@ -48,8 +48,8 @@ class BoundaryModel {
   /// The signs found so far, without a net: those of the smallest piece around this one that was examined.
   std::array<int, 3> known_normal_signs(PieceForest::Id piece) const;
 
-  /// Converts a box to the forest's coordinates; in a planar model the box's third side is replaced. Nothing if a
-  /// coordinate is not finite or would lose bits.
+  /// Converts a box to the forest's coordinates; in a planar model the box's third side is replaced. Returns nothing if
+  /// a coordinate is not finite or would lose bits.
   std::optional<Box3d> to_forest(const Box3d& box) const;
   /// Converts a box back to the model's units, exactly.
   Box3d from_forest(const Box3d& box) const;

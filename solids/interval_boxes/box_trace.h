@@ -47,10 +47,10 @@ struct TraceOptions {
 /// axis is never cut.
 BoxTrace trace(BoundaryModel& model, const Box3d& forest_box, const TraceOptions& options = {});
 
-/// Whether V misses the closed box: by hulls, within a budget; false: not proved.
+/// Whether V misses the closed box. It is decided by hulls, within a budget; false means that it is not proved.
 bool is_missed(PieceForest& forest, const Box3d& box, std::size_t max_visits = 2000);
-/// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False:
-/// none was found.
+/// Whether a part of V lies in the closed box: a piece whose closed hull does (of a planar model: in the plane). False
+/// means that none was found.
 bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits = 500);
 
 }  // namespace veritope

@@ -34,9 +34,9 @@ class BoxGrid {
   /// Approximately the middle of a cell; in the margin, some point outside all boxes.
   Point3d approx_middle(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
   /// Fills the components of the complement for which `is_inside` answers yes at one point each. The component that
-  /// reaches infinity stays empty. Nothing if some answer was nothing: undecided. These are V_I∪|B| if V lies in
-  /// |B| and is_inside says which points lie inside V. dimension 2: of boxes of the plane, all with the same third
-  /// side: components in the plane.
+  /// reaches infinity stays empty. Returns nothing if some answer was nothing, that is, undecided. The filled cells are
+  /// V_I∪|B| if V lies in |B| and is_inside says which points lie inside V. With dimension 2 the boxes are those of the
+  /// plane, all with the same third side, and the components those in the plane.
   std::optional<BoxGrid> filled_where(
       const std::function<std::optional<bool>(const Point3d&)>& is_inside, int dimension = 3) const;
 

@@ -32,7 +32,7 @@ struct C3Failure {
   C3Exception exception = C3Exception::kSmallFeature;
   /// Remark 3.1: B_k such that |B_k| is a closed ball with C2, |B_k|∩b_ij is a closed ball, |B_k|∩b_i and |B_k|∩b_j
   /// have C2. It is searched for only where V misses b_ij, and empty if none was found. It mends C3 as the paper reads
-  /// it; it makes no
+  /// it; it makes no certificate.
   std::vector<std::uint32_t> sub_collection;
   /// kContact: box i with its sides moved by `step`, a power of two, so that C3 holds at (i, j), or they are apart, C2
   /// holds of box i, it meets the same other boxes, A and C3 hold wherever they held, and, if it shrank, C1 still
@@ -60,19 +60,19 @@ std::vector<C3Failure> explain_c3(BoundaryModel& model, std::span<const Box3d> b
 inline constexpr std::size_t kMaxBallBoxes = 10;
 /// Whether the union of a few boxes (forest's coordinates) is a closed ball that V cuts in a disk: the link test says
 /// it is a ball; V in it is a surface, connected, with the Euler characteristic 1 (by inclusion and exclusion over the
-/// intersections, each traced). False: not proved, or more than kMaxBallBoxes boxes.
+/// intersections, each traced). False means that this is not proved, or that there are more than kMaxBallBoxes boxes.
 bool is_ball_with_c2(BoundaryModel& model, std::span<const Box3d> boxes,
                      const TraceOptions& options = {});
 
 /// The least distance of parts of V that are not neighbours: patches without a common vertex. Model units.
 struct SelfDistance {
   double lo = 0, hi = 0;
-  bool is_as_asked = false;  ///< hi <= (1 + 2^-6) lo; else the budget was spent
+  bool is_as_asked = false;  ///< hi <= (1 + 2^-6) lo; otherwise the budget was spent
   /// Footnote 3 of [SSP01]: boxes of size below d / sqrt(3) that each hold a point of their part of V at the middle
-  /// never meet for patches that are not neighbours: exception 1 does not happen between them. By the lower bound.
+  /// never meet for patches that are not neighbours: exception 1 does not happen between them. It uses the lower bound.
   double box_bound() const;
 };
-/// Nothing if all patches are neighbours. @cost branch and bound over pairs of pieces
+/// The result is empty if all patches are neighbours. @cost branch and bound over pairs of pieces
 std::optional<SelfDistance> self_distance(BoundaryModel& model,
                                           std::uint64_t max_pairs = 1'000'000);
 

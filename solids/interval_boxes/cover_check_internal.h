@@ -27,13 +27,14 @@ struct CoverOptions {
   std::size_t max_pieces, max_listed;
 };
 
-/// Places are in the forest's coordinates. In a planar model, V is the part of the wall at height 0. B1: a hull in the
-/// union of closed boxes; a hull that meets none refutes. Undecided where V touches the boundary of
-/// |B|.
+/// Decides B1. Places are in the forest's coordinates. In a planar model, V is the part of the wall at height 0. A hull
+/// in the union of closed boxes is covered; a hull that meets none of them refutes B1. Undecided where V touches the
+/// boundary of |B|.
 ConditionResult decide_b1(BoundaryModel& model, const std::vector<Box3d>& boxes,
                           const CoverOptions& options);
-/// C1: a hull in the interior of one box. Refuted by a hull that meets no box, or by a piece that runs from one side of
-/// a plane of a box's face to the other while in that plane no interior of a box meets its hull.
+/// Decides C1: a hull in the interior of one box is covered. C1 is refuted by a hull that meets no box, or by a piece
+/// that runs from one side of a plane of a box's face to the other while in that plane no interior of a box meets its
+/// hull.
 ConditionResult decide_c1(BoundaryModel& model, const std::vector<Box3d>& boxes,
                           const CoverOptions& options);
 

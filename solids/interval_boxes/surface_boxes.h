@@ -56,8 +56,8 @@ struct SurfaceCover {
 /// makes a box too large, both sides are split. Smooth edges of the complex are edges here, too. In a planar model, the
 /// curve's pieces are faces and its ends are edges of the wall: the boxes around them are called vertex boxes. Every
 /// leaf is in the interior of its box: C1 and B1 hold by construction; conditions.h decides C2 and C3.
-/// @error kBadArgument unless eps is finite and positive, or margin in (0, 1/2); kOverLimit if the boxes or the levels
-/// do not suffice
+/// @error kBadArgument unless eps is finite and positive and margin lies in (0, 1/2); kOverLimit if the boxes or the
+/// levels do not suffice
 Result<SurfaceCover> make_surface_cover(BoundaryModel& model, double eps,
                                         const SurfaceBoxOptions& options = {});
 

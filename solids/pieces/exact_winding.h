@@ -17,8 +17,8 @@ struct ProjectionAxes {
 };
 
 /// How often the part [from, to] / 2^bits of the side, in its direction of travel, crosses the half-line y = 0, x > 0
-/// from below, counted as in docs/certificates/star-box.md, section 4. Nothing if the curve meets the line c- c+, or
-/// comes so near it that 64 halvings do not separate them.
+/// from below, counted as in docs/certificates/star-box.md, section 4. The result is empty if the curve meets the line
+/// c- c+, or comes so near it that 64 halvings do not separate them.
 std::optional<int> exact_winding(const ExactPiece& piece, const Patch& patch, std::uint32_t side,
                                  const CentreLine& centres, const ProjectionAxes& axes,
                                  std::uint64_t from, std::uint64_t to, int bits);

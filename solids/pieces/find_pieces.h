@@ -14,8 +14,8 @@ Box3d hull_of_roots(const PieceForest& forest);
 
 /// Appends to `tested` the pieces that `box` meets, none of them longer than `longest`; drops the others because their
 /// hulls miss the box. Every visited piece whose hull lies in the box, tested or split, is appended to `held`, parents
-/// before their children. False if a piece of the greatest level is still longer, if more than `most` pieces meet the
-/// box, or if the descent visits 16 times as many.
+/// before their children. Returns false if a piece of the greatest level is still longer, if more than `most` pieces
+/// meet the box, or if the descent visits 16 times as many.
 bool find_pieces(PieceForest& forest, const Box3d& box, double longest, std::size_t most,
                  std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
 

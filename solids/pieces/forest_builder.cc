@@ -112,8 +112,8 @@ class ForestBuilder {
   }
   static constexpr int kFar = 16;
   static constexpr int kTinyBits = 32;
-  // Doubles are finest near 0. A patch that is tiny beside the model is moved there, so that its boxes have room for
-  // their grid. This helps one such place only.
+  // Doubles are finest near 0. A patch that is tiny compared with the model is moved there, so that its boxes have room
+  // for their grid. This helps one such place only.
   void move_to_least_patch(const Rational& longest) {
     if (least_length_.sign() == Sign::kZero ||
         longest < Rational::power_of_two(kTinyBits) * least_length_)

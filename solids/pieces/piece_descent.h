@@ -15,8 +15,8 @@ enum class PieceStep {
 };
 
 /// Calls step(id) for the pieces whose closed hulls meet the box, from the roots on, a parent before its children.
-/// Every part of V that meets the box lies in a piece that was taken. False if a step stopped the descent, if it
-/// visited more than max_visits pieces, or if a piece of the greatest level was to be split. Hulls may be unbounded,
+/// Every part of V that meets the box lies in a piece that was taken. Returns false if a step stopped the descent, if
+/// it visited more than max_visits pieces, or if a piece of the greatest level was to be split. Hulls may be unbounded,
 /// where weights are not known to be positive, and all pieces of such a patch meet every box: hence the budget.
 template <typename Step>
 class PieceDescent {

@@ -21,7 +21,7 @@ Sign3 on_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
 }  // namespace
 
 Sign3 orient3d_lattice(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
-  // Faces across an axis are the most common degenerate ones.
+  // Faces perpendicular to an axis are the most common degenerate ones.
   if (same_bits(a.x, b.x, c.x, d.x) || same_bits(a.y, b.y, c.y, d.y) ||
       same_bits(a.z, b.z, c.z, d.z)) {
     return Sign3::kZero;

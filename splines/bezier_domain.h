@@ -14,7 +14,7 @@
 namespace veritope {
 
 /// The map on the part [a, b] of `axis`, as a map of [0,1]^N. Coefficients are convex combinations of the old ones if
-/// [a, b] lies in [0, 1]; elsewhere it extrapolates. REQUIRES a < b.  @cost degree^2 blends a line
+/// [a, b] lies in [0, 1]; elsewhere it extrapolates. REQUIRES a < b.  @cost degree^2 blends per line
 template <Ring R, std::size_t N>
 Bezier<R, N> restricted(Bezier<R, N> map, std::size_t axis, const typename RingNumbers<R>::Knot& a,
                         const typename RingNumbers<R>::Knot& b) {

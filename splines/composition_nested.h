@@ -7,7 +7,7 @@
 // The last variable comes first: its basis polynomials are made once for all components and added up with the
 // coefficients as factors. Every other variable is replaced by de Casteljau's triangle with polynomials in the place of
 // numbers, F_i <- q F_i + x F_(i + 1): each product has one factor of the inner map's own low degree. For a tricubic
-// map in a tricubic volume that is 13 million products of numbers a component; with powers of x and q made beforehand
+// map in a tricubic volume that is 13 million products of numbers per component; with powers of x and q made beforehand
 // it would be 43 million.
 #pragma once
 #include <array>

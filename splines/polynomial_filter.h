@@ -46,7 +46,7 @@ struct DoubleLanes {
 /// The arithmetic of composition_nested.h in the numbers of Lanes: doubles, or what a test counts in their place.
 /// Polynomials of fewer than three variables have leading sizes of 1. Every coefficient is a sum of products in this
 /// order: within a row of the small factor, rows of both products in turn, planes. A polynomial of degree 3 in 3
-/// variables is read once for 64 products a result.
+/// variables is read once for 64 products per result.
 template <typename Lanes>
 struct FilterAlgebra {
   using Scalar = typename Lanes::Scalar;

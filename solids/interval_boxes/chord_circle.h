@@ -58,7 +58,7 @@ Result<RadiusEnclosure> greatest_chord_radius(const HalfWidths& half_widths,
 /// The chord circle's radius for boxes in space whose surface is nearly level along axis `up` (figure 8): in the
 /// vertical plane through both centres, by tangent circles, with the greatest horizontal distance of centres and the
 /// vertical half-widths. A geodesic from c1 to c2 is no more curved than the surface, so it stays in the lens of that
-/// circle turned about the chord, whose lowest point is in this plane.
+/// circle revolved about the chord, whose lowest point is in this plane.
 Result<RadiusEnclosure> greatest_chord_radius(const std::array<Interval, 3>& half_widths,
                                               std::size_t up, const RadiusOptions& options = {});
 

@@ -37,8 +37,8 @@ Interval mean(const std::vector<Interval>& coefficients) {
   return sum / Interval(static_cast<double>(coefficients.size()));
 }
 
-// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. std::cos is not trusted:
-// std::cos: `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its
+// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. std::cos is not
+// trusted: `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its
 // coefficients' magnitudes in T_0, ..., T_{K+1} (2 t T_k = T_{k+1} + T_{|k-1|}). It is 2^-K at the zeros themselves.
 struct InterpolationNodes {
   explicit InterpolationNodes(int order) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "solids/interval_boxes/box_bounds.h"
 #include "solids/star_box/star_box.h"
 #include "topology/collar.h"
 
@@ -56,9 +57,8 @@ class CellCover {
     }
     std::array<std::uint32_t, 3> from, to;
     for (std::size_t k = 0; k < 3; ++k) {
-      from[k] =
-          static_cast<std::uint32_t>(std::floor((node.hull.lo[k] - low_[k]) / cell_ - 0x1p-20));
-      to[k] = static_cast<std::uint32_t>(std::floor((node.hull.hi[k] - low_[k]) / cell_ + 0x1p-20));
+      from[k] = internal::first_cell(node.hull.lo[k], low_[k], cell_);
+      to[k] = internal::last_cell(node.hull.hi[k], low_[k], cell_);
     }
     for (std::uint32_t x = from[0]; x <= to[0]; ++x)
       for (std::uint32_t y = from[1]; y <= to[1]; ++y)

@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The least distance of patches that are no neighbours, by branch and bound over pairs of hulls.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
 
+#include "solids/interval_boxes/box_bounds.h"
 #include "solids/interval_boxes/c3_exceptions.h"
 
 namespace veritope {
 namespace {
 
 using Id = PieceForest::Id;
-
-// Sums of three squares and a root err by less than 2^-50 of themselves.
-constexpr double kSlack = 0x1p-50;
-
-double least(const Box3d& a, const Box3d& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double gap = std::max({0.0, a.lo[k] - b.hi[k], b.lo[k] - a.hi[k]});
-    sum += gap * gap;
-  }
-  return std::sqrt(sum) * (1 - kSlack);
-}
-double greatest(const Box3d& a, const Box3d& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double reach = std::max(a.hi[k] - b.lo[k], b.hi[k] - a.lo[k]);
-    sum += reach * reach;
-  }
-  return std::sqrt(sum) * (1 + kSlack);
-}
 
 bool are_neighbours(const PatchComplex& complex, std::uint32_t p, std::uint32_t q) {
   if (p == q) return true;
@@ -47,18 +29,17 @@ struct Pair {
 
 }  // namespace
 
-double SelfDistance::box_bound() const { return lo * (0x1.279a74590331cp-1 * (1 - kSlack)); }
+double SelfDistance::box_bound() const { return lo * internal::kPerRootOfThree; }
 
 std::optional<SelfDistance> self_distance(BoundaryModel& model, std::uint64_t max_pairs) {
-  constexpr double kWanted = 1 + 0x1p-6;
   PieceForest& forest = model.forest();
   const PatchComplex& complex = model.complex();
   std::priority_queue<Pair> queue;
   double upper = std::numeric_limits<double>::infinity();
   const auto push = [&](Id a, Id b) {
     const Box3d &x = forest.node(a).hull, &y = forest.node(b).hull;
-    upper = std::min(upper, greatest(x, y));
-    const double bound = least(x, y);
+    upper = std::min(upper, internal::greatest_distance(x, y));
+    const double bound = internal::least_distance(x, y);
     if (bound <= upper) queue.push({bound, a, b});
   };
   std::uint64_t pairs = 0;
@@ -74,7 +55,7 @@ std::optional<SelfDistance> self_distance(BoundaryModel& model, std::uint64_t ma
     const Pair top = queue.top();
     const double lower = std::min(top.bound, upper);
     out = {std::ldexp(lower, -forest.scale()), std::ldexp(upper, -forest.scale()),
-           upper <= kWanted * lower};
+           internal::is_close_above(lower, upper)};
     if (out.is_as_asked || ++pairs > max_pairs) return out;
     queue.pop();
     const bool first = extent(forest.node(top.a).hull) >= extent(forest.node(top.b).hull);

@@ -2,23 +2,13 @@
 // The constant of verify/certify/walk_bounds_internal.h: its derivation rerun, and inputs that come near it.
 #include "verify/certify/walk_bounds_internal.h"
 
-#include "tests/predicates/bound_derivation.h"
+#include "tests/support/directed_bounds.h"
 #include "tests/support/piece_bound_search.h"
 
 namespace veritope {
-namespace bounds {
-RoundingCount operator/(RoundingCount a, RoundingCount b) { return a * b; }
-}  // namespace bounds
-
 namespace {
 
 using bounds::RoundingCount;
-
-Rational derived(int k, int bound_roundings) {
-  const Rational down = Rational(1) - Rational::power_of_two(-52);
-  return (Rational(1) / bounds::power(down, k) - Rational(1)) /
-         bounds::power(down, bound_roundings);
-}
 
 TEST(WalkBound, ParameterConstantFollowsFromTheRoundings) {
   constexpr RoundingCount x;
@@ -28,11 +18,7 @@ TEST(WalkBound, ParameterConstantFollowsFromTheRoundings) {
   const Rational c = Rational::from_double(internal::kParameterRel);
   // |t| is a computed number, the product with the constant rounds.
   const int of_bound = t.roundings + 1;
-  const Rational part = Rational(1) + Rational::power_of_two(-20);
-  EXPECT_LE(derived(all, of_bound), c);
-  EXPECT_LE(c, derived(all, of_bound) * part);
-  EXPECT_GT(derived(all + 1, of_bound), c);
-  EXPECT_GT(c, derived(all - 1, of_bound) * part);
+  bounds::expect_tight_directed(c, all, of_bound);
   EXPECT_LE(Rational(4) * bounds::flush_unit(), Rational::from_double(internal::kParameterTiny));
 }
 

@@ -5,15 +5,14 @@
 #include <map>
 
 #include "solids/pieces/piece_net_quarters_internal.h"
-#include "tests/predicates/bound_derivation.h"
 #include "tests/solids/piece_bound_cases.h"
+#include "tests/support/directed_bounds.h"
 #include "tests/support/piece_bound_subjects.h"
 
 namespace veritope {
 namespace bounds {
 
 // What the formulas of piece_bounds.h need beyond those of predicates.
-RoundingCount operator/(RoundingCount a, RoundingCount b) { return a * b; }
 RoundingCount operator*(double, RoundingCount a) { return a; }  // by 1/2: exact
 RoundingCount abs(RoundingCount a) { return a; }
 bool operator<(RoundingCount, int) { return false; }
@@ -29,21 +28,9 @@ using bounds::UnderflowCount;
 Rational unit() { return Rational::from_double(internal::kNetUnit); }
 Rational slack() { return Rational::from_double(internal::kNetSlack); }
 
-// docs/bounds/piece_net.md, 1: a value that carries k roundings, quotients among them, errs by at most this
-// times its size; and the bound that pays for it loses `bound_roundings` roundings itself.
-Rational derived(int k, int bound_roundings) {
-  const Rational down = Rational(1) - unit();
-  return (Rational(1) / power(down, k) - Rational(1)) / power(down, bound_roundings);
-}
-
-// The constant times the slack is the derived one, and not that of one rounding more, nor of one fewer.
+// The constant times the slack is the derived one.
 void expect_tight(double constant, int k, int bound_roundings) {
-  const Rational c = Rational::from_double(constant) * slack();
-  const Rational one_part = Rational(1) + Rational::power_of_two(-20);
-  EXPECT_LE(derived(k, bound_roundings), c);
-  EXPECT_LE(c, derived(k, bound_roundings) * one_part);
-  EXPECT_GT(derived(k + 1, bound_roundings), c);
-  EXPECT_GT(c, derived(k - 1, bound_roundings) * one_part);
+  bounds::expect_tight_directed(Rational::from_double(constant) * slack(), k, bound_roundings);
 }
 
 // The slack alone pays for an error term that is exact but for `k` roundings on the way and in the bound.

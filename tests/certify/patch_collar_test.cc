@@ -108,6 +108,51 @@ TEST(PatchCollar, HoldsExactPointsOfTheSurfaceInItsInterior) {
   }
 }
 
+// A cube whose faces lie on planes between cells: exactly the cells that meet its surface, some of them in a corner only,
+// are needed.
+// PROVES COLLAR-2.INSIDE
+TEST(PatchCollar, EveryCellThatTheSurfaceMeetsIsNeededAndNoOther) {
+  const PatchComplex complex = complex_of(cube(1));
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+  const StarCover cover = find_star_cover(forest, {});
+  ASSERT_TRUE(cover.is_complete());
+  const double one = std::ldexp(1.0, forest.scale());
+  OctreeRoot root;
+  root.unit = 4 * one / OctreeKey::kGrid;
+  root.corner = {-2 * one, -2 * one, -2 * one};
+  const auto holds = [&](const std::vector<OctreeKey>& keys, const OctreeRoot& place) {
+    const auto cells = CommonSubdivision::build(OctreeKeySet::make(keys).value()).value();
+    Misplaced why;
+    return place_surface(forest, cover, place, cells, analyse_boundary(cells), &why).has_value();
+  };
+  // Eight cells of half a unit along each axis; of the middle six, those that are not inside of the cube.
+  std::vector<OctreeKey> needed;
+  for (std::uint32_t x = 1; x < 7; ++x)
+    for (std::uint32_t y = 1; y < 7; ++y)
+      for (std::uint32_t z = 1; z < 7; ++z) {
+        const auto is_middle = [](std::uint32_t i) { return i == 3 || i == 4; };
+        if (!(is_middle(x) && is_middle(y) && is_middle(z))) needed.push_back(OctreeKey::make({3, x, y, z}).value());
+      }
+  ASSERT_EQ(needed.size(), 208u);
+  EXPECT_TRUE(holds(needed, root));
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    auto fewer = needed;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_FALSE(holds(fewer, root)) << i;
+  }
+  // The first cell meets the cube in a corner: of its eighths only the one at that corner does.
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    auto parts = needed;
+    parts[0] = needed[0].child(octant);
+    EXPECT_EQ(holds(parts, root), octant == 7) << octant;
+  }
+  // All cells of a root whose border the surface touches.
+  std::vector<OctreeKey> all{OctreeKey()};
+  EXPECT_TRUE(holds(all, root));
+  root.corner[0] = -one;
+  EXPECT_FALSE(holds(all, root));
+}
+
 // The leaves below the cover's leaves form whole trees.
 TEST(PatchCollar, HasOneLeafOnEveryWayDown) {
   Model m(patch_shapes::torus(ratio(3), ratio(1)));

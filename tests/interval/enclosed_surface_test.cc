@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "interval/enclosure/patch_tree.h"
 #include "interval/upward.h"
@@ -90,6 +91,45 @@ TEST(EnclosedSurface, HoldsExactPointsAndSecants) {
             << "loop " << loop << " u " << u << " " << u2 << " v " << v;
     }
   }
+}
+// A surface of degree 1 in both directions with a knot at 1/2 on both axes, flat before it and steep after it, or the
+// other way round. Its secants across the knot are no mean of derivatives on one side.
+// PROVES ENCLOSE-1.SECANT
+TEST(EnclosedSurface, DerivativesHoldSecantsAcrossAKnotBesideWhichTheSurfaceIsSteep) {
+  const ScopedUpward upward;
+  const double before = std::nextafter(0.5, 0.0), after = std::nextafter(0.5, 1.0);
+  const KnotAxis<Rational> axis{1, {q(0), q(0), q(1, 2), q(1), q(1)}, false};
+  for (const bool is_rational : {false, true})
+    for (const bool is_steep_last : {false, true}) {
+      // x(u) and y(v) have these values at 0, 1/2 and 1.
+      const std::array<Rational, 3> value =
+          is_steep_last ? std::array{q(0), q(1), q(101)} : std::array{q(0), q(100), q(101)};
+      std::vector<Rational> c(is_rational ? 36 : 27, q(1));
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          c[3 * i + j] = value[i], c[9 + 3 * i + j] = value[j], c[18 + 3 * i + j] = q(0);
+      const BSplineSurface<Rational> surface({axis, axis}, is_rational ? 4 : 3, is_rational,
+                                             std::move(c));
+      const auto enclosed = EnclosedSurface::make(surface);
+      ASSERT_TRUE(enclosed.has_value());
+      const auto at = [&](double t) {
+        const Rational x = Rational::from_double(t), half = q(1, 2);
+        return x <= half ? value[0] + q(2) * x * (value[1] - value[0])
+                         : value[1] + q(2) * (x - half) * (value[2] - value[1]);
+      };
+      for (const auto& [from, to] :
+           {std::pair{0.25, after}, std::pair{before, 0.75}, std::pair{0.25, 0.75}}) {
+        const Interval whole = Interval::from_bounds(from, to), other(0.25);
+        const auto along_u = enclosed->range(whole, other), along_v = enclosed->range(other, whole);
+        // Secants of the whole interval, and of its parts on both sides of the knot.
+        for (const auto& [a, b] : {std::pair{from, to}, std::pair{from, 0.5}, std::pair{0.5, to}}) {
+          const Rational secant =
+              (at(b) - at(a)) / (Rational::from_double(b) - Rational::from_double(a));
+          EXPECT_TRUE(contains(along_u.du[0], secant)) << a << ' ' << b;
+          EXPECT_TRUE(contains(along_v.dv[1], secant)) << a << ' ' << b;
+        }
+      }
+    }
 }
 
 TEST(EnclosedSurface, SecondDerivativesHoldTheirSecants) {

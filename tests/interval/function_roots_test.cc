@@ -71,5 +71,28 @@ TEST(FunctionRoots, FindARootOnACutAndOnTheBoundaryOnce) {
             1);
 }
 
+// (x - 1/4) (19/20 - x) over [0, 1]: the half [0, 1/2] has one root, proved in a box that reaches over 1/2. The other
+// half touches that box, is not inside of it, and holds the second root.
+// PROVES ROOT-2.COVERED
+TEST(FunctionRoots, APartThatOnlyTouchesABoxOfUniquenessIsSearched) {
+  const auto f = [](const Box<1>& b) {
+    const Interval x = b[0], last = Interval(19) / Interval(20);
+    return ValuesAndDerivatives<1>{{(x - Interval(0.25)) * (last - x)},
+                                   {{{last + Interval(0.25) - Interval(2) * x}}}};
+  };
+  const ExactBox<1> domain{{ExactInterval{Rational(0), Rational(1)}}};
+  const auto report = function_roots<1>(domain, f);
+  EXPECT_TRUE(report.is_complete());
+  ASSERT_EQ(report.roots.size(), 2u);
+  std::array<const IsolatedRoot<1>*, 2> root{&report.roots[0], &report.roots[1]};
+  if (root[1]->box[0].lo < root[0]->box[0].lo) std::swap(root[0], root[1]);
+  EXPECT_TRUE(root[0]->box.contains({Rational(1) / Rational(4)}));
+  EXPECT_TRUE(root[1]->box.contains({Rational(19) / Rational(20)}));
+  // As the comment says; else the test would pass without the condition.
+  const Rational half = Rational(1) / Rational(2);
+  EXPECT_LT(half, root[0]->unique_in[0].hi);
+  EXPECT_LT(root[0]->unique_in[0].hi, root[1]->box[0].lo);
+}
+
 }  // namespace
 }  // namespace veritope

@@ -147,6 +147,39 @@ TEST(BoxTree, WalksAsThePageSaysWholeAndInParts) {
   }
 }
 
+// Five facets, by hand: 0, 1 and 2 have a star vertex in common; 3 and 4 have disjoint boxes, and meet that of 2.
+// PROVES MESH-5
+TEST(BoxTree, MeetsExactlyThePairsThatNoStepOfThePageSettles) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0},  {-2, 0, 0}, {-2, 2, 0}, {-2, -2, 0}, {0, -2, 0}, {4, -1, 0}, {4, 1, 0},
+                    {-1, 1, 0}, {1, 1, 0},  {0, 3, 0},  {3, 0, 0},   {5, 0, 0},  {4, 2, 0}};
+  mesh.faces = {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}, {7, 8, 9}, {10, 11, 12}};
+  const auto walk = [&](bool has_star, const std::set<std::int64_t>& separated) {
+    VertexStars stars{std::vector<std::uint8_t>(mesh.positions.size()), {}};
+    stars.code[0] = has_star ? 1 : 0;
+    const BoxTree tree(mesh, {0, 1, 2, 3, 4}, stars, 1);
+    Recorder recorder{separated, 0, {}, {}};
+    tree.walk({tree.root(), tree.root()}, recorder);
+    return recorder.events;
+  };
+  using Events = std::vector<Event>;
+  // 0-1, 0-2 and 1-2: step 2. 3-4, 0-4, 1-3, 1-4: step 1. 2-4: step 3, and step 4 without a separator there.
+  const Events separated{{0, 2, 3, 3, 5},  {1, 2, 3, 3, 4}, {-1, 2, 0, 3, 0}, {2, 2, 3, 4, 5},  {3, 0, 2, 2, 5},
+                         {4, 0, 2, 3, 5},  {5, 0, 1, 3, 5}, {6, 0, 1, 3, 4},  {-1, 0, 0, 3, 0}, {7, 1, 2, 3, 5}};
+  EXPECT_EQ(walk(true, {2}) == separated, true);
+  Events plain = separated;
+  plain.insert(plain.begin() + 4, Event{-1, 2, 0, 4, 0});
+  EXPECT_EQ(walk(true, {}) == plain, true);
+  // A separator of two nodes settles all pairs below them.
+  EXPECT_EQ(walk(true, {3}) == Events(plain.begin(), plain.begin() + 6), true);
+  // Without a star all pairs whose boxes meet end at step 4.
+  const Events bare{{0, 0, 1, 1, 2},  {-1, 0, 0, 1, 0}, {1, 2, 3, 3, 5},  {2, 2, 3, 3, 4},  {-1, 2, 0, 3, 0},
+                    {3, 2, 3, 4, 5},  {-1, 2, 0, 4, 0}, {4, 0, 2, 2, 5},  {5, 0, 2, 2, 3},  {6, 0, 1, 2, 3},
+                    {-1, 0, 0, 2, 0}, {7, 1, 2, 2, 3},  {-1, 1, 0, 2, 0}, {8, 0, 2, 3, 5},  {9, 0, 1, 3, 5},
+                    {10, 0, 1, 3, 4}, {-1, 0, 0, 3, 0}, {11, 1, 2, 3, 5}};
+  EXPECT_EQ(walk(false, {}) == bare, true);
+}
+
 TEST(BoxTree, AWholeFanUnderItsStarIsOnePair) {
   const TriangleMesh mesh = shapes::cone(64);
   VertexStars stars{std::vector<std::uint8_t>(mesh.positions.size()), {}};

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "models/patch_shapes.h"
 #include "solids/interval_boxes/box_sets_internal.h"
@@ -144,6 +148,34 @@ TEST(ConditionSweep, CellsThatTouchInAVertexAreNoManifold) {
       EXPECT_EQ(row.collar, (std::array{Answer::kTrue, Answer::kTrue, Answer::kTrue}));
     }
   }
+}
+
+// A solid torus without a ring that lies in a ball inside of it: two boundary components of genus 1, and no product.
+// Each cell holds a small cube of the model, and no cube reaches another cell.
+// PROVES SWEEP-1.K3
+TEST(ConditionSweep, CellsThatDoNotCollapseAreNoCollarThoughTheirSidesHaveOneGenus) {
+  patch_shapes::Patches cubes;
+  std::uint64_t count = 0;
+  const auto add = [&](int x, int y, int z) {
+    const Rational quarter = Rational(1) / Rational(4);
+    const Rational a(x), b(y), c(z);
+    cubes = patch_shapes::joined(
+        {cubes, patch_shapes::box({a, b, c}, {a + quarter, b + quarter, c + quarter})});
+    ++count;
+  };
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 5; ++y)
+      for (int z = 0; z < 3; ++z) {
+        const int from_axis = std::max(std::abs(x - 2), std::abs(y - 2));
+        if (z != 1 || from_axis != 1) add(x, y, z);
+      }
+  for (const auto& [x, y] : {std::pair{5, 1}, {6, 1}, {6, 2}, {6, 3}, {5, 3}}) add(x, y, 1);
+  BoundaryModel model = model_of(cubes);
+  SweepOptions options;
+  options.boxes.max_boxes = 1;  // the cells only
+  const auto row = sweep_conditions(model, 1, 0, options).value()[0];
+  EXPECT_EQ(row.cells, count);
+  EXPECT_EQ(row.collar, (std::array{Answer::kTrue, Answer::kTrue, Answer::kUndecided}));
 }
 
 // In the forest's coordinates these sizes, or planes two cells beside the model, are not doubles.

@@ -2,8 +2,10 @@
 // The constant of verify/certify/walk_bounds_internal.h: its derivation rerun, and inputs that come near it.
 #include "verify/certify/walk_bounds_internal.h"
 
+#include "models/patch_shapes.h"
 #include "tests/support/directed_bounds.h"
 #include "tests/support/piece_bound_search.h"
+#include "verify/certify/star_walks.h"
 
 namespace veritope {
 namespace {
@@ -49,6 +51,25 @@ TEST(WalkBound, FoundSegmentsUseMoreThanHalfOfTheBoundAndNoneBreaksIt) {
     most = std::max(most, found.share);
   }
   EXPECT_GT(most, 0.5);
+}
+
+// Segments through an edge of a cube: they pass the planes of two faces at one parameter, which doubles may round to
+// two.
+TEST(WalkBound, SegmentsThatTouchAnEdgeAreNotFree) {
+  const PatchComplex complex = make_patch_complex(patch_shapes::box({0, 0, 0}, {1, 1, 1})).value();
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+  const double one = std::ldexp(1.0, forest.scale());
+  int different = 0;
+  for (int i = 1; i <= 32; ++i) {
+    const double from = (0x1p+50 + 2 * i + 1) * 0x1p-44, to = (0x1p+50 + 6 * i + 5) * 0x1p-45;
+    const Point3d a{-from * one, 3 * from * one, 0.5 * one}, b{to * one, -3 * to * one, 0.5 * one};
+    const double in = internal::segment_parameter(0.0, a[0], b[0]);
+    const double out = internal::segment_parameter(0.0, a[1], b[1]);
+    different += in > out;
+    EXPECT_FALSE(is_free_segment(forest, a, b)) << i;
+    EXPECT_TRUE(is_free_segment(forest, {a[0], a[1] - one, a[2]}, {b[0], b[1] - one, b[2]})) << i;
+  }
+  EXPECT_GT(different, 4);  // else the cases are too easy
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/base/random.h"
+#include "solids/interval_boxes/boundary_model.h"
 #include "solids/patches/patch_transform.h"
 #include "solids/pieces/crossing_number.h"
 #include "solids/pieces/exact_piece.h"
@@ -26,6 +27,8 @@ Vector exactly(const Point3d& p) {
 struct Parallelepiped {
   Vector corner, edge[3];
 
+  Parallelepiped(const Vector& p, const Vector& u, const Vector& v, const Vector& w)
+      : corner(p), edge{u, v, w} {}
   explicit Parallelepiped(Random& random) {
     const auto third = [&](int lo, int hi) {
       return Rational(random.between(lo, hi)) / Rational(3 * 64);
@@ -102,6 +105,35 @@ TEST(PieceDecisions, SidesOfPointsThatNearlyLieInAPlaneAreExactOnes) {
     }
   }
   EXPECT_GT(different, 30);  // else the cases are too easy
+}
+
+// Two edges have proportional x and y, so one component of their faces' normals is 0: a difference of equal products
+// that no double holds.
+TEST(PieceDecisions, AComponentOfANormalThatIsZeroHasNoSign) {
+  const auto q = [](int n, int d) { return Rational(n) / Rational(d); };
+  int different = 0;
+  for (int i = 1; i <= 24; ++i) {
+    const Vector corner{q(1, 3), q(i, 7), q(0, 1)}, u{q(i, 3), q(1, 7), q(1, 5)},
+        v{q(2 * i, 9), q(2, 21), q(1, 1)}, w{q(1, 11), q(-1, 1), q(1, 13)};
+    BoundaryModel model =
+        BoundaryModel::make(complex_of(Parallelepiped(corner, u, v, w).patches())).value();
+    PieceForest& forest = model.forest();
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) {
+      const Patch::Tensor& map = model.complex().patch(forest.node(r).patch).tensor();
+      const auto vertex = [&](std::size_t n) {
+        return Vector{map.component(0)[n], map.component(1)[n], map.component(2)[n]};
+      };
+      const Vector normal = cross(minus(vertex(2), vertex(0)), minus(vertex(1), vertex(0)));
+      const auto signs = model.normal_signs(r);
+      const double* const g = forest.approx_determinants(r);
+      const std::size_t n = forest.form(forest.node(r).patch).determinant.count();
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(signs[k], to_int(normal[k].sign())) << i << ", face " << r << ", axis " << k;
+        different += normal[k].sign() == Sign::kZero && g[(k + 1) * n] != 0;
+      }
+    }
+  }
+  EXPECT_GT(different, 10);  // else the cases are too easy
 }
 
 TEST(PieceDecisions, HullsContainCoordinatesThatRoundInward) {

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "predicates/implicit_homogeneous.h"
-#include "predicates/implicit_number.h"
 #include "robust/base/sign.h"
 #include "robust/integer.h"
+#include "robust/stack_integer.h"
 
 namespace veritope::internal {
 

@@ -2,10 +2,7 @@
 // predicates/implicit_homogeneous.h: points of every kind as base + numerator / denominator over any
 // ring, denominator > 0, and the polynomials of several such points: one place for all combinations.
 #pragma once
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -13,9 +10,8 @@
 #include "interval/interval.h"
 #include "predicates/formulas.h"
 #include "predicates/implicit_formulas.h"
-#include "predicates/implicit_number.h"
+#include "predicates/lattice.h"
 #include "predicates/vec.h"
-#include "robust/binary64.h"
 
 namespace veritope {
 
@@ -146,21 +142,7 @@ int to_numbers(const std::array<double, N>& c, std::array<Interval, N>& out) {
 }
 template <typename T, std::size_t N>
 int to_numbers(const std::array<double, N>& c, std::array<T, N>& out) {
-  std::array<Binary64, N> part;
-  int least = 1 << 20;
-  for (std::size_t i = 0; i < N; ++i) {
-    part[i] = split(c[i]);
-    if (part[i].mantissa == 0) continue;
-    const int zeros = std::countr_zero(static_cast<std::uint64_t>(part[i].mantissa));
-    part[i].mantissa >>= zeros;  // exact
-    part[i].exponent += zeros;
-    least = std::min(least, part[i].exponent);
-  }
-  for (std::size_t i = 0; i < N; ++i) {
-    out[i] = T(part[i].mantissa);
-    if (part[i].mantissa != 0) out[i] = shifted(out[i], part[i].exponent - least);
-  }
-  return least == 1 << 20 ? 0 : least;
+  return to_integers(c, out);
 }
 
 }  // namespace internal

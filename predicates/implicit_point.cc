@@ -113,6 +113,12 @@ ImplicitLayer layer_of(const H& h, double rel, double scale, double reach, doubl
   if (!(most <= internal::kImplicitReach)) layer.d = 0;
   return layer;
 }
+template <std::size_t N>
+std::array<Integer, N> integers_of(const std::array<double, N>& c) {
+  std::array<Integer, N> out;
+  internal::to_integers(c, out);
+  return out;
+}
 // The sign of the denominator, by the filter if it is sure; makes it positive in the layer.
 template <std::size_t N>
 Sign settle_denominator(ImplicitLayer& layer, const std::array<Vec3d, N>& points) {
@@ -122,9 +128,8 @@ Sign settle_denominator(ImplicitLayer& layer, const std::array<Vec3d, N>& points
     layer.d = 0;
     const auto c = coordinates(points);
     const Sign3 exact_sign = denominator_on_lattice(c);
-    return is_certain(exact_sign)
-               ? to_sign(exact_sign)
-               : homogeneous(triples(internal::to_integers(c))).denominator.sign();
+    return is_certain(exact_sign) ? to_sign(exact_sign)
+                                  : homogeneous(triples(integers_of(c))).denominator.sign();
   }
   if (s == Sign3::kNegative) {
     layer.x = -layer.x, layer.y = -layer.y, layer.z = -layer.z, layer.d = -layer.d;
@@ -150,7 +155,7 @@ Sign3 implicit_interval(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d&
 }
 template <typename P>
 Sign implicit_integer(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
-  return whole_orientation(triples(internal::to_integers(all_coordinates(p, a, b, c))));
+  return whole_orientation(triples(integers_of(all_coordinates(p, a, b, c))));
 }
 template <typename P>
 Sign implicit_exact(const P& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {

@@ -208,9 +208,9 @@ std::array<Place<T>, N> places(const std::array<const Point*, N>& points) {
     for (const Place<T>& p : r) least = std::min(least, p.exponent);
     for (Place<T>& p : r) {
       if (p.exponent == least) continue;
-      for (T& v : p.base) v = internal::shifted(v, p.exponent - least);
+      for (T& v : p.base) v = v << (p.exponent - least);
       if (p.is_explicit) continue;
-      for (T& v : p.numerator) v = internal::shifted(v, p.exponent - least);
+      for (T& v : p.numerator) v = v << (p.exponent - least);
     }
   }
   return r;
@@ -366,8 +366,8 @@ Sign side_of_plane(const PlaneCoefficients& plane, const AnyPoint3& p, TierCount
     sum = sum + k[1] * (at.base[1] * at.denominator + at.numerator[1]);
     sum = sum + k[2] * (at.base[2] * at.denominator + at.numerator[2]);
     if constexpr (!std::is_same_v<T, Interval>) {  // the coordinates are in units of 2^exponent
-      if (at.exponent > 0) sum = internal::shifted(sum, at.exponent);
-      if (at.exponent < 0) offset = internal::shifted(offset, -at.exponent);
+      if (at.exponent > 0) sum = sum << at.exponent;
+      if (at.exponent < 0) offset = offset << -at.exponent;
     }
     return sum + offset;
   });

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include "robust/binary64.h"
 #include "robust/fixed_int.h"
@@ -158,10 +159,11 @@ std::array<T, N> to_wide(const std::array<double, N>& c) {
   return out;
 }
 
-/// out[i] = c[i] * 2^k exactly, for the largest k with all of them integers (0 if all are zero).
+/// c[i] = out[i] * 2^exponent, exactly, for the largest exponent with which all out[i] are integers; returns it, or 0
+/// if all are zero. T holds an int64_t and is shifted by <<.
 /// REQUIRES finite coordinates.
-template <std::size_t N>
-std::array<Integer, N> to_integers(const std::array<double, N>& c) {
+template <typename T, std::size_t N>
+int to_integers(const std::array<double, N>& c, std::array<T, N>& out) {
   std::array<Binary64, N> part;
   int least = 1 << 20;
   for (std::size_t i = 0; i < N; ++i) {
@@ -172,13 +174,11 @@ std::array<Integer, N> to_integers(const std::array<double, N>& c) {
     part[i].exponent += zeros;
     least = part[i].exponent < least ? part[i].exponent : least;
   }
-  std::array<Integer, N> out;
   for (std::size_t i = 0; i < N; ++i) {
-    if (part[i].mantissa == 0) continue;
-    out[i] = Integer(part[i].mantissa);
-    out[i].shift_left(static_cast<std::uint64_t>(part[i].exponent - least));
+    out[i] = T(part[i].mantissa);
+    if (part[i].mantissa != 0) out[i] = std::move(out[i]) << (part[i].exponent - least);
   }
-  return out;
+  return least == 1 << 20 ? 0 : least;
 }
 
 }  // namespace veritope::internal

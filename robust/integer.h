@@ -50,6 +50,7 @@ class Integer {
   friend Integer operator-(Integer a, const Integer& b) noexcept { return a -= b; }
   friend Integer operator*(Integer a, const Integer& b) noexcept { return a *= b; }
   friend Integer operator-(Integer a) noexcept { return a.negate(); }
+  friend Integer operator<<(Integer a, std::uint64_t n) noexcept { return a.shift_left(n); }
   Integer& negate() noexcept;
   /// *this += a * b and *this -= a * b, without a temporary.
   Integer& add_product(const Integer& a, const Integer& b) noexcept;

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "predicates/generated/bounded.h"
 #include "robust/binary64.h"
+#include "robust/bounded.h"
 #include "robust/dyadic.h"
 #include "robust/filter.h"
 #include "robust/wide.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Bit budgets, as predicates/generated/bounded.h counts them: |v| <= terms * 2^bits."""
+"""Bit budgets, as robust/bounded.h counts them: |v| <= terms * 2^bits."""
 from .expression import post_order
 
 ONE_LIMB, TWO_LIMBS, SHORTEST, INT128 = 60, 124, 12, 126

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/generated/bounded.h: integers whose type knows a bound of their magnitude. Sums and
-// products are as wide as their bounds ask, in int64_t, __int128 or FixedInt: nothing can wrap
-// around, and no budget is written by hand.
+// robust/bounded.h: integers whose type knows a bound of their magnitude. Sums and products are as wide as their bounds
+// ask, in int64_t, __int128 or FixedInt: nothing can wrap around, and no budget is written by hand. Which integer when:
+// docs/integers.md.
 #pragma once
 #include <cstdint>
 #include <type_traits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// predicates/implicit_number.h: integers as long as they need to be, up to a capacity, on the stack:
-// the sign of any polynomial in the coordinates of implicit points, without an allocation.
+// robust/stack_integer.h: integers as long as they need to be, up to a capacity, on the stack: the signs of polynomials
+// whose values are usually short, without an allocation. Which integer when: docs/integers.md.
 #pragma once
 #include <algorithm>
 #include <compare>
@@ -9,10 +9,9 @@
 
 #include "robust/base/int128.h"
 #include "robust/base/sign.h"
-#include "robust/integer.h"
 #include "robust/limbs.h"
 
-namespace veritope::internal {
+namespace veritope {
 
 /// An integer of at most Capacity limbs, or unknown: a result that does not fit is unknown, and so is
 /// everything that is computed from it. It never wraps around.
@@ -21,7 +20,7 @@ class StackInteger {
  public:
   StackInteger() : size_(0), is_negative_(false) {}
   explicit StackInteger(std::int64_t v) : size_(v != 0), is_negative_(v < 0) {
-    limb_[0] = magnitude_of(v);
+    limb_[0] = internal::magnitude_of(v);
   }
   // Only the limbs in use.
   StackInteger(const StackInteger& v) { assign(v); }
@@ -84,7 +83,7 @@ class StackInteger {
       return r;
     }
     r.is_negative_ = a.is_negative_ != b.is_negative_;
-    multiply_limbs(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
+    internal::multiply_limbs(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
     r.size_ = a.size_ + b.size_;
     if (r.limb_[r.size_ - 1] == 0) --r.size_;
     return r;
@@ -121,7 +120,7 @@ class StackInteger {
   // |a| <=> |b|
   static std::strong_ordering compare_magnitudes(const StackInteger& a, const StackInteger& b) {
     if (a.size_ != b.size_) return a.size_ <=> b.size_;
-    return compare_limbs(a.limb_, b.limb_, a.size_);
+    return internal::compare_limbs(a.limb_, b.limb_, a.size_);
   }
   // a + |b| or a - |b|
   static StackInteger sum(const StackInteger& a, const StackInteger& b, bool b_is_negative) {
@@ -143,7 +142,8 @@ class StackInteger {
   }
   // REQUIRES a.size_ >= b.size_
   static void add_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    const unsigned char carry = combine_limbs<true>(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
+    const unsigned char carry =
+        internal::combine_limbs<true>(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
     r.size_ = a.size_;
     if (carry == 0) return;
     if (r.size_ == Capacity) {
@@ -154,8 +154,8 @@ class StackInteger {
   }
   // REQUIRES |a| > |b|
   static void subtract_magnitudes(const StackInteger& a, const StackInteger& b, StackInteger& r) {
-    combine_limbs<false>(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
-    r.size_ = significant_size(r.limb_, a.size_);
+    internal::combine_limbs<false>(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
+    r.size_ = internal::significant_size(r.limb_, a.size_);
   }
 
   std::uint64_t limb_[Capacity];  // of the magnitude, least significant first
@@ -168,14 +168,4 @@ Sign3 sign_of(const StackInteger<Capacity>& v) {
   return v.sign();
 }
 
-/// v * 2^n. REQUIRES n >= 0.
-template <int Capacity>
-StackInteger<Capacity> shifted(const StackInteger<Capacity>& v, int n) {
-  return v << n;
-}
-inline Integer shifted(Integer v, int n) {
-  v.shift_left(static_cast<std::uint64_t>(n));
-  return v;
-}
-
-}  // namespace veritope::internal
+}  // namespace veritope

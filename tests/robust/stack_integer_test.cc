@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "predicates/implicit_number.h"
+#include "robust/stack_integer.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
+#include <string>
 
-#include "predicates/implicit_lattice.h"
 #include "robust/base/random.h"
-#include "tests/predicates/point_generators.h"
+#include "robust/integer.h"
 
 namespace veritope {
 namespace {
 
-using internal::StackInteger;
 using Number = StackInteger<12>;
 
 // One number in two representations.
@@ -24,7 +22,9 @@ struct Pair {
 Pair operator+(const Pair& a, const Pair& b) { return {a.ours + b.ours, a.theirs + b.theirs}; }
 Pair operator-(const Pair& a, const Pair& b) { return {a.ours - b.ours, a.theirs - b.theirs}; }
 Pair operator*(const Pair& a, const Pair& b) { return {a.ours * b.ours, a.theirs * b.theirs}; }
-Pair operator<<(const Pair& a, int n) { return {a.ours << n, internal::shifted(a.theirs, n)}; }
+Pair operator<<(const Pair& a, int n) {
+  return {a.ours << n, a.theirs << static_cast<std::uint64_t>(n)};
+}
 Pair from(std::int64_t v) { return {Number(v), Integer(v)}; }
 
 // Equal: the difference with the number that is built of theirs' bits is zero.
@@ -104,33 +104,6 @@ TEST(StackInteger, FromDigitsIsTheirSum) {
     }
     EXPECT_EQ((Number::from_digits(d.data(), count) - sum).sign(), Sign3::kZero) << i;
   }
-}
-
-TEST(ImplicitLattice, IsTheLatticeOfOneLimb) {
-  Random random(19);
-  int fit = 0;
-  for (int kind = 0; kind < generate::kNumKinds; ++kind) {
-    for (int i = 0; i < 200; ++i) {
-      const generate::Points p = generate::points(static_cast<generate::Kind>(kind), random);
-      std::array<double, 15> c;
-      for (std::size_t k = 0; k < 15; ++k) c[k] = p[k / 3][static_cast<int>(k % 3)];
-      std::uint64_t biased = 0;
-      for (const double v : c)
-        biased = std::max(biased, std::bit_cast<std::uint64_t>(v) << 1 >> 53);
-      EXPECT_EQ(internal::biased_exponent(c), biased);
-      std::array<FixedInt<1>, 15> expected;
-      std::array<Digits<1>, 15> found;
-      const bool fits = internal::to_lattice<1, 15>(c, expected);
-      const auto unit = internal::lattice_of(biased, internal::lattice_bits(1));
-      EXPECT_EQ(unit.scale * unit.unit, 1);
-      EXPECT_EQ(std::ldexp(1.0, unit.exponent), unit.unit);
-      ASSERT_EQ(internal::on_lattice(unit, c, found), fits) << generate::text(p);
-      if (!fits) continue;
-      ++fit;
-      for (std::size_t k = 0; k < 15; ++k) EXPECT_EQ(found[k].d[0], expected[k].low());
-    }
-  }
-  EXPECT_GT(fit, 1000);
 }
 
 }  // namespace

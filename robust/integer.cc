@@ -133,9 +133,20 @@ Integer floor_divide(const Integer& a, const Integer& b) {
   mpz_fdiv_q(z(r), z(a), z(b));
   return r;
 }
+Integer floor_sqrt(const Integer& a) {
+  VT_CHECK(a.sign() != Sign::kNegative, "square root of a negative number");
+  Integer r;
+  mpz_sqrt(z(r), z(a));
+  return r;
+}
 Integer power_of_two(std::uint64_t n) noexcept {
   Integer r(1);
   return r.shift_left(n);
+}
+Integer power(const Integer& base, std::uint64_t n) noexcept {
+  Integer r;
+  mpz_pow_ui(z(r), z(base), n);
+  return r;
 }
 
 }  // namespace veritope

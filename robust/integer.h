@@ -102,8 +102,12 @@ Integer gcd(const Integer& a, const Integer& b) noexcept;
 Integer divide_exactly(const Integer& a, const Integer& b);
 /// floor(a / b). REQUIRES b != 0.
 Integer floor_divide(const Integer& a, const Integer& b);
+/// The greatest integer whose square is at most a. REQUIRES a >= 0.
+Integer floor_sqrt(const Integer& a);
 /// 2^n.
 Integer power_of_two(std::uint64_t n) noexcept;
+/// base^n; base^0 = 1.
+Integer power(const Integer& base, std::uint64_t n) noexcept;
 
 inline Sign sign_of(const Integer& a) noexcept { return a.sign(); }
 

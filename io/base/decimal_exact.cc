@@ -1,55 +1,39 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/base/decimal_exact.cc: decimals in big integers: the table of powers of ten, and the rounding that is always
 // right.
-#include <gmp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/base/decimal.h"
+#include "robust/integer.h"
 
 namespace veritope::internal {
 namespace {
 
-class BigInt {
- public:
-  BigInt() { mpz_init(value_); }
-  ~BigInt() { mpz_clear(value_); }
-  BigInt(const BigInt&) = delete;
-  BigInt& operator=(const BigInt&) = delete;
-  mpz_ptr get() { return value_; }
-  std::int64_t num_bits() const { return static_cast<std::int64_t>(mpz_sizeinbase(value_, 2)); }
-
- private:
-  mpz_t value_;
-};
+std::int64_t num_bits(const Integer& v) { return static_cast<std::int64_t>(v.bit_length()); }
 
 // The leading 128 bits of 5^q (q >= 0) or of 2^k / 5^-q, cut off; 10^q = 5^q 2^q.
 PowerOfTen power_of_ten(int q) {
-  BigInt five, bits;
-  mpz_ui_pow_ui(five.get(), 5, static_cast<unsigned long>(std::abs(q)));
-  const auto length = static_cast<int>(five.num_bits());
+  Integer bits = power(Integer(5), static_cast<std::uint64_t>(std::abs(q)));
+  const auto length = static_cast<int>(num_bits(bits));
   PowerOfTen power{};
   if (q >= 0) {
     if (length <= 128) {
-      mpz_mul_2exp(bits.get(), five.get(), static_cast<mp_bitcnt_t>(128 - length));
+      bits.shift_left(static_cast<std::uint64_t>(128 - length));
     } else {
-      mpz_tdiv_q_2exp(bits.get(), five.get(), static_cast<mp_bitcnt_t>(length - 128));
+      bits.shift_right(static_cast<std::uint64_t>(length - 128));
     }
     power.exponent = length - 128 + q;
   } else {
     // 2^(length - 1) < 5^-q < 2^length, so the quotient has 128 bits.
-    mpz_setbit(bits.get(), static_cast<mp_bitcnt_t>(127 + length));
-    mpz_tdiv_q(bits.get(), bits.get(), five.get());
+    bits = floor_divide(power_of_two(static_cast<std::uint64_t>(127 + length)), bits);
     power.exponent = q - 127 - length;
   }
-  std::uint64_t words[2] = {0, 0};
-  mpz_export(words, nullptr, -1, sizeof words[0], 0, 0, bits.get());
-  power.low = words[0];
-  power.high = words[1];
+  power.low = bits.low_bits();
+  power.high = bits.shift_right(64).low_bits();
   return power;
 }
 
@@ -60,34 +44,24 @@ std::vector<PowerOfTen> make_powers() {
 }
 
 // numerator / denominator > 0, rounded.
-double round_quotient(BigInt& numerator, BigInt& denominator) {
+double round_quotient(Integer numerator, Integer denominator) {
   // The quotient lies in (2^(k-1), 2^(k+1)); keep at least 53 bits, or down to 2^-1074.
-  const std::int64_t k = numerator.num_bits() - denominator.num_bits();
+  const std::int64_t k = num_bits(numerator) - num_bits(denominator);
   std::int64_t ulp = std::max<std::int64_t>(k - 53, -1074);
-  const auto shift_to = [&](std::int64_t exponent) {
-    if (exponent > 0) {
-      mpz_mul_2exp(denominator.get(), denominator.get(), static_cast<mp_bitcnt_t>(exponent));
-    } else if (exponent < 0) {
-      mpz_mul_2exp(numerator.get(), numerator.get(), static_cast<mp_bitcnt_t>(-exponent));
-    }
-  };
-  shift_to(ulp);
-  BigInt quotient, rest;
-  mpz_tdiv_qr(quotient.get(), rest.get(), numerator.get(), denominator.get());
-  if (quotient.num_bits() > 53) {
+  if (ulp > 0) denominator.shift_left(static_cast<std::uint64_t>(ulp));
+  if (ulp < 0) numerator.shift_left(static_cast<std::uint64_t>(-ulp));
+  Integer quotient = floor_divide(numerator, denominator);
+  Integer rest = std::move(numerator.subtract_product(quotient, denominator));
+  if (num_bits(quotient) > 53) {
     ++ulp;  // one bit more than fits
-    const bool odd = mpz_odd_p(quotient.get()) != 0;
-    mpz_tdiv_q_2exp(quotient.get(), quotient.get(), 1);
-    if (odd) mpz_add(rest.get(), rest.get(), denominator.get());
-    mpz_mul_2exp(denominator.get(), denominator.get(), 1);
+    if (quotient.test_bit(0)) rest += denominator;
+    quotient.shift_right(1);
+    denominator.shift_left(1);
   }
-  mpz_mul_2exp(rest.get(), rest.get(), 1);
-  const int half = mpz_cmp(rest.get(), denominator.get());
-  if (half > 0 || (half == 0 && mpz_odd_p(quotient.get()) != 0)) {
-    mpz_add_ui(quotient.get(), quotient.get(), 1);
-  }
+  const auto half = rest.shift_left(1) <=> denominator;
+  if (half > 0 || (half == 0 && quotient.test_bit(0))) quotient += Integer(1);
   // At most 2^53, so the conversion is exact; ldexp is exact or overflows to infinity.
-  return std::ldexp(mpz_get_d(quotient.get()), static_cast<int>(ulp));
+  return std::ldexp(static_cast<double>(quotient.to_int64()), static_cast<int>(ulp));
 }
 
 }  // namespace
@@ -108,18 +82,10 @@ double round_decimal_exactly(std::string_view digits, std::int64_t exponent) {
   const std::int64_t magnitude = exponent + static_cast<std::int64_t>(digits.size());
   if (magnitude > 309) return std::numeric_limits<double>::infinity();
   if (magnitude < -323) return 0;
-  BigInt numerator, denominator;
-  mpz_set_str(numerator.get(), std::string(digits).c_str(), 10);
-  BigInt& scaled = exponent >= 0 ? numerator : denominator;
-  BigInt power;
-  mpz_ui_pow_ui(power.get(), 10, static_cast<unsigned long>(std::abs(exponent)));
-  if (exponent >= 0) {
-    mpz_mul(scaled.get(), scaled.get(), power.get());
-    mpz_set_ui(denominator.get(), 1);
-  } else {
-    mpz_set(scaled.get(), power.get());
-  }
-  return round_quotient(numerator, denominator);
+  Integer numerator = Integer::from_decimal(digits), denominator(1);
+  (exponent >= 0 ? numerator : denominator) *=
+      power(Integer(10), static_cast<std::uint64_t>(std::abs(exponent)));
+  return round_quotient(std::move(numerator), std::move(denominator));
 }
 
 }  // namespace veritope::internal

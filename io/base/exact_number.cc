@@ -13,12 +13,6 @@ namespace {
 mpz_ptr z(Integer& n) { return static_cast<mpz_ptr>(n.gmp()); }
 mpz_srcptr z(const Integer& n) { return static_cast<mpz_srcptr>(n.gmp()); }
 
-Integer power(unsigned long base, std::uint64_t n) {
-  Integer out;
-  mpz_ui_pow_ui(z(out), base, n);
-  return out;
-}
-
 Integer power_of_ten(std::uint64_t n) {
   static const auto kSmall = [] {
     std::array<Integer, 64> table;
@@ -27,7 +21,7 @@ Integer power_of_ten(std::uint64_t n) {
     return table;
   }();
   if (n < kSmall.size()) return kSmall[n];
-  return power(10, n);
+  return power(Integer(10), n);
 }
 
 bool names_no_finite_number(std::string_view token) {

@@ -2,62 +2,42 @@
 // io/mesh/loss.cc: what a file would lose, exactly.
 // Claim  x - binary32(x) is a binary64 without rounding: it is a multiple of the last bit of x (or 2^-1074) and no
 //        larger than |x|, so 53 bits hold it. Squares and sums are then exact integers times 2^-2148.
-#include <gmp.h>
-
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "io/mesh/mesh_encoder.h"
 #include "io/mesh/stl_reader.h"
 #include "io/mesh/vertex_table.h"
+#include "robust/binary64.h"
+#include "robust/integer.h"
 
 namespace veritope {
 namespace {
 
-class BigInt {
- public:
-  BigInt() { mpz_init(value_); }
-  ~BigInt() { mpz_clear(value_); }
-  BigInt(const BigInt&) = delete;
-  BigInt& operator=(const BigInt&) = delete;
-  mpz_ptr get() { return value_; }
-
- private:
-  mpz_t value_;
-};
-
 // x * 2^1074. REQUIRES x finite.
-void set_scaled(BigInt& result, double x) {
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  mpz_set_d(result.get(), std::ldexp(mantissa, 53));
-  const int shift = exponent - 53 + 1074;
-  if (shift >= 0) {
-    mpz_mul_2exp(result.get(), result.get(), static_cast<mp_bitcnt_t>(shift));
-  } else {
-    mpz_tdiv_q_2exp(result.get(), result.get(), static_cast<mp_bitcnt_t>(-shift));  // zeros only
-  }
+Integer scaled(double x) {
+  const Binary64 parts = split(x);
+  return Integer(parts.mantissa) << static_cast<std::uint64_t>(parts.exponent - kMinExponent);
 }
 
 // Sets the result to |d|^2 * 2^2148.
-void set_square(BigInt& result, const Vec3d& d) {
-  BigInt component;
-  mpz_set_ui(result.get(), 0);
+Integer scaled_square(const Vec3d& d) {
+  Integer sum;
   for (int axis = 0; axis < 3; ++axis) {
-    set_scaled(component, d[axis]);
-    mpz_addmul(result.get(), component.get(), component.get());
+    const Integer component = scaled(d[axis]);
+    sum.add_product(component, component);
   }
+  return sum;
 }
 
 // The least binary64 whose square is at least square / 2^2148.
-double root_rounded_up(BigInt& square) {
-  BigInt root, rest;
-  mpz_sqrtrem(root.get(), rest.get(), square.get());
-  if (mpz_sgn(rest.get()) != 0) mpz_add_ui(root.get(), root.get(), 1);
-  const auto bits = static_cast<int>(mpz_sizeinbase(root.get(), 2));
-  const int drop = bits > 53 ? bits - 53 : 0;
-  mpz_cdiv_q_2exp(root.get(), root.get(), static_cast<mp_bitcnt_t>(drop));
-  return std::ldexp(mpz_get_d(root.get()), drop - 1074);
+double root_rounded_up(const Integer& square) {
+  Integer root = floor_sqrt(square);
+  if (root * root != square) root += Integer(1);
+  const std::uint64_t bits = root.bit_length(), drop = bits > 53 ? bits - 53 : 0;
+  root.negate().shift_right(drop).negate();  // rounds up
+  return std::ldexp(static_cast<double>(root.to_int64()), static_cast<int>(drop) - 1074);
 }
 
 double rounded(double value) {
@@ -68,7 +48,7 @@ double rounded(double value) {
 Vec3d rounded(const Vec3d& p) { return {rounded(p.x), rounded(p.y), rounded(p.z)}; }
 
 void measure(const TriangleMesh& mesh, LossReport& report) {
-  BigInt largest, square;
+  Integer largest;
   double safe = 0;  // largest component of a displacement that cannot beat `largest`
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3d &p = mesh.positions[i], q = rounded(p);
@@ -83,9 +63,9 @@ void measure(const TriangleMesh& mesh, LossReport& report) {
       safe = size;
       continue;
     }
-    set_square(square, d);
-    if (mpz_cmp(square.get(), largest.get()) <= 0) continue;
-    mpz_swap(square.get(), largest.get());
+    Integer square = scaled_square(d);
+    if (square <= largest) continue;
+    largest = std::move(square);
     report.max_displacement = root_rounded_up(largest);
     report.vertex = static_cast<std::uint32_t>(i);
     // |d| <= sqrt(3) size < 1.7321 size; the product is rounded, 2^-50 pays for that.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/splines/g2_shape_reader.h"
 
-#include <gmp.h>
-
 #include <utility>
 
 namespace veritope {
@@ -13,10 +11,9 @@ constexpr const char* kAngles = "its parameters are angles, which no rational sp
 /// The square root if it is rational.
 std::optional<Rational> rational_root(const Rational& square) {
   const auto root = [](const Integer& n, Integer& out) {
-    const auto* const z = static_cast<mpz_srcptr>(n.gmp());
-    if (mpz_sgn(z) < 0 || mpz_perfect_square_p(z) == 0) return false;
-    mpz_sqrt(static_cast<mpz_ptr>(out.gmp()), z);
-    return true;
+    if (n.sign() == Sign::kNegative) return false;
+    out = floor_sqrt(n);
+    return out * out == n;
   };
   Integer p, q;
   if (!root(square.numerator(), p) || !root(square.denominator(), q)) return std::nullopt;

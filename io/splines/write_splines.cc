@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/splines/write_splines.h"
 
-#include <gmp.h>
-
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -42,11 +40,8 @@ std::string seventeen_digits(const Rational& value, const ReadLimits& limits) {
   const auto bits = static_cast<std::int64_t>(value.numerator().bit_length()) -
                     static_cast<std::int64_t>(value.denominator().bit_length());
   const std::int64_t exponent = bits * 30103 / 100000 - 19;  // log10(2) = 0.30103
-  Integer power;
-  mpz_ui_pow_ui(static_cast<mpz_ptr>(power.gmp()), 10,
-                static_cast<unsigned long>(std::abs(exponent)));
-  const Rational scaled =
-      exponent < 0 ? abs(value) * Rational(power) : abs(value) / Rational(power);
+  const Rational scale(power(Integer(10), static_cast<std::uint64_t>(std::abs(exponent))));
+  const Rational scaled = exponent < 0 ? abs(value) * scale : abs(value) / scale;
   std::string digits = floor_divide(scaled.numerator(), scaled.denominator()).to_string();
   std::int64_t zeros = 0;
   for (; digits.back() == '0'; ++zeros) digits.pop_back();

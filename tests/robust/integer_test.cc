@@ -87,6 +87,24 @@ TEST(Integer, DividesAsNamed) {
   EXPECT_THROW(divide_exactly(Integer(1), Integer(0)), InternalError);
 }
 
+TEST(Integer, PowersAndShiftsMultiply) {
+  EXPECT_EQ(power(Integer(10), 0), Integer(1));
+  EXPECT_EQ(power(Integer(0), 0), Integer(1));
+  EXPECT_EQ(power(Integer(-10), 21).to_string(), "-1000000000000000000000");
+  EXPECT_EQ(Integer(-5) << 70, Integer(-5) * power_of_two(70));
+  EXPECT_EQ(Integer(0) << 70, Integer(0));
+}
+
+TEST(Integer, FloorSqrtIsTheGreatestIntegerWhoseSquareIsAtMostTheNumber) {
+  EXPECT_EQ(floor_sqrt(Integer(0)), Integer(0));
+  for (const Integer& root : {Integer(1), Integer(2), Integer(46340), power(Integer(10), 40)}) {
+    EXPECT_EQ(floor_sqrt(root * root), root);
+    EXPECT_EQ(floor_sqrt(root * root - Integer(1)), root - Integer(1));
+    EXPECT_EQ(floor_sqrt(root * root + root + root), root);
+  }
+  EXPECT_THROW(floor_sqrt(Integer(-1)), InternalError);
+}
+
 TEST(Integer, CopiesAreIndependentAndMovesKeepTheValue) {
   Integer a = power_of_two(300);
   Integer b = a;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // robust/integer.h: integers of any size; a thin owner of a GMP mpz. Memory comes from GMP's allocator. Elsewhere in
 // the library std::bad_alloc passes through when memory runs out; here it cannot: GMP does not return, it ends the
-// program.
+// program. Which integer type to take when: docs/integers.md.
 #pragma once
 #include <compare>
 #include <concepts>

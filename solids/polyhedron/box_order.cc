@@ -8,7 +8,7 @@
 
 #include "robust/base/parallel.h"
 #include "robust/binary64.h"
-#include "solids/polyhedron/chunk_internal.h"
+#include "solids/base/range_tree.h"
 
 namespace veritope {
 namespace {
@@ -68,7 +68,7 @@ void radix_pass(const std::uint64_t* from, std::uint64_t* to, std::size_t n, uns
 // In doubles: parts of a model that are far from each other must not become points.
 struct Centre {
   Point3d at;
-  std::uint32_t facet;
+  std::uint32_t number;  // of the facet, or of the vertex that is the apex of a fan
   std::uint32_t group = 0;
 };
 
@@ -98,13 +98,7 @@ std::size_t halve(std::vector<Centre>& items, std::size_t begin, std::size_t end
                   [g = items[begin].group](const Centre& c) { return c.group != g; })) {
     split_groups(items, begin, mid, end);
   }
-  Box3d centres{items[begin].at, items[begin].at};
-  for (std::size_t i = begin + 1; i < end; ++i) add(items[i].at, &centres);
-  const std::size_t axis = longest_axis(centres);
-  const auto it = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(it(begin), it(mid), it(end), [axis](const Centre& a, const Centre& b) {
-    return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.facet < b.facet;
-  });
+  split_at_median(std::span(items).subspan(begin, end - begin), mid - begin);
   return mid;
 }
 
@@ -135,7 +129,7 @@ void arrange_all(std::vector<Centre>& items, unsigned jobs) {
 Centre centre_of(const TriangleMesh& mesh, std::uint32_t facet) {
   const auto& t = mesh.faces[facet];
   Centre c;
-  c.facet = facet;
+  c.number = facet;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto at = [&](std::size_t j) { return mesh.positions[t[j]][static_cast<int>(k)]; };
     c.at[k] = at(0) + at(1) + at(2);
@@ -150,7 +144,7 @@ void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned j
   constexpr std::uint32_t kLarge = 64;  // facets
   std::vector<std::uint32_t> degree(mesh.positions.size());
   for (const Centre& c : items)
-    for (const std::uint32_t v : mesh.faces[c.facet]) ++degree[v];
+    for (const std::uint32_t v : mesh.faces[c.number]) ++degree[v];
   const auto apex_of = [&](std::uint32_t facet) {
     const auto& t = mesh.faces[facet];
     return *std::max_element(t.begin(), t.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -166,9 +160,9 @@ void group_fans(const TriangleMesh& mesh, std::vector<Centre>& items, unsigned j
   arrange(apexes, 0, apexes.size());
   std::vector<std::uint32_t> group(degree.size());
   for (std::size_t i = 0; i < apexes.size(); ++i)
-    group[apexes[i].facet] = static_cast<std::uint32_t>(i + 1);
+    group[apexes[i].number] = static_cast<std::uint32_t>(i + 1);
   parallel_for(items.size(), kChunk, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) items[i].group = group[apex_of(items[i].facet)];
+    for (std::size_t i = begin; i < end; ++i) items[i].group = group[apex_of(items[i].number)];
   });
 }
 
@@ -251,7 +245,7 @@ std::vector<std::uint32_t> median_order(const TriangleMesh& mesh,
   arrange_all(items, jobs);
   std::vector<std::uint32_t> order;
   order.reserve(items.size());
-  for (const Centre& c : items) order.push_back(c.facet);
+  for (const Centre& c : items) order.push_back(c.number);
   return order;
 }
 

@@ -4,27 +4,15 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "robust/base/box3d.h"
+#include "solids/base/range_tree.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/vertex_star.h"
 
 namespace veritope {
-
-/// A node: positions [lo, hi) of the order. Children halve it; nodes are numbered in preorder.
-struct TreeRange {
-  std::uint32_t node, lo, hi;
-  std::uint32_t size() const { return hi - lo; }
-  bool is_leaf() const { return hi - lo == 1; }
-  TreeRange left() const { return {node + 1, lo, lo + (hi - lo) / 2}; }
-  TreeRange right() const {
-    const std::uint32_t mid = lo + (hi - lo) / 2;
-    return {node + 2 * (mid - lo), mid, hi};
-  }
-};
 
 /// One part of the walk that can be done on its own; the parts in order make up the walk.
 struct WalkPart {
@@ -38,7 +26,7 @@ class BoxTree {
 
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::span<const std::uint32_t> facets(const TreeRange& r) const { return {order_.data() + r.lo, r.size()}; }
-  TreeRange root() const { return {0, 0, static_cast<std::uint32_t>(order_.size())}; }
+  TreeRange root() const { return tree_.root(); }
 
   /// The walk's parts in its order; they do not depend on anything but the number of facets.
   std::vector<WalkPart> parts() const;
@@ -67,9 +55,8 @@ class BoxTree {
   };
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  void build(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r);
-  void make_leaf(const TriangleMesh& mesh, const VertexStars& stars, const TreeRange& r);
-  void join_children(const TreeRange& r);
+  static Node leaf(const TriangleMesh& mesh, const VertexStars& stars, std::uint32_t facet);
+  static Node join(const Node& a, const Node& b);
   bool skips(const Node& a, const Node& b) const {
     if (!meets(a.box, b.box)) return true;
     if (a.common[0] == kNone || b.common[0] == kNone) return false;
@@ -87,7 +74,7 @@ class BoxTree {
   }
   template <typename Visitor>
   void cross(const TreeRange& a, const TreeRange& b, Visitor& visitor, std::uint64_t& k) const {
-    if (skips(nodes_[a.node], nodes_[b.node]) || visitor.stop()) return;
+    if (skips(tree_[a], tree_[b]) || visitor.stop()) return;
     if (visitor.node_pair(a, b, k++)) return;
     if (a.is_leaf() && b.is_leaf()) return visitor.leaf_pair(a.lo, b.lo);
     if (a.size() >= b.size()) {
@@ -100,7 +87,7 @@ class BoxTree {
   }
 
   std::vector<std::uint32_t> order_;
-  std::unique_ptr<Node[]> nodes_;
+  RangeTree<Node> tree_;
 };
 
 }  // namespace veritope

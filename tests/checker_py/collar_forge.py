@@ -7,7 +7,7 @@ from collections import deque
 import star_box_forge as forge
 from veritope_checker.collar import collar_complex as complexes
 
-check, read = forge.check, forge.read
+star_nodes, star_triangles, read = forge.star_nodes, forge.star_triangles, forge.read
 FULL, LEVELS = complexes.FULL, complexes.LEVELS
 
 
@@ -51,7 +51,7 @@ class Collar:
         assert self.plan.shift >= 0
         self.hulls = []
         for patch, trees in zip(prover.patches, prover.plan.trees):
-            for root, tree in zip(check.root_nodes(patch), trees):
+            for root, tree in zip(star_nodes.root_nodes(patch), trees):
                 self.refine(root, tree, depth)
 
     def refine(self, node, tree, depth):
@@ -113,12 +113,12 @@ class Collar:
         for end in range(6):
             ray = [0, 0, 0]
             ray[end // 2] = 1 - 2 * (end % 2)
-            if self.prover.is_free(check.misses_segment(start, ray, True)):
+            if self.prover.is_free(star_nodes.misses_segment(start, ray, True)):
                 return [], end
         for number, box in enumerate(self.plan.boxes):
             for sign in (0, 1) if box.kind == 0 else ():
                 to = forge.check_box(box).c[sign]
-                if self.prover.is_free(check.misses_segment(start, check.sub(to, start), False)):
+                if self.prover.is_free(star_nodes.misses_segment(start, star_triangles.sub(to, start), False)):
                     return [], (number, sign)
         raise ValueError("no shore found")
 

@@ -10,7 +10,9 @@ from fractions import Fraction
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verify" / "checker"))
-from veritope_checker.patches import star_box_check as check, star_box_patches as patches, star_box_read as read  # noqa: E402
+from veritope_checker.patches import star_box_crossing as star_crossing, star_box_nodes as star_nodes  # noqa: E402
+from veritope_checker.patches import star_box_patches as patches, star_box_read as read  # noqa: E402
+from veritope_checker.patches import star_box_triangles as star_triangles                # noqa: E402
 
 
 # ---------------------------------------------------------------- models
@@ -139,12 +141,12 @@ class Prover:
         edges, vertices, chi, self.vertex_of = patches.glue(self.patches, fail)
         plan.values = {"patches": len(self.patches), "edges": edges, "vertices": vertices, "shells": len(chi),
                        "genus": sum(1 - c // 2 for c in chi)}
-        self.forest = check.Forest(self.patches, 10 ** 9)
+        self.forest = star_nodes.Forest(self.patches, 10 ** 9)
         self.components = [[] for _ in chi]                 # star boxes
 
     def prove(self):
         for patch in self.patches:
-            self.plan.trees.append([self.tree(node) for node in check.root_nodes(patch)])
+            self.plan.trees.append([self.tree(node) for node in star_nodes.root_nodes(patch)])
         self.walk()
         self.plan.values["bodies"] = sum(sign for _, sign, _, _ in self.plan.walks)
         return self
@@ -184,7 +186,7 @@ class Prover:
             a, b = piece.hull()
             return max(q[0] // q[1] - p[0] // p[1] for p, q in zip(a, b)) <= half
 
-        pieces = self.forest.descend(check.misses_box(probe), "C2", lambda n: small(n) or n.level == check.MAX_DEPTH)
+        pieces = self.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: small(n) or n.level == read.MAX_DEPTH)
         if len(pieces) > 400:
             return None
         rows = []
@@ -230,8 +232,8 @@ class Prover:
         probe = check_box(box)
         before, self.forest.work = self.forest.work, 3000
         try:
-            nodes = self.forest.descend(check.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
-            return check.Crossing(nodes, probe, lambda: self.forest.spend("C2")).number() == 1
+            nodes = self.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
+            return star_crossing.Crossing(nodes, probe, lambda: self.forest.spend("C2")).number() == 1
         except read.Reject:
             return False
         finally:
@@ -258,11 +260,11 @@ class Prover:
                 for end in range(6 if sign else 0):
                     ray = [0, 0, 0]
                     ray[end // 2] = 1 - 2 * (end % 2)
-                    if self.is_free(check.misses_segment(box.c[sign], ray, True)):
+                    if self.is_free(star_nodes.misses_segment(box.c[sign], ray, True)):
                         return number, sign, [], end
                 for other in [b for m in done for b in self.components[m][:12]]:
                     to = check_box(self.plan.boxes[other]).c[sign]
-                    if self.is_free(check.misses_segment(box.c[sign], check.sub(to, box.c[sign]), False)):
+                    if self.is_free(star_nodes.misses_segment(box.c[sign], star_triangles.sub(to, box.c[sign]), False)):
                         return number, sign, [], (other, sign)
         return None
 

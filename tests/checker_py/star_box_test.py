@@ -14,7 +14,8 @@ import star_box_models as models
 
 from veritope_checker import program as vc                # star_box_forge says where it is
 
-check, read, patches = forge.check, forge.read, forge.patches
+read, patches = forge.read, forge.patches
+star_crossing, star_nodes, star_triangles = forge.star_crossing, forge.star_nodes, forge.star_triangles
 SCALE = int(os.environ.get("VT_TEST_SCALE", "1"))
 UNIT = 1 << 20                                            # of the forge: coordinates are counted in 2^-20
 
@@ -26,7 +27,7 @@ class Careless(forge.Prover):
         probe = forge.check_box(box)
         self.forest.work = 3000
         try:
-            self.forest.descend(check.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
+            self.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
             return True
         except read.Reject:
             return False
@@ -412,12 +413,12 @@ class AnySign(forge.Prover):
                 for end in range(6):
                     ray = [0, 0, 0]
                     ray[end // 2] = 1 - 2 * (end % 2)
-                    if self.is_free(check.misses_segment(box.c[sign], ray, True)):
+                    if self.is_free(star_nodes.misses_segment(box.c[sign], ray, True)):
                         return number, sign, [], end
                 for other in [b for m in done for b in self.components[m][:12]]:
                     for to in (0, 1):
                         at = forge.check_box(self.plan.boxes[other]).c[to]
-                        if self.is_free(check.misses_segment(box.c[sign], check.sub(at, box.c[sign]), False)):
+                        if self.is_free(star_nodes.misses_segment(box.c[sign], star_triangles.sub(at, box.c[sign]), False)):
                             return number, sign, [], (other, to)
         return None
 
@@ -429,10 +430,10 @@ class Traps(StarBoxTest):
         """(S1 holds on all tested nodes, crossing number) for one box around open sheets."""
         prover = forge.Prover(entities, checked=False)
         to = [[int(c * scale * UNIT) for c in p] for p in (lo, hi, minus, plus)]
-        box = forge.Box(0, to[0], check.sub(to[1], to[0]), check.sub(to[2], to[0]), check.sub(to[3], to[0]))
+        box = forge.Box(0, to[0], star_triangles.sub(to[1], to[0]), star_triangles.sub(to[2], to[0]), star_triangles.sub(to[3], to[0]))
         probe = forge.check_box(box)
-        nodes = prover.forest.descend(check.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
-        return check.Crossing(nodes, probe, lambda: None).number()
+        nodes = prover.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
+        return star_crossing.Crossing(nodes, probe, lambda: None).number()
 
     def test_a_fold_of_three_sheets_passes_everything_but_p1(self):
         def graph(sign):
@@ -546,16 +547,16 @@ class Pieces(unittest.TestCase):
             for at, misses in ((-2, False), (-3, True), (12, False), (13, True)):
                 lo, hi = [[(4, 2)] * 3 for _ in range(2)]
                 lo[k], hi[k] = ((-9, 2), (at + 2, 2)) if at < 0 else ((at, 2), (at + 5, 2))
-                self.assertEqual(check.misses_box(box)(lo, hi), misses, (k, at))
+                self.assertEqual(star_nodes.misses_box(box)(lo, hi), misses, (k, at))
         entity = read.read_model(forge.encode_model([forge.triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])]))[0]
-        node = next(check.root_nodes(next(patches.patches_of(entity, None, 0, 0))))
+        node = next(star_nodes.root_nodes(next(patches.patches_of(entity, None, 0, 0))))
         node.patch.sides = [(0, True), (1, True), (2, True)]
         for minus, plus, good in ((-1, 1, True), (0, 1, False), (-1, 0, False), (1, -1, False)):
             self.assertEqual(node.has_s1(((0, 0, minus), (0, 0, plus))), good, (minus, plus))
 
     def test_the_rule_of_the_crossing_number(self):
         """Whole turns of polygons around the centre, from every corner, both ways, vertices on the ray among them."""
-        crossing = check.Crossing([], type("Box", (), {"c": [[0] * 3, [0, 0, 1]]}), lambda: None)
+        crossing = star_crossing.Crossing([], type("Box", (), {"c": [[0] * 3, [0, 0, 1]]}), lambda: None)
         square = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
         for shift, want in (((0, 0), 1), ((3, 0), 0), ((-3, 0), 0), ((0, 3), 0)):
             points = [(x + shift[0], y + shift[1]) for x, y in square]
@@ -586,7 +587,7 @@ class Pieces(unittest.TestCase):
                         if h >= 0:
                             result.append(p)
                     polygon = result
-            self.assertEqual(check.triangle_misses_box(patch, box), not polygon, (t, lo, hi))
+            self.assertEqual(star_triangles.triangle_misses_box(patch, box), not polygon, (t, lo, hi))
 
     def test_segments_and_boxes(self):
         rng = random.Random(8)
@@ -599,7 +600,7 @@ class Pieces(unittest.TestCase):
                 times = sorted({Q(0), *([] if is_ray else [Q(1)]),
                                 *[Q(a - c, s) for corner in (lo, hi) for a, c, s in zip(corner, p, d) if s]})
                 meets = any(0 <= t and (is_ray or t <= 1) and all(a <= c + t * s <= b for a, b, c, s in zip(lo, hi, p, d)) for t in times)
-                self.assertEqual(check.misses_segment(p, d, is_ray)(*pairs), not meets, (p, d, lo, hi, is_ray))
+                self.assertEqual(star_nodes.misses_segment(p, d, is_ray)(*pairs), not meets, (p, d, lo, hi, is_ray))
 
     def test_numbers(self):
         for text, value in (("3", 3), ("-1/3", Q(-1, 3)), ("0.25", Q(1, 4)), ("1e-3", Q(1, 1000)), ("0x1.8p-3", Q(3, 16)), ("+.5", Q(1, 2)),
@@ -650,7 +651,7 @@ def slow_g(patch, s, c):
     w = f[3]
     point = [a / w for a in f[:3]]
     su, sv = [[(d[i] * w - f[i] * d[3]) / w ** 2 for i in range(3)] for d in (fu, fv)]
-    return w ** 3 * check.dot(check.cross(su, sv), check.sub(point, c))
+    return w ** 3 * star_triangles.dot(star_triangles.cross(su, sv), star_triangles.sub(point, c))
 
 
 if __name__ == "__main__":

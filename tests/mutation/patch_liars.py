@@ -10,7 +10,6 @@ import patch_solids as ps
 from patch_solids import UNIT, forge, models
 import star_box_test as known                             # provers that look away
 
-check = forge.check
 
 
 class Case:

@@ -145,7 +145,7 @@ def reader(plan):
     prover.counts = {"patches": len(prover.patches), "edges": edges, "vertices": vertices, "shells": len(chi),
                      "genus": sum(1 - c // 2 for c in chi)}
     prover.components = [[] for _ in chi]
-    prover.forest = forge.check.Forest(prover.patches, 10 ** 9)
+    prover.forest = forge.star_nodes.Forest(prover.patches, 10 ** 9)
     return prover
 
 
@@ -156,7 +156,7 @@ def flat_proof(entities, inner=None):
     plan.values = dict(prover.counts)
     for patch in prover.patches:
         tree = middle = len(plan.boxes)
-        plan.boxes.append(forge.Box(1, *hull_of(next(forge.check.root_nodes(patch)), 2)))
+        plan.boxes.append(forge.Box(1, *hull_of(next(forge.star_nodes.root_nodes(patch)), 2)))
         star = None if prover.components[patch.component] else star_at_middle(prover, patch)
         if star:
             level, box = star
@@ -177,9 +177,9 @@ def hull_of(node, margin):
 
 def star_at_middle(prover, patch):
     """(level of the leaf, box)."""
-    node = next(forge.check.root_nodes(patch))
-    a, b, c = forge.check.corners_of(patch)
-    normal = [float(x) for x in forge.check.cross(forge.check.sub(b, a), forge.check.sub(c, a))]
+    node = next(forge.star_nodes.root_nodes(patch))
+    a, b, c = forge.star_triangles.corners_of(patch)
+    normal = [float(x) for x in forge.star_triangles.cross(forge.star_triangles.sub(b, a), forge.star_triangles.sub(c, a))]
     most = max(map(abs, normal))
     for level in range(1, 8):
         node = node.children()[3]

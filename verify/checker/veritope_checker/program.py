@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """veritope_check.py MODEL CERT: does this certificate prove its claim about this model?
 
-Written from docs/certificates/ and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only: the file
-veritope_check.py and the folder veritope_checker beside it; copy both where you need them.
+Written from docs/certificates/ and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only: the
+file veritope_check.py and the folder veritope_checker beside it; copy both where you need them.
 
 Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
 memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
@@ -32,7 +32,8 @@ def _check(model_bytes, cert_bytes, skip):
         try:
             module = importlib.import_module("." + claim.module, __package__)
         except ImportError as e:
-            return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (claim.module.split(".")[-1], e)
+            name = claim.module.split(".")[-1]
+            return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (name, e)
         module.check(claim, statement, body, model_bytes, skip)
     except Refused as e:
         return 4, "ERROR: the model is refused: %s" % e

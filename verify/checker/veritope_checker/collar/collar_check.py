@@ -6,8 +6,9 @@ Written from docs/certificates/collar.md alone (and star-box.md, where it is quo
 from collections import Counter
 
 from ..common.errors import Reject
-from ..patches import star_box_check as star
+from ..patches import star_box_check
 from ..patches.star_box_itd import read_subject
+from ..patches.star_box_nodes import root_nodes
 from ..patches.star_box_read import MAX_DEPTH, Certificate
 from .collar_complex import FULL, LEVELS, MAX_CELLS, Cells, Complex
 
@@ -61,7 +62,7 @@ class CollarCertificate(Certificate):
                     below += [level + 1] * 4
         return result
 
-class Checker(star.Checker):
+class Checker(star_box_check.Checker):
     certificate = CollarCertificate
 
     def run(self):
@@ -98,9 +99,11 @@ class Checker(star.Checker):
             for node in self.leaves_of(patch, trees):
                 met = {complex_.body_of[i] for i in self.cells_met(cells, node)}
                 bodies.setdefault(patch.component, set()).update(met)
-                split = split or len(met) != 1 and "a leaf of patch %d meets %d components of K" % (patch.index, len(met))
+                if len(met) != 1:
+                    split = split or "a leaf of patch %d meets %d components of K" % (patch.index, len(met))
         for component, of in bodies.items():
-            split = split or len(of) != 1 and "component %d of the surface lies in %d components of K" % (component, len(of))
+            if len(of) != 1:
+                split = split or "component %d of the surface lies in %d components of K" % (component, len(of))
         self.unless(split, "I2")
         times = Counter(body for of in bodies.values() for body in of)
         if sorted(times) != list(range(complex_.num_bodies)) or set(times.values()) != {1}:
@@ -108,7 +111,7 @@ class Checker(star.Checker):
         return {component: min(of, default=0) for component, of in bodies.items()}
 
     def leaves_of(self, patch, trees):
-        for root, tree in zip(star.root_nodes(patch), trees):
+        for root, tree in zip(root_nodes(patch), trees):
             stack = [root]
             for has_children in tree:
                 node = stack.pop()
@@ -138,10 +141,12 @@ class Checker(star.Checker):
             if code in cells.index:
                 met.append(cells.index[code])
             elif level == 0 or not cells.any_inside(code, size):
-                self.fail("I1", "a leaf of patch %d meets the cell of size %d at %s, which is not in K" % (node.patch.index, size, (x, y, z)))
+                self.fail("I1", "a leaf of patch %d meets the cell of size %d at %s, which is not in K"
+                          % (node.patch.index, size, (x, y, z)))
             else:
                 half = size >> 1
-                stack += [(level - 1, 8 * m + i, x + (i & 1) * half, y + (i >> 1 & 1) * half, z + (i >> 2) * half) for i in range(8)]
+                stack += [(level - 1, 8 * m + i, x + (i & 1) * half, y + (i >> 1 & 1) * half, z + (i >> 2) * half)
+                          for i in range(8)]
         return met
 
     # ------------------------------------------------------------ I3, I4

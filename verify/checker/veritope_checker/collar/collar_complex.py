@@ -25,12 +25,14 @@ def corner(at):
 def third_bits(m):
     """The number whose bits 0, 1, 2, ... are the bits 0, 3, 6, ..., 57 of m."""
     m &= 0x1249249249249249
-    for shift, mask in ((2, 0x10c30c30c30c30c3), (4, 0x100f00f00f00f00f), (8, 0x1f0000ff0000ff), (16, 0x1f00000000ffff), (32, 0x1fffff)):
+    for shift, mask in ((2, 0x10c30c30c30c30c3), (4, 0x100f00f00f00f00f), (8, 0x1f0000ff0000ff), (16, 0x1f00000000ffff),
+                        (32, 0x1fffff)):
         m = (m | m >> shift) & mask
     return m
 
 def spread(i):
-    for shift, mask in ((32, 0x1f00000000ffff), (16, 0x1f0000ff0000ff), (8, 0x100f00f00f00f00f), (4, 0x10c30c30c30c30c3),
+    for shift, mask in ((32, 0x1f00000000ffff), (16, 0x1f0000ff0000ff), (8, 0x100f00f00f00f00f),
+                        (4, 0x10c30c30c30c30c3),
                         (2, 0x1249249249249249)):
         i = (i | i << shift) & mask
     return i
@@ -177,7 +179,8 @@ class Complex:
     def bad_vertex(self):
         """Tests K1V, given K1E: the boundary faces at a vertex are connected through edges there."""
         number = {}
-        pairs = [[number.setdefault((v, n), len(number)) for n in around] for e, around in self.edge_to_boundary.items() for v in self.ends(e)]
+        pairs = [[number.setdefault((v, n), len(number)) for n in around] for e, around in self.edge_to_boundary.items()
+                 for v in self.ends(e)]
         groups = Groups(len(number))
         for first, *others in pairs:
             for n in others:
@@ -195,7 +198,8 @@ class Complex:
             of_body[self.body_of_component[component]].append(side)
         for body, of in enumerate(of_body):
             if sorted(of) != [0, 1]:
-                return "component %d has %d boundary components in d+ and %d others" % (body, of.count(1), len(of) - of.count(1))
+                inner = of.count(1)
+                return "component %d has %d boundary components in d+ and %d others" % (body, inner, len(of) - inner)
         return None
 
     def bad_collapse(self, sides, steps):
@@ -223,7 +227,8 @@ class Complex:
         if left[0] != outer:
             return "%d faces are left" % len(left[0] - outer)
         kept = {v for e in kept_edges for v in self.ends(e)}
-        left = greedy({e: self.ends(e) for e in left[1] | kept_edges}, {v for following in self.next for pair in following.items() for v in pair} - kept)
+        left = greedy({e: self.ends(e) for e in left[1] | kept_edges},
+                      {v for following in self.next for pair in following.items() for v in pair} - kept)
         if left[0] != kept_edges or left[1]:
             return "edges or vertices are left"
         return None
@@ -235,7 +240,8 @@ class Complex:
         return len({v for e in edges for v in self.ends(e)}) - len(edges) + len(faces)
 
     def least_vertex(self, component):
-        return corner(min(v for n, c in self.component_of.items() if c == component for e in self.edges_of[n] for v in self.ends(e)))
+        return corner(min(v for n, c in self.component_of.items() if c == component for e in self.edges_of[n]
+                          for v in self.ends(e)))
 
 def greedy(parts_of, free):
     """Removes a free part that lies in exactly one cell together with that cell, as long as such a part exists.

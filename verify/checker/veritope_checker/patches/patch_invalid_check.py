@@ -8,8 +8,9 @@ from bisect import bisect_right
 from math import comb, lcm
 
 from ..common.errors import Reject
-from .star_box_check import MAX_DEGREE, extremes
+from .star_box_check import MAX_DEGREE
 from .star_box_itd import read_subject
+from .star_box_nodes import extremes
 from .star_box_patches import axis_matrix, curve_key, halves, is_collapsed, surface_patch, triangle_patch
 from .star_box_read import Body, read_entities
 
@@ -68,7 +69,8 @@ class Patches:
 
     def __init__(self, entities, flags, breaks):
         self.entities, self.flags, self.breaks, self.made, self.matrices = entities, flags, breaks, {}, {}
-        self.sizes = [(len(b[0]) - 1, len(b[1]) - 1) if b else (1, 1) if e else (0, 0) for e, b in zip(entities, breaks)]
+        self.sizes = [(len(b[0]) - 1, len(b[1]) - 1) if b else (1, 1) if e else (0, 0)
+                      for e, b in zip(entities, breaks)]
         self.first = [0]                                    # number of the first patch of each entity
         for m, n in self.sizes:
             self.first.append(self.first[-1] + m * n)
@@ -142,7 +144,8 @@ def part_of_curve(points, at):
 def elevated(row, n, factor):
     """The coefficients in degree n, times factor, which all comb(n, i) divide."""
     r = len(row) - 1
-    return [sum(comb(r, j) * comb(n - r, i - j) * c for j, c in enumerate(row) if 0 <= i - j <= n - r) * (factor // comb(n, i))
+    return [sum(comb(r, j) * comb(n - r, i - j) * c for j, c in enumerate(row) if 0 <= i - j <= n - r)
+            * (factor // comb(n, i))
             for i in range(n + 1)]
 
 def tensor_net(patch):
@@ -208,7 +211,8 @@ class Checker:
         """Tests B2; makes the patches that the finding is about."""
         for i, entity in enumerate(self.entities):
             if not entity or entity.dimension != 3 or max(entity.degrees) > MAX_DEGREE:
-                raise Reject("B2", "entity %d is no surface or triangle in space of degree at most %d" % (i, MAX_DEGREE))
+                raise Reject("B2", "entity %d is no surface or triangle in space of degree at most %d"
+                             % (i, MAX_DEGREE))
             for p, knots in zip(entity.degrees, entity.knots):
                 if any(a == b and knots[p] < a < knots[-p - 1] for a, b in zip(knots, knots[p:])):
                     self.fail("B2", "entity %d has an inner knot of multiplicity %d" % (i, p + 1))
@@ -217,8 +221,9 @@ class Checker:
             self.patches[n]
 
     def check_statement(self):
-        """Tests B3."""
-        found = {"finding": "crossing" if self.is_crossing else "side", "patches": self.patches.count, "flipped": sum(self.flags)}
+        """B3."""
+        found = {"finding": "crossing" if self.is_crossing else "side", "patches": self.patches.count,
+                 "flipped": sum(self.flags)}
         if self.is_crossing:
             found.update(same=0, opposite=0)
         for key, value in found.items():
@@ -252,7 +257,8 @@ class Checker:
                 (a_least, a_greatest), (b_least, b_greatest) = [
                     control_values(y, face(net, axis, end) if which == n else net) for n, net in enumerate(nets)]
                 if not (less(a_greatest, b_least) if end == 0 else less(b_greatest, a_least)):
-                    self.fail("X3", "row %d does not separate A and B where its parameter is %s" % (i + 1, "low" if end == 0 else "high"))
+                    self.fail("X3", "row %d does not separate A and B where its parameter is %s"
+                              % (i + 1, "low" if end == 0 else "high"))
 
     def check_arcs(self):
         """Tests D1."""

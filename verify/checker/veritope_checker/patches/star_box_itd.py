@@ -8,7 +8,8 @@ from ..common.errors import Refused
 from .star_box_read import MAX_DIGITS, Entity, axis_size, number, read_model
 
 PASSED_OVER = {b"NUMBER", b"STRING", b"POINT", b"VECTOR", b"PLANE", b"MATRIX", b"CTLPT"}
-REFUSED = {b"CURVE", b"TRIVAR", b"TRIMSRF", b"MODEL", b"POLYGON", b"POLYLINE", b"POINTLIST", b"POLYSTRIP", b"TRISRF", b"INSTANCE"}
+REFUSED = {b"CURVE", b"TRIVAR", b"TRIMSRF", b"MODEL", b"POLYGON", b"POLYLINE", b"POINTLIST", b"POLYSTRIP",
+           b"TRISRF", b"INSTANCE"}
 NO_ATTRIBUTE = {b"KV", b"KVP", b"SURFACE", b"CURVE", b"TRIMCRV"}
 MAX_ORDER = 64
 

@@ -136,7 +136,8 @@ def triangle_patch(entity, flag, unit):
 def surface_patch(entity, flag, unit, u, v):
     """The patch of two intervals; u, v: results of axis_matrix."""
     scale, (p, q), (ku, mu), (kv, mv) = Fraction(2) ** -unit, entity.degrees, u, v
-    rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]] for row in entity.rows[ku - p:ku + 1]]
+    rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]]
+            for row in entity.rows[ku - p:ku + 1]]
     return Patch(entity, flag, rows, (mu, mv))
 
 def patches_of(entity, breaks, flag, unit):
@@ -215,7 +216,8 @@ def determinant(net, is_tensor):
     if is_tensor:
         def packed(rows):
             m, n = len(rows) - 1, len(rows[0]) - 1
-            return pack((i * stride + j, comb(m, i) * comb(n, j) * c) for i, row in enumerate(rows) for j, c in enumerate(row))
+            return pack((i * stride + j, comb(m, i) * comb(n, j) * c) for i, row in enumerate(rows)
+                        for j, c in enumerate(row))
         f = [packed(a) for a in net]
         u = [packed([[y - x for x, y in zip(r, s)] for r, s in zip(a, a[1:])]) for a in net]
         v = [packed([[y - x for x, y in zip(r, r[1:])] for r in a]) for a in net]
@@ -224,7 +226,8 @@ def determinant(net, is_tensor):
     else:
         def packed(rows):
             n = len(rows) - 1
-            return pack(((r - k) * stride + k, comb(n, r) * comb(r, k) * c) for r, row in enumerate(rows) for k, c in enumerate(row))
+            return pack(((r - k) * stride + k, comb(n, r) * comb(r, k) * c) for r, row in enumerate(rows)
+                        for k, c in enumerate(row))
         f = [packed(a) for a in net]
         u = [packed([[y - x for x, y in zip(r, s)] for r, s in zip(a, a[1:])]) for a in net]
         v = [packed([[y - x for x, y in zip(r, s[1:])] for r, s in zip(a, a[1:])]) for a in net]
@@ -232,7 +235,8 @@ def determinant(net, is_tensor):
         factors = [[comb(n, r) * comb(r, k) for k in range(r + 1)] for r in range(n + 1)]
 
     def minor(i, j, k):
-        return f[i] * (u[j] * v[k] - u[k] * v[j]) - f[j] * (u[i] * v[k] - u[k] * v[i]) + f[k] * (u[i] * v[j] - u[j] * v[i])
+        return (f[i] * (u[j] * v[k] - u[k] * v[j]) - f[j] * (u[i] * v[k] - u[k] * v[i])
+                + f[k] * (u[i] * v[j] - u[j] * v[i]))
 
     common, half = lcm(*[c for row in factors for c in row]), 1 << 8 * width - 1
     count = stride * (len(factors) if is_tensor else stride)

@@ -108,8 +108,10 @@ def not_looked_into(shape):
     """Accepts an entity that is neither surface nor triangle: it must be an object."""
     level = [typed(shape, dict)]
     for _ in range(MAX_NESTED):
-        texts([*(value for value in level if type(value) is str), *(key for value in level if type(value) is dict for key in value)])
-        level = [kid for value in level if type(value) in (dict, list) for kid in (value.values() if type(value) is dict else value)]
+        texts([*(value for value in level if type(value) is str),
+               *(key for value in level if type(value) is dict for key in value)])
+        level = [kid for value in level if type(value) in (dict, list)
+                 for kid in (value.values() if type(value) is dict else value)]
     if level:
         raise Refused("nested too deep")
 
@@ -338,7 +340,8 @@ def read_breaks(body, entity):
     for p, knots in zip(entity.degrees, entity.knots):
         breaks = [body.rational() for _ in range(body.count(2))]
         first, last = knots[p], knots[-p - 1]
-        if (len(breaks) < 2 or any(a >= b for a, b in zip(breaks, breaks[1:])) or [breaks[0], breaks[-1]] != [first, last] or
+        if (len(breaks) < 2 or any(a >= b for a, b in zip(breaks, breaks[1:]))
+            or [breaks[0], breaks[-1]] != [first, last] or
                 not {t for t in knots if first <= t <= last} <= set(breaks)):
             raise Reject("B1", "breaks do not ascend, lack a knot or are not those of the domain")
         result.append(breaks)

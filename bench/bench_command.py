@@ -83,7 +83,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         certificate_rows("blade199k", DATA / "solid1/vtk-data__turbineblade.ply", folder, 3)
-        for name, python_runs in (("bunny70k", 0), ("loop279k", 0), ("loop1115k", 0), ("sliver20k", 3), ("sliver80k", 0),
+        for name, python_runs in (("bunny70k", 0), ("loop279k", 0), ("loop1115k", 0), ("sliver20k", 3),
+                                  ("sliver80k", 0),
                                   ("sliver20k_rim", 0), ("sliver20k_zigzag", 0), ("plate80k_rim", 0)):
             model = folder / (name + ".ply")
             run([BIN / "write_model", name, model], 0)

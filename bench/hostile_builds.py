@@ -42,18 +42,21 @@ def sources():
              *(p for p in (ROOT / "cli" / n for n in named) if p.exists()), ROOT / "bench" / "hostile_signs.cc"]
     # Files for one instruction set choose their own flags; files that need MPFR are not predicates.
     skipped = ("batch", "functions", "mp_interval", "power", "trigonometric", "monotone", "reverse", "reduction")
-    return [p for p in files if not (p.parent.name == "interval" and p.name.startswith(skipped)) and "side_batch" not in p.name]
+    return [p for p in files if not (p.parent.name == "interval" and p.name.startswith(skipped))
+            and "side_batch" not in p.name]
 
 
 def knows(compiler, flags):
-    run = subprocess.run([compiler, *flags, "-x", "c++", "-E", "-", "-o", os.devnull], input="", text=True, capture_output=True)
+    run = subprocess.run([compiler, *flags, "-x", "c++", "-E", "-", "-o", os.devnull], input="", text=True,
+                         capture_output=True)
     return run.returncode == 0
 
 
 def compile_one(compiler, flags, source, folder):
     target = folder / (str(source.relative_to(ROOT)).replace("/", "_") + ".o")
     launcher = [shutil.which("ccache")] if shutil.which("ccache") else []
-    run = subprocess.run([*launcher, compiler, *WARNING_FREE, *flags, "-c", str(source), "-o", str(target)], capture_output=True, text=True)
+    run = subprocess.run([*launcher, compiler, *WARNING_FREE, *flags, "-c", str(source), "-o", str(target)],
+                         capture_output=True, text=True)
     return target, run.stderr if run.returncode != 0 else ""
 
 
@@ -84,7 +87,8 @@ def main():
     parser.add_argument("--only", default="", help="builds whose name contains this")
     arguments = parser.parse_args()
     maker = ROOT / "build" / "bin" / "hostile_cases"
-    listed = subprocess.run([str(ROOT / "build" / "bin" / "veritope"), "corpus", "--cases", "200"], check=True, capture_output=True, text=True)
+    listed = subprocess.run([str(ROOT / "build" / "bin" / "veritope"), "corpus", "--cases", "200"], check=True,
+                            capture_output=True, text=True)
     num_predicates = len({line.split()[0] for line in listed.stdout.splitlines() if line and not line.startswith("#")})
     pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
     programs, failed = {}, False
@@ -108,11 +112,13 @@ def main():
             size = min(left, CHUNK)
             path = pathlib.Path(folder) / "cases"
             with open(path, "wb") as out:
-                subprocess.run([str(maker), "--cases", str(size), "--seed", str(1_000_003 * arguments.seed + number)], check=True, stdout=out,
+                subprocess.run([str(maker), "--cases", str(size), "--seed", str(1_000_003 * arguments.seed + number)],
+                               check=True, stdout=out,
                                start_new_session=True)
 
             def decide(label):
-                return label, subprocess.run([str(programs[label]), str(path)], capture_output=True, text=True, start_new_session=True)
+                return label, subprocess.run([str(programs[label]), str(path)], capture_output=True, text=True,
+                                             start_new_session=True)
 
             for label, run in pool.map(decide, programs):
                 if run.returncode not in (0, 1) or run.stderr:
@@ -124,11 +130,14 @@ def main():
                         total[i] += int(v)
             left -= size
             number += 1
-            print(f"hostile_builds: {arguments.cases * num_predicates - left} of {arguments.cases * num_predicates} cases", file=sys.stderr)
+            print(f"hostile_builds: {arguments.cases * num_predicates - left} of {arguments.cases * num_predicates} "
+                  f"cases", file=sys.stderr)
     for (label, mode), (cases, zeros, wrong) in counts.items():
-        print(json.dumps({"name": f"hostile_{label}_{mode}", "value": wrong, "goal": "0 wrong signs", "cases": cases, "zeros": zeros}))
+        print(json.dumps({"name": f"hostile_{label}_{mode}", "value": wrong, "goal": "0 wrong signs", "cases": cases,
+                          "zeros": zeros}))
     totals = [sum(c[i] for c in counts.values()) for i in range(3)]
-    print(json.dumps({"name": "hostile_all", "value": totals[2], "goal": "0 wrong signs", "cases": totals[0], "zeros": totals[1],
+    print(json.dumps({"name": "hostile_all", "value": totals[2], "goal": "0 wrong signs", "cases": totals[0],
+                      "zeros": totals[1],
                       "builds": len(programs), "predicates": num_predicates}))
     return 1 if failed or totals[2] else 0
 

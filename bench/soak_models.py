@@ -25,9 +25,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = pathlib.Path(os.environ.get("VERITOPE_DATA", ROOT / "../shared/data")) / "mesh"
 BIN = pathlib.Path(sys.argv[1]).resolve()
 PYTHON_CHECKER = ROOT / "verify/checker/veritope_check.py"
-COUNTS = {"vertices": "vertices", "triangles": "faces", "boundary_edges": "boundary_edges", "nonmanifold_edges": "nonmanifold_edges",
+COUNTS = {"vertices": "vertices", "triangles": "faces", "boundary_edges": "boundary_edges",
+          "nonmanifold_edges": "nonmanifold_edges",
           "misoriented_edges": "misoriented_edges", "nonmanifold_vertices": "nonmanifold_vertices",
-          "degenerate_faces": "degenerate_faces", "duplicate_faces": "duplicate_faces", "selfint_pairs": "selfint_pairs",
+          "degenerate_faces": "degenerate_faces", "duplicate_faces": "duplicate_faces",
+          "selfint_pairs": "selfint_pairs",
           "shells": "shells", "euler": "euler", "genus": "genus"}
 sys.path.insert(0, str(PYTHON_CHECKER.parent))
 from veritope_checker.mesh.mesh_reader import read_model  # noqa: E402
@@ -46,7 +48,9 @@ def figure(name, value, goal):
 def differences(line, status, report):
     """The differences between the report and the manifest's line."""
     if line["class"] == "malformed":
-        return [] if status == 4 and report["verdict"] == "UNREADABLE" else [f"exit {status}, {report['verdict']}; expected UNREADABLE"]
+        if status == 4 and report["verdict"] == "UNREADABLE":
+            return []
+        return [f"exit {status}, {report['verdict']}; expected UNREADABLE"]
     valid = line["valid_solid"] == "1"
     wrong = []
     if report["verdict"] != ("VALID" if valid else "INVALID") or status != (0 if valid else 1):
@@ -56,7 +60,8 @@ def differences(line, status, report):
         if line[column] != ("" if ours is None else str(ours)):
             wrong.append(f"{key} {ours}, manifest {line[column]}")
     volume = report["volume"]
-    if volume and line["volume_sign"] != str((fractions.Fraction(volume["exact"]) > 0) - (fractions.Fraction(volume["exact"]) < 0)):
+    if volume and line["volume_sign"] != str((fractions.Fraction(volume["exact"]) > 0)
+                                             - (fractions.Fraction(volume["exact"]) < 0)):
         wrong.append(f"volume {volume['exact']}, sign in the manifest {line['volume_sign']}")
     return wrong
 
@@ -125,7 +130,8 @@ def mapped(points, matrix):
 
 
 def determinant(m):
-    return sum(m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3]) for i in range(3))
+    return sum(m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3])
+               for i in range(3))
 
 
 def random_matrix(rng):
@@ -189,13 +195,16 @@ def compare(before, after, det, cut):
     if before["verdict"] != after["verdict"]:
         wrong.append(f"verdict {before['verdict']} -> {after['verdict']}")
     keys = ["shells", "bodies", "euler", "genus"] if cut else [
-        "faces", "referenced_vertices", "edges", "boundary_edges", "nonmanifold_edges", "misoriented_edges", "nonmanifold_vertices",
+        "faces", "referenced_vertices", "edges", "boundary_edges", "nonmanifold_edges", "misoriented_edges",
+        "nonmanifold_vertices",
         "degenerate_faces", "duplicate_faces", "selfint_pairs", "shells", "bodies", "euler", "genus"]
     for key in keys:
         if before["counts"][key] != after["counts"][key]:
             wrong.append(f"{key} {before['counts'][key]} -> {after['counts'][key]}")
-    if before["volume"] and fractions.Fraction(after["volume"]["exact"]) != fractions.Fraction(before["volume"]["exact"]) * abs(det):
-        wrong.append("volume")
+    if before["volume"]:
+        old, new = (fractions.Fraction(report["volume"]["exact"]) for report in (before, after))
+        if new != old * abs(det):
+            wrong.append("volume")
     return wrong
 
 

@@ -28,7 +28,8 @@ foreach(layer IN LISTS layers)
   endif()
   list(APPEND veritope_layers ${layer})
   string(PREPEND veritope_pc_libs "-l${layer} ")
-  file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h" "${PROJECT_SOURCE_DIR}/${folder}/generated/*.h")
+  file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h"
+       "${PROJECT_SOURCE_DIR}/${folder}/generated/*.h")
   foreach(header IN LISTS headers)
     if(NOT header MATCHES "_internal\\.h$")
       cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE relative)
@@ -48,10 +49,13 @@ add_library(veritope::veritope ALIAS veritope_all)
 set_target_properties(veritope_all PROPERTIES EXPORT_NAME veritope)
 target_link_libraries(veritope_all INTERFACE ${veritope_layers})
 
-install(TARGETS veritope_all veritope_interop ${veritope_layers} EXPORT veritopeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS veritope_all veritope_interop ${veritope_layers} EXPORT veritopeTargets
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS ${veritope_executables} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(PROGRAMS "${PROJECT_SOURCE_DIR}/verify/checker/veritope_check.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/verify/checker/veritope_checker" DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope"
+install(PROGRAMS "${PROJECT_SOURCE_DIR}/verify/checker/veritope_check.py"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/verify/checker/veritope_checker"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/veritope"
         FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
 
 set(veritope_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/veritope")

@@ -123,7 +123,8 @@ def report(name, part):
     figures = [
         {"name": f"coverage_branches_{name}", "value": percent(part.branches_taken, part.branches),
          "goal": "100 %, or each exception argued", "branches": part.branches, "argued": part.argued},
-        {"name": f"coverage_lines_{name}", "value": percent(part.lines_run, part.lines), "goal": "100 %", "lines": part.lines},
+        {"name": f"coverage_lines_{name}", "value": percent(part.lines_run, part.lines), "goal": "100 %",
+         "lines": part.lines},
     ]
     for figure in figures:
         print(json.dumps({**figure, "command": "./dev coverage"}))

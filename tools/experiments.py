@@ -146,7 +146,8 @@ def attempt(action, experiment):
     """Runs one experiment; returns its exit status."""
     data = os.environ.get("VERITOPE_DATA", str(ROOT.parent / "shared" / "data"))
     if "data" in experiment.needs and not os.path.isdir(data):
-        print(f"{experiment.name}: not run: it needs the real models, and VERITOPE_DATA={data} is no folder", file=sys.stderr)
+        print(f"{experiment.name}: not run: it needs the real models, and VERITOPE_DATA={data} is no folder",
+              file=sys.stderr)
         return 2
     try:
         action(experiment)

@@ -45,7 +45,8 @@ def generate(path, shown, committed):
     if formula.name != path.stem:
         raise FormulaError(shown, 1, 1, f"the file of {formula.name} is called {path.name}")
     names, bound, place = Names(formula), Bound(formula), Place(formula.name, committed, path.name)
-    files = {place.header: write_header(formula, names, bound, place), place.header[:-1] + "cc": write_source(formula, names, place),
+    files = {place.header: write_header(formula, names, bound, place),
+             place.header[:-1] + "cc": write_source(formula, names, place),
              place.page: write_page(formula, names, bound, place)}
     files.update(zip(script_paths(committed, formula.name), write_scripts(formula, names, bound, place.formula)))
     if committed:
@@ -68,7 +69,8 @@ def committed_files():
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Makes predicates from formula files (docs/how-to/generate-a-predicate.md).")
+    parser = argparse.ArgumentParser(description="Makes predicates from formula files "
+                                                 "(docs/how-to/generate-a-predicate.md).")
     parser.add_argument("formulas", nargs="*", type=pathlib.Path, metavar="FILE.formula")
     parser.add_argument("--output", type=pathlib.Path, help="folder for the files of FILE.formula; it must exist")
     options = parser.parse_args()
@@ -89,7 +91,8 @@ def main():
         print(f"generate_predicates: {error}", file=sys.stderr)
         return 1
     except RecursionError:
-        print("generate_predicates: the formula is nested too deeply, or a sum has too many terms: name parts of it", file=sys.stderr)
+        print("generate_predicates: the formula is nested too deeply, or a sum has too many terms: name parts of it",
+              file=sys.stderr)
         return 1
     return 0
 

@@ -113,7 +113,8 @@ def tube_through_wall():
     polygons.extend([near[::-1], far])
 
     outer, bore = ([(r * y, r * z) for y, z in ((4, 0), (2, 3), (-2, 3), (-4, 0), (-2, -3), (2, -3))] for r in (3, 2))
-    rings = {(name, x): add([(x, y, z) for y, z in ring]) for name, ring in (("outer", outer), ("bore", bore)) for x in (-24, 24)}
+    rings = {(name, x): add([(x, y, z) for y, z in ring]) for name, ring in (("outer", outer), ("bore", bore))
+             for x in (-24, 24)}
     join(rings["outer", -24], rings["outer", 24])
     join(rings["bore", 24], rings["bore", -24])
     join(rings["bore", -24], rings["outer", -24])

@@ -265,7 +265,8 @@ def obj(mesh):
 def stl_ascii(mesh, name="model", word=str):
     lines = [word("solid ") + name]
     for f in mesh.faces:
-        lines += [word("facet normal 0 0 0"), word(" outer loop"), *(word("  vertex ") + row(mesh.vertices[v]) for v in f)]
+        lines += [word("facet normal 0 0 0"),
+                  word(" outer loop"), *(word("  vertex ") + row(mesh.vertices[v]) for v in f)]
         lines += [word(" endloop"), word("endfacet")]
     return "\n".join(lines + [word("endsolid ") + name, ""]).encode()
 
@@ -278,7 +279,8 @@ def stl_binary(mesh, header=b"veritope", announced=None):
 
 
 def ply_header(form, real, mesh, face_element="face"):
-    lines = ["ply", f"format {form} 1.0", "comment made by tools/make_models.py", f"element vertex {len(mesh.vertices)}",
+    lines = ["ply", f"format {form} 1.0", "comment made by tools/make_models.py",
+             f"element vertex {len(mesh.vertices)}",
              *(f"property {real} {axis}" for axis in "xyz"), f"element {face_element} {len(mesh.faces)}",
              "property list uchar int vertex_indices", "end_header", ""]
     return "\n".join(lines).encode()
@@ -320,7 +322,8 @@ class Models:
         self.files[name] = writers[name.split(".")[1]](mesh) if data is None else data
         valid = oracle.is_valid()
         volume = sum(oracle.volumes) if oracle.volumes is not None else None
-        counts = [stated or len(mesh.vertices), len(triangles), len(oracle.edges), *oracle.rules.values(), len(oracle.shells),
+        counts = [stated or len(mesh.vertices), len(triangles), len(oracle.edges), *oracle.rules.values(),
+                  len(oracle.shells),
                   oracle.bodies, oracle.genus, None if volume is None else f"{volume.numerator}/{volume.denominator}"]
         shown = ["-" if count is None else str(count) for count in counts]
         self.rows.append([name, options or "-", "VALID" if valid else "INVALID", "0" if valid else "1", *shown])
@@ -333,7 +336,8 @@ class Models:
         folder.mkdir(parents=True, exist_ok=True)
         for name, data in self.files.items():
             (folder / name).write_bytes(data)
-        head = ["file", "options", "verdict", "exit", "vertices", "faces", "edges", *(f"M{i}" for i in range(1, 10)), "shells",
+        head = ["file", "options", "verdict", "exit", "vertices", "faces",
+                "edges", *(f"M{i}" for i in range(1, 10)), "shells",
                 "bodies", "genus", "volume", "error"]
         rows = [r if len(r) == len(head) else [*r, "-"] for r in self.rows]
         text = "".join("\t".join(r) + "\n" for r in [head, *rows])
@@ -348,7 +352,8 @@ def add_rules_1_to_5(m):
 
     m.add("m2_smallest.off", Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 1)]), breaks={"M2": 1, "M7": 1})
     m.add("m2_nearest_valid.off",
-          Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.25, 0.25, TINY)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]), breaks={})
+          Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.25, 0.25, TINY)],
+               [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]), breaks={})
     m.add("m2_copied_face.off", Mesh(TET.vertices, TET.faces + [(2, 3, 1)]), breaks={"M2": 1, "M4": 3, "M7": 1})
 
     m.add("m3_smallest.off", Mesh(TET.vertices[:3], [(0, 1, 2)]), breaks={"M3": 3})
@@ -366,7 +371,8 @@ def add_rules_1_to_5(m):
     m.add("m5_smallest.off", Mesh(TET.vertices, TET.faces[:3] + [(3, 2, 1)]), breaks={"M5": 3})
     m.add("m5_nearest_valid.off", TET, breaks={})
     # A Moebius strip: no orientation of its five faces is consistent.
-    ring = [(math.floor(8 * math.cos(a)), math.floor(8 * math.sin(a)), z) for a, z in zip((0, 1.3, 2.5, 3.8, 5), (0, 3, -4, 5, -3))]
+    ring = [(math.floor(8 * math.cos(a)), math.floor(8 * math.sin(a)), z)
+            for a, z in zip((0, 1.3, 2.5, 3.8, 5), (0, 3, -4, 5, -3))]
     m.add("m5_one_sided.off", Mesh(ring, [(i, (i + 1) % 5, (i + 2) % 5) for i in range(5)]))
 
 
@@ -407,7 +413,8 @@ def add_valid_shapes(m):
     m.add("valid_far_away.off", moved(TET, (1, 1, 1), (2.0**52, -(2.0**52), 2.0**52)))
     # Corners of the kernel's grid: the same tetrahedron with vertices at opposite ends of the range.
     far = sys.float_info.max
-    m.add("valid_whole_range.off", Mesh([(-far, -far, -far), (far, -far, -far), (-far, far, -far), (-far, -far, far)], TET.faces))
+    m.add("valid_whole_range.off",
+          Mesh([(-far, -far, -far), (far, -far, -far), (-far, far, -far), (-far, -far, far)], TET.faces))
 
 
 def add_valid_formats(m):
@@ -415,8 +422,10 @@ def add_valid_formats(m):
     m.add("valid_quads.off", box, off(box, "OFF # a comment"))
     m.add("valid_coff.off", TET, b"COFF\n4 4 6\n" + b"".join(f"{row(v)} 255 0 0 255\n".encode() for v in TET.vertices) +
           b"".join(f"3 {row(f)} 0.5 0.5 0.5\n".encode() for f in TET.faces))
-    text = "# a cube\r\nmtllib none.mtl\r\no part\r\n" + "".join(f"v {row(v)}\r\n" for v in box.vertices) + "vn 0 0 1\r\nvt 0 0\r\n"
-    text += "".join("f " + " ".join(f"{i - 8}/1/1" for i in f[:2]) + " \\\r\n " + " ".join(f"{i + 1}//1" for i in f[2:]) + "\r\n"
+    text = "# a cube\r\nmtllib none.mtl\r\no part\r\n"
+    text += "".join(f"v {row(v)}\r\n" for v in box.vertices) + "vn 0 0 1\r\nvt 0 0\r\n"
+    text += "".join("f " + " ".join(f"{i - 8}/1/1" for i in f[:2]) + " \\\r\n "
+                    + " ".join(f"{i + 1}//1" for i in f[2:]) + "\r\n"
                     for f in box.faces)
     m.add("valid_quads_crlf.obj", box, text.encode())
     text = obj(TET).decode().replace("v 0 1 0", "v -0.0 +1.e0 -0").replace("v 1 0 0", "v 10e-1 .0 0")
@@ -428,7 +437,8 @@ def add_valid_formats(m):
     m.add("valid_own_corners.off", soup, off(soup), breaks={"M3": 12, "M7": 6}, options="--as-indexed")
     m.add("valid_solid_header.stl", TET, stl_binary(TET, b"solid but binary"))
     m.add("valid_capitals.stl", TET, stl_ascii(TET, word=str.upper))
-    halves = stl_ascii(Mesh(TET.vertices, TET.faces[:2]), "first") + stl_ascii(Mesh(TET.vertices, TET.faces[2:]), "second")
+    halves = stl_ascii(Mesh(TET.vertices, TET.faces[:2]),
+                       "first") + stl_ascii(Mesh(TET.vertices, TET.faces[2:]), "second")
     m.add("valid_two_blocks.stl", TET, halves)
     m.add("valid_trailing_bytes.stl", TET, stl_binary(TET) + b"trailing")
     m.add("valid_ascii.ply", box, ply_ascii(box))
@@ -463,7 +473,8 @@ def add_unreadable(m):
     m.refuse("unreadable_cut.stl", stl_ascii(TET)[:-40], "truncated")
     m.refuse("unreadable_truncated.ply", tet_ply[:-6], "truncated")
     m.refuse("unreadable_announced.off", tet_off.replace(b"4 4 0", b"4000000000 4 0"), "truncated")
-    m.refuse("unreadable_long_number.off", tet_off.replace(b"\n1 0 0", b"\n1." + b"0" * 1000 + b" 0 0", 1), "over-limit")
+    m.refuse("unreadable_long_number.off",
+             tet_off.replace(b"\n1 0 0", b"\n1." + b"0" * 1000 + b" 0 0", 1), "over-limit")
     m.refuse("unreadable_exponent.off", tet_off.replace(b"\n1 0 0", b"\n1e-4097 0 0", 1), "over-limit")
 
 

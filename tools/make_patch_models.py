@@ -58,7 +58,8 @@ def models():
     top = (1, 1, 1)
     yield "cube", cube
     yield "side_open_smallest", cube[1:]
-    yield "side_open_crack", cube[:5] + moved(cube[5:], top, (1, 1, "1.0000000000000002220446049250313080847263336181640625"))
+    yield "side_open_crack", cube[:5] + moved(cube[5:], top,
+                                              (1, 1, "1.0000000000000002220446049250313080847263336181640625"))
     yield "side_direction_smallest", cube[:5] + [turned(cube[5])]
     yield "side_overused_smallest", cube + block((1, 1, 0), (2, 2, 1))
     yield "side_overused_nearest_valid", cube + block((1, "1.0001", 0), (2, 2, 1))

@@ -25,7 +25,8 @@ def roundings(root):
             count[id(node)] = 0
         else:
             args = [count[id(a)] for a in node.args]
-            count[id(node)] = 2 * args[0] + 1 if node.kind == "sqr" else (sum(args) if node.kind == "*" else max(args)) + 1
+            own = 2 * args[0] if node.kind == "sqr" else sum(args) if node.kind == "*" else max(args)
+            count[id(node)] = own + 1
     return count
 
 

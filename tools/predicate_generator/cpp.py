@@ -42,7 +42,8 @@ class Names:
 
     def parameters(self):
         """Points are references, numbers values."""
-        return [f"const Vec{dimension}d& {name}" if dimension else f"double {name}" for name, dimension in self.formula.arguments]
+        return [f"const Vec{dimension}d& {name}" if dimension else f"double {name}"
+                for name, dimension in self.formula.arguments]
 
     def arguments(self):
         return [name for name, _ in self.formula.arguments]
@@ -60,13 +61,15 @@ def wrapped(head, items, tail, indent=4):
 
 
 def comment(text, prefix="/// ", hanging=""):
-    return "\n".join(textwrap.wrap(text, WIDTH, initial_indent=prefix, subsequent_indent=prefix + hanging, break_long_words=False,
+    return "\n".join(textwrap.wrap(text, WIDTH, initial_indent=prefix, subsequent_indent=prefix + hanging,
+                                   break_long_words=False,
                                    break_on_hyphens=False))
 
 
 def statement(name, expression):
     # Lines end behind an operation, not within a product.
-    text = re.sub(r" \* ", "\0*\0", f"const auto {name} = {expression};").replace("const auto ", "const\0auto\0").replace(" = ", "\0=\0")
+    text = re.sub(r" \* ", "\0*\0",
+                  f"const auto {name} = {expression};").replace("const auto ", "const\0auto\0").replace(" = ", "\0=\0")
     lines = textwrap.wrap(text, WIDTH - 2, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
     return "\n".join("  " + line.replace("\0", " ") for line in lines)
 

@@ -82,7 +82,8 @@ class Polynomial:
 
     def times(self, other):
         if len(self.terms) * len(other.terms) > MOST_PRODUCTS:
-            raise TooLarge(f"a product of {len(self.terms)} and {len(other.terms)} terms when written out; at most {MOST_PRODUCTS} products of terms")
+            raise TooLarge(f"a product of {len(self.terms)} and {len(other.terms)} terms when written out; at most "
+                           f"{MOST_PRODUCTS} products of terms")
         terms = {}
         for m, c in self.terms.items():
             for n, d in other.terms.items():

@@ -73,7 +73,8 @@ class ExpressionParser:
 
     def both(self, kind, a, b, column):
         if isinstance(a, list) != isinstance(b, list) or (isinstance(a, list) and (kind == "*" or len(a) != len(b))):
-            self.fail(f"{kind!r} does not go with these: vectors of one dimension can be added and subtracted; see also dot and cross", column)
+            self.fail(f"{kind!r} does not go with these: vectors of one dimension can be added and subtracted; see "
+                      f"also dot and cross", column)
         if isinstance(a, list):
             return [self.make(kind, x, y, column) for x, y in zip(a, b)]
         return self.make(kind, a, b, column)
@@ -132,7 +133,8 @@ class ExpressionParser:
                 self.fail("a number may only be multiplied with something that is computed", column)
             return g.make("sqr", args[0])
         if shape in (("norm2", 2), ("norm2", 3), ("dot", 2, 2), ("dot", 3, 3)):
-            squares = [g.make("sqr", a) if name == "norm2" else mul("*", a, b, column) for a, b in zip(args[0], args[-1])]
+            squares = [g.make("sqr", a) if name == "norm2" else mul("*", a, b, column)
+                       for a, b in zip(args[0], args[-1])]
             total = squares[0]
             for square in squares[1:]:
                 total = g.make("+", total, square)
@@ -142,4 +144,5 @@ class ExpressionParser:
             rows = [(0, 1)] if len(a) == 2 else [(1, 2), (2, 0), (0, 1)]
             r = [self.make("-", mul("*", a[i], b[j], column), mul("*", a[j], b[i], column), column) for i, j in rows]
             return r if len(r) == 3 else r[0]
-        return self.fail(f"no function {name} of such arguments: sqr(number), norm2(vector), dot(vector, vector), cross(vector, vector)", column)
+        return self.fail(f"no function {name} of such arguments: sqr(number), norm2(vector), dot(vector, vector), "
+                         f"cross(vector, vector)", column)

@@ -9,12 +9,15 @@ from .expression_parser import AXES, ExpressionParser
 
 NAME = re.compile(r"[a-z][a-z0-9_]*\Z")
 PRIME = 2**61 - 1
-TAKEN = set("""alignas alignof and asm auto bool break case catch char class const constexpr continue default delete do double else enum
-explicit export extern false float for friend goto if inline int long mutable namespace new noexcept not operator or private protected
-public register return short signed sizeof static struct switch template this throw true try typedef typename union unsigned using
-virtual void volatile while xor concept requires consteval constinit co_await co_return co_yield char8_t char16_t char32_t decltype dynamic_cast
-const_cast goto nullptr reinterpret_cast static_assert static_cast thread_local typeid wchar_t and_eq bitand bitor compl not_eq or_eq xor_eq main errno int8_t
-int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t wide odd_parts cascade is_certain sign_beyond abs det sign size larger tally magnitude multiple fits narrowed put scaled sqr dot cross norm2 std veritope internal formulas""".split())
+TAKEN = set("""alignas alignof and asm auto bool break case catch char class const constexpr continue default delete
+do double else enum explicit export extern false float for friend goto if inline int long mutable namespace new
+noexcept not operator or private protected public register return short signed sizeof static struct switch template
+this throw true try typedef typename union unsigned using virtual void volatile while xor concept requires consteval
+constinit co_await co_return co_yield char8_t char16_t char32_t decltype dynamic_cast const_cast goto nullptr
+reinterpret_cast static_assert static_cast thread_local typeid wchar_t and_eq bitand bitor compl not_eq or_eq xor_eq
+main errno int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t wide odd_parts cascade is_certain
+sign_beyond abs det sign size larger tally magnitude multiple fits narrowed put scaled sqr dot cross norm2 std
+veritope internal formulas""".split())
 
 
 class FormulaError(Exception):
@@ -116,10 +119,12 @@ class _Reader:
         elif word == "example":
             self.example(rest)
         elif word != "evaluate":
-            self.fail(f"{word!r} begins no line of a formula file: predicate, question, claim, zero, source, points, scalars, order, law, "
+            self.fail(f"{word!r} begins no line of a formula file: predicate, question, claim, zero, source, points, "
+                      f"scalars, order, law, "
                       "example or evaluate expected", 1)
         if word == "predicate" and (not NAME.match(rest) or rest in TAKEN):
-            self.fail(f"{rest!r} cannot be the name of a predicate: small letters, digits and _ expected, no word of C++")
+            self.fail(f"{rest!r} cannot be the name of a predicate: small letters, digits and _ expected, no word of "
+                      f"C++")
         return word
 
     def continue_block(self, block, line):
@@ -150,7 +155,8 @@ class _Reader:
 
     def new_name(self, name, column=None):
         if not NAME.match(name) or name in TAKEN or name.endswith("_"):
-            self.fail(f"{name!r} cannot be a name: small letters, digits and _ expected, no word of C++ or of this language", column)
+            self.fail(f"{name!r} cannot be a name: small letters, digits and _ expected, no word of C++ or of this "
+                      f"language", column)
         if name in self.values:
             self.fail(f"{name!r} has been defined before", column)
 
@@ -175,7 +181,8 @@ class _Reader:
             self.formula.sign = value
             return
         self.values[name] = value
-        self.formula.definitions += [(name + axis, node) for axis, node in zip(AXES, value)] if isinstance(value, list) else [(name, value)]
+        self.formula.definitions += [(name + axis, node)
+                                     for axis, node in zip(AXES, value)] if isinstance(value, list) else [(name, value)]
 
     def checked(self):
         formula = self.formula

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Gappa scripts: that kRel pays for the roundings on the way of every monomial. docs/bounds/gappa/README.md says what that proves."""
+"""Gappa scripts: kRel pays for the roundings on the way of every monomial (docs/bounds/gappa/README.md)."""
 import math
 import re
 from fractions import Fraction
@@ -10,7 +10,7 @@ from .header import hexadecimal
 
 
 class Path:
-    """A monomial's way through a formula: the leaves, the nodes that round it (with multiplicity), how often it occurs."""
+    """A monomial's way through a formula: leaves, nodes that round it (with multiplicity), how often it occurs."""
 
     def __init__(self, leaves, nodes, count):
         self.leaves, self.nodes, self.count = leaves, nodes, count
@@ -68,11 +68,12 @@ def product_of(variable, shape):
 
 NEAREST = ("@rnd = float<ieee_64, ne>;", "1b-53", "|rnd(x) -/ x| <= 1b-53 /\\ |rnd(y) - y| <= 1b-1075")
 ANY_MODE = ("@up = float<ieee_64, up>;\n@down = float<ieee_64, dn>;\n@toward_zero = float<ieee_64, zr>;", "1b-52",
-            " /\\\n   ".join(f"|{mode}(x) -/ x| <= 1b-52 /\\ |{mode}(y) - y| <= 1b-1074" for mode in ("up", "down", "toward_zero")))
+            " /\\\n   ".join(f"|{mode}(x) -/ x| <= 1b-52 /\\ |{mode}(y) - y| <= 1b-1074"
+                             for mode in ("up", "down", "toward_zero")))
 
 
 def script(name, source, rel, paths, last, magnitude_of, terms, modes=NEAREST):
-    """magnitude_of(shape): the roundings of what the code computes in the place of S; terms: S is at most that many times it."""
+    """magnitude_of(shape): the roundings of what the code computes in the place of S; S is at most `terms` times it."""
     classes = {}
     for path in paths:
         classes.setdefault(shape_of(path, last), []).append(path)
@@ -81,12 +82,14 @@ def script(name, source, rel, paths, last, magnitude_of, terms, modes=NEAREST):
         magnitude = magnitude_of(shape)
         most, most_magnitude = max(most, len(shape)), max(most_magnitude, len(magnitude))
         example = " ".join(members[0].leaves)
-        lines += [f"# {len(members)} monomial{'s' if len(members) > 1 else ''}, the first is {example}", f"way{i} = {product_of('d', shape)};"]
+        lines += [f"# {len(members)} monomial{'s' if len(members) > 1 else ''}, the first is {example}",
+                  f"way{i} = {product_of('d', shape)};"]
         if magnitude not in sums:
             sums[magnitude] = f"sum{len(sums) + 1}"
             lines.append(f"{sums[magnitude]} = {product_of('s', magnitude)};")
         goals.append(f"{terms} * |way{i} - 1| * (1 + last) - kRel * ({sums[magnitude]} * (1 + e1) * (1 + e2)) <= 0")
-    variables = [f"d{i}" for i in range(1, most + 1)] + [f"s{i}" for i in range(1, most_magnitude + 1)] + ["last", "e1", "e2"]
+    variables = [f"d{i}" for i in range(1, most + 1)] + [f"s{i}"
+                                                         for i in range(1, most_magnitude + 1)] + ["last", "e1", "e2"]
     rounding, unit, model = modes
     hypotheses = [f"{v} in [-{unit}, {unit}]" for v in variables]
     return f"""# SPDX-License-Identifier: LGPL-3.0-or-later
@@ -132,7 +135,8 @@ def write_by_hand_scripts(formula, names, shown, root):
         terms, roundings = int(words[0]), int(words[5])
         magnitude_of = lambda shape: (1,) * roundings  # noqa: E731
     modes = ANY_MODE if formula.texts.get("rounding") == "any" else NEAREST
-    return script(formula.name, shown, rel, paths, last, magnitude_of, terms, modes), write_box_script(formula, names, shown, rel, terms)
+    return script(formula.name, shown, rel, paths, last, magnitude_of, terms,
+                  modes), write_box_script(formula, names, shown, rel, terms)
 
 
 def round_down(value):
@@ -166,8 +170,10 @@ def write_box_script(formula, names, source, rel, terms):
     size = Fraction(size_at_one(formula.sign, {}), terms)
     bound = Fraction(float.fromhex(rel)) * size
     hypotheses = [f"{flat(i)} in [0, 1]" for i in formula.inputs]
+    title = (f"# {formula.name}: the program as it is, on numbers of [0, 1]: at most kRel {size} from the exact value. "
+             "What that says: README.md.")
     return f"""# SPDX-License-Identifier: LGPL-3.0-or-later
-# {formula.name}: the program as it is, on numbers of [0, 1]: at most kRel {size} from the exact value. What that says: README.md.
+{title}
 # Made by tools/generate_predicates.py from {source}: do not edit.
 @rnd = float<ieee_64, ne>;
 {chr(10).join(lines)}

@@ -55,7 +55,8 @@ def functions(formula, names):
              wrapped(f"constexpr auto {name}_det(", parameters, ") {"), *det, returned(sign), "}",
              comment("The sum of its absolute terms; no term of det exceeds its term after rounding."),
              "template <typename Abs>",
-             wrapped(f"constexpr auto {name}_magnitude(", ["[[maybe_unused]] Abs abs", *parameters], ") {"), *magnitude, returned(size), "}",
+             wrapped(f"constexpr auto {name}_magnitude(", ["[[maybe_unused]] Abs abs", *parameters], ") {"), *magnitude,
+             returned(size), "}",
              comment("The polynomial of the inputs, in the order of the arguments."),
              "template <typename T>",
              f"constexpr T {name}_of(const std::array<T, {len(formula.inputs)}>& v) {{",
@@ -80,13 +81,15 @@ def largest_name(leaf):
 def error_function(formula, names, bound):
     """The error bound of the determinant as a function of the differences."""
     name, leaves, const = formula.name, names.leaves(), "k" + camel(formula.name)
-    lines = [wrapped(f"inline double {name}_error(", [f"FilterReal {leaf}" for leaf in leaves] + ["double floor_"], ") {")]
+    lines = [wrapped(f"inline double {name}_error(",
+                     [f"FilterReal {leaf}" for leaf in leaves] + ["double floor_"], ") {")]
     if by_largest(formula):
         of, members = {}, {}
         for node, leaf in zip(formula.leaves, leaves):
             of[leaf] = largest_name(node)
             members.setdefault(of[leaf], []).append(leaf)
-        lines += [wrapped(f"  const FilterReal {group} = largest_of(", inside, ");", 6) for group, inside in members.items()]
+        lines += [wrapped(f"  const FilterReal {group} = largest_of(", inside, ");", 6)
+                  for group, inside in members.items()]
         terms, leaves = [of[leaf] for leaf in leaves], list(members)
     else:
         terms = leaves
@@ -94,7 +97,8 @@ def error_function(formula, names, bound):
     if bound.degree:
         power = "size_" if bound.degree == 1 else f"power_of<{bound.degree}>(size_)"
         lines += [wrapped("  const FilterReal size_ = largest_of(", leaves, ");", 6),
-                  f"  return FilterReal({const}Rel) * magnitude_ +", f"         (FilterReal({const}Eta) * {power} + FilterReal(floor_));", "}"]
+                  f"  return FilterReal({const}Rel) * magnitude_ +",
+                  f"         (FilterReal({const}Eta) * {power} + FilterReal(floor_));", "}"]
     else:
         lines += [f"  return FilterReal({const}Rel) * magnitude_ + FilterReal(floor_);", "}"]
     return "\n".join(lines)
@@ -102,10 +106,12 @@ def error_function(formula, names, bound):
 
 def filter_lines(formula, names):
     name, leaves = formula.name, names.leaves()
-    lines = [f"  const FilterReal {names.leaf(node)} = {leaf_in_inputs(node, 'FilterReal({})'.format)};" for node in formula.leaves
+    lines = [f"  const FilterReal {names.leaf(node)} = {leaf_in_inputs(node, 'FilterReal({})'.format)};"
+             for node in formula.leaves
              if not (node.kind == "input" and names.leaf(node) == node.name)]
-    lines += [wrapped(f"  const FilterReal det_ = formulas::{name}_det(", [names.leaf(node) if node.args or names.leaf(node) != node.name else
-                                                                          f"FilterReal({node.name})" for node in formula.leaves], ");", 6),
+    values = [names.leaf(node) if node.args or names.leaf(node) != node.name else f"FilterReal({node.name})"
+              for node in formula.leaves]
+    lines += [wrapped(f"  const FilterReal det_ = formulas::{name}_det(", values, ");", 6),
               "  return sign_beyond(det_, [&](double floor_) {",
               wrapped(f"    return internal::{name}_error(", [*leaves, "floor_"], ");", 8), "  });"]
     return "\n".join(lines)
@@ -114,7 +120,7 @@ def filter_lines(formula, names):
 def write_header(formula, names, bound, place):
     """place: paths for the comments and #includes."""
     name, const = formula.name, "k" + camel(formula.name)
-    args, arguments = names.parameters(), names.arguments()
+    args = names.parameters()
     vec = any(dimension for _, dimension in formula.arguments)
     homogeneous = formula.is_homogeneous()
     tiers = ["Sign3 {}_lattice("] if homogeneous else []
@@ -126,6 +132,7 @@ def write_header(formula, names, bound, place):
         constants.append(f"inline constexpr double {const}Eta = 0x1p{FLOOR};")
     underflow = "underflow, S = the sum of the absolute terms" + \
         (", of the largest difference on each axis" if by_largest(formula) else "") + ", u = 2^-53."
+    derived = f"Derived  {place.page}, and again in {place.test}." if place.test else f"Derived  {place.page}."
     return f"""// SPDX-License-Identifier: LGPL-3.0-or-later
 // {place.header}: {formula.texts['question']}
 {GENERATED.format(source=place.formula)}
@@ -151,7 +158,7 @@ namespace veritope {{
 /// First tier. Never zero: a sign or uncertain.
 /// Claim    a certain answer is the exact sign.
 {comment(f"Bound    |det - exact| <= ({bound.k}u + O(u^2)) S + {underflow}", '/// ', '         ')}
-{comment(f"Derived  {place.page}, and again in {place.test}." if place.test else f"Derived  {place.page}.", '/// ', '         ')}
+{comment(derived, '/// ', '         ')}
 /// Needs    round to nearest, gradual underflow; elsewhere it is uncertain (robust/base/fp_guard.h).
 {wrapped(f'Sign3 {name}_filter(', args, ') noexcept;', 6)}
 
@@ -165,7 +172,16 @@ namespace formulas {{
 {functions(formula, names)}
 }}  // namespace formulas
 
-// Bodies.
+{write_bodies(formula, names, bound)}
+}}  // namespace veritope
+VT_PRECISE_END
+"""
+
+
+def write_bodies(formula, names, bound):
+    """What stands below the declarations."""
+    name, args, arguments = formula.name, names.parameters(), names.arguments()
+    return f"""// Bodies.
 
 namespace internal {{
 {error_function(formula, names, bound)}
@@ -181,9 +197,6 @@ namespace internal {{
       [&](TierCounts* rest_)
           VT_TIER {{ return internal::{name}_after_filter({', '.join(arguments)}, rest_); }});
 }}
-
-}}  // namespace veritope
-VT_PRECISE_END
 """
 
 

@@ -27,7 +27,8 @@ def exchange(formula, text, factor, fail):
     dimension, mapping = dict(formula.arguments), {}
     for pair in text.split(","):
         names = pair.split()
-        if len(names) != 2 or names[0] == names[1] or not all(name in dimension and name not in mapping for name in names):
+        are_new = all(name in dimension and name not in mapping for name in names)
+        if len(names) != 2 or names[0] == names[1] or not are_new:
             fail(f"two arguments expected that occur once, but there is {pair.strip()!r}")
         if dimension[names[0]] != dimension[names[1]]:
             fail(f"{names[0]} and {names[1]} have different dimensions")
@@ -37,7 +38,8 @@ def exchange(formula, text, factor, fail):
         rename.update(zip(inputs_of(a, dimension[a]), inputs_of(b, dimension[b])))
     changed = polynomial_of(formula.sign, rename=rename)
     if changed.combine(polynomial_of(formula.sign), -factor).terms:
-        fail(f"this law does not hold: swapping {text.strip()} does not {'negate' if factor < 0 else 'keep'} the sign's polynomial")
+        fail(f"this law does not hold: swapping {text.strip()} does not {'negate' if factor < 0 else 'keep'} the "
+             f"sign's polynomial")
     return "permute", mapping, factor
 
 

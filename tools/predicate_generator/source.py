@@ -22,20 +22,25 @@ def scaled_struct(formula, names, groups):
     scales = list(dict.fromkeys(scale for scale, _, _ in groups))
     members = [f"  std::array<Binary64, {len(inputs)}> {variable(scale, power)};" for scale, power, inputs in groups]
     members += [f"  CommonScale {scale}_scale;" for scale in scales]
-    values = [wrapped(f"  s_.{variable(scale, power)} = odd_parts<{len(inputs)}>(", ["{" + inputs[0], *inputs[1:-1], inputs[-1] + "}"]
+    values = [wrapped(f"  s_.{variable(scale, power)} = odd_parts<{len(inputs)}>(",
+                      ["{" + inputs[0], *inputs[1:-1], inputs[-1] + "}"]
                       if len(inputs) > 1 else ["{" + inputs[0] + "}"], ");", 6) for scale, power, inputs in groups]
     values += [f"  s_.{scale}_scale.include<{power}>(s_.{variable(scale, power)});" for scale, power, _ in groups]
-    return "\n".join(["// Each scale of the inputs has a power of two of its own.", "struct Scaled {", *members, "};", "",
-                      wrapped("Scaled scaled(", names.parameters(), ") {", 6), "  Scaled s_;", *values, "  return s_;", "}"])
+    return "\n".join(["// Each scale of the inputs has a power of two of its own.",
+                      "struct Scaled {", *members, "};", "",
+                      wrapped("Scaled scaled(", names.parameters(), ") {", 6), "  Scaled s_;", *values,
+                      "  return s_;", "}"])
 
 
 def lattice_function(formula, names, groups):
     place = {}
     for scale, power, inputs in groups:
         place.update({name: f"{variable(scale, power)}[{i}]" for i, name in enumerate(inputs)})
-    arrays = [f"  std::array<Bounded<{power if power > 1 else ''}{' * ' if power > 1 else ''}Bits>, {len(inputs)}> {variable(scale, power)};"
+    arrays = [f"  std::array<Bounded<{power if power > 1 else ''}{' * ' if power > 1 else ''}Bits>, {len(inputs)}> "
+              f"{variable(scale, power)};"
               for scale, power, inputs in groups]
-    puts = [f"put<{power}, Bits>(s_.{scale}_scale, s_.{variable(scale, power)}, {variable(scale, power)})" for scale, power, inputs in groups]
+    puts = [f"put<{power}, Bits>(s_.{scale}_scale, s_.{variable(scale, power)}, {variable(scale, power)})"
+            for scale, power, inputs in groups]
     tests = "".join(f"  if (!{p}) return Sign3::kUncertain;\n" for p in puts)
     leaves, write = formula.leaves, names.leaves()
     lines = [f"  const auto {names.leaf(node)} = {leaf_in_inputs(node, place.get)};" for node in leaves]
@@ -51,7 +56,8 @@ def lattice_function(formula, names, groups):
                       "Sign3 on_lattice(const Scaled& s_) {", *arrays, tests.rstrip("\n"), *lines, *shortened,
                       wrapped(f"  const auto det_ = formulas::{formula.name}_det(", write, ");", 6),
                       "  static_assert(decltype(det_)::kBits ==",
-                      f"                (Bits == kOneLimbBits ? {budget(formula, ONE_LIMB, False)} : {budget(formula, TWO_LIMBS, False)}));",
+                      f"                (Bits == kOneLimbBits ? {budget(formula, ONE_LIMB, False)} : "
+                      f"{budget(formula, TWO_LIMBS, False)}));",
                       "  return to_sign3(sign_of(det_));", "}"])
 
 
@@ -82,10 +88,13 @@ def write_source(formula, names, place):
     inputs[0], inputs[-1] = "{" + inputs[0], inputs[-1] + "}"
     if homogeneous:
         helpers = "\n\n".join([scaled_struct(formula, names, groups), lattice_function(formula, names, groups)])
-        exact = [wrapped(f"Sign3 {name}_lattice(", args, ") noexcept {", 6), f"  const Scaled s_ = scaled({arguments});",
-                 "  const Sign3 sign_ = on_lattice<kOneLimbBits>(s_);", "  return is_certain(sign_) ? sign_ : on_lattice<kTwoLimbBits>(s_);", "}", "",
+        exact = [wrapped(f"Sign3 {name}_lattice(", args, ") noexcept {", 6),
+                 f"  const Scaled s_ = scaled({arguments});",
+                 "  const Sign3 sign_ = on_lattice<kOneLimbBits>(s_);",
+                 "  return is_certain(sign_) ? sign_ : on_lattice<kTwoLimbBits>(s_);", "}", "",
                  wrapped(f"Sign {name}_exact(", args, ") noexcept {", 6), *wide_lines(formula)]
-        tiers = [f"tally, [&] {{ return {name}_lattice({arguments}); }},", f"[&] {{ return {name}_interval({arguments}); }},",
+        tiers = [f"tally, [&] {{ return {name}_lattice({arguments}); }},",
+                 f"[&] {{ return {name}_interval({arguments}); }},",
                  f"[&] {{ return {name}_exact({arguments}); }});"]
         first = 1
     else:
@@ -94,7 +103,8 @@ def write_source(formula, names, place):
         exact = [wrapped(f"Sign {name}_exact(", args, ") noexcept {", 6),
                  wrapped(f"  const auto v_ = dyadics<{len(inputs)}>(", inputs, ");", 6),
                  f"  return formulas::{name}_of<Dyadic>(v_).sign();", "}"]
-        tiers = [f"tally, [&] {{ return {name}_interval({arguments}); }},", f"[&] {{ return {name}_exact({arguments}); }});"]
+        tiers = [f"tally, [&] {{ return {name}_interval({arguments}); }},",
+                 f"[&] {{ return {name}_exact({arguments}); }});"]
         first = "kAfterLattice"
     body = "\n".join(exact)
     return f"""// SPDX-License-Identifier: LGPL-3.0-or-later

@@ -6,20 +6,28 @@ from .header import GENERATED, law_text
 
 HAND = {  # name: header, object, det, magnitude; @ are the operands
     "orient2d": ("predicates/formulas.h", "formulas::Orient2d<double>(@)", "f.det()", "f.magnitude(kAbs)"),
-    "orient3d": ("predicates/orient3d.h", "formulas::Plane3<double>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8])",
-                 "f.det(v[9] - v[0], v[10] - v[1], v[11] - v[2])", "f.magnitude(v[9] - v[0], v[10] - v[1], v[11] - v[2], kAbs)"),
+    "orient3d": ("predicates/orient3d.h",
+                 "formulas::Plane3<double>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8])",
+                 "f.det(v[9] - v[0], v[10] - v[1], v[11] - v[2])",
+                 "f.magnitude(v[9] - v[0], v[10] - v[1], v[11] - v[2], kAbs)"),
     "in_circle": ("predicates/formulas.h", "formulas::InCircle<double>(@)", "f.det()", "f.magnitude(kAbs)"),
     "in_sphere": ("predicates/formulas.h", "formulas::InSphere<double>(@)", "f.det()", "f.magnitude(kAbs)"),
     "side_of_plane": ("predicates/formulas.h", "formulas::SideOfPlane<double>(@)", "f.det()", "f.magnitude(kAbs)"),
     "compare_along": ("predicates/formulas.h", "formulas::CompareAlong<double>(@)", "f.det()", "f.magnitude(kAbs)"),
-    "normal_along": ("solids/polyhedron/normal_along.h", "formulas::NormalAlong<double>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], kAbs)",
+    "normal_along": ("solids/polyhedron/normal_along.h",
+                     "formulas::NormalAlong<double>(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], kAbs)",
                      "f.det(v[9], v[10], v[11])", "f.magnitude(v[9], v[10], v[11], kAbs)"),
-    "separator": ("solids/polyhedron/separator.h", "0", "formulas::dot3(v[0], v[1], v[2], v[6], v[7], v[8]) - formulas::dot3(v[0], v[1], v[2], v[3], v[4], v[5])", ""),
-    "separator_ray": ("solids/polyhedron/separator.h", "0", "formulas::dot3(v[0], v[1], v[2], v[6] - v[3], v[7] - v[4], v[8] - v[5])", ""),
-    "implicit_line_plane": ("predicates/implicit_formulas.h", "formulas::line_plane(from(3, 0), from(9, 6), from(12, 6), from(6, 0))",
+    "separator": ("solids/polyhedron/separator.h", "0",
+                  "formulas::dot3(v[0], v[1], v[2], v[6], v[7], v[8]) - formulas::dot3(v[0], v[1], v[2], v[3], v[4], "
+                  "v[5])", ""),
+    "separator_ray": ("solids/polyhedron/separator.h", "0",
+                      "formulas::dot3(v[0], v[1], v[2], v[6] - v[3], v[7] - v[4], v[8] - v[5])", ""),
+    "implicit_line_plane": ("predicates/implicit_formulas.h",
+                            "formulas::line_plane(from(3, 0), from(9, 6), from(12, 6), from(6, 0))",
                             "formulas::orientation(f, from(0, 15), from(18, 15), from(21, 15))", ""),
     "implicit_three_planes": ("predicates/implicit_formulas.h",
-                              "formulas::three_planes<double>({from(3, 0), from(6, 0), {}}, {from(12, 9), from(15, 9), from(9, 0)}, "
+                              "formulas::three_planes<double>({from(3, 0), from(6, 0), {}}, {from(12, 9), from(15, 9), "
+                              "from(9, 0)}, "
                               "{from(21, 18), from(24, 18), from(18, 0)})",
                               "formulas::orientation(f, from(0, 27), from(30, 27), from(33, 27))", ""),
 }
@@ -60,7 +68,8 @@ def write_test(formula, names, bound, place):
     axes = [str(AXES.index(i[-1])) if "." in i else "-1" for i in formula.inputs]
     powers = [str(formula.scale_of[i][1]) for i in formula.inputs]
     lattice = f"internal::{name}_lattice({arguments})" if formula.is_homogeneous() else "Sign3::kUncertain"
-    examples = [f"{{{{{', '.join(numbers)}}}, Sign::{('kNegative', 'kZero', 'kPositive')[sign + 1]}}}" for _, _, numbers, sign in formula.examples]
+    examples = [f"{{{{{', '.join(numbers)}}}, Sign::{('kNegative', 'kZero', 'kPositive')[sign + 1]}}}"
+                for _, _, numbers, sign in formula.examples]
     kinds = ["d" if leaf.args else "x" for leaf in formula.leaves]
     symbols = ["m"] * len(kinds)
     eta = f"internal::k{type_name}Eta" if bound.degree else "0"
@@ -139,7 +148,8 @@ def write_same_formulas_test(formulas):
         n = len(formula.inputs)
         templates.append(functions(formula, Names(formula)))
         made = make.replace("@", ", ".join(f"v[{i}]" for i in range(n)))
-        leaves = ", ".join(f"v[{formula.inputs.index(a.args[0].name)}] - v[{formula.inputs.index(a.args[1].name)}]" if a.args else
+        leaves = ", ".join(f"v[{formula.inputs.index(a.args[0].name)}] - v[{formula.inputs.index(a.args[1].name)}]"
+                           if a.args else
                            f"v[{formula.inputs.index(a.name)}]" for a in formula.leaves)
         second = f"""
     expect_same({magnitude}, page::{formula.name}_magnitude(kAbs, {leaves}));""" if magnitude else ""

@@ -18,12 +18,11 @@ uint32_t end_of(const Patch& p, int e, bool last) {  // in the direction of trav
   return uint32_t((first + (last != p.is_reversed)) % n);
 }
 
-}  // namespace
+typedef std::pair<std::string, uint32_t> Entry;  // a side 4 patch + e, by its curve
 
-Gluing::Gluing(std::vector<Patch>* patches) {
-  typedef std::pair<std::string, uint32_t> Entry;  // a side 4 patch + e, by its curve
-  require(patches->size() < kNoPair / 4, "B2", "over a limit of this checker: 2^30 patches");
-  std::vector<Entry> forward, backward;
+// The sides that are no points, sorted by their curves and by their curves passed backwards.
+void list_sides(std::vector<Patch>* patches, std::vector<Entry>* forward,
+                std::vector<Entry>* backward) {
   for (uint32_t i = 0; i < patches->size(); ++i) {
     Patch& p = (*patches)[i];
     std::fill(p.pair, p.pair + 4, kNoPair);
@@ -31,15 +30,36 @@ Gluing::Gluing(std::vector<Patch>* patches) {
       const Curve c = side_curve(p, e, p.is_reversed);
       if (is_point(c)) continue;
       const Curve key = canonical(c);
-      forward.push_back(Entry(text(key, false), 4 * i + uint32_t(e)));
-      backward.push_back(Entry(text(key, true), 4 * i + uint32_t(e)));
+      forward->push_back(Entry(text(key, false), 4 * i + uint32_t(e)));
+      backward->push_back(Entry(text(key, true), 4 * i + uint32_t(e)));
     }
   }
-  std::sort(forward.begin(), forward.end());
-  std::sort(backward.begin(), backward.end());
-  std::vector<uint32_t> corner(4 * patches->size()), whole(patches->size());
-  for (uint32_t i = 0; i < corner.size(); ++i) corner[i] = i;
-  for (uint32_t i = 0; i < whole.size(); ++i) whole[i] = i;
+  std::sort(forward->begin(), forward->end());
+  std::sort(backward->begin(), backward->end());
+}
+
+std::vector<uint32_t> singletons(size_t count) {
+  std::vector<uint32_t> parent(count);
+  for (uint32_t i = 0; i < count; ++i) parent[i] = i;
+  return parent;
+}
+
+// The ends of a collapsed side are one corner.
+void unite_collapsed(const std::vector<Patch>& patches, std::vector<uint32_t>* corner) {
+  for (uint32_t i = 0; i < patches.size(); ++i)
+    for (int e = 0; e < patches[i].shape.sides(); ++e)
+      if (patches[i].is_collapsed(e))
+        unite(corner, 4 * i + end_of(patches[i], e, false), 4 * i + end_of(patches[i], e, true));
+}
+
+}  // namespace
+
+Gluing::Gluing(std::vector<Patch>* patches) {
+  require(patches->size() < kNoPair / 4, "B2", "over a limit of this checker: 2^30 patches");
+  std::vector<Entry> forward, backward;
+  list_sides(patches, &forward, &backward);
+  std::vector<uint32_t> corner = singletons(4 * patches->size()),
+                        whole = singletons(patches->size());
   for (size_t i = 0; i < forward.size(); ++i) {
     const uint32_t a = forward[i].second, b = backward[i].second;
     require(i == 0 || forward[i - 1].first != forward[i].first, "P1",
@@ -56,11 +76,7 @@ Gluing::Gluing(std::vector<Patch>* patches) {
       unite(&corner, a / 4 * 4 + end_of(p, int(a % 4), last != 0),
             b / 4 * 4 + end_of(q, int(b % 4), last == 0));
   }
-  for (uint32_t i = 0; i < patches->size(); ++i)
-    for (int e = 0; e < (*patches)[i].shape.sides(); ++e)
-      if ((*patches)[i].is_collapsed(e))
-        unite(&corner, 4 * i + end_of((*patches)[i], e, false),
-              4 * i + end_of((*patches)[i], e, true));
+  unite_collapsed(*patches, &corner);
 
   chi.resize(patches->size());
   std::vector<uint32_t> number(patches->size());

@@ -376,76 +376,78 @@ void flatten(IndexedTriangle& t, IndexedTriangle& u) {
   }
 }
 
-}  // namespace
+void orientation_rows(const char* kind) {
+  rows<3, Vec2d, Session2d>(
+      "orient2d", kind, [](const Vec2d* p, TierCounts* t) { return orient2d(p[0], p[1], p[2], t); },
+      [](const Session2d& s, const Vec2d* p, TierCounts* t) {
+        return s.orient2d(p[0], p[1], p[2], t);
+      },
+      [](const Vec2d* p) {
+        return formulas::Orient2d<double>(p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y).det();
+      },
+      bench::epick_orient2d);
+  rows<4, Vec3d, Session3d>(
+      "orient3d", kind,
+      [](const Vec3d* p, TierCounts* t) { return orient3d(p[0], p[1], p[2], p[3], t); },
+      [](const Session3d& s, const Vec3d* p, TierCounts* t) {
+        return s.orient3d(p[0], p[1], p[2], p[3], t);
+      },
+      [](const Vec3d* p) {
+        return formulas::Plane3<double>(p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x,
+                                        p[2].y, p[2].z)
+            .det(p[3].x - p[0].x, p[3].y - p[0].y, p[3].z - p[0].z);
+      },
+      bench::epick_orient3d);
+}
 
-int main() {
-  for (const char* kind : {"U", "N", "D", "D26", "D50", "P", "R", "RW", "DW"}) {
-    rows<3, Vec2d, Session2d>(
-        "orient2d", kind,
-        [](const Vec2d* p, TierCounts* t) { return orient2d(p[0], p[1], p[2], t); },
-        [](const Session2d& s, const Vec2d* p, TierCounts* t) {
-          return s.orient2d(p[0], p[1], p[2], t);
-        },
-        [](const Vec2d* p) {
-          return formulas::Orient2d<double>(p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y).det();
-        },
-        bench::epick_orient2d);
-    rows<4, Vec3d, Session3d>(
-        "orient3d", kind,
-        [](const Vec3d* p, TierCounts* t) { return orient3d(p[0], p[1], p[2], p[3], t); },
-        [](const Session3d& s, const Vec3d* p, TierCounts* t) {
-          return s.orient3d(p[0], p[1], p[2], p[3], t);
-        },
-        [](const Vec3d* p) {
-          return formulas::Plane3<double>(p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x,
-                                          p[2].y, p[2].z)
-              .det(p[3].x - p[0].x, p[3].y - p[0].y, p[3].z - p[0].z);
-        },
-        bench::epick_orient3d);
-    rows<4, Vec2d, Session2d>(
-        "in_circle", kind,
-        [](const Vec2d* p, TierCounts* t) { return in_circle(p[0], p[1], p[2], p[3], t); },
-        [](const Session2d& s, const Vec2d* p, TierCounts* t) {
-          return s.in_circle(p[0], p[1], p[2], p[3], t);
-        },
-        [](const Vec2d* p) {
-          return formulas::InCircle<double>(p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x,
-                                            p[3].y)
-              .det();
-        },
-        bench::epick_in_circle);
-    rows<5, Vec3d, Session3d>(
-        "in_sphere", kind,
-        [](const Vec3d* p, TierCounts* t) { return in_sphere(p[0], p[1], p[2], p[3], p[4], t); },
-        [](const Session3d& s, const Vec3d* p, TierCounts* t) {
-          return s.in_sphere(p[0], p[1], p[2], p[3], p[4], t);
-        },
-        [](const Vec3d* p) {
-          return formulas::InSphere<double>(p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x,
-                                            p[2].y, p[2].z, p[3].x, p[3].y, p[3].z, p[4].x, p[4].y,
-                                            p[4].z)
-              .det();
-        },
-        bench::epick_in_sphere);
-  }
-  for (const char* kind : {"U", "D", "D26", "D50"}) {
-    using In2d = LatticeSession2d;
-    using In3d = LatticeSession3d;
-    const auto o2 = [](const In2d& s, auto i, auto* t) { return s.orient2d(i, i + 1, i + 2, t); };
-    const auto ic = [](const In2d& s, auto i, auto* t) {
-      return s.in_circle(i, i + 1, i + 2, i + 3, t);
-    };
-    const auto o3 = [](const In3d& s, auto i, auto* t) {
-      return s.orient3d(i, i + 1, i + 2, i + 3, t);
-    };
-    const auto is = [](const In3d& s, auto i, auto* t) {
-      return s.in_sphere(i, i + 1, i + 2, i + 3, i + 4, t);
-    };
-    lattice_row<3, Vec2d, In2d>("orient2d", kind, o2, bench::epick_orient2d);
-    lattice_row<4, Vec3d, In3d>("orient3d", kind, o3, bench::epick_orient3d);
-    lattice_row<4, Vec2d, In2d>("in_circle", kind, ic, bench::epick_in_circle);
-    lattice_row<5, Vec3d, In3d>("in_sphere", kind, is, bench::epick_in_sphere);
-  }
+void sphere_rows(const char* kind) {
+  rows<4, Vec2d, Session2d>(
+      "in_circle", kind,
+      [](const Vec2d* p, TierCounts* t) { return in_circle(p[0], p[1], p[2], p[3], t); },
+      [](const Session2d& s, const Vec2d* p, TierCounts* t) {
+        return s.in_circle(p[0], p[1], p[2], p[3], t);
+      },
+      [](const Vec2d* p) {
+        return formulas::InCircle<double>(p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x,
+                                          p[3].y)
+            .det();
+      },
+      bench::epick_in_circle);
+  rows<5, Vec3d, Session3d>(
+      "in_sphere", kind,
+      [](const Vec3d* p, TierCounts* t) { return in_sphere(p[0], p[1], p[2], p[3], p[4], t); },
+      [](const Session3d& s, const Vec3d* p, TierCounts* t) {
+        return s.in_sphere(p[0], p[1], p[2], p[3], p[4], t);
+      },
+      [](const Vec3d* p) {
+        return formulas::InSphere<double>(p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x,
+                                          p[2].y, p[2].z, p[3].x, p[3].y, p[3].z, p[4].x, p[4].y,
+                                          p[4].z)
+            .det();
+      },
+      bench::epick_in_sphere);
+}
+
+void lattice_rows(const char* kind) {
+  using In2d = LatticeSession2d;
+  using In3d = LatticeSession3d;
+  const auto o2 = [](const In2d& s, auto i, auto* t) { return s.orient2d(i, i + 1, i + 2, t); };
+  const auto ic = [](const In2d& s, auto i, auto* t) {
+    return s.in_circle(i, i + 1, i + 2, i + 3, t);
+  };
+  const auto o3 = [](const In3d& s, auto i, auto* t) {
+    return s.orient3d(i, i + 1, i + 2, i + 3, t);
+  };
+  const auto is = [](const In3d& s, auto i, auto* t) {
+    return s.in_sphere(i, i + 1, i + 2, i + 3, i + 4, t);
+  };
+  lattice_row<3, Vec2d, In2d>("orient2d", kind, o2, bench::epick_orient2d);
+  lattice_row<4, Vec3d, In3d>("orient3d", kind, o3, bench::epick_orient3d);
+  lattice_row<4, Vec2d, In2d>("in_circle", kind, ic, bench::epick_in_circle);
+  lattice_row<5, Vec3d, In3d>("in_sphere", kind, is, bench::epick_in_sphere);
+}
+
+void triangle_rows() {
   triangle_row("strangers_apart", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {
     for (Vec3d& p : t.point) p.z *= 0.1;
     for (Vec3d& p : u.point) p.z = p.z * 0.1 + 0.1;
@@ -463,4 +465,15 @@ int main() {
   triangle_row("coplanar_shared_edge", [](IndexedTriangle& t, IndexedTriangle& u, Random&) {
     flatten(t, u), share(t, u, 2);
   });
+}
+
+}  // namespace
+
+int main() {
+  for (const char* kind : {"U", "N", "D", "D26", "D50", "P", "R", "RW", "DW"}) {
+    orientation_rows(kind);
+    sphere_rows(kind);
+  }
+  for (const char* kind : {"U", "D", "D26", "D50"}) lattice_rows(kind);
+  triangle_rows();
 }

@@ -120,6 +120,31 @@ void add_ours(const FastSpline<N>& fast, const Sets<N>& sets, Buffers& b,
                  &b.value});
 }
 
+// The peers stand behind ours: from `first` their values, from `first_derivative` their derivatives.
+void print_surface_figures(const std::vector<Candidate>& all, std::size_t first,
+                           std::size_t first_derivative, std::size_t num_occt) {
+  print_alone("bicubic_value", all[0].ns, ">= 20 million points/s"),
+      print_alone("bicubic_bounds", all[1].ns, ">= 10 million points/s");
+  print_alone("bicubic_derivatives", all[2].ns, ""),
+      print_alone("bicubic_derivatives_bounds", all[3].ns, "");
+  print_alone("bicubic_value_baseline", all[4].ns, "");
+  print_alone("bicubic_rational_value", all[5].ns, ""),
+      print_alone("bicubic_rational_bounds", all[6].ns, "");
+  print_alone("bicubic_rational_derivatives_bounds", all[8].ns, "");
+  const auto faster = [&](std::size_t from) {
+    return all[from].ns < all[from + 1].ns ? all[from] : all[from + 1];
+  };
+  if (num_occt == 2) {
+    for (std::size_t k = 0; k < 2; ++k)
+      print_pair("bicubic_value_vs_" + all[first + k].name, all[0], all[first + k], "");
+    print_pair("bicubic_value_vs_occt", all[0], faster(first), ">= 3 times");
+    print_pair("bicubic_bounds_vs_occt", all[1], faster(first), "");
+    print_pair("bicubic_derivatives_vs_occt", all[2], faster(first_derivative), "");
+  }
+  print_pair("bicubic_bounds_vs_boost_interval", all[1], all[first + num_occt], ">= 50 times");
+  print_pair("bicubic_bounds_vs_boost_interval_unprotected", all[1], all[first + num_occt + 1], "");
+}
+
 void surface_rows(Random& random) {
   SurfaceData data;
   data.num_u = data.num_v = 10;
@@ -167,26 +192,7 @@ void surface_rows(Random& random) {
                    },
                    &out});
   race(all);
-  print_alone("bicubic_value", all[0].ns, ">= 20 million points/s"),
-      print_alone("bicubic_bounds", all[1].ns, ">= 10 million points/s");
-  print_alone("bicubic_derivatives", all[2].ns, ""),
-      print_alone("bicubic_derivatives_bounds", all[3].ns, "");
-  print_alone("bicubic_value_baseline", all[4].ns, "");
-  print_alone("bicubic_rational_value", all[5].ns, ""),
-      print_alone("bicubic_rational_bounds", all[6].ns, "");
-  print_alone("bicubic_rational_derivatives_bounds", all[8].ns, "");
-  const auto faster = [&](std::size_t from) {
-    return all[from].ns < all[from + 1].ns ? all[from] : all[from + 1];
-  };
-  if (num_occt == 2) {
-    for (std::size_t k = 0; k < 2; ++k)
-      print_pair("bicubic_value_vs_" + all[first + k].name, all[0], all[first + k], "");
-    print_pair("bicubic_value_vs_occt", all[0], faster(first), ">= 3 times");
-    print_pair("bicubic_bounds_vs_occt", all[1], faster(first), "");
-    print_pair("bicubic_derivatives_vs_occt", all[2], faster(first_derivative), "");
-  }
-  print_pair("bicubic_bounds_vs_boost_interval", all[1], all[first + num_occt], ">= 50 times");
-  print_pair("bicubic_bounds_vs_boost_interval_unprotected", all[1], all[first + num_occt + 1], "");
+  print_surface_figures(all, first, first_derivative, num_occt);
 }
 
 void volume_rows(Random& random) {

@@ -113,8 +113,7 @@ def main():
             path = pathlib.Path(folder) / "cases"
             with open(path, "wb") as out:
                 subprocess.run([str(maker), "--cases", str(size), "--seed", str(1_000_003 * arguments.seed + number)],
-                               check=True, stdout=out,
-                               start_new_session=True)
+                               check=True, stdout=out, start_new_session=True)
 
             def decide(label):
                 return label, subprocess.run([str(programs[label]), str(path)], capture_output=True, text=True,
@@ -137,8 +136,7 @@ def main():
                           "zeros": zeros}))
     totals = [sum(c[i] for c in counts.values()) for i in range(3)]
     print(json.dumps({"name": "hostile_all", "value": totals[2], "goal": "0 wrong signs", "cases": totals[0],
-                      "zeros": totals[1],
-                      "builds": len(programs), "predicates": num_predicates}))
+                      "zeros": totals[1], "builds": len(programs), "predicates": num_predicates}))
     return 1 if failed or totals[2] else 0
 
 

@@ -467,6 +467,39 @@ void figure(const std::string& command, const std::string& name, double value,
               name.c_str(), value, goal.c_str(), command.c_str());
 }
 
+// Prints the figures; returns the number of wrong signs.
+std::uint64_t report_figures(const Counts& total, std::uint64_t cases, const std::string& command) {
+  std::uint64_t wrong = 0, zeros = 0;
+  const auto sum_class = [&](const auto& table, int k) {
+    std::uint64_t sum = 0;
+    for (int p = 0; p < kNumPredicates; ++p) sum += table[p][k];
+    return sum;
+  };
+  for (int k = 0; k < kNumClasses; ++k)
+    wrong += sum_class(total.wrong, k), zeros += sum_class(total.zeros, k);
+  figure(command, "predicates_cases", static_cast<double>(cases), ">= 1e8");
+  figure(command, "predicates_wrong_signs", static_cast<double>(wrong), "0");
+  figure(command, "predicates_oracle_faults", static_cast<double>(total.oracle_faults), "0");
+  figure(command, "predicates_exact_zeros_fraction",
+         static_cast<double>(zeros) / static_cast<double>(cases), ">= 0.3");
+  for (int k = 0; k < kNumClasses; ++k) {
+    const double n = static_cast<double>(sum_class(total.cases, k));
+    figure(command, std::string("predicates_") + kClassNames[k] + "_cases", n, "reported");
+    figure(command, std::string("predicates_") + kClassNames[k] + "_zeros_fraction",
+           n > 0 ? static_cast<double>(sum_class(total.zeros, k)) / n : 0,
+           k == kDegenerate ? ">= 0.3" : "reported");
+  }
+  constexpr const char* kTierNames[] = {"filter", "lattice", "interval", "exact"};
+  for (int p = 0; p < kNumPredicates; ++p) {
+    for (std::size_t t = 0; t < veritope::kNumTiers; ++t) {
+      figure(command,
+             std::string("predicates_") + kPredicateNames[p] + "_decided_by_" + kTierNames[t],
+             static_cast<double>(total.tiers[p].decided[t]), "reported");
+    }
+  }
+  return wrong;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -500,35 +533,7 @@ int main(int argc, char** argv) {
   for (const Counts& part : parts) total += part;
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-
-  std::uint64_t wrong = 0, zeros = 0;
-  const auto sum_class = [&](const auto& table, int k) {
-    std::uint64_t sum = 0;
-    for (int p = 0; p < kNumPredicates; ++p) sum += table[p][k];
-    return sum;
-  };
-  for (int k = 0; k < kNumClasses; ++k)
-    wrong += sum_class(total.wrong, k), zeros += sum_class(total.zeros, k);
-  figure(command, "predicates_cases", static_cast<double>(cases), ">= 1e8");
-  figure(command, "predicates_wrong_signs", static_cast<double>(wrong), "0");
-  figure(command, "predicates_oracle_faults", static_cast<double>(total.oracle_faults), "0");
-  figure(command, "predicates_exact_zeros_fraction",
-         static_cast<double>(zeros) / static_cast<double>(cases), ">= 0.3");
-  for (int k = 0; k < kNumClasses; ++k) {
-    const double n = static_cast<double>(sum_class(total.cases, k));
-    figure(command, std::string("predicates_") + kClassNames[k] + "_cases", n, "reported");
-    figure(command, std::string("predicates_") + kClassNames[k] + "_zeros_fraction",
-           n > 0 ? static_cast<double>(sum_class(total.zeros, k)) / n : 0,
-           k == kDegenerate ? ">= 0.3" : "reported");
-  }
-  constexpr const char* kTierNames[] = {"filter", "lattice", "interval", "exact"};
-  for (int p = 0; p < kNumPredicates; ++p) {
-    for (std::size_t t = 0; t < veritope::kNumTiers; ++t) {
-      figure(command,
-             std::string("predicates_") + kPredicateNames[p] + "_decided_by_" + kTierNames[t],
-             static_cast<double>(total.tiers[p].decided[t]), "reported");
-    }
-  }
+  const std::uint64_t wrong = report_figures(total, cases, command);
   figure(command, "predicates_seconds", seconds, "<= 600");
   return wrong == 0 && total.oracle_faults == 0 ? 0 : 1;
 }

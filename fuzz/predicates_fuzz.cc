@@ -69,8 +69,8 @@ void require(bool holds, const char* what, const Input& in) {
 
 bool agrees(Sign3 tier, Sign sign) { return !is_certain(tier) || to_sign(tier) == sign; }
 
-void check_signs(const Input& in) {
-  const Vec3d a = in.point(0), b = in.point(1), c = in.point(2), d = in.point(3), e = in.point(4);
+void check_planar_signs(const Input& in) {
+  const Vec3d a = in.point(0), b = in.point(1), c = in.point(2), d = in.point(3);
   const Vec2d a2{a.x, a.y}, b2{b.x, b.y}, c2{c.x, c.y}, d2{d.x, d.y};
   {
     const Sign s = oracle::orient2d(a2, b2, c2);
@@ -83,15 +83,6 @@ void check_signs(const Input& in) {
             "a tier of orient2d", in);
   }
   {
-    const Sign s = oracle::orient3d(a, b, c, d);
-    require(orient3d(a, b, c, d) == s, "orient3d", in);
-    require(agrees(orient3d_filter(a, b, c, d), s) &&
-                agrees(internal::orient3d_lattice(a, b, c, d), s) &&
-                agrees(internal::orient3d_interval(a, b, c, d), s) &&
-                internal::orient3d_exact(a, b, c, d) == s,
-            "a tier of orient3d", in);
-  }
-  {
     const Sign s = oracle::in_circle(a2, b2, c2, d2);
     require(in_circle(a2, b2, c2, d2) == s, "in_circle", in);
     require(agrees(in_circle_filter(a2, b2, c2, d2), s) &&
@@ -99,6 +90,26 @@ void check_signs(const Input& in) {
                 agrees(internal::in_circle_interval(a2, b2, c2, d2), s) &&
                 internal::in_circle_exact(a2, b2, c2, d2) == s,
             "a tier of in_circle", in);
+  }
+  const SegmentContact s = segment_segment2d(a2, b2, c2, d2);
+  require(segment_segment2d(d2, c2, b2, a2) == s, "symmetry of segment_segment2d", in);
+  const bool meet =
+      oracle::orient2d(a2, b2, c2) * oracle::orient2d(a2, b2, d2) == Sign::kNegative &&
+      oracle::orient2d(c2, d2, a2) * oracle::orient2d(c2, d2, b2) == Sign::kNegative;
+  require((s == SegmentContact::kCrossing) == meet, "a crossing of segment_segment2d", in);
+}
+
+void check_signs(const Input& in) {
+  check_planar_signs(in);
+  const Vec3d a = in.point(0), b = in.point(1), c = in.point(2), d = in.point(3), e = in.point(4);
+  {
+    const Sign s = oracle::orient3d(a, b, c, d);
+    require(orient3d(a, b, c, d) == s, "orient3d", in);
+    require(agrees(orient3d_filter(a, b, c, d), s) &&
+                agrees(internal::orient3d_lattice(a, b, c, d), s) &&
+                agrees(internal::orient3d_interval(a, b, c, d), s) &&
+                internal::orient3d_exact(a, b, c, d) == s,
+            "a tier of orient3d", in);
   }
   {
     const Sign s = oracle::in_sphere(a, b, c, d, e);
@@ -128,12 +139,6 @@ void check_signs(const Input& in) {
                 internal::compare_along_exact(a, b, c) == s,
             "a tier of compare_along", in);
   }
-  const SegmentContact s = segment_segment2d(a2, b2, c2, d2);
-  require(segment_segment2d(d2, c2, b2, a2) == s, "symmetry of segment_segment2d", in);
-  const bool meet =
-      oracle::orient2d(a2, b2, c2) * oracle::orient2d(a2, b2, d2) == Sign::kNegative &&
-      oracle::orient2d(c2, d2, a2) * oracle::orient2d(c2, d2, b2) == Sign::kNegative;
-  require((s == SegmentContact::kCrossing) == meet, "a crossing of segment_segment2d", in);
 }
 
 void check_triangles(const Input& in) {
@@ -170,10 +175,9 @@ void check_triangles(const Input& in) {
   check(w.u_weight, u);
 }
 
-// One change that a geometer would make.
-void mutate(Input& in, Random& random) {
+// A point goes to a place that the others determine.
+void move_point(Input& in, Random& random, std::uint64_t how) {
   const auto any_point = [&] { return static_cast<std::size_t>(random.below(kNumPoints)); };
-  const auto any_coordinate = [&]() -> double& { return in.c[random.below(kNumCoordinates)]; };
   const auto combine = [&](const Vec3d& o, const Vec3d& u, double s, const Vec3d& v, double t) {
     return Vec3d{o.x + s * (u.x - o.x) + t * (v.x - o.x), o.y + s * (u.y - o.y) + t * (v.y - o.y),
                  o.z + s * (u.z - o.z) + t * (v.z - o.z)};
@@ -182,7 +186,7 @@ void mutate(Input& in, Random& random) {
     return std::ldexp(static_cast<double>(random.between(-5, 5)),
                       static_cast<int>(random.between(-3, 1)));
   };
-  switch (random.below(14)) {
+  switch (how) {
     case 0: in.set(any_point(), in.point(any_point())); break;  // equal
     case 1:
       in.set(any_point(), combine(in.point(any_point()), in.point(any_point()), factor(), {}, 0));
@@ -198,6 +202,14 @@ void mutate(Input& in, Random& random) {
                            random.below(2) ? p.z : q.z});
       break;
     }
+    default: break;
+  }
+}
+
+// Numbers change, whatever points they belong to.
+void change_numbers(Input& in, Random& random, std::uint64_t how) {
+  const auto any_coordinate = [&]() -> double& { return in.c[random.below(kNumCoordinates)]; };
+  switch (how) {
     case 5: {  // one coordinate by some units in the last place
       double& v = any_coordinate();
       for (std::int64_t steps = random.between(1, 3); steps > 0; --steps)
@@ -241,6 +253,12 @@ void mutate(Input& in, Random& random) {
     }
     default: in.options = static_cast<std::uint8_t>(random.below(8)); break;
   }
+}
+
+// One change that a geometer would make.
+void mutate(Input& in, Random& random) {
+  const std::uint64_t how = random.below(14);
+  how < 5 ? move_point(in, random, how) : change_numbers(in, random, how);
   for (double& v : in.c) {
     if (!std::isfinite(v)) v = 0x1.fffffffffffffp1023;
   }

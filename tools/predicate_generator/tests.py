@@ -62,14 +62,18 @@ def laws_text(formula):
     return rows
 
 
+def examples_of(formula):
+    return [f"{{{{{', '.join(numbers)}}}, Sign::{('kNegative', 'kZero', 'kPositive')[sign + 1]}}}"
+            for _, _, numbers, sign in formula.examples]
+
+
 def write_test(formula, names, bound, place):
     name, type_name, n = formula.name, camel(formula.name), len(formula.inputs)
     arguments = ", ".join(call_of(formula))
     axes = [str(AXES.index(i[-1])) if "." in i else "-1" for i in formula.inputs]
     powers = [str(formula.scale_of[i][1]) for i in formula.inputs]
     lattice = f"internal::{name}_lattice({arguments})" if formula.is_homogeneous() else "Sign3::kUncertain"
-    examples = [f"{{{{{', '.join(numbers)}}}, Sign::{('kNegative', 'kZero', 'kPositive')[sign + 1]}}}"
-                for _, _, numbers, sign in formula.examples]
+    examples = examples_of(formula)
     kinds = ["d" if leaf.args else "x" for leaf in formula.leaves]
     symbols = ["m"] * len(kinds)
     eta = f"internal::k{type_name}Eta" if bound.degree else "0"

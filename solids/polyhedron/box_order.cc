@@ -9,6 +9,7 @@
 #include "robust/base/parallel.h"
 #include "robust/binary64.h"
 #include "solids/base/range_tree.h"
+#include "solids/polyhedron/chunk_internal.h"
 
 namespace veritope {
 namespace {

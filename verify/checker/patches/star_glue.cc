@@ -20,7 +20,7 @@ uint32_t end_of(const Patch& p, int e, bool last) {  // in the direction of trav
 
 typedef std::pair<std::string, uint32_t> Entry;  // a side 4 patch + e, by its curve
 
-// The sides that are no points, sorted by their curves and by their curves passed backwards.
+// The sides that are more than a point, sorted by their curves and by their curves passed backwards.
 void list_sides(std::vector<Patch>* patches, std::vector<Entry>* forward,
                 std::vector<Entry>* backward) {
   for (uint32_t i = 0; i < patches->size(); ++i) {

@@ -218,7 +218,7 @@ bool BoxSearch::try_crowded_star() {
   return crossing_number(forest_, tested_, box_.star) == 1 || fail(Why::kCrossings);
 }
 
-// Whether the piece alone has centres, approximately.
+// Whether centres for the piece alone were found, approximately.
 bool BoxSearch::is_promising() { return (place_centres() && are_centres()) || search_centres(); }
 
 const Obstacle& BoxSearch::obstacle() {

@@ -10,13 +10,13 @@ certificate::Fraction to_fraction(const Rational& v) {
   return {v.sign() == Sign::kNegative, to_natural(abs(v).numerator()), to_natural(v.denominator())};
 }
 
-// Bits of the sides of piece (i, j) of m x n that lie on the domain's border, in the file's numbers.
+// Bits for the sides of piece (i, j) of m x n that lie on the domain's border, with the file's numbering of sides.
 std::uint8_t border_bits(std::size_t i, std::size_t j, std::size_t m, std::size_t n) {
   const unsigned bits =
       (j == 0 ? 1u : 0u) | (i + 1 == m ? 2u : 0u) | (j + 1 == n ? 4u : 0u) | (i == 0 ? 8u : 0u);
   return static_cast<std::uint8_t>(bits);
 }
-// Side s of the reversed patch is side 3 - s of the file's.
+// Side s of the reversed patch is side 3 - s of the patch in the file.
 std::uint8_t with_reversed_sides(std::uint8_t bits) {
   unsigned out = 0;
   for (unsigned s = 0; s < 4; ++s) out |= (bits >> s & 1u) << (3 - s);

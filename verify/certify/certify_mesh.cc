@@ -27,7 +27,8 @@ certificate::Subject subject_of(const MeshFile& file, const CertifyOptions& opti
 // sorted by rule as before.
 std::vector<Finding> share_out(std::vector<Finding> defects, std::size_t most) {
   if (defects.size() <= most) return defects;
-  // turn[i] = how many of the same rule come before i. The chosen ones have the least (turn, rule).
+  // turn[i]: the number of findings of the same rule before i. The chosen ones have the least
+  // (turn, rule).
   std::array<std::size_t, kNumMeshRules> seen{};
   std::vector<std::size_t> turn, order(defects.size());
   for (const Finding& d : defects) turn.push_back(seen[rule_index(rule_of(d))]++);

@@ -21,7 +21,7 @@ Finding why(const char* code, std::string message) {
 }
 Finding not_covered(std::string message) { return why("not-covered", std::move(message)); }
 
-// Content of the file that no certificate can speak of; decided before its patches are made.
+// Content of the file that no certificate covers; tested before its patches are made.
 std::optional<Finding> uncovered_content(const SplineFile& file) {
   if (file.format != SplineFormat::kJson && file.format != SplineFormat::kItd)
     return not_covered(
@@ -35,7 +35,7 @@ std::optional<Finding> uncovered_content(const SplineFile& file) {
   return std::nullopt;
 }
 
-// What the file's patches have that no certificate can speak of.
+// Properties of the file's patches that no certificate covers.
 std::optional<Finding> uncovered_patches(const FilePatches& patches) {
   if (patches.mixed_entity)
     return not_covered("pieces of entity " + std::to_string(*patches.mixed_entity) +
@@ -104,7 +104,7 @@ class Certification {
     facts_.vertices = complex.num_vertices();
     facts_.shells = complex.shells().size();
     facts_.reversed = patches_.reversed();
-    if (patches_.mixed_entity)  // the search for whole entities ended there
+    if (patches_.mixed_entity)  // list only those before the mixed one
       std::erase_if(facts_.reversed, [&](std::uint64_t e) { return e >= *patches_.mixed_entity; });
   }
 
@@ -116,7 +116,7 @@ class Certification {
     return out;
   }
 
-  // Why the decision is no verdict; nothing if out_ has the verdict.
+  // Why there is no verdict; nothing if out_ has one.
   std::optional<Finding> doubt() {
     if (decision().refutation) return doubt_about_refutation();
     if (decision().is_valid) {

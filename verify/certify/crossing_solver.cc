@@ -47,7 +47,8 @@ std::optional<Vector> stretched(const Vector& row, const std::array<int, 3>& exp
   return out;
 }
 
-// Y of the frame's coordinates, 2^scale times the model's: as rows for the model's, of any length.
+// Y for the frame's coordinates, which are 2^scale times the model's, as integer rows of any length
+// for the model's.
 std::optional<std::array<std::array<std::int64_t, 3>, 3>> integer_rows(
     const Matrix& inverse, const std::array<int, 3>& scale) {
   std::array<std::array<std::int64_t, 3>, 3> rows;
@@ -189,8 +190,8 @@ bool CrossingSolver::is_near_unproved(const std::array<SheetPlace, 2>& solution)
   });
 }
 
-// The parameter to fix: the one without which the equations are conditioned best. A parameter of B on the border must
-// be the fixed one.
+// Fixes each parameter in turn, first the one without which the equations are conditioned best. A parameter of B on the
+// border must be the fixed one, so that one comes first.
 std::optional<CrossingWitness> CrossingSolver::prove_in_order(
     const std::array<SheetPlace, 2>& solution) {
   const Linear l = linearised(solution);

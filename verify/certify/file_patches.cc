@@ -33,7 +33,8 @@ std::size_t end_of(const FilePatches& patches, std::size_t entity) {
                                               : patches.complex->patches().size();
 }
 
-// Certificates reverse whole entities.
+// Notes which entities are reversed, and the first one of which only a part is: certificates
+// reverse whole entities.
 void note_reversed(FilePatches& patches) {
   std::vector<bool> is_reversed(patches.complex->patches().size());
   for (const std::uint32_t p : patches.complex->reversed()) is_reversed[p] = true;
@@ -78,7 +79,7 @@ std::vector<std::uint32_t> wrong_shells(const ShellWalks& walks) {
   return shells_to_reverse(walks);
 }
 
-// Each entity lies in one shell.
+// Reverses the entities of these shells; each entity lies in one shell.
 void turn(FilePatches& patches, const std::vector<std::uint32_t>& shells) {
   std::vector<Patch> oriented(patches.complex->patches().begin(), patches.complex->patches().end());
   for (std::size_t e = 0; e < patches.entities.size(); ++e) {

@@ -84,7 +84,7 @@ class Search {
     conclude(std::move(*complex));
   }
 
-  // Counts come first: they are cheap, and refuse most covers that are too coarse.
+  // Counts are tested first: they are cheap, and rule out most covers that are too coarse.
   std::vector<BodyDefect> find_defects(const CommonSubdivision& complex) {
     boundary_ = analyse_boundary(complex);
     const auto shells = shells_of_bodies(forest_.complex(), forest_, *octree_, complex, boundary_);
@@ -125,7 +125,7 @@ class Search {
     octree_->split(which);
   }
 
-  // The cells are a collar around each shell; it remains to show that the shells lie in it as they should.
+  // The cells are a collar around each shell; it remains to prove where the shells lie in it.
   void conclude(CommonSubdivision complex) {
     Misplaced why;
     std::optional<CollarPlace> place =

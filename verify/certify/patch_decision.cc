@@ -15,8 +15,8 @@ namespace veritope {
 namespace {
 
 // Crossings are sought near pieces of at least this level. The first searches are free; each further one requires that
-// more boxes were tried. All patches are searched once: at a piece of kTroubleLevel without a box, as soon as trying
-// boxes has taken approximately as long as that search, or at the end if no cover was found.
+// more boxes were tried. All patches are searched once: at the first piece of kTroubleLevel without a box after trying
+// boxes has taken approximately as long as that search, otherwise at the end if no cover was found.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;
 

@@ -8,7 +8,7 @@ namespace {
 
 using Node = PieceForest::Node;
 
-// [lo, hi] in [0,1], multiples of 2^-63: pieces are not as small.
+// [lo, hi] in [0,1], as multiples of 2^-63: no piece is that small.
 struct Span {
   std::uint64_t lo, hi;
 };

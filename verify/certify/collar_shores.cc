@@ -34,8 +34,8 @@ class ShoreSearch {
     return {root_.plane(0, p[0]), root_.plane(1, p[1]), root_.plane(2, p[2])};
   }
 
-  // Tries the ray downward first: nothing lies below the least vertex of an outermost component. Then tries boxes that
-  // contain the vertex, whose centres see it, and last the other rays.
+  // Tries the ray downward first: nothing lies below the least vertex of an outermost component. Then tries centres of
+  // boxes near the vertex (those of a box that contains it see it), and last the other rays.
   bool leads_out(std::uint32_t vertex, const CommonSubdivision::Face& near, Shore* shore) {
     const Point3d from = point(vertex);
     if (to_infinity(from, 5, shore) ||

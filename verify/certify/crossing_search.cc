@@ -142,8 +142,7 @@ double CrossingSearch::reach(const PieceForest::Node& node) const {
   const int bits = node.level + std::min(form.root_bits[0], form.root_bits[1]);
   const double size = std::ldexp(kReach, -bits);
   if (!form.shape.is_triangle) return size;
-  return size / std::max(middle(node).at[0],
-                         0x1p-10);  // near corner 0 a step in space is a long step of t
+  return size / std::max(middle(node).at[0], 0x1p-10);  // near corner 0 all of t is near
 }
 
 }  // namespace veritope

@@ -11,7 +11,7 @@ namespace veritope {
 
 inline constexpr std::uint64_t kStlHeader = 84, kStlFacet = 50;
 
-/// Decides by the content, not by the first word of the header.
+/// Decides by the size of the file; if it is not that of a binary STL, by the first word.
 bool is_stl_binary(const Source& source);
 /// 84 + 50 n. REQUIRES at least 84 bytes.
 std::uint64_t stl_binary_size(const Source& source);

@@ -111,7 +111,7 @@ class SplineTextReader {
   NumberBudget budget_;
 
  private:
-  /// The budget for the points that a periodic axis repeats, at most as many as there are.
+  /// Charges the budget for the points that periodic axes repeat: each axis at most doubles their number.
   bool charge_repeated(const char* at, const std::vector<Rational>& points,
                        std::span<const bool> is_periodic);
 

@@ -133,6 +133,38 @@ TEST(SideWitness, APointThatItsOwnSidePassesAgainIsNoProof) {
     }
 }
 
+// x = t / (1 + 4 t^2) rises up to t = 1/2 and falls from there, though t and 1 + 4 t^2 rise: all but one of its points are passed twice.
+TEST(SideWitness, ARationalCurveIsMonotoneAsAQuotient) {
+  const Rational half = Rational(1) / Rational(2);
+  std::vector<Rational> c;
+  for (const Rational& x : {Rational(0), half, Rational(1)}) c.insert(c.end(), 2, x);
+  c.insert(c.end(), 6, Rational(0));
+  for (const int w : {1, 1, 5}) c.push_back(Rational(0)), c.push_back(Rational(5 * w));
+  for (const int w : {1, 1, 5}) c.insert(c.end(), 2, Rational(w));
+  const PatchComplex complex =
+      complex_of({make_patch(BezierSurface<Rational>({2, 1}, 4, true, c)).value()});
+  const Patch& kept = complex.patch(0);
+  EXPECT_EQ(best(complex, on_curve(kept, DyadicInterval::whole(), 3, 3)), SideCondition::kD3);
+  EXPECT_EQ(best(complex, on_curve(kept, {2, 1, 2}, 3, 3)), SideCondition::kD4);
+}
+
+// Of the patches only some may be reversed: sides and arcs of the others stay, and the point belongs to the first arc.
+TEST(SideWitness, SidesOfReversedPatchesChangeAlone) {
+  const PatchComplex complex = complex_of(without(unit_box(), 5));
+  SideWitness w;
+  w.arcs = {{{0, 1}, {3, 1, 4}}, {{1, 2}, {2, 0, 3}}};
+  w.point_bits = 3, w.point = 3;
+  const SideArc first{{0, 2}, {3, 4, 7}}, second{{1, 1}, {2, 1, 4}};
+  for (const bool a : {false, true})
+    for (const bool b : {false, true}) {
+      const SideWitness r = with_reversed(complex, {a, b, false, false, false}, w);
+      EXPECT_EQ(r.arcs[0], a ? first : w.arcs[0]);
+      EXPECT_EQ(r.arcs[1], b ? second : w.arcs[1]);
+      EXPECT_EQ(r.point, a ? 5u : 3u);
+      EXPECT_EQ(r.point_bits, 3u);
+    }
+}
+
 // The finest arcs that a certificate can name.
 TEST(SideWitness, ArcsOfSixtyTwoBitsAreProofs) {
   const PatchComplex complex = complex_of({strip_over({0, 1}, {0, 0})});
@@ -141,6 +173,9 @@ TEST(SideWitness, ArcsOfSixtyTwoBitsAreProofs) {
   EXPECT_EQ(best(complex, on_curve(kept, {61, 0, 1}, 62, 1)), std::nullopt);
   EXPECT_EQ(best(complex, on_curve(kept, {61, most - 1, most}, 62, 2 * most - 1)), std::nullopt);
   EXPECT_EQ(best(complex, on_curve(kept, DyadicInterval::whole(), 62, most)), std::nullopt);
+  EXPECT_EQ(best(complex, on_curve(kept, {62, most - 1, most + 1}, 62, most)), std::nullopt);
+  EXPECT_EQ(best(complex, on_curve(kept, {63, 2 * most - 1, 2 * most + 1}, 62, most)),
+            SideCondition::kD1);
   EXPECT_EQ(best(complex, on_curve(kept, DyadicInterval::whole(), 63, most)), SideCondition::kD1);
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Would the quick tests notice a broken kernel?  Source-level mutants of a layer's decisions.
 
-    python3 tests/mutation/kernel_mutants.py LAYER [--build build] [--only FILES] [--sample N] [--jobs J] [--again FILE] [--list]
+    python3 tests/mutation/kernel_mutants.py LAYER [--build build] [--only FILES] [--sample N] [--jobs J] [--fast] [--again FILE] [--list]
 
 Every mutant is one small change: a constant halved, doubled or zeroed, a comparison turned round or moved by its boundary, a condition
 of an `if` held to be true or false. All of them are compiled at once: in ONE copy of the layer each place asks for the number of the mutant
@@ -42,10 +42,10 @@ LAYERS = {
         "binary": "solids_quick",
         "filter": "*",
     },
-    # The conditions D1 to D4, the search for what satisfies them, and the equality of sides on which they stand.
+    # The conditions D1 to D4, the search for what satisfies them, and on what they stand: dyadic intervals, equality of sides.
     "side_witness": {
         "files": ["verify/certify/side_witness.cc", "verify/certify/side_search.cc", "solids/patches/patch_sides.cc",
-                  "solids/patches/patch_sides.h"],
+                  "solids/patches/patch_sides.h", "verify/certify/crossing_witness.h"],
         "tests": ["tests/certify/side_witness_test.cc", "tests/solids/patch_sides_test.cc"],
         "binary": "certify_quick",
         "filter": "*",
@@ -401,6 +401,7 @@ def main(argv):
     a.add_argument("--seed", type=int, default=1)
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     a.add_argument("--only", default="", help="mutants of files whose path matches this expression")
+    a.add_argument("--fast", action="store_true", help="without the tests that take long: what survives must be run again")
     a.add_argument("--again", type=pathlib.Path, help="only the mutants that an earlier output in this file names")
     a.add_argument("--list", action="store_true", help="every mutant and what became of it")
     options, start = a.parse_args(argv), time.monotonic()
@@ -429,7 +430,7 @@ def main(argv):
     def judge(m):
         """The test that notices the mutant."""
         for test in tests if m.number in reached else ():
-            if m.number in proposals and test.seconds > COSTLY:
+            if test.seconds > COSTLY and (options.fast or m.number in proposals):
                 break
             if first[m.number] in test.reached and run_tests(program, test.name, int(20 * test.seconds) + 10, VT_MUTANT=str(m.number)) != 0:
                 return m, test.name

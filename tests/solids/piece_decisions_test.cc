@@ -256,6 +256,70 @@ Patches tetrahedron(Random& random) {
   return {flat(o, y, x), flat(o, x, z), flat(o, z, y), flat(x, y, z)};
 }
 
+// The same closed surface of flat triangles under other maps: every vertex has a weight of its own.
+Patches weighted(const Patches& patches, Random& random) {
+  std::vector<std::pair<PatchPoint, Rational>> weights;
+  const auto weight_of = [&](const PatchPoint& p) {
+    for (const auto& [q, w] : weights)
+      if (q == p) return w;
+    weights.push_back({p, Rational(random.between(1, 9)) / Rational(7)});
+    return weights.back().second;
+  };
+  Patches out;
+  for (const Patch& patch : patches) {
+    const Patch::Triangle& from = patch.triangle();
+    Patch::Triangle map(1, 4, true);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational w =
+          weight_of({from.component(0)[i], from.component(1)[i], from.component(2)[i]});
+      for (int c = 0; c < 3; ++c) map.component(c)[i] = w * from.component(c)[i];
+      map.component(3)[i] = w;
+    }
+    out.push_back(make_patch(std::move(map)).value());
+  }
+  return out;
+}
+
+// Next to a corner the sides of a triangle with one short and two long sides are known with errors of unlike sizes: an end of a curve
+// that is not known to lie on one side of the half-line must not be taken for either.
+TEST(PieceDecisions, LinesThatPassNextToACornerCrossTheRightFaces) {
+  constexpr std::uint64_t kSeed = 13;
+  Random random(kSeed);
+  int inside = 0, outside = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Parallelepiped body(random);
+    const Rational zero, one(1), part = Rational::power_of_two(-random.between(0, 24));
+    // The short side lies at either end of the corner under test.
+    const bool is_first = random.below(2) == 0;
+    const PatchPoint o = body.at({zero, zero, zero}),
+                     x = body.at({is_first ? part : one, zero, zero}),
+                     y = body.at({zero, is_first ? one : part, zero});
+    const PatchPoint z = body.at({zero, zero, one});
+    Patches patches{flat(o, x, y), flat(o, z, x), flat(o, y, z), flat(x, z, y)};
+    if (trial % 2 == 1) patches = weighted(patches, random);
+    const PatchComplex complex = complex_of(patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    const FlatPiece piece(forest, forest.root(0));
+    const Vector corner = trial % 3 == 0
+                              ? piece.a
+                              : minus(piece.a, minus(Vector{}, trial % 3 == 1 ? piece.u : piece.v));
+    CentreLine line;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = nearest_double(corner[k]) * (1 + std::ldexp(random.unit() - 0.5, -44));
+      const double d = random.unit() - 0.5 + (k == 2 ? 1 : 0);
+      line.inside[k] = at - d, line.outside[k] = at + 0.75 * d;
+    }
+    const Vector from = exactly(line.inside);
+    const auto expected = piece.crossed_by(from, minus(exactly(line.outside), from));
+    const auto found = crossing_number(forest, {forest.root(0)}, line);
+    if (!expected || !found) continue;
+    ++(*expected == 0 ? outside : inside);
+    EXPECT_EQ(*found, *expected) << "seed " << kSeed << ", trial " << trial;
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_GT(outside, 20);
+}
+
 // Takes the piece, or some of its children, into the union.
 void take_some(PieceForest& forest, PieceForest::Id id, Random& random,
                std::vector<PieceForest::Id>* tested) {
@@ -270,11 +334,12 @@ void take_some(PieceForest& forest, PieceForest::Id id, Random& random,
 
 TEST(PieceDecisions, UnionsOfPiecesAreCrossedAsOftenAsTheirParts) {
   constexpr std::uint64_t kSeed = 9;
-  Random random(kSeed);
+  Random random(kSeed), weights(kSeed + 1);
   std::array<int, 5> seen{};  // by the crossing number + 2
   for (int trial = 0; trial < 60; ++trial) {
     Patches patches = trial % 3 == 0 ? Parallelepiped(random).patches() : tetrahedron(random);
     if (trial % 3 == 2) patches = elevated(patches, 1 + trial % 2);
+    if (trial % 3 == 1 && trial % 2 == 0) patches = weighted(patches, weights);
     const PatchComplex complex = complex_of(patches);
     PieceForest forest = PieceForest::make(complex).value();
     std::vector<PieceForest::Id> tested;

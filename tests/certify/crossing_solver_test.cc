@@ -42,7 +42,7 @@ double gap_of(const PatchComplex& complex, const std::array<SheetPlace, 2>& at) 
   return std::hypot(p[0][0] - p[1][0], p[0][1] - p[1][1], p[0][2] - p[1][2]);
 }
 
-// Of each model only the two patches that cross at the planted point.
+// Only the two patches of each model that cross at the planted point are given to the solver.
 TEST(CrossingSolver, ProvesWhatIsPlantedNearTheGuess) {
   Random random(21);
   for (int i = 0; i < 24; ++i) {

@@ -148,7 +148,7 @@ TEST(SideWitness, ARationalCurveIsMonotoneAsAQuotient) {
   EXPECT_EQ(best(complex, on_curve(kept, {2, 1, 2}, 3, 3)), SideCondition::kD4);
 }
 
-// Of the patches only some may be reversed: sides and arcs of the others stay, and the point belongs to the first arc.
+// Some of the patches may be reversed, not all: sides and arcs of the others stay, and the point belongs to the first arc.
 TEST(SideWitness, SidesOfReversedPatchesChangeAlone) {
   const PatchComplex complex = complex_of(without(unit_box(), 5));
   SideWitness w;

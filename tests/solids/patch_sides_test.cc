@@ -134,7 +134,7 @@ std::vector<Patch::Curve> unlike_curves() {
       curve_of(1, false, {0, 0, 0, 1, 2, 4}),
       // It begins with the numbers of the first.
       curve_of(2, false, {0, 0, 0, 1, 2, 3, 5, 5, 5}),
-      // The same twelve numbers, without and with weights.
+      // Twelve numbers, taken without weights and with them.
       curve_of(3, false, {0, 1, 2, 1, 3, 5, 4, 2, 7, 6, 9, 3}),
       curve_of(2, true, {0, 1, 2, 1, 3, 5, 4, 2, 7, 6, 9, 3}),
       // Without an end, or without any point.

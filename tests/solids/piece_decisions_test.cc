@@ -256,7 +256,7 @@ Patches tetrahedron(Random& random) {
   return {flat(o, y, x), flat(o, x, z), flat(o, z, y), flat(x, y, z)};
 }
 
-// The same closed surface of flat triangles under other maps: every vertex has a weight of its own.
+// The closed surface of flat triangles as before, under other maps: every vertex has a weight of its own.
 Patches weighted(const Patches& patches, Random& random) {
   std::vector<std::pair<PatchPoint, Rational>> weights;
   const auto weight_of = [&](const PatchPoint& p) {

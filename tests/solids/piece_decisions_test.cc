@@ -375,6 +375,53 @@ TEST(PieceDecisions, UnionsOfPiecesAreCrossedAsOftenAsTheirParts) {
   EXPECT_GT(seen[3], 20);
 }
 
+// Of two mates one may be a triangle's side and the other one a tensor's, whose parameters run in opposite directions.
+TEST(PieceDecisions, UnionsOfTrianglesAndQuadranglesAreCrossedAsOftenAsTheirParts) {
+  constexpr std::uint64_t kSeed = 17;
+  Random random(kSeed);
+  int crossed = 0;
+  for (int trial = 0; trial < 24; ++trial) {
+    const Parallelepiped body(random);
+    const Rational zero, one(1), half = Rational(1) / Rational(2);
+    const PatchPoint a = body.at({zero, zero, zero}), b = body.at({one, zero, zero}),
+                     c = body.at({one, one, zero}), d = body.at({zero, one, zero}),
+                     top = body.at({half, half, one});
+    Patches patches{flat(a, b, top), flat(b, c, top), flat(c, d, top), flat(d, a, top)};
+    patches.insert(patches.begin() + trial % 5, reversed(bilinear({a, b, c, d})));
+    const PatchComplex complex = complex_of(patches);
+    ASSERT_TRUE(complex.is_closed_oriented_surface());
+    PieceForest forest = PieceForest::make(complex).value();
+    std::vector<PieceForest::Id> tested;
+    for (std::uint32_t r = 0; r < forest.num_roots(); ++r) take_some(forest, r, random, &tested);
+    const Vector inner = in_frame(forest, body.at({half, half, half / Rational(2)}));
+    // Lines along an axis, too: the projection is along the axis that the line runs along.
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      CentreLine line;
+      for (std::size_t k = 0; k < 3; ++k) {
+        line.inside[k] = nearest_double(inner[k]) + 0.05 * (random.unit() - 0.5);
+        line.outside[k] = line.inside[k] + (axis < 3 && k != axis ? 0 : random.unit() - 0.5);
+      }
+      const Vector from = exactly(line.inside), d3 = minus(exactly(line.outside), from);
+      int expected = 0;
+      bool is_clear = true;
+      for (const PieceForest::Id id : tested) {
+        const FlatPiece piece(forest, id);
+        if (dot(cross(piece.u, piece.v), d3).sign() == Sign::kZero) is_clear = false;
+        if (!is_clear) break;
+        const auto found = piece.crossed_by(from, d3);
+        is_clear = found.has_value();
+        expected += found.value_or(0);
+      }
+      if (!is_clear) continue;
+      const auto found = crossing_number(forest, tested, line);
+      ASSERT_TRUE(found.has_value()) << "seed " << kSeed << ", trial " << trial << ", " << axis;
+      EXPECT_EQ(*found, expected) << "seed " << kSeed << ", trial " << trial << ", " << axis;
+      crossed += expected == 0 ? 0 : 1;
+    }
+  }
+  EXPECT_GT(crossed, 20);
+}
+
 TEST(PieceDecisions, AClosedSurfaceIsCrossedOutwardsAsOftenAsInwards) {
   // With collapsed sides, which have no mate.
   for (const Patches& patches : {patch_shapes::octant_sphere(), patch_shapes::frustum(1, 0, 2)}) {

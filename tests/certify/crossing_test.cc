@@ -101,7 +101,30 @@ TEST(CrossingWitness, EachConditionIsNeeded) {
   expect(w, CrossingCondition::kX3);
 }
 
-// Two rectangles of one patch must have no common place: otherwise every sheet crosses itself.
+// All of a sheet must lie before, or behind, the end of the other one: not only its least or its greatest control value.
+TEST(CrossingWitness, ASheetThatReachesBeyondOneEndIsNoProof) {
+  const Patch a = floor_patch();
+  for (const int sign : {1, -1})
+    for (const bool is_far : {true, false}) {
+      // x = c + m (2 s - 1) over the rectangle; u ends where x is -1/4 and 1/4. If B is far, x runs from -1/10 to 1/2, or from -1/2
+      // to 1/10.
+      const Rational c = planted::ratio(sign, is_far ? 5 : 40),
+                     m = planted::ratio(is_far ? 6 : 3, 5);
+      const Rational shift = c - m;
+      const Patch b = flat({shift, -1, -1}, {m + m, 2, 0}, {0, 0, 2});
+      CrossingWitness w = plane_witness();
+      EXPECT_EQ(broken_condition(a, b, w) == std::nullopt, !is_far) << sign;
+    }
+}
+
+// Numbers of 62 bits are the finest that a certificate can name.
+TEST(CrossingWitness, ParametersOfSixtyTwoBitsAreProofs) {
+  CrossingWitness w = plane_witness();
+  w.sheets[0].at[1] = {62, std::uint64_t{1} << 61, std::uint64_t{1} << 61};
+  EXPECT_EQ(broken_condition(floor_patch(), wall_patch(), w), std::nullopt);
+}
+
+// Of one patch the rectangles must have no common place: otherwise every sheet crosses itself.
 TEST(CrossingWitness, OverlappingRectanglesOfOnePatchAreNoProof) {
   // One map occurs twice, once under another number: A = B has solutions, along the diagonal.
   const Patch a = flat({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -116,6 +139,13 @@ TEST(CrossingWitness, OverlappingRectanglesOfOnePatchAreNoProof) {
   EXPECT_TRUE(are_apart(w.sheets[0], w.sheets[1]));
   w.sheets[1].at[1] = {3, 5, 5};  // closed intervals: one common number
   EXPECT_FALSE(are_apart(w.sheets[0], w.sheets[1]));
+  EXPECT_FALSE(are_apart(w.sheets[1], w.sheets[0]));
+  w.sheets[1].at = {DyadicInterval{3, 1, 3}, around};
+  EXPECT_FALSE(are_apart(w.sheets[0], w.sheets[1]));
+  EXPECT_FALSE(are_apart(w.sheets[1], w.sheets[0]));
+  w.sheets[1].at[0] = {3, 1, 2};
+  EXPECT_TRUE(are_apart(w.sheets[0], w.sheets[1]));
+  EXPECT_TRUE(are_apart(w.sheets[1], w.sheets[0]));
 }
 
 // A triangle's tensor form is the same map, and where its first parameter is 0 nothing is proved.

@@ -103,8 +103,9 @@ std::optional<SideCondition> best(const PatchComplex& complex, SideWitness w) {
   return out;
 }
 
-// The cubic x = s^2, y = s^3 - s passes (1, 0) for s = -1 and s = 1. Wherever these two lie among the parameters, an arc around
-// one of them does not hold the other, and an arc around another point of the curve is a proof.
+// The cubic x = s^2, y = s^3 - s passes (1, 0) for s = -1 and s = 1. Wherever these two lie among
+// the parameters, an arc around one of them does not hold the other, and an arc around another
+// point of the curve is a proof.
 TEST(SideWitness, APointThatItsOwnSidePassesAgainIsNoProof) {
   for (std::uint64_t a = 1; a < 12; a += 3)
     for (std::uint64_t b = a + 3; b < 16; b += 4) {
@@ -133,7 +134,8 @@ TEST(SideWitness, APointThatItsOwnSidePassesAgainIsNoProof) {
     }
 }
 
-// x = t / (1 + 4 t^2) rises up to t = 1/2 and falls from there, though t and 1 + 4 t^2 rise: all but one of its points are passed twice.
+// x = t / (1 + 4 t^2) rises up to t = 1/2 and falls from there, though t and 1 + 4 t^2 rise: all
+// but one of its points are passed twice.
 TEST(SideWitness, ARationalCurveIsMonotoneAsAQuotient) {
   const Rational half = Rational(1) / Rational(2);
   std::vector<Rational> c;

@@ -65,8 +65,9 @@ Rational coordinate(int pivot, double w, const Rational& x0, const Rational& x1)
   return pivot == 2 ? x0 + (x1 - x0) * t : q(4) * t - q(2);
 }
 
-// The ellipse is cut at x = x0, by the left or the right border of the plane's domain. Every end on the border must enclose the
-// place of the cut: where x is x0 exactly, or where x0^2 + 2 y^2 - 1/2 changes its sign.
+// The ellipse is cut at x = x0, by the left or the right border of the plane's domain. Every end on
+// the border must enclose the place of the cut: where x is x0 exactly, or where x0^2 + 2 y^2 - 1/2
+// changes its sign.
 TEST(IntersectionClip, EndsOnTheBorderEncloseThePlaceOfTheCut) {
   const ScopedUpward upward;
   const auto s1 = EnclosedSurface::make(bowl());
@@ -122,8 +123,8 @@ TEST(IntersectionClip, DomainsAreThoseOfTheirOwnSurfaces) {
   EXPECT_NE(parameter_domain(*s1, *s2, 1), parameter_domain(*s1, *s2, 2));
 }
 
-/// The tube of a wall and of the floor over [-2, 2]^2, both continued: (u, v) = (x + 2, y + 2) / 4, s runs from a to b. The pivot
-/// is s, from `lo` to `hi`.
+/// The tube of a wall and of the floor over [-2, 2]^2, both continued: (u, v) = (x + 2, y + 2) / 4,
+/// s runs from a to b. The pivot is s, from `lo` to `hi`.
 IntersectionTube tube_of_line(const EnclosedSurface& floor, const EnclosedSurface& wall,
                               const std::array<double, 2>& a, const std::array<double, 2>& b,
                               double lo, double hi) {

@@ -123,7 +123,8 @@ TEST(IntersectionTube, ATubeAlongAnotherParameterIsComparedAsASet) {
   EXPECT_FALSE(large.contains(other));
 }
 
-// What is returned is proved: the arc of the longer tube lies in it, however narrow the offsets are with which the search begins.
+// What is returned is proved: the arc of the longer tube lies in it, however narrow the offsets are
+// with which the search begins.
 TEST(IntersectionTube, ShortenedTubesHoldTheArcWhereFirstOffsetsAreTooNarrow) {
   const ScopedUpward upward;
   const auto pair = bowl_and_plane();
@@ -142,7 +143,8 @@ TEST(IntersectionTube, ShortenedTubesHoldTheArcWhereFirstOffsetsAreTooNarrow) {
   EXPECT_GT(proved, 0u);
 }
 
-// contract() leaves a region without a range where it finds nothing; a search that took it for covered would drop a pair of boxes.
+// contract() leaves a region without a range where it finds nothing; a search that took it for
+// covered would drop a pair of boxes.
 TEST(IntersectionTube, ARegionWithoutARangeLiesInNoTube) {
   const ScopedUpward upward;
   IntersectionTube large;
@@ -154,8 +156,9 @@ TEST(IntersectionTube, ARegionWithoutARangeLiesInNoTube) {
   EXPECT_FALSE(large.contains(IntersectionTube{}));
 }
 
-// The inverse of the Jacobian has a row beyond the range of doubles, though the determinant has a reciprocal within. Numbers that are
-// not finite prove nothing: neither that a box is empty, nor where its points lie.
+// The inverse of the Jacobian has a row beyond the range of doubles, though the determinant has a
+// reciprocal within. Numbers that are not finite prove nothing: neither that a box is empty, nor
+// where its points lie.
 TEST(IntersectionTube, AnInverseThatOverflowsProvesNothing) {
   const ScopedUpward upward;
   const auto s1 = EnclosedSurface::make(bowl()), s2 = EnclosedSurface::make(floor_plane());

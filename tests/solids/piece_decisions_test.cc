@@ -280,8 +280,9 @@ Patches weighted(const Patches& patches, Random& random) {
   return out;
 }
 
-// Next to a corner the sides of a triangle with one short and two long sides are known with errors of unlike sizes: an end of a curve
-// that is not known to lie on one side of the half-line must not be taken for either.
+// Next to a corner the sides of a triangle with one short and two long sides are known with errors
+// of unlike sizes: an end of a curve that is not known to lie on one side of the half-line must not
+// be taken for either.
 TEST(PieceDecisions, LinesThatPassNextToACornerCrossTheRightFaces) {
   constexpr std::uint64_t kSeed = 13;
   Random random(kSeed);
@@ -375,7 +376,7 @@ TEST(PieceDecisions, UnionsOfPiecesAreCrossedAsOftenAsTheirParts) {
   EXPECT_GT(seen[3], 20);
 }
 
-// Of two mates one may be a triangle's side and the other one a tensor's, whose parameters run in opposite directions.
+// A triangle may be the mate of a tensor: their parameters run in opposite directions.
 TEST(PieceDecisions, UnionsOfTrianglesAndQuadranglesAreCrossedAsOftenAsTheirParts) {
   constexpr std::uint64_t kSeed = 17;
   Random random(kSeed);

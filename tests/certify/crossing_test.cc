@@ -125,7 +125,7 @@ TEST(CrossingWitness, ParametersOfSixtyTwoBitsAreProofs) {
   EXPECT_EQ(broken_condition(floor_patch(), wall_patch(), w), std::nullopt);
 }
 
-// Of one patch the rectangles must have no common place: otherwise every sheet crosses itself.
+// Two rectangles of one patch must have no common place: otherwise every sheet crosses itself.
 TEST(CrossingWitness, OverlappingRectanglesOfOnePatchAreNoProof) {
   // One map occurs twice, once under another number: A = B has solutions, along the diagonal.
   const Patch a = flat({0, 0, 0}, {1, 0, 0}, {0, 1, 0});

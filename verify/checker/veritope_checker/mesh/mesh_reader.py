@@ -158,6 +158,8 @@ def read_off(data):
         points.append((decimal(words[0]), decimal(words[1]), decimal(words[2])))
     for words in rows[at + num_vertices:at + num_vertices + num_faces]:
         n = integer(words[0])
+        if n < 0:
+            raise Refused("off: a face with %d corners" % n)
         if len(words) <= n:
             raise Refused("off: a face with fewer corners than it announces")
         triangles += fan([index(integer(w), num_vertices) for w in words[1:n + 1]])

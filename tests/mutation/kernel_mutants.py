@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Would the quick tests notice a broken kernel?  Source-level mutants of a layer's decisions.
 
-    python3 tests/mutation/kernel_mutants.py LAYER [--build build] [--only FILES] [--sample N] [--jobs J] [--fast] [--again FILE] [--list]
+    python3 tests/mutation/kernel_mutants.py LAYER [--build build-mutants] [--only FILES] [--sample N] [--jobs J] [--fast] [--again FILE] [--list]
 
 Every mutant is one small change: a constant halved, doubled or zeroed, a comparison turned round or moved by its boundary, a condition
 of an `if` held to be true or false. All of them are compiled at once: in ONE copy of the layer each place asks for the number of the mutant
@@ -12,7 +12,8 @@ notes which places it reaches and what it costs; a mutant is then shown to the t
 A mutant is killed if a test fails, crashes or runs for far too long. kernel_equivalent.txt lists mutants that are no mistakes, each with
 the reason; they are run, too: one that is killed, or that no line of the layer gives any more, ends the run with exit 1. Its rules for
 places that only propose (what is searched first, and for how long) excuse survivors; what the tests notice there counts as killed.
-Prints JSON lines for ./dev soak; survivors as text in between. REQUIRES a configured build folder with the layer's test binary.
+Prints JSON lines for ./dev soak; survivors as text in between. It configures --build, without batches of
+files, unless that is done, and builds the layer's test binary there.
 """
 import argparse
 import collections
@@ -396,7 +397,7 @@ def key_of(m):
 def main(argv):
     a = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     a.add_argument("layer", choices=sorted(LAYERS))
-    a.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    a.add_argument("--build", type=pathlib.Path, default=ROOT / "build-mutants")
     a.add_argument("--sample", type=int, default=0)
     a.add_argument("--seed", type=int, default=1)
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
@@ -408,6 +409,9 @@ def main(argv):
     layer, build = LAYERS[options.layer], options.build.resolve()
     scratch = build / "kernel_mutants" / options.layer
     scratch.mkdir(parents=True, exist_ok=True)
+    if not (build / "CMakeCache.txt").is_file():
+        # A batch would hold the file that is replaced beside others, which may have its functions inlined.
+        subprocess.run(["cmake", "--preset", "release", "-B", str(build), "-DVERITOPE_UNITY=OFF"], check=True, cwd=ROOT, stdout=sys.stderr)
     subprocess.run(["cmake", "--build", str(build), "--target", layer["binary"]], check=True, stdout=sys.stderr)
     program, mutants = compile_all(layer, build, scratch, options.jobs)
     tests = measured_tests(program, layer["filter"], scratch)

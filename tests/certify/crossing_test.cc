@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solids/pieces/exact_piece.h"
 #include "tests/certify/planted_crossings.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/certify/piece_neighbours.h"
@@ -284,6 +285,43 @@ TEST(PieceNeighbours, AreThoseWithACommonPointOfTheSurface) {
   const PieceForest::Id corner = forest.children(child), other = forest.children(child + 3);
   EXPECT_TRUE(are_neighbours(forest, corner + 3, other));
   EXPECT_FALSE(are_neighbours(forest, corner, other + 3));
+}
+
+// In models without crossings, pieces of one level have a common point of the surface iff they have
+// a common corner in space.
+TEST(PieceNeighbours, AreThosePiecesOfALevelThatShareACorner) {
+  for (const Patches& patches :
+       {patch_shapes::octant_sphere(), patch_shapes::box({0, 0, 0}, {1, 1, 1})}) {
+    SCOPED_TRACE(patches.size());
+    const PatchComplex complex = complex_of(patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    std::vector<PieceForest::Id> pieces;
+    for (std::uint32_t r = 0; r < std::min<std::size_t>(forest.num_roots(), 8); ++r) {
+      const PieceForest::Id first = forest.children(forest.root(r));
+      for (PieceForest::Id k = 0; k < 4; ++k)
+        for (PieceForest::Id j = 0; j < 4; ++j) pieces.push_back(forest.children(first + k) + j);
+    }
+    std::vector<std::vector<PatchPoint>> corners;
+    for (const PieceForest::Id id : pieces) {
+      const ExactPiece piece(forest, forest.node(id));
+      const Patch& patch = complex.patch(forest.node(id).patch);
+      corners.emplace_back();
+      for (std::uint32_t s = 0; s < patch.num_sides(); ++s) {
+        const auto p = piece.control(patch.side_index(s, 0));
+        corners.back().push_back(
+            {Rational(*p[0], *p[3]), Rational(*p[1], *p[3]), Rational(*p[2], *p[3])});
+      }
+    }
+    std::size_t alike = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const bool share = std::any_of(corners[i].begin(), corners[i].end(), [&](const auto& c) {
+          return std::find(corners[k].begin(), corners[k].end(), c) != corners[k].end();
+        });
+        alike += are_neighbours(forest, pieces[i], pieces[k]) == share ? 1 : 0;
+      }
+    EXPECT_EQ(alike, pieces.size() * pieces.size());
+  }
 }
 
 // Points of one patch that is glued to itself: pieces at opposite borders are neighbours.

@@ -54,7 +54,8 @@ LAYERS = {
     # The conditions X1 to X3, the solver that proposes what satisfies them, and which pieces are searched.
     "crossing": {
         "files": ["verify/certify/crossing_witness.cc", "verify/certify/crossing_witness.h", "verify/certify/miranda_internal.h",
-                  "verify/certify/crossing_solver.cc", "verify/certify/sheet_tangents_internal.h", "verify/certify/piece_neighbours.cc"],
+                  "verify/certify/crossing_search.cc", "verify/certify/crossing_solver.cc", "verify/certify/sheet_tangents_internal.h",
+                  "verify/certify/piece_neighbours.cc"],
         "tests": ["tests/certify/crossing_test.cc", "tests/certify/crossing_solver_test.cc"],
         "binary": "certify_quick",
         "filter": "*",

@@ -4,33 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/certify/crossing_planes.h"
 #include "tests/certify/planted_crossings.h"
 
 namespace veritope {
 namespace {
 
+using planted::broken;
+using planted::complex_of;
+using planted::flat;
+using planted::floor_patch;
 using planted::ratio;
-
-PatchComplex complex_of(std::vector<Patch> patches) {
-  PatchInput input;
-  input.patches = std::move(patches);
-  return make_patch_complex(std::move(input)).value();
-}
-std::optional<CrossingCondition> broken(const PatchComplex& complex, const CrossingWitness& w) {
-  return broken_condition(complex.patch(w.sheets[0].patch), complex.patch(w.sheets[1].patch), w);
-}
-// Bilinear: corner + u U + v V.
-Patch flat(const PatchPoint& corner, const PatchPoint& u, const PatchPoint& v) {
-  std::vector<Rational> c;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const int a : {0, 1})
-      for (const int b : {0, 1})
-        c.push_back(corner[k] + (a == 1 ? u[k] : Rational(0)) + (b == 1 ? v[k] : Rational(0)));
-  return make_patch(BezierSurface<Rational>({1, 1}, 3, false, c)).value();
-}
-Patch floor_patch() { return flat({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
-// x = 0, y in [-1, 1], z in [bottom, bottom + 2].
-Patch wall_patch(const Rational& bottom) { return flat({0, -1, bottom}, {0, 2, 0}, {0, 0, 2}); }
+using planted::wall_patch;
 
 // How far apart the two places are in space, by exact images.
 double gap_of(const PatchComplex& complex, const std::array<SheetPlace, 2>& at) {

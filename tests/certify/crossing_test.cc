@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "solids/pieces/exact_piece.h"
+#include "tests/certify/crossing_planes.h"
 #include "tests/certify/planted_crossings.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/certify/piece_neighbours.h"
@@ -13,14 +14,13 @@ namespace {
 
 using patch_shapes::Patches;
 using patch_shapes::Truth;
+using planted::broken;
+using planted::complex_of;
+using planted::flat;
+using planted::floor_patch;
 using planted::image;
 using planted::ratio;
-
-PatchComplex complex_of(Patches patches) {
-  PatchInput input;
-  input.patches = std::move(patches);
-  return make_patch_complex(std::move(input)).value();
-}
+using planted::wall_patch;
 
 PatchDecision decide(const PatchComplex& complex, int max_level) {
   PatchDecisionOptions options;
@@ -29,22 +29,6 @@ PatchDecision decide(const PatchComplex& complex, int max_level) {
   std::optional<PieceForest> forest;
   return decide_patches(complex, options, &forest);
 }
-
-std::optional<CrossingCondition> broken(const PatchComplex& complex, const CrossingWitness& w) {
-  return broken_condition(complex.patch(w.sheets[0].patch), complex.patch(w.sheets[1].patch), w);
-}
-
-// z = 0 on [-1,1]^2, and x = slope * z: bilinear, as polynomials of u, v in [0,1].
-Patch flat(const PatchPoint& corner, const PatchPoint& u, const PatchPoint& v) {
-  std::vector<Rational> c;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const int a : {0, 1})
-      for (const int b : {0, 1})
-        c.push_back(corner[k] + (a == 1 ? u[k] : Rational(0)) + (b == 1 ? v[k] : Rational(0)));
-  return make_patch(BezierSurface<Rational>({1, 1}, 3, false, c)).value();
-}
-Patch floor_patch() { return flat({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
-Patch wall_patch() { return flat({0, -1, -1}, {0, 2, 0}, {0, 0, 2}); }
 
 // A = (2u - 1, 2v - 1, 0), B = (0, 2s - 1, 2t - 1): equal where u = t = 1/2, v = s. v is fixed.
 CrossingWitness plane_witness() {

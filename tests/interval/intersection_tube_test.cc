@@ -119,7 +119,7 @@ TEST(IntersectionTube, ATubeAlongAnotherParameterIsComparedAsASet) {
   other.slope = {0, 1, 0, 0};
   other.center[0] = 0.5;
   EXPECT_TRUE(large.contains(other));
-  other.center[0] = 5;
+  other.offset[0] = Interval(5.0);
   EXPECT_FALSE(large.contains(other));
 }
 

@@ -79,7 +79,11 @@ TEST(CrossingWitness, EachConditionIsNeeded) {
   w.rows[0] = {-1, 0, 0};  // wrong sign
   expect(w, CrossingCondition::kX3);
   w = plane_witness();
-  w.sheets[0].at[0] = {3, 1, 3};  // the common point has u = 1/2, only touched
+  w.sheets[0].at[0] = {3, 1, 3};  // the common point has u = 1/2
+  expect(w, CrossingCondition::kX3);
+  w.sheets[0].at[0] = {3, 2, 4};  // touched by one end, and by the other
+  expect(w, CrossingCondition::kX3);
+  w.sheets[0].at[0] = {3, 4, 6};
   expect(w, CrossingCondition::kX3);
   w = plane_witness();
   w.sheets[1].at[1] = {3, 5, 7};  // above the floor

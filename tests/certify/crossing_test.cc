@@ -94,12 +94,12 @@ TEST(CrossingWitness, EachConditionIsNeeded) {
 // greatest control value.
 TEST(CrossingWitness, ASheetThatReachesBeyondOneEndIsNoProof) {
   const Patch a = floor_patch();
-  for (const int sign : {1, -1})
+  for (const auto& [sign, runs] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}})
     for (const bool is_far : {true, false}) {
       // x = c + m (2 s - 1) over the rectangle; u ends where x is -1/4 and 1/4. If B is far, x runs
       // from -1/10 to 1/2, or from -1/2 to 1/10.
       const Rational c = planted::ratio(sign, is_far ? 5 : 40),
-                     m = planted::ratio(is_far ? 6 : 3, 5);
+                     m = planted::ratio(runs * (is_far ? 6 : 3), 5);
       const Rational shift = c - m;
       const Patch b = flat({shift, -1, -1}, {m + m, 2, 0}, {0, 0, 2});
       CrossingWitness w = plane_witness();

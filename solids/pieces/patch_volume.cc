@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "interval/relations.h"
 #include "interval/ring_numbers.h"
 #include "interval/upward.h"
 #include "robust/base/check.h"
 #include "solids/pieces/find_pieces.h"
+#include "solids/pieces/volume_remainder_internal.h"
 
 namespace veritope {
 namespace {
@@ -21,7 +21,6 @@ using Form = internal::ScaledForm<Interval>;
 constexpr int kMostOrder = 9;  // of the polynomial for 1 / w^3
 constexpr int kMaxLevel = 8;
 constexpr std::size_t kMemory = std::size_t{1} << 26;  // bytes, of the nets of pieces
-constexpr double kPi = std::numbers::pi;
 
 // Each coefficient within `error` of its number.
 std::vector<Interval> enclosures(const double* net, std::size_t n, double error) {
@@ -36,39 +35,6 @@ Interval mean(const std::vector<Interval>& coefficients) {
   for (const Interval& c : coefficients) sum += c;
   return sum / Interval(static_cast<double>(coefficients.size()));
 }
-
-// Nodes for a polynomial of degree K on [-1, 1], near the zeros of Chebyshev's T_{K+1}. std::cos is not
-// trusted: `product` bounds |(t - c_0) ... (t - c_K)| for |t| <= 1 from the nodes as they are, by the sum of its
-// coefficients' magnitudes in T_0, ..., T_{K+1} (2 t T_k = T_{k+1} + T_{|k-1|}). It is 2^-K at the zeros themselves.
-struct InterpolationNodes {
-  explicit InterpolationNodes(int order) {
-    std::vector<Interval> sum{Interval(1.0)};
-    for (int k = 0; k <= order; ++k) {
-      const double c = std::cos((2 * k + 1) * kPi / (2 * order + 2));
-      nodes.push_back(std::clamp(c, -1.0, 1.0));
-      sum = times_difference(sum, Interval(nodes.back()));
-    }
-    Interval bound;
-    for (const Interval& c : sum) bound += Interval(mag(c));
-    product = bound.hi();
-  }
-
-  // (t - c) times a sum of Chebyshev polynomials.
-  static std::vector<Interval> times_difference(const std::vector<Interval>& sum,
-                                                const Interval& c) {
-    std::vector<Interval> out(sum.size() + 1);
-    const Interval half(0.5);
-    for (std::size_t k = 0; k < sum.size(); ++k) {
-      out[k] -= c * sum[k];
-      out[k + 1] += half * sum[k];
-      out[k == 0 ? 1 : k - 1] += half * sum[k];
-    }
-    return out;
-  }
-
-  std::vector<double> nodes;
-  double product = 0;
-};
 
 class Integrator {
  public:
@@ -156,20 +122,10 @@ class Integrator {
     return most;
   }
 
-  // f = (1 + x)^-3 is interpolated at x_j = d c_j, j = 0 .. K. The divided differences of f are
-  // (-1)^k h_2(y_0, ..., y_k) y_0 ... y_k, y_j = 1 / (1 + x_j), h_2 the sum of all C(k + 2, 2) products of two (by
-  // induction on k, as for 1 / (1 + x), where h_0 = 1 stands for h_2). The error at x is the divided difference of x_0,
-  // ..., x_K, x times the product of all x - x_j, which is at most d^(K + 1) times that of the nodes. Since every y is
-  // at most 1 / (1 - d), it is at most  C(K + 3, 2) (1 - d)^-(K + 4) d^(K + 1) product. The result times |g| / m^3
-  // bounds what the mean of g / w^3 loses.
+  // Bounds what interpolation of that order loses of the mean of g / w^3.
   double rest(const Weight& w, double most, int order) const {
-    if (!(w.d < 0.5)) return std::numeric_limits<double>::infinity();
-    const Interval d(w.d), y = Interval(1.0) / (Interval(1.0) - d);
-    Interval out((order + 3) * (order + 2) / 2.0);
-    out = out * Interval(nodes_[static_cast<std::size_t>(order)].product) * Interval(most);
-    out = out * d * y * y * y * y / (w.m * w.m * w.m);
-    for (int k = 0; k < order; ++k) out = out * d * y;
-    return out.hi();
+    const double product = nodes_[static_cast<std::size_t>(order)].product;
+    return internal::volume_remainder(order, product, w.d, most, w.m);
   }
 
   // Approximates from below what rounding adds to the mean of g / w^3 in any case.
@@ -202,7 +158,7 @@ class Integrator {
   PieceForest& forest_;
   Point3d centre_;
   double tolerance_;
-  std::vector<InterpolationNodes> nodes_;  // by order
+  std::vector<internal::InterpolationNodes> nodes_;  // by order
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ LAYERS = {
     "pieces": {
         "files": ["solids/pieces/*.cc", "solids/pieces/*.h"],
         "tests": ["tests/solids/piece_net_bound_test.cc", "tests/solids/piece_decisions_test.cc", "tests/solids/exact_piece_test.cc",
-                  "tests/solids/surface_form_test.cc", "tests/solids/piece_forest_test.cc", "tests/solids/patch_volume_test.cc",
+                  "tests/solids/surface_form_test.cc", "tests/solids/piece_forest_test.cc", "tests/solids/find_pieces_test.cc", "tests/solids/patch_volume_test.cc",
                   "tests/solids/box_hierarchy_test.cc", "tests/support/piece_bound_subjects.cc"],
         "binary": "solids_quick",
         "filter": "*",
@@ -271,7 +271,7 @@ def compile_all(layer, build, scratch, jobs):
             at = words.index("-o")
             words[at + 1] = str(out)
             words[words.index("-c") + 1] = str(source)
-            words = (["ccache"] if shutil.which("ccache") else []) + words[:1] + ["-I" + str(scratch)] + [w for w in words[1:] if w != "-Werror"] + ["-O1", "-w"]
+            words = (["ccache"] if shutil.which("ccache") else []) + words[:1] + ["-I" + str(scratch)] + [w for w in words[1:] if w != "-Werror"] + ["-O1", "-w", "-D_GLIBCXX_ASSERTIONS"]
             run = subprocess.run(words, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                  env=dict(os.environ, CCACHE_SLOPPINESS="pch_defines,time_macros"))
             return path, run

@@ -85,5 +85,27 @@ TEST(ExactWinding, CountsFacesOnTheLineAndNoOthers) {
   }
 }
 
+// At a third of an edge, slanted: no number of halvings ends there.
+TEST(ExactWinding, SaysNothingOfALineThroughAnEdge) {
+  const Rational zero, three(3);
+  const PatchComplex complex =
+      complex_of(patch_shapes::box({zero, zero, zero}, {three, three, three}));
+  PieceForest forest = PieceForest::make(complex).value();
+  const double unit = std::ldexp(1.0, forest.scale());
+  // Through (1, 0, 0) along (1, 1, 4): the projected edge from (0, 0, 0) to (3, 0, 0) has ends on either side of 0.
+  const CentreLine line{{0, -unit, -4 * unit}, {2 * unit, unit, 4 * unit}};
+  int undecided = 0;
+  for (std::uint32_t p = 0; p < forest.num_patches(); ++p)
+    for (PieceForest::Id r = 0; r < forest.form(p).num_roots; ++r) {
+      const ExactPiece piece(forest, forest.node(forest.form(p).first_root + r));
+      for (std::uint32_t s = 0; s < 4; ++s) {
+        const auto found = exact_winding(piece, complex.patch(p), s, line, {0, 1, 2}, 0, 1, 0);
+        const auto turned = exact_winding(piece, complex.patch(p), s, line, {1, 2, 0}, 0, 1, 0);
+        undecided += !found || !turned;
+      }
+    }
+  EXPECT_GT(undecided, 0);
+}
+
 }  // namespace
 }  // namespace veritope

@@ -6,8 +6,10 @@
 #include <numbers>
 
 #include "interval/numeric.h"
+#include "interval/upward.h"
 #include "models/patch_shapes.h"
 #include "solids/patches/patch_transform.h"
+#include "solids/pieces/volume_remainder_internal.h"
 
 namespace veritope {
 namespace {
@@ -107,6 +109,95 @@ TEST(ShellVolumes, ScaleWithTheModel) {
         {ratio(0), ratio(0), ratio(0)}));
     EXPECT_TRUE(contains(v[0], f * f * f)) << exponent;
   }
+}
+
+// Triangles have half the domain of tensors, with and without weights of their own.
+TEST(ShellVolumes, HoldThoseOfTetrahedra) {
+  const PatchPoint o{ratio(1), ratio(0), ratio(-1)}, x{ratio(4), ratio(0), ratio(-1)},
+      y{ratio(1, 3), ratio(2), ratio(-1)}, z{ratio(1), ratio(1), ratio(4)};
+  const std::vector<std::array<PatchPoint, 3>> faces{{o, y, x}, {o, x, z}, {o, z, y}, {x, y, z}};
+  for (const bool is_rational : {false, true}) {
+    patch_shapes::Patches patches;
+    for (const auto& face : faces) {
+      Patch::Triangle map(1, is_rational ? 4 : 3, is_rational);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Rational w = !is_rational   ? ratio(1)
+                           : face[i] == o ? ratio(2)
+                           : face[i] == z ? ratio(5, 7)
+                                          : ratio(1);
+        for (int c = 0; c < 3; ++c) map.component(c)[i] = w * face[i][static_cast<std::size_t>(c)];
+        if (is_rational) map.component(3)[i] = w;
+      }
+      patches.push_back(make_patch(std::move(map)).value());
+    }
+    const auto v = volumes(patches, 1e-9);
+    ASSERT_EQ(v.size(), 1u);
+    EXPECT_TRUE(contains(v[0], ratio(5))) << to_string(v[0]);
+    EXPECT_LE(wid(v[0]), is_rational ? 1e-7 : 1e-12);
+  }
+}
+
+// The product of all t - c_j, exactly: no more than the bound anywhere, and as much at an end.
+TEST(VolumeRemainder, BoundsTheProductOfTheNodesAndIsNearlyReached) {
+  for (int order = 0; order <= 9; ++order) {
+    const ScopedUpward upward;
+    const internal::InterpolationNodes nodes(order);
+    ASSERT_EQ(nodes.nodes.size(), static_cast<std::size_t>(order) + 1);
+    Rational greatest;
+    for (int i = -60; i <= 60; ++i) {
+      Rational product(1);
+      for (const double c : nodes.nodes) product *= ratio(i, 60) - Rational::from_double(c);
+      greatest = std::max(greatest, abs(product));
+    }
+    const Rational bound = Rational::from_double(nodes.product);
+    EXPECT_TRUE(greatest <= bound) << order;
+    EXPECT_TRUE(bound <= Rational::power_of_two(-order) * (ratio(1) + Rational::power_of_two(-30)))
+        << order;
+  }
+}
+
+// What Newton's polynomial loses of (1 + x)^-3 at the ends of [-d, d], in rationals: for small d nearly the bound.
+TEST(VolumeRemainder, BoundsWhatTheInterpolantLosesAndIsNearlyReached) {
+  for (int order = 0; order <= 9; ++order)
+    for (const double d : {0x1p-12, 0x1p-4, 0.375}) {
+      const ScopedUpward upward;
+      const internal::InterpolationNodes nodes(order);
+      const double most = 3, m = 0.75;
+      const Rational bound = Rational::from_double(
+          internal::volume_remainder(order, nodes.product, d, most, Interval(m)));
+      const auto f = [](const Rational& x) {
+        const Rational w = ratio(1) + x;
+        return ratio(1) / (w * w * w);
+      };
+      Rational greatest;
+      for (const int end : {-1, 1}) {
+        const Rational x = Rational::from_double(d) * ratio(end);
+        Rational value;  // by Lagrange
+        for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+          const Rational xi = Rational::from_double(d) * Rational::from_double(nodes.nodes[i]);
+          Rational term = f(xi);
+          for (std::size_t j = 0; j < nodes.nodes.size(); ++j) {
+            if (j == i) continue;
+            const Rational xj = Rational::from_double(d) * Rational::from_double(nodes.nodes[j]);
+            term *= (x - xj) / (xi - xj);
+          }
+          value += term;
+        }
+        greatest = std::max(greatest, abs(f(x) - value));
+      }
+      const Rational m3 = Rational::from_double(m * m * m);
+      greatest = greatest * Rational::from_double(most) / m3;
+      EXPECT_TRUE(greatest <= bound) << order << ", " << d;
+      if (d == 0x1p-12) {
+        EXPECT_TRUE(bound <= ratio(51, 50) * greatest) << order;
+      }
+    }
+}
+
+TEST(VolumeRemainder, IsInfiniteWhereTheWeightMayVanish) {
+  const ScopedUpward upward;
+  const internal::InterpolationNodes nodes(3);
+  EXPECT_FALSE(std::isfinite(internal::volume_remainder(3, nodes.product, 1, 1, Interval(1.0))));
 }
 
 }  // namespace

@@ -337,7 +337,7 @@ TEST(PieceDecisions, UnionsOfPiecesAreCrossedAsOftenAsTheirParts) {
   constexpr std::uint64_t kSeed = 9;
   Random random(kSeed), weights(kSeed + 1);
   std::array<int, 5> seen{};  // by the crossing number + 2
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 18; ++trial) {
     Patches patches = trial % 3 == 0 ? Parallelepiped(random).patches() : tetrahedron(random);
     if (trial % 3 == 2) patches = elevated(patches, 1 + trial % 2);
     if (trial % 3 == 1 && trial % 2 == 0) patches = weighted(patches, weights);
@@ -371,9 +371,9 @@ TEST(PieceDecisions, UnionsOfPiecesAreCrossedAsOftenAsTheirParts) {
       if (std::abs(expected) <= 2) ++seen[static_cast<std::size_t>(expected + 2)];
     }
   }
-  EXPECT_GT(seen[1], 20);
-  EXPECT_GT(seen[2], 20);
-  EXPECT_GT(seen[3], 20);
+  EXPECT_GT(seen[1], 5);
+  EXPECT_GT(seen[2], 5);
+  EXPECT_GT(seen[3], 5);
 }
 
 // A triangle may be the mate of a tensor: their parameters run in opposite directions.
@@ -381,7 +381,7 @@ TEST(PieceDecisions, UnionsOfTrianglesAndQuadranglesAreCrossedAsOftenAsTheirPart
   constexpr std::uint64_t kSeed = 17;
   Random random(kSeed);
   int crossed = 0;
-  for (int trial = 0; trial < 24; ++trial) {
+  for (int trial = 0; trial < 10; ++trial) {
     const Parallelepiped body(random);
     const Rational zero, one(1), half = Rational(1) / Rational(2);
     const PatchPoint a = body.at({zero, zero, zero}), b = body.at({one, zero, zero}),
@@ -394,6 +394,8 @@ TEST(PieceDecisions, UnionsOfTrianglesAndQuadranglesAreCrossedAsOftenAsTheirPart
     PieceForest forest = PieceForest::make(complex).value();
     std::vector<PieceForest::Id> tested;
     for (std::uint32_t r = 0; r < forest.num_roots(); ++r) take_some(forest, r, random, &tested);
+    std::vector<FlatPiece> pieces;
+    for (const PieceForest::Id id : tested) pieces.emplace_back(forest, id);
     const Vector inner = in_frame(forest, body.at({half, half, half / Rational(2)}));
     // Lines along an axis, too: the projection is along the axis that the line runs along.
     for (std::size_t axis = 0; axis < 6; ++axis) {
@@ -405,8 +407,7 @@ TEST(PieceDecisions, UnionsOfTrianglesAndQuadranglesAreCrossedAsOftenAsTheirPart
       const Vector from = exactly(line.inside), d3 = minus(exactly(line.outside), from);
       int expected = 0;
       bool is_clear = true;
-      for (const PieceForest::Id id : tested) {
-        const FlatPiece piece(forest, id);
+      for (const FlatPiece& piece : pieces) {
         if (dot(cross(piece.u, piece.v), d3).sign() == Sign::kZero) is_clear = false;
         if (!is_clear) break;
         const auto found = piece.crossed_by(from, d3);
@@ -420,7 +421,66 @@ TEST(PieceDecisions, UnionsOfTrianglesAndQuadranglesAreCrossedAsOftenAsTheirPart
       crossed += expected == 0 ? 0 : 1;
     }
   }
-  EXPECT_GT(crossed, 20);
+  EXPECT_GT(crossed, 5);
+}
+
+// More stretches than integers may decide: doubles have to, whole and half ones.
+TEST(PieceDecisions, LinesThroughManyPiecesNeedNoIntegers) {
+  const Rational zero, one(1), length(64);
+  const PatchComplex complex =
+      complex_of(patch_shapes::box({zero, zero, zero}, {length, one, one}));
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+  for (std::uint32_t p = 0; p < forest.num_patches(); ++p) {
+    const PieceForest::Form form = forest.form(p);
+    if (form.num_roots != 64) continue;
+    for (const bool has_halves : {false, true}) {
+      // Every other column of pieces; and beside each, pieces of half its size along half of its side.
+      std::vector<PieceForest::Id> tested;
+      for (PieceForest::Id r = 0; r < form.num_roots; ++r) {
+        const PieceForest::Id first = forest.children(form.first_root + r);
+        const bool is_along_u = form.root_bits[0] != 0;
+        for (PieceForest::Id k = 0; k < 4; ++k) {
+          const bool is_odd = (is_along_u ? k / 2 : k % 2) == 1;
+          if (!is_odd) {
+            tested.push_back(first + k);
+          } else if (has_halves) {
+            const PieceForest::Id half = forest.children(first + k);
+            for (PieceForest::Id h = 0; h < 4; ++h)
+              if ((is_along_u ? h % 2 : h / 2) == 0) tested.push_back(half + h);
+          }
+        }
+      }
+      std::vector<FlatPiece> pieces;
+      for (const PieceForest::Id id : tested) pieces.emplace_back(forest, id);
+      for (const double across : {0.29, 0.81}) {
+        for (const double along : {0.2, 63.3}) {
+          const FlatPiece face(forest, form.first_root);
+          const Vector n = cross(face.u, face.v);
+          CentreLine line;
+          const double unit = std::ldexp(1.0, forest.scale());
+          std::size_t normal = 0;
+          for (std::size_t k = 0; k < 3; ++k)
+            if (n[k].sign() != Sign::kZero) normal = k;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double at = k == 0 ? along : across;
+            const double tilt = k == 0 ? 0.003 : k == normal ? 0.5 : 0.007;
+            const double middle = k == normal ? nearest_double(face.a[k]) / unit : at;
+            line.inside[k] = (middle - tilt) * unit, line.outside[k] = (middle + tilt) * unit;
+          }
+          int expected = 0;
+          const Vector from = exactly(line.inside), d = minus(exactly(line.outside), from);
+          for (const FlatPiece& piece : pieces) {
+            const auto one_of_them = piece.crossed_by(from, d);
+            ASSERT_TRUE(one_of_them.has_value());
+            expected += *one_of_them;
+          }
+          const auto found = crossing_number(forest, tested, line);
+          ASSERT_TRUE(found.has_value()) << p << ", " << across << ", " << along << has_halves;
+          EXPECT_EQ(*found, expected) << p << ", " << across << ", " << along << has_halves;
+        }
+      }
+    }
+  }
 }
 
 TEST(PieceDecisions, AClosedSurfaceIsCrossedOutwardsAsOftenAsInwards) {

@@ -1,0 +1,545 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What every node of a PieceForest says, to some depth, against the same pieces in rationals.
+#include "solids/pieces/piece_forest.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "robust/base/random.h"
+#include "solids/patches/patch_transform.h"
+#include "solids/pieces/exact_piece.h"
+#include "tests/solids/patch_support.h"
+
+namespace veritope {
+namespace {
+
+using Numbers = std::vector<Rational>;
+using Sides = std::array<bool, 4>;
+using Id = PieceForest::Id;
+
+// Components one after the other, as in a net.
+struct ExactNet {
+  FormShape shape;
+  int components;
+  Numbers values;
+
+  const Rational& at(std::size_t c, std::size_t i) const { return values[c * shape.count() + i]; }
+};
+
+template <typename Map>
+ExactNet net_of(const ExactNet& like, const Map& map) {
+  return {like.shape, like.components,
+          Numbers(map.coefficients().begin(), map.coefficients().end())};
+}
+ExactNet half_of(const ExactNet& net, std::size_t axis, bool is_upper) {
+  const Bezier<Rational, 2> map({net.shape.p, net.shape.q}, net.components, false, net.values);
+  const auto halves = split(map, axis, Rational(1) / Rational(2));
+  return net_of(net, is_upper ? halves.second : halves.first);
+}
+ExactNet quarter_of(const ExactNet& net, std::size_t k) {
+  if (!net.shape.is_triangle) return half_of(half_of(net, 0, k >= 2), 1, k % 2 == 1);
+  const BezierTriangle<Rational> map(net.shape.p, net.components, false, net.values);
+  return net_of(net, split_in_four(map)[k]);
+}
+
+// The patch as a forest sees it: homogeneous control points relative to the origin of its nets, and determinants.
+ExactNet control_of(const PieceForest& forest, std::uint32_t p) {
+  const PieceForest::Form& form = forest.form(p);
+  const Patch& patch = forest.complex().patch(p);
+  const bool is_rational = patch.is_rational();
+  Rational largest(1);
+  if (is_rational) {
+    largest = patch.component(3)[0];
+    for (const Rational& w : patch.component(3)) largest = std::max(largest, w);
+  }
+  ExactNet out{form.shape, is_rational ? 4 : 3, {}};
+  for (int c = 0; c < out.components; ++c)
+    for (std::size_t i = 0; i < form.shape.count(); ++i) {
+      const auto k = static_cast<std::size_t>(c);
+      const Rational w = is_rational ? patch.component(3)[i] : Rational(1);
+      const Rational x = c == 3 ? w
+                                : w * (forest.in_frame(k, patch.component(c)[i] / w) -
+                                       Rational::from_double(form.origin[k]));
+      out.values.push_back(x / largest);
+    }
+  return out;
+}
+ExactNet determinants_of(const ExactNet& control) {
+  const auto forms =
+      determinant_form<Rational>(control.shape, control.components == 4, control.values.data());
+  ExactNet out{determinant_shape(control.shape), 4, {}};
+  for (const Numbers& form : forms) out.values.insert(out.values.end(), form.begin(), form.end());
+  return out;
+}
+
+// Calls visit(id, control, determinants, on_side) for all roots, for their children, and for some nodes below them;
+// on_side: which sides of the node lie in those of its patch.
+template <typename Visit>
+class Walk {
+ public:
+  Walk(PieceForest& forest, Random& random, Visit visit)
+      : forest_(forest), random_(random), visit_(visit) {}
+
+  void run(int depth) {
+    {
+      constexpr std::uint32_t p = 0;  // the other patch is the same sheet, reversed
+      const PieceForest::Form& form = forest_.form(p);
+      const ExactNet control = control_of(forest_, p), determinants = determinants_of(control);
+      const std::uint32_t columns = 1u << form.root_bits[1], rows = 1u << form.root_bits[0];
+      ASSERT_EQ(form.num_roots, rows * columns);
+      for (std::uint32_t r = 0; r < form.num_roots; ++r) {
+        const std::array<std::uint32_t, 2> place{r / columns, r % columns};
+        const Sides on_side = form.shape.is_triangle
+                                  ? Sides{true, true, true, false}
+                                  : Sides{place[1] == 0, place[0] + 1 == rows,
+                                          place[1] + 1 == columns, place[0] == 0};
+        down(form.first_root + r, root_of(control, form, place), root_of(determinants, form, place),
+             on_side, depth);
+      }
+    }
+  }
+
+ private:
+  static ExactNet root_of(ExactNet net, const PieceForest::Form& form,
+                          const std::array<std::uint32_t, 2>& place) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (int bit = form.root_bits[axis]; bit-- > 0;)
+        net = half_of(net, axis, (place[axis] >> bit & 1) != 0);
+    return net;
+  }
+  void down(Id id, const ExactNet& control, const ExactNet& determinants, const Sides& on_side,
+            int depth) {
+    visit_(id, control, determinants, on_side);
+    if (depth == 0) return;
+    const Id first = forest_.children(id);
+    EXPECT_EQ(forest_.children(id), first);
+    for (Id k = 0; k < 4; ++k) {
+      EXPECT_EQ(forest_.node(first + k).parent, id);
+      EXPECT_EQ(forest_.node(first + k).level, forest_.node(id).level + 1);
+    }
+    // One child, and none of the others twice.
+    const auto k = static_cast<Id>(random_.below(4));
+    const std::array<bool, 4> is_near =
+        control.shape.is_triangle
+            ? std::array<bool, 4>{k == 0 || k == 1, k == 1 || k == 2, k == 2 || k == 0, false}
+            : std::array<bool, 4>{k % 2 == 0, k / 2 == 1, k % 2 == 1, k / 2 == 0};
+    Sides sides{};
+    for (std::size_t s = 0; s < 4; ++s) sides[s] = on_side[s] && is_near[s];
+    down(first + k, quarter_of(control, k), quarter_of(determinants, k), sides, depth - 1);
+  }
+
+  PieceForest& forest_;
+  Random& random_;
+  Visit visit_;
+};
+
+template <typename Visit>
+void walk(PieceForest& forest, Random& random, int depth, Visit visit) {
+  Walk<Visit>(forest, random, visit).run(depth);
+}
+
+// A bent sheet with coordinates that no double holds: about as wide as long, times `stretch` along its first parameter.
+// Sides in `collapsed` (bits) are points; equal places where two of them share a corner.
+Patch bent_sheet(const FormShape& shape, bool is_rational, unsigned collapsed, int stretch,
+                 Random& random) {
+  const int q = shape.is_triangle ? shape.p : shape.q;
+  Numbers values(4 * shape.count());
+  const auto set = [&](std::size_t at, int i, int j, const bool is_held[4]) {
+    const Rational w = is_rational ? Rational(random.between(3, 9)) / Rational(7) : Rational(1);
+    // A point that stands for a collapsed side does not depend on the place in it.
+    Rational x = Rational(i) / Rational(shape.p), y = Rational(j) / Rational(q);
+    const auto noise = [&] { return Rational(random.between(-20, 20)) / Rational(3 * 64); };
+    Rational z = noise();
+    x += noise() * Rational(1) / Rational(2), y += noise() * Rational(1) / Rational(2);
+    const Rational zero, one(1), half = Rational(1) / Rational(2);
+    for (int s = 0; s < 4; ++s)
+      if (is_held[s]) {
+        const bool is_first = s == 0 || s == 3;
+        x = s == 1 ? one : s == 3 ? zero : half, y = s == 2 ? one : s == 0 ? zero : half;
+        if (shape.is_triangle) x = s == 2 ? zero : half, y = s == 0 ? zero : half;
+        if (collapsed == 3 || collapsed == 9 || collapsed == 6) x = one, y = zero;
+        z = is_first ? zero : one / Rational(3);
+        if (collapsed == 3 || collapsed == 9 || collapsed == 6) z = zero;
+      }
+    x *= Rational(stretch);
+    const std::size_t n = shape.count();
+    values[at] = w * (x + z / Rational(5)), values[n + at] = w * (y - x / Rational(7));
+    values[2 * n + at] = w * (z + x / Rational(3)), values[3 * n + at] = w;
+  };
+  const auto held = [&](int s) { return (collapsed >> s & 1) != 0; };
+  if (shape.is_triangle) {
+    for_each_triangle_index(shape.p, [&](int i, int j, int k) {
+      const bool is_held[4] = {held(0) && k == 0, held(1) && i == 0, held(2) && j == 0, false};
+      set(triangle_index(j, k), j, k, is_held);
+    });
+  } else {
+    for (int i = 0; i <= shape.p; ++i)
+      for (int j = 0; j <= shape.q; ++j) {
+        const bool is_held[4] = {held(0) && j == 0, held(1) && i == shape.p,
+                                 held(2) && j == shape.q, held(3) && i == 0};
+        set(static_cast<std::size_t>(i * (shape.q + 1) + j), i, j, is_held);
+      }
+  }
+  const int components = is_rational ? 4 : 3;
+  values.resize(static_cast<std::size_t>(components) * shape.count());
+  if (shape.is_triangle)
+    return make_patch(Patch::Triangle(shape.p, components, is_rational, std::move(values))).value();
+  return make_patch(Patch::Tensor({shape.p, shape.q}, components, is_rational, std::move(values)))
+      .value();
+}
+
+struct Subject {
+  FormShape shape;
+  unsigned collapsed = 0;
+  int stretch = 1;
+};
+std::vector<Subject> tensors() {
+  return {{{false, 1, 1}},    {{false, 2, 1}},    {{false, 1, 3}, 0, 3}, {{false, 2, 2}, 1},
+          {{false, 2, 1}, 2}, {{false, 1, 2}, 4}, {{false, 2, 2}, 8},    {{false, 2, 2}, 5},
+          {{false, 2, 2}, 3}, {{false, 2, 2}, 6}, {{false, 2, 2}, 9}};
+}
+std::vector<Subject> triangles() {
+  return {{{true, 1, 0}},    {{true, 2, 0}},    {{true, 3, 0}},   {{true, 2, 0}, 1},
+          {{true, 2, 0}, 2}, {{true, 2, 0}, 4}, {{true, 3, 0}, 3}};
+}
+
+// A sheet and its back: a closed surface.
+PatchComplex both_sides(const Patch& sheet) { return complex_of({sheet, reversed(sheet)}); }
+
+bool is_within(const Rational& x, const Rational& y, const Rational& bound) {
+  return abs(x - y) <= bound;
+}
+Rational from(double v) { return Rational::from_double(v); }
+
+void expect_pieces(const std::vector<Subject>& subjects, bool is_rational) {
+  constexpr std::uint64_t kSeed = 21;
+  Random random(kSeed);
+  for (const Subject& subject : subjects) {
+    {
+      const Patch sheet =
+          bent_sheet(subject.shape, is_rational, subject.collapsed, subject.stretch, random);
+      const PatchComplex complex = both_sides(sheet);
+      PieceForest forest = PieceForest::make(complex).value();
+      walk(forest, random, 2,
+           [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides& on_side) {
+             SCOPED_TRACE(testing::Message()
+                          << "seed " << kSeed << ", subject " << &subject - subjects.data()
+                          << (is_rational ? ", rational" : "") << ", node " << id);
+             const PieceForest::Node& node = forest.node(id);
+             const Point3d origin = forest.form(node.patch).origin;
+             const ExactPiece piece(forest, node);
+             Box3d tight = piece.hull();
+             const double* const net = forest.control(id);
+             const std::size_t n = control.shape.count();
+             for (std::size_t k = 0; k < 3; ++k) {
+               Rational least, greatest;
+               for (std::size_t i = 0; i < n; ++i) {
+                 const Rational w = is_rational ? control.at(3, i) : Rational(1);
+                 const Rational x = control.at(k, i) / w + from(origin[k]);
+                 const auto p = piece.control(i);
+                 ASSERT_EQ(Rational(*p[k], *p[3]), x) << "integers, point " << i;
+                 if (i == 0 || x < least) least = x;
+                 if (i == 0 || greatest < x) greatest = x;
+               }
+               EXPECT_TRUE(from(tight.lo[k]) <= least && greatest <= from(tight.hi[k]));
+               EXPECT_TRUE(from(node.hull.lo[k]) <= least && greatest <= from(node.hull.hi[k]));
+               const Rational narrow = Rational::power_of_two(-44);
+               EXPECT_TRUE(is_within(from(node.hull.lo[k]), least, narrow));
+               EXPECT_TRUE(is_within(from(node.hull.hi[k]), greatest, narrow));
+               EXPECT_TRUE(is_within(from(tight.lo[k]), least, Rational::power_of_two(-52)));
+               EXPECT_TRUE(is_within(from(tight.hi[k]), greatest, Rational::power_of_two(-52)));
+             }
+             for (std::size_t c = 0; c < static_cast<std::size_t>(control.components); ++c) {
+               EXPECT_LE(forest.control_error(id, c), 0x1p-46);
+               for (std::size_t i = 0; i < n; ++i)
+                 EXPECT_TRUE(is_within(from(net[c * n + i]), control.at(c, i),
+                                       from(forest.control_error(id, c))))
+                     << "control " << c << ", " << i;
+             }
+             const double* const g = forest.approx_determinants(id);
+             const std::size_t m = determinants.shape.count();
+             for (std::size_t c = 0; c < 4; ++c) {
+               EXPECT_LE(forest.determinant_error(id, c), 0x1p-38 * subject.stretch);
+               for (std::size_t i = 0; i < m; ++i)
+                 EXPECT_TRUE(is_within(from(g[c * m + i]), determinants.at(c, i),
+                                       from(forest.determinant_error(id, c))))
+                     << "determinant " << c << ", " << i;
+             }
+             for (std::uint32_t s = 0; s < complex.patch(node.patch).num_sides(); ++s)
+               EXPECT_EQ(forest.side_of_patch(node, s), on_side[s]) << "side " << s;
+           });
+    }
+  }
+}
+
+TEST(PieceForestNodes, OfTensorsHoldTheirPiecesWithinNarrowBounds) {
+  expect_pieces(tensors(), false);
+}
+TEST(PieceForestNodes, OfRationalTensorsHoldTheirPiecesWithinNarrowBounds) {
+  expect_pieces(tensors(), true);
+}
+TEST(PieceForestNodes, OfTrianglesHoldTheirPiecesWithinNarrowBounds) {
+  expect_pieces(triangles(), false);
+}
+TEST(PieceForestNodes, OfRationalTrianglesHoldTheirPiecesWithinNarrowBounds) {
+  expect_pieces(triangles(), true);
+}
+
+// The places of the coefficients beside the node's collapsed sides; nothing if two of those share a corner.
+std::optional<std::vector<std::size_t>> kept_of(const Patch& patch, const ExactNet& control,
+                                                const FormShape& d) {
+  const std::uint32_t n = patch.num_sides();
+  Sides is_point{};
+  for (std::uint32_t s = 0; s < n; ++s) {
+    is_point[s] = true;
+    for (std::size_t t = 1; t < patch.side_length(s); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t a = patch.side_index(s, 0), b = patch.side_index(s, t);
+        const auto x = [&](std::size_t i) {
+          return control.components == 4 ? control.at(k, i) / control.at(3, i) : control.at(k, i);
+        };
+        is_point[s] = is_point[s] && x(a) == x(b);
+      }
+  }
+  for (std::uint32_t s = 0; s < n; ++s)
+    if (is_point[s] && is_point[(s + 1) % n]) return std::nullopt;
+  std::vector<std::size_t> out;
+  const auto keep = [&](std::size_t at, const Sides& in) {
+    bool is_kept = true;
+    for (std::size_t s = 0; s < 4; ++s) is_kept = is_kept && !(in[s] && is_point[s]);
+    if (is_kept) out.push_back(at);
+  };
+  if (d.is_triangle)
+    for_each_triangle_index(d.p, [&](int i, int j, int k) {
+      keep(triangle_index(j, k), {k == 0, i == 0, j == 0, false});
+    });
+  else
+    for (int i = 0; i <= d.p; ++i)
+      for (int j = 0; j <= d.q; ++j)
+        keep(static_cast<std::size_t>(i * (d.q + 1) + j), {j == 0, i == d.p, j == d.q, i == 0});
+  return out;
+}
+
+void expect_sides(const std::vector<Subject>& subjects, bool is_rational) {
+  constexpr std::uint64_t kSeed = 23;
+  Random random(kSeed);
+  std::array<int, 3> seen{};
+  for (const Subject& subject : subjects) {
+    {
+      const Patch sheet =
+          bent_sheet(subject.shape, is_rational, subject.collapsed, subject.stretch, random);
+      const PatchComplex complex = both_sides(sheet);
+      PieceForest forest = PieceForest::make(complex).value();
+      walk(forest, random, 2,
+           [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides&) {
+             const PieceForest::Node& node = forest.node(id);
+             const PieceForest::Form& form = forest.form(node.patch);
+             const auto kept = kept_of(complex.patch(node.patch), control, determinants.shape);
+             for (int trial = 0; trial < 8; ++trial) {
+               const Box3d hull = forest.node(id).hull;
+               Point3d c = approx_centre(hull);
+               // In the middle, beside the piece on either side, or at a corner, where one coefficient is 0 but for rounding.
+               const std::size_t corner =
+                   complex.patch(node.patch).side_index(static_cast<std::uint32_t>(trial % 3), 0);
+               for (std::size_t k = 0; k < 3; ++k) {
+                 if (trial < 2)
+                   c[k] = nearest_double(control.at(k, corner) /
+                                             (is_rational ? control.at(3, corner) : Rational(1)) +
+                                         from(form.origin[k]));
+                 else
+                   c[k] += (trial < 5 ? 1.0 : 4.0) * extent(hull) * (random.unit() - 0.5);
+               }
+               Sign3 expected = Sign3::kUncertain;
+               if (kept && !kept->empty()) {
+                 std::optional<Sign> common;
+                 bool is_one = true;
+                 for (const std::size_t i : *kept) {
+                   Rational g = determinants.at(0, i);
+                   for (std::size_t k = 0; k < 3; ++k)
+                     g += determinants.at(k + 1, i) * (from(c[k]) - from(form.origin[k]));
+                   is_one =
+                       is_one && g.sign() != Sign::kZero && g.sign() == common.value_or(g.sign());
+                   common = g.sign();
+                 }
+                 if (is_one)
+                   expected = *common == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative;
+               }
+               ++seen[expected == Sign3::kPositive ? 2 : expected == Sign3::kNegative ? 1 : 0];
+               EXPECT_EQ(forest.side_of(id, c), expected)
+                   << "seed " << kSeed << ", subject " << &subject - subjects.data()
+                   << (is_rational ? ", rational" : "") << ", node " << id << ", trial " << trial;
+             }
+           });
+    }
+  }
+  for (const int n : seen) EXPECT_GT(n, 10);
+}
+
+TEST(PieceForestNodes, OfTensorsHaveTheSideThatTheirExactCoefficientsHave) {
+  expect_sides(tensors(), false);
+}
+TEST(PieceForestNodes, OfRationalTensorsHaveTheSideThatTheirExactCoefficientsHave) {
+  expect_sides(tensors(), true);
+}
+TEST(PieceForestNodes, OfTrianglesHaveTheSideThatTheirExactCoefficientsHave) {
+  expect_sides(triangles(), false);
+}
+TEST(PieceForestNodes, OfRationalTrianglesHaveTheSideThatTheirExactCoefficientsHave) {
+  expect_sides(triangles(), true);
+}
+
+Patches moved(Patches patches, const Rational& factor, const PatchPoint& by) {
+  return patch_shapes::placed(patches, factor, by);
+}
+
+TEST(PieceForestFrame, IsPlainOnRequestAndFittedToWhatIsFarOrFlat) {
+  using Choice = PieceForest::FrameChoice;
+  const Rational zero, one(1), third = one / Rational(3);
+  const auto frame_of = [](const Patches& patches, Choice choice) {
+    const PatchComplex complex = complex_of(patches);
+    return PieceForest::make(complex, choice).value().frame();
+  };
+  const Patches near = moved(unit_box(), third, {third, zero, zero});
+  const Patches far = moved(unit_box(), one, {Rational(1000), zero, zero});
+  const Patches flat_box = patch_shapes::box({zero, zero, zero}, {one, one, one / Rational(100)});
+  for (const Choice choice : {Choice::kPlain, Choice::kFitted})
+    EXPECT_TRUE(frame_of(near, choice).is_plain());
+  EXPECT_TRUE(frame_of(far, Choice::kPlain).is_plain());
+  EXPECT_TRUE(frame_of(flat_box, Choice::kPlain).is_plain());
+  EXPECT_FALSE(frame_of(far, Choice::kFitted).is_plain());
+  EXPECT_FALSE(frame_of(flat_box, Choice::kFitted).is_plain());
+  PieceForest::Frame frame;
+  EXPECT_TRUE(frame.is_plain());
+  for (std::size_t k = 0; k < 3; ++k) {
+    PieceForest::Frame other = frame;
+    other.shift[k] = one;
+    EXPECT_FALSE(other.is_plain());
+    other = frame;
+    other.scale[k] = 1;
+    EXPECT_FALSE(other.is_plain());
+  }
+  const PatchComplex complex = complex_of(far);
+  EXPECT_THROW((void)PieceForest::make(complex).value().scale(), InternalError);
+}
+
+TEST(PieceForestFrame, GoesToAPatchThatIsTinyBesideTheModel) {
+  const Rational one(1), third = one / Rational(3);
+  // A box within the model, 2^40 times smaller: its patches are the smallest.
+  const Patches tiny = moved(unit_box(), Rational::power_of_two(-40), {third, third, third});
+  for (const bool is_first : {false, true}) {
+    const PatchComplex complex = complex_of(is_first ? patch_shapes::joined({tiny, unit_box()})
+                                                     : patch_shapes::joined({unit_box(), tiny}));
+    const PieceForest forest = PieceForest::make(complex).value();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational at = forest.frame().shift[k];
+      EXPECT_TRUE(third - Rational::power_of_two(-39) <= at &&
+                  at <= third + Rational::power_of_two(-39))
+          << k;
+    }
+  }
+}
+
+// Coordinates in the frame are at most 2, whatever the model's are; powers of two cancel.
+TEST(PieceForestFrame, TakesWeightsAndCoordinatesOfAnySize) {
+  Random random(5);
+  const Patch sheet = bent_sheet({false, 2, 1}, true, 0, 1, random);
+  for (const int bits : {-1000, 0, 1000}) {
+    Patch::Tensor map = sheet.tensor();
+    for (int c = 0; c < 4; ++c)
+      for (Rational& v : map.component(c)) v *= Rational::power_of_two(bits);
+    const PatchComplex complex = both_sides(make_patch(std::move(map)).value());
+    const auto forest = PieceForest::make(complex);
+    ASSERT_TRUE(forest.has_value()) << bits;
+    EXPECT_LT(extent(forest.value().node(0).hull), 4) << bits;
+  }
+  for (const int bits : {-900, 900}) {
+    const PatchComplex complex = both_sides(moved({sheet}, Rational::power_of_two(bits), {})[0]);
+    const auto forest = PieceForest::make(complex);
+    ASSERT_TRUE(forest.has_value()) << bits;
+    EXPECT_GT(extent(forest.value().node(0).hull), 0.125) << bits;
+  }
+  const PatchComplex complex = both_sides(moved({sheet}, Rational::power_of_two(1100), {})[0]);
+  EXPECT_FALSE(PieceForest::make(complex).has_value());
+}
+
+TEST(PieceForestFrame, BoxesGoBackToTheModelRoundedOutward) {
+  const Rational one(1), third = one / Rational(3);
+  const PatchComplex complex = complex_of(moved(unit_box(), third, {Rational(100), third, third}));
+  const PieceForest forest = PieceForest::make(complex).value();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Box3d framed{{0.1, -0.3, 0.7}, {0.3, 0.9, infinity}};
+  const Box3d box = forest.in_model(framed);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational low = forest.in_model(k, framed.lo[k]);
+    EXPECT_EQ(forest.in_frame(k, low), from(framed.lo[k]));
+    EXPECT_TRUE(from(box.lo[k]) <= low);
+    EXPECT_TRUE(low < from(std::nextafter(box.lo[k], infinity)));
+    if (k == 2) continue;
+    const Rational high = forest.in_model(k, framed.hi[k]);
+    EXPECT_TRUE(high <= from(box.hi[k]));
+    EXPECT_TRUE(from(std::nextafter(box.hi[k], -infinity)) < high);
+  }
+  EXPECT_EQ(box.hi[2], infinity);
+  const Box3d other = forest.in_model(Box3d{{0, 0, -infinity}, {1, 1, 1}});
+  EXPECT_EQ(other.lo[2], -infinity);
+}
+
+// A net that is dropped is made again with the same numbers; many nets do not overlap.
+TEST(PieceForestNets, AreMadeAgainAsTheyWere) {
+  Random random(31);
+  const PatchComplex complex = both_sides(bent_sheet({false, 3, 3}, true, 0, 3, random));
+  PieceForest forest = PieceForest::make(complex).value();
+  forest.limit_memory(0);  // roots were made while the thread rounded upward
+  std::vector<std::vector<double>> before;
+  std::vector<Id> nodes;
+  for (Id r = 0; r < forest.num_roots(); ++r) nodes.push_back(r);
+  for (std::size_t k = 0; k < 40; ++k) {
+    const Id first = forest.children(nodes[k]);
+    for (Id c = 0; c < 4; ++c) nodes.push_back(first + c);
+  }
+  const auto numbers = [&](Id id) {
+    const PieceForest::Form& form = forest.form(forest.node(id).patch);
+    const double* const g = forest.approx_determinants(id);
+    std::vector<double> out(g, g + 4 * form.determinant.count());
+    const double* const x = forest.control(id);
+    out.insert(out.end(), x, x + 4 * form.shape.count());
+    for (std::size_t k = 0; k < 4; ++k)
+      out.push_back(forest.control_error(id, k)), out.push_back(forest.determinant_error(id, k));
+    return out;
+  };
+  for (const Id id : nodes) before.push_back(numbers(id));
+  const double* const held = forest.control(0);
+  forest.limit_memory(std::size_t{1} << 30);
+  EXPECT_EQ(forest.control(0), held);
+  for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_EQ(numbers(nodes[i]), before[i]) << i;
+  forest.limit_memory(0);
+  for (std::size_t i = nodes.size(); i-- > 0;) EXPECT_EQ(numbers(nodes[i]), before[i]) << i;
+}
+
+// A budget that is spent on signs that do not exist leaves later signs uncertain.
+TEST(PieceForestNodes, SayNothingInIntegersBeyondTheBudget) {
+  const PatchComplex complex = complex_of(unit_box());
+  PieceForest forest = PieceForest::make(complex).value();
+  const auto corner = [&](Id id) {
+    const ExactPiece piece(forest, forest.node(id));
+    const auto p = piece.control(0);
+    Point3d out;
+    for (std::size_t k = 0; k < 3; ++k) out[k] = nearest_double(Rational(*p[k], *p[3]));
+    return out;
+  };
+  const Point3d c = corner(0);
+  EXPECT_NE(forest.exact(1), nullptr);
+  EXPECT_FALSE(forest.exact(1)->has_determinants());
+  ASSERT_NE(forest.exact_determinants(2), nullptr);
+  EXPECT_TRUE(forest.exact_determinants(2)->has_determinants());
+  for (int k = 0; k < 20000; ++k) ASSERT_EQ(forest.side_of(0, c), Sign3::kUncertain);
+  EXPECT_EQ(forest.exact(3), nullptr);
+  EXPECT_EQ(forest.exact_determinants(3), nullptr);
+  EXPECT_EQ(forest.side_of(3, corner(3)), Sign3::kUncertain);
+  EXPECT_NE(forest.exact(1), nullptr);
+}
+
+}  // namespace
+}  // namespace veritope

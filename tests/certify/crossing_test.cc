@@ -279,7 +279,8 @@ TEST(PieceNeighbours, AreThoseWithACommonPointOfTheSurface) {
 // a common corner in space.
 TEST(PieceNeighbours, AreThosePiecesOfALevelThatShareACorner) {
   for (const Patches& patches :
-       {patch_shapes::octant_sphere(), patch_shapes::box({0, 0, 0}, {1, 1, 1})}) {
+       {patch_shapes::octant_sphere(), patch_shapes::box({0, 0, 0}, {1, 1, 1}),
+        patch_shapes::pn_torus(12, 8)}) {
     SCOPED_TRACE(patches.size());
     const PatchComplex complex = complex_of(patches);
     PieceForest forest = PieceForest::make(complex).value();

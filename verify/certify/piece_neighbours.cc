@@ -2,6 +2,7 @@
 #include "verify/certify/piece_neighbours.h"
 
 #include <array>
+#include <optional>
 
 namespace veritope {
 namespace {
@@ -35,11 +36,16 @@ std::array<Span, 3> spans_of(const PieceForest& forest, const Node& node) {
           span_of(node.j - down, node.level)};
 }
 
-// The span of the node's side on side s of the patch, in that side's direction of travel. REQUIRES that the side of the
-// node lies in it.
-Span span_on_side(const PieceForest& forest, const Node& node, std::uint32_t side) {
+// What the node has of side s of the patch, in that side's direction of travel: one side of the node, one corner of a
+// triangle that is upside down, or nothing.
+std::optional<Span> span_on_side(const PieceForest& forest, const Node& node, std::uint32_t side) {
   const std::array<Span, 3> spans = spans_of(forest, node);
-  if (forest.form(node.patch).shape.is_triangle) return spans[(side + 1) % 3];
+  if (forest.form(node.patch).shape.is_triangle) {
+    if (spans[(side + 2) % 3].lo != 0) return std::nullopt;
+    const Span& along = spans[(side + 1) % 3];
+    return node.is_upside_down ? Span{along.hi, along.hi} : along;
+  }
+  if (!forest.side_of_patch(node, side)) return std::nullopt;
   const Span& along = spans[side % 2];
   return side < 2 ? along : mirrored(along);
 }
@@ -51,8 +57,9 @@ void for_each_vertex(const PieceForest& forest, const Node& node, Visit visit) {
   const PieceForest::Form& form = forest.form(node.patch);
   const std::uint32_t n = form.shape.is_triangle ? 3 : 4;
   for (std::uint32_t s = 0; s < n; ++s) {
-    if (!forest.side_of_patch(node, s)) continue;
-    const bool has_corner = forest.side_of_patch(node, (s + n - 1) % n);
+    if (!span_on_side(forest, node, s)) continue;
+    const bool has_corner =
+        forest.side_of_patch(node, s) && forest.side_of_patch(node, (s + n - 1) % n);
     const bool is_collapsed = (form.collapsed >> s & 1) != 0;
     if (has_corner || is_collapsed) visit(forest.complex().vertex({node.patch, s}));
   }
@@ -69,11 +76,12 @@ bool share_vertex(const PieceForest& forest, const Node& a, const Node& b) {
 bool share_edge(const PieceForest& forest, const Node& a, const Node& b) {
   const PatchComplex& complex = forest.complex();
   for (std::uint32_t s = 0; s < complex.patch(a.patch).num_sides(); ++s) {
-    if (!forest.side_of_patch(a, s)) continue;
+    const std::optional<Span> here = span_on_side(forest, a, s);
+    if (!here) continue;
     const auto mate = complex.mate({a.patch, s});
-    if (!mate || mate->patch != b.patch || !forest.side_of_patch(b, mate->side)) continue;
-    if (meets(span_on_side(forest, a, s), mirrored(span_on_side(forest, b, mate->side))))
-      return true;
+    if (!mate || mate->patch != b.patch) continue;
+    const std::optional<Span> there = span_on_side(forest, b, mate->side);
+    if (there && meets(*here, mirrored(*there))) return true;
   }
   return false;
 }

@@ -15,6 +15,7 @@ class SplineJsonLexer : public SplineTextReader {
   SplineJsonLexer(const Source& source, const ReadLimits& limits)
       : SplineTextReader(source, limits) {
     own_tokens_ = "{}[],:\"";
+    is_json_ = true;
   }
 
  protected:

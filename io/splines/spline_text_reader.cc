@@ -39,6 +39,8 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+bool is_json_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
 }  // namespace
 
 std::string to_utf8(std::string_view text) {
@@ -103,7 +105,7 @@ Error SplineTextReader::take_error() { return std::move(*error_); }
 
 void SplineTextReader::skip() {
   for (;;) {
-    p_ = skip_space(p_, source_.end);
+    while (p_ < source_.end && (is_json_ ? is_json_space(*p_) : has_class(*p_, kTokenEnd))) ++p_;
     if (!has_comments_ || p_ >= source_.end || *p_ != '#') return;
     p_ = find_eol(p_);
     if (p_ > source_.end) p_ = source_.end;
@@ -113,7 +115,8 @@ void SplineTextReader::skip() {
 std::string_view SplineTextReader::peek() {
   skip();
   if (p_ >= source_.end) return {};
-  if (own_tokens_.find(*p_) != own_tokens_.npos) return {p_, 1};
+  // skip() stops at VT and FF in JSON: each of them is a token that nothing expects.
+  if (own_tokens_.find(*p_) != own_tokens_.npos || has_class(*p_, kTokenEnd)) return {p_, 1};
   const char* last = p_;
   while (last < source_.end && !has_class(*last, ends_) &&
          own_tokens_.find(*last) == own_tokens_.npos)

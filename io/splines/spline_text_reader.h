@@ -48,7 +48,7 @@ class SplineTextReader {
   /// Passes on an error of a library function: its code and sentence, with our place.
   bool fail_with(const char* at, const Error& error) { return fail(at, error.code, error.message); }
 
-  /// Skips blanks, line ends and, if has_comments_, # comments.
+  /// Skips blanks (VT and FF unless is_json_, too), line ends and, if has_comments_, # comments.
   void skip();
   /// The token at the cursor after blanks, not consumed; empty at the end of the file.
   std::string_view peek();
@@ -104,6 +104,7 @@ class SplineTextReader {
   const char* p_;
   std::uint8_t ends_ = kTokenEnd;        ///< what ends a token
   bool has_comments_ = false;            ///< # to the end of the line
+  bool is_json_ = false;                 ///< VT and FF are no blanks
   std::string_view own_tokens_;          ///< characters that are tokens of their own
   std::optional<std::uint64_t> entity_;  ///< the entity that is being read
   SplineModel model_;

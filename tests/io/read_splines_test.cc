@@ -259,6 +259,15 @@ TEST(ReadSplines, BadFilesAreRefusedWithEntityAndLine) {
        "syntax@1"},
       {kJson, "{\"format\": \"veritope-spline-1\", \"groups\": [], \"groups\": []", "syntax@1"},
       {kJson, "{\"format\": \"\\ud800\"", "syntax@1"},
+      // VT and FF are blanks in the other formats, and no blanks in JSON.
+      {kJson, "{\v\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": []}",
+       "syntax@1"},
+      {kJson, "\f{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": []}",
+       "syntax@1"},
+      {kJson, "{\"format\": \"veritope-spline-1\", \"groups\": [\f], \"entities\": []}",
+       "syntax@1"},
+      {kJson, "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": []}\v",
+       "syntax@1"},
   };
   for (const Refusal& r : kRefusals) {
     const auto file = read_splines(r.format, r.text);

@@ -92,7 +92,7 @@ class CoverRun {
   ExitCode run() {
     const ExitCode exit = look();
     progress_.clear();
-    if (!words_.empty()) complain(harmless(options_.input.files[0] + ": " + words_));
+    if (!words_.empty()) complain(harmless(words_));
     if (!said_.empty() && !options_.quiet) out_.write(said_);
     return exit;
   }
@@ -102,10 +102,10 @@ class CoverRun {
     phase("reading");
     const Result<SplineFile> file =
         read_spline_file(options_.input.files[0], options_.input.reading);
-    if (!file) return fail(kExitUnreadable, to_string(file.error()));
+    if (!file) return fail(kExitUnreadable, file.error());
     Result<FilePatches> patches = file_patches(
         file->model, options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
-    if (!patches) return fail(kExitUnreadable, to_string(patches.error()));
+    if (!patches) return fail(kExitUnreadable, patches.error());
     if (patches->not_covered) return fail(kExitUndecided, patches->not_covered->message);
     sha256_ = file->sha256;
     return options_.sweep ? sweep(*patches->complex) : cover(*patches);
@@ -113,18 +113,18 @@ class CoverRun {
 
   ExitCode sweep(PatchComplex complex) {
     Result<BoundaryModel> model = BoundaryModel::make(std::move(complex));
-    if (!model) return fail(kExitUndecided, to_string(model.error()));
+    if (!model) return fail(kExitUndecided, model.error());
     phase("asking conditions");
     const SweepOptions budgets = sweep_budgets();
     const auto rows = sweep_conditions(*model, options_.eps.value_or(default_eps(*model)),
                                        *options_.sweep, budgets);
-    if (!rows) return fail(kExitUnreadable, to_string(rows.error()));
+    if (!rows) return fail(kExitUnreadable, rows.error());
     if (options_.json != "-") said_ = sweep_text(*rows);
     phase("writing");
     if (options_.json) {
       const Status status =
           write_output(*options_.json, sweep_json(options_.input.files[0], sha256_, *rows), out_);
-      if (!status) return fail(kExitUnreadable, to_string(status.error()));
+      if (!status) return fail(kExitUnreadable, status.error());
     }
     return options_.output.empty() ? kExitValid : write_boxes(*model, finest_row(*rows));
   }
@@ -132,7 +132,7 @@ class CoverRun {
   ExitCode write_boxes(BoundaryModel& model, const SweepRow* row) {
     if (row == nullptr) return fail(kExitUndecided, "no boxes were made, and nothing is written");
     const auto boxes = make_surface_cover(model, row->eps, sweep_budgets().boxes);
-    if (!boxes) return fail(kExitUnreadable, to_string(boxes.error()));
+    if (!boxes) return fail(kExitUnreadable, boxes.error());
     return write(surface_boxes_picture(options_.output, *boxes));
   }
 
@@ -160,13 +160,19 @@ class CoverRun {
   }
 
   ExitCode write(const Result<std::string>& bytes) {
-    if (!bytes) return fail(kExitUnreadable, to_string(bytes.error()));
+    if (!bytes) return fail(kExitUnreadable, bytes.error());
     const Status status = write_output(options_.output, *bytes, out_);
-    return status ? kExitValid : fail(kExitUnreadable, to_string(status.error()));
+    return status ? kExitValid : fail(kExitUnreadable, status.error());
   }
 
-  ExitCode fail(ExitCode exit, std::string words) {
-    words_ = std::move(words);
+  ExitCode fail(ExitCode exit, const std::string& words) {
+    words_ = options_.input.files[0] + ": " + words;
+    return exit;
+  }
+  // The file that the error names, if it names one, is the model or an output.
+  ExitCode fail(ExitCode exit, const Error& error) {
+    if (error.place.file.empty()) return fail(exit, to_string(error));
+    words_ = to_string(error);
     return exit;
   }
   void phase(const char* what) { progress_.phase(harmless(options_.input.files[0]), what); }

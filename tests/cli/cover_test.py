@@ -130,6 +130,18 @@ class Cover(Folder):
         self.assertEqual((done.returncode, done.stdout), (3, ""))
         self.assertIn("open-side", done.stderr)
 
+    def test_a_message_names_its_file_once(self):
+        step, model = self.folder / "part.step", self.model()
+        step.write_text("ISO-10303-21;\n")
+        done = run("cover", step, "-o", self.folder / "x.vtu")
+        self.assertEqual(done.returncode, 4)
+        self.assertTrue(done.stderr.startswith(f"veritope: {step}: byte 0: this is a STEP file"), done.stderr)
+        self.assertEqual(run("cover", model, "--sweep", 0, "--json", "/dev/full").stderr,
+                         "veritope: /dev/full: cannot be written: No space left on device\n")
+        self.model([])
+        self.assertEqual(run("cover", model, "-o", self.folder / "x.vtu").stderr,
+                         f"veritope: {model}: there is no surface and no triangle in this file\n")
+
     def test_wrong_usage_is_found_before_any_work(self):
         model = self.model()
         for words in (["cover", model], ["cover", model, "-o", "x.png"], ["cover", model, "-o", model], ["cover", model, "-o", "-"],

@@ -15,8 +15,8 @@ set(VERITOPE_PRECOMPILED <algorithm> <array> <bit> <cmath> <cstddef> <cstdint> <
 target_precompile_headers(veritope_pch PRIVATE ${VERITOPE_PRECOMPILED})
 
 # veritope_file_options(FLAGS FILE...): gives files of the current folder FLAGS besides those of the layer. A
-# precompiled header is valid for one set of flags only, so these files do without it, and they are in no batch. FLAGS may
-# be empty: a file that has flags with one compiler is single with all, and its object has one name.
+# precompiled header is valid for one set of flags only, so these files do without it, and they are in no batch.
+# FLAGS may be empty: a file that has flags with one compiler is single with all, and its object has one name.
 function(veritope_file_options flags)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}" SKIP_PRECOMPILE_HEADERS ON
                               SKIP_UNITY_BUILD_INCLUSION ON)

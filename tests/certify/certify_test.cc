@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -377,6 +379,30 @@ TEST(Certify, AFileWithoutAModelOfItsKindIsAnError) {
   const Result<Certified> c = certify(*file);
   ASSERT_FALSE(c.has_value());
   EXPECT_EQ(c.error().code, Code::kEmpty);
+  const Result<Certified> no_face = certify(ModelFile());
+  ASSERT_FALSE(no_face.has_value());
+  EXPECT_EQ(no_face.error().code, Code::kEmpty);
+}
+
+TEST(Certify, OptionsOutsideTheirRangesAreErrors) {
+  const ModelFile cube = read(bytes_of(patch_shapes::box({0, 0, 0}, {1, 1, 1})), "cube.vjson");
+  const auto code_of = [&](const CertifyOptions& options) {
+    const Result<Certified> c = certify(cube, options);
+    return c ? std::optional<Code>() : c.error().code;
+  };
+  CertifyOptions options;
+  options.tool = std::string(200, 'x');
+  EXPECT_EQ(code_of(options), std::nullopt);
+  for (const std::string& tool : {std::string(201, 'x'), std::string("a\"b"), std::string("a\\b"),
+                                  std::string("a\nb"), std::string("\xc3\xa9")}) {
+    options.tool = tool;
+    EXPECT_EQ(code_of(options), Code::kBadArgument) << tool;
+  }
+  options.tool = tool_name();
+  for (const double tolerance : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    options.tolerance = tolerance;
+    EXPECT_EQ(code_of(options), Code::kBadArgument) << tolerance;
+  }
 }
 
 }  // namespace

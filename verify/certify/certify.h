@@ -26,8 +26,9 @@ enum class Phase { kDeciding, kSeekingCollar, kCertifying };
 std::string tool_name();
 
 struct CertifyOptions {
-  std::string tool = tool_name();  ///< named in the certificate's statement
-  unsigned jobs = 1;  ///< threads, of meshes; the result is the same for every number >= 1
+  /// Named in the certificate's statement: at most 200 bytes of printable ASCII without " and \.
+  std::string tool = tool_name();
+  unsigned jobs = 1;  ///< threads, of meshes; the result is the same for every number, and 0 is 1
   /// How many findings of a mesh are listed, shared out among the broken rules; all are counted.
   std::size_t max_findings = 20;
   std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one
@@ -36,7 +37,7 @@ struct CertifyOptions {
   /// kAuto also reverses shells that are wrongly oriented as a whole.
   PatchOrientation orientation = PatchOrientation::kKeep;
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1
-  /// The width allowed to the volume's enclosure, as in PatchDecisionOptions; nothing: its default.
+  /// The width allowed to the volume's enclosure, as in PatchDecisionOptions: positive and finite; nothing: its default.
   std::optional<double> tolerance;
 };
 
@@ -57,7 +58,7 @@ struct Certified {
 /// that were read (their SHA-256 and number are in `file`), so that checkers can read them again. No checker has
 /// confirmed the result.
 /// @error kEmpty, kOverLimit, kBadArgument: the file was read, but holds no model of its kind (a spline file without
-/// any surface)
+/// any surface, a mesh without faces); kBadArgument: an option outside its range
 /// @cost  as decide_validity and make_mesh_certificate; as decide_patches. Throws InternalError for a bug of ours, and
 /// bad_alloc.
 Result<Certified> certify(const ModelFile& file, const CertifyOptions& options = {});

@@ -53,6 +53,7 @@ std::vector<Finding> listed(std::vector<Finding> defects, const MeshFile& file, 
 }  // namespace
 
 Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOptions& options) {
+  if (file.mesh.faces.empty()) return Error{Code::kEmpty, {}, "there is no face in this mesh"};
   Certified out;
   MeshFacts& facts = out.facts.emplace<MeshFacts>();
   enter(Phase::kDeciding, options);

@@ -347,6 +347,9 @@ bool GismoReader::read() {
     bool is_end_of_file = false;
     if (!next_tag(tag, is_end_of_file)) return false;
     if (is_end_of_file) break;
+    if (!has_root && !tag.is_end && tag.name != "xml" && tag.name != "Geometry")
+      return fail(tag.at, Code::kForeignFormat,
+                  "a G+Smo file begins with <xml>, and this one with <" + escaped(tag.name) + ">");
     has_root = true;
     if (tag.is_end) {
       if (open_.empty() || open_.back() != tag.name)

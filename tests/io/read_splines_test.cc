@@ -135,6 +135,16 @@ TEST(ReadSplines, AGismoGeometryWithoutATypeIsCalledThat) {
   EXPECT_EQ(left_out(*file, "geometries without a type"), 1u);
 }
 
+TEST(ReadSplines, XmlOfAnotherProgramIsNoEmptyGismoFile) {
+  for (const std::string name : {"COLLADA", "html"}) {
+    const std::string text = "<?xml version=\"1.0\"?><!-- --><" + name + "></" + name + ">";
+    const auto file = read_splines(SplineFormat::kGismo, text);
+    ASSERT_FALSE(file) << text;
+    EXPECT_EQ(file.error().code, Code::kForeignFormat);
+    EXPECT_NE(file.error().message.find("<" + name + ">"), std::string::npos);
+  }
+}
+
 TEST(ReadSplines, MfemPatchesMayBeCartesian) {
   const SplineFile file = sample("patches.mesh");
   EXPECT_EQ(exact_value<2>(shape<ExactSurface>(file, 0), {kHalf, Rational(1)}), "1 4/3");

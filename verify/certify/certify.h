@@ -37,7 +37,7 @@ struct CertifyOptions {
   /// kAuto also reverses shells that are wrongly oriented as a whole.
   PatchOrientation orientation = PatchOrientation::kKeep;
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1
-  /// The width allowed to the volume's enclosure, as in PatchDecisionOptions: positive and finite; nothing: its default.
+  /// The width allowed to the volume's enclosure, as in PatchDecisionOptions: positive, finite; nothing: its default.
   std::optional<double> tolerance;
 };
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The claim mesh-invalid-1: docs/certificates/mesh.md, section 7."""
 from ..common.errors import Reject
-from .mesh_model import TOO_MUCH_WORK, Body, collapsed, directed_edges, dot, line_stabs, read_mesh, sign, sub
+from ..common.vectors import dot, sub
+from .mesh_model import TOO_MUCH_WORK, Body, collapsed, directed_edges, line_stabs, read_mesh, sign
 
 INVALID_FIELDS = {1: "f", 2: "ff", 3: "vv", 4: "vv", 5: "vv", 6: "v", 7: "ffnnnnnn", 8: "fu", 9: "fu"}
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from . import mesh_reader
 from ..common.errors import Reject
+from ..common.vectors import cross, sub
 
 TOO_MUCH_WORK = "more work than the certificate's size allows"
 
@@ -99,15 +100,6 @@ class Mesh:
 
 def read_mesh(statement, data):
     return Mesh(*mesh_reader.read_model(data, statement["subject_format"], statement["as_indexed"]))
-
-def sub(a, b):
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-def cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 def sign(x):
     return (x > 0) - (x < 0)

@@ -4,7 +4,8 @@ import struct
 from fractions import Fraction
 
 from ..common.errors import Reject
-from .mesh_model import TOO_MUCH_WORK, Body, cross, directed_edges, dot, line_stabs, read_mesh, shells_of, sign, sub
+from ..common.vectors import cross, dot, sub
+from .mesh_model import TOO_MUCH_WORK, Body, directed_edges, line_stabs, read_mesh, shells_of, sign
 
 DIRECTIONS = (None, (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1),
               (0, 1, 1), (0, 1, -1), (1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1))

@@ -5,12 +5,13 @@ Written from docs/certificates/star-box.md and docs/formats/spline-json.md alone
 fractions.  Lengths are in units of 2^E, so that all boxes have integer corners.
 """
 from ..common.errors import Reject
+from ..common.vectors import cross, sub
 from .star_box_crossing import Crossing
 from .star_box_itd import read_subject
 from .star_box_nodes import Forest, misses_box, misses_segment, root_nodes
 from .star_box_patches import glue, patches_of
 from .star_box_read import Certificate
-from .star_box_triangles import corners_of, cross, meet_properly, sub, triangle_misses_box
+from .star_box_triangles import corners_of, meet_properly, triangle_misses_box
 
 MAX_DEGREE = 15
 UNITS = 2000                            # of work for each leaf and box

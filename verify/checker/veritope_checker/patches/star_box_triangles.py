@@ -2,14 +2,7 @@
 """Flat triangles in mesh boxes: which meet a box, and whether two of them meet properly (section 5 of star-box.md)."""
 from fractions import Fraction
 
-def sub(a, b):
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-def cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+from ..common.vectors import cross, dot, sub
 
 def corners_of(patch):
     """The corners of a flat triangle."""

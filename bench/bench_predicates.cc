@@ -29,7 +29,7 @@ namespace {
 
 using namespace veritope;
 
-// So many that no branch predictor learns the signs: with 4,096 tuples it does, and a filter that
+// There are too many tuples for a branch predictor to learn their signs. It learns those of 4,096, and a filter that
 // branches on the sign then seems three times as fast as it is.
 constexpr std::size_t kTuples = 32768;
 constexpr int kRepetitions = 20;

@@ -217,60 +217,58 @@ void expect_pieces(const std::vector<Subject>& subjects, bool is_rational) {
   constexpr std::uint64_t kSeed = 21;
   Random random(kSeed);
   for (const Subject& subject : subjects) {
-    {
-      const Patch sheet =
-          bent_sheet(subject.shape, is_rational, subject.collapsed, subject.stretch, random);
-      const PatchComplex complex = both_sides(sheet);
-      PieceForest forest = PieceForest::make(complex).value();
-      walk(forest, random, 2,
-           [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides& on_side) {
-             SCOPED_TRACE(testing::Message()
-                          << "seed " << kSeed << ", subject " << &subject - subjects.data()
-                          << (is_rational ? ", rational" : "") << ", node " << id);
-             const PieceForest::Node& node = forest.node(id);
-             const Point3d origin = forest.form(node.patch).origin;
-             const ExactPiece piece(forest, node);
-             Box3d tight = piece.hull();
-             const double* const net = forest.control(id);
-             const std::size_t n = control.shape.count();
-             for (std::size_t k = 0; k < 3; ++k) {
-               Rational least, greatest;
-               for (std::size_t i = 0; i < n; ++i) {
-                 const Rational w = is_rational ? control.at(3, i) : Rational(1);
-                 const Rational x = control.at(k, i) / w + from(origin[k]);
-                 const auto p = piece.control(i);
-                 ASSERT_EQ(Rational(*p[k], *p[3]), x) << "integers, point " << i;
-                 if (i == 0 || x < least) least = x;
-                 if (i == 0 || greatest < x) greatest = x;
-               }
-               EXPECT_TRUE(from(tight.lo[k]) <= least && greatest <= from(tight.hi[k]));
-               EXPECT_TRUE(from(node.hull.lo[k]) <= least && greatest <= from(node.hull.hi[k]));
-               const Rational narrow = Rational::power_of_two(-44);
-               EXPECT_TRUE(is_within(from(node.hull.lo[k]), least, narrow));
-               EXPECT_TRUE(is_within(from(node.hull.hi[k]), greatest, narrow));
-               EXPECT_TRUE(is_within(from(tight.lo[k]), least, Rational::power_of_two(-52)));
-               EXPECT_TRUE(is_within(from(tight.hi[k]), greatest, Rational::power_of_two(-52)));
+    const Patch sheet =
+        bent_sheet(subject.shape, is_rational, subject.collapsed, subject.stretch, random);
+    const PatchComplex complex = both_sides(sheet);
+    PieceForest forest = PieceForest::make(complex).value();
+    walk(forest, random, 2,
+         [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides& on_side) {
+           SCOPED_TRACE(testing::Message()
+                        << "seed " << kSeed << ", subject " << &subject - subjects.data()
+                        << (is_rational ? ", rational" : "") << ", node " << id);
+           const PieceForest::Node& node = forest.node(id);
+           const Point3d origin = forest.form(node.patch).origin;
+           const ExactPiece piece(forest, node);
+           Box3d tight = piece.hull();
+           const double* const net = forest.control(id);
+           const std::size_t n = control.shape.count();
+           for (std::size_t k = 0; k < 3; ++k) {
+             Rational least, greatest;
+             for (std::size_t i = 0; i < n; ++i) {
+               const Rational w = is_rational ? control.at(3, i) : Rational(1);
+               const Rational x = control.at(k, i) / w + from(origin[k]);
+               const auto p = piece.control(i);
+               ASSERT_EQ(Rational(*p[k], *p[3]), x) << "integers, point " << i;
+               if (i == 0 || x < least) least = x;
+               if (i == 0 || greatest < x) greatest = x;
              }
-             for (std::size_t c = 0; c < static_cast<std::size_t>(control.components); ++c) {
-               EXPECT_LE(forest.control_error(id, c), 0x1p-46);
-               for (std::size_t i = 0; i < n; ++i)
-                 EXPECT_TRUE(is_within(from(net[c * n + i]), control.at(c, i),
-                                       from(forest.control_error(id, c))))
-                     << "control " << c << ", " << i;
-             }
-             const double* const g = forest.approx_determinants(id);
-             const std::size_t m = determinants.shape.count();
-             for (std::size_t c = 0; c < 4; ++c) {
-               EXPECT_LE(forest.determinant_error(id, c), 0x1p-38 * subject.stretch);
-               for (std::size_t i = 0; i < m; ++i)
-                 EXPECT_TRUE(is_within(from(g[c * m + i]), determinants.at(c, i),
-                                       from(forest.determinant_error(id, c))))
-                     << "determinant " << c << ", " << i;
-             }
-             for (std::uint32_t s = 0; s < complex.patch(node.patch).num_sides(); ++s)
-               EXPECT_EQ(forest.side_of_patch(node, s), on_side[s]) << "side " << s;
-           });
-    }
+             EXPECT_TRUE(from(tight.lo[k]) <= least && greatest <= from(tight.hi[k]));
+             EXPECT_TRUE(from(node.hull.lo[k]) <= least && greatest <= from(node.hull.hi[k]));
+             const Rational narrow = Rational::power_of_two(-44);
+             EXPECT_TRUE(is_within(from(node.hull.lo[k]), least, narrow));
+             EXPECT_TRUE(is_within(from(node.hull.hi[k]), greatest, narrow));
+             EXPECT_TRUE(is_within(from(tight.lo[k]), least, Rational::power_of_two(-52)));
+             EXPECT_TRUE(is_within(from(tight.hi[k]), greatest, Rational::power_of_two(-52)));
+           }
+           for (std::size_t c = 0; c < static_cast<std::size_t>(control.components); ++c) {
+             EXPECT_LE(forest.control_error(id, c), 0x1p-46);
+             for (std::size_t i = 0; i < n; ++i)
+               EXPECT_TRUE(is_within(from(net[c * n + i]), control.at(c, i),
+                                     from(forest.control_error(id, c))))
+                   << "control " << c << ", " << i;
+           }
+           const double* const g = forest.approx_determinants(id);
+           const std::size_t m = determinants.shape.count();
+           for (std::size_t c = 0; c < 4; ++c) {
+             EXPECT_LE(forest.determinant_error(id, c), 0x1p-38 * subject.stretch);
+             for (std::size_t i = 0; i < m; ++i)
+               EXPECT_TRUE(is_within(from(g[c * m + i]), determinants.at(c, i),
+                                     from(forest.determinant_error(id, c))))
+                   << "determinant " << c << ", " << i;
+           }
+           for (std::uint32_t s = 0; s < complex.patch(node.patch).num_sides(); ++s)
+             EXPECT_EQ(forest.side_of_patch(node, s), on_side[s]) << "side " << s;
+         });
   }
 }
 
@@ -327,52 +325,50 @@ void expect_sides(const std::vector<Subject>& subjects, bool is_rational) {
   Random random(kSeed);
   std::array<int, 3> seen{};
   for (const Subject& subject : subjects) {
-    {
-      const Patch sheet =
-          bent_sheet(subject.shape, is_rational, subject.collapsed, subject.stretch, random);
-      const PatchComplex complex = both_sides(sheet);
-      PieceForest forest = PieceForest::make(complex).value();
-      walk(forest, random, 2,
-           [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides&) {
-             const PieceForest::Node& node = forest.node(id);
-             const PieceForest::Form& form = forest.form(node.patch);
-             const auto kept = kept_of(complex.patch(node.patch), control, determinants.shape);
-             for (int trial = 0; trial < 8; ++trial) {
-               const Box3d hull = forest.node(id).hull;
-               Point3d c = approx_centre(hull);
-               // In the middle, beside the piece on either side, or at a corner, where one coefficient is 0 but for rounding.
-               const std::size_t corner =
-                   complex.patch(node.patch).side_index(static_cast<std::uint32_t>(trial % 3), 0);
-               for (std::size_t k = 0; k < 3; ++k) {
-                 if (trial < 2)
-                   c[k] = nearest_double(control.at(k, corner) /
-                                             (is_rational ? control.at(3, corner) : Rational(1)) +
-                                         from(form.origin[k]));
-                 else
-                   c[k] += (trial < 5 ? 1.0 : 4.0) * extent(hull) * (random.unit() - 0.5);
-               }
-               Sign3 expected = Sign3::kUncertain;
-               if (kept && !kept->empty()) {
-                 std::optional<Sign> common;
-                 bool is_one = true;
-                 for (const std::size_t i : *kept) {
-                   Rational g = determinants.at(0, i);
-                   for (std::size_t k = 0; k < 3; ++k)
-                     g += determinants.at(k + 1, i) * (from(c[k]) - from(form.origin[k]));
-                   is_one =
-                       is_one && g.sign() != Sign::kZero && g.sign() == common.value_or(g.sign());
-                   common = g.sign();
-                 }
-                 if (is_one)
-                   expected = *common == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative;
-               }
-               ++seen[expected == Sign3::kPositive ? 2 : expected == Sign3::kNegative ? 1 : 0];
-               EXPECT_EQ(forest.side_of(id, c), expected)
-                   << "seed " << kSeed << ", subject " << &subject - subjects.data()
-                   << (is_rational ? ", rational" : "") << ", node " << id << ", trial " << trial;
+    const Patch sheet =
+        bent_sheet(subject.shape, is_rational, subject.collapsed, subject.stretch, random);
+    const PatchComplex complex = both_sides(sheet);
+    PieceForest forest = PieceForest::make(complex).value();
+    walk(forest, random, 2,
+         [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides&) {
+           const PieceForest::Node& node = forest.node(id);
+           const PieceForest::Form& form = forest.form(node.patch);
+           const auto kept = kept_of(complex.patch(node.patch), control, determinants.shape);
+           for (int trial = 0; trial < 8; ++trial) {
+             const Box3d hull = forest.node(id).hull;
+             Point3d c = approx_centre(hull);
+             // In the middle, beside the piece on either side, or at a corner, where one coefficient is 0 but for rounding.
+             const std::size_t corner =
+                 complex.patch(node.patch).side_index(static_cast<std::uint32_t>(trial % 3), 0);
+             for (std::size_t k = 0; k < 3; ++k) {
+               if (trial < 2)
+                 c[k] = nearest_double(control.at(k, corner) /
+                                           (is_rational ? control.at(3, corner) : Rational(1)) +
+                                       from(form.origin[k]));
+               else
+                 c[k] += (trial < 5 ? 1.0 : 4.0) * extent(hull) * (random.unit() - 0.5);
              }
-           });
-    }
+             Sign3 expected = Sign3::kUncertain;
+             if (kept && !kept->empty()) {
+               std::optional<Sign> common;
+               bool is_one = true;
+               for (const std::size_t i : *kept) {
+                 Rational g = determinants.at(0, i);
+                 for (std::size_t k = 0; k < 3; ++k)
+                   g += determinants.at(k + 1, i) * (from(c[k]) - from(form.origin[k]));
+                 is_one =
+                     is_one && g.sign() != Sign::kZero && g.sign() == common.value_or(g.sign());
+                 common = g.sign();
+               }
+               if (is_one)
+                 expected = *common == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative;
+             }
+             ++seen[expected == Sign3::kPositive ? 2 : expected == Sign3::kNegative ? 1 : 0];
+             EXPECT_EQ(forest.side_of(id, c), expected)
+                 << "seed " << kSeed << ", subject " << &subject - subjects.data()
+                 << (is_rational ? ", rational" : "") << ", node " << id << ", trial " << trial;
+           }
+         });
   }
   for (const int n : seen) EXPECT_GT(n, 10);
 }

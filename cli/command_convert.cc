@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/bad_argument.h"
 #include "cli/commands.h"
 #include "cli/convert_options.h"
 #include "cli/output_plan.h"

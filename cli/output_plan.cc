@@ -9,7 +9,6 @@
 #include <map>
 #include <system_error>
 
-#include "cli/bad_argument.h"
 #include "cli/output.h"
 #include "io/base/atomic_file.h"
 

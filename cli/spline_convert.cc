@@ -4,7 +4,6 @@
 #include <array>
 #include <variant>
 
-#include "cli/bad_argument.h"
 #include "cli/output_plan.h"
 #include "io/formats.h"
 #include "io/splines/patch_model.h"

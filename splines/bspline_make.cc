@@ -5,12 +5,9 @@
 #include <utility>
 
 #include "splines/lines.h"
-#include "splines/refused_internal.h"
 
 namespace veritope {
 namespace {
-
-using internal::refused;
 
 template <std::size_t N>
 std::string control_point(const Grid<N>& grid, std::size_t offset) {
@@ -24,16 +21,16 @@ template <std::size_t N>
 Status check_count(const Grid<N>& grid, int num_components, bool is_rational, std::size_t count) {
   const int least = is_rational ? 2 : 1;
   if (num_components < least)
-    return refused(std::to_string(num_components) + " components are too few for a " +
-                   (is_rational ? "rational" : "polynomial") + " map, which has at least " +
-                   std::to_string(least));
+    return bad_argument(std::to_string(num_components) + " components are too few for a " +
+                        (is_rational ? "rational" : "polynomial") + " map, which has at least " +
+                        std::to_string(least));
   const auto components = static_cast<std::size_t>(num_components);
   const auto points = grid.count_up_to(count / components);
   if (points && *points * components == count) return ok_status();
   std::string sizes;
   for (const std::size_t s : grid.size) sizes += (sizes.empty() ? "" : " x ") + std::to_string(s);
-  return refused(std::to_string(count) + " coefficients for " + sizes + " control points of " +
-                 std::to_string(num_components) + " components");
+  return bad_argument(std::to_string(count) + " coefficients for " + sizes + " control points of " +
+                      std::to_string(num_components) + " components");
 }
 
 template <std::size_t N>
@@ -42,8 +39,8 @@ Status check_weights(const BSpline<Rational, N>& map) {
   const auto weights = map.component(map.dimension());
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i].sign() != Sign::kPositive)
-      return refused(control_point(map.grid(), i) + ": the weight " + weights[i].to_string() +
-                     " is not positive");
+      return bad_argument(control_point(map.grid(), i) + ": the weight " + weights[i].to_string() +
+                          " is not positive");
   return ok_status();
 }
 
@@ -59,11 +56,11 @@ Status check_seam(const BSpline<Rational, N>& map, std::size_t axis) {
       for (std::size_t i = 0; status && i < p; ++i) {
         const std::size_t at = first + i * grid.stride(axis), repeated = at + across;
         if (values[at] != values[repeated])
-          status =
-              refused("axis " + std::to_string(axis) + " is periodic, but " +
-                      control_point(grid, repeated) + " has the component " + std::to_string(c) +
-                      " " + values[repeated].to_string() + " where that of the first period, " +
-                      control_point(grid, at) + ", has " + values[at].to_string());
+          status = bad_argument("axis " + std::to_string(axis) + " is periodic, but " +
+                                control_point(grid, repeated) + " has the component " +
+                                std::to_string(c) + " " + values[repeated].to_string() +
+                                " where that of the first period, " + control_point(grid, at) +
+                                ", has " + values[at].to_string());
       }
     });
   }

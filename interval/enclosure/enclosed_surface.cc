@@ -18,8 +18,6 @@ namespace {
 using internal::Cut;
 using internal::NetShape;
 
-Error refused(std::string message) { return Error{Code::kBadArgument, {}, std::move(message)}; }
-
 std::string cell_name(std::size_t i, std::size_t j) {
   return "piece (" + std::to_string(i) + ", " + std::to_string(j) + ")";
 }
@@ -32,7 +30,7 @@ Result<bool> check_piece(const BezierSurface<Rational>& piece, const std::string
   if (piece.is_rational())
     for (const Rational& w : piece.component(3))
       if (w.sign() != Sign::kPositive)
-        return refused(name + " has the weight " + w.to_string() + ", which is not positive");
+        return bad_argument(name + " has the weight " + w.to_string() + ", which is not positive");
   return true;
 }
 
@@ -89,8 +87,8 @@ class WorkNet {
 
 Result<EnclosedSurface> EnclosedSurface::make(const BSpline<Rational, 2>& surface) {
   if (surface.dimension() != 3)
-    return refused("the surface lies in dimension " + std::to_string(surface.dimension()) +
-                   ", not in space");
+    return bad_argument("the surface lies in dimension " + std::to_string(surface.dimension()) +
+                        ", not in space");
   const auto pieces = bezier_pieces(surface);
   EnclosedSurface out;
   out.num_components_ = surface.num_components();
@@ -99,10 +97,11 @@ Result<EnclosedSurface> EnclosedSurface::make(const BSpline<Rational, 2>& surfac
     out.knots_[axis] = pieces.breaks[axis];
     for (const Rational& k : pieces.breaks[axis]) {
       const double rounded = nearest_double(k);
-      if (!std::isfinite(rounded)) return refused("the knot " + k.to_string() + " is too large");
+      if (!std::isfinite(rounded))
+        return bad_argument("the knot " + k.to_string() + " is too large");
       if (!out.breaks_[axis].empty() && !(out.breaks_[axis].back() < rounded))
-        return refused("the knot " + k.to_string() +
-                       " and the one before it are the same binary64 number");
+        return bad_argument("the knot " + k.to_string() +
+                            " and the one before it are the same binary64 number");
       out.breaks_[axis].push_back(rounded);
     }
   }
@@ -114,7 +113,7 @@ Result<EnclosedSurface> EnclosedSurface::make(const BSpline<Rational, 2>& surfac
       if (auto checked = check_piece(piece, cell_name(i, j)); !checked) return checked.error();
       if ((i > 0 && border(piece, 0, false) != border(pieces.at({i - 1, j}), 0, true)) ||
           (j > 0 && border(piece, 1, false) != border(pieces.at({i, j - 1}), 1, true)))
-        return refused(cell_name(i, j) + " does not meet the one before it along a knot");
+        return bad_argument(cell_name(i, j) + " does not meet the one before it along a knot");
       const std::size_t first = out.nets_.size();
       for (const Rational& v : piece.coefficients()) {
         out.exact_.push_back(v);

@@ -145,20 +145,17 @@ Jets<N> jets_over(const EnclosureData<N>& data, std::size_t cell, const Box<N>& 
 template <std::size_t N>
 Result<std::vector<CellPart<N>>> parts_of(const EnclosureData<N>& data, const Box<N>& at,
                                           int order) {
-  const auto refused = [](std::string message) {
-    return Error{Code::kBadArgument, {}, std::move(message)};
-  };
   if (order > data.max_order)
-    return refused("derivatives of order " + std::to_string(order) +
-                   " are needed, and were prepared up to " + std::to_string(data.max_order));
+    return bad_argument("derivatives of order " + std::to_string(order) +
+                        " are needed, and were prepared up to " + std::to_string(data.max_order));
   std::array<std::vector<std::pair<std::size_t, Interval>>, N> along;
   for (std::size_t a = 0; a < N; ++a) {
     const auto& axis = data.axes[a];
     const Interval side = at[a];
     if (side.is_empty() ||
         !is_subset(side, Interval::from_bounds(axis.break_up.front(), axis.break_down.back())))
-      return refused("parameter " + std::to_string(a) + ", " + to_string(side) +
-                     ", is empty or leaves the domain");
+      return bad_argument("parameter " + std::to_string(a) + ", " + to_string(side) +
+                          ", is empty or leaves the domain");
     const Interval unit = Interval::from_bounds(0, 1);
     for (std::size_t i = 0; i < axis.begin.size(); ++i) {
       if (!(axis.break_up[i] <= side.hi() && side.lo() <= axis.break_down[i + 1])) continue;

@@ -11,15 +11,13 @@
 namespace veritope {
 
 Status check_options(const SolverOptions& options) {
-  const auto refuse = [](std::string message) {
-    return Error{Code::kBadArgument, {}, std::move(message)};
-  };
   if (options.least_width.sign() != Sign::kPositive)
-    return refuse("least_width is " + options.least_width.to_string() + ", not positive");
+    return bad_argument("least_width is " + options.least_width.to_string() + ", not positive");
   if (options.root_width.sign() != Sign::kPositive)
-    return refuse("root_width is " + options.root_width.to_string() + ", not positive");
+    return bad_argument("root_width is " + options.root_width.to_string() + ", not positive");
   if (options.max_precision < 53 || options.max_precision > MpInterval::kMaxPrecision)
-    return refuse("max_precision is " + std::to_string(options.max_precision) + ", not 53 to 2^24");
+    return bad_argument("max_precision is " + std::to_string(options.max_precision) +
+                        ", not 53 to 2^24");
   return ok_status();
 }
 

@@ -50,6 +50,11 @@ struct Error {
   std::string message;  ///< a sentence with the offending value, without the place
 };
 
+/// The error of a parameter outside its documented range.
+inline Error bad_argument(std::string message) {
+  return Error{Code::kBadArgument, {}, std::move(message)};
+}
+
 /// "part.obj: line 12: <message>"
 std::string to_string(const Error& error);
 

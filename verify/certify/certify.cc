@@ -13,19 +13,16 @@ namespace {
 constexpr std::size_t kMostToolBytes = 200;
 
 Status check(const CertifyOptions& options) {
-  const auto refused = [](std::string message) {
-    return Error{Code::kBadArgument, {}, std::move(message)};
-  };
   const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
   if (options.tool.size() > kMostToolBytes)
-    return refused("the tool's name has " + std::to_string(options.tool.size()) +
-                   " bytes, more than 200");
+    return bad_argument("the tool's name has " + std::to_string(options.tool.size()) +
+                        " bytes, more than 200");
   if (!std::all_of(options.tool.begin(), options.tool.end(), is_plain))
-    return refused(
+    return bad_argument(
         "the tool's name holds a character other than printable ASCII without \" and \\");
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
-    return refused("the tolerance " + std::to_string(*options.tolerance) +
-                   " is not a positive number");
+    return bad_argument("the tolerance " + std::to_string(*options.tolerance) +
+                        " is not a positive number");
   return ok_status();
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 #include "interval/numeric.h"
@@ -98,6 +101,40 @@ TEST(ShellVolumes, AreAsNarrowAsAskedFor) {
     EXPECT_LE(wid(v), last);
     last = wid(v);
   }
+}
+
+// What is promised in the frame, whose scale is a power of two; half of it is reached for some tolerance.
+TEST(ShellVolumes, KeepTheToleranceAndUseHalfOfIt) {
+  const PatchComplex complex = make_patch_complex(patch_shapes::octant_sphere()).value();
+  double most = 0;
+  for (int k = 0; k < 80; ++k) {
+    const double tolerance = std::exp2(-8 - k / 8.0);
+    PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+    const double share = wid(shell_volumes(forest, tolerance)[0]) / tolerance;
+    EXPECT_LE(share, 1) << "tolerance " << tolerance;
+    most = std::max(most, share);
+  }
+  EXPECT_GE(most, 0.5);
+}
+
+// A face in a plane has its area whatever its weights are; a control point inside may almost have none.
+TEST(ShellVolumes, AreFiniteWhereAnInnerWeightAlmostVanishes) {
+  const Rational tiny = Rational::power_of_two(-60);
+  patch_shapes::Patches box = elevated(
+      patch_shapes::box({ratio(0), ratio(0), ratio(0)}, {ratio(1), ratio(1), ratio(1)}), 1);
+  const Patch::Tensor& face = box[0].tensor();
+  ASSERT_EQ(face.degrees(), (std::array<int, 2>{2, 2}));
+  Patch::Tensor map({2, 2}, 4, true);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Rational w = i == 4 ? tiny : ratio(1);
+    for (int c = 0; c < 3; ++c) map.component(c)[i] = w * face.component(c)[i];
+    map.component(3)[i] = w;
+  }
+  box[0] = make_patch(std::move(map)).value();
+  const auto v = volumes(box, 1e-6);
+  ASSERT_EQ(v.size(), 1u);
+  EXPECT_TRUE(contains(v[0], ratio(1))) << to_string(v[0]);
+  EXPECT_LE(wid(v[0]), 1e-6);
 }
 
 // Sizes far from 1: the interval is that of the unit model times a power of two.

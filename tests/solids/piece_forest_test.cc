@@ -482,6 +482,37 @@ TEST(PieceForestFrame, BoxesGoBackToTheModelRoundedOutward) {
   EXPECT_EQ(other.lo[2], -infinity);
 }
 
+// Once the budget of exact hulls is spent, nothing but the sign of the weights keeps a quotient by almost 0 out of a
+// hull.
+TEST(PieceForestNodes, StayInTheirHullsWhereWeightsAlmostVanishAndTheBudgetIsSpent) {
+  const Rational zero, one(1), tiny = Rational::power_of_two(-80);
+  const std::vector<Rational> values{zero, tiny, zero, zero, zero, tiny,
+                                     zero, zero, tiny, one,  tiny, tiny};
+  const PatchComplex complex =
+      both_sides(make_patch(Patch::Triangle(1, 4, true, values)).value());
+  PieceForest forest = PieceForest::make(complex).value();
+  std::vector<Id> edge{forest.form(0).first_root};  // the nodes along the edge of tiny weights
+  bool is_spent = false;
+  for (int level = 1; level <= 16 && !is_spent; ++level) {
+    std::vector<Id> next;
+    for (const Id id : edge) {
+      const Id first = forest.children(id);
+      next.insert(next.end(), {first + 1, first + 2});
+    }
+    for (const std::size_t i : {std::size_t{0}, next.size() / 2, next.size() - 1}) {
+      const Box3d& hull = forest.node(next[i]).hull;
+      const Box3d exact = ExactPiece(forest, forest.node(next[i])).hull();
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_LE(hull.lo[c], exact.lo[c]) << "level " << level << ", node " << i;
+        EXPECT_GE(hull.hi[c], exact.hi[c]) << "level " << level << ", node " << i;
+      }
+      is_spent = is_spent || !std::isfinite(hull.lo[0]);
+    }
+    edge = std::move(next);
+  }
+  EXPECT_TRUE(is_spent);
+}
+
 // A net that is dropped is made again with the same numbers; many nets do not overlap.
 TEST(PieceForestNets, AreMadeAgainAsTheyWere) {
   Random random(31);

@@ -16,10 +16,9 @@ template <int L>
   return to_sign3(orient2d_fixed<LatticeWidth<L>>(from_first(x), from_first(y)));
 }
 
-// Inlined into each caller, so that degenerate points need one call, not two.
-[[gnu::always_inline]] inline Sign3 lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  const Sign3 s = on_lattice<1>(a, b, c);
-  if (is_certain(s)) return s;
+// Where one limb does not suffice. REQUIRES that on_lattice<1> is uncertain.
+[[gnu::always_inline]] inline Sign3 on_longer_lattice(const Vec2d& a, const Vec2d& b,
+                                                      const Vec2d& c) {
   return has_equal_points<2>(std::array<double, 6>{a.x, a.y, b.x, b.y, c.x, c.y})
              ? Sign3::kZero
              : on_lattice<2>(a, b, c);
@@ -31,10 +30,19 @@ template <int L>
       tally, [&] { return orient2d_interval(a, b, c); }, [&] { return orient2d_exact(a, b, c); });
 }
 
+// Apart, so that one limb needs few registers.
+[[gnu::noinline]] Sign after_one_limb(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                                      TierCounts* tally) {
+  return cascade<1>(
+      tally, [&]() VT_TIER { return on_longer_lattice(a, b, c); },
+      [&](TierCounts* t) VT_TIER { return after_lattice(a, b, c, t); });
+}
+
 }  // namespace
 
 Sign3 orient2d_lattice(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
-  return lattice(a, b, c);
+  const Sign3 s = on_lattice<1>(a, b, c);
+  return is_certain(s) ? s : on_longer_lattice(a, b, c);
 }
 
 Sign3 orient2d_interval(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
@@ -53,8 +61,8 @@ Sign orient2d_exact(const Vec2d& a, const Vec2d& b, const Vec2d& c) noexcept {
 
 Sign orient2d_off_axes(const Vec2d& a, const Vec2d& b, const Vec2d& c, TierCounts* tally) noexcept {
   return cascade<1>(
-      tally, [&]() VT_TIER { return lattice(a, b, c); },
-      [&](TierCounts* t) VT_TIER { return after_lattice(a, b, c, t); });
+      tally, [&]() VT_TIER { return on_lattice<1>(a, b, c); },
+      [&](TierCounts* t) VT_TIER { return after_one_limb(a, b, c, t); });
 }
 
 }  // namespace veritope::internal

@@ -44,7 +44,8 @@ struct Columns {
       digits |= low_digit(rest);
       rest = v.c[i] + (rest >> kDigitBits);
     }
-    return rest != 0 ? veritope::sign_of(rest) : (digits != 0 ? Sign::kPositive : Sign::kZero);
+    return static_cast<Sign>(static_cast<int>(rest >> 127) |
+                             static_cast<int>((rest | digits) != 0));
   }
 
   static constexpr std::int64_t low_digit(int128 v) {

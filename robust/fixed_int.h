@@ -61,7 +61,8 @@ struct FixedInt {
     return any == 0;
   }
   constexpr Sign sign() const {
-    return is_negative() ? Sign::kNegative : (is_zero() ? Sign::kZero : Sign::kPositive);
+    const auto top = static_cast<std::int64_t>(limb[L - 1]);
+    return static_cast<Sign>(static_cast<int>(top >> 63) | static_cast<int>(!is_zero()));
   }
 
   constexpr FixedInt& operator+=(const FixedInt& b) {

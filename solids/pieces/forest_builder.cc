@@ -93,7 +93,7 @@ class ForestBuilder {
     }
     if (all.sign() == Sign::kZero) return ok_status();
     frame.scale.fill(-exponent(all));
-    if (choice_ == PieceForest::FrameChoice::kPlain) return ok_status();
+    if (choice_ != PieceForest::FrameChoice::kFitted) return ok_status();
     if (*std::min_element(length.begin(), length.end()) * Rational(kFar) <= longest) {
       for (std::size_t k = 0; k < 3; ++k)
         frame.scale[k] = -exponent(length[k].sign() == Sign::kZero ? longest : length[k]);
@@ -177,7 +177,7 @@ class ForestBuilder {
     std::vector<Interval> all;
     for (const std::vector<Interval>& d : determinants) all.insert(all.end(), d.begin(), d.end());
     fill_net(all, PieceForest::layout(form, Part::kDeterminants), &form.root_determinants);
-    choose_roots(&form);
+    if (choice_ != PieceForest::FrameChoice::kWhole) choose_roots(&form);
     return form;
   }
 

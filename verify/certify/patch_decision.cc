@@ -19,6 +19,8 @@ namespace {
 // boxes has taken approximately as long as that search, otherwise at the end if no cover was found.
 constexpr int kFirstSearchLevel = 2, kTroubleLevel = 5;
 constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrouble = 2048;
+// The search starts again with boxes in frames where boxes along the axes would be many: thin walls, gaps.
+constexpr std::size_t kBoxesBeforeFrames = 4096, kBoxesOfPatch = 8;
 
 constexpr const char* kOutOfRangeText =
     "the model lies too far from the origin for its size, or has parts of too different sizes: "
@@ -99,12 +101,16 @@ class Decider {
         return refuted(std::move(*witness));
       return open(complex_question(complex_));
     }
-    Result<PieceForest> forest =
-        PieceForest::make(complex_, options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
-                                                            : PieceForest::FrameChoice::kFitted);
-    if (!forest) return open(question(open_code::kOutOfRange, forest.error().message));
-    forest_.emplace(std::move(*forest));
-    if (auto crossing = cover_or_cross()) return refuted(*crossing);
+    if (auto error = make_forest(options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
+                                                         : PieceForest::FrameChoice::kFitted))
+      return open(std::move(*error));
+    auto crossing = cover_or_cross(false);
+    if (options_.with_frames && !crossing && !out_.cover.is_complete()) {
+      if (auto error = make_forest(PieceForest::FrameChoice::kWhole))
+        return open(std::move(*error));
+      crossing = cover_or_cross(true);
+    }
+    if (crossing) return refuted(*crossing);
     if (!out_.cover.is_complete()) return open(cover_question());
     return decide_sides();
   }
@@ -119,9 +125,16 @@ class Decider {
     return std::move(out_);
   }
 
+  std::optional<Finding> make_forest(PieceForest::FrameChoice choice) {
+    Result<PieceForest> forest = PieceForest::make(complex_, choice);
+    if (!forest) return question(open_code::kOutOfRange, forest.error().message);
+    forest_.emplace(std::move(*forest));
+    return std::nullopt;
+  }
+
   // Returns a crossing that was found before the search for the cover, at a piece without a star box during it, or
   // where it ended.
-  std::optional<CrossingWitness> cover_or_cross() {
+  std::optional<CrossingWitness> cover_or_cross(bool with_frames) {
     CrossingSearch search(*forest_);
     if (auto crossing = search.among_patches()) return crossing;
     std::optional<CrossingWitness> found;
@@ -135,7 +148,11 @@ class Decider {
     StarCoverOptions options = options_.cover;
     options.least_unit = std::max(options.least_unit, least_unit_that_fits(*forest_));
     options.least_cube_unit = least_unit_of_any(*forest_);
+    options.with_frames = with_frames;
+    const std::size_t before_frames =
+        kBoxesBeforeFrames + kBoxesOfPatch * complex_.patches().size();
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
+      if (options_.with_frames && !with_frames && tried >= before_frames) return true;
       if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
       if (forest_->node(piece).level >= kTroubleLevel && tried >= kBoxesBeforeTrouble)
         look_everywhere();
@@ -150,6 +167,7 @@ class Decider {
     out_.cover = find_star_cover(*forest_, options);
     out_.boxes_tried = out_.cover.tried;
     if (found || out_.cover.is_complete()) return found;
+    if (options_.with_frames && !with_frames) return std::nullopt;
     for (PieceForest::Id id = out_.cover.uncovered.front().piece; id != PieceForest::kNone;
          id = forest_->node(id).parent)
       if ((found = search.near(id))) return found;

@@ -22,6 +22,8 @@ struct PatchDecisionOptions {
   OuterSides outer;             ///< which sides may be named as open, or passed in a wrong way
   double tolerance = 1e-5;      ///< the volume's: see shell_volumes
   bool in_plain_frame = false;  ///< as collars need it: see PieceForest::Frame
+  /// Boxes in frames and with several sheets where boxes along the axes would be many. REQUIRES !in_plain_frame.
+  bool with_frames = false;
 };
 
 /// Why there is no proof: codes of PatchDecision::open.

@@ -7,6 +7,7 @@
 
 #include "robust/base/check.h"
 #include "verify/certify/box_search.h"
+#include "verify/certify/frame_search.h"
 
 namespace veritope {
 namespace {
@@ -21,7 +22,10 @@ using Why = UncoveredPiece::Why;
 class CoverSearch {
  public:
   CoverSearch(PieceForest& forest, const StarCoverOptions& options)
-      : forest_(forest), options_(options), search_(forest, options) {}
+      : forest_(forest),
+        options_(options),
+        search_(forest, options),
+        frames_(forest, options.growth, options.least_unit) {}
 
   StarCover run() {
     const auto& order = forest_.roots().order();
@@ -33,6 +37,7 @@ class CoverSearch {
     }
     out_.tested_pieces = search_.tested_pieces(), out_.programs = search_.programs();
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
+    if (out_.is_complete() && options_.with_frames) add_boxes_for_walks();
     if (out_.is_complete()) keep_leaves();
     return std::move(out_);
   }
@@ -70,9 +75,13 @@ class CoverSearch {
     forest_.limit_memory(options_.memory);
     ++out_.tried;
     if (search_.try_piece(id)) {
-      accept();
+      accept(search_.box(), search_.held());
       VT_CHECK(box_of(id) != StarCover::kNone, "a box does not cover the piece it was made for");
       return;
+    }
+    if (options_.with_frames && frames_.try_piece(id)) {
+      accept(cover_box(frames_.box()), frames_.held());
+      if (box_of(id) != StarCover::kNone) return;
     }
     if (options_.stops_at && options_.stops_at(id, out_.tried)) {
       out_.uncovered.push_back({id, Why::kStopped});
@@ -98,11 +107,66 @@ class CoverSearch {
     if (!(size > 0)) return kLeastScale;
     return std::clamp(std::ilogb(size), kLeastScale, kMostScale);
   }
-  void accept() {
+  static CoverBox cover_box(const FramedBox& framed) {
+    CoverBox out;
+    const Sheet& first = framed.sheets.sheets.front();
+    out.star = {framed.sheets.frame.around(framed.sheets.box), first.inside, first.outside};
+    out.unit = framed.unit;
+    out.framed = std::make_shared<const FramedBox>(framed);
+    return out;
+  }
+  void accept(const CoverBox& box, const std::vector<Id>& held) {
     const auto number = static_cast<std::uint32_t>(out_.boxes.size());
-    out_.boxes.push_back(search_.box());
-    for (const Id id : search_.held())
+    out_.boxes.push_back(box);
+    for (const Id id : held)
       if (box_of(id) == StarCover::kNone) box_of(id) = number;
+  }
+
+  // Walks start at boxes with one sheet. A shell without one gets a small one, where it reaches farthest along an axis:
+  // there the shells of a thin wall are near each other.
+  void add_boxes_for_walks() {
+    const PatchComplex& complex = forest_.complex();
+    std::vector<Id> farthest(complex.shells().size(), PieceForest::kNone);
+    std::vector<bool> has_one(complex.shells().size());
+    for (Id id = 0; id < out_.box_of_node.size(); ++id) {
+      if (out_.box_of_node[id] == StarCover::kNone) continue;
+      const std::uint32_t shell = complex.shell(forest_.node(id).patch);
+      if (out_.boxes[out_.box_of_node[id]].has_one_sheet()) has_one[shell] = true;
+      if (farthest[shell] == PieceForest::kNone ||
+          forest_.node(id).hull.hi[0] > forest_.node(farthest[shell]).hull.hi[0])
+        farthest[shell] = id;
+    }
+    if (std::find(has_one.begin(), has_one.end(), false) == has_one.end()) return;
+    for (const Id id : farthest)
+      if (id != PieceForest::kNone) add_box_for_walks(id);
+  }
+  // Descends from a leaf to its farthest part until that has a box with one sheet; its other parts keep theirs.
+  void add_box_for_walks(Id id) {
+    for (Id up = id; up != PieceForest::kNone; up = forest_.node(up).parent)
+      if (box_of(up) != StarCover::kNone) id = up;
+    const std::uint32_t box = box_of(id);
+    std::vector<Id> parents;
+    for (; forest_.node(id).level < options_.max_level;
+         parents.push_back(id), id = farthest_child(id)) {
+      if (!frames_.try_piece(id, true)) continue;
+      const auto& held = frames_.held();
+      if (std::find(held.begin(), held.end(), id) == held.end()) continue;
+      for (const Id parent : parents) {
+        const Id first = forest_.children(parent);
+        box_of(parent) = StarCover::kNone;
+        for (Id k = 0; k < 4; ++k) box_of(first + k) = box;
+      }
+      box_of(id) = static_cast<std::uint32_t>(out_.boxes.size());
+      out_.boxes.push_back(cover_box(frames_.box()));
+      return;
+    }
+  }
+  Id farthest_child(Id id) {
+    const Id first = forest_.children(id);
+    Id out = first;
+    for (Id k = 1; k < 4; ++k)
+      if (forest_.node(first + k).hull.hi[0] > forest_.node(out).hull.hi[0]) out = first + k;
+    return out;
   }
 
   // Renumbers the boxes in the order of the leaves; drops those that cover only parts of other leaves.
@@ -130,6 +194,7 @@ class CoverSearch {
   PieceForest& forest_;
   const StarCoverOptions& options_;
   BoxSearch search_;
+  FrameSearch frames_;
   StarCover out_;
   std::priority_queue<Open> open_;
   std::uint64_t next_number_ = 0;

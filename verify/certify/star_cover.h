@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "solids/star_box/star_box.h"
+#include "verify/certify/frame_search.h"
 
 namespace veritope {
 
@@ -18,6 +20,8 @@ struct StarCoverOptions {
   /// the least unit of cubes; the search ends where a cube would need a finer one
   double least_cube_unit = 0;
   std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
+  /// Boxes in frames and with several sheets, too, where a piece has no other.
+  bool with_frames = false;
   /// Called for each piece without a star box of its own size; the search stops if it returns true.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };
@@ -30,6 +34,12 @@ struct CoverBox {
   /// Where it was cut back between sheets that face each other: the area that the sheets have in common, seen along the
   /// axis of the cut, in squares of their distance; the greatest of all cuts.
   double gap_squares = 0;
+  /// A box in a frame, with one sheet or several; then `star` has the plain box around it, and the centres of the first
+  /// sheet.
+  std::shared_ptr<const FramedBox> framed;
+
+  /// Walks start and end at such boxes only.
+  bool has_one_sheet() const { return !is_mesh && (!framed || framed->sheets.sheets.size() == 1); }
 };
 
 /// Where no star box was found.

@@ -100,7 +100,7 @@ class WalkSearch {
       const std::uint32_t box = cover_.box_of_node[id];
       if (box == StarCover::kNone || seen[box]) continue;
       seen[box] = true;
-      if (cover_.boxes[box].is_mesh) continue;  // no centres
+      if (!cover_.boxes[box].has_one_sheet()) continue;
       shell_of_box_[box] = forest_.complex().shell(forest_.node(id).patch);
       boxes_of_shell_[shell_of_box_[box]].push_back(box);
     }
@@ -130,6 +130,45 @@ class WalkSearch {
       if (to_infinity(shell, s.box, s.outside, s.direction)) return true;
     for (const Start& s : starts)
       if (to_other_shell(shell, s.box, s.outside, s.direction)) return true;
+    return to_near_shell(shell);
+  }
+
+  // Tries the pairs of centres of this shell and of shells with walks that are nearest to each other: through a thin
+  // wall a ray along an axis may miss the few boxes with one sheet.
+  bool to_near_shell(std::uint32_t shell) {
+    constexpr std::size_t kMostBoxes = 64, kMostPairs = 16;
+    struct Pair {
+      double distance;
+      std::uint32_t from, to;
+      bool from_outside, to_outside;
+      bool operator<(const Pair& b) const { return distance < b.distance; }
+    };
+    std::vector<Pair> pairs;
+    const auto& own = boxes_of_shell_[shell];
+    for (std::uint32_t other = 0; other < boxes_of_shell_.size(); ++other) {
+      const auto& others = boxes_of_shell_[other];
+      if (!done_[other] || own.size() * others.size() > kMostBoxes * kMostBoxes) continue;
+      for (const std::uint32_t a : own)
+        for (const std::uint32_t b : others)
+          for (const bool a_outside : {false, true})
+            for (const bool b_outside : {false, true}) {
+              const Point3d &p = centre(a, a_outside), &q = centre(b, b_outside);
+              pairs.push_back(
+                  {std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), a, b, a_outside, b_outside});
+            }
+    }
+    const std::size_t most = std::min(kMostPairs, pairs.size());
+    std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(most),
+                      pairs.end());
+    pairs.resize(most);
+    for (const Pair& p : pairs) {
+      if (!is_free_segment(forest_, centre(p.from, p.from_outside), centre(p.to, p.to_outside)))
+        continue;
+      const std::uint32_t other = shell_of_box_[p.to];
+      add(ShellWalk{shell, p.from, p.from_outside, 6, p.to, p.to_outside, 0, 0, other},
+          windings_[other][p.to_outside ? 1 : 0]);
+      return true;
+    }
     return false;
   }
 
@@ -173,7 +212,7 @@ class WalkSearch {
       const Part p = part_in(forest_.node(id).hull, a, b);
       if (p.t0 > p.t1) return;
       if (cover_.box_of_node[id] != StarCover::kNone) {
-        if (cover_.boxes[cover_.box_of_node[id]].is_mesh) return;
+        if (!cover_.boxes[cover_.box_of_node[id]].has_one_sheet()) return;
         found.push_back({p.t0, cover_.box_of_node[id]});
         return;
       }

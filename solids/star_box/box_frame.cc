@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/star_box/box_frame.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "interval/interval.h"
+#include "interval/upward.h"
+#include "robust/base/int128.h"
+#include "solids/star_box/node_points_internal.h"
+
+namespace veritope {
+namespace {
+
+using Entry = int128;
+
+// The cofactor of row r, column c; its magnitude is below 2^63.
+Entry cofactor(const BoxFrame::Rows& a, std::size_t r, std::size_t c) {
+  const std::size_t i = (r + 1) % 3, j = (r + 2) % 3, k = (c + 1) % 3, l = (c + 2) % 3;
+  return Entry{a[i][k]} * a[j][l] - Entry{a[i][l]} * a[j][k];
+}
+Entry determinant(const BoxFrame::Rows& a) {
+  Entry out = 0;
+  for (std::size_t c = 0; c < 3; ++c) out += a[0][c] * cofactor(a, 0, c);
+  return out;
+}
+
+// Contains the integer. Its high part is a multiple of 2^64 below 2^127, so both parts round outward.
+Interval enclosure(Entry v) {
+  const auto high = static_cast<std::int64_t>(v >> 64);
+  const auto low = static_cast<std::uint64_t>(v);
+  const Interval middle = Interval(static_cast<double>(low >> 32)) * Interval(0x1p32) +
+                          Interval(static_cast<double>(low & 0xffffffffu));
+  const Interval top = Interval(static_cast<double>(high >> 32)) * Interval(0x1p32) +
+                       Interval(static_cast<double>(high & 0xffffffff));
+  return top * Interval(0x1p64) + middle;
+}
+
+Interval row_of(const std::array<std::int64_t, 3>& row, const std::array<Interval, 3>& x) {
+  Interval sum;
+  for (std::size_t k = 0; k < 3; ++k) sum += Interval(static_cast<double>(row[k])) * x[k];
+  return sum;
+}
+
+}  // namespace
+
+BoxFrame::BoxFrame()
+    : rows_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, back_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}} {}
+
+std::optional<BoxFrame> BoxFrame::make(const Rows& rows) {
+  for (const auto& row : rows)
+    for (const std::int64_t v : row)
+      if (v <= -kEntryLimit || v >= kEntryLimit) return std::nullopt;
+  const Entry det = determinant(rows);
+  if (det == 0) return std::nullopt;
+  BoxFrame out;
+  out.rows_ = rows;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      out.back_[c][r] = static_cast<double>(cofactor(rows, r, c)) / static_cast<double>(det);
+  return out;
+}
+
+bool BoxFrame::is_plain() const { return *this == BoxFrame(); }
+
+Box3d BoxFrame::in_frame(const Point3d& x) const {
+  const ScopedUpward upward;
+  const std::array<Interval, 3> at{Interval(x[0]), Interval(x[1]), Interval(x[2])};
+  Box3d out;
+  for (std::size_t r = 0; r < 3; ++r) {
+    const Interval v = row_of(rows_[r], at);
+    out.lo[r] = v.lo(), out.hi[r] = v.hi();
+  }
+  return out;
+}
+
+Box3d BoxFrame::around(const Box3d& in_frame) const {
+  if (is_plain()) return in_frame;
+  const ScopedUpward upward;
+  const Interval det = enclosure(determinant(rows_));
+  Box3d out;
+  for (std::size_t c = 0; c < 3; ++c) {
+    Interval sum;
+    for (std::size_t r = 0; r < 3; ++r)
+      sum +=
+          enclosure(cofactor(rows_, r, c)) * Interval::from_bounds(in_frame.lo[r], in_frame.hi[r]);
+    sum = sum / det;
+    out.lo[c] = sum.lo(), out.hi[c] = sum.hi();
+  }
+  return out;
+}
+
+Point3d BoxFrame::approx_back(const Point3d& in_frame) const {
+  Point3d out{};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t r = 0; r < 3; ++r) out[c] += back_[c][r] * in_frame[r];
+  return out;
+}
+
+Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame) {
+  if (frame.is_plain()) return forest.node(id).hull;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const internal::NodePoints points(forest, id);
+  const ScopedUpward upward;
+  Box3d out{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (std::size_t i = 0; i < points.count(); ++i) {
+    const auto at = points.point(i);
+    if (!at) return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+    for (std::size_t r = 0; r < 3; ++r) {
+      const Interval v = row_of(frame.rows()[r], *at);
+      out.lo[r] = std::min(out.lo[r], v.lo()), out.hi[r] = std::max(out.hi[r], v.hi());
+    }
+  }
+  return out;
+}
+
+}  // namespace veritope

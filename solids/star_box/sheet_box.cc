@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/star_box/sheet_box.h"
+
+#include <optional>
+
+#include "robust/base/check.h"
+#include "solids/pieces/crossing_number.h"
+#include "solids/pieces/piece_descent.h"
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+
+// The signs of the separators on one node, each computed when first asked for.
+class NodeSigns {
+ public:
+  NodeSigns(PieceForest& forest, Id id, const std::vector<SheetSeparator>& separators)
+      : forest_(forest), id_(id), separators_(separators), known_(separators.size()) {}
+
+  bool suit(const Sheet& sheet) {
+    for (std::size_t l = 0; l < separators_.size(); ++l) {
+      if (sheet.signs[l] == Sign::kZero) continue;
+      if (!known_[l]) known_[l] = separator_sign(forest_, id_, separators_[l]);
+      if (*known_[l] != to_sign3(sheet.signs[l])) return false;
+    }
+    return true;
+  }
+
+ private:
+  PieceForest& forest_;
+  Id id_;
+  const std::vector<SheetSeparator>& separators_;
+  std::vector<std::optional<Sign3>> known_;
+};
+
+bool has_star_signs(PieceForest& forest, Id id, const Sheet& sheet) {
+  return forest.side_of(id, sheet.inside) == Sign3::kPositive &&
+         forest.side_of(id, sheet.outside) == Sign3::kNegative;
+}
+
+std::optional<std::size_t> sheet_of(PieceForest& forest, Id id, const SheetBox& box) {
+  NodeSigns signs(forest, id, box.separators);
+  for (std::size_t i = 0; i < box.sheets.size(); ++i)
+    if (signs.suit(box.sheets[i]) && has_star_signs(forest, id, box.sheets[i])) return i;
+  return std::nullopt;
+}
+
+bool is_strictly_inside(const Box3d& a, const Box3d& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(b.lo[k] < a.lo[k] && a.hi[k] < b.hi[k])) return false;
+  return true;
+}
+
+// Some separator has opposite signs for any two sheets.
+bool are_apart(const std::vector<Sheet>& sheets) {
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      bool found = false;
+      for (std::size_t l = 0; l < sheets[i].signs.size(); ++l)
+        found = found || sheets[i].signs[l] * sheets[j].signs[l] == Sign::kNegative;
+      if (!found) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+bool find_sheet_pieces(PieceForest& forest, const SheetBox& box, std::size_t most,
+                       SheetPieces* pieces) {
+  pieces->tested.assign(box.sheets.size(), {});
+  pieces->held.clear();
+  std::size_t num_tested = 0;
+  const Box3d around = box.frame.around(box.box);
+  return descend_to(forest, around, 16 * most, [&](Id id) {
+    const Box3d hull = hull_in_frame(forest, id, box.frame);
+    if (!meets(hull, box.box)) return PieceStep::kTaken;  // dropped
+    if (is_inside(hull, box.box)) pieces->held.push_back(id);
+    const auto sheet = sheet_of(forest, id, box);
+    if (!sheet) return PieceStep::kSplit;
+    pieces->tested[*sheet].push_back(id);
+    return ++num_tested <= most ? PieceStep::kTaken : PieceStep::kStop;
+  });
+}
+
+bool is_sheet_box(PieceForest& forest, const SheetBox& box, std::size_t most, SheetPieces* pieces) {
+  VT_CHECK(!box.sheets.empty(), "a star box without a sheet");
+  if (!are_apart(box.sheets)) return false;
+  for (const Sheet& s : box.sheets)
+    for (const Point3d* const c : {&s.inside, &s.outside})
+      if (!is_strictly_inside(box.frame.in_frame(*c), box.box)) return false;
+  if (!find_sheet_pieces(forest, box, most, pieces)) return false;
+  for (std::size_t i = 0; i < box.sheets.size(); ++i)
+    if (crossing_number(forest, pieces->tested[i],
+                        CentreLine{box.sheets[i].inside, box.sheets[i].outside}) != 1)
+      return false;
+  return true;
+}
+
+}  // namespace veritope

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/frame_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "robust/base/disjoint_sets.h"
+#include "solids/pieces/piece_descent.h"
+#include "verify/certify/piece_neighbours.h"
+#include "verify/certify/piece_samples.h"
+#include "verify/certify/separator_search.h"
+#include "verify/certify/sheet_tangents_internal.h"
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+
+// Rows of frames have about this length: directions are right to 2^-25.
+constexpr double kRowLength = 0x1p24;
+// Boxes are multiples of their least half size divided by this.
+constexpr double kGrid = 64;
+constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8, kMostFrames = 8;
+// A frame that was made for another piece serves this one if its box is thicker by no more than this.
+constexpr double kThicker = 1.05;
+// The least depth of centres, in half sizes of the box.
+constexpr double kLeastDepth = 1e-3;
+// Centres stay this far inside, in half sizes of the box.
+constexpr double kRoom = 0.9375;
+// A piece is flat if it leaves the plane of its normal by no more than this part of the box's least half size.
+constexpr double kFlat = 0x1p-8;
+// Heights of boxes that hold a curved piece, in heights of its hull: its tangent planes meet above and below it.
+constexpr double kHeights = 4;
+// What a box that was cut on one side reaches on the other, as a multiple.
+constexpr double kOtherSide = 2;
+
+using internal::dot;
+double length_of(const Point3d& a) { return std::hypot(a[0], a[1], a[2]); }
+Point3d cross(const Point3d& a, const Point3d& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+// Of unit length; nothing if that has no direction in doubles.
+std::optional<Point3d> direction(const Point3d& a) {
+  const double length = length_of(a);
+  if (!(length > 1e-150) || !std::isfinite(length)) return std::nullopt;
+  return Point3d{a[0] / length, a[1] / length, a[2] / length};
+}
+
+std::array<std::int64_t, 3> row_of(const Point3d& d) {
+  std::array<std::int64_t, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = std::llrint(kRowLength * d[k]);
+  return out;
+}
+
+double height(const Box3d& b) { return b.hi[2] - b.lo[2]; }
+bool is_bounded(const Box3d& b) { return std::isfinite(extent(b)); }
+double power_of_two_below(double v) { return std::exp2(std::floor(std::log2(v))); }
+
+}  // namespace
+
+Box3d FrameSearch::Region::box() const {
+  Box3d out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out.lo[k] = middle[k] - half[k], out.hi[k] = middle[k] + half[k];
+  return out;
+}
+
+bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
+  piece_ = id;
+  if (!choose_frame()) return false;
+  const double along = std::min(hull_.hi[0] - hull_.lo[0], hull_.hi[1] - hull_.lo[1]);
+  const double bent = growth_ * kHeights * height(hull_);
+  const Region high = region_of_height(std::max(along, bent));
+  if (!gather(high)) return false;
+  const std::vector<std::vector<Id>> all = components();
+  if (all.size() == 1 && try_sheets(high, all)) return true;
+  if (const auto cut = cut_back(high); cut && gather(*cut) && try_sheets(*cut, {near_}))
+    return true;
+  if (with_one_sheet_only) return false;
+  if (all.size() > 1 && try_sheets(high, all)) return true;
+  if (!(bent < along)) return false;
+  const Region low = region_of_height(bent);
+  if (!gather(low)) return false;
+  return try_sheets(low, components());
+}
+
+// The normal of the piece, and a direction along its longer side. A frame that was used before is taken again if the
+// piece is about as thin in it.
+bool FrameSearch::choose_frame() {
+  const auto normal = direction(forest_.approx_normal(piece_));
+  if (!normal) return false;
+  Point3d along = longest_chord(forest_, piece_);
+  const double part = dot(along, *normal);
+  for (std::size_t k = 0; k < 3; ++k) along[k] -= part * (*normal)[k];
+  const auto tangent = direction(along);
+  if (!tangent) return false;
+  const auto own =
+      BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
+  if (!own) return false;
+  hull_ = hull_in_frame(forest_, piece_, *own);
+  if (!is_bounded(hull_) || !(extent(hull_) > 0)) return false;
+  box_.sheets.frame = *own;
+  row_length_ = kRowLength;
+  const double own_height = height(hull_), length = extent(hull_);
+  for (std::size_t i = frames_.size(); i-- > 0;) {
+    const Box3d hull = hull_in_frame(forest_, piece_, frames_[i]);
+    if (!(height(hull) <= kThicker * own_height + 0x1p-24 * length)) continue;
+    if (!(extent(hull) <= kThicker * length)) continue;
+    box_.sheets.frame = frames_[i], hull_ = hull;
+    std::rotate(frames_.begin() + static_cast<std::ptrdiff_t>(i),
+                frames_.begin() + static_cast<std::ptrdiff_t>(i) + 1, frames_.end());
+    return true;
+  }
+  if (frames_.size() == kMostFrames) frames_.erase(frames_.begin());
+  frames_.push_back(*own);
+  return true;
+}
+
+// The hull of the piece, grown along the surface, with this height.
+FrameSearch::Region FrameSearch::region_of_height(double height) const {
+  Region out;
+  out.middle = approx_centre(hull_);
+  for (std::size_t k = 0; k < 2; ++k) out.half[k] = 0.5 * growth_ * (hull_.hi[k] - hull_.lo[k]);
+  out.half[2] = 0.5 * height;
+  // A side of the hull may have no length.
+  const double least = 0x1p-20 * std::max({out.half[0], out.half[1], out.half[2]});
+  for (double& h : out.half) h = std::max(h, least);
+  return out;
+}
+
+// Whether the piece, with this hull in the frame, need not be split for a search in the region: it is at most half as
+// long on every axis; or it is flat and lies along sides of the region.
+bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
+  int num_long = 0;
+  for (std::size_t k = 0; k < 3; ++k) num_long += hull.hi[k] - hull.lo[k] <= region.half[k] ? 0 : 1;
+  if (num_long == 0) return true;
+  const double least = std::min({region.half[0], region.half[1], region.half[2]});
+  return num_long < 3 && approx_bend(forest_, id) <= kFlat * least / row_length_;
+}
+
+// Puts the small pieces that the region meets into near_.
+bool FrameSearch::gather(const Region& region) {
+  near_.clear();
+  const Box3d box = region.box();
+  const BoxFrame& frame = box_.sheets.frame;
+  return descend_to(forest_, frame.around(box), 16 * kMostNear, [&](Id id) {
+    const Box3d hull = hull_in_frame(forest_, id, frame);
+    if (!meets(hull, box)) return PieceStep::kTaken;
+    if (!is_small(id, hull, region)) return PieceStep::kSplit;
+    near_.push_back(id);
+    return near_.size() <= kMostNear ? PieceStep::kTaken : PieceStep::kStop;
+  });
+}
+
+// The region with sides halfway to each piece that does not touch the hull, on the axis on which it is farthest from
+// it; nothing if all of them touch the hull.
+std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region) const {
+  Box3d box = region.box();
+  bool is_cut = false;
+  for (const Id id : near_) {
+    const Box3d other = hull_in_frame(forest_, id, box_.sheets.frame);
+    if (!meets(box, other)) continue;
+    std::size_t axis = 0;
+    double distance = 0;
+    bool is_above = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double above = other.lo[k] - hull_.hi[k], below = hull_.lo[k] - other.hi[k];
+      if (std::max(above, below) > distance)
+        axis = k, distance = std::max(above, below), is_above = above > below;
+    }
+    if (!(distance > 16 * least_unit_ * row_length_)) continue;
+    is_cut = true;
+    if (is_above)
+      box.hi[axis] = std::min(box.hi[axis], hull_.hi[axis] + 0.5 * distance);
+    else
+      box.lo[axis] = std::max(box.lo[axis], hull_.lo[axis] - 0.5 * distance);
+  }
+  if (!is_cut) return std::nullopt;
+  // Centres lie on both sides of the piece: a box that ends near it on one side need not reach far on the other.
+  const double below = hull_.lo[2] - box.lo[2], above = box.hi[2] - hull_.hi[2];
+  box.lo[2] = std::max(box.lo[2], hull_.lo[2] - kOtherSide * above);
+  box.hi[2] = std::min(box.hi[2], hull_.hi[2] + kOtherSide * below);
+  Region out;
+  out.middle = approx_centre(box);
+  for (std::size_t k = 0; k < 3; ++k) out.half[k] = 0.5 * (box.hi[k] - box.lo[k]);
+  return out;
+}
+
+// The classes of near_ by common points in the surface; that of the piece comes first.
+std::vector<std::vector<Id>> FrameSearch::components() const {
+  DisjointSets<> classes(near_.size());
+  for (std::uint32_t i = 0; i < near_.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (classes.find(i) != classes.find(j) &&
+          meets(forest_.node(near_[i]).hull, forest_.node(near_[j]).hull) &&
+          are_neighbours(forest_, near_[i], near_[j]))
+        classes.join(i, j);
+  std::vector<std::vector<Id>> out;
+  std::vector<std::size_t> number(near_.size(), near_.size());
+  for (std::uint32_t i = 0; i < near_.size(); ++i) {
+    std::size_t& n = number[classes.find(i)];
+    if (n == near_.size()) n = out.size(), out.emplace_back();
+    out[n].push_back(near_[i]);
+  }
+  return out;
+}
+
+bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets) {
+  if (sheets.empty() || sheets.size() > kMostSheets) return false;
+  const double least = std::min({region.half[0], region.half[1], region.half[2]});
+  box_.unit = power_of_two_below(least / kGrid);
+  if (box_.unit < least_unit_ * row_length_) return false;
+  const Box3d box = region.box();
+  for (std::size_t k = 0; k < 3; ++k) {
+    box_.sheets.box.lo[k] = std::floor(box.lo[k] / box_.unit) * box_.unit;
+    box_.sheets.box.hi[k] = std::ceil(box.hi[k] / box_.unit) * box_.unit;
+  }
+  box_.centre_unit = std::numeric_limits<double>::infinity();
+  box_.sheets.sheets.assign(sheets.size(), {});
+  box_.sheets.separators.clear();
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    if (!place_centres(region, sheets[i], &box_.sheets.sheets[i])) return false;
+  if (box_.centre_unit < least_unit_) return false;
+  if (sheets.size() > 1 && !separate(sheets, region)) return false;
+  if (!is_sheet_box(forest_, box_.sheets, kMostPieces, &pieces_)) return false;
+  hold_near();
+  return true;
+}
+
+// The proof may have taken larger pieces than the search: parts of them lie in the box, too.
+void FrameSearch::hold_near() {
+  near_.push_back(piece_);
+  for (const Id id : near_)
+    if (is_inside(hull_in_frame(forest_, id, box_.sheets.frame), box_.sheets.box))
+      pieces_.held.push_back(id);
+}
+
+// The deepest points that see all of the pieces from inside and from outside.
+bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet) {
+  half_spaces_.clear();
+  for (const Id id : pieces) add_half_spaces(region, id);
+  const Box3d room{{-kRoom, -kRoom, -kRoom}, {kRoom, kRoom, kRoom}};
+  const auto inside = deepest_point(half_spaces_, room, kLeastDepth);
+  if (!inside) return false;
+  for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
+  const auto outside = deepest_point(half_spaces_, room, kLeastDepth);
+  if (!outside) return false;
+  sheet->inside = rounded(region, inside->point, inside->depth);
+  sheet->outside = rounded(region, outside->point, outside->depth);
+  return true;
+}
+
+// g_c > 0 for all coefficients of the piece, as half-spaces for z, where A c = middle + half z.
+void FrameSearch::add_half_spaces(const Region& region, Id id) {
+  const PieceForest::Node& node = forest_.node(id);
+  const PieceForest::Form& form = forest_.form(node.patch);
+  const std::size_t n = form.determinant.count();
+  const double* const g = forest_.approx_determinants(id);
+  const BoxFrame& frame = box_.sheets.frame;
+  const Point3d m = frame.approx_back(region.middle);
+  std::array<Point3d, 3> steps;  // of c for steps of z
+  for (std::size_t j = 0; j < 3; ++j) {
+    Point3d y{};
+    y[j] = region.half[j];
+    steps[j] = frame.approx_back(y);
+  }
+  forest_.for_each_kept(node, [&](std::size_t i) {
+    const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
+    double b = g[i];
+    for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
+    Point3d in_steps;
+    for (std::size_t j = 0; j < 3; ++j) in_steps[j] = dot(a, steps[j]);
+    const double length = length_of(in_steps);
+    if (!(length > 0)) return half_spaces_.push_back({{0, 0, 0}, -1});
+    const double factor = 1 / length;
+    half_spaces_.push_back(
+        {{in_steps[0] * factor, in_steps[1] * factor, in_steps[2] * factor}, b * factor});
+  });
+}
+
+// A centre near middle + half z, on a grid that is short against its depth.
+Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double depth) {
+  const double least = std::min({region.half[0], region.half[1], region.half[2]}) / row_length_;
+  const double unit = power_of_two_below(std::min(depth, 1 - kRoom) * least / 4);
+  Point3d y;
+  for (std::size_t k = 0; k < 3; ++k) y[k] = region.middle[k] + region.half[k] * z[k];
+  Point3d c = box_.sheets.frame.approx_back(y);
+  for (double& v : c) v = std::nearbyint(v / unit) * unit;
+  box_.centre_unit = std::min(box_.centre_unit, unit);
+  return c;
+}
+
+// Separators until any two sheets are on different sides of one.
+bool FrameSearch::separate(const std::vector<std::vector<Id>>& sheets, const Region& region) {
+  const double size = std::max({region.half[0], region.half[1], region.half[2]}) / row_length_;
+  std::vector<std::vector<Point3d>> samples(sheets.size());
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    for (const Id id : sheets[i]) append_samples(forest_, id, &samples[i]);
+  auto& made = box_.sheets.sheets;
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      bool is_apart = false;
+      for (std::size_t l = 0; l < made[i].signs.size(); ++l)
+        is_apart = is_apart || made[i].signs[l] * made[j].signs[l] == Sign::kNegative;
+      if (is_apart) continue;
+      const auto q =
+          find_separator(samples[i], samples[j], made[0].inside, power_of_two_below(size) * 2);
+      if (!q) return false;
+      for (std::size_t s = 0; s < made.size(); ++s)
+        made[s].signs.push_back(common_sign(*q, samples[s]));
+      if (made[i].signs.back() * made[j].signs.back() != Sign::kNegative) return false;
+      box_.sheets.separators.push_back(*q);
+    }
+  return true;
+}
+
+}  // namespace veritope

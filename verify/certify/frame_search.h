@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/frame_search.h: a star box around one piece whose sides follow the surface, with one sheet or several:
+// searched in floating point, proved by is_sheet_box. Theory: docs/THEORY.md §4b.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "solids/star_box/sheet_box.h"
+#include "verify/certify/centre_search.h"
+
+namespace veritope {
+
+/// A sheet box whose numbers are short: its box is a multiple of `unit` in the frame, its centres of `centre_unit`.
+struct FramedBox {
+  SheetBox sheets;
+  double unit = 1, centre_unit = 1;  ///< powers of two
+};
+
+class FrameSearch {
+ public:
+  using Id = PieceForest::Id;
+
+  /// @param growth   size of a box along the surface, relative to the piece
+  /// @param least_unit  the least unit of boxes and centres
+  FrameSearch(PieceForest& forest, double growth, double least_unit)
+      : forest_(forest), growth_(growth), least_unit_(least_unit) {}
+
+  /// Whether a box that contains the piece's hull was found and proved. With one sheet only: the box ends before other
+  /// sheets.
+  bool try_piece(Id id, bool with_one_sheet_only = false);
+  /// After try_piece returned true: the box, and the pieces that it covers, a parent before its children.
+  const FramedBox& box() const { return box_; }
+  const std::vector<Id>& held() const { return pieces_.held; }
+
+ private:
+  /// A box in the frame, as a middle and half sizes.
+  struct Region {
+    Point3d middle{}, half{};
+    Box3d box() const;
+  };
+  bool choose_frame();
+  Region region_of_height(double height) const;
+  bool is_small(Id id, const Box3d& hull, const Region& region);
+  void hold_near();
+  bool gather(const Region& region);
+  std::optional<Region> cut_back(const Region& region) const;
+  std::vector<std::vector<Id>> components() const;
+  bool try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets);
+  bool place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet);
+  void add_half_spaces(const Region& region, Id id);
+  Point3d rounded(const Region& region, const Point3d& at, double depth);
+  bool separate(const std::vector<std::vector<Id>>& sheets, const Region& region);
+
+  PieceForest& forest_;
+  const double growth_, least_unit_;
+  Id piece_ = 0;
+  Box3d hull_{};  // of the piece, in the frame
+  double row_length_ = 1;
+  FramedBox box_;
+  SheetPieces pieces_;
+  std::vector<Id> near_;
+  std::vector<HalfSpace> half_spaces_;
+  std::vector<BoxFrame> frames_;  // those used last, the last one at the end
+};
+
+}  // namespace veritope

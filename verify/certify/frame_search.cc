@@ -103,11 +103,15 @@ bool FrameSearch::choose_frame() {
   if (!is_bounded(hull_) || !(extent(hull_) > 0)) return false;
   box_.sheets.frame = *own;
   row_length_ = kRowLength;
-  const double own_height = height(hull_), length = extent(hull_);
+  const Box3d own_hull = hull_;
+  const double least = 0x1p-24 * extent(own_hull);
   for (std::size_t i = frames_.size(); i-- > 0;) {
     const Box3d hull = hull_in_frame(forest_, piece_, frames_[i]);
-    if (!(height(hull) <= kThicker * own_height + 0x1p-24 * length)) continue;
-    if (!(extent(hull) <= kThicker * length)) continue;
+    bool is_thicker = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      is_thicker = is_thicker || !(hull.hi[k] - hull.lo[k] <=
+                                   kThicker * (own_hull.hi[k] - own_hull.lo[k]) + least);
+    if (is_thicker) continue;
     box_.sheets.frame = frames_[i], hull_ = hull;
     std::rotate(frames_.begin() + static_cast<std::ptrdiff_t>(i),
                 frames_.begin() + static_cast<std::ptrdiff_t>(i) + 1, frames_.end());

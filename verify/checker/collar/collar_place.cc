@@ -15,8 +15,8 @@ struct Inside {
   int64_t at(int axis, uint32_t x) const {
     return body.low[axis] + int64_t(x) * (int64_t(1) << body.shift);
   }
-  Box box(const Cell& c) const {
-    Box b = Box();
+  Bounds box(const Cell& c) const {
+    Bounds b;
     for (int i = 0; i < 3; ++i) b.lo[i] = at(i, c.low[i]), b.hi[i] = at(i, c.low[i] + c.size);
     return b;
   }
@@ -48,7 +48,7 @@ struct Inside {
     hull = &h;
     met.clear();
     const Cell root = {{0, 0, 0}, uint32_t(kRootEdge)};
-    const Box b = box(root);
+    const Bounds b = box(root);
     for (int i = 0; i < 3; ++i)
       if (h.in_lo[i] <= b.lo[i] || h.in_hi[i] >= b.hi[i]) return false;
     return holds(0, k.codes.size(), uint64_t(1) << (3 * kDepth), root);

@@ -3,12 +3,12 @@
 #pragma once
 #include "star_curve.h"
 
-struct Sheet {  // a patch restricted to a rectangle
+struct RestrictedPatch {  // a patch restricted to a rectangle
   uint64_t patch;
   Part t[2];
 };
 struct Crossing {
-  Sheet sheet[2];
+  RestrictedPatch sheet[2];
   Big y[3][3];
 };
 struct Arc {

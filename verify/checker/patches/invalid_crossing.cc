@@ -61,10 +61,10 @@ bool are_apart(const Part& s, const Part& t) {
 }
 void check_parts(const Crossing& x, bool b_is_triangle) {
   int points = 0;
-  for (const Sheet& s : x.sheet)
+  for (const RestrictedPatch& s : x.sheet)
     for (const Part& t : s.t) points += t.is_point();
   require(points == 1, "X1", "intervals that are points:", uint64_t(points));
-  const Sheet &a = x.sheet[0], &b = x.sheet[1];
+  const RestrictedPatch &a = x.sheet[0], &b = x.sheet[1];
   require(a.patch != b.patch || are_apart(a.t[0], b.t[0]) || are_apart(a.t[1], b.t[1]), "X1",
           "A and B are not disjoint");
   for (const Part& t : a.t)

@@ -26,7 +26,7 @@ struct Reader : Bytes {
   }
   Crossing crossing() {
     Crossing r;
-    for (Sheet& s : r.sheet) {
+    for (RestrictedPatch& s : r.sheet) {
       bool is_triangle;
       s.patch = patch(&is_triangle);
       for (Part& t : s.t) t = part();
@@ -123,7 +123,7 @@ void check_finding(const Statement& s) {
 std::string check_patch_invalid(const Statement& s, std::string model, const Body& bytes) {
   const std::vector<Entity> entities = read_spline_model(model, s.text.at("subject_format"));
   Reader r(bytes);
-  const Cuts cuts = read_cuts(entities, s.claim->magic, false, &r);
+  const Cuts cuts = read_cuts(entities, s.claim->magic, false, false, &r);
   r.cuts = &cuts;
   const bool is_side = r.at_most(r.body.natural(1), 1, "there is no kind") == 1;
   Crossing crossing;
@@ -141,7 +141,7 @@ std::string check_patch_invalid(const Statement& s, std::string model, const Bod
   if (is_side)
     outer = outer_sides(cuts);
   else
-    for (const Sheet& sheet : crossing.sheet)
+    for (const RestrictedPatch& sheet : crossing.sheet)
       each_patch(cuts, {sheet.patch}, [&](Patch&& p, uint64_t, const Place&) { ab.push_back(p); });
   const uint64_t same = s.number.at("same"), opposite = s.number.at("opposite");
   require((s.text.at("finding") == "side") == is_side, "B3", "the body has another finding");

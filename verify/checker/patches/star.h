@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star.h: what the parts of star-box-1 share. The page: docs/certificates/star-box.md.
+// star.h: what the parts of star-box-1 and star-box-2 share. The pages: docs/certificates/star-box.md and
+// star-box-2.md. A body of version 1 is one of version 2 without frames and separators, each of whose star boxes has one
+// sheet, with the stricter S1 of version 1.
 #pragma once
 #include <functional>
 #include <memory>
@@ -46,6 +48,7 @@ inline int Shape::on_side(int e, int k) const {
 struct Patch {
   Shape shape;
   bool is_rational, is_reversed;
+  bool is_flat;  // as the version of the body has it
   uint8_t roots[2];
   uint64_t first_root;
   std::vector<Big> net;  // shape.count() points (X, Y, Z, W), in units 2^E, no common factor
@@ -55,14 +58,33 @@ struct Patch {
   uint32_t vertex[4], component;
 
   bool is_collapsed(int e) const { return pair[e] == kNoPair; }
-  bool is_flat() const { return shape.is_triangle && shape.p == 1 && !is_rational; }
   uint64_t num_roots() const { return uint64_t(1) << (roots[0] + roots[1]); }
 };
 
-struct Box {  // closed, in units 2^E, its corners and c-, c+
+struct Frame {  // the rows of A
+  int64_t a[3][3];
+};
+struct Bounds {  // closed, in units 2^E
+  int64_t lo[3], hi[3];
+};
+// q(x) = the sum of coefficient times y1^a y2^b y3^c with y = (x - o) / 2^scale, in the body's order; o is c- of the
+// box's first sheet.
+struct Separator {
+  int degree;
+  int64_t scale;
+  std::vector<int64_t> coefficients;
+};
+struct Sheet {
+  int64_t c[2][3];            // c-, c+, in units 2^E
+  std::vector<int8_t> signs;  // of the separators: -1, 0 or 1
+};
+struct Box : Bounds {  // of A x, where A is the box's frame
   bool is_mesh;
-  int64_t lo[3], hi[3], c[2][3];
-  uint32_t component;
+  uint32_t frame;  // 0: the unit matrix
+  uint32_t component;  // unused if there are several sheets
+  int64_t place[3];  // a point near the box in the model's coordinates; decides nothing
+  std::vector<Sheet> sheets;  // none in a mesh box
+  std::vector<Separator> separators;
 };
 struct Walk {
   uint64_t box, end_box;
@@ -72,12 +94,14 @@ struct Walk {
   std::vector<int64_t> polyline(const int64_t* first, const std::vector<Box>& boxes) const {
     std::vector<int64_t> r(first, first + 3);
     r.insert(r.end(), points.begin(), points.end());
-    const int64_t* const last = end < 6 ? first : boxes[end_box].c[end_sign];
+    const int64_t* const last = end < 6 ? first : boxes[end_box].sheets[0].c[end_sign];
     if (end == 6) r.insert(r.end(), last, last + 3);
     return r;
   }
 };
 struct StarBody {
+  int version = 1;
+  std::vector<Frame> frames = {Frame{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};  // the body's begin at 1
   std::vector<Patch> patches;
   std::vector<Box> boxes;
   std::vector<uint32_t> symbols;  // the trees', in the body's order: 0, or 1 + a box

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_box.cc: C1 to C4 of docs/certificates/star-box.md in their order, and the claim as a whole.
+// star_box.cc: C1 to C4 of docs/certificates/star-box.md and star-box-2.md in their order, and the claims as a whole.
 #include "star_box.h"
 
+#include <set>
+
 #include "patch_claims.h"
+#include "star_sheet.h"
 
 namespace {
+
+__extension__ typedef __int128 i128;
 
 // Boxes near one another are tested in succession, so that their nodes are still in memory.
 std::vector<uint32_t> by_place(const std::vector<Box>& boxes) {
   int64_t lo[3] = {kFarthest, kFarthest, kFarthest}, width = 1;
   for (const Box& b : boxes)
-    for (int k = 0; k < 3; ++k) lo[k] = std::min(lo[k], b.lo[k]);
+    for (int k = 0; k < 3; ++k) lo[k] = std::min(lo[k], b.place[k]);
   for (const Box& b : boxes)
-    for (int k = 0; k < 3; ++k) width = std::max(width, b.lo[k] - lo[k]);
+    for (int k = 0; k < 3; ++k) width = std::max(width, b.place[k] - lo[k]);
   const int drop = std::max(0, bit_length(uint64_t(width)) - 20);
   std::vector<std::pair<uint64_t, uint32_t>> codes;
   for (uint32_t i = 0; i < boxes.size(); ++i) {
     uint64_t code = 0;  // Morton's
     for (int bit = 20; bit-- > 0;)
-      for (int k = 0; k < 3; ++k) code = 2 * code + ((boxes[i].lo[k] - lo[k]) >> drop >> bit & 1);
+      for (int k = 0; k < 3; ++k) code = 2 * code + ((boxes[i].place[k] - lo[k]) >> drop >> bit & 1);
     codes.push_back(std::make_pair(code, i));
   }
   std::sort(codes.begin(), codes.end());
@@ -27,9 +32,24 @@ std::vector<uint32_t> by_place(const std::vector<Box>& boxes) {
   return order;
 }
 
-bool leads_to(const Box& b, const int64_t* lo, const int64_t* hi) {
+bool leads_to(const Bounds& b, const int64_t* lo, const int64_t* hi) {
   for (int k = 0; k < 3; ++k)
     if (hi[k] < b.lo[k] || lo[k] > b.hi[k]) return false;
+  return true;
+}
+// Whether A x may be in the box for an x between lo and hi. Where these are cut off, x may be farther away.
+bool leads_to(const Bounds& b, const Frame& frame, const int64_t* lo, const int64_t* hi) {
+  for (int k = 0; k < 3; ++k)
+    if (lo[k] <= -kFarthest || hi[k] >= kFarthest) return true;
+  for (int row = 0; row < 3; ++row) {
+    i128 least = 0, most = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int64_t a = frame.a[row][k];
+      least += i128(a) * (a > 0 ? lo[k] : hi[k]);
+      most += i128(a) * (a > 0 ? hi[k] : lo[k]);
+    }
+    if (most < b.lo[row] || least > b.hi[row]) return false;
+  }
   return true;
 }
 
@@ -37,47 +57,78 @@ struct Descent {
   Forest& forest;
   Units& units;
   const Box& box;
+  const Frame& frame;
   uint64_t number;
-  std::vector<Piece> pieces;
 
-  void star(const Patch& p, Node* node, Node* parent) {
+  // Visits every root that may meet the box, and some others.
+  template <class Visit>
+  void each_root(Visit visit) {
+    if (box.frame == 0)
+      forest.descend([&](const int64_t* lo, const int64_t* hi) { return leads_to(box, lo, hi); }, visit);
+    else
+      forest.descend([&](const int64_t* lo, const int64_t* hi) { return leads_to(box, frame, lo, hi); },
+                     visit);
+  }
+  bool misses(const Patch& p, const Node& node) {
     units.add(p.cost);
-    if (node->hull.misses(box)) return;
+    return box.frame == 0 ? node.hull.misses(box) : hull_in(frame, p, node).misses(box);
+  }
+};
+
+struct StarDescent : Descent {
+  SheetTest test;
+  std::vector<std::vector<Piece>> pieces;  // for each sheet
+
+  StarDescent(const Descent& d, int version)
+      : Descent(d), test(box, version, &units), pieces(box.sheets.size()) {}
+
+  void visit(const Patch& p, Node* node, Node* parent) {
+    if (misses(p, *node)) return;
     forest.need_g(p, node, parent);
-    if (star_test(p, node, box)) return pieces.push_back(Piece{&p, node});
+    const int sheet = test.sheet_of(p, node);
+    if (sheet >= 0) return pieces[size_t(sheet)].push_back(Piece{&p, node});
     require(node->level < kLevels, "C2", "S1 fails on a node of level 24, in box", number);
     Node* const child = forest.children(p, node);
-    for (int c = 0; c < 4; ++c) star(p, child + c, node);
+    for (int c = 0; c < 4; ++c) visit(p, child + c, node);
   }
-  bool mesh(const Patch& p, Node* node) {  // false: C4 fails
-    units.add(p.cost);
-    if (node->hull.misses(box)) return true;
-    if (p.is_flat()) {
-      if (!triangle_misses(p, *node, box)) pieces.push_back(Piece{&p, node});
+};
+
+struct MeshDescent : Descent {
+  std::vector<Facet> facets;
+  std::set<const Patch*> seen;  // flat patches, which may have several roots
+
+  explicit MeshDescent(const Descent& d) : Descent(d) {}
+
+  bool visit(const Patch& p, Node* node) {  // false: C4 fails
+    if (misses(p, *node)) return true;
+    if (p.is_flat) {
+      if (!seen.insert(&p).second) return true;
+      for (const Facet& facet : facets_of(p))
+        if (!::misses(facet, frame, box)) facets.push_back(facet);
       return true;
     }
     if (node->level == kLevels) return false;
     Node* const child = forest.children(p, node);
     for (int c = 0; c < 4; ++c)
-      if (!mesh(p, child + c)) return false;
+      if (!visit(p, child + c)) return false;
     return true;
   }
 };
 
-void check_box(const Box& b, uint64_t number, Forest* forest, Units* units) {
-  Descent d = {*forest, *units, b, number, {}};
+void check_star_box(const Descent& descent, int version) {
+  StarDescent d(descent, version);
+  d.units.id = "C2";
+  d.each_root([&](const Patch& p, Node* root) { d.visit(p, root, nullptr); });
+  for (size_t i = 0; i < d.pieces.size(); ++i)
+    require(crossing_number(d.pieces[i], d.box.sheets[i], &d.units) == 1, "C3",
+            "the crossing number is not 1 in box", d.number);
+}
+void check_mesh_box(const Descent& descent) {
+  MeshDescent d(descent);
+  d.units.id = "C4";
   bool flat = true;
-  units->id = b.is_mesh ? "C4" : "C2";
-  forest->descend([&](const int64_t* lo, const int64_t* hi) { return leads_to(b, lo, hi); },
-                  [&](const Patch& p, Node* root) {
-                    if (!b.is_mesh) d.star(p, root, nullptr);
-                    if (b.is_mesh) flat = flat && d.mesh(p, root);
-                  });
-  if (!b.is_mesh)
-    require(crossing_number(d.pieces, b, units) == 1, "C3", "the crossing number is not 1 in box",
-            number);
-  else
-    require(flat && meet_properly(d.pieces, units), "C4", "no proper mesh in box", number);
+  d.each_root([&](const Patch& p, Node* root) { flat = flat && d.visit(p, root); });
+  require(flat && meet_properly(d.facets, &d.units), "C4", "no proper mesh in box", d.number);
 }
 // The least box that fails is named, whatever the order.
 void check_boxes(const StarBody& body, Forest* forest, Units* units) {
@@ -86,7 +137,10 @@ void check_boxes(const StarBody& body, Forest* forest, Units* units) {
   for (uint32_t i : by_place(body.boxes)) {
     if (i > first) continue;
     try {
-      check_box(body.boxes[i], i, forest, units);
+      const Box& b = body.boxes[i];
+      const Descent descent = {*forest, *units, b, body.frames[b.frame], i};
+      if (b.is_mesh) check_mesh_box(descent);
+      if (!b.is_mesh) check_star_box(descent, body.version);
     } catch (const Rejected& r) {
       first = i;
       why = r;

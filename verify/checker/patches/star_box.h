@@ -8,12 +8,23 @@ struct Piece {  // a tested node
   const Patch* patch;
   Node* node;
 };
-// C3: REQUIRES that S1 holds on the pieces and that they are all that meet the box.
-int64_t crossing_number(const std::vector<Piece>& pieces, const Box& b, Units* units);
-// C4: the closed triangle and the closed box have no common point.
-bool triangle_misses(const Patch& p, const Node& node, const Box& b);
-// C4: no normal is 0, and any two triangles meet exactly in their common face in X.
-bool meet_properly(const std::vector<Piece>& pieces, Units* units);
+// C3: REQUIRES that S1 holds on the pieces and that they are all that meet the box in the sheet.
+int64_t crossing_number(const std::vector<Piece>& pieces, const Sheet& sheet, Units* units);
+
+struct Facet {  // C4: a tested triangle, of a flat patch
+  const Patch* patch;
+  int corner[3];     // of the patch
+  uint64_t edge[3];  // in X: a pair of sides, or a diagonal
+};
+// Version 2: a flat patch is the polygon of its corners, section 5 of docs/certificates/star-box-2.md.
+bool is_flat_patch(const Patch& p);
+// The triangle of a flat triangle, or the two of a flat tensor patch.
+std::vector<Facet> facets_of(const Patch& p);
+// The closed triangle and the closed box have no common point.
+bool misses(const Facet& facet, const Frame& frame, const Box& b);
+// No normal is 0, and any two triangles meet exactly in their common face in X.
+bool meet_properly(const std::vector<Facet>& facets, Units* units);
+
 struct Walks {
   uint64_t bodies;  // if W2 holds
   int64_t last;     // w(c-) on the last walk's component
@@ -25,7 +36,7 @@ Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Uni
 void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
                     Units* units);
 
-struct MoreThanBoxes {  // what a claim on top of star-box-1 adds
+struct MoreThanBoxes {  // what a claim on top of star boxes adds
   virtual ~MoreThanBoxes() {}
   virtual void read(StarBytes* bytes) = 0;  // after the walks
   // Called after W3; the result is what ACCEPT prints of the additions.

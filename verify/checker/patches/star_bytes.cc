@@ -85,8 +85,8 @@ Place Cuts::place(size_t entity, uint64_t patch) const {
   return Place{&e, surface[entity], {size_t(i / v), size_t(i % v)}};
 }
 
-Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool take_bytes,
-               Bytes* bytes) {
+Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool has_kinds,
+               bool take_bytes, Bytes* bytes) {
   Cuts r;
   r.entities = &entities;
   require(bytes->body.begins_with(magic), "B1", "another magic number");
@@ -94,6 +94,8 @@ Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool take
           entities.size());
   require(!entities.empty(), "B1", "a model without entities bounds nothing");
   for (size_t i = 0; i < entities.size(); ++i) {
+    require(!has_kinds || bytes->body.natural(1) == uint64_t(entities[i].kind), "B1",
+            "the model has another kind of entity", i);
     r.reversed.push_back(bytes->at_most(bytes->body.natural(1), 1, "a flag is") == 1);
     r.num_reversed += r.reversed.back();
   }

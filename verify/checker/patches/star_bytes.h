@@ -55,8 +55,9 @@ struct Cuts {  // how a body cuts the model into patches
   }
   Place place(size_t entity, uint64_t patch) const;  // a patch of this entity
 };
-// Reads magic, N, flags and breaks. If patches take bytes (three each), their number is compared
-// with the bytes left.
-Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool take_bytes, Bytes* bytes);
+// Reads magic, N, kinds (has_kinds), flags and breaks. If patches take bytes (three each), their
+// number is compared with the bytes left.
+Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool has_kinds,
+               bool take_bytes, Bytes* bytes);
 // The part of B2 that needs no coefficients.
 void check_kinds(const std::vector<Entity>& entities);

@@ -52,13 +52,13 @@ struct Curve {  // (x, y) of control points
   std::vector<Big> x, y;
 };
 struct Counter {
-  const Box& b;
+  const Sheet& b;
   Units& units;
   std::vector<Side> sides;
   int i, j, k;  // axes
   int64_t d[3];
 
-  Counter(const Box& box, Units& work) : b(box), units(work), k(0) {
+  Counter(const Sheet& sheet, Units& work) : b(sheet), units(work), k(0) {
     for (int a = 0; a < 3; ++a) d[a] = b.c[1][a] - b.c[0][a];
     for (int a = 1; a < 3; ++a)
       if (magnitude(d[a]) > magnitude(d[k])) k = a;
@@ -130,8 +130,8 @@ struct Counter {
 
 }  // namespace
 
-int64_t crossing_number(const std::vector<Piece>& pieces, const Box& b, Units* units) {
-  Counter counter(b, *units);
+int64_t crossing_number(const std::vector<Piece>& pieces, const Sheet& sheet, Units* units) {
+  Counter counter(sheet, *units);
   for (const Piece& piece : pieces)
     for (int e = 0; e < piece.patch->shape.sides(); ++e)
       if (!piece.patch->is_collapsed(e) || !piece.node->is_outer(*piece.patch, e))

@@ -31,9 +31,12 @@ Forest::Forest(StarBody* body, Units* units)
             [&](const Patch& p, const Node& leaf) {
               const uint32_t number = symbol[-1] - 1;
               Box& b = body->boxes[number];
-              require(leaf.hull.is_inside(b), "C1", "the hull of a leaf is not in its box", number);
-              require(b.component == kNoPair || b.component == p.component, "C1",
-                      "leaves of two components name the box", number);
+              const bool is_plain = b.frame == 0;
+              require((is_plain ? leaf.hull : hull_in(body->frames[b.frame], p, leaf)).is_inside(b),
+                      "C1", "the hull of a leaf is not in its box", number);
+              require(b.component == kNoPair || b.component == p.component || b.sheets.size() > 1,
+                      "C1", "leaves of two components name the box", number);
+              if (!is_plain) std::copy(leaf.hull.out_lo, leaf.hull.out_lo + 3, b.place);
               b.component = p.component;
             });
   for (size_t i = 0; i < body->boxes.size(); ++i)

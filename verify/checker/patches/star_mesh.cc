@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_mesh.cc: mesh boxes, docs/certificates/star-box.md, section 5, by separating axes: two disjoint convex polygons,
+// star_mesh.cc: mesh boxes, section 5 of docs/certificates/star-box.md and star-box-2.md, by separating axes: two disjoint convex polygons,
 // segments or boxes have disjoint projections to a normal of one of their faces, to a product of directions of their
 // edges, or, in a plane, to a normal of an edge.
 #include "star_box.h"
+#include "star_poly.h"
 
 namespace {
 
@@ -65,24 +66,27 @@ struct Triangle {
     return false;
   }
 };
-Points corners(const Patch& p, const Node& node) {
-  Points r(3);
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) r[size_t(i)].x[k] = Big::of(node.coordinate(p, i, k), node.net.n);
+Vec corner(const Patch& p, int i) {  // times its weight, which all points of a polynomial patch share
+  const int side = p.shape.is_triangle ? (i + 2) % 3 : i;  // the one that starts there
+  Vec r;
+  for (size_t k = 0; k < 3; ++k) r.x[k] = p.net[4 * size_t(p.shape.on_side(side, 0)) + k];
   return r;
 }
-Big weight(const Piece& a) { return Big::of(a.node->weight(*a.patch, 0), a.node->net.n); }
+Points corners(const Facet& f) {
+  return {corner(*f.patch, f.corner[0]), corner(*f.patch, f.corner[1]), corner(*f.patch, f.corner[2])};
+}
 
-bool meet_properly(const Piece& a, const Piece& b) {
-  Points p = corners(*a.patch, *a.node), q = corners(*b.patch, *b.node);
-  for (size_t i = 0; i < 3; ++i) p[i] = p[i] * weight(b), q[i] = q[i] * weight(a);
+bool meet_properly(const Facet& a, const Facet& b) {
+  Points p = corners(a), q = corners(b);
+  for (size_t i = 0; i < 3; ++i) p[i] = p[i] * b.patch->net[3], q[i] = q[i] * a.patch->net[3];
   const Triangle t(p), u(q);
   int common = 0, edges = 0;
   size_t at[2] = {0, 0};
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j) {
-      if (a.patch->vertex[i] == b.patch->vertex[j]) ++common, at[0] = i, at[1] = j;
-      if (a.patch->pair[i] == b.patch->pair[j]) ++edges;
+      if (a.patch->vertex[a.corner[i]] == b.patch->vertex[b.corner[j]])
+        ++common, at[0] = i, at[1] = j;
+      if (a.edge[i] == b.edge[j]) ++edges;
     }
   if (common == 0) return t.is_apart(q, std::vector<Vec>(u.e, u.e + 3), &u.n);
   if (common == 1) {  // MESH-2: the edge opposite to the vertex of one misses the other
@@ -103,9 +107,24 @@ bool meet_properly(const Piece& a, const Piece& b) {
 
 }  // namespace
 
-bool triangle_misses(const Patch& p, const Node& node, const Box& b) {
-  const Triangle t(corners(p, node));
-  const Big w = Big::of(node.weight(p, 0), node.net.n);
+std::vector<Facet> facets_of(const Patch& p) {
+  if (p.shape.is_triangle) return {Facet{&p, {0, 1, 2}, {p.pair[0], p.pair[1], p.pair[2]}}};
+  const uint64_t diagonal = uint64_t(1) << 63 | p.first_root;  // no pair has this number, nor another patch
+  return {Facet{&p, {0, 1, 2}, {p.pair[0], p.pair[1], diagonal}},
+          Facet{&p, {0, 2, 3}, {diagonal, p.pair[2], p.pair[3]}}};
+}
+
+bool misses(const Facet& facet, const Frame& frame, const Box& b) {
+  Points mapped = corners(facet);
+  for (Vec& v : mapped) {
+    const Vec plain = v;
+    for (int row = 0; row < 3; ++row) {
+      v.x[row] = Big();
+      for (int k = 0; k < 3; ++k) v.x[row] = v.x[row] + Big(frame.a[row][k]) * plain.x[k];
+    }
+  }
+  const Triangle t(mapped);
+  const Big& w = facet.patch->net[3];
   Points q;
   for (int i = 0; i < 8; ++i) {
     Vec v;
@@ -123,13 +142,70 @@ bool triangle_misses(const Patch& p, const Node& node, const Box& b) {
   return false;
 }
 
-bool meet_properly(const std::vector<Piece>& pieces, Units* units) {
-  for (const Piece& a : pieces)
-    if (is_zero(Triangle(corners(*a.patch, *a.node)).n)) return false;
-  for (size_t i = 0; i < pieces.size(); ++i)
+bool meet_properly(const std::vector<Facet>& facets, Units* units) {
+  for (const Facet& a : facets)
+    if (is_zero(Triangle(corners(a)).n)) return false;
+  for (size_t i = 0; i < facets.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
       units->add(1);
-      if (!meet_properly(pieces[i], pieces[j])) return false;
+      if (!meet_properly(facets[i], facets[j])) return false;
     }
   return true;
+}
+
+namespace {
+
+// Each corner is to the left of the line through any two successive others.
+bool is_strictly_convex(const Points& corners, const Vec& normal) {
+  for (size_t i = 0, n = corners.size(); i < n; ++i)
+    for (size_t j = 2; j < n; ++j) {
+      const Vec along = corners[(i + 1) % n] - corners[i], to = corners[(i + j) % n] - corners[i];
+      if (dot(cross(along, to), normal).sign() <= 0) return false;
+    }
+  return true;
+}
+// No Bernstein coefficient of the normal times n0 is negative, and one is positive.
+bool is_turned_to(const Patch& p, const Vec& n0) {
+  Poly derivative[2][3];
+  for (size_t k = 0; k < 3; ++k) {
+    std::vector<Big> x;
+    for (size_t i = k; i < p.net.size(); i += 4) x.push_back(p.net[i]);
+    for (int axis = 0; axis < 2; ++axis) derivative[axis][k] = polynomial(p.shape, x, axis);
+  }
+  Poly sum;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    Poly normal = combined(product(derivative[0][i], derivative[1][j]),
+                           product(derivative[0][j], derivative[1][i]), -1);
+    for (Big& x : normal.c) x = x * n0.x[k];
+    sum = k == 0 ? normal : combined(sum, normal, 1);
+  }
+  bool any = false;
+  for (const Big& x : sum.c) {
+    if (x.sign() < 0) return false;
+    any = any || x.sign() > 0;
+  }
+  return any;
+}
+
+}  // namespace
+
+bool is_flat_patch(const Patch& p) {
+  if (p.is_rational) return false;
+  Points at, points;
+  for (int i = 0; i < p.shape.sides(); ++i) at.push_back(corner(p, i));
+  const Vec n0 = cross(at[1] - at[0], at[2] - at[0]);
+  if (!is_strictly_convex(at, n0)) return false;
+  for (size_t i = 0; i < p.net.size(); i += 4) {
+    points.push_back(at[0]);
+    std::copy(&p.net[i], &p.net[i] + 3, points.back().x);
+    if (dot(points.back() - at[0], n0).sign() != 0) return false;
+  }
+  for (int e = 0; e < p.shape.sides(); ++e) {
+    const Vec& from = points[size_t(p.shape.on_side(e, 0))];
+    const Vec along = points[size_t(p.shape.on_side(e, p.shape.side_degree(e)))] - from;
+    for (int k = 0; k <= p.shape.side_degree(e); ++k)
+      if (!is_zero(cross(points[size_t(p.shape.on_side(e, k))] - from, along))) return false;
+  }
+  return is_turned_to(p, n0);
 }

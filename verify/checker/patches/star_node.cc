@@ -95,22 +95,25 @@ bool is_less(const uint64_t* a, const uint64_t* b, int n) {
     if (a[i] != b[i]) return a[i] < b[i];
   return false;
 }
-void set_hull(const Patch& p, Node* node) {
-  Hull& h = node->hull;
-  const int n = node->net.n, count = p.shape.count();
+// The hull of a node with this net.
+Hull hull_of(const Patch& p, const Block& net) {
+  Hull h;
+  const int n = net.n, count = p.shape.count();
+  const size_t step = p.is_rational ? 4 : 3;
   for (int k = 0; k < 3; ++k) {
+    const auto coordinate = [&](int i) { return net.number(step * size_t(i) + size_t(k)); };
     h.out_lo[k] = h.in_lo[k] = kFarthest;
     h.out_hi[k] = h.in_hi[k] = -kFarthest;
     int least = 0, most = 0;
     for (int i = 1; i < count && !p.is_rational; ++i) {
-      const uint64_t* const x = node->coordinate(p, i, k);
-      if (is_less(x, node->coordinate(p, least, k), n)) least = i;
-      if (is_less(node->coordinate(p, most, k), x, n)) most = i;
+      if (is_less(coordinate(i), coordinate(least), n)) least = i;
+      if (is_less(coordinate(most), coordinate(i), n)) most = i;
     }
     for (int i = 0; i < count; ++i) {
       if (!p.is_rational && i != least && i != most) continue;
       bool exact;
-      const int64_t low = floor_ratio(node->coordinate(p, i, k), node->weight(p, i), n, &exact);
+      const uint64_t* const weight = net.number(p.is_rational ? 4 * size_t(i) + 3 : 3 * size_t(count));
+      const int64_t low = floor_ratio(coordinate(i), weight, n, &exact);
       const int64_t high = exact ? low : std::min(low + 1, kFarthest);
       h.out_lo[k] = std::min(h.out_lo[k], low);
       h.in_lo[k] = std::min(h.in_lo[k], high);
@@ -118,6 +121,33 @@ void set_hull(const Patch& p, Node* node) {
       h.out_hi[k] = std::max(h.out_hi[k], high);
     }
   }
+  return h;
+}
+
+// A net whose points are A times those of a net, with their weights. Sums of three products with entries below 2^31
+// need 33 bits more, so one more limb holds them.
+Block mapped(const Patch& p, const Block& net, const Frame& frame) {
+  const int n = net.n;
+  const size_t step = p.is_rational ? 4 : 3;
+  Block r = widened(net, n + 1);
+  for (size_t i = 0; i < size_t(p.shape.count()); ++i)
+    for (size_t row = 0; row < 3; ++row) {
+      const uint64_t* const from = net.number(step * i);
+      uint64_t* const to = &r.d[(step * i + row) * size_t(n + 1)];
+      i128 carry = 0;
+      for (int limb = 0; limb < n; ++limb) {
+        for (int k = 0; k < 3; ++k) {
+          const uint64_t x = from[k * n + limb];
+          carry += (limb + 1 == n ? i128(int64_t(x)) : i128(x)) * frame.a[row][k];
+        }
+        to[limb] = uint64_t(carry);
+        carry >>= 64;
+      }
+      to[n] = uint64_t(carry);
+    }
+  int twos;
+  const int need = bits_of(r, &twos) / 64 + 1;
+  return need < r.n ? widened(r, need) : r;
 }
 
 }  // namespace
@@ -154,18 +184,24 @@ void quarters(const Shape& s, int numbers, const Block& b, Block* out) {
   for (int c = 0; c < 4; ++c) shrink(out + c);
 }
 
+bool Node::touches(const Patch& p, int corner, int e) const {
+  const int64_t *const c = at[corner], whole = kWholeSide;
+  if (p.shape.is_triangle) return (e == 0 ? whole - c[0] - c[1] : c[e - 1]) == 0;
+  return e % 2 == 0 ? c[1] == (e == 0 ? 0 : whole) : c[0] == (e == 3 ? 0 : whole);
+}
 bool Node::is_outer(const Patch& p, int e) const {
-  const int64_t whole = kWholeSide;
-  if (!p.shape.is_triangle)
-    return e == 0   ? at[0][1] == 0
-           : e == 1 ? at[1][0] == whole
-           : e == 2 ? at[2][1] == whole
-                    : at[3][0] == 0;
-  for (int i = 1; i < 3; ++i) {
-    const int64_t* const c = at[(e + i) % 3];
-    if ((e == 0 ? whole - c[0] - c[1] : c[e - 1]) != 0) return false;
-  }
-  return true;
+  if (!p.shape.is_triangle) return touches(p, e, e);  // its sides follow the axes
+  return touches(p, (e + 1) % 3, e) && touches(p, (e + 2) % 3, e);
+}
+
+Hull hull_in(const Frame& frame, const Patch& p, const Node& node) {
+  return hull_of(p, mapped(p, node.net, frame));
+}
+std::vector<Big> coefficients(const Patch& p, const Node& node, int k) {
+  std::vector<Big> r;
+  for (int i = 0; i < p.shape.count(); ++i)
+    r.push_back(Big::of(k < 3 ? node.coordinate(p, i, k) : node.weight(p, i), node.net.n));
+  return r;
 }
 
 Node make_root(const Patch& p, uint64_t root) {
@@ -191,7 +227,7 @@ Node make_root(const Patch& p, uint64_t root) {
         r.at[c][axis] =
             (ij[axis] + int((axis == 0 ? c + 1 : c) % 4 >= 2)) * (kWholeSide >> p.roots[axis]);
   }
-  set_hull(p, &r);
+  r.hull = hull_of(p, r.net);
   return r;
 }
 
@@ -213,6 +249,6 @@ void make_children(const Patch& p, Node* node) {
             (own < p.shape.sides() ? a[i][k] + a[own][k] : a[(i + 1) % 3][k] + a[(i + 2) % 3][k]) /
             2;
       }
-    set_hull(p, &to);
+    to.hull = hull_of(p, to.net);
   }
 }

@@ -15,15 +15,16 @@ struct Block {
   const uint64_t* number(size_t i) const { return &d[i * size_t(n)]; }
 };
 
-struct
-    Hull {  // in units 2^E: the exact one, rounded to integers outwards and inwards; farther ones
-  int64_t out_lo[3], out_hi[3], in_lo[3], in_hi[3];  // are cut at +-kFarthest
-  bool misses(const Box& b) const {                  // exact, as the box has integers and is nearer
+// In units 2^E: the exact hull, rounded to integers outwards and inwards; farther ones are cut at
+// +-kFarthest.
+struct Hull {
+  int64_t out_lo[3], out_hi[3], in_lo[3], in_hi[3];
+  bool misses(const Bounds& b) const {  // exact, as the box has integers and is nearer
     for (int k = 0; k < 3; ++k)
       if (in_hi[k] < b.lo[k] || in_lo[k] > b.hi[k]) return true;
     return false;
   }
-  bool is_inside(const Box& b) const {
+  bool is_inside(const Bounds& b) const {
     for (int k = 0; k < 3; ++k)
       if (out_lo[k] < b.lo[k] || out_hi[k] > b.hi[k]) return false;
     return true;
@@ -46,6 +47,8 @@ struct Node {
   const uint64_t* coordinate(const Patch& p, int point, int k) const {
     return net.number(size_t((p.is_rational ? 4 : 3) * point + k));
   }
+  // Whether a corner of the node lies on side e of the patch.
+  bool touches(const Patch& p, int corner, int e) const;
   // Whether side e of the node is a part of a side of the patch; that side is then side e, too.
   bool is_outer(const Patch& p, int e) const;
 };
@@ -53,8 +56,9 @@ struct Node {
 Node make_root(const Patch& p, uint64_t root);   // v fastest
 void make_children(const Patch& p, Node* node);  // with nets and hulls
 void make_root_g(const Patch& p, Node* root);
-void make_children_g(const Patch& p, Node* node);          // REQUIRES the node's g, and children
-bool star_test(const Patch& p, Node* node, const Box& b);  // S1 on the node; REQUIRES its g
+void make_children_g(const Patch& p, Node* node);  // REQUIRES the node's g, and children
+Hull hull_in(const Frame& frame, const Patch& p, const Node& node);
+std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (X, Y, Z, W)[k]
 
 Block packed(const std::vector<Big>& numbers);
 // The blocks of the children: points of `numbers` numbers each, and what follows them (a common

@@ -102,10 +102,12 @@ Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Uni
     const Walk& w = body.walks[i];
     const Box &from = body.boxes[w.box], &to = body.boxes[w.end < 6 ? w.box : w.end_box];
     require(!from.is_mesh && !to.is_mesh, "W1", "a mesh box is at an end of walk", i);
+    require(from.sheets.size() == 1 && to.sheets.size() == 1, "W1",
+            "a box with several sheets is at an end of walk", i);
     require(!seen[from.component], "W1", "a component has two walks, one is", i);
     require(w.end < 6 || seen[to.component], "W1", "no earlier walk is where this ends:", i);
     seen[from.component] = true;
-    check_polyline(w.polyline(from.c[w.sign], body.boxes), w.end, i, forest, units);
+    check_polyline(w.polyline(from.sheets[0].c[w.sign], body.boxes), w.end, i, forest, units);
     const int64_t at_end = w.end < 6 ? 0 : inside[to.component] - w.end_sign;
     r.last = inside[from.component] = at_end + w.sign;
     if (r.last != 1) r.wrong = std::min(r.wrong, i);

@@ -66,12 +66,27 @@ StarBoxBody star() {
   b.entities = {triangle(), square(), triangle()};
   b.roots = {{0, 0}, {1, 2}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
   b.exponent = -7;
-  b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, {1, 1, 1}, {2, 2, 2}});
-  b.boxes.push_back({true, 0, {-1, 0, 5}, {4, 4, 4}, {}, {}});
+  b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, 3, {{{0, 1, 6}, {1, 2, 7}, {}}}, 0, {}});
+  b.boxes.push_back({true, 0, {-1, 0, 5}, {4, 4, 4}, 0, {}, 0, {}});
   for (const auto& [u, v] : b.roots) b.trees.insert(b.trees.end(), std::size_t{1} << (u + v), 1);
   b.trees.insert(b.trees.begin() + 3, {kSplit, 0, 1, kSplit, 0, 0, 0, 0});
   b.walks.push_back({0, true, {{{0, {1, 2, 3}}}, 3, 0, false}});
   b.walks.push_back({1, false, {{}, 6, 1, true}});
+  return b;
+}
+StarBoxBody star_2() {
+  StarBoxBody b = star();
+  b.version = 2;
+  b.entities.push_back(triangle());
+  b.entities.back().is_surface = false;
+  b.entities.back().is_other = true;
+  b.frames = {{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}}, {{{{1, 0, 0}, {0, 1, 0}, {0, -1, -2147483647}}}}};
+  b.boxes[0].frame = 2;
+  b.boxes[0].point_shift = 1;
+  b.boxes[0].sheets = {{{0, 1, 6}, {1, 2, 7}, {1, 0}}, {{0, -1, 6}, {1, 2, -7}, {2, 1}}};
+  b.boxes[0].separators = {{1, -4096, {1, -2, 3, std::int64_t{1} << 62}}, {2, 7, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}};
+  b.boxes.push_back({true, 0, {-1, 0, 5}, {4, 4, 4}, 0, {}, 1, {}});
+  b.boxes.push_back({false, 0, {-1, 0, 5}, {4, 4, 4}, 9, {{{0, 1, 6}, {1, 2, 7}, {}}}, 0, {}});
   return b;
 }
 CollarBody collar() {
@@ -135,6 +150,8 @@ std::map<std::string, Example, std::less<>> examples() {
   all["mesh-invalid-1"] = {encode(subject, broken), {broken}, {}};
   all["star-box-1"] = {encode(subject, q, star()), {star()}, mixed};
   all["star-box-turned-1"] = {encode(subject, q, star(), -3), {star()}, mixed};
+  all["star-box-2"] = {encode(subject, q, star_2()), {star_2()}, {}};
+  all["star-box-turned-2"] = {encode(subject, q, star_2(), -3), {star_2()}, {}};
   all["collar-1"] = {encode(subject, q, collar()), {collar()}, mixed};
   all["patch-invalid-1"] = {
       encode(subject, 5, invalid(true)), {invalid(true), invalid(false)}, {{true, false}}};

@@ -35,7 +35,7 @@ StarBoxBody body_of(const std::vector<std::array<std::size_t, 2>>& surfaces, std
   }
   b.roots.assign(patches, {0, 0});
   b.exponent = -7;
-  b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, {1, 1, 1}, {2, 2, 2}});
+  b.boxes.push_back({false, 3, {-1, 0, 5}, {4, 4, 4}, 3, {{{0, 1, 6}, {1, 2, 7}, {}}}, 0, {}});
   b.trees.assign(patches, 0);
   b.walks.push_back({0, true, {{{0, {1, 2, 3}}}, 3, 0, false}});
   return b;
@@ -109,6 +109,43 @@ walks: 1
   0: from c+ of box 0, 1 points, to infinity along -y
 )")) << text;
   EXPECT_TRUE(has(text_of(certificate_of(body), 0), "walks: 1\n  ... and 1 more\n"));
+}
+
+TEST(PatchCertificateText, SaysFramesSheetsAndSeparatorsOfVersion2) {
+  StarBoxBody body = body_of({{1, 2}}, 1);
+  body.version = 2;
+  body.frames = {{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}}};
+  body.boxes.push_back(body.boxes[0]);
+  StarBoxItem& b = body.boxes[1];
+  b.frame = 1;
+  b.sheets = {{{0, 1, 6}, {1, 2, 7}, {1, 0}}, {{0, -1, 6}, {1, 2, -7}, {2, 1}}};
+  b.separators = {{1, -3, {1, -2, 3, 4}}, {1, 5, {0, 0, 0, -1}}};
+  const std::string text = text_of(certificate_of(body));
+  EXPECT_TRUE(has(text, R"(body: star-box-2, 2 entities (1 surfaces, 1 triangles; 1 reversed), 3 patches
+unit: 2^-7
+star boxes: 2
+mesh boxes: 0
+frames: 2
+  0: the unit matrix
+  1: (3, 4, 0), (-4, 3, 0), (0, 0, 5)
+boxes in other frames than 0: 1
+boxes with several sheets: 1
+  0: box 1, frame 1, points in units of 2^3 of these
+    c- (0, 1, 6), c+ (1, 2, 7), signs +0
+    c- (0, -1, 6), c+ (1, 2, -7), signs -+
+    separator of degree 1, t = -3, coefficients 1 -2 3 4
+    separator of degree 1, t = 5, coefficients 0 0 0 -1
+trees of 3 roots: 3 leaves, 3 nodes, at most 0 levels deep
+)")) << text;
+  EXPECT_TRUE(has(text_of(certificate_of(body), 0), "boxes with several sheets: 1\n  ... and 1 more\n"));
+}
+
+// A body of version 2 is cut into its fields without its statement and its model.
+TEST(PatchCertificateText, NeedsOnlyTheBodyInVersion2) {
+  StarBoxBody body = body_of({{1, 2}, {2, 2}}, 2);
+  std::swap(body.entities[0], body.entities[2]);  // a triangle first
+  body.version = 2;
+  EXPECT_TRUE(has(text_of(certificate_of("star-box-2", 99, encode(body))), "(2 surfaces, 2 triangles; 1 reversed), 8 patches"));
 }
 
 TEST(PatchCertificateText, SaysWhatACollarAdds) {
@@ -188,7 +225,15 @@ TEST(PatchCertificateText, RefusesOtherClaimsOtherPatchesAndBodiesThatAreNotComp
 TEST(PatchCertificateText, SurvivesChangesOfAnyByte) {
   for (unsigned seed = 0; seed < 20000; ++seed) {
     std::mt19937 random(seed);
-    Bytes bytes = certificate_of(body_of({{1, 2}}, 2));
+    StarBoxBody body = body_of({{1, 2}}, 2);
+    body.version = 1 + static_cast<int>(seed % 2);
+    if (body.version == 2) {
+      body.frames.resize(2);
+      body.boxes[0].sheets.resize(2, {{}, {}, {1}});
+      body.boxes[0].sheets[0].signs = {2};
+      body.boxes[0].separators = {{1, 0, {1, 2, 3, 4}}};
+    }
+    Bytes bytes = certificate_of(body);
     for (unsigned n = 1 + random() % 3; n > 0; --n) bytes[random() % bytes.size()] = static_cast<unsigned char>(random());
     for (const char c : text_of(bytes)) ASSERT_TRUE((c >= ' ' && c <= '~') || c == '\n') << "seed " << seed;
   }

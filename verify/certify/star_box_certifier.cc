@@ -81,7 +81,8 @@ class StarBoxBodyWriter {
       StarBoxItem item;
       item.is_mesh = b.is_mesh;
       const int unit = grid_exponent(forest_, b), spare = std::ilogb(b.unit) - unit;
-      item.shift = static_cast<std::uint64_t>(unit - least);
+      item.shift = item.point_shift = static_cast<std::uint64_t>(unit - least);
+      if (!b.is_mesh) item.sheets.resize(1);
       for (std::size_t k = 0; k < 3; ++k) {
         const double lo = b.star.box.lo[k];
         const Rational low = forest_.in_model(k, lo) * Rational::power_of_two(finest - unit);
@@ -92,8 +93,11 @@ class StarBoxBodyWriter {
         };
         item.size[k] = steps(b.star.box.hi[k]);
         if (b.is_mesh) continue;
-        item.inside[k] = steps(b.star.inside[k]);
-        item.outside[k] = steps(b.star.outside[k]);
+        const auto place = [&](double to) {
+          return static_cast<std::int64_t>(static_cast<std::uint64_t>(item.low[k]) + steps(to));
+        };
+        item.sheets[0].inside[k] = place(b.star.inside[k]);
+        item.sheets[0].outside[k] = place(b.star.outside[k]);
       }
       body_.boxes.push_back(item);
     }

@@ -45,7 +45,9 @@ std::vector<AfterEntities> guess_surfaces_of_version_1(ByteReader body, std::uin
 std::uint64_t num_patches(const std::vector<PatchEntity>& entities) {
   std::uint64_t n = 0;
   for (const PatchEntity& e : entities)
-    n += e.is_surface ? std::uint64_t{e.breaks[0].size() - 1} * (e.breaks[1].size() - 1) : 1;
+    n += e.is_other     ? 0
+         : e.is_surface ? std::uint64_t{e.breaks[0].size() - 1} * (e.breaks[1].size() - 1)
+                        : 1;
   return n;
 }
 

@@ -21,10 +21,14 @@ std::string point_text(const std::array<std::int64_t, 3>& p) {
 }
 
 std::string head_text(std::string_view claim, const std::vector<PatchEntity>& entities) {
-  std::uint64_t surfaces = 0;
-  for (const PatchEntity& e : entities) surfaces += e.is_surface ? 1 : 0;
+  std::uint64_t surfaces = 0, others = 0;
+  for (const PatchEntity& e : entities) {
+    surfaces += e.is_surface ? 1 : 0;
+    others += e.is_other ? 1 : 0;
+  }
   return "body: " + std::string(claim) + ", " + number(entities.size()) + " entities (" +
-         number(surfaces) + " surfaces, " + number(entities.size() - surfaces) + " triangles; " +
+         number(surfaces) + " surfaces, " + number(entities.size() - surfaces - others) +
+         " triangles; " + (others == 0 ? "" : number(others) + " others; ") +
          number(num_reversed(entities)) + " reversed), " + number(internal::num_patches(entities)) +
          " patches\n";
 }
@@ -54,6 +58,41 @@ std::string walk_text(const StarWalk& walk) {
          number(walk.box) + ", " + end_text(walk.path);
 }
 
+std::string frame_text(const StarFrame& f) {
+  return point_text(f.rows[0]) + ", " + point_text(f.rows[1]) + ", " + point_text(f.rows[2]);
+}
+std::string separator_text(const StarSeparator& q) {
+  std::string text = "degree " + number(q.degree) + ", t = " + std::to_string(q.shift) + ", coefficients";
+  for (const std::int64_t v : q.coefficients) text += " " + std::to_string(v);
+  return text;
+}
+std::string sheets_text(const StarBoxBody& body, std::size_t box) {
+  const StarBoxItem& b = body.boxes[box];
+  std::string text = "box " + number(box) + ", frame " + number(b.frame) + ", points in units of 2^" +
+                     number(b.point_shift) + " of these";
+  for (const StarSheet& sheet : b.sheets) {
+    text += "\n    c- " + point_text(sheet.inside) + ", c+ " + point_text(sheet.outside) + ", signs ";
+    for (const std::uint8_t sign : sheet.signs) text += "0+-?"[std::min<int>(sign, 3)];
+  }
+  for (const StarSeparator& q : b.separators) text += "\n    separator of " + separator_text(q);
+  return text;
+}
+// What only bodies of version 2 have.
+void append_frames_and_sheets(std::string& out, const StarBoxBody& body, std::size_t max_items) {
+  append_list(out, "frames", body.frames.size() + 1, max_items, [&](std::size_t i) {
+    return i == 0 ? "the unit matrix" : frame_text(body.frames[i - 1]);
+  });
+  std::uint64_t framed = 0;
+  std::vector<std::size_t> several;
+  for (std::size_t i = 0; i < body.boxes.size(); ++i) {
+    framed += body.boxes[i].frame != 0 ? 1 : 0;
+    if (body.boxes[i].sheets.size() > 1) several.push_back(i);
+  }
+  out += "boxes in other frames than 0: " + number(framed) + "\n";
+  append_list(out, "boxes with several sheets", several.size(), max_items,
+              [&](std::size_t i) { return sheets_text(body, several[i]); });
+}
+
 // The part of the text that star boxes and collars share.
 std::string star_text(const StarBoxBody& body, std::string_view claim, std::size_t max_items) {
   std::string out =
@@ -62,6 +101,7 @@ std::string star_text(const StarBoxBody& body, std::string_view claim, std::size
   for (const StarBoxItem& b : body.boxes) meshes += b.is_mesh ? 1 : 0;
   out += "star boxes: " + number(body.boxes.size() - meshes) + "\nmesh boxes: " + number(meshes) +
          "\n";
+  if (body.version != 1) append_frames_and_sheets(out, body, max_items);
   for (const auto& [a, b] : body.roots) roots += std::uint64_t{1} << (a + b);
   TreeCounts trees;
   std::size_t at = 0;

@@ -11,6 +11,8 @@ namespace {
 using internal::ByteReader;
 using internal::ByteWriter;
 
+constexpr std::uint8_t kOther = 0, kSurface = 1, kTriangle = 2;  // in bodies of version 2
+
 // Nothing if the number does not fit 63 bits.
 std::optional<std::uint64_t> small(const Natural& n) {
   if (n.size() > 8 || (n.size() == 8 && n.back() >= 128)) return std::nullopt;
@@ -72,16 +74,29 @@ std::uint64_t num_reversed(const std::vector<PatchEntity>& entities) {
   return n;
 }
 
+namespace {
+
+void write_breaks(ByteWriter& w, const PatchEntity& e) {
+  for (const auto& axis : e.breaks) {
+    w.u32(static_cast<std::uint32_t>(axis.size()));
+    for (const Fraction& f : axis) write_fraction(w, f);
+  }
+}
+void read_breaks(ByteReader& r, PatchEntity& e) {
+  for (auto& axis : e.breaks) {
+    const std::uint32_t n = r.count(2);
+    if (n < 2) r.fail();
+    for (std::uint32_t k = 0; k < n && r.ok(); ++k) axis.push_back(read_fraction(r));
+  }
+}
+
+}  // namespace
+
 void internal::write(ByteWriter& w, const std::vector<PatchEntity>& entities) {
   w.u32(static_cast<std::uint32_t>(entities.size()));
   for (const PatchEntity& e : entities) w.u8(e.is_reversed ? 1 : 0);
-  for (const PatchEntity& e : entities) {
-    if (!e.is_surface) continue;
-    for (const auto& axis : e.breaks) {
-      w.u32(static_cast<std::uint32_t>(axis.size()));
-      for (const Fraction& f : axis) write_fraction(w, f);
-    }
-  }
+  for (const PatchEntity& e : entities)
+    if (e.is_surface) write_breaks(w, e);
 }
 
 bool internal::read(ByteReader& r, const std::vector<bool>& is_surface,
@@ -91,13 +106,32 @@ bool internal::read(ByteReader& r, const std::vector<bool>& is_surface,
   for (PatchEntity& e : out) e.is_reversed = r.u8() == 1;
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i].is_surface = is_surface[i];
-    if (!is_surface[i]) continue;
-    for (auto& axis : out[i].breaks) {
-      const std::uint32_t n = r.count(2);
-      if (n < 2) r.fail();
-      for (std::uint32_t k = 0; k < n && r.ok(); ++k) axis.push_back(read_fraction(r));
-    }
+    if (is_surface[i]) read_breaks(r, out[i]);
   }
+  return r.ok();
+}
+
+void internal::write_with_kinds(ByteWriter& w, const std::vector<PatchEntity>& entities) {
+  w.u32(static_cast<std::uint32_t>(entities.size()));
+  for (const PatchEntity& e : entities) {
+    w.u8(e.is_other ? kOther : e.is_surface ? kSurface : kTriangle);
+    w.u8(e.is_reversed ? 1 : 0);
+  }
+  for (const PatchEntity& e : entities)
+    if (e.is_surface) write_breaks(w, e);
+}
+
+bool internal::read_with_kinds(ByteReader& r, std::vector<PatchEntity>& out) {
+  out.assign(r.count(2), PatchEntity());
+  for (PatchEntity& e : out) {
+    const std::uint8_t kind = r.u8(), flag = r.u8();
+    if (kind > kTriangle || flag > 1) r.fail();
+    e.is_surface = kind == kSurface;
+    e.is_other = kind == kOther;
+    e.is_reversed = flag == 1;
+  }
+  for (PatchEntity& e : out)
+    if (e.is_surface && r.ok()) read_breaks(r, e);
   return r.ok();
 }
 

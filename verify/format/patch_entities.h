@@ -20,6 +20,8 @@ struct Fraction {
 struct PatchEntity {
   bool is_reversed = false;
   bool is_surface = true;
+  /// Version 2 only: neither surface nor triangle, without patches (every checker rejects it: B2).
+  bool is_other = false;
   std::array<std::vector<Fraction>, 2> breaks;
 };
 
@@ -34,6 +36,9 @@ void write(ByteWriter& w, const std::vector<PatchEntity>& entities);
 /// Reads what write() writes; false unless there are is_surface.size() entities, with at least two
 /// breaks an axis.
 bool read(ByteReader& r, const std::vector<bool>& is_surface, std::vector<PatchEntity>& out);
+/// The same in bodies of version 2, which give the kind of every entity before its flag.
+void write_with_kinds(ByteWriter& w, const std::vector<PatchEntity>& entities);
+bool read_with_kinds(ByteReader& r, std::vector<PatchEntity>& out);
 }  // namespace internal
 
 }  // namespace veritope::certificate

@@ -4,6 +4,7 @@
 new condition, beside the honest certificate that differs from it in nothing else. VERITOPE_CHECK names the program."""
 import copy
 import hashlib
+import itertools
 import json
 import math
 import unittest
@@ -19,7 +20,7 @@ KINDS = {"surface": 1, "triangle": 2}
 UNIT = 1 << 20                                            # coordinates are counted in 2^-20
 IDENTITY = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 TURNED = ((3, 4, 0), (-4, 3, 0), (0, 0, 5))
-SHEARED = ((1, 0, 0), (1, 1, 0), (0, -1, 1))
+SHEARED = ((8, 0, 0), (1, 8, 0), (0, -1, 8))
 MIRRORED = ((1, 0, 0), (0, 0, 1), (0, 1, 0))
 
 
@@ -101,6 +102,10 @@ class Plan:
             lo, hi = node.hull()
             if all(a * l[1] <= l[0] and h[0] <= (a + s) * h[1] for a, s, l, h in zip(box.lo, box.size, lo, hi)):
                 holder[place] = new
+        return self.drop_boxes()[new]
+
+    def drop_boxes(self):
+        """Drops the boxes that no leaf names; the result has the new number of each other one."""
         named = sorted({leaf[1] for leaf in self.leaves()})
         number = {old: new for new, old in enumerate(named)}
         for _, old, holder, place in list(self.leaves()):
@@ -108,7 +113,7 @@ class Plan:
         self.boxes = [self.boxes[old] for old in named]
         self.walks = [(number[b], sign, points, end if isinstance(end, int) else (number[end[0]], end[1]))
                       for b, sign, points, end in self.walks]
-        return number[new]
+        return number
 
     def body(self):
         out, last = [b"VTS2", u32(len(self.kinds)), bytes(x for pair in zip(self.kinds, self.flags) for x in pair)], 0
@@ -396,6 +401,97 @@ class Components(StarBox2Test):
         self.lie("C1", plan, one_sheet, "two components")
 
 
+def covered(entities, plan):
+    """Another model of the same shape, whose nodes are cut until they lie in boxes of the plan."""
+    prover = forge.Prover(entities)
+
+    def tree(node):
+        lo, hi = node.hull()
+        for i, box in enumerate(plan.boxes):
+            if all(a * l[1] <= l[0] and h[0] <= (a + s) * h[1] for a, s, l, h in zip(box.lo, box.size, lo, hi)):
+                return i
+        return [tree(kid) for kid in node.children()]
+    prover.plan.trees = [[tree(node) for node in forge.star_nodes.root_nodes(patch)] for patch in prover.patches]
+    prover.plan.values["bodies"] = 1
+    other = Plan(prover)
+    other.boxes, other.walks = copy.deepcopy(plan.boxes), list(plan.walks)
+    return other
+
+
+def faces_of_points(points):
+    """Faces of the cube [-1, 1]^3; points[i][j]: coordinates u, v of a control point."""
+    return [forge.surface([[at(*uv) for uv in row] for row in points]) for at in models.cube_faces()]
+
+
+def bernstein(powers):
+    """The cubic Bernstein coefficients, on [-1, 1]^2, of the polynomial {(i, j): coefficient of u^i v^j}."""
+    def row(i):                                           # of t^i: the mean of products of i of the three numbers -1, ..., 1
+        out = []
+        for k in range(4):
+            ends = [-1] * (3 - k) + [1] * k
+            products = [math.prod(c) for c in itertools.combinations(ends, i)]
+            out.append(Q(sum(products), len(products)))
+        return out
+    return [[sum(f * row(i)[a] * row(j)[b] for (i, j), f in powers.items()) for b in range(4)] for a in range(4)]
+
+
+class WeakSigns(StarBox2Test):
+    """S1 with zeros: the cube again, whose faces have other parameters."""
+
+    def judged(self, points):
+        plan = covered(faces_of_points(points), proved(models.cube()))
+        plan.drop_boxes()
+        return in_cpp(plan.model, plan.certificate())[1]
+
+    def test_normals_that_are_zero_along_sides(self):
+        """Repeated control points; version 1 has no certificate of it."""
+        grid = (-1, -1, 1, 1)
+        self.assertEqual(self.judged([[(u, v) for v in grid] for u in grid]), "ACCEPT")
+
+    def test_no_normal_is_zero_along_a_line_inside(self):
+        """The derivative of the cubic with the coefficients -1, 1, -1, 1 is 0 in the middle only."""
+        grid = (-1, Q(-1, 3), Q(1, 3), 1)
+        self.assertEqual(self.judged([[(u, v) for v in grid] for u in grid]), "ACCEPT")
+        grid = (-1, 1, -1, 1)
+        self.assertEqual(self.judged([[(u, v) for v in grid] for u in grid]), "C2")
+
+    def test_no_normal_is_zero_at_a_point_inside(self):
+        """(u, v) (u^2 + v^2 - u^2 v^2): the identity on the sides, one to one, and the normal is zero in the middle alone."""
+        x, y = bernstein({(3, 0): 1, (1, 2): 1, (3, 2): -1}), bernstein({(0, 3): 1, (2, 1): 1, (2, 3): -1})
+        self.assertEqual(self.judged([[(x[i][j], y[i][j]) for j in range(4)] for i in range(4)]), "C2")
+
+    def test_some_coefficient_is_positive(self):
+        """c- in the plane of the face z = 1, whose sides lie far away: all coefficients are zero."""
+        plan = proved(models.cube(), roots=0)
+        height, wide = UNIT // 8, UNIT * 5 // 8
+        box = Box(0, (-wide, -wide, UNIT - 2 * height), (2 * wide, 2 * wide, 4 * height), [[(0, 0, UNIT - 1), (0, 0, UNIT + height)]])
+        plan.trees = [[self.cut(tree, 2) for tree in trees] for trees in plan.trees]
+        number = plan.replace_leaves(box)
+        self.lie("C2", plan, lambda changed: changed.boxes[number].sheets[0].__setitem__(0, (0, 0, UNIT)))
+
+    def cut(self, tree, level):
+        """The same with all leaves at this level at least."""
+        if isinstance(tree, int):
+            return tree if level == 0 else [self.cut(tree, level - 1) for _ in range(4)]
+        return [self.cut(kid, max(level - 1, 0)) for kid in tree]
+
+    def test_no_side_lies_on_a_line_through_a_centre(self):
+        """The edge from (1, 0, 0) to (0, 1, 0) of a bulged octahedron is straight; c- lies on it, or a little below it."""
+        entities = models.cubic_octahedron()
+        for entity in entities:
+            for point in entity["shape"]["points"]:
+                x, y, z = map(Q, point)
+                if z == 0 and x > 0 and y > 0:
+                    point[:2] = [str(x / (x + y)), str(y / (x + y))]
+        plan = proved(entities)
+        plan.trees = [[self.cut(tree, 4) for tree in trees] for trees in plan.trees]
+        half = UNIT // 2
+        box = Box(0, (half - UNIT // 8, half - UNIT // 8, -UNIT // 8), (UNIT // 4,) * 3,
+                  [[(half - 9, half - 9, 0), (half + UNIT // 10, half + UNIT // 10, 0)]])
+        number = plan.replace_leaves(box)
+        self.lie("C2", plan, lambda changed: changed.boxes[number].sheets[0].__setitem__(0, (half, half, 0)))
+
+
 class QuadProver(forge.Prover):
     """Mesh boxes where splitting does not help, whatever the shape of the patch."""
 
@@ -466,15 +562,16 @@ class FlatPatches(StarBox2Test):
         self.moved("C4", at, (Q(1, 3), Q(1, 3), Q(9, 8)))
 
     def test_the_normal_does_not_turn_over(self):
-        at = (Q(1, 3), Q(1, 3), 1)
-        self.moved("ACCEPT", at, (Q(1, 3), Q(1, 2), 1))
-        plan = mesh_boxes(proved(models.cube(degree=3)))
-        entity = next(i for i, e in enumerate(plan.entities) if all(p[2] == "1" for p in e["shape"]["points"]))
-        points = plan.entities[entity]["shape"]["points"]
-        for k in (5, 6, 9, 10):                           # the inner points, mirrored: the boxes hold the same points
-            points[k] = [str(-Q(c)) for c in points[k][:2]] + ["1"]
-        plan.model = forge.encode_model(plan.entities)
-        self.assertIn(in_cpp(plan.model, plan.certificate())[1], ("C1", "C4"))
+        """The four inner points of every face are drawn together, or exchanged beyond the middle: only then the patch is folded."""
+        plan = mesh_boxes(proved(models.cube()))
+        grid = (-1, Q(-1, 3), Q(1, 3), 1)
+        for factor, expected in ((1, "ACCEPT"), (Q(1, 2), "ACCEPT"), (-3, "C4")):
+            inner = factor * Q(1, 3)
+            points = [[(u, v) if abs(u) == 1 or abs(v) == 1 else (inner if u > 0 else -inner, inner if v > 0 else -inner) for v in grid]
+                      for u in grid]
+            other = covered(faces_of_points(points), plan)
+            other.drop_boxes()
+            self.says(expected, other)
 
     def test_the_points_of_a_side_lie_on_a_line(self):
         """The side between the faces z = 1 and x = 1 bulges in the plane of one of them."""
@@ -487,20 +584,14 @@ class FlatPatches(StarBox2Test):
         self.flat("C4", entities=faces)
 
     def test_corners_are_strictly_convex(self):
-        """A cube whose vertex (1, 1, 1) is drawn into the middle of the others of its face, and below it."""
+        """The edge of a cube from (1, 1, -1) to (1, 1, 1) is drawn into the middle, where z = 1 becomes a triangle, and beyond."""
         for to, expected in ((Q(1, 2), "ACCEPT"), (0, "C4"), (Q(-1, 4), "C4")):
-            shape = lambda p, to=to: (p[0], p[1] * (1 if p[0] < 1 else 1), p[2]) if p[:2] != (1, 1) else (to, to, p[2])  # noqa: E731
-            faces = models.cube(shape=shape)
-            plan = mesh_boxes(proved(faces, QuadProver))
-            self.says(expected, plan)
+            plan = proved(models.cube(shape=lambda p, to=to: (to, to, p[2]) if p[:2] == (1, 1) else p), QuadProver)
+            self.says(expected, mesh_boxes(plan))
 
-    def test_two_triangles_that_overlap(self):
-        """Two cubes that share a part of a wall."""
-        apart = models.cube() + models.cube(middle=(3, 0, 0))
-        plan = mesh_boxes(proved(apart))
-        self.says("ACCEPT", plan)
-        plan = mesh_boxes(proved(models.cube() + models.cube(middle=(Q(17, 8), 0, 0))))
-        self.says("ACCEPT", plan)
+    def test_two_walls_that_overlap(self):
+        for x, expected in ((Q(33, 16), "ACCEPT"), (2, "C4")):
+            self.says(expected, mesh_boxes(proved(models.cube() + models.cube(middle=(x, Q(1, 2), 0)), QuadProver)))
 
 
 if __name__ == "__main__":

@@ -57,11 +57,13 @@ bool is_of_orientation(const PatchRefutation& refutation) {
 }
 
 std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
+  const bool has_frames = decision.cover.has_frames();
+  if (!decision.refutation && has_collar) return certificate::kCollarClaim;
   if (!decision.refutation)
-    return has_collar ? certificate::kCollarClaim : certificate::kStarBoxClaim;
-  return std::holds_alternative<ReversedShell>(*decision.refutation)
-             ? certificate::kReversedShellClaim
-             : certificate::kPatchInvalidClaim;
+    return has_frames ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
+  if (!std::holds_alternative<ReversedShell>(*decision.refutation))
+    return certificate::kPatchInvalidClaim;
+  return has_frames ? certificate::kReversedShell2Claim : certificate::kReversedShellClaim;
 }
 
 class Certification {

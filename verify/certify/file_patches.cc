@@ -63,6 +63,7 @@ FileDecision decide_in_frame(const FilePatches& patches, const PatchDecisionOpti
 FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& wanted) {
   PatchDecisionOptions options = with_outer_sides(patches, wanted.search);
   options.in_plain_frame = wanted.frame == FrameWanted::kPlain;
+  options.with_frames = wanted.frame == FrameWanted::kAny;
   FileDecision fitted = decide_in_frame(patches, options);
   if (wanted.frame != FrameWanted::kPlainIfCheap || !fitted.decision.is_valid ||
       fitted.forest->frame().is_plain() || !may_have_octree(*patches.complex))

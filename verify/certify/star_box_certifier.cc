@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "robust/base/check.h"
@@ -20,6 +21,8 @@ using Id = PieceForest::Id;
 // A box is a multiple of its unit in the frame. In the model's coordinates, times 2^(the frame's finest scale), it is a
 // multiple of 2^(the result).
 int grid_exponent(const PieceForest& forest, const CoverBox& box) {
+  if (box.framed)  // the frame is plain
+    return std::min(std::ilogb(box.framed->unit), std::ilogb(box.framed->centre_unit));
   const PieceForest::Frame& frame = forest.frame();
   const int finest = *std::max_element(frame.scale.begin(), frame.scale.end());
   int out = std::ilogb(box.unit);
@@ -30,6 +33,14 @@ int grid_exponent(const PieceForest& forest, const CoverBox& box) {
     out = std::min(out, bits + finest);
   }
   return out;
+}
+
+// The greatest coordinate of the box on the axis, or along a row of its frame.
+double farthest(const CoverBox& b, std::size_t k) {
+  const double plain = std::max(std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k]));
+  if (!b.framed) return plain;
+  const Box3d& box = b.framed->sheets.box;
+  return std::max({plain, std::abs(box.lo[k]), std::abs(box.hi[k])});
 }
 
 constexpr int kMostBits = 60;  // the C++ checker's 61, minus one for the sum of corner and size
@@ -78,6 +89,11 @@ class StarBoxBodyWriter {
     for (const CoverBox& b : cover_.boxes) least = std::min(least, grid_exponent(forest_, b));
     body_.exponent = least - finest;
     for (const CoverBox& b : cover_.boxes) {
+      if (b.framed) {
+        body_.version = 2;
+        body_.boxes.push_back(framed_item(*b.framed, least));
+        continue;
+      }
       StarBoxItem item;
       item.is_mesh = b.is_mesh;
       const int unit = grid_exponent(forest_, b), spare = std::ilogb(b.unit) - unit;
@@ -103,10 +119,53 @@ class StarBoxBodyWriter {
     }
   }
 
+  // A box in a frame: REQUIRES a plain frame of the forest, in which the model's coordinates differ from the forest's by
+  // one power of two, and 2^least is the unit.
+  StarBoxItem framed_item(const FramedBox& framed, int least) {
+    const SheetBox& box = framed.sheets;
+    StarBoxItem item;
+    item.frame = frame_number(box.frame);
+    item.shift = static_cast<std::uint64_t>(std::ilogb(framed.unit) - least);
+    item.point_shift = static_cast<std::uint64_t>(std::ilogb(framed.centre_unit) - least);
+    for (std::size_t k = 0; k < 3; ++k) {
+      item.low[k] = multiple(box.box.lo[k], framed.unit);
+      item.size[k] = static_cast<std::uint64_t>(multiple(box.box.hi[k], framed.unit) - item.low[k]);
+    }
+    for (const Sheet& sheet : box.sheets) {
+      certificate::StarSheet& out = item.sheets.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        out.inside[k] = multiple(sheet.inside[k], framed.centre_unit);
+        out.outside[k] = multiple(sheet.outside[k], framed.centre_unit);
+      }
+      for (const Sign s : sheet.signs)
+        out.signs.push_back(s == Sign::kZero ? 0 : s == Sign::kPositive ? 1 : 2);
+    }
+    for (const SheetSeparator& q : box.separators) {
+      VT_CHECK(q.origin == box.sheets.front().inside, "a separator with an origin of its own");
+      item.separators.push_back({static_cast<std::uint8_t>(q.degree),
+                                 std::ilogb(q.unit) - std::ilogb(framed.centre_unit),
+                                 q.coefficients});
+    }
+    return item;
+  }
+  static std::int64_t multiple(double v, double unit) {
+    const double out = v / unit;  // exact: unit is a power of two
+    VT_CHECK(out == std::nearbyint(out) && std::abs(out) < 0x1p62, "a coordinate beside its grid");
+    return static_cast<std::int64_t>(out);
+  }
+  // 0: the unit matrix.
+  std::uint64_t frame_number(const BoxFrame& frame) {
+    if (frame.is_plain()) return 0;
+    const auto [at, is_new] = frame_numbers_.try_emplace(frame.rows(), body_.frames.size() + 1);
+    if (is_new) body_.frames.push_back({frame.rows()});
+    return at->second;
+  }
+
   const PieceForest& forest_;
   const StarCover& cover_;
   const std::vector<StarBoxEntity>& entities_;
   int most_exponent_;
+  std::map<BoxFrame::Rows, std::uint64_t> frame_numbers_;
   StarBoxBody body_;
 };
 
@@ -153,8 +212,7 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
   const Rational units = Rational::power_of_two(steps);
   for (std::size_t k = 0; k < 3; ++k) {
     double most = 0;  // the greatest of the boxes' coordinates in the frame
-    for (const CoverBox& b : cover.boxes)
-      most = std::max({most, std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k])});
+    for (const CoverBox& b : cover.boxes) most = std::max(most, farthest(b, k));
     const Rational reach = abs(forest.frame().shift[k]) +
                            Rational::from_double(most) * Rational::power_of_two(-scale[k]);
     if (Rational::power_of_two(kMostBits) < reach * units) return false;

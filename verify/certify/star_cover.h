@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/star_cover.h: the search for star boxes that cover a patch complex. Theory: docs/THEORY.md §4.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,10 +14,10 @@
 namespace veritope {
 
 struct StarCoverOptions {
-  int max_level = 20;                         ///< pieces are not split deeper: undecided there
-  std::size_t max_boxes = 4'000'000;          ///< boxes that are tried
-  double growth = 1.75;                       ///< size of a box relative to the hull
-  double least_unit = 0x1p-48;                ///< the least unit of boxes that are cut back
+  int max_level = 20;                 ///< pieces are not split deeper: undecided there
+  std::size_t max_boxes = 4'000'000;  ///< boxes that are tried
+  double growth = 1.75;               ///< size of a box relative to the hull
+  double least_unit = 0x1p-48;        ///< the least unit of boxes that are cut back
   /// the least unit of cubes; the search ends where a cube would need a finer one
   double least_cube_unit = 0;
   std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
@@ -59,6 +60,11 @@ struct StarCover {
   std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box
   std::size_t tried = 0, tested_pieces = 0, programs = 0;
   bool is_complete() const { return uncovered.empty(); }
+  /// Whether a certificate of it needs version 2.
+  bool has_frames() const {
+    return std::any_of(boxes.begin(), boxes.end(),
+                       [](const CoverBox& b) { return b.framed != nullptr; });
+  }
 };
 
 /// Stops at the first piece that stays uncovered at the greatest level. Among sheets that face each other, the nearest

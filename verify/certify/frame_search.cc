@@ -24,7 +24,7 @@ constexpr double kRowLength = 0x1p24;
 constexpr double kGrid = 64;
 constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8, kMostFrames = 8;
 // A frame that was made for another piece serves this one if its box is thicker by no more than this.
-constexpr double kThicker = 1.05;
+constexpr double kThicker = 1.05, kSameDirection = 0x1p-24;
 // The least depth of centres, in half sizes of the box.
 constexpr double kLeastDepth = 1e-3;
 // Centres stay this far inside, in half sizes of the box.
@@ -56,6 +56,22 @@ std::array<std::int64_t, 3> row_of(const Point3d& d) {
 
 double height(const Box3d& b) { return b.hi[2] - b.lo[2]; }
 bool is_bounded(const Box3d& b) { return std::isfinite(extent(b)); }
+// The sine of the angle between the normals of two frames, approximately.
+double turn(const BoxFrame& a, const BoxFrame& b) {
+  Point3d m, n;
+  for (std::size_t k = 0; k < 3; ++k) {
+    m[k] = static_cast<double>(a.rows()[2][k]) / kRowLength;
+    n[k] = static_cast<double>(b.rows()[2][k]) / kRowLength;
+  }
+  return length_of(cross(m, n));
+}
+// Whether no side of `hull` is much longer than that of `own`.
+bool is_as_thin(const Box3d& hull, const Box3d& own) {
+  const double least = kSameDirection * extent(own);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(hull.hi[k] - hull.lo[k] <= kThicker * (own.hi[k] - own.lo[k]) + least)) return false;
+  return true;
+}
 double power_of_two_below(double v) { return std::exp2(std::floor(std::log2(v))); }
 
 }  // namespace
@@ -86,32 +102,30 @@ bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
   return try_sheets(low, components());
 }
 
-// The normal of the piece, and a direction along its longer side. A frame that was used before is taken again if the
-// piece is about as thin in it.
-bool FrameSearch::choose_frame() {
+// Rows along the piece's longer side, across it, and along its normal.
+std::optional<BoxFrame> FrameSearch::own_frame() {
   const auto normal = direction(forest_.approx_normal(piece_));
-  if (!normal) return false;
+  if (!normal) return std::nullopt;
   Point3d along = longest_chord(forest_, piece_);
   const double part = dot(along, *normal);
   for (std::size_t k = 0; k < 3; ++k) along[k] -= part * (*normal)[k];
   const auto tangent = direction(along);
-  if (!tangent) return false;
-  const auto own =
-      BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
+  if (!tangent) return std::nullopt;
+  return BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
+}
+
+// Takes a frame that was made for another piece if this one is not much thicker in it: planes and cylinders share theirs.
+bool FrameSearch::choose_frame() {
+  const auto own = own_frame();
   if (!own) return false;
+  box_.sheets.frame = *own;
   hull_ = hull_in_frame(forest_, piece_, *own);
   if (!is_bounded(hull_) || !(extent(hull_) > 0)) return false;
-  box_.sheets.frame = *own;
-  row_length_ = kRowLength;
-  const Box3d own_hull = hull_;
-  const double least = 0x1p-24 * extent(own_hull);
   for (std::size_t i = frames_.size(); i-- > 0;) {
+    if (!(turn(frames_[i], *own) <= kThicker * (height(hull_) / extent(hull_)) + kSameDirection))
+      continue;
     const Box3d hull = hull_in_frame(forest_, piece_, frames_[i]);
-    bool is_thicker = false;
-    for (std::size_t k = 0; k < 3; ++k)
-      is_thicker = is_thicker || !(hull.hi[k] - hull.lo[k] <=
-                                   kThicker * (own_hull.hi[k] - own_hull.lo[k]) + least);
-    if (is_thicker) continue;
+    if (!is_as_thin(hull, hull_)) continue;
     box_.sheets.frame = frames_[i], hull_ = hull;
     std::rotate(frames_.begin() + static_cast<std::ptrdiff_t>(i),
                 frames_.begin() + static_cast<std::ptrdiff_t>(i) + 1, frames_.end());
@@ -141,7 +155,7 @@ bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
   for (std::size_t k = 0; k < 3; ++k) num_long += hull.hi[k] - hull.lo[k] <= region.half[k] ? 0 : 1;
   if (num_long == 0) return true;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
-  return num_long < 3 && approx_bend(forest_, id) <= kFlat * least / row_length_;
+  return num_long < 3 && approx_bend(forest_, id) <= kFlat * least / kRowLength;
 }
 
 // Puts the small pieces that the region meets into near_.
@@ -174,7 +188,7 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region) c
       if (std::max(above, below) > distance)
         axis = k, distance = std::max(above, below), is_above = above > below;
     }
-    if (!(distance > 16 * least_unit_ * row_length_)) continue;
+    if (!(distance > 16 * least_unit_ * kRowLength)) continue;
     is_cut = true;
     if (is_above)
       box.hi[axis] = std::min(box.hi[axis], hull_.hi[axis] + 0.5 * distance);
@@ -215,7 +229,7 @@ bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector
   if (sheets.empty() || sheets.size() > kMostSheets) return false;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
   box_.unit = power_of_two_below(least / kGrid);
-  if (box_.unit < least_unit_ * row_length_) return false;
+  if (box_.unit < least_unit_ * kRowLength) return false;
   const Box3d box = region.box();
   for (std::size_t k = 0; k < 3; ++k) {
     box_.sheets.box.lo[k] = std::floor(box.lo[k] / box_.unit) * box_.unit;
@@ -286,7 +300,7 @@ void FrameSearch::add_half_spaces(const Region& region, Id id) {
 
 // A centre near middle + half z, on a grid that is short against its depth.
 Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double depth) {
-  const double least = std::min({region.half[0], region.half[1], region.half[2]}) / row_length_;
+  const double least = std::min({region.half[0], region.half[1], region.half[2]}) / kRowLength;
   const double unit = power_of_two_below(std::min(depth, 1 - kRoom) * least / 4);
   Point3d y;
   for (std::size_t k = 0; k < 3; ++k) y[k] = region.middle[k] + region.half[k] * z[k];
@@ -298,7 +312,7 @@ Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double dept
 
 // Separators until any two sheets are on different sides of one.
 bool FrameSearch::separate(const std::vector<std::vector<Id>>& sheets, const Region& region) {
-  const double size = std::max({region.half[0], region.half[1], region.half[2]}) / row_length_;
+  const double size = std::max({region.half[0], region.half[1], region.half[2]}) / kRowLength;
   std::vector<std::vector<Point3d>> samples(sheets.size());
   for (std::size_t i = 0; i < sheets.size(); ++i)
     for (const Id id : sheets[i]) append_samples(forest_, id, &samples[i]);

@@ -39,6 +39,7 @@ class FrameSearch {
     Point3d middle{}, half{};
     Box3d box() const;
   };
+  std::optional<BoxFrame> own_frame();
   bool choose_frame();
   Region region_of_height(double height) const;
   bool is_small(Id id, const Box3d& hull, const Region& region);
@@ -56,7 +57,6 @@ class FrameSearch {
   const double growth_, least_unit_;
   Id piece_ = 0;
   Box3d hull_{};  // of the piece, in the frame
-  double row_length_ = 1;
   FramedBox box_;
   SheetPieces pieces_;
   std::vector<Id> near_;

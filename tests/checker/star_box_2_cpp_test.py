@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The C++ checker of star-box-2: certificates of version 1 told in version 2, in frames and with several sheets, and a lie for each
+"""The C++ checker of star-box-2: certificates of version 1 as ones of version 2, in frames and with several sheets, and a lie for each
 new condition, beside the honest certificate that differs from it in nothing else. VERITOPE_CHECK names the program."""
 import copy
 import hashlib
@@ -184,7 +184,7 @@ def proved(entities, kind=forge.Prover, **options):
 
 
 class OfVersion1(StarBox2Test):
-    """What version 1 proves can be told in version 2, without frames and in them."""
+    """What version 1 proves can be proved in version 2, without frames and in them."""
 
     def test_one_sheet_and_no_frame(self):
         for entities in (models.bicubic_ball(), models.octant_sphere(), models.snake()):
@@ -211,7 +211,7 @@ class Frames(StarBox2Test):
         self.plan = proved(models.bicubic_ball()).into_frame(TURNED, 0)
 
     def test_each_leaf_lies_in_its_box_exactly(self):
-        """Of the boxes with no margin, every side is shifted by one in turn."""
+        """The boxes have no margin; each side is shifted by one in turn."""
         self.says("ACCEPT", self.plan)
         seen = []
         for box in self.plan.boxes[:6]:
@@ -291,9 +291,9 @@ class Sheets(StarBox2Test):
         self.rejected("B1", "no sheet", sheets=[], signs=[], separators=[])
         self.rejected("B1", "has separators", sheets=box.sheets[:1], signs=[[1]])
         self.rejected("B1", "separator", separators=[], signs=[[], []])
-        self.rejected("B1", "sheets", sheets=[box.sheets[0]] * 65, signs=[[1]] * 65)
+        self.rejected("B1", "too many sheets", sheets=[box.sheets[0]] * 65, signs=[[1]] * 65)
         self.accepted(separators=box.separators * 64, signs=[[1] * 64, [-1] * 64])
-        self.rejected("B1", "separators", separators=box.separators * 65, signs=[[1] * 65, [-1] * 65])
+        self.rejected("B1", "too many separators", separators=box.separators * 65, signs=[[1] * 65, [-1] * 65])
         for degree in (0, 4):
             self.rejected("B1", "degree", separators=[[degree, 0, [0, 1, 0, 0]]])
         for t in (-4097, 4097):
@@ -310,6 +310,7 @@ class Sheets(StarBox2Test):
         self.assertEqual(body[at], 2)
         code, condition, line = in_cpp(self.plan.model, self.plan.certificate(body[:at] + b"\3" + body[at + 1:]))
         self.assertEqual((code, condition), (1, "B1"), line)
+        self.assertIn("sign of a sheet", line)
 
     def test_no_coefficient_of_the_separator_is_zero(self):
         """q = z - h is 0 on the top, z - h + 1 is not; the same below."""
@@ -340,12 +341,14 @@ class Sheets(StarBox2Test):
     def test_the_unit_of_the_separator(self):
         """z 2^-t + 1: the bottom is on the other side only if the unit is small; an odd polynomial without constant has no unit."""
         self.accepted(separators=[[1, 0, [1, 1, 0, 0]]])
-        self.accepted(separators=[[1, -4096, [1 << 62, 1, 0, 0]]])
+        self.accepted(separators=[[1, -128, [1 << 62, 1, 0, 0]]])
         self.accepted(separators=[[1, 17, [1, 1, 0, 0]]])
         self.rejected("C2", separators=[[1, 18, [1, 1, 0, 0]]])
-        self.rejected("C2", separators=[[1, 4096, [1, 1 << 62, 0, 0]]])
-        for t in (-4096, 4096):
+        self.rejected("C2", separators=[[1, 128, [1, 1 << 62, 0, 0]]])
+        for t in (-128, 128):
             self.accepted(separators=[[1, t, [0, 1, 0, 0]]])
+        for t in (-4096, -129, 129, 4096):                # a limit of this checker
+            self.rejected("B1", "too far away", separators=[[1, t, [0, 1, 0, 0]]])
         # z^2 + z, z in units of 2^t: negative between -1 and 0 only
         self.accepted(separators=[[2, 19, [0, 1, 1] + [0] * 7]])
         self.rejected("C2", separators=[[2, 18, [0, 1, 1] + [0] * 7]])
@@ -401,9 +404,11 @@ class Components(StarBox2Test):
         self.lie("C1", plan, one_sheet, "two components")
 
 
-def covered(entities, plan):
-    """Another model of the same shape, whose nodes are cut until they lie in boxes of the plan."""
+def covered(entities, plan, roots=None):
+    """Another model of the same shape, whose nodes are cut until they lie in boxes of the plan. roots: those of each patch."""
     prover = forge.Prover(entities)
+    for patch, cuts in zip(prover.patches, roots or ()):
+        patch.roots[:] = cuts
 
     def tree(node):
         lo, hi = node.hull()
@@ -439,7 +444,10 @@ class WeakSigns(StarBox2Test):
     """S1 with zeros: the cube again, whose faces have other parameters."""
 
     def judged(self, points):
-        plan = covered(faces_of_points(points), proved(models.cube()))
+        return self.judged_faces(faces_of_points(points))
+
+    def judged_faces(self, faces, roots=None):
+        plan = covered(faces, proved(models.cube()), roots)
         plan.drop_boxes()
         return in_cpp(plan.model, plan.certificate())[1]
 
@@ -455,10 +463,29 @@ class WeakSigns(StarBox2Test):
         grid = (-1, 1, -1, 1)
         self.assertEqual(self.judged([[(u, v) for v in grid] for u in grid]), "C2")
 
+    def test_no_normal_is_zero_along_an_inner_side_of_a_root(self):
+        """Such a line at z = 0 between two roots of a face, whose corners lie on sides of the face."""
+        for grid, expected in (((-1, Q(-1, 3), Q(1, 3), 1), "ACCEPT"), ((-1, 1, -1, 1), "C2")):
+            plain, faces, roots = (-1, Q(-1, 3), Q(1, 3), 1), [], []
+            for at in models.cube_faces():
+                cut = [int(at(*end)[2] != at(-1, -1)[2]) for end in ((1, -1), (-1, 1))]    # whether z varies with u, with v
+                faces.append(forge.surface([[at(u, v) for v in (grid if cut[1] else plain)] for u in (grid if cut[0] else plain)]))
+                roots.append(cut)
+            self.assertEqual(self.judged_faces(faces, roots), expected)
+
     def test_no_normal_is_zero_at_a_point_inside(self):
         """(u, v) (u^2 + v^2 - u^2 v^2): the identity on the sides, one to one, and the normal is zero in the middle alone."""
         x, y = bernstein({(3, 0): 1, (1, 2): 1, (3, 2): -1}), bernstein({(0, 3): 1, (2, 1): 1, (2, 3): -1})
         self.assertEqual(self.judged([[(x[i][j], y[i][j]) for j in range(4)] for i in range(4)]), "C2")
+
+    def test_no_coefficient_is_negative(self):
+        """c- is moved outside, nearly to c+: on a whole face of the ball the coefficients then have both signs."""
+        plan = proved(models.bicubic_ball())
+
+        def outside(changed):
+            sheet = changed.boxes[0].sheets[0]
+            sheet[0] = tuple(c + (a > c) - (a < c) for a, c in zip(*sheet))
+        self.lie("C2", plan, outside)
 
     def test_some_coefficient_is_positive(self):
         """c- in the plane of the face z = 1, whose sides lie far away: all coefficients are zero."""
@@ -470,7 +497,7 @@ class WeakSigns(StarBox2Test):
         self.lie("C2", plan, lambda changed: changed.boxes[number].sheets[0].__setitem__(0, (0, 0, UNIT)))
 
     def cut(self, tree, level):
-        """The same with all leaves at this level at least."""
+        """A tree in which leaves above this level are split."""
         if isinstance(tree, int):
             return tree if level == 0 else [self.cut(tree, level - 1) for _ in range(4)]
         return [self.cut(kid, max(level - 1, 0)) for kid in tree]
@@ -574,8 +601,15 @@ class FlatPatches(StarBox2Test):
             self.says(expected, other)
 
     def test_the_points_of_a_side_lie_on_a_line(self):
-        """The side between the faces z = 1 and x = 1 bulges in the plane of one of them."""
-        self.flat("C4", lambda p: (Q(9, 8), p[1], 1) if p[::2] == (1, 1) and abs(p[1]) < 1 else p)
+        """The side between the faces z = 1 and x = 1 bulges in the plane of the first; mesh boxes lie in the middle of that one only."""
+        for x, expected in ((1, "ACCEPT"), (Q(9, 8), "C4")):
+            plan = proved(models.cube(degree=3, shape=lambda p, x=x: (x, p[1], 1) if p[::2] == (1, 1) and abs(p[1]) < 1 else p), roots=2)
+            middle = [box for i, box in enumerate(plan.boxes) if i != plan.walks[0][0] and box.lo[2] + box.size[2] > UNIT
+                      and all(-UNIT < box.lo[k] and box.lo[k] + box.size[k] < UNIT for k in (0, 1))]
+            self.assertTrue(middle)
+            for box in middle:
+                box.kind = 1
+            self.says(expected, plan)
 
     def test_a_rational_patch_is_not_flat(self):
         faces = models.cube(degree=3)
@@ -586,12 +620,16 @@ class FlatPatches(StarBox2Test):
     def test_corners_are_strictly_convex(self):
         """The edge of a cube from (1, 1, -1) to (1, 1, 1) is drawn into the middle, where z = 1 becomes a triangle, and beyond."""
         for to, expected in ((Q(1, 2), "ACCEPT"), (0, "C4"), (Q(-1, 4), "C4")):
-            plan = proved(models.cube(shape=lambda p, to=to: (to, to, p[2]) if p[:2] == (1, 1) else p), QuadProver)
-            self.says(expected, mesh_boxes(plan))
+            faces = models.cube(shape=lambda p, to=to: (to, to, p[2]) if p[:2] == (1, 1) else p)
+            below = next(face["shape"] for face in faces if all(p[2] == "-1" for p in face["shape"]["points"]))
+            below["points"] = [below["points"][i] for i in (1, 3, 0, 2)]    # turned: its diagonal c0 c2 ends there, too
+            self.says(expected, mesh_boxes(proved(faces, QuadProver)))
 
     def test_two_walls_that_overlap(self):
         for x, expected in ((Q(33, 16), "ACCEPT"), (2, "C4")):
-            self.says(expected, mesh_boxes(proved(models.cube() + models.cube(middle=(x, Q(1, 2), 0)), QuadProver)))
+            plan = mesh_boxes(proved(models.cube() + models.cube(middle=(x, Q(1, 2), 0)), QuadProver))
+            self.says(expected, plan)
+            self.says(expected, plan.into_frame(TURNED, 1, lambda box: box.kind == 1))
 
 
 if __name__ == "__main__":

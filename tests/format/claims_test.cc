@@ -80,11 +80,13 @@ StarBoxBody star_2() {
   b.entities.push_back(triangle());
   b.entities.back().is_surface = false;
   b.entities.back().is_other = true;
-  b.frames = {{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}}, {{{{1, 0, 0}, {0, 1, 0}, {0, -1, -2147483647}}}}};
+  b.frames = {{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}},
+              {{{{1, 0, 0}, {0, 1, 0}, {0, -1, -2147483647}}}}};
   b.boxes[0].frame = 2;
   b.boxes[0].point_shift = 1;
   b.boxes[0].sheets = {{{0, 1, 6}, {1, 2, 7}, {1, 0}}, {{0, -1, 6}, {1, 2, -7}, {2, 1}}};
-  b.boxes[0].separators = {{1, -4096, {1, -2, 3, std::int64_t{1} << 62}}, {2, 7, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}};
+  b.boxes[0].separators = {{1, -4096, {1, -2, 3, std::int64_t{1} << 62}},
+                           {2, 7, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}};
   b.boxes.push_back({true, 0, {-1, 0, 5}, {4, 4, 4}, 0, {}, 1, {}});
   b.boxes.push_back({false, 0, {-1, 0, 5}, {4, 4, 4}, 9, {{{0, 1, 6}, {1, 2, 7}, {}}}, 0, {}});
   return b;

@@ -121,7 +121,8 @@ TEST(PatchCertificateText, SaysFramesSheetsAndSeparatorsOfVersion2) {
   b.sheets = {{{0, 1, 6}, {1, 2, 7}, {1, 0}}, {{0, -1, 6}, {1, 2, -7}, {2, 1}}};
   b.separators = {{1, -3, {1, -2, 3, 4}}, {1, 5, {0, 0, 0, -1}}};
   const std::string text = text_of(certificate_of(body));
-  EXPECT_TRUE(has(text, R"(body: star-box-2, 2 entities (1 surfaces, 1 triangles; 1 reversed), 3 patches
+  EXPECT_TRUE(
+      has(text, R"(body: star-box-2, 2 entities (1 surfaces, 1 triangles; 1 reversed), 3 patches
 unit: 2^-7
 star boxes: 2
 mesh boxes: 0
@@ -137,7 +138,8 @@ boxes with several sheets: 1
     separator of degree 1, t = 5, coefficients 0 0 0 -1
 trees of 3 roots: 3 leaves, 3 nodes, at most 0 levels deep
 )")) << text;
-  EXPECT_TRUE(has(text_of(certificate_of(body), 0), "boxes with several sheets: 1\n  ... and 1 more\n"));
+  EXPECT_TRUE(
+      has(text_of(certificate_of(body), 0), "boxes with several sheets: 1\n  ... and 1 more\n"));
 }
 
 // A body of version 2 is cut into its fields without its statement and its model.
@@ -145,7 +147,8 @@ TEST(PatchCertificateText, NeedsOnlyTheBodyInVersion2) {
   StarBoxBody body = body_of({{1, 2}, {2, 2}}, 2);
   std::swap(body.entities[0], body.entities[2]);  // a triangle first
   body.version = 2;
-  EXPECT_TRUE(has(text_of(certificate_of("star-box-2", 99, encode(body))), "(2 surfaces, 2 triangles; 1 reversed), 8 patches"));
+  EXPECT_TRUE(has(text_of(certificate_of("star-box-2", 99, encode(body))),
+                  "(2 surfaces, 2 triangles; 1 reversed), 8 patches"));
 }
 
 TEST(PatchCertificateText, SaysWhatACollarAdds) {

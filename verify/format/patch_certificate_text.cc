@@ -62,16 +62,18 @@ std::string frame_text(const StarFrame& f) {
   return point_text(f.rows[0]) + ", " + point_text(f.rows[1]) + ", " + point_text(f.rows[2]);
 }
 std::string separator_text(const StarSeparator& q) {
-  std::string text = "degree " + number(q.degree) + ", t = " + std::to_string(q.shift) + ", coefficients";
+  std::string text =
+      "degree " + number(q.degree) + ", t = " + std::to_string(q.shift) + ", coefficients";
   for (const std::int64_t v : q.coefficients) text += " " + std::to_string(v);
   return text;
 }
 std::string sheets_text(const StarBoxBody& body, std::size_t box) {
   const StarBoxItem& b = body.boxes[box];
-  std::string text = "box " + number(box) + ", frame " + number(b.frame) + ", points in units of 2^" +
-                     number(b.point_shift) + " of these";
+  std::string text = "box " + number(box) + ", frame " + number(b.frame) +
+                     ", points in units of 2^" + number(b.point_shift) + " of these";
   for (const StarSheet& sheet : b.sheets) {
-    text += "\n    c- " + point_text(sheet.inside) + ", c+ " + point_text(sheet.outside) + ", signs ";
+    text +=
+        "\n    c- " + point_text(sheet.inside) + ", c+ " + point_text(sheet.outside) + ", signs ";
     for (const std::uint8_t sign : sheet.signs) text += "0+-?"[std::min<int>(sign, 3)];
   }
   for (const StarSeparator& q : b.separators) text += "\n    separator of " + separator_text(q);

@@ -36,7 +36,7 @@ void write(ByteWriter& w, const std::vector<PatchEntity>& entities);
 /// Reads what write() writes; false unless there are is_surface.size() entities, with at least two
 /// breaks an axis.
 bool read(ByteReader& r, const std::vector<bool>& is_surface, std::vector<PatchEntity>& out);
-/// The same in bodies of version 2, which give the kind of every entity before its flag.
+/// Bodies of version 2 give the kind of every entity before its flag.
 void write_with_kinds(ByteWriter& w, const std::vector<PatchEntity>& entities);
 bool read_with_kinds(ByteReader& r, std::vector<PatchEntity>& out);
 }  // namespace internal

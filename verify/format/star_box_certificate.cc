@@ -113,8 +113,7 @@ void read_sheets(ByteReader& r, StarBoxItem& b) {
     }
     b.sheets.push_back(sheet);
   }
-  for (std::uint8_t i = 0; i < separators && r.ok(); ++i)
-    b.separators.push_back(read_separator(r));
+  for (std::uint8_t i = 0; i < separators && r.ok(); ++i) b.separators.push_back(read_separator(r));
   for (StarSheet& sheet : b.sheets)
     for (std::uint8_t i = 0; i < separators && r.ok(); ++i) sheet.signs.push_back(r.u8());
 }
@@ -203,8 +202,9 @@ Bytes encode(const StarBoxBody& body) {
 Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBody& body,
              std::optional<std::int64_t> winding) {
   const Bytes bytes = encode(body);
-  const std::string_view claim = body.version == 1 ? (winding ? kReversedShellClaim : kStarBoxClaim)
-                                                   : (winding ? kReversedShell2Claim : kStarBox2Claim);
+  const std::string_view claim = body.version == 1
+                                     ? (winding ? kReversedShellClaim : kStarBoxClaim)
+                                     : (winding ? kReversedShell2Claim : kStarBox2Claim);
   internal::StatementWriter w = internal::state_star_boxes(subject, claim, q, body, bytes);
   if (winding) w.number("winding", zigzag_code(*winding));
   return internal::join(w.take(), bytes);

@@ -30,8 +30,8 @@ struct StarSheet {
   std::array<std::int64_t, 3> inside{}, outside{};
   std::vector<std::uint8_t> signs;  ///< of the box's separators: 0 none, 1 plus, 2 minus
 };
-/// Of degree 1 to 3, with 4, 10 or 20 coefficients, of y1^a y2^b y3^c, c fastest: y = (x - o) / 2^(exponent +
-/// point_shift + shift), where o is c- of the first sheet.
+/// A polynomial of degree 1 to 3, with 4, 10 or 20 coefficients, of y1^a y2^b y3^c, c fastest: y = (x - o) /
+/// 2^(exponent + point_shift + shift), where o is c- of the first sheet.
 struct StarSeparator {
   std::uint8_t degree = 1;
   std::int64_t shift = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // star.h: what the parts of star-box-1 and star-box-2 share. The pages: docs/certificates/star-box.md and
-// star-box-2.md. A body of version 1 is one of version 2 without frames and separators, each of whose star boxes has one
-// sheet, with the stricter S1 of version 1.
+// star-box-2.md. A body of version 1 is one of version 2 without frames and separators, whose star boxes have one sheet
+// each, with the stricter S1 of version 1.
 #pragma once
 #include <functional>
 #include <memory>
@@ -80,9 +80,9 @@ struct Sheet {
 };
 struct Box : Bounds {  // of A x, where A is the box's frame
   bool is_mesh;
-  uint32_t frame;  // 0: the unit matrix
-  uint32_t component;  // unused if there are several sheets
-  int64_t place[3];  // a point near the box in the model's coordinates; decides nothing
+  uint32_t frame;             // 0: the unit matrix
+  uint32_t component;         // unused if there are several sheets
+  int64_t place[3];           // a point near the box in the model's coordinates; decides nothing
   std::vector<Sheet> sheets;  // none in a mesh box
   std::vector<Separator> separators;
 };

@@ -5,6 +5,7 @@
 namespace {
 
 __extension__ typedef __int128 i128;
+const int64_t kMostScale = 128;  // a limit of this checker, so that coefficients stay short
 const uint64_t kMostSheets = 64, kMostFrames = 65535;  // and as many separators as sheets
 
 struct Reader : StarBytes {
@@ -82,7 +83,8 @@ struct Reader : StarBytes {
         int64_t v[3];
         for (int k = 0; k < 3; ++k) {
           v[k] = zigzag();
-          require(::magnitude(v[k]) <= uint64_t(2 * kFarthest), "B1", "a coordinate is too far away");
+          require(::magnitude(v[k]) <= uint64_t(2 * kFarthest), "B1",
+                  "a coordinate is too far away");
           v[k] += first[k];
           sheet.c[i][k] = scaled(v[k], r);
         }
@@ -97,8 +99,8 @@ struct Reader : StarBytes {
       }
     for (size_t i = 0; i < b->sheets.size(); ++i)
       for (size_t j = 0; j < i; ++j)
-        require(are_apart(b->sheets[i], b->sheets[j]), "B1", "no separator is between two sheets of the box",
-                out->boxes.size());
+        require(are_apart(b->sheets[i], b->sheets[j]), "B1",
+                "no separator is between two sheets of the box", out->boxes.size());
   }
   bool is_inside(const Box& b, const int64_t* c) const {
     for (int row = 0; row < 3; ++row) {
@@ -114,6 +116,8 @@ struct Reader : StarBytes {
     const int64_t t = zigzag();
     require(t >= -kMostUnit && t <= kMostUnit, "B1", "t is out of range");
     q->scale = r + t;
+    require(q->scale >= -kMostScale && q->scale <= kMostScale, "B1",
+            "the unit of a separator is too far away");
     const int d = q->degree;
     for (int n = (d + 1) * (d + 2) * (d + 3) / 6; n > 0; --n) q->coefficients.push_back(zigzag());
   }
@@ -211,12 +215,14 @@ StarBody read_star_body(const Statement& statement, const std::vector<Entity>& e
   check_kinds(entities);
   cut_patches(places, unit, cuts.breaks,
               [&](Patch&& patch) { out.patches.push_back(std::move(patch)); });
-  const bool has_mesh = std::any_of(out.boxes.begin(), out.boxes.end(), [](const Box& b) { return b.is_mesh; });
+  const bool has_mesh =
+      std::any_of(out.boxes.begin(), out.boxes.end(), [](const Box& b) { return b.is_mesh; });
   for (size_t i = 0; i < places.size(); ++i) {
     Patch& made = out.patches[i];
     made.is_reversed = cuts.reversed[cuts.entity_of(i)];
-    made.is_flat = out.version == 1 ? made.shape.is_triangle && made.shape.p == 1 && !made.is_rational
-                                    : has_mesh && is_flat_patch(made);
+    made.is_flat = out.version == 1
+                       ? made.shape.is_triangle && made.shape.p == 1 && !made.is_rational
+                       : has_mesh && is_flat_patch(made);
     std::copy(&roots[2 * i], &roots[2 * i] + 2, made.roots);
     made.first_root = out.num_roots;
     out.num_roots += made.num_roots();

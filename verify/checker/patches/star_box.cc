@@ -23,7 +23,8 @@ std::vector<uint32_t> by_place(const std::vector<Box>& boxes) {
   for (uint32_t i = 0; i < boxes.size(); ++i) {
     uint64_t code = 0;  // Morton's
     for (int bit = 20; bit-- > 0;)
-      for (int k = 0; k < 3; ++k) code = 2 * code + ((boxes[i].place[k] - lo[k]) >> drop >> bit & 1);
+      for (int k = 0; k < 3; ++k)
+        code = 2 * code + ((boxes[i].place[k] - lo[k]) >> drop >> bit & 1);
     codes.push_back(std::make_pair(code, i));
   }
   std::sort(codes.begin(), codes.end());
@@ -64,10 +65,12 @@ struct Descent {
   template <class Visit>
   void each_root(Visit visit) {
     if (box.frame == 0)
-      forest.descend([&](const int64_t* lo, const int64_t* hi) { return leads_to(box, lo, hi); }, visit);
-    else
-      forest.descend([&](const int64_t* lo, const int64_t* hi) { return leads_to(box, frame, lo, hi); },
+      forest.descend([&](const int64_t* lo, const int64_t* hi) { return leads_to(box, lo, hi); },
                      visit);
+    else
+      forest.descend(
+          [&](const int64_t* lo, const int64_t* hi) { return leads_to(box, frame, lo, hi); },
+          visit);
   }
   bool misses(const Patch& p, const Node& node) {
     units.add(p.cost);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_mesh.cc: mesh boxes, section 5 of docs/certificates/star-box.md and star-box-2.md, by separating axes: two disjoint convex polygons,
-// segments or boxes have disjoint projections to a normal of one of their faces, to a product of directions of their
-// edges, or, in a plane, to a normal of an edge.
+// star_mesh.cc: mesh boxes, section 5 of docs/certificates/star-box.md and star-box-2.md, by
+// separating axes: two disjoint convex polygons, segments or boxes have disjoint projections to a normal
+// of one of their faces, to a product of directions of their edges, or, in a plane, to a normal of an edge.
 #include "star_box.h"
 #include "star_poly.h"
 
@@ -66,14 +66,16 @@ struct Triangle {
     return false;
   }
 };
-Vec corner(const Patch& p, int i) {  // times its weight, which all points of a polynomial patch share
+Vec corner(const Patch& p,
+           int i) {  // times its weight, which all points of a polynomial patch share
   const int side = p.shape.is_triangle ? (i + 2) % 3 : i;  // the one that starts there
   Vec r;
   for (size_t k = 0; k < 3; ++k) r.x[k] = p.net[4 * size_t(p.shape.on_side(side, 0)) + k];
   return r;
 }
 Points corners(const Facet& f) {
-  return {corner(*f.patch, f.corner[0]), corner(*f.patch, f.corner[1]), corner(*f.patch, f.corner[2])};
+  return {corner(*f.patch, f.corner[0]), corner(*f.patch, f.corner[1]),
+          corner(*f.patch, f.corner[2])};
 }
 
 bool meet_properly(const Facet& a, const Facet& b) {
@@ -109,7 +111,8 @@ bool meet_properly(const Facet& a, const Facet& b) {
 
 std::vector<Facet> facets_of(const Patch& p) {
   if (p.shape.is_triangle) return {Facet{&p, {0, 1, 2}, {p.pair[0], p.pair[1], p.pair[2]}}};
-  const uint64_t diagonal = uint64_t(1) << 63 | p.first_root;  // no pair has this number, nor another patch
+  const uint64_t diagonal =
+      uint64_t(1) << 63 | p.first_root;  // no pair has this number, nor another patch
   return {Facet{&p, {0, 1, 2}, {p.pair[0], p.pair[1], diagonal}},
           Facet{&p, {0, 2, 3}, {diagonal, p.pair[2], p.pair[3]}}};
 }

@@ -112,7 +112,8 @@ Hull hull_of(const Patch& p, const Block& net) {
     for (int i = 0; i < count; ++i) {
       if (!p.is_rational && i != least && i != most) continue;
       bool exact;
-      const uint64_t* const weight = net.number(p.is_rational ? 4 * size_t(i) + 3 : 3 * size_t(count));
+      const uint64_t* const weight =
+          net.number(p.is_rational ? 4 * size_t(i) + 3 : 3 * size_t(count));
       const int64_t low = floor_ratio(coordinate(i), weight, n, &exact);
       const int64_t high = exact ? low : std::min(low + 1, kFarthest);
       h.out_lo[k] = std::min(h.out_lo[k], low);

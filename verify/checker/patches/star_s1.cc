@@ -48,7 +48,9 @@ Shape shape_of_g(const Patch& p) {
   const int d = p.shape.is_triangle ? 2 : 1;
   return Shape{p.shape.is_triangle, 3 * p.shape.p - d, 3 * p.shape.q - d};
 }
-bool is_pole(const Patch& p, const Node& node, int e) { return p.is_collapsed(e) && node.is_outer(p, e); }
+bool is_pole(const Patch& p, const Node& node, int e) {
+  return p.is_collapsed(e) && node.is_outer(p, e);
+}
 // Two sides of the node lie in collapsed sides of the patch and share a corner.
 bool is_double_pole(const Patch& p, const Node& node) {
   const int n = p.shape.sides();
@@ -86,7 +88,8 @@ bool is_on_line_through(const Patch& p, int e, const int64_t* c) {
   Poly d[3], derivative[3];
   for (size_t k = 0; k < 3; ++k) {
     std::vector<Big> from_c;
-    for (size_t i = 0; i < side.size(); i += 4) from_c.push_back(side[i + k] - side[i + 3] * Big(c[k]));
+    for (size_t i = 0; i < side.size(); i += 4)
+      from_c.push_back(side[i + k] - side[i + 3] * Big(c[k]));
     d[k] = polynomial(s, from_c, -1);
     derivative[k] = polynomial(s, from_c, 0);
   }
@@ -100,8 +103,8 @@ bool is_on_line_through(const Patch& p, int e, const int64_t* c) {
 }
 
 // Conditions 2 and 3 where no coefficient has the wrong sign and some are zero.
-bool zeros_are_allowed(const Patch& p, const Node& node, const Shape& s, const std::vector<bool>& is_zero,
-                       const int64_t* c) {
+bool zeros_are_allowed(const Patch& p, const Node& node, const Shape& s,
+                       const std::vector<bool>& is_zero, const int64_t* c) {
   if (std::find(is_zero.begin(), is_zero.end(), false) == is_zero.end()) return false;
   for (int e = 0; e < s.sides(); ++e) {
     bool any = node.is_outer(p, e);
@@ -113,7 +116,8 @@ bool zeros_are_allowed(const Patch& p, const Node& node, const Shape& s, const s
     bool is_inner = true;
     for (int e = 0; e < s.sides(); ++e)
       if (node.touches(p, corner, e)) is_inner = false, touched[e] = true;
-    const int side = s.is_triangle ? (corner + 2) % 3 : corner;  // the one that starts at the corner
+    const int side =
+        s.is_triangle ? (corner + 2) % 3 : corner;  // the one that starts at the corner
     if (is_inner && is_zero[size_t(s.on_side(side, 0))]) return false;
   }
   for (int e = 0; e < s.sides(); ++e)
@@ -123,7 +127,9 @@ bool zeros_are_allowed(const Patch& p, const Node& node, const Shape& s, const s
 // Conditions 1 to 3 for one centre.
 bool holds_weakly(const Patch& p, Node* node, const int64_t* c, int sgn) {
   const Shape s = shape_of_g(p);
-  const auto sign = [&](uint32_t i) { return sgn * sign_of<0>(node->g.number(4 * i), c, node->g.n); };
+  const auto sign = [&](uint32_t i) {
+    return sgn * sign_of<0>(node->g.number(4 * i), c, node->g.n);
+  };
   if (sign(node->last_fail) < 0) return false;
   std::vector<bool> is_zero(size_t(s.count()));
   bool any_zero = false;

@@ -61,8 +61,10 @@ SheetTest::SheetTest(const Box& box, int version, Units* units)
     for (int a = 0; a <= q.degree; ++a)
       for (int b = 0; a + b <= q.degree; ++b)
         for (int c = 0; a + b + c <= q.degree; ++c) {
-          const int up = q.scale > 0 ? q.degree - a - b - c : a + b + c;  // times 2^-scale for each y
-          form.coefficients.push_back(shifted(q.coefficients[at++], int64_t(magnitude(q.scale)) * up));
+          const int up =
+              q.scale > 0 ? q.degree - a - b - c : a + b + c;  // times 2^-scale for each y
+          form.coefficients.push_back(
+              shifted(q.coefficients[at++], int64_t(magnitude(q.scale)) * up));
         }
     forms_.push_back(form);
   }
@@ -72,7 +74,8 @@ int SheetTest::sheet_of(const Patch& p, Node* node) {
   std::fill(known_.begin(), known_.end(), kUnknown);
   for (size_t i = 0; i < box_.sheets.size(); ++i) {
     if (!is_strict_) units_->add(p.cost);
-    if (star_test(p, node, box_.sheets[i], is_strict_) && has_signs(box_.sheets[i], p, *node)) return int(i);
+    if (star_test(p, node, box_.sheets[i], is_strict_) && has_signs(box_.sheets[i], p, *node))
+      return int(i);
   }
   return -1;
 }
@@ -94,7 +97,8 @@ int SheetTest::sign_on(size_t separator, const Patch& p, const Node& node) const
   std::vector<Big> from_o[4] = {{}, {}, {}, coefficients(p, node, 3)};
   for (int k = 0; k < 3; ++k) {
     from_o[k] = coefficients(p, node, k);
-    for (size_t i = 0; i < from_o[k].size(); ++i) from_o[k][i] = from_o[k][i] - from_o[3][i] * Big(o[k]);
+    for (size_t i = 0; i < from_o[k].size(); ++i)
+      from_o[k][i] = from_o[k][i] - from_o[3][i] * Big(o[k]);
   }
   const Form& form = forms_[separator];
   Poly v[4];

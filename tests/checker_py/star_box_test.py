@@ -587,7 +587,7 @@ class Pieces(unittest.TestCase):
                         if h >= 0:
                             result.append(p)
                     polygon = result
-            self.assertEqual(star_triangles.triangle_misses_box(patch, box), not polygon, (t, lo, hi))
+            self.assertEqual(star_triangles.triangle_misses_box(star_triangles.corners_of(patch), box), not polygon, (t, lo, hi))
 
     def test_segments_and_boxes(self):
         rng = random.Random(8)

@@ -22,6 +22,8 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("mesh-invalid-1", b"VTMI", MESHES, {**OF_MESHES, "rules": r"M[1-9]( M[1-9])*"}, "mesh.mesh_invalid"),
     Claim("star-box-1", b"VTSB", SPLINES, OF_STARS, "patches.star_box_check"),
     Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
+    Claim("star-box-2", b"VTS2", SPLINES, OF_STARS, "patches.star_box_2_check"),
+    Claim("star-box-turned-2", b"VTS2", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_2_check"),
     Claim("patch-invalid-1", b"VTPI", SPLINES, {**OF_PATCHES, "finding": "crossing|side", "same": int, "opposite": int},
           "patches.patch_invalid_check"),
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),

@@ -8,10 +8,10 @@ from ..common.errors import Reject
 from ..common.vectors import cross, sub
 from .star_box_crossing import Crossing
 from .star_box_itd import read_subject
-from .star_box_nodes import Forest, misses_box, misses_segment, root_nodes
+from .star_box_nodes import Forest, in_frame, misses_box, misses_segment, root_nodes
 from .star_box_patches import glue, patches_of
 from .star_box_read import Certificate
-from .star_box_triangles import corners_of, meet_properly, triangle_misses_box
+from .star_box_triangles import Flat, corners_of, meet_properly, triangle_misses_box
 
 MAX_DEGREE = 15
 UNITS = 2000                            # of work for each leaf and box
@@ -74,10 +74,11 @@ class Checker:
                     stack += node.children()[::-1]
                     node.kids = None
                     continue
-                box, (lo, hi) = self.cert.boxes[number], node.hull()
+                box = self.cert.boxes[number]
+                lo, hi = node.hull(box.frame)
                 if any(n < c * d for (n, d), c in zip(lo, box.lo)) or any(n > c * d for (n, d), c in zip(hi, box.hi)):
                     self.fail("C1", "a leaf of patch %d is not in its box %d" % (i, number))
-                if box.component not in (None, patch.component):
+                if box.component not in (None, patch.component) and not box.is_shared:
                     self.fail("C1", "leaves of two components name box %d" % number)
                 box.component = patch.component
 
@@ -88,34 +89,40 @@ class Checker:
             self.fail("C3", "the crossing number of box %d is %d" % (i, number))
 
     def check_mesh_box(self, i, box):
-        tested = []
+        found = {}                                          # the triangles of each flat patch
 
         def take(node):
-            if node.patch.is_flat and not triangle_misses_box(node.patch, box):
-                tested.append(node.patch)
-            return node.patch.is_flat
+            index, triangles = node.patch.index, self.triangles_of(node.patch)
+            if triangles:
+                found[index] = [t for t in triangles if not triangle_misses_box(in_frame(box.frame, t.corners), box)]
+            return bool(triangles)
 
-        self.forest.descend(misses_box(box), "C4", take)
-        triangles = [(patch, corners_of(patch), [self.vertex_of[4 * patch.index + s] for s in range(3)])
-                     for patch in tested]
-        for n, (patch, t, of_t) in enumerate(triangles):
-            if cross(sub(t[1], t[0]), sub(t[2], t[0])) == (0, 0, 0):
+        self.forest.descend(misses_box(box), "C4", take, box.frame)
+        tested = [t for triangles in found.values() for t in triangles]
+        for n, t in enumerate(tested):
+            if cross(sub(t.corners[1], t.corners[0]), sub(t.corners[2], t.corners[0])) == (0, 0, 0):
                 return self.fail("C4", "a triangle in box %d is degenerate" % i)
-            for other, s, of_s in triangles[:n]:
+            for s in tested[:n]:
                 self.forest.spend("C4")
-                common = [p for p, v in zip(t, of_t) if v in of_s]
-                edges = len({e for e, _ in patch.sides} & {e for e, _ in other.sides})
-                if not meet_properly(s, t, common, edges):
-                    self.fail("C4", "triangles %d and %d in box %d do not meet properly"
-                              % (other.index, patch.index, i))
+                common = [p for p, v in zip(t.corners, t.vertices) if v in s.vertices]
+                if not meet_properly(s.corners, t.corners, common, len(t.edges & s.edges)):
+                    self.fail("C4", "triangles %d and %d in box %d do not meet properly" % (s.patch, t.patch, i))
+
+    def triangles_of(self, patch):
+        """The triangles that a patch is in mesh boxes, or () if it is not flat."""
+        if not patch.is_flat:
+            return ()
+        return [Flat(patch.index, corners_of(patch), [self.vertex_of[4 * patch.index + s] for s in range(3)],
+                     {side[0] for side in patch.sides if side})]
 
     def check_walks(self):
         """Tests W1 for the walks; inner: w(c-) of each component."""
         boxes = self.cert.boxes
         for i, (start, points, end, direction) in enumerate(self.cert.walks):
             component = boxes[start[0]].component
-            if any(boxes[box].kind for box, _ in [start, end or start]) or component in self.inner:
-                self.fail("W1", "walk %d starts or ends at a mesh box, or its component has another walk" % i)
+            if not all(self.may_walk(boxes[box]) for box, _ in [start, end or start]) or component in self.inner:
+                self.fail("W1", "walk %d starts or ends at a %s, or its component has another walk"
+                          % (i, self.no_walks))
             if end and boxes[end[0]].component not in self.inner:
                 self.fail("W1", "walk %d ends at a component without an earlier walk" % i)
             self.follow(boxes[start[0]].c[start[1]], points, end, direction, "W1")
@@ -123,6 +130,12 @@ class Checker:
             self.inner[component] = w + start[1]
         if len(self.inner) != len(self.chi):
             self.fail("W1", "%d walks for %d components" % (len(self.inner), len(self.chi)))
+
+    no_walks = "mesh box"
+
+    def may_walk(self, box):
+        """May walks start and end at this box?"""
+        return not box.kind
 
     def follow(self, start, points, end, direction, condition):
         """Tests the hull descents of a polyline's segments."""
@@ -138,7 +151,7 @@ class Checker:
     def check_values(self):
         """Tests W2; returns the numbers of the statement in which this claim differs from others, or that it alone
         has."""
-        if self.statement["claim"] == "star-box-turned-1":
+        if "turned" in self.statement["claim"]:
             last = self.inner[self.cert.boxes[self.cert.walks[-1][0][0]].component] if self.cert.walks else 1
             if last == 1:
                 self.fail("W2", "w is 1 at c- of the last component")

@@ -4,6 +4,7 @@ from fractions import Fraction
 from itertools import compress
 
 from ..common.errors import Reject
+from ..common.vectors import dot
 from .star_box_patches import FULL
 from .star_box_read import MAX_DEPTH
 
@@ -18,16 +19,21 @@ class Node:
         self.patch, self.level, self.at, self.net, self.parent, self.place = patch, level, at, net, parent, place
         self.g = self.kids = self.lo = self.keep = None
 
-    def hull(self):
-        """The least and the greatest (numerator, denominator > 0) of each coordinate."""
-        if self.lo is None:
-            x, y, z, w = [[c for row in a for c in row] for a in self.net]
-            if not self.patch.rational:                     # all w are equal
-                self.lo = [(min(a), w[0]) for a in (x, y, z)]
-                self.hi = [(max(a), w[0]) for a in (x, y, z)]
-            else:
-                self.lo, self.hi = zip(*[extremes(a, w) for a in (x, y, z)])
-        return self.lo, self.hi
+    def hull(self, frame=None):
+        """The least and the greatest (numerator, denominator > 0) of each coordinate; with a frame, of the control
+        points that its matrix maps."""
+        if frame is None and self.lo is not None:
+            return self.lo, self.hi
+        *axes, w = [[c for row in a for c in row] for a in self.net]
+        if frame is not None:
+            axes = [[a * x + b * y + c * z for x, y, z in zip(*axes)] for a, b, c in frame]
+        if not self.patch.rational:                         # all w are equal
+            lo, hi = [(min(a), w[0]) for a in axes], [(max(a), w[0]) for a in axes]
+        else:
+            lo, hi = zip(*[extremes(a, w) for a in axes])
+        if frame is None:
+            self.lo, self.hi = lo, hi
+        return lo, hi
 
     def children(self):
         if self.kids is None:
@@ -58,13 +64,19 @@ class Node:
             return {(1, 0): 0, (0, FULL): 1, (1, FULL): 2, (0, 0): 3}.get((e, a[e])), e, a[e]
         return None if a[e] else e, e, a[e]
 
+    def collapsed_sides(self):
+        """The sides that lie in collapsed sides of the patch; None if two of them share a corner."""
+        lines = [self.line(s)[0] for s in range(self.patch.num_sides)]
+        sides = [s for s, side in enumerate(lines) if side is not None and self.patch.sides[side] is None]
+        corners = {self.patch.corner(s, end) for s in sides for end in (0, 1)}
+        return None if len(corners) < 2 * len(sides) else sides
+
     def kept(self, arrays):
         """Flags of the coefficients that S1 is about; True: all; False: none, S1 fails at a corner of two collapsed
         sides."""
         if self.keep is None:
-            sides = [s for s in range(self.patch.num_sides)
-                     if self.line(s)[0] is not None and self.patch.sides[self.line(s)[0]] is None]
-            if len({self.patch.corner(s, end) for s in sides for end in (0, 1)}) < 2 * len(sides):
+            sides = self.collapsed_sides()
+            if sides is None:
                 self.keep = False
             elif sides:
                 rows, n = [], 0
@@ -136,24 +148,27 @@ class Forest:
         if self.work < 0:
             raise Reject(condition, "too much work")
 
-    def roots_near(self, misses, condition):
+    def roots_near(self, misses, condition, frame):
         stack = [self.top] if self.top else []
         while stack:
             lo, hi, item = stack.pop()
             self.spend(condition)
+            if frame is not None:
+                lo, hi = mapped_box(frame, lo, hi)
             if not misses([(n, 1) for n in lo], [(n, 1) for n in hi]):
                 if isinstance(item, Node):
                     yield item
                 else:
                     stack += item
 
-    def descend(self, misses, condition, taken):
-        """The nodes that are taken; those whose hulls miss are dropped, the others split down to the last level."""
-        stack, result = list(self.roots_near(misses, condition)), []
+    def descend(self, misses, condition, taken, frame=None):
+        """The nodes that are taken; those whose hulls (in the frame) miss are dropped, the others split down to the
+        last level."""
+        stack, result = list(self.roots_near(misses, condition, frame)), []
         while stack:
             node = stack.pop()
             self.spend(condition, node.patch.cost)
-            if misses(*node.hull()):
+            if misses(*node.hull(frame)):
                 continue
             if taken(node):
                 result.append(node)
@@ -184,6 +199,14 @@ def hierarchy(items):
     axis = max(range(3), key=lambda k: max(i[0][k] + i[1][k] for i in items) - min(i[0][k] + i[1][k] for i in items))
     items.sort(key=lambda i: i[0][axis] + i[1][axis])
     return lo, hi, [hierarchy(items[:len(items) // 2]), hierarchy(items[len(items) // 2:])]
+
+def in_frame(frame, points):
+    """The points that the matrix of a frame maps these to; without a frame, the points themselves."""
+    return points if frame is None else [tuple(dot(row, p) for row in frame) for p in points]
+
+def mapped_box(frame, lo, hi):
+    """A box around what the matrix of a frame maps the box from lo to hi to."""
+    return [[sum(a * (x if a > 0 else y) for a, x, y in zip(row, p, q)) for row in frame] for p, q in ((lo, hi), (hi, lo))]
 
 def misses_box(box):
     (x0, y0, z0), (x1, y1, z1) = box.lo, box.hi

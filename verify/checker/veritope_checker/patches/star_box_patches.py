@@ -168,7 +168,7 @@ class Patch:
             self.net = [[[c // common for c in row] for row in a] for a in self.net]
         p, q = self.degrees * (1 if self.is_tensor else 2)
         size = 9 * p * q if self.is_tensor else 3 * p * (3 * p - 1) // 2
-        size *= max(abs(c).bit_length() for a in self.net for row in a for c in row)
+        size *= longest(self.net)
         if size > MAX_SIZE:
             raise Reject("B2", "the coefficients of a patch are too long for its degree")
         self.cost = 1 + (size >> 14)                        # units of work for a node
@@ -182,6 +182,11 @@ class Patch:
     def side(self, s, net=None):
         """The homogeneous points of side s of a node with this net, in the patch's own direction."""
         return list(zip(*[self.side_of(a, s) for a in net or self.net]))
+
+    def corner_of(self, rows):
+        """The entries of an array at the corners."""
+        corners = [rows[0][0], rows[-1][0], rows[-1][-1]]
+        return corners + [rows[0][-1]] if self.is_tensor else corners
 
     def on_root(self, arrays, at):
         """The arrays on the root with these corners."""
@@ -201,54 +206,70 @@ class Patch:
                 self.g = [[[-c for c in row] for row in a] for a in self.g]
         return self.g
 
-def determinant(net, is_tensor):
-    """The 3 x 3 minors of (F, F_u, F_v).  Polynomials in Bernstein form without their binomial factors multiply like
-    those in powers; each is packed into one integer, 8 * width bits a coefficient."""
-    p, q = len(net[0]) - 1, len(net[0][0]) - 1
-    p, q = (p, q) if is_tensor else (p, p)
-    stride = 3 * q if is_tensor else 3 * p - 1              # the last degree of the product, and one
-    bits = max(abs(c).bit_length() for a in net for row in a for c in row)
-    width = 3 * (bits + p + q + 4) // 8 + 1     # |coefficient| < 6 * 2^(bits + p + q) * 4^(bits + p + q + 1)
+class Packing:
+    """Products of polynomials in Bernstein form.  Without their binomial factors they multiply like polynomials in
+    powers; each is packed into one integer, 8 * width bits a coefficient."""
 
-    def pack(terms):
-        return sum(c << 8 * width * i for i, c in terms)
+    def __init__(self, is_tensor, degrees, bits):
+        """degrees: of the products (of a triangle: twice the same).  bits: every coefficient of a product, with its
+        binomial factor, is below 2^bits in absolute value."""
+        self.is_tensor, self.degrees, self.width, self.stride = is_tensor, degrees, bits // 8 + 1, degrees[1] + 1
 
+    def place(self, r, k):
+        """The number of the coefficient in row r, entry k."""
+        return (r if self.is_tensor else r - k) * self.stride + k
+
+    def factors(self, m, n):
+        """The binomial factors of a polynomial of these degrees."""
+        if self.is_tensor:
+            return [[comb(m, i) * comb(n, j) for j in range(n + 1)] for i in range(m + 1)]
+        return [[comb(n, r) * comb(r, k) for k in range(r + 1)] for r in range(n + 1)]
+
+    def packed(self, rows):
+        return sum(f * c << 8 * self.width * self.place(r, k)
+                   for r, (row, factors) in enumerate(zip(rows, self.factors(len(rows) - 1, len(rows[-1]) - 1)))
+                   for k, (c, f) in enumerate(zip(row, factors)))
+
+    def unpacked(self, product):
+        """The coefficients with their binomial factors."""
+        p, q = self.degrees
+        half, count = 1 << 8 * self.width - 1, self.stride * (p + 1)
+        bias = half * (((1 << 8 * self.width * count) - 1) // ((1 << 8 * self.width) - 1))
+        data = (product + bias).to_bytes(self.width * count + 1, "little")
+        return [[int.from_bytes(data[i * self.width:(i + 1) * self.width], "little") - half
+                 for i in (self.place(r, k) for k in range((q if self.is_tensor else r) + 1))] for r in range(p + 1)]
+
+    def coefficients(self, products):
+        """The arrays of the products, all times one factor > 0."""
+        factors = self.factors(*self.degrees)
+        common = lcm(*[c for row in factors for c in row])
+        return [[[c * (common // f) for c, f in zip(row, line)] for row, line in zip(self.unpacked(product), factors)]
+                for product in products]
+
+def derivatives(rows, is_tensor):
+    """The arrays of the derivatives along u and v (of a triangle: along c1 - c0 and c2 - c0), divided by degrees."""
+    u = [[y - x for x, y in zip(r, s)] for r, s in zip(rows, rows[1:])]
     if is_tensor:
-        def packed(rows):
-            m, n = len(rows) - 1, len(rows[0]) - 1
-            return pack((i * stride + j, comb(m, i) * comb(n, j) * c) for i, row in enumerate(rows)
-                        for j, c in enumerate(row))
-        f = [packed(a) for a in net]
-        u = [packed([[y - x for x, y in zip(r, s)] for r, s in zip(a, a[1:])]) for a in net]
-        v = [packed([[y - x for x, y in zip(r, r[1:])] for r in a]) for a in net]
-        sizes, start = [3 * q] * (3 * p), stride
-        factors = [[comb(3 * p - 1, i) * comb(3 * q - 1, j) for j in range(3 * q)] for i in range(3 * p)]
-    else:
-        def packed(rows):
-            n = len(rows) - 1
-            return pack(((r - k) * stride + k, comb(n, r) * comb(r, k) * c) for r, row in enumerate(rows)
-                        for k, c in enumerate(row))
-        f = [packed(a) for a in net]
-        u = [packed([[y - x for x, y in zip(r, s)] for r, s in zip(a, a[1:])]) for a in net]
-        v = [packed([[y - x for x, y in zip(r, s[1:])] for r, s in zip(a, a[1:])]) for a in net]
-        n = 3 * p - 2
-        factors = [[comb(n, r) * comb(r, k) for k in range(r + 1)] for r in range(n + 1)]
+        return u, [[y - x for x, y in zip(r, r[1:])] for r in rows]
+    return u, [[y - x for x, y in zip(r, s[1:])] for r, s in zip(rows, rows[1:])]
+
+def longest(net):
+    return max(abs(c).bit_length() for a in net for row in a for c in row)
+
+def determinant(net, is_tensor):
+    """The 3 x 3 minors of (F, F_u, F_v)."""
+    p, q = len(net[0]) - 1, len(net[0][-1]) - 1
+    # |coefficient| < 6 * 2^(bits + p + q) * 4^(bits + p + q + 1)
+    packing = Packing(is_tensor, (3 * p - 1, 3 * q - 1) if is_tensor else (3 * p - 2,) * 2,
+                      3 * (longest(net) + p + q + 4))
+    f = [packing.packed(a) for a in net]
+    u, v = zip(*[map(packing.packed, derivatives(a, is_tensor)) for a in net])
 
     def minor(i, j, k):
         return (f[i] * (u[j] * v[k] - u[k] * v[j]) - f[j] * (u[i] * v[k] - u[k] * v[i])
                 + f[k] * (u[i] * v[j] - u[j] * v[i]))
 
-    common, half = lcm(*[c for row in factors for c in row]), 1 << 8 * width - 1
-    count = stride * (len(factors) if is_tensor else stride)
-    bias = pack((i, half) for i in range(count))
-    result = []
-    for columns in ((0, 1, 2), (1, 2, 3), (2, 0, 3), (0, 1, 3)):
-        data = (minor(*columns) + bias).to_bytes(width * count + 1, "little")
-        def coefficient(i):
-            return int.from_bytes(data[i * width:(i + 1) * width], "little") - half
-        result.append([[coefficient(r * stride + k if is_tensor else (r - k) * stride + k) * (common // c)
-                        for k, c in enumerate(row)] for r, row in enumerate(factors)])
-    return result
+    return packing.coefficients([minor(*columns) for columns in ((0, 1, 2), (1, 2, 3), (2, 0, 3), (0, 1, 3))])
 
 class Groups:
     """Classes of 0, 1, ... by union-find."""

@@ -251,6 +251,7 @@ def unzigzag(code):
 
 class Box:
     """kind 0 star, 1 mesh; lo, hi: corners; c: (c-, c+) of a star box."""
+    frame, is_shared = None, False      # version 2 has boxes in frames, and boxes that components share
 
     def __init__(self, body):
         self.kind, shift = body.u8(1), body.shift()
@@ -263,21 +264,28 @@ class Box:
         self.c = [[x + o << shift for x, o in zip(lo, c)] for c in centres]
         self.component = None           # of the leaves that name it
 
-def read_entities(body, magic, entities):
-    """(flags, breaks) after the magic and the number of entities."""
+def read_head(body, magic, entities):
+    """Reads the magic and the number of entities."""
     if body.bytes(4) != magic or body.count(1) != len(entities):
         raise Reject("B1", "magic, or another number of entities")
     if not entities:
         raise Reject("B1", "a model without entities bounds nothing")
+
+def read_all_breaks(body, entities):
+    return [read_breaks(body, e) if e and e.kind == "surface" else None for e in entities]
+
+def read_entities(body, magic, entities):
+    """(flags, breaks) after the magic and the number of entities."""
+    read_head(body, magic, entities)
     flags = [body.u8(1) for _ in entities]
-    return flags, [read_breaks(body, e) if e and e.kind == "surface" else None for e in entities]
+    return flags, read_all_breaks(body, entities)
 
 class Certificate:
     """Reads the body for these entities: B1."""
 
     def __init__(self, magic, data, entities):
         body = Body(data)
-        self.flags, self.breaks = read_entities(body, magic, entities)
+        self.flags, self.breaks = self.read_entities(body, magic, entities)
         cells = [1 if e.kind == "triangle" else (len(b[0]) - 1) * (len(b[1]) - 1) if e else 0
                  for e, b in zip(entities, self.breaks) if e]
         if 3 * sum(cells) > body.left():
@@ -287,7 +295,7 @@ class Certificate:
         self.unit = body.zigzag()
         if abs(self.unit) > MAX_SHIFT:
             raise Reject("B1", "a unit of 2^%d" % self.unit)
-        self.boxes = [Box(body) for _ in range(body.count(8))]
+        self.boxes = self.read_boxes(body)
         self.last, self.num_leaves = 0, 0
         if sum(1 << a + b for a, b in self.roots) > body.left():
             raise Reject("B1", "more roots than the body has room for")
@@ -295,6 +303,11 @@ class Certificate:
         self.walks = [self.walk(body) for _ in range(body.count(7))]
         self.read_rest(body)
         body.end()
+
+    read_entities = staticmethod(read_entities)
+
+    def read_boxes(self, body):
+        return [Box(body) for _ in range(body.count(8))]
 
     def read_rest(self, body):
         """Reads what other claims have after the walks."""

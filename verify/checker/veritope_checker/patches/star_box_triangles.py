@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Flat triangles in mesh boxes: which meet a box, and whether two of them meet properly (section 5 of star-box.md)."""
+from collections import namedtuple
 from fractions import Fraction
 
 from ..common.vectors import cross, dot, sub
+
+# A tested triangle: the number of its patch, its corners, their vertex classes, the edges of X on its sides.
+Flat = namedtuple("Flat", "patch corners vertices edges")
 
 def corners_of(patch):
     """The corners of a flat triangle."""
     return [tuple(Fraction(c, p[3]) for c in p[:3]) for p in (patch.side(1)[1], patch.side(2)[1], patch.side(0)[1])]
 
-def triangle_misses_box(patch, box):
+def triangle_misses_box(t, box):
     """A separating direction among the 13 that decide it for a triangle, degenerate or not, and a box."""
-    t, units = corners_of(patch), ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+    units = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
     edges = [sub(t[i - 2], t[i]) for i in range(3)]
     for axis in [*units, cross(edges[0], edges[1]), *[cross(u, e) for u in units for e in edges]]:
         of_t = [dot(axis, p) for p in t]

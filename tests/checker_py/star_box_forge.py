@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """A prover of star-box certificates for small models: tests only. Its search may use floats and the checker's own pieces; what it
 finds is judged by the checker, and the truth of a model is known by its construction. Plan can write every lie."""
+import copy
 import hashlib
 import json
 import math
@@ -76,6 +77,7 @@ class Box:
 
 class Plan:
     """Everything that a body says. trees[patch][root]: a box or four trees. walks: (box, sign, points, end)."""
+    claim, magic = "star-box-1", b"VTSB"
 
     def __init__(self, entities, unit=-20):
         self.entities, self.unit = entities, unit
@@ -87,11 +89,11 @@ class Plan:
         self.roots, self.boxes, self.trees, self.walks, self.values, self.tail = [], [], [], [], {}, b""
 
     def body(self):
-        out, last = [b"VTSB", u32(len(self.entities)), bytes(self.flags)], 0
+        out, last = [self.magic, u32(len(self.entities)), self.marks()], 0
         for axes in self.breaks:
             for axis in axes:
                 out += [u32(len(axis)), *map(rational, axis)]
-        out += [bytes(r) for r in self.roots] + [zigzag(self.unit), u32(len(self.boxes))] + [b.encode() for b in self.boxes]
+        out += [bytes(r) for r in self.roots] + [zigzag(self.unit), self.table(), u32(len(self.boxes))] + [b.encode() for b in self.boxes]
 
         def encode(tree):
             nonlocal last
@@ -106,9 +108,17 @@ class Plan:
             out.append(bytes([end]) if isinstance(end, int) else b"\6" + varint(end[0]) + bytes([end[1]]))
         return b"".join(out) + self.tail
 
+    def marks(self):
+        """What stands for each entity."""
+        return bytes(self.flags)
+
+    def table(self):
+        """What stands between the unit and the boxes."""
+        return b""
+
     def certificate(self, model=None):
         model, body = encode_model(self.entities) if model is None else model, self.body()
-        statement = {"certificate": "veritope-certificate-1", "tool": "star_box_forge", "claim": "star-box-1",
+        statement = {"certificate": "veritope-certificate-1", "tool": "star_box_forge", "claim": self.claim,
                      "subject_sha256": hashlib.sha256(model).hexdigest(), "subject_bytes": len(model), "subject_format": "vjson",
                      "body_sha256": hashlib.sha256(body).hexdigest(), "patches": 0, "edges": 0, "vertices": 0, "shells": 0,
                      "bodies": 0, "genus": 0, "boxes": len(self.boxes), "flipped": sum(self.flags)}
@@ -120,9 +130,10 @@ class Plan:
 
 class Prover:
     """Star boxes around leaves, split where none is found; mesh boxes around flat triangles where splitting does not help."""
+    plan_kind = Plan
 
     def __init__(self, entities, flags=None, unit=-20, factor=1.6, roots=0, deepest=6, checked=True):
-        self.plan, self.factor, self.deepest = Plan(entities, unit), factor, deepest
+        self.plan, self.factor, self.deepest = self.plan_kind(entities, unit), factor, deepest
         plan = self.plan
         plan.flags = flags or plan.flags
         self.model = encode_model(entities)
@@ -255,7 +266,7 @@ class Prover:
 
     def first_walk(self, n, done):
         for number in self.components[n]:
-            box = check_box(self.plan.boxes[number])
+            box = self.probe(self.plan.boxes[number])
             for sign in (1, 0):
                 for end in range(6 if sign else 0):
                     ray = [0, 0, 0]
@@ -263,10 +274,13 @@ class Prover:
                     if self.is_free(star_nodes.misses_segment(box.c[sign], ray, True)):
                         return number, sign, [], end
                 for other in [b for m in done for b in self.components[m][:12]]:
-                    to = check_box(self.plan.boxes[other]).c[sign]
+                    to = self.probe(self.plan.boxes[other]).c[sign]
                     if self.is_free(star_nodes.misses_segment(box.c[sign], star_triangles.sub(to, box.c[sign]), False)):
                         return number, sign, [], (other, sign)
         return None
+
+    def probe(self, box):
+        return check_box(box)
 
     def is_free(self, misses):
         before, self.forest.work = self.forest.work, 2000

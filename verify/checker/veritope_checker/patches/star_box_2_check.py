@@ -59,7 +59,8 @@ class Checker2(star_box_check.Checker):
                 self.triangle(patch, corners, (0, 2, 3), [*sides[2:], diagonal])]
 
     def triangle(self, patch, corners, at, edges):
-        return Flat(patch.index, [corners[i] for i in at], [self.vertex_of[4 * patch.index + i] for i in at], set(edges))
+        vertices = [self.vertex_of[4 * patch.index + i] for i in at]
+        return Flat(patch.index, [corners[i] for i in at], vertices, set(edges))
 
     def may_walk(self, box):
         return len(box.sheets) == 1

@@ -206,7 +206,8 @@ def in_frame(frame, points):
 
 def mapped_box(frame, lo, hi):
     """A box around what the matrix of a frame maps the box from lo to hi to."""
-    return [[sum(a * (x if a > 0 else y) for a, x, y in zip(row, p, q)) for row in frame] for p, q in ((lo, hi), (hi, lo))]
+    return [[sum(a * (x if a > 0 else y) for a, x, y in zip(row, p, q)) for row in frame]
+            for p, q in ((lo, hi), (hi, lo))]
 
 def misses_box(box):
     (x0, y0, z0), (x1, y1, z1) = box.lo, box.hi

@@ -8,6 +8,7 @@ Nets are multiplied by, or divided by, common factors > 0 so that all their coef
 """
 from bisect import bisect_right
 from fractions import Fraction
+from functools import lru_cache
 from math import comb, gcd, lcm
 from operator import add
 
@@ -206,6 +207,13 @@ class Patch:
                 self.g = [[[-c for c in row] for row in a] for a in self.g]
         return self.g
 
+@lru_cache(1000)
+def binomials(is_tensor, p, q):
+    """The binomial factors of a polynomial of these degrees (of a triangle: p = q)."""
+    if is_tensor:
+        return [[comb(p, i) * comb(q, j) for j in range(q + 1)] for i in range(p + 1)]
+    return [[comb(p, r) * comb(r, k) for k in range(r + 1)] for r in range(p + 1)]
+
 class Packing:
     """Products of polynomials in Bernstein form.  Without their binomial factors they multiply like polynomials in
     powers; each is packed into one integer, 8 * width bits a coefficient."""
@@ -219,16 +227,10 @@ class Packing:
         """The number of the coefficient in row r, entry k."""
         return (r if self.is_tensor else r - k) * self.stride + k
 
-    def factors(self, m, n):
-        """The binomial factors of a polynomial of these degrees."""
-        if self.is_tensor:
-            return [[comb(m, i) * comb(n, j) for j in range(n + 1)] for i in range(m + 1)]
-        return [[comb(n, r) * comb(r, k) for k in range(r + 1)] for r in range(n + 1)]
-
     def packed(self, rows):
-        return sum(f * c << 8 * self.width * self.place(r, k)
-                   for r, (row, factors) in enumerate(zip(rows, self.factors(len(rows) - 1, len(rows[-1]) - 1)))
-                   for k, (c, f) in enumerate(zip(row, factors)))
+        factors = binomials(self.is_tensor, len(rows) - 1, len(rows[-1]) - 1)
+        return sum(f * c << 8 * self.width * self.place(r, k) for r, pair in enumerate(zip(rows, factors))
+                   for k, (c, f) in enumerate(zip(*pair)))
 
     def unpacked(self, product):
         """The coefficients with their binomial factors."""
@@ -241,7 +243,7 @@ class Packing:
 
     def coefficients(self, products):
         """The arrays of the products, all times one factor > 0."""
-        factors = self.factors(*self.degrees)
+        factors = binomials(self.is_tensor, *self.degrees)
         common = lcm(*[c for row in factors for c in row])
         return [[[c * (common // f) for c, f in zip(row, line)] for row, line in zip(self.unpacked(product), factors)]
                 for product in products]

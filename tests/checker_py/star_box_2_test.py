@@ -310,6 +310,18 @@ class Lies(Judged):
             box.separate(to.plane(height), 0, 1, 2)
             self.says("ACCEPT", self.plate, plan)
 
+    def test_a_separator_of_too_many_bits(self):
+        """The plate's polynomial in other units is accepted; what is too long for a patch's degree is refused before it is computed."""
+        _, t, c = self.plate.plan.boxes[self.walls].separators[0]
+        for separator in ([1, t + 8, [c[0]] + [x << 8 for x in c[1:]]], [1, t - 8, [c[0] << 8, *c[1:]]]):
+            self.says("ACCEPT", self.plate, self.changed(self.walls, separators=[separator]))
+        steep = forge.surface([[(x, y, 0) for y in range(16)] for x in range(16)])
+        box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))], [units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
+                   [(3, 4096, [1] * 20)], [[1], [2]])
+        self.one_box("C2", [steep], box)
+        self.assertLess(sheets.cost_of(read2.Separator(3, (0,) * 3, 0, (), 400), Prover2([steep], checked=False).patches[0]), 400)
+        self.assertRaises(forge2.Reject, sheets.cost_of, read2.Separator(3, (0,) * 3, 0, (), 600), Prover2([steep], checked=False).patches[0])
+
     def test_separators_of_other_pairs(self):
         """Two plates, four walls in one box."""
         prover, to = self.two_plates()
@@ -604,7 +616,7 @@ class Separators(unittest.TestCase):
             degree = rng.randint(1, 3)
             origin, exponent = [rng.randint(-9, 9) for _ in range(3)], rng.randint(-3, 3)
             terms = [(rng.randint(-3, 3) + (rng.randint(-200, 200) if not any(abc) else 0), abc) for abc in forge2.powers(degree)]
-            got = sheets.sign_on(node, read2.Separator(degree, origin, exponent, terms))
+            got = sheets.sign_on(node, read2.Separator(degree, origin, exponent, terms, 0))
             self.assertEqual(got, slow_sign(node, degree, origin, exponent, terms), trial)
             seen.add(got)
         self.assertEqual(seen, {-1, 0, 1})

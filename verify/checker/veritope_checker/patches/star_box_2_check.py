@@ -29,7 +29,7 @@ class Checker2(star_box_check.Checker):
         pieces = [[] for _ in box.sheets]
 
         def take(node):
-            sheet = sheet_of(node, box, lambda visits: self.forest.spend("C2", visits * node.patch.cost))
+            sheet = sheet_of(node, box, lambda units: self.forest.spend("C2", units))
             if sheet is None and "C2" in self.skip:
                 sheet = 0
             if sheet is not None:

@@ -17,7 +17,8 @@ COEFFICIENTS = {1: 4, 2: 10, 3: 20}     # of a separator, by its degree
 Sheet = namedtuple("Sheet", "c signs")
 
 # The sum of coefficient times y1^a y2^b y3^c, y = (x - origin) / 2^exponent; terms: (coefficient, (a, b, c)).
-Separator = namedtuple("Separator", "degree origin exponent terms")
+# length: the bits that origin and exponent may add to coefficients, for the work.
+Separator = namedtuple("Separator", "degree origin exponent terms length")
 
 class Box:
     """kind 0 star, 1 mesh; frame: a matrix, or None for the unit matrix; lo, hi: bounds of the mapped points."""
@@ -62,7 +63,7 @@ def read_separator(body, origin, shift):
     if degree == 0 or abs(t) > MAX_SHIFT:
         raise Reject("B1", "a separator of degree %d, with 2^%d" % (degree, t))
     powers = [(a, b, c) for a in range(degree + 1) for b in range(degree + 1 - a) for c in range(degree + 1 - a - b)]
-    return Separator(degree, origin, shift + t, [(body.zigzag(), p) for p in powers])
+    return Separator(degree, origin, shift + t, [(body.zigzag(), p) for p in powers], shift + abs(shift + t))
 
 def read_frame(body):
     a = [body.zigzag() for _ in range(9)]

@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """To which sheet of a star box a node belongs (docs/certificates/star-box-2.md, section 4)."""
+from ..common.errors import Reject
 from ..common.vectors import cross
-from .star_box_patches import FULL, Packing, longest
+from .star_box_patches import FULL, MAX_SIZE, Packing, longest
 
 def sheet_of(node, box, spend):
-    """The number of the sheet to which the node belongs, or None.  spend: called with the work in visits."""
+    """The number of the sheet to which the node belongs, or None.  spend: called with units of work."""
     signs = {}
 
     def sign(number):
         if number not in signs:
-            spend(box.separators[number].degree)
+            spend(cost_of(box.separators[number], node.patch))
             signs[number] = sign_on(node, box.separators[number])
         return signs[number]
 
     for i, sheet in enumerate(box.sheets):
-        spend(1)
+        spend(node.patch.cost)
         if all(sign(n) == s for n, s in enumerate(sheet.signs) if s) and has_s1(node, sheet.c):
             return i
     return None
@@ -75,6 +76,13 @@ def is_radial(curve, c):
 
 
 # ---------------------------------------------------------------- separators
+
+def cost_of(separator, patch):
+    """Units of work for the coefficients on a node of the patch."""
+    size = patch.size + patch.num_g * separator.length
+    if size > MAX_SIZE:
+        raise Reject("C2", "a separator is too long for the degree of a patch")
+    return separator.degree * (1 + (size >> 14))
 
 def sign_on(node, separator):
     """The sign of all Bernstein coefficients of W^d q(F / W) on the node, or 0 if they have not one sign."""

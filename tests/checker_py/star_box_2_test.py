@@ -259,8 +259,8 @@ class Lies(Judged):
     def test_a_box_of_one_sheet_or_a_mesh_box_with_leaves_of_two_components(self):
         entities = models2.cuboid((0, 0, 0), (1, 1, 1)) + models2.cuboid((2, 0, 0), (3, 1, 1))
         to = models2.Setting(False)
-        boxes = [to.box(0, (x + Q(1, 8), Q(1, 8), Q(3, 4)), (x + Q(7, 8), Q(7, 8), Q(5, 4)), ((x + Q(1, 2), Q(1, 2), Q(7, 8)), (x + Q(1, 2), Q(1, 2), Q(9, 8))))
-                 for x in (0, 2)]
+        boxes = [to.box(0, (x + Q(1, 8), Q(1, 8), Q(3, 4)), (x + Q(7, 8), Q(7, 8), Q(5, 4)),
+                        ((x + Q(1, 2), Q(1, 2), Q(7, 8)), (x + Q(1, 2), Q(1, 2), Q(9, 8)))) for x in (0, 2)]
         prover = Prover2(entities, [*boxes, to.box(1, (-1,) * 3, (4,) * 3)], roots=2, deepest=0).prove()
         self.assertEqual(len(prover.plan.boxes), 3)
         self.alone("C1", prover)
@@ -491,11 +491,29 @@ class ZeroNormals(Judged):
             self.assertFalse(sheets.touches_radial_side(node, units(0, Q(1, 1 << 20), -5)))
 
     def test_two_collapsed_sides_with_a_common_corner(self):
-        lune = [[(0, 0, 0)] * 3, [(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 0, 0), (0, 1, 0), (0, 2, 0)]]
+        """S = u v T(u, v): no coefficient of its normal is negative, and many are positive."""
+        lune = [[(0, 0, 0)] * 3, [(0, 0, 0), (1, 1, 0), (0, 2, 0)], [(0, 0, 0), (2, 0, 0), (2, 2, 0)]]
         root = self.root(forge.surface(lune), False)
         c = units(0, 0, -9), units(0, 0, 9)
         self.assertFalse(sheets.has_s1(root, c))
-        self.assertIsNone(root.collapsed_sides())
+        with replaced((sheets, "are_apart", lambda *_: True)):
+            self.assertTrue(sheets.has_s1(root, c))
+
+    def test_both_centres_count_and_neither_lies_in_the_plane(self):
+        root = self.root(forge.triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
+        for minus, plus in ((-1, 1), (0, 1), (-1, 0), (1, -1), (-2, -1), (1, 2), (0, 0)):
+            self.assertEqual(sheets.has_s1(root, (units(0, 0, minus), units(0, 0, plus))), minus < 0 < plus, (minus, plus))
+
+    def test_a_node_that_may_have_zeros_at_a_pole(self):
+        """The sides beside a collapsed side are looked at, the collapsed one is not: it would lie on every line through its point."""
+        prover = Prover2(models.octant_sphere()[:1], checked=False)
+        patch, root = prover.patches[0], prover.forest.roots[0]
+        pole = [s for s in range(4) if forge.patches.is_collapsed(patch.side(s))]
+        self.assertEqual(len(pole), 1)
+        patch.sides = [None if s in pole else (s, True) for s in range(4)]
+        self.assertFalse(sheets.touches_radial_side(root, (0, 0, 0)))
+        patch.sides[pole[0]] = (9, True)
+        self.assertTrue(sheets.touches_radial_side(root, (0, 0, 0)))
 
     def test_a_triangle_that_is_a_point(self):
         root = self.root(forge.triangle([(1, 0, 0)] * 3), False)

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The claims star-box-1, star-box-turned-1 (docs/certificates/star-box.md) and patch-invalid-1
-(docs/certificates/patch-invalid.md)."""
+"""The claims star-box-1, star-box-turned-1 (docs/certificates/star-box.md), star-box-2, star-box-turned-2
+(docs/certificates/star-box-2.md) and patch-invalid-1 (docs/certificates/patch-invalid.md)."""

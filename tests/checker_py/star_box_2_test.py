@@ -604,6 +604,18 @@ class FlatPatches(Judged):
         for i, p in ((1, (1, Q(1, 8), 0)), (4, (1, 1, Q(1, 8))), (1, (3, 0, 0)), (4, (4, -2, 0))):
             self.assertIsNone(polygon(good[:i] + [p] + good[i + 1:], 2), (i, p))
 
+    def test_a_mesh_box_in_a_frame_tests_the_mapped_triangles(self):
+        """Two squares that cross at x = 2 to 3; the frame multiplies by 8."""
+        def crossing(x):
+            return [forge.surface([[(a, -1, z), (a, 1, z)] for a, z in ((x, 0), (x + 1, 0))]),
+                    forge.surface([[(a, 0, -1), (a, 0, 1)] for a in (x, x + 1)])]
+        frame, box = ((8, 0, 0), (0, 8, 0), (0, 0, 8)), Box2(1, units(16, -8, -8), units(24, 8, 8), frame=1)
+        for x, expected in ((2, "C4"), (16, "")):
+            self.one_box(expected, crossing(x), box, frames=[frame])
+            # a triangle in the plane x + y + z = const that misses the box, although its hull meets it
+            corner = forge.triangle([(x + 4, 0, 0), (x, 4, 0), (x, 0, 4)])
+            self.one_box("", [corner, crossing(x)[0]], box, frames=[frame])
+
     def test_the_two_triangles_of_a_patch_and_those_of_its_neighbours(self):
         """Contacts count by X, not by position: blocks that touch along an edge, and at a vertex."""
         for cells in (((0, 0, 0), (1, 1, 0)), ((0, 0, 0), (1, 1, 1))):

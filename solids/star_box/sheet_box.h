@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/star_box/sheet_box.h: the conditions of a star box in a frame, with one sheet or several. Theory: docs/THEORY.md
-// §4b. With the unit matrix and one sheet it is a star box of §4.
+// solids/star_box/sheet_box.h: the conditions of a star box in a frame, with one sheet or several. Theory:
+// docs/THEORY.md §4b. With the unit matrix and one sheet it is a star box of §4.
 #pragma once
 #include <vector>
 

@@ -41,7 +41,7 @@ double length_of(const Point3d& a) { return std::hypot(a[0], a[1], a[2]); }
 Point3d cross(const Point3d& a, const Point3d& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-// Of unit length; nothing if that has no direction in doubles.
+// The vector scaled to unit length; nothing if it has no direction in doubles.
 std::optional<Point3d> direction(const Point3d& a) {
   const double length = length_of(a);
   if (!(length > 1e-150) || !std::isfinite(length)) return std::nullopt;
@@ -114,7 +114,8 @@ std::optional<BoxFrame> FrameSearch::own_frame() {
   return BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
 }
 
-// Takes a frame that was made for another piece if this one is not much thicker in it: planes and cylinders share theirs.
+// Takes a frame that was made for another piece if this one is not much thicker in it: planes and cylinders share
+// theirs.
 bool FrameSearch::choose_frame() {
   const auto own = own_frame();
   if (!own) return false;

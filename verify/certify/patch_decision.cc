@@ -105,10 +105,12 @@ class Decider {
                                                          : PieceForest::FrameChoice::kFitted))
       return open(std::move(*error));
     auto crossing = cover_or_cross(false);
-    if (options_.with_frames && !crossing && !out_.cover.is_complete()) {
+    if (!crossing && may_need_frames()) {
+      const std::optional<Finding> why = give_up_for_frames();
       if (auto error = make_forest(PieceForest::FrameChoice::kWhole))
-        return open(std::move(*error));
+        return open(why ? *why : std::move(*error));
       crossing = cover_or_cross(true);
+      if (why && !crossing && !out_.cover.is_complete()) return open(*why);
     }
     if (crossing) return refuted(*crossing);
     if (!out_.cover.is_complete()) return open(cover_question());
@@ -132,11 +134,23 @@ class Decider {
     return std::nullopt;
   }
 
+  bool may_need_frames() const {
+    return options_.with_frames && !out_.cover.is_complete() &&
+           out_.cover.uncovered.front().why != UncoveredPiece::Why::kTooFine;
+  }
+  // What stands in the way of boxes along the axes; nothing if the search for them only took too long. The forest to
+  // which the finding refers may go.
+  std::optional<Finding> give_up_for_frames() const {
+    if (out_.cover.uncovered.front().why == UncoveredPiece::Why::kStopped) return std::nullopt;
+    return cover_question();
+  }
+
   // Returns a crossing that was found before the search for the cover, at a piece without a star box during it, or
   // where it ended.
   std::optional<CrossingWitness> cover_or_cross(bool with_frames) {
     CrossingSearch search(*forest_);
-    if (auto crossing = search.among_patches()) return crossing;
+    if (!with_frames)
+      if (auto crossing = search.among_patches()) return crossing;
     std::optional<CrossingWitness> found;
     std::size_t searches = 0;
     bool is_everywhere = false;

@@ -9,7 +9,7 @@
 namespace veritope {
 namespace {
 
-// Coefficients are rounded to 2^-kBits where the values to be told apart are 1 and -1.
+// Coefficients are rounded to 2^-kBits where the values on both sides are 1 and -1.
 constexpr int kBits = 8;
 // What of 1 has to be left at every point.
 constexpr double kClear = 0.25;

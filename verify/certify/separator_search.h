@@ -9,8 +9,8 @@
 
 namespace veritope {
 
-/// Of the least degree for which a polynomial is found that is near 1 on `above` and near -1 on `below`, by least
-/// squares; nothing if one of degree 3 is not clearly positive and negative there. `unit` is a power of two, about the
+/// A polynomial that is near 1 on `above` and near -1 on `below`, by least squares, of the least degree for which it is
+/// clearly positive and negative there; nothing if degree 3 does not suffice. `unit` is a power of two, about the
 /// size of the place.
 std::optional<SheetSeparator> find_separator(const std::vector<Point3d>& above,
                                              const std::vector<Point3d>& below,

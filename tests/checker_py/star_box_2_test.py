@@ -66,6 +66,7 @@ class SoundModels(Judged):
                 self.assertEqual((len(prover.plan.boxes), walls.frame), (3, int(turned)))
                 self.assertGreater(min(h - l for l, h in zip(walls.lo, walls.hi)), UNIT // 2)
 
+    # PROVES STAR-4
     def test_concentric_spheres_take_the_same_boxes_at_every_gap(self):
         counts = set()
         for gap in (Q(1, 1 << 12), Q(1, 1 << 20)):
@@ -75,6 +76,7 @@ class SoundModels(Judged):
             counts.add(len(prover.plan.boxes))
         self.assertEqual(len(counts), 1)
 
+    # PROVES STAR-5
     def test_a_smooth_section_of_four_sides_has_normals_zero_in_its_corners(self):
         prover = Prover2(models2.prism(models2.squircle), search=True).prove()
         self.says("ACCEPT", prover)
@@ -201,6 +203,7 @@ class Lies(Judged):
             if expected == "B1":
                 self.alone("B1", self.plate, plan, (read2, "MAX_ENTRY", 1 << 40))
 
+    # PROVES STAR-4.APART
     def test_two_sheets_with_equal_signs(self):
         """Two open sheets that cross in the box: neither satisfies S1 with the other's centres."""
         crossing = [forge.surface([[(x, y, 0) for y in (-2, 2)] for x in (-2, 2)]), forge.surface([[(0, y, z) for z in (-2, 2)] for y in (-2, 2)])]
@@ -293,6 +296,7 @@ class Lies(Judged):
         plan = self.changed(self.walls, signs=[[2], [1]])
         self.alone("C2", self.plate, plan, (sheets, "sign_on", lambda *a, f=sheets.sign_on: -f(*a)))
 
+    # PROVES STAR-4.S3
     def test_a_separator_that_is_zero_at_a_point_of_a_sheet(self):
         def zero_counts_as(sign):
             return lambda node, separator, f=sheets.sign_on: f(node, separator._replace(
@@ -367,6 +371,7 @@ class Lies(Judged):
         box.signs = [[2], [1]]                            # the sheets in another order
         self.says("ACCEPT", self.plate, plan)
 
+    # PROVES STAR-4.S1
     def test_a_node_that_satisfies_s1_only_with_another_sheets_centres(self):
         """A Z-fold: its first and third face cross in the box, the middle one satisfies S1 with exchanged centres, which a sheet below
         has by right."""
@@ -380,6 +385,7 @@ class Lies(Judged):
         original, pairs = sheets.has_s1, [tuple(map(tuple, pair)) for pair in box.centres]
         self.one_box("", fold + [lower], box, (sheets, "has_s1", lambda node, c: any(original(node, pair) for pair in pairs)))
 
+    # PROVES STAR-4.S2
     def test_a_sheet_that_its_line_does_not_cross(self):
         """Both sheets get nodes of one wall: the box's other wall is a rim's, too far away."""
         box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))], [units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
@@ -389,6 +395,7 @@ class Lies(Judged):
         low = forge.surface([[(x, y, -Q(1, 3)) for x in (-2, 2)] for y in (-2, 2)])
         self.one_box("", [plane, low], box)
 
+    # PROVES STAR-3
     def test_a_mirrored_frame_does_not_turn_an_inside_out_solid(self):
         turned = star.AnySign([models.reversed_surface(e) for e in models.cube()]).prove()
         plan = forge2.to_version_2(turned.plan)
@@ -449,6 +456,7 @@ class Lies(Judged):
 class ZeroNormals(Judged):
     """S1 with coefficients that are zero: where they may be, and where not."""
 
+    # PROVES STAR-5.FACES
     def test_an_inner_side_whose_normals_are_zero(self):
         """The line u = 1/2 is mapped to one point: two sheets hang together there."""
         bow = forge.surface([[(-1, 0, 0), (-1, 1, 0)], [(0, 0, 0), (0, -1, 0)], [(1, 0, 0), (1, 1, 0)]])
@@ -472,6 +480,7 @@ class ZeroNormals(Judged):
             patch.sides = [side or (n, True) for n, side in enumerate(patch.sides)]
         return next(forge.star_nodes.root_nodes(patch))
 
+    # PROVES STAR-5.RADIAL
     def test_a_side_on_a_line_through_c(self):
         """g = v^2 for every c of the line that the side v = 0 lies on."""
         root = self.root(forge.surface([[(0, 0, z), (Q(1, 2), 0, z), (1, -1, z)] for z in (0, 1)]))
@@ -538,6 +547,7 @@ class FlatPatches(Judged):
                 prover.prove()
             self.alone("C4", prover, None, (flat, "lies_in_plane", lambda *_: True))
 
+    # PROVES STAR-6
     def test_a_patch_that_folds(self):
         """Its middle control point lies in its plane, far beyond its sides."""
         def lift(rows):

@@ -119,8 +119,8 @@ class StarBoxBodyWriter {
     }
   }
 
-  // REQUIRES that the forest's own frame is plain: the model's coordinates differ from the forest's by one power of two.
-  // 2^least is the unit.
+  // REQUIRES that the forest's own frame is plain: then the model's coordinates are the forest's times one power of
+  // two. 2^least is the unit.
   StarBoxItem framed_item(const FramedBox& framed, int least) {
     const SheetBox& box = framed.sheets;
     StarBoxItem item;

@@ -463,6 +463,7 @@ class WeakSigns(StarBox2Test):
         grid = (-1, 1, -1, 1)
         self.assertEqual(self.judged([[(u, v) for v in grid] for u in grid]), "C2")
 
+    # PROVES STAR-5.FACES
     def test_no_normal_is_zero_along_an_inner_side_of_a_root(self):
         """Such a line at z = 0 between two roots of a face, whose corners lie on sides of the face."""
         for grid, expected in (((-1, Q(-1, 3), Q(1, 3), 1), "ACCEPT"), ((-1, 1, -1, 1), "C2")):

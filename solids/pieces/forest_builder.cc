@@ -177,7 +177,10 @@ class ForestBuilder {
     std::vector<Interval> all;
     for (const std::vector<Interval>& d : determinants) all.insert(all.end(), d.begin(), d.end());
     fill_net(all, PieceForest::layout(form, Part::kDeterminants), &form.root_determinants);
-    if (choice_ != PieceForest::FrameChoice::kWhole) choose_roots(&form);
+    if (choice_ == PieceForest::FrameChoice::kWhole)
+      choose_straight_roots(&form);
+    else
+      choose_roots(&form);
     return form;
   }
 
@@ -202,6 +205,62 @@ class ForestBuilder {
     return std::all_of(form.root_control.begin(), form.root_control.end(), is_small) &&
            std::all_of(form.root_determinants.begin(), form.root_determinants.end(), is_small);
   }
+
+  // The lines of control points of a tensor patch along one parameter, approximately.
+  class ControlLines {
+   public:
+    ControlLines(const PieceForest::Form& form, std::size_t axis) : form_(form), axis_(axis) {}
+
+    /// The greatest distance of a control point from the chord of its line.
+    double bend() const {
+      double out = 0;
+      for_each_line([&](const std::vector<Point3d>& line) {
+        const Point3d &a = line.front(), &b = line.back();
+        const double length = distance(a, b);
+        for (const Point3d& p : line) {
+          double along = 0;
+          for (std::size_t k = 0; k < 3; ++k) along += (p[k] - a[k]) * (b[k] - a[k]);
+          const double square = distance(a, p) * distance(a, p) - along * along / (length * length);
+          out = std::max(out, length > 0 ? std::sqrt(std::max(0.0, square)) : distance(a, p));
+        }
+      });
+      return out;
+    }
+    /// The greatest distance of a line's ends.
+    double chord() const {
+      double out = 0;
+      for_each_line([&](const std::vector<Point3d>& line) {
+        out = std::max(out, distance(line.front(), line.back()));
+      });
+      return out;
+    }
+
+   private:
+    static double distance(const Point3d& a, const Point3d& b) {
+      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+    template <typename Use>
+    void for_each_line(Use use) const {
+      const auto layout = PieceForest::layout(form_, Part::kControl);
+      const auto rows = static_cast<std::size_t>(form_.shape.p + 1),
+                 columns = static_cast<std::size_t>(form_.shape.q + 1);
+      const std::size_t num_lines = axis_ == 0 ? columns : rows,
+                        length = axis_ == 0 ? rows : columns;
+      for (std::size_t j = 0; j < num_lines; ++j) {
+        std::vector<Point3d> line(length);
+        for (std::size_t i = 0; i < length; ++i) {
+          const std::size_t at = axis_ == 0 ? i * columns + j : j * columns + i;
+          for (std::size_t c = 0; c < 3; ++c) {
+            line[i][c] = form_.root_control[layout.begin(c) + at];
+            if (layout.components == 4) line[i][c] /= form_.root_control[layout.begin(3) + at];
+          }
+        }
+        use(line);
+      }
+    }
+    const PieceForest::Form& form_;
+    std::size_t axis_;
+  };
 
   // Chooses the number of halves along the longer parameter so that the pieces are approximately as long as wide.
   static void choose_roots(PieceForest::Form* form) {
@@ -237,6 +296,20 @@ class ForestBuilder {
     const int bits =
         std::min(kMaxRootBits, std::abs(static_cast<int>(std::lround(std::log2(ratio)))));
     form->root_bits[ratio > 1 ? 0 : 1] = static_cast<std::uint8_t>(bits);
+  }
+
+  // Chooses the numbers of parts so that a part bends along each parameter by no more than its length along the other
+  // one: the rim of a thin wall is cut along its length only, and not at all if it is straight. A half bends by a
+  // quarter.
+  static void choose_straight_roots(PieceForest::Form* form) {
+    if (form->shape.is_triangle) return;
+    const std::array<ControlLines, 2> lines{ControlLines(*form, 0), ControlLines(*form, 1)};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double ratio = lines[axis].bend() / lines[1 - axis].chord();
+      if (!(ratio > 1) || !std::isfinite(ratio)) continue;
+      const int bits = static_cast<int>(std::ceil(0.5 * std::log2(ratio)));
+      form->root_bits[axis] = static_cast<std::uint8_t>(std::min(kMaxRootBits, bits));
+    }
   }
 
   void add_roots() {

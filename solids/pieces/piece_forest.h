@@ -69,7 +69,7 @@ class PieceForest {
   enum class FrameChoice {
     kFitted,
     kPlain,  ///< for collars, which need cubes and the model's own origin
-    kWhole,  ///< plain, and long patches have one root: for boxes in frames, which are as long as they
+    kWhole,  ///< plain, and long patches are cut only where they bend: for boxes in frames, which are as long as they
   };
   /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is beyond the range of doubles.
   static Result<PieceForest> make(const PatchComplex& complex,

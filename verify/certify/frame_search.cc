@@ -18,8 +18,7 @@ namespace {
 
 using Id = PieceForest::Id;
 
-// Rows of frames have about this length: directions are right to 2^-25.
-constexpr double kRowLength = 0x1p24;
+constexpr double kRowLength = FrameSearch::kRowLength;
 // Boxes are multiples of their least half size divided by this.
 constexpr double kGrid = 64;
 constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8, kMostFrames = 8;
@@ -189,7 +188,7 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region) c
       if (std::max(above, below) > distance)
         axis = k, distance = std::max(above, below), is_above = above > below;
     }
-    if (!(distance > 16 * least_unit_ * kRowLength)) continue;
+    if (!(distance > 16 * least_unit_)) continue;
     is_cut = true;
     if (is_above)
       box.hi[axis] = std::min(box.hi[axis], hull_.hi[axis] + 0.5 * distance);
@@ -230,7 +229,7 @@ bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector
   if (sheets.empty() || sheets.size() > kMostSheets) return false;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
   box_.unit = power_of_two_below(least / kGrid);
-  if (box_.unit < least_unit_ * kRowLength) return false;
+  if (box_.unit < least_unit_) return false;
   const Box3d box = region.box();
   for (std::size_t k = 0; k < 3; ++k) {
     box_.sheets.box.lo[k] = std::floor(box.lo[k] / box_.unit) * box_.unit;
@@ -241,7 +240,6 @@ bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector
   box_.sheets.separators.clear();
   for (std::size_t i = 0; i < sheets.size(); ++i)
     if (!place_centres(region, sheets[i], &box_.sheets.sheets[i])) return false;
-  if (box_.centre_unit < least_unit_) return false;
   if (sheets.size() > 1 && !separate(sheets, region)) return false;
   if (!is_sheet_box(forest_, box_.sheets, kMostPieces, &pieces_)) return false;
   hold_near();
@@ -302,7 +300,8 @@ void FrameSearch::add_half_spaces(const Region& region, Id id) {
 // A centre near middle + half z, on a grid that is short against its depth.
 Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double depth) {
   const double least = std::min({region.half[0], region.half[1], region.half[2]}) / kRowLength;
-  const double unit = power_of_two_below(std::min(depth, 1 - kRoom) * least / 4);
+  const double unit =
+      std::max(least_unit_, power_of_two_below(std::min(depth, 1 - kRoom) * least / 4));
   Point3d y;
   for (std::size_t k = 0; k < 3; ++k) y[k] = region.middle[k] + region.half[k] * z[k];
   Point3d c = box_.sheets.frame.approx_back(y);

@@ -20,9 +20,11 @@ struct FramedBox {
 class FrameSearch {
  public:
   using Id = PieceForest::Id;
+  /// Rows of frames have about this length: directions are right to 2^-25.
+  static constexpr double kRowLength = 0x1p24;
 
   /// @param growth   size of a box along the surface, relative to the piece
-  /// @param least_unit  the least unit of boxes and centres
+  /// @param least_unit  the least unit of boxes in frames and of centres; a certificate counts both in one unit
   FrameSearch(PieceForest& forest, double growth, double least_unit)
       : forest_(forest), growth_(growth), least_unit_(least_unit) {}
 

@@ -25,7 +25,7 @@ class CoverSearch {
       : forest_(forest),
         options_(options),
         search_(forest, options),
-        frames_(forest, options.growth, options.least_unit) {}
+        frames_(forest, options.growth, options.least_framed_unit) {}
 
   StarCover run() {
     const auto& order = forest_.roots().order();

@@ -23,6 +23,7 @@ struct StarCoverOptions {
   std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
   /// Boxes in frames and with several sheets, too, where a piece has no other.
   bool with_frames = false;
+  double least_framed_unit = 0x1p-34;  ///< the least unit of such boxes in their frames, and of their centres
   /// Called for each piece without a star box of its own size; the search stops if it returns true.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };

@@ -25,15 +25,14 @@ Entry determinant(const BoxFrame::Rows& a) {
   return out;
 }
 
-// Contains the integer. Its high part is a multiple of 2^64 below 2^127, so both parts round outward.
+// Contains the integer, within a few units of its last place. REQUIRES upward rounding.
 Interval enclosure(Entry v) {
-  const auto high = static_cast<std::int64_t>(v >> 64);
-  const auto low = static_cast<std::uint64_t>(v);
-  const Interval middle = Interval(static_cast<double>(low >> 32)) * Interval(0x1p32) +
-                          Interval(static_cast<double>(low & 0xffffffffu));
-  const Interval top = Interval(static_cast<double>(high >> 32)) * Interval(0x1p32) +
-                       Interval(static_cast<double>(high & 0xffffffff));
-  return top * Interval(0x1p64) + middle;
+  if (v < 0) return -enclosure(-v);  // parts of different signs would cancel
+  Interval out;
+  for (int shift = 96; shift >= 0; shift -= 32)
+    out = out * Interval(0x1p32) +
+          Interval(static_cast<double>(static_cast<std::uint64_t>(v >> shift) & 0xffffffffu));
+  return out;
 }
 
 Interval row_of(const std::array<std::int64_t, 3>& row, const std::array<Interval, 3>& x) {

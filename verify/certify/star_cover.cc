@@ -122,21 +122,21 @@ class CoverSearch {
       if (box_of(id) == StarCover::kNone) box_of(id) = number;
   }
 
-  // Walks start at boxes with one sheet. A shell without one gets a small one, where it reaches farthest along an axis:
-  // there the shells of a thin wall are near each other.
+  // Walks start at boxes with one sheet. Where there are others, each shell gets a small one at the place where it
+  // reaches farthest along x: there the shells of a thin wall are near each other.
   void add_boxes_for_walks() {
+    const auto& boxes = out_.boxes;
+    if (std::all_of(boxes.begin(), boxes.end(),
+                    [](const CoverBox& b) { return b.is_mesh || b.has_one_sheet(); }))
+      return;
     const PatchComplex& complex = forest_.complex();
     std::vector<Id> farthest(complex.shells().size(), PieceForest::kNone);
-    std::vector<bool> has_one(complex.shells().size());
     for (Id id = 0; id < out_.box_of_node.size(); ++id) {
       if (out_.box_of_node[id] == StarCover::kNone) continue;
-      const std::uint32_t shell = complex.shell(forest_.node(id).patch);
-      if (out_.boxes[out_.box_of_node[id]].has_one_sheet()) has_one[shell] = true;
-      if (farthest[shell] == PieceForest::kNone ||
-          forest_.node(id).hull.hi[0] > forest_.node(farthest[shell]).hull.hi[0])
-        farthest[shell] = id;
+      Id& best = farthest[complex.shell(forest_.node(id).patch)];
+      if (best == PieceForest::kNone || forest_.node(id).hull.hi[0] > forest_.node(best).hull.hi[0])
+        best = id;
     }
-    if (std::find(has_one.begin(), has_one.end(), false) == has_one.end()) return;
     for (const Id id : farthest)
       if (id != PieceForest::kNone) add_box_for_walks(id);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <queue>
 
 #include "robust/base/check.h"
 #include "verify/certify/walk_bounds_internal.h"
@@ -133,34 +134,37 @@ class WalkSearch {
     return to_near_shell(shell);
   }
 
+  struct Pair {
+    double distance;
+    std::uint32_t from, to;
+    bool from_outside, to_outside;
+    bool operator<(const Pair& b) const { return distance < b.distance; }
+  };
+  Pair pair_of(std::uint32_t from, bool from_outside, std::uint32_t to, bool to_outside) const {
+    const Point3d &p = centre(from, from_outside), &q = centre(to, to_outside);
+    return {std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), from, to, from_outside, to_outside};
+  }
+
   // Tries the pairs of centres of this shell and of shells with walks that are nearest to each other: through a thin
   // wall a ray along an axis may miss the few boxes with one sheet.
   bool to_near_shell(std::uint32_t shell) {
-    constexpr std::size_t kMostBoxes = 64, kMostPairs = 16;
-    struct Pair {
-      double distance;
-      std::uint32_t from, to;
-      bool from_outside, to_outside;
-      bool operator<(const Pair& b) const { return distance < b.distance; }
-    };
-    std::vector<Pair> pairs;
+    constexpr std::size_t kMostPairs = 64, kMostLookedAt = std::size_t{1} << 20;
+    std::priority_queue<Pair> nearest;  // the farthest of them on top
     const auto& own = boxes_of_shell_[shell];
     for (std::uint32_t other = 0; other < boxes_of_shell_.size(); ++other) {
       const auto& others = boxes_of_shell_[other];
-      if (!done_[other] || own.size() * others.size() > kMostBoxes * kMostBoxes) continue;
+      if (!done_[other] || own.size() * others.size() > kMostLookedAt) continue;
       for (const std::uint32_t a : own)
         for (const std::uint32_t b : others)
           for (const bool a_outside : {false, true})
             for (const bool b_outside : {false, true}) {
-              const Point3d &p = centre(a, a_outside), &q = centre(b, b_outside);
-              pairs.push_back(
-                  {std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), a, b, a_outside, b_outside});
+              nearest.push(pair_of(a, a_outside, b, b_outside));
+              if (nearest.size() > kMostPairs) nearest.pop();
             }
     }
-    const std::size_t most = std::min(kMostPairs, pairs.size());
-    std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(most),
-                      pairs.end());
-    pairs.resize(most);
+    std::vector<Pair> pairs;
+    for (; !nearest.empty(); nearest.pop()) pairs.push_back(nearest.top());
+    std::reverse(pairs.begin(), pairs.end());
     for (const Pair& p : pairs) {
       if (!is_free_segment(forest_, centre(p.from, p.from_outside), centre(p.to, p.to_outside)))
         continue;

@@ -23,7 +23,6 @@ class Model {
   bool holds(const SheetBox& box, std::size_t most = 4096) {
     return is_sheet_box(forest_, scaled(box), most, &pieces_);
   }
-  /// For debugging: how many pieces each sheet has.
   const SheetPieces& pieces() const { return pieces_; }
   PieceForest& forest() { return forest_; }
   SheetBox scaled(SheetBox box) const {
@@ -141,6 +140,23 @@ TEST(SheetBox, RefusesCentresThatAreExchangedOrOfTheOtherSheet) {
   }
 }
 
+// The line between the centres crosses the sheet once, but a wall beside it is seen from the wrong side: at a convex edge
+// from outside, at a concave edge from inside.
+TEST(SheetBox, RefusesACentreThatSeesAnotherWallFromTheWrongSide) {
+  Model cube(patch_shapes::blocks({{0, 0, 0}}));
+  SheetBox box;
+  box.box = {{0.25, 0.25, 0.25}, {1.75, 0.75, 1.75}};
+  box.sheets = {{{0.5, 0.5, 0.5}, {1.25, 0.5, 1.25}, {}}};
+  EXPECT_TRUE(cube.holds(box));
+  box.sheets[0].outside = {0.75, 0.5, 1.25};
+  EXPECT_FALSE(cube.holds(box));
+  Model corner(patch_shapes::blocks({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}));
+  box.sheets = {{{0.5, 0.5, 0.5}, {1.5, 0.5, 1.5}, {}}};
+  EXPECT_TRUE(corner.holds(box));
+  box.sheets[0].inside = {0.5, 0.5, 1.25};
+  EXPECT_FALSE(corner.holds(box));
+}
+
 TEST(SheetBox, RefusesCentresOnTheBorderOfTheBoxOrBeyondIt) {
   Model model(plate());
   for (const double z : {0.25, 0.5})
@@ -155,7 +171,7 @@ TEST(SheetBox, RefusesCentresOnTheBorderOfTheBoxOrBeyondIt) {
       }
 }
 
-// 1, 1/2 .. : the octants of two spheres about the origin; a sphere between them.
+// Parts of two spheres about the origin with the radii 1 and 63/64; a sphere between them.
 SheetBox two_spheres() {
   SheetBox out;
   const double m = 0.5625, c = 0.125;

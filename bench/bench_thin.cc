@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/bench_thin.cc: [digits [seconds]]. Certificates of thin walls: every family of models/thin_shapes.h with gaps of
+// 1e-1 to 1e-digits (6): seconds to decide, boxes, those with several sheets, bytes of the certificate, seconds of the
+// C++ checker as a program.
+// A decision ends after `seconds` (60), or a quarter of that after a wider gap of its family had no proof; its row says
+// why there is none.
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "io/read_model.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/write_splines.h"
+#include "models/thin_shapes.h"
+#include "verify/certify/file_patches.h"
+#include "verify/certify/patch_certifier.h"
+
+namespace {
+
+using namespace veritope;
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+double peak_mib() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return static_cast<double>(use.ru_maxrss) / 1024;
+}
+
+class Bench {
+ public:
+  Bench(fs::path programs)
+      : checker_(programs / "veritope-check"),
+        folder_(fs::temp_directory_path() / ("veritope_thin_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~Bench() { fs::remove_all(folder_); }
+
+  // Returns whether it was proved.
+  bool measure(const std::string& name, double gap, const patch_shapes::Patches& patches,
+               double most_seconds) {
+    const std::string model = spline_json_bytes(model_of(patches));
+    const SplineFile file = std::get<SplineFile>(
+        read_model_bytes({reinterpret_cast<const unsigned char*>(model.data()), model.size()},
+                         "model.vjson", {})
+            .value());
+    FilePatches read = file_patches(file.model, PatchOrientation::kKeep).value();
+    FileDecisionOptions options;
+    const Clock::time_point start = Clock::now();
+    options.search.cover.stops_at = [&](PieceForest::Id, std::size_t) {
+      return seconds_since(start) > most_seconds;
+    };
+    const FileDecision decided = decide_file_patches(read, options);
+    const double seconds = seconds_since(start);
+    const PatchDecision& d = decided.decision;
+    std::size_t num_framed = 0, num_several = 0, bytes = 0;
+    for (const CoverBox& b : d.cover.boxes) {
+      num_framed += b.framed ? 1 : 0;
+      num_several += b.framed && b.framed->sheets.sheets.size() > 1 ? 1 : 0;
+    }
+    double check_seconds = 0;
+    bool is_accepted = false;
+    if (d.is_valid) {
+      const certificate::Bytes certificate =
+          make_patch_certificate(read, decided, subject_of(file, "bench"));
+      bytes = certificate.size();
+      const Clock::time_point checking = Clock::now();
+      is_accepted = check(model, std::string(certificate.begin(), certificate.end()));
+      check_seconds = seconds_since(checking);
+    }
+    std::printf(
+        "{\"row\":\"%s-%g\",\"ours\":%.3f,\"peer\":null,\"unit\":\"s\",\"valid\":%s,\"why\":\"%s\","
+        "\"tried\":%zu,\"boxes\":%zu,\"framed\":%zu,\"several_sheets\":%zu,\"bytes\":%zu,"
+        "\"check_s\":%.3f,\"accepted\":%s,\"peak_mib\":%.0f}\n",
+        name.c_str(), gap, seconds, d.is_valid ? "true" : "false",
+        d.is_valid               ? ""
+        : seconds > most_seconds ? "time"
+        : d.open                 ? d.open->code.c_str()
+                                 : "refuted",
+        d.boxes_tried, d.cover.boxes.size(), num_framed, num_several, bytes, check_seconds,
+        is_accepted ? "true" : "false", peak_mib());
+    std::fflush(stdout);
+    return d.is_valid;
+  }
+
+ private:
+  bool check(const std::string& model, const std::string& certificate) {
+    const fs::path model_path = folder_ / "model.vjson", path = folder_ / "model.cert";
+    std::ofstream(model_path, std::ios::binary) << model;
+    std::ofstream(path, std::ios::binary) << certificate;
+    const std::string command =
+        "'" + checker_.string() + "' '" + model_path.string() + "' '" + path.string() + "' >&2";
+    return std::system(command.c_str()) == 0;
+  }
+
+  fs::path checker_, folder_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int digits = argc > 1 ? std::atoi(argv[1]) : 6;
+  const double seconds = argc > 2 ? std::atof(argv[2]) : 60;
+  Bench bench(fs::read_symlink("/proc/self/exe").parent_path());
+  for (const thin_shapes::Family& family : thin_shapes::families()) {
+    Rational gap(1);
+    bool is_proved = true;
+    for (int i = 1; i <= digits; ++i) {
+      gap /= Rational(10);
+      is_proved &= bench.measure(family.name, nearest_double(gap),
+                                 family.make(gap, thin_shapes::Walls::kApart),
+                                 is_proved ? seconds : seconds / 4);
+    }
+  }
+  return 0;
+}

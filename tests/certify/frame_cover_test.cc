@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Thin walls: covers with boxes in frames and with several sheets, from the search to the checker.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "models/thin_shapes.h"
+#include "solids/pieces/exact_piece.h"
+#include "tests/certify/patch_round_trip.h"
+#include "tests/support/checker_call.h"
+
+namespace veritope {
+namespace {
+
+using thin_shapes::Family;
+using thin_shapes::Walls;
+
+Rational gap_of(int digits) {
+  Rational out(1);
+  for (int i = 0; i < digits; ++i) out /= Rational(10);
+  return out;
+}
+std::string name_of(const Family& family, int digits) {
+  return family.name + ", gap 1e-" + std::to_string(digits);
+}
+const Family& family_of(const std::string& name) {
+  static const std::vector<Family> all = thin_shapes::families();
+  for (const Family& f : all)
+    if (f.name == name) return f;
+  throw std::logic_error(name);
+}
+
+// The point A P of a control point lies in the box, in integers and rationals.
+void expect_leaf_inside(const PieceForest& forest, PieceForest::Id id, const CoverBox& box,
+                        const std::string& what) {
+  const ExactPiece piece(forest, forest.node(id));
+  const BoxFrame frame = box.framed ? box.framed->sheets.frame : BoxFrame();
+  const Box3d& in = box.framed ? box.framed->sheets.box : box.star.box;
+  for (std::size_t i = 0; i < forest.form(forest.node(id).patch).shape.count(); ++i) {
+    const auto p = piece.control(i);
+    for (std::size_t r = 0; r < 3; ++r) {
+      Rational y;
+      for (std::size_t c = 0; c < 3; ++c)
+        y += Rational(frame.rows()[r][c]) * Rational(*p[c], *p[3]);
+      EXPECT_TRUE(Rational::from_double(in.lo[r]) <= y && y <= Rational::from_double(in.hi[r]))
+          << what << ", node " << id << ", control point " << i << ", row " << r;
+    }
+  }
+}
+
+void expect_leaves_inside(const PieceForest& forest, const StarCover& cover,
+                          const std::string& what) {
+  std::vector<bool> is_named(cover.boxes.size());
+  for (PieceForest::Id id = 0; id < cover.box_of_node.size(); ++id) {
+    const std::uint32_t box = cover.box_of_node[id];
+    if (box == StarCover::kNone) continue;
+    is_named[box] = true;
+    expect_leaf_inside(forest, id, cover.boxes[box], what);
+  }
+  EXPECT_EQ(std::count(is_named.begin(), is_named.end(), false), 0) << what;
+}
+
+// Returns the number of boxes.
+std::size_t expect_certified(const Family& family, int digits) {
+  const std::string what = name_of(family, digits);
+  const std::string bytes = spline_json_bytes(model_of(family.make(gap_of(digits), Walls::kApart)));
+  const SplineFile file = spline_file_of(bytes);
+  FilePatches model = file_patches(file.model, PatchOrientation::kKeep).value();
+  const FileDecision decided = decide_file_patches(model, {});
+  const PatchDecision& d = decided.decision;
+  EXPECT_TRUE(d.is_valid) << what << ": " << (d.open ? d.open->message : std::string("refuted"));
+  if (!d.is_valid) return 0;
+  EXPECT_EQ(d.bodies, 1u) << what;
+  EXPECT_EQ(d.shells.size(), family.genus.size()) << what;
+  for (std::size_t s = 0; s < d.shells.size(); ++s)
+    EXPECT_EQ(d.shells[s].genus, family.genus[s]) << what << ", shell " << s;
+  expect_leaves_inside(*decided.forest, d.cover, what);
+  const certificate::Bytes certificate =
+      make_patch_certificate(model, decided, subject_of(file, "tests"));
+  const std::string claim =
+      d.cover.has_frames() ? "ACCEPT star-box-2: 1 bodies, " : "ACCEPT star-box-1: 1 bodies, ";
+  const std::string answer =
+      check_in_process(bytes, std::string(certificate.begin(), certificate.end()));
+  EXPECT_EQ(answer.substr(0, claim.size()), claim) << what << ": " << answer;
+  return d.cover.boxes.size();
+}
+
+// Gaps of ten to the minus these powers.
+void expect_bounded(const std::string& name, const std::vector<int>& all_digits, double growth,
+                    std::size_t most) {
+  const Family& family = family_of(name);
+  std::map<int, std::size_t> boxes;
+  for (const int digits : all_digits) {
+    boxes[digits] = expect_certified(family, digits);
+    EXPECT_LE(boxes[digits], most) << name_of(family, digits);
+    if (boxes.count(2) != 0) {
+      EXPECT_LE(static_cast<double>(boxes[digits]), growth * static_cast<double>(boxes[2]))
+          << name_of(family, digits);
+    }
+  }
+}
+
+TEST(FrameCover, OfSpheresDoesNotGrowAsTheirGapShrinks) {
+  expect_bounded("spheres", {2, 6}, 2, 1000);
+}
+TEST(FrameCover, OfPlatesDoesNotGrowAsTheyGetThinner) {
+  expect_bounded("plate", {2, 3, 4, 5, 6}, 2, 100);
+  expect_bounded("plate-turned", {2, 3, 4, 5, 6}, 2, 100);
+}
+
+TEST(FrameCover, OfCurvedWallsAndWedgesIsAcceptedByTheChecker) {
+  for (const auto& [name, digits] : std::vector<std::pair<std::string, int>>{{"tube", 1},
+                                                                             {"tube", 2},
+                                                                             {"cone", 1},
+                                                                             {"tori", 1},
+                                                                             {"wedge", 1},
+
+                                                                             {"wedge", 6}})
+    expect_bounded(name, {digits}, 2, 4000);
+}
+
+TEST(FrameCover, OfWallsThatTouchOrCrossIsNone) {
+  for (const Family& family : thin_shapes::families())
+    for (const Walls walls : {Walls::kTouching, Walls::kCrossing})
+      for (const int digits : {3}) {
+        const auto complex = make_patch_complex(family.make(gap_of(digits), walls));
+        if (!complex) continue;  // a ring without a width
+        std::optional<PieceForest> forest;
+        PatchDecisionOptions options;
+        options.with_frames = true;
+        options.cover.max_boxes = 3000;
+        const PatchDecision decision = decide_patches(complex.value(), options, &forest);
+        EXPECT_FALSE(decision.is_valid)
+            << name_of(family, digits) << (walls == Walls::kTouching ? ", touching" : ", crossing");
+      }
+}
+
+}  // namespace
+}  // namespace veritope

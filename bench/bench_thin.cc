@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_thin.cc: [digits [seconds]]. Certificates of thin walls: every family of models/thin_shapes.h with gaps of
-// 1e-1 to 1e-digits (6): seconds to decide, boxes, those with several sheets, bytes of the certificate, seconds of the
-// C++ checker as a program.
-// A decision ends after `seconds` (60), or a quarter of that after a wider gap of its family had no proof; its row says
-// why there is none.
+// bench/bench_thin.cc: [digits [seconds]]. Certificates of thin walls: every family of models/thin_shapes.h with gaps
+// of 1e-1 to 1e-digits (6): seconds to decide, boxes, those with several sheets, bytes of the certificate, seconds of
+// the C++ checker as a program. A decision ends after `seconds` (60), or a quarter of that after a wider gap of its
+// family had no proof; its row gives the reason.
 #include <sys/resource.h>
 #include <unistd.h>
 

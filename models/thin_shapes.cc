@@ -13,7 +13,7 @@ Rational other_end(const Rational& gap, Walls walls) {
   if (walls == Walls::kApart) return gap;
   return walls == Walls::kTouching ? Rational() : -gap;
 }
-// Of two shells at the distance `gap`: how far one is moved.
+// How far the inner one of two shells at the distance `gap` is moved.
 Rational shift_of(const Rational& gap, Walls walls) {
   if (walls == Walls::kApart) return {};
   return walls == Walls::kTouching ? gap : gap + gap;

@@ -14,7 +14,7 @@ using patch_shapes::Patches;
 /// The unit sphere with a spherical hole whose radius is 1 - gap, moved by `shift` along x. REQUIRES gap < 1. The walls
 /// touch iff |shift| = gap.
 Patches spheres(const Rational& gap, const Rational& shift);
-/// The same of tori whose axis circles have the radius 3; they cross if shift > gap.
+/// Two tori with axis circles of radius 3, in the same way: the radii are 1 and 1 - gap.
 Patches tori(const Rational& gap, const Rational& shift);
 /// The unit square with the thickness `begin` at x = 0 and `end` at x = 1: the walls cross if the signs differ.
 Patches plate(const Rational& begin, const Rational& end);

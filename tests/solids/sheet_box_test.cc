@@ -140,8 +140,8 @@ TEST(SheetBox, RefusesCentresThatAreExchangedOrOfTheOtherSheet) {
   }
 }
 
-// The line between the centres crosses the sheet once, but a wall beside it is seen from the wrong side: at a convex edge
-// from outside, at a concave edge from inside.
+// The line between the centres crosses the sheet once, but a wall beside it is seen from the wrong side: from outside at
+// a convex edge, from inside at a concave edge.
 TEST(SheetBox, RefusesACentreThatSeesAnotherWallFromTheWrongSide) {
   Model cube(patch_shapes::blocks({{0, 0, 0}}));
   SheetBox box;

@@ -59,6 +59,18 @@ def plate(gap, turned=False):
     return entities, to, [one, walls, everything]
 
 
+def raised(entity, degree, bump=0):
+    """The bilinear patch in this degree, its inner control points moved along it by a part `bump` of its side."""
+    a, b, c, d = [[Q(x) for x in p] for p in entity["shape"]["points"]]
+
+    def point(i, j):
+        u, v = Q(i, degree), Q(j, degree)
+        if 0 < i < degree and 0 < j < degree:
+            u += bump
+        return tuple((1 - u) * ((1 - v) * w + v * x) + u * ((1 - v) * y + v * z) for w, x, y, z in zip(a, b, c, d))
+    return forge.surface([[point(i, j) for j in range(degree + 1)] for i in range(degree + 1)])
+
+
 def proved_plate(gap, turned=False):
     entities, to, boxes = plate(gap, turned)
     return forge2.Prover2(entities, boxes, to.frames, roots=2, deepest=0).prove()

@@ -150,7 +150,8 @@ class Lies(Judged):
                      self.changed(self.walls, signs=[[1], [0]]), self.changed(self.walls, signs=[[3], [1]]),
                      self.changed(self.walls, signs=[[], []], separators=[]), self.changed(self.walls, shift=4097),
                      self.changed(self.walls, points_shift=4097), self.changed(self.walls, hi=[walls.lo[0], *walls.hi[1:]]),
-                     self.changed(self.walls, separators=[[1, 4097, walls.separators[0][2]]]),
+                     self.changed(self.walls, separators=[[1, 65, walls.separators[0][2]]]),
+                     self.changed(self.walls, separators=[[1, -65, walls.separators[0][2]]]),
                      self.changed(self.walls, separators=[[0, 0, [1]]]), self.changed(self.walls, separators=[[4, 0, [1] * 35]]),
                      self.changed(self.walls, centres=[], signs=[], separators=[]),
                      self.changed(self.one, separators=walls.separators, signs=[[1]]),
@@ -314,17 +315,42 @@ class Lies(Judged):
             box.separate(to.plane(height), 0, 1, 2)
             self.says("ACCEPT", self.plate, plan)
 
-    def test_a_separator_of_too_many_bits(self):
-        """The plate's polynomial in other units is accepted; what is too long for a patch's degree is refused before it is computed."""
+    def test_a_separator_in_other_units(self):
         _, t, c = self.plate.plan.boxes[self.walls].separators[0]
-        for separator in ([1, t + 8, [c[0]] + [x << 8 for x in c[1:]]], [1, t - 8, [c[0] << 8, *c[1:]]]):
-            self.says("ACCEPT", self.plate, self.changed(self.walls, separators=[separator]))
-        steep = forge.surface([[(x, y, 0) for y in range(16)] for x in range(16)])
-        box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))], [units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
-                   [(3, 4096, [1] * 20)], [[1], [2]])
-        self.one_box("C2", [steep], box)
-        self.assertLess(sheets.cost_of(read2.Separator(3, (0,) * 3, 0, (), 400), Prover2([steep], checked=False).patches[0]), 400)
-        self.assertRaises(forge2.Reject, sheets.cost_of, read2.Separator(3, (0,) * 3, 0, (), 600), Prover2([steep], checked=False).patches[0])
+        for by in range(1, 65 - t, 8):
+            for separator in ([1, t + by, [c[0]] + [x << by for x in c[1:]]], [1, t - by, [c[0] << by, *c[1:]]]):
+                if max(map(abs, separator[2])) < 1 << 62:
+                    self.says("ACCEPT", self.plate, self.changed(self.walls, separators=[separator]))
+
+    def test_a_separator_that_is_too_long_for_a_patch(self):
+        """A plate of which one wall has degree 15 and long numbers: a separator in units that are greater and greater."""
+        entities, _, boxes = models2.plate(Q(1, 64))
+        top = next(i for i, e in enumerate(entities) if {Q(p[2]) for p in e["shape"]["points"]} == {Q(1, 64)})
+        entities[top] = models2.raised(entities[top], 15, Q(1, 1 << 449))
+        prover = Prover2(entities, boxes, roots=2, deepest=0).prove()
+        patch, walls = prover.patches[top], next(i for i, box in enumerate(prover.plan.boxes) if len(box.centres) == 2)
+        (_, t, c), r = prover.plan.boxes[walls].separators[0], prover.plan.boxes[walls].exponent()
+        longest = (1 << 20) // patch.num_g - patch.size // patch.num_g - 2 * r
+        self.assertTrue(t < longest < 64 and r > 0, (t, longest, r))
+        for to, expected in ((longest, "ACCEPT"), (longest + 1, "C2")):
+            plan = copy.deepcopy(prover.plan)
+            plan.boxes[walls].separators = [[1, to, [c[0]] + [x << to - t for x in c[1:]]]]
+            self.says(expected, prover, plan)
+        self.alone("C2", prover, plan, (sheets, "MAX_SIZE", 1 << 21))
+
+    def test_units_of_work_for_a_node(self):
+        box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2 + [[units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
+                   [(3, 64, [1] + [0] * 19), (1, 0, [-1] + [0] * 3)], [[2, 1], [2, 2], [1, 0]])
+        for degree, cost, first, second in ((1, 1, 3, 1), (15, 3, 3 * 16, 8)):
+            prover = Prover2([models2.raised(forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)]), degree)], checked=False)
+            read, node, spent = prover.probe(box), prover.forest.roots[0], []
+            self.assertEqual((node.patch.cost, [s.length for s in read.separators]), (cost, [19 + 19 + 64, 19 + 19]))
+            self.assertEqual(sheets.sheet_of(node, read, spent.append), None)
+            self.assertEqual(spent, [cost, first, cost, cost])          # S1 fails for the last sheet: its signs are not looked at
+            read.sheets[1] = read.sheets[1]._replace(signs=[1, -1])
+            del spent[:]
+            self.assertEqual(sheets.sheet_of(node, read, spent.append), 1)
+            self.assertEqual(spent, [cost, first, cost, second])
 
     def test_separators_of_other_pairs(self):
         """Two plates, four walls in one box."""

@@ -37,6 +37,8 @@ struct Shape {
   int sides() const { return is_triangle ? 3 : 4; }
   int at(int i, int j) const { return i * (q + 1) + j; }                 // tensor
   int at3(int j, int k) const { return (j + k) * (j + k + 1) / 2 + k; }  // triangle; i = p - j - k
+  // Of g, section 4.
+  int count_of_g() const { return is_triangle ? 3 * p * (3 * p - 1) / 2 : 9 * p * q; }
   int side_degree(int e) const { return !is_triangle && e % 2 == 0 ? p : e % 2 != 0 ? q : p; }
   int on_side(int e, int k) const;  // the k-th point of side e's row, in its direction of travel
 };
@@ -52,6 +54,7 @@ struct Patch {
   uint8_t roots[2];
   uint64_t first_root;
   std::vector<Big> net;  // shape.count() points (X, Y, Z, W), in units 2^E, no common factor
+  int64_t bits;          // of the longest number of the net
   uint64_t cost;         // units of work for a node
   uint32_t pair[4];      // for each side; collapsed: kNoPair
   bool is_second[4];     // whether the side is the second of its pair
@@ -71,7 +74,7 @@ struct Bounds {  // closed, in units 2^E
 // box's first sheet.
 struct Separator {
   int degree;
-  int64_t scale;
+  int64_t scale, length;  // length: the bits that o and the unit may add to coefficients
   std::vector<int64_t> coefficients;
 };
 struct Sheet {
@@ -108,6 +111,12 @@ struct StarBody {
   std::vector<Walk> walks;
   uint64_t num_reversed = 0, leaves = 0, num_roots = 0;
 };
+
+// The units that coefficients of this many bits cost on a node of a patch of this shape; 0 if they are too long.
+inline uint64_t cost_of(const Shape& s, int64_t bits) {
+  const int64_t size = s.count_of_g() * bits;
+  return size <= kMostSize ? 1 + uint64_t(size) / 16384 : 0;
+}
 
 struct Place {  // a patch's entity, and the numbers of its intervals along u and v
   const Entity* entity;

@@ -5,7 +5,7 @@
 namespace {
 
 __extension__ typedef __int128 i128;
-const int64_t kMostScale = 128;  // a limit of this checker, so that coefficients stay short
+const int64_t kMostSteps = 64;  // abs(t)
 const uint64_t kMostSheets = 64, kMostFrames = 65535;  // and as many separators as sheets
 
 struct Reader : StarBytes {
@@ -114,10 +114,9 @@ struct Reader : StarBytes {
     q->degree = int(at_most(body.natural(1), 3, "the degree of a separator is"));
     require(q->degree >= 1, "B1", "the degree of a separator is 0");
     const int64_t t = zigzag();
-    require(t >= -kMostUnit && t <= kMostUnit, "B1", "t is out of range");
+    require(t >= -kMostSteps && t <= kMostSteps, "B1", "t is out of range");
     q->scale = r + t;
-    require(q->scale >= -kMostScale && q->scale <= kMostScale, "B1",
-            "the unit of a separator is too far away");
+    q->length = r + int64_t(::magnitude(q->scale));
     const int d = q->degree;
     for (int n = (d + 1) * (d + 2) * (d + 3) / 6; n > 0; --n) q->coefficients.push_back(zigzag());
   }

@@ -120,15 +120,6 @@ Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>
   return r;
 }
 
-uint64_t cost(const Patch& p) {
-  int64_t bits = 0;
-  for (const Big& x : p.net) bits = std::max(bits, x.bits());
-  const int d = p.shape.p, c = p.shape.is_triangle ? 3 * d * (3 * d - 1) / 2 : 9 * d * p.shape.q;
-  require(c * bits <= kMostSize, "B2", "the coefficients are too long for their degree, bits",
-          uint64_t(bits));
-  return 1 + uint64_t(c * bits) / 16384;
-}
-
 }  // namespace
 
 void cut_patches(const std::vector<Place>& places, int64_t unit,
@@ -137,7 +128,10 @@ void cut_patches(const std::vector<Place>& places, int64_t unit,
   std::vector<std::map<size_t, Extraction>> cache(breaks.size());
   for (const Place& at : places) {
     Patch made = patch(at, unit, breaks, &cache);
-    made.cost = cost(made);
+    for (const Big& x : made.net) made.bits = std::max(made.bits, x.bits());
+    made.cost = cost_of(made.shape, made.bits);
+    require(made.cost != 0, "B2", "the coefficients are too long for their degree, bits",
+            uint64_t(made.bits));
     use(std::move(made));
   }
 }

@@ -72,6 +72,9 @@ SheetTest::SheetTest(const Box& box, int version, Units* units)
 
 int SheetTest::sheet_of(const Patch& p, Node* node) {
   std::fill(known_.begin(), known_.end(), kUnknown);
+  for (const Separator& q : box_.separators)
+    require(cost_of(p.shape, p.bits + q.length) != 0, "C2",
+            "a separator is too long for the degree of a patch, bits", uint64_t(q.length));
   for (size_t i = 0; i < box_.sheets.size(); ++i) {
     if (!is_strict_) units_->add(p.cost);
     if (star_test(p, node, box_.sheets[i], is_strict_) && has_signs(box_.sheets[i], p, *node))
@@ -84,7 +87,8 @@ bool SheetTest::has_signs(const Sheet& sheet, const Patch& p, const Node& node) 
   for (size_t i = 0; i < sheet.signs.size(); ++i) {
     if (sheet.signs[i] == 0) continue;
     if (known_[i] == kUnknown) {
-      units_->add(uint64_t(forms_[i].degree) * p.cost);
+      const Separator& q = box_.separators[i];
+      units_->add(uint64_t(q.degree) * cost_of(p.shape, p.bits + q.length));
       known_[i] = sign_on(i, p, node);
     }
     if (known_[i] != sheet.signs[i]) return false;

@@ -6,10 +6,11 @@ from itertools import combinations
 from ..common.errors import Reject
 from ..common.vectors import cross, dot
 from .star_box_nodes import in_frame
-from .star_box_read import MAX_SHIFT, Certificate, read_all_breaks, read_head
+from .star_box_read import Certificate, read_all_breaks, read_head
 
 MAX_FRAMES, MAX_SHEETS, MAX_SEPARATORS = 65535, 64, 64
 MAX_ENTRY = (1 << 31) - 1               # of a frame, in absolute value
+MAX_STEPS = 64                          # of a separator's unit from that of the points
 KINDS = {"surface": 1, "triangle": 2}
 COEFFICIENTS = {1: 4, 2: 10, 3: 20}     # of a separator, by its degree
 
@@ -60,7 +61,7 @@ class Box:
 
 def read_separator(body, origin, shift):
     degree, t = body.u8(3), body.zigzag()
-    if degree == 0 or abs(t) > MAX_SHIFT:
+    if degree == 0 or abs(t) > MAX_STEPS:
         raise Reject("B1", "a separator of degree %d, with 2^%d" % (degree, t))
     powers = [(a, b, c) for a in range(degree + 1) for b in range(degree + 1 - a) for c in range(degree + 1 - a - b)]
     return Separator(degree, origin, shift + t, [(body.zigzag(), p) for p in powers], shift + abs(shift + t))

@@ -6,17 +6,17 @@ from .star_box_patches import FULL, MAX_SIZE, Packing, longest
 
 def sheet_of(node, box, spend):
     """The number of the sheet to which the node belongs, or None.  spend: called with units of work."""
-    signs = {}
+    costs, signs = [cost_of(separator, node.patch) for separator in box.separators], {}
 
     def sign(number):
         if number not in signs:
-            spend(cost_of(box.separators[number], node.patch))
+            spend(costs[number])
             signs[number] = sign_on(node, box.separators[number])
         return signs[number]
 
     for i, sheet in enumerate(box.sheets):
         spend(node.patch.cost)
-        if all(sign(n) == s for n, s in enumerate(sheet.signs) if s) and has_s1(node, sheet.c):
+        if has_s1(node, sheet.c) and all(sign(n) == s for n, s in enumerate(sheet.signs) if s):
             return i
     return None
 

@@ -20,6 +20,7 @@ import collar_liars  # noqa: E402
 import every_claim  # noqa: E402
 import invalid_liars  # noqa: E402
 import patch_liars  # noqa: E402
+import sheet_liars  # noqa: E402
 
 BIN = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 and pathlib.Path(sys.argv[1]).is_dir() else ROOT / "build" / "bin"
 CHECKERS = [(BIN / "veritope-check",), (sys.executable, "-B", ROOT / "verify" / "checker" / "veritope_check.py")]
@@ -44,6 +45,8 @@ LIARS = {
     "mesh-invalid-1": of_mesh(attacks.false_invalid_attacks),
     "star-box-1": of_patches(patch_liars.star_attacks),
     "star-box-turned-1": turned_shells,
+    "star-box-2": of_patches(sheet_liars.thin_attacks),
+    "star-box-turned-2": of_patches(sheet_liars.wrong_windings),
     "patch-invalid-1": of_patches(invalid_liars.invalid_attacks),
     "collar-1": of_patches(collar_liars.lies_about_a_collar),
 }

@@ -45,6 +45,21 @@ def turned(net):
     return [a, c, b, d]
 
 
+def decimal(numerator, bits):
+    """numerator / 2^bits, written exactly."""
+    digits = f"{abs(numerator) * 5 ** bits:0{bits + 1}d}"
+    fraction = digits[-bits:].rstrip("0")
+    return "-" * (numerator < 0) + digits[:-bits] + ("." + fraction if fraction else "")
+
+
+def plate(bits):
+    """1 x 1 x 2^-bits, turned about the origin and scaled by 3; its sides are along (2, -1, 2), (2, 2, -1), (-1, 2, 2)."""
+    def point(p):
+        x, y, z = p[0] << bits, p[1] << bits, p[2]
+        return tuple(decimal(n, bits) for n in (2 * x + 2 * y - z, -x + 2 * y + 2 * z, 2 * x - y + 2 * z))
+    return [[point(p) for p in net] for net in block((0, 0, 0), (1, 1, 1))]
+
+
 def itd(faces):
     lines = ["[OBJECT MODEL"]
     for a, b, c, d in faces:
@@ -66,6 +81,8 @@ def models():
     yield "patches_crossing_smallest", moved(cube, top, ("0.2", "0.2", "-0.5"))
     yield "patches_crossing_nearest_valid", moved(cube, top, ("0.4", "0.4", "0.4"))
     yield "shell_turned_smallest", [turned(net) for net in cube]
+    yield "shell_turned_thin", [turned(net) for net in plate(10)]
+    yield "shell_turned_thin_nearest_valid", plate(10)
     yield "not_certified_smallest", cube + block(("0.25", "0.25", 1), ("0.75", "0.75", 2))
     yield "not_certified_nearest_valid", cube + block(("0.25", "0.25", "1.0001"), ("0.75", "0.75", 2))
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Lying provers against both checkers of the claims about patches: star-box-1, star-box-turned-1, patch-invalid-1, collar-1.
+"""Lying provers against both checkers of the claims about patches: star-box-1 and -2, star-box-turned-1 and -2, patch-invalid-1,
+collar-1.
 
 As attacks.py, whose harness it uses: a model of known truth, a false claim, and a certificate in which everything but that claim is
 right for some part of the model.  Every attack must be rejected, by both checkers, for the same condition; honest certificates must be
@@ -15,6 +16,7 @@ import attacks
 import collar_liars
 import invalid_liars
 import patch_liars
+import sheet_liars
 
 CONDITIONS = ["B2", "B3", "P1", "C1", "C2", "C3", "C4", "W1", "W2", "W3", "K0", "K1E", "K1V", "K2", "K3", "I1", "I2", "I3", "I4",
               "X1", "X2", "X3", "D1", "D2", "D3", "D4"]
@@ -37,13 +39,15 @@ def subjects(found):
 
 def draw(rng):
     r = rng.random()
-    return patch_liars.star_attacks if r < .4 else invalid_liars.invalid_attacks if r < .95 else collar_liars.collar_attacks
+    return patch_liars.star_attacks if r < .3 else sheet_liars.sheet_attacks if r < .6 else invalid_liars.invalid_attacks if r < .95 else collar_liars.collar_attacks
 
 
 def honest(rng):
     r = rng.random()
-    if r < .6:
+    if r < .4:
         yield from patch_liars.honest(rng)
+    elif r < .65:
+        yield from sheet_liars.honest(rng)
     elif r < .85:
         for name, finding in invalid_liars.honest(rng):
             model = patch_liars.forge.encode_model(finding.entities)

@@ -11,6 +11,8 @@ COMMANDS = {
     "mesh-invalid-1": (EXAMPLES / "self_crossing.off",),
     "star-box-1": (EXAMPLES / "quarter_pipe.itd",),
     "star-box-turned-1": (PATCHES / "shell_turned_smallest.itd", "--orient", "keep"),
+    "star-box-2": (PATCHES / "shell_turned_thin_nearest_valid.itd",),
+    "star-box-turned-2": (PATCHES / "shell_turned_thin.itd", "--orient", "keep"),
     "patch-invalid-1": (PATCHES / "side_open_smallest.itd",),
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
 }

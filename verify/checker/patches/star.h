@@ -37,7 +37,7 @@ struct Shape {
   int sides() const { return is_triangle ? 3 : 4; }
   int at(int i, int j) const { return i * (q + 1) + j; }                 // tensor
   int at3(int j, int k) const { return (j + k) * (j + k + 1) / 2 + k; }  // triangle; i = p - j - k
-  // Of g, section 4.
+  // How many coefficients g of section 4 has.
   int count_of_g() const { return is_triangle ? 3 * p * (3 * p - 1) / 2 : 9 * p * q; }
   int side_degree(int e) const { return !is_triangle && e % 2 == 0 ? p : e % 2 != 0 ? q : p; }
   int on_side(int e, int k) const;  // the k-th point of side e's row, in its direction of travel

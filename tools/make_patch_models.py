@@ -53,7 +53,7 @@ def decimal(numerator, bits):
 
 
 def plate(bits):
-    """1 x 1 x 2^-bits, turned about the origin and scaled by 3; its sides are along (2, -1, 2), (2, 2, -1), (-1, 2, 2)."""
+    """1 x 1 x 2^-bits, turned and scaled by 3: its sides are along (2, -1, 2), (2, 2, -1), (-1, 2, 2)."""
     def point(p):
         x, y, z = p[0] << bits, p[1] << bits, p[2]
         return tuple(decimal(n, bits) for n in (2 * x + 2 * y - z, -x + 2 * y + 2 * z, 2 * x - y + 2 * z))

@@ -143,6 +143,16 @@ def prism(section):
     return [forge.surface(rows) for rows in [top, [list(r) for r in zip(*bottom)], *[[list(c) for c in zip(*w)] for w in walls]]]
 
 
+def rounded_prism():
+    """A prism over a smooth section of three parabolas, whose caps are quadratic triangles: their normals are zero in their corners."""
+    around = [(2, 0), (-1, 2), (-1, -2)]
+    corners = [tuple(Q(a + b, 2) for a, b in zip(around[i - 2], around[i - 1])) for i in range(3)]
+    sides = [[corners[i], around[i - 1], corners[i - 2]] for i in range(3)]
+    (a, ab, b), (_, bc, c), (_, ca, _) = sides
+    caps = [[(*p, 1) for p in (a, ab, ca, b, bc, c)], [(*p, -1) for p in (a, ca, ab, c, bc, b)]]
+    return [forge.triangle(cap, 2) for cap in caps] + [forge.surface([[(*p, -1), (*p, 1)] for p in side]) for side in sides]
+
+
 BLOCKS = ((0, 0, 0), (-1, 0, 0), (-1, -1, 0), (-1, -1, -1))
 
 

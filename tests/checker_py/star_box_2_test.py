@@ -84,6 +84,20 @@ class SoundModels(Judged):
         self.assertEqual(corner, [0] * 4)
         self.assertRaisesRegex(ValueError, "no box", forge.Prover(models2.prism(models2.squircle), deepest=3).prove)
 
+    def test_a_smooth_section_of_three_sides_has_triangles_with_normals_zero_in_their_corners(self):
+        prover = Prover2(models2.rounded_prism(), search=True).prove()
+        self.says("ACCEPT", prover)
+        self.assertEqual(prover.patches[0].corner_of(prover.patches[0].make_g()[3]), [0] * 3)
+        with replaced((sheets, "sides_at", lambda patch, at: [])):
+            self.assertIn("no box", self.why_not(models2.rounded_prism()))
+
+    def why_not(self, entities):
+        try:
+            Prover2(entities, search=True, deepest=3).prove()
+        except ValueError as e:
+            return str(e)
+        return ""
+
     def test_blocks_whose_normals_at_a_vertex_lie_in_no_half_space(self):
         prover = models2.star_and_mesh(models2.blocks()).prove()
         self.says("ACCEPT", prover)

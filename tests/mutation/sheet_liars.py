@@ -53,6 +53,10 @@ def squircle(rng):
     return made("squircle", lambda: forge2.Prover2(models2.prism(models2.squircle), search=True).prove())
 
 
+def sound(rng):
+    return plate(rng)[2] if rng.random() < .7 else rng.choice((blocks, squircle))(rng)
+
+
 def of_version_1(plan):
     """The plan in version 2; None if it has a box that cannot be read."""
     try:

@@ -155,7 +155,10 @@ class Certification {
 
   void seek_collar() {
     internal::enter(Phase::kSeekingCollar, options_);
-    if (decided_.forest->frame().is_plain())
+    if (decision().cover.has_frames())
+      collar_.open = why("no-collar",
+                         "walls are thin: boxes along the axes, which collars need, would be many");
+    else if (decided_.forest->frame().is_plain())
       collar_ = find_patch_collar(*decided_.forest, decision().cover);
     else
       collar_.open = why("no-collar",

@@ -63,12 +63,14 @@ FileDecision decide_in_frame(const FilePatches& patches, const PatchDecisionOpti
 FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& wanted) {
   PatchDecisionOptions options = with_outer_sides(patches, wanted.search);
   options.in_plain_frame = wanted.frame == FrameWanted::kPlain;
-  options.with_frames = wanted.frame == FrameWanted::kAny;
+  options.with_frames = wanted.frame != FrameWanted::kPlain;
   FileDecision fitted = decide_in_frame(patches, options);
   if (wanted.frame != FrameWanted::kPlainIfCheap || !fitted.decision.is_valid ||
-      fitted.forest->frame().is_plain() || !may_have_octree(*patches.complex))
+      !may_have_octree(*patches.complex))
     return fitted;
+  if (fitted.forest->frame().is_plain() && !fitted.decision.cover.has_frames()) return fitted;
   options.in_plain_frame = true;
+  options.with_frames = false;
   options.cover.max_boxes = kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes);
   FileDecision plain = decide_in_frame(patches, options);
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);

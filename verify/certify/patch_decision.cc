@@ -110,6 +110,13 @@ class Decider {
       if (auto error = make_forest(PieceForest::FrameChoice::kWhole))
         return open(why ? *why : std::move(*error));
       crossing = cover_or_cross(true);
+      const bool is_covered = out_.cover.is_complete() && fits_certificate(*forest_, out_.cover);
+      if (!why && !crossing && !is_covered) {  // boxes along the axes only took too long
+        if (auto error = make_forest(PieceForest::FrameChoice::kFitted))
+          return open(std::move(*error));
+        is_patient_ = true;
+        crossing = cover_or_cross(false);
+      }
       if (why && !crossing && !out_.cover.is_complete()) return open(*why);
     }
     if (crossing) return refuted(*crossing);
@@ -164,10 +171,13 @@ class Decider {
     options.least_cube_unit = least_unit_of_any(*forest_);
     options.least_framed_unit = least_unit_that_fits(*forest_) * FrameSearch::kRowLength;
     options.with_frames = with_frames;
+    // A certificate counts all boxes in one unit, and coordinates in frames are long.
+    if (with_frames) options.least_unit = std::max(options.least_unit, options.least_framed_unit);
     const std::size_t before_frames =
         kBoxesBeforeFrames + kBoxesOfPatch * complex_.patches().size();
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {
-      if (options_.with_frames && !with_frames && tried >= before_frames) return true;
+      if (options_.with_frames && !with_frames && !is_patient_ && tried >= before_frames)
+        return true;
       if (options_.cover.stops_at && options_.cover.stops_at(piece, tried)) return true;
       if (forest_->node(piece).level >= kTroubleLevel && tried >= kBoxesBeforeTrouble)
         look_everywhere();
@@ -182,7 +192,7 @@ class Decider {
     out_.cover = find_star_cover(*forest_, options);
     out_.boxes_tried = out_.cover.tried;
     if (found || out_.cover.is_complete()) return found;
-    if (options_.with_frames && !with_frames) return std::nullopt;
+    if (options_.with_frames && !with_frames && !is_patient_) return std::nullopt;
     for (PieceForest::Id id = out_.cover.uncovered.front().piece; id != PieceForest::kNone;
          id = forest_->node(id).parent)
       if ((found = search.near(id))) return found;
@@ -273,6 +283,7 @@ class Decider {
   const PatchComplex& complex_;
   const PatchDecisionOptions& options_;
   std::optional<PieceForest>& forest_;
+  bool is_patient_ = false;  // boxes along the axes may be as many as the options say
   PatchDecision out_;
 };
 

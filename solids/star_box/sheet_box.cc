@@ -6,6 +6,7 @@
 #include "robust/base/check.h"
 #include "solids/pieces/crossing_number.h"
 #include "solids/pieces/piece_descent.h"
+#include "solids/star_box/star_box.h"
 
 namespace veritope {
 namespace {
@@ -34,15 +35,12 @@ class NodeSigns {
   std::vector<std::optional<Sign3>> known_;
 };
 
-bool has_star_signs(PieceForest& forest, Id id, const Sheet& sheet) {
-  return forest.side_of(id, sheet.inside) == Sign3::kPositive &&
-         forest.side_of(id, sheet.outside) == Sign3::kNegative;
-}
-
 std::optional<std::size_t> sheet_of(PieceForest& forest, Id id, const SheetBox& box) {
   NodeSigns signs(forest, id, box.separators);
   for (std::size_t i = 0; i < box.sheets.size(); ++i)
-    if (signs.suit(box.sheets[i]) && has_star_signs(forest, id, box.sheets[i])) return i;
+    if (signs.suit(box.sheets[i]) &&
+        has_star_signs(forest, id, {box.sheets[i].inside, box.sheets[i].outside}))
+      return i;
   return std::nullopt;
 }
 
@@ -52,19 +50,20 @@ bool is_strictly_inside(const Box3d& a, const Box3d& b) {
   return true;
 }
 
-// Some separator has opposite signs for any two sheets.
-bool are_apart(const std::vector<Sheet>& sheets) {
+bool are_all_apart(const std::vector<Sheet>& sheets) {
   for (std::size_t i = 0; i < sheets.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      bool found = false;
-      for (std::size_t l = 0; l < sheets[i].signs.size(); ++l)
-        found = found || sheets[i].signs[l] * sheets[j].signs[l] == Sign::kNegative;
-      if (!found) return false;
-    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (!are_apart(sheets[i], sheets[j])) return false;
   return true;
 }
 
 }  // namespace
+
+bool are_apart(const Sheet& a, const Sheet& b) {
+  for (std::size_t l = 0; l < a.signs.size(); ++l)
+    if (a.signs[l] * b.signs[l] == Sign::kNegative) return true;
+  return false;
+}
 
 bool find_sheet_pieces(PieceForest& forest, const SheetBox& box, std::size_t most,
                        SheetPieces* pieces) {
@@ -85,7 +84,7 @@ bool find_sheet_pieces(PieceForest& forest, const SheetBox& box, std::size_t mos
 
 bool is_sheet_box(PieceForest& forest, const SheetBox& box, std::size_t most, SheetPieces* pieces) {
   VT_CHECK(!box.sheets.empty(), "a star box without a sheet");
-  if (!are_apart(box.sheets)) return false;
+  if (!are_all_apart(box.sheets)) return false;
   for (const Sheet& s : box.sheets)
     for (const Point3d* const c : {&s.inside, &s.outside})
       if (!is_strictly_inside(box.frame.in_frame(*c), box.box)) return false;

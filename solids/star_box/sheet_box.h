@@ -15,6 +15,9 @@ struct Sheet {
   std::vector<Sign> signs;
 };
 
+/// Whether the sheets lie on different sides of a separator. REQUIRES as many signs of both.
+bool are_apart(const Sheet& a, const Sheet& b);
+
 struct SheetBox {
   BoxFrame frame;
   Box3d box;  ///< in the frame

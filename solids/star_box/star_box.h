@@ -22,6 +22,9 @@ struct StarBox {
 bool find_star_pieces(PieceForest& forest, const StarBox& star, std::size_t most,
                       std::vector<PieceForest::Id>* tested, std::vector<PieceForest::Id>* held);
 
+/// Whether S1 holds on the piece for these centres.
+bool has_star_signs(PieceForest& forest, PieceForest::Id id, const CentreLine& centres);
+
 /// Whether S1 holds on all of the pieces.
 bool has_star_signs(PieceForest& forest, const std::vector<PieceForest::Id>& tested,
                     const StarBox& star);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "robust/base/disjoint_sets.h"
 #include "solids/pieces/piece_descent.h"
@@ -35,11 +34,9 @@ constexpr double kHeights = 4;
 // What a box that was cut on one side reaches on the other, as a multiple.
 constexpr double kOtherSide = 2;
 
+using internal::cross;
 using internal::dot;
 double length_of(const Point3d& a) { return std::hypot(a[0], a[1], a[2]); }
-Point3d cross(const Point3d& a, const Point3d& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 // The vector scaled to unit length; nothing if it has no direction in doubles.
 std::optional<Point3d> direction(const Point3d& a) {
   const double length = length_of(a);
@@ -206,7 +203,7 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region) c
   return out;
 }
 
-// The classes of near_ by common points in the surface; that of the piece comes first.
+// The classes of near_ by common points in the surface.
 std::vector<std::vector<Id>> FrameSearch::components() const {
   DisjointSets<> classes(near_.size());
   for (std::uint32_t i = 0; i < near_.size(); ++i)
@@ -319,10 +316,7 @@ bool FrameSearch::separate(const std::vector<std::vector<Id>>& sheets, const Reg
   auto& made = box_.sheets.sheets;
   for (std::size_t i = 0; i < sheets.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      bool is_apart = false;
-      for (std::size_t l = 0; l < made[i].signs.size(); ++l)
-        is_apart = is_apart || made[i].signs[l] * made[j].signs[l] == Sign::kNegative;
-      if (is_apart) continue;
+      if (are_apart(made[i], made[j])) continue;
       const auto q =
           find_separator(samples[i], samples[j], made[0].inside, power_of_two_below(size) * 2);
       if (!q) return false;

@@ -5,19 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "splines/binomial.h"
+#include "verify/certify/sheet_tangents_internal.h"
+
 namespace veritope {
 namespace {
-
-// The Bernstein polynomials of degree n at t.
-std::vector<double> bernstein(int n, double t) {
-  std::vector<double> out{1};
-  for (int k = 1; k <= n; ++k) {
-    out.push_back(0);
-    for (std::size_t i = out.size(); i-- > 0;)
-      out[i] = (1 - t) * out[i] + (i > 0 ? t * out[i - 1] : 0);
-  }
-  return out;
-}
 
 // The point at (u, v); in a triangle at (1 - u - v, u, v).
 class Sampler {
@@ -38,13 +30,17 @@ class Sampler {
     if (s.is_triangle) {
       for (int j = 0; j <= s.p; ++j)
         for (int k = 0; j + k <= s.p; ++k)
-          add(triangle_index(j, k), known(s.p, j) * known(s.p - j, k) * std::pow(u, j) *
-                                        std::pow(v, k) *
+          add(triangle_index(j, k), internal::known_binomial<double>(s.p, j) *
+                                        internal::known_binomial<double>(s.p - j, k) *
+                                        std::pow(u, j) * std::pow(v, k) *
                                         std::pow(std::max(0.0, 1 - u - v), s.p - j - k));
     } else {
-      const std::vector<double> b = bernstein(s.p, u), c = bernstein(s.q, v);
-      for (std::size_t i = 0; i < b.size(); ++i)
-        for (std::size_t j = 0; j < c.size(); ++j) add(i * c.size() + j, b[i] * c[j]);
+      internal::Basis b, c;
+      internal::fill_basis(s.p, u, &b), internal::fill_basis(s.q, v, &c);
+      const auto rows = static_cast<std::size_t>(s.p + 1),
+                 columns = static_cast<std::size_t>(s.q + 1);
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = 0; j < columns; ++j) add(i * columns + j, b.value[i] * c.value[j]);
     }
     const double w = form_.is_rational ? sum[3] : total;
     return {form_.origin[0] + sum[0] / w, form_.origin[1] + sum[1] / w,
@@ -52,11 +48,6 @@ class Sampler {
   }
 
  private:
-  static double known(int n, int k) {
-    double out = 1;
-    for (int i = 0; i < k; ++i) out = out * (n - i) / (i + 1);
-    return out;
-  }
   const PieceForest::Form& form_;
   const double* net_;
 };

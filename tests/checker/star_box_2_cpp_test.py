@@ -117,26 +117,14 @@ class Plan:
         return number
 
     def body(self):
-        out, last = [b"VTS2", u32(len(self.kinds)), bytes(x for pair in zip(self.kinds, self.flags) for x in pair)], 0
+        out = [b"VTS2", u32(len(self.kinds)), bytes(x for pair in zip(self.kinds, self.flags) for x in pair)]
         for axes in self.breaks:
             for axis in axes:
                 out += [u32(len(axis)), *map(forge.rational, axis)]
         out += [bytes(r) for r in self.roots] + [zigzag(self.unit), u32(len(self.frames))]
         out += [zigzag(a) for matrix in self.frames for row in matrix for a in row]
         out += [u32(len(self.boxes))] + [b.encode() for b in self.boxes]
-
-        def encode(tree):
-            nonlocal last
-            if isinstance(tree, int):
-                code, last = forge.zigzag_code(tree - last), tree
-                return varint(1 + code)
-            return b"\0" + b"".join(map(encode, tree))
-
-        out += [encode(tree) for trees in self.trees for tree in trees] + [u32(len(self.walks))]
-        for box, sign, points, end in self.walks:
-            out += [varint(box), bytes([sign]), u32(len(points))] + [b"\0" + b"".join(map(zigzag, p)) for p in points]
-            out.append(bytes([end]) if isinstance(end, int) else b"\6" + varint(end[0]) + bytes([end[1]]))
-        return b"".join(out) + self.tail
+        return b"".join(out) + forge.trees_and_walks(self.trees, self.walks) + self.tail
 
     def certificate(self, body=None):
         body = self.body() if body is None else body

@@ -75,6 +75,39 @@ class Box:
         return bytes([self.kind]) + varint(self.shift) + b"".join(map(zigzag, self.lo)) + b"".join(map(varint, [*self.size, *offsets]))
 
 
+def trees_and_walks(trees, walks):
+    """What ends the bodies of both versions. A tree: a box, or four trees."""
+    last = 0
+
+    def encode(tree):
+        nonlocal last
+        if isinstance(tree, int):
+            code, last = zigzag_code(tree - last), tree
+            return varint(1 + code)
+        return b"\0" + b"".join(map(encode, tree))
+
+    out = [encode(tree) for of_patch in trees for tree in of_patch] + [u32(len(walks))]
+    for box, sign, points, end in walks:
+        out += [varint(box), bytes([sign]), u32(len(points))] + [b"\0" + b"".join(map(zigzag, p)) for p in points]
+        out.append(bytes([end]) if isinstance(end, int) else b"\6" + varint(end[0]) + bytes([end[1]]))
+    return b"".join(out)
+
+
+def bent(rng, body):
+    """The body with one to three random changes: a byte, a stretch that is missing, a stretch that is too much."""
+    lie = bytearray(body)
+    for _ in range(rng.randint(1, 3)):
+        at = rng.randrange(len(lie))
+        kind = rng.randrange(5)
+        if kind < 3:
+            lie[at] = rng.choice((0, 1, 127, 128, 255, rng.randrange(256)))
+        elif kind == 3:
+            del lie[at:at + rng.randint(1, 9)]
+        else:
+            lie[at:at] = bytes(rng.randrange(256) for _ in range(rng.randint(1, 9)))
+    return bytes(lie)
+
+
 class Plan:
     """Everything that a body says. trees[patch][root]: a box or four trees. walks: (box, sign, points, end)."""
     claim, magic = "star-box-1", b"VTSB"
@@ -89,24 +122,12 @@ class Plan:
         self.roots, self.boxes, self.trees, self.walks, self.values, self.tail = [], [], [], [], {}, b""
 
     def body(self):
-        out, last = [self.magic, u32(len(self.entities)), self.marks()], 0
+        out = [self.magic, u32(len(self.entities)), self.marks()]
         for axes in self.breaks:
             for axis in axes:
                 out += [u32(len(axis)), *map(rational, axis)]
         out += [bytes(r) for r in self.roots] + [zigzag(self.unit), self.table(), u32(len(self.boxes))] + [b.encode() for b in self.boxes]
-
-        def encode(tree):
-            nonlocal last
-            if isinstance(tree, int):
-                code, last = zigzag_code(tree - last), tree
-                return varint(1 + code)
-            return b"\0" + b"".join(map(encode, tree))
-
-        out += [encode(tree) for trees in self.trees for tree in trees] + [u32(len(self.walks))]
-        for box, sign, points, end in self.walks:
-            out += [varint(box), bytes([sign]), u32(len(points))] + [b"\0" + b"".join(map(zigzag, p)) for p in points]
-            out.append(bytes([end]) if isinstance(end, int) else b"\6" + varint(end[0]) + bytes([end[1]]))
-        return b"".join(out) + self.tail
+        return b"".join(out) + trees_and_walks(self.trees, self.walks) + self.tail
 
     def marks(self):
         """What stands for each entity."""

@@ -117,6 +117,9 @@ TEST(FrameCover, OfCurvedWallsAndWedgesIsAcceptedByTheChecker) {
     expect_bounded(name, {digits}, 2, 4000);
 }
 
+// Without frames along creases 7,500 boxes, without tight boxes 5,600: an acute rim needs both.
+TEST(FrameCover, OfAnAcuteRimHasLongBoxes) { expect_bounded("cone", {3}, 2, 4800); }
+
 TEST(FrameCover, OfWallsThatTouchOrCrossIsNone) {
   for (const Family& family : thin_shapes::families())
     for (const Walls walls : {Walls::kTouching, Walls::kCrossing}) {

@@ -8,6 +8,7 @@
 #include "solids/pieces/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
 #include "solids/star_box/place_centres.h"
+#include "verify/certify/sheet_tangents_internal.h"
 
 namespace veritope {
 namespace {
@@ -29,12 +30,6 @@ constexpr double kPartToBorder = 0.75;
 // The most triangles in a mesh box. Mesh boxes are tried only at vertices, and every pair of their
 // triangles is tested.
 constexpr std::size_t kMostTriangles = 48;
-
-// The square root is faster; std::hypot is right where squares leave the range of doubles.
-double length_of(const Point3d& a) {
-  const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-  return square > 1e-200 && square < 1e200 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
-}
 
 double on_grid(double v, double unit) { return std::nearbyint(v / unit) * unit; }
 
@@ -318,7 +313,7 @@ bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
   // a.(c - m) + b > 0.
   const auto add = [&](Point3d a, double b) {
     for (std::size_t k = 0; k < 3; ++k) a[k] *= scale_[k];
-    const double length = length_of(a);
+    const double length = internal::length_of(a);
     if (!(length > 0)) {
       half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
       return;

@@ -17,12 +17,10 @@ namespace {
 
 using Id = PieceForest::Id;
 
-constexpr double kRowLength = FrameSearch::kRowLength;
+constexpr double kRowLength = FrameChoice::kRowLength;
 // Boxes are multiples of their least half size divided by this.
 constexpr double kGrid = 64;
-constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8, kMostFrames = 8;
-// A frame that was made for another piece serves this one if its box is thicker by no more than this.
-constexpr double kThicker = 1.05, kSameDirection = 0x1p-24;
+constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8;
 // The least depth of centres, in half sizes of the box.
 constexpr double kLeastDepth = 1e-3;
 // Centres stay this far inside, in half sizes of the box.
@@ -31,43 +29,14 @@ constexpr double kRoom = 0.9375;
 constexpr double kFlat = 0x1p-8;
 // Heights of boxes that hold a curved piece, in heights of its hull: its tangent planes meet above and below it.
 constexpr double kHeights = 4;
+// The growth of tight boxes along the surface, and the size of the pieces that reach out of them, in half sizes.
+constexpr double kTightGrowth = 1.125, kTightPart = 0.125;
 // What a box that was cut on one side reaches on the other, as a multiple.
 constexpr double kOtherSide = 2;
 
-using internal::cross;
 using internal::dot;
-double length_of(const Point3d& a) { return std::hypot(a[0], a[1], a[2]); }
-// The vector scaled to unit length; nothing if it has no direction in doubles.
-std::optional<Point3d> direction(const Point3d& a) {
-  const double length = length_of(a);
-  if (!(length > 1e-150) || !std::isfinite(length)) return std::nullopt;
-  return Point3d{a[0] / length, a[1] / length, a[2] / length};
-}
-
-std::array<std::int64_t, 3> row_of(const Point3d& d) {
-  std::array<std::int64_t, 3> out;
-  for (std::size_t k = 0; k < 3; ++k) out[k] = std::llrint(kRowLength * d[k]);
-  return out;
-}
-
+using internal::length_of;
 double height(const Box3d& b) { return b.hi[2] - b.lo[2]; }
-bool is_bounded(const Box3d& b) { return std::isfinite(extent(b)); }
-// The sine of the angle between the normals of two frames, approximately.
-double turn(const BoxFrame& a, const BoxFrame& b) {
-  Point3d m, n;
-  for (std::size_t k = 0; k < 3; ++k) {
-    m[k] = static_cast<double>(a.rows()[2][k]) / kRowLength;
-    n[k] = static_cast<double>(b.rows()[2][k]) / kRowLength;
-  }
-  return length_of(cross(m, n));
-}
-// Whether no side of `hull` is much longer than that of `own`.
-bool is_as_thin(const Box3d& hull, const Box3d& own) {
-  const double least = kSameDirection * extent(own);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(hull.hi[k] - hull.lo[k] <= kThicker * (own.hi[k] - own.lo[k]) + least)) return false;
-  return true;
-}
 double power_of_two_below(double v) { return std::exp2(std::floor(std::log2(v))); }
 
 }  // namespace
@@ -81,63 +50,59 @@ Box3d FrameSearch::Region::box() const {
 
 bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
   piece_ = id;
-  if (!choose_frame()) return false;
+  const auto plain = choice_.along(id);
+  if (!plain) return false;
+  use(*plain);
+  if (try_in_frame(with_one_sheet_only)) return true;
+  const auto crease = choice_.at_crease(id, around_, plain->frame);
+  if (!crease) return false;
+  use(*crease);
+  return try_in_frame(with_one_sheet_only);
+}
+
+void FrameSearch::use(const PieceFrame& chosen) {
+  box_.sheets.frame = chosen.frame;
+  hull_ = chosen.hull;
+}
+
+bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
   const double along = std::min(hull_.hi[0] - hull_.lo[0], hull_.hi[1] - hull_.lo[1]);
   const double bent = growth_ * kHeights * height(hull_);
-  const Region high = region_of_height(std::max(along, bent));
-  if (!gather(high)) return false;
+  const Region high = region_of_height(std::max(along, bent), growth_);
+  const bool is_gathered = gather(high);
+  around_ = near_;
+  if (!is_gathered) return false;
   const std::vector<std::vector<Id>> all = components();
   if (all.size() == 1 && try_sheets(high, all)) return true;
-  if (const auto cut = cut_back(high); cut && gather(*cut) && try_sheets(*cut, {near_}))
+  if (const auto cut = cut_back(high, Cut::kAll); cut && gather(*cut) && try_sheets(*cut, {near_}))
     return true;
+  if (try_tight(2 * high.half[2])) return true;
   if (with_one_sheet_only) return false;
   if (all.size() > 1 && try_sheets(high, all)) return true;
   if (!(bent < along)) return false;
-  const Region low = region_of_height(bent);
+  const Region low = region_of_height(bent, growth_);
   if (!gather(low)) return false;
   return try_sheets(low, components());
 }
 
-// Rows along the piece's longer side, across it, and along its normal.
-std::optional<BoxFrame> FrameSearch::own_frame() {
-  const auto normal = direction(forest_.approx_normal(piece_));
-  if (!normal) return std::nullopt;
-  Point3d along = longest_chord(forest_, piece_);
-  const double part = dot(along, *normal);
-  for (std::size_t k = 0; k < 3; ++k) along[k] -= part * (*normal)[k];
-  const auto tangent = direction(along);
-  if (!tangent) return std::nullopt;
-  return BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
-}
-
-// Takes a frame that was made for another piece if this one is not much thicker in it: planes and cylinders share
-// theirs.
-bool FrameSearch::choose_frame() {
-  const auto own = own_frame();
-  if (!own) return false;
-  box_.sheets.frame = *own;
-  hull_ = hull_in_frame(forest_, piece_, *own);
-  if (!is_bounded(hull_) || !(extent(hull_) > 0)) return false;
-  for (std::size_t i = frames_.size(); i-- > 0;) {
-    if (!(turn(frames_[i], *own) <= kThicker * (height(hull_) / extent(hull_)) + kSameDirection))
-      continue;
-    const Box3d hull = hull_in_frame(forest_, piece_, frames_[i]);
-    if (!is_as_thin(hull, hull_)) continue;
-    box_.sheets.frame = frames_[i], hull_ = hull;
-    std::rotate(frames_.begin() + static_cast<std::ptrdiff_t>(i),
-                frames_.begin() + static_cast<std::ptrdiff_t>(i) + 1, frames_.end());
-    return true;
+// One sheet in a box hardly longer than the piece: beside a curved rim a longer box is a thicker one, and its centres
+// must see farther round the bend.
+bool FrameSearch::try_tight(double height) {
+  Region region = region_of_height(height, kTightGrowth);
+  region.part = kTightPart;
+  if (!gather(region)) return false;
+  if (const auto cut = cut_back(region, Cut::kOpposite)) {
+    region = *cut;
+    if (!gather(region)) return false;
   }
-  if (frames_.size() == kMostFrames) frames_.erase(frames_.begin());
-  frames_.push_back(*own);
-  return true;
+  return try_sheets(region, {near_});
 }
 
 // The hull of the piece, grown along the surface, with this height.
-FrameSearch::Region FrameSearch::region_of_height(double height) const {
+FrameSearch::Region FrameSearch::region_of_height(double height, double growth) const {
   Region out;
   out.middle = approx_centre(hull_);
-  for (std::size_t k = 0; k < 2; ++k) out.half[k] = 0.5 * growth_ * (hull_.hi[k] - hull_.lo[k]);
+  for (std::size_t k = 0; k < 2; ++k) out.half[k] = 0.5 * growth * (hull_.hi[k] - hull_.lo[k]);
   out.half[2] = 0.5 * height;
   // A side of the hull may have no length.
   const double least = 0x1p-20 * std::max({out.half[0], out.half[1], out.half[2]});
@@ -146,10 +111,15 @@ FrameSearch::Region FrameSearch::region_of_height(double height) const {
 }
 
 // Whether the piece, with this hull in the frame, need not be split for a search in the region: it is at most half as
-// long on every axis; or it is flat and lies along sides of the region.
+// long on every axis (a part of that where it reaches out of the region); or it is flat, and not long on all axes.
 bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
+  const Box3d box = region.box();
   int num_long = 0;
-  for (std::size_t k = 0; k < 3; ++k) num_long += hull.hi[k] - hull.lo[k] <= region.half[k] ? 0 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool is_within = box.lo[k] <= hull.lo[k] && hull.hi[k] <= box.hi[k];
+    const double most = is_within ? region.half[k] : region.part * region.half[k];
+    num_long += hull.hi[k] - hull.lo[k] <= most ? 0 : 1;
+  }
   if (num_long == 0) return true;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
   return num_long < 3 && approx_bend(forest_, id) <= kFlat * least / kRowLength;
@@ -169,12 +139,14 @@ bool FrameSearch::gather(const Region& region) {
   });
 }
 
-// The region with sides halfway to each piece that does not touch the hull, on the axis on which it is farthest from
-// it; nothing if all of them touch the hull.
-std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region) const {
+// The region with sides halfway to each piece that does not touch the hull (Cut::kOpposite: of those that face the
+// other way), on the axis on which it is farthest from it; nothing if there is no such piece.
+std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, Cut which) const {
   Box3d box = region.box();
+  const Point3d normal = forest_.approx_normal(piece_);
   bool is_cut = false;
   for (const Id id : near_) {
+    if (which == Cut::kOpposite && !(dot(forest_.approx_normal(id), normal) < 0)) continue;
     const Box3d other = hull_in_frame(forest_, id, box_.sheets.frame);
     if (!meets(box, other)) continue;
     std::size_t axis = 0;
@@ -197,7 +169,7 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region) c
   const double below = hull_.lo[2] - box.lo[2], above = box.hi[2] - hull_.hi[2];
   box.lo[2] = std::max(box.lo[2], hull_.lo[2] - kOtherSide * above);
   box.hi[2] = std::min(box.hi[2], hull_.hi[2] + kOtherSide * below);
-  Region out;
+  Region out = region;
   out.middle = approx_centre(box);
   for (std::size_t k = 0; k < 3; ++k) out.half[k] = 0.5 * (box.hi[k] - box.lo[k]);
   return out;

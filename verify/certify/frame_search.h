@@ -8,6 +8,7 @@
 
 #include "solids/star_box/sheet_box.h"
 #include "verify/certify/centre_search.h"
+#include "verify/certify/frame_choice.h"
 
 namespace veritope {
 
@@ -20,13 +21,10 @@ struct FramedBox {
 class FrameSearch {
  public:
   using Id = PieceForest::Id;
-  /// Rows of frames have about this length: directions are right to 2^-25.
-  static constexpr double kRowLength = 0x1p24;
-
   /// @param growth   size of a box along the surface, relative to the piece
   /// @param least_unit  the least unit of boxes in frames and of centres; a certificate counts both in one unit
   FrameSearch(PieceForest& forest, double growth, double least_unit)
-      : forest_(forest), growth_(growth), least_unit_(least_unit) {}
+      : forest_(forest), growth_(growth), least_unit_(least_unit), choice_(forest) {}
 
   /// Whether a box that contains the piece's hull was found and proved. With one sheet only: the box ends before other
   /// sheets.
@@ -39,15 +37,18 @@ class FrameSearch {
   /// A box in the frame, as a middle and half sizes.
   struct Region {
     Point3d middle{}, half{};
+    double part = 1;  // pieces that reach out of it are split to this part of the half sizes
     Box3d box() const;
   };
-  std::optional<BoxFrame> own_frame();
-  bool choose_frame();
-  Region region_of_height(double height) const;
+  void use(const PieceFrame& chosen);
+  bool try_in_frame(bool with_one_sheet_only);
+  bool try_tight(double height);
+  Region region_of_height(double height, double growth) const;
   bool is_small(Id id, const Box3d& hull, const Region& region);
   void hold_near();
   bool gather(const Region& region);
-  std::optional<Region> cut_back(const Region& region) const;
+  enum class Cut { kAll, kOpposite };
+  std::optional<Region> cut_back(const Region& region, Cut which) const;
   std::vector<std::vector<Id>> components() const;
   bool try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets);
   bool place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet);
@@ -61,9 +62,9 @@ class FrameSearch {
   Box3d hull_{};  // of the piece, in the frame
   FramedBox box_;
   SheetPieces pieces_;
-  std::vector<Id> near_;
+  std::vector<Id> near_, around_;  // those that the last region meets; that the first region met
   std::vector<HalfSpace> half_spaces_;
-  std::vector<BoxFrame> frames_;  // those used last, the last one at the end
+  FrameChoice choice_;
 };
 
 }  // namespace veritope

@@ -169,7 +169,7 @@ class Decider {
     StarCoverOptions options = options_.cover;
     options.least_unit = std::max(options.least_unit, least_unit_that_fits(*forest_));
     options.least_cube_unit = least_unit_of_any(*forest_);
-    options.least_framed_unit = least_unit_that_fits(*forest_) * FrameSearch::kRowLength;
+    options.least_framed_unit = least_unit_that_fits(*forest_) * FrameChoice::kRowLength;
     options.with_frames = with_frames;
     // A certificate counts all boxes in one unit, and coordinates in frames are long.
     if (with_frames) options.least_unit = std::max(options.least_unit, options.least_framed_unit);

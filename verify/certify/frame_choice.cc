@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/frame_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/certify/piece_samples.h"
+#include "verify/certify/sheet_tangents_internal.h"
+
+namespace veritope {
+namespace {
+
+using Id = PieceForest::Id;
+using internal::cross;
+using internal::dot;
+using internal::length_of;
+
+constexpr std::size_t kMostFrames = 8;
+// A frame that was made for another piece serves this one if its box is thicker by no more than this.
+constexpr double kThicker = 1.05, kSameDirection = 0x1p-24;
+// The sine of the least angle of a crease, and the cosine from which its faces count as perpendicular.
+constexpr double kLeastCrease = 0.125, kRightAngle = 0.999;
+
+// The vector scaled to unit length; nothing if it has no direction in doubles.
+std::optional<Point3d> direction(const Point3d& a) {
+  const double length = length_of(a);
+  if (!(length > 1e-150) || !std::isfinite(length)) return std::nullopt;
+  return Point3d{a[0] / length, a[1] / length, a[2] / length};
+}
+
+std::array<std::int64_t, 3> row_of(const Point3d& d) {
+  std::array<std::int64_t, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = std::llrint(FrameChoice::kRowLength * d[k]);
+  return out;
+}
+Point3d approx_row(const BoxFrame& frame, std::size_t r) {
+  Point3d out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out[k] = static_cast<double>(frame.rows()[r][k]) / FrameChoice::kRowLength;
+  return out;
+}
+// Whether the frames differ only by the rounding of normals.
+bool are_near(const BoxFrame& a, const BoxFrame& b) {
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(a.rows()[r][k] - b.rows()[r][k]) > 1) return false;
+  return true;
+}
+
+// The sine of the angle between the normals of two frames, approximately.
+double turn(const BoxFrame& a, const BoxFrame& b) {
+  return length_of(cross(approx_row(a, 2), approx_row(b, 2)));
+}
+// Whether no side of `hull` is much longer than that of `own`.
+bool is_as_thin(const Box3d& hull, const Box3d& own) {
+  const double least = kSameDirection * extent(own);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(hull.hi[k] - hull.lo[k] <= kThicker * (own.hi[k] - own.lo[k]) + least)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<BoxFrame> FrameChoice::own(Id piece) {
+  const auto normal = direction(forest_.approx_normal(piece));
+  if (!normal) return std::nullopt;
+  Point3d along = longest_chord(forest_, piece);
+  const double part = dot(along, *normal);
+  for (std::size_t k = 0; k < 3; ++k) along[k] -= part * (*normal)[k];
+  const auto tangent = direction(along);
+  if (!tangent) return std::nullopt;
+  return BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
+}
+
+std::optional<PieceFrame> FrameChoice::with_hull(Id piece, const BoxFrame& frame) {
+  const Box3d hull = hull_in_frame(forest_, piece, frame);
+  if (!std::isfinite(extent(hull)) || !(extent(hull) > 0)) return std::nullopt;
+  return PieceFrame{frame, hull};
+}
+
+void FrameChoice::keep(const BoxFrame& frame) {
+  if (frames_.size() == kMostFrames) frames_.erase(frames_.begin());
+  frames_.push_back(frame);
+}
+
+std::optional<PieceFrame> FrameChoice::along(Id piece) {
+  const auto frame = own(piece);
+  if (!frame) return std::nullopt;
+  auto out = with_hull(piece, *frame);
+  if (!out) return std::nullopt;
+  const double height = out->hull.hi[2] - out->hull.lo[2];
+  const double most_turn = kThicker * (height / extent(out->hull)) + kSameDirection;
+  for (auto used = frames_.end(); used != frames_.begin();) {
+    if (!(turn(*--used, *frame) <= most_turn)) continue;
+    const Box3d hull = hull_in_frame(forest_, piece, *used);
+    if (!is_as_thin(hull, out->hull)) continue;
+    out = PieceFrame{*used, hull};
+    std::rotate(used, used + 1, frames_.end());
+    return out;
+  }
+  keep(*frame);
+  return out;
+}
+
+std::optional<PieceFrame> FrameChoice::at_crease(Id piece, const std::vector<Id>& around,
+                                                 const BoxFrame& plain) {
+  const auto normal = direction(forest_.approx_normal(piece));
+  if (!normal) return std::nullopt;
+  Point3d other{}, crease{};
+  for (const Id id : around) {
+    const auto n = direction(forest_.approx_normal(id));
+    if (!n) continue;
+    const Point3d c = cross(*normal, *n);
+    if (length_of(c) > length_of(crease)) other = *n, crease = c;
+  }
+  if (!(length_of(crease) > kLeastCrease)) return std::nullopt;
+  for (std::size_t r = 0; r < 2; ++r)
+    if (std::abs(dot(other, approx_row(plain, r))) > kRightAngle) return std::nullopt;
+  auto frame = BoxFrame::make({row_of(*direction(crease)), row_of(other), row_of(*normal)});
+  if (!frame) return std::nullopt;
+  const auto known = std::find_if(frames_.begin(), frames_.end(),
+                                  [&](const BoxFrame& f) { return are_near(f, *frame); });
+  if (known == frames_.end())
+    keep(*frame);
+  else
+    frame = *known;
+  return with_hull(piece, *frame);
+}
+
+}  // namespace veritope

@@ -103,6 +103,8 @@ Patches block_faces(const std::vector<Cube>& cubes, const std::function<Point(co
 Point at_integers(const Cube& p);
 std::vector<Cube> plate_cubes(int g);
 
+/// See pn_torus; `radius` of the circle that is revolved.
+Patches pn_torus(int m, int n, double radius);
 /// See knotted_tube; flat: around the projection of the trefoil to z = 0, which crosses itself in three points.
 Patches tube(const Rational& radius, int around, int along, bool is_flat);
 

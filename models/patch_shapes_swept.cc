@@ -130,7 +130,9 @@ Patches grid_torus(int m, int n) {
   return grid.bilinear();
 }
 
-Patches pn_torus(int m, int n) {
+Patches pn_torus(int m, int n) { return internal::pn_torus(m, n, 1); }
+
+Patches internal::pn_torus(int m, int n, double radius) {
   VT_CHECK(m >= 3 && n >= 3, "a closed grid needs three points each way");
   const auto coarse = [](const Vec3d& p) {
     const auto at = [](double v) { return std::ldexp(std::round(std::ldexp(v, 20)), -20) + 0.0; };
@@ -141,7 +143,7 @@ Patches pn_torus(int m, int n) {
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) {
       const double u = fraction_of_turn(i, m), v = fraction_of_turn(j, n);
-      mesh.positions.push_back(coarse(torus_point(u, v, 3, 1)));
+      mesh.positions.push_back(coarse(torus_point(u, v, 3, radius)));
       normals.push_back(coarse(torus_point(u, v, 0, 1)));
       const auto vertex = [&](int a, int b) {
         return static_cast<std::uint32_t>((a % m) * n + b % n);

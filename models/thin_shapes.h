@@ -23,6 +23,21 @@ Patches turned(const Patches& patches);
 /// A conical shell about the z axis between flat rings at z = 0 and z = 2, with the outer radii 1 and `top` and the
 /// thicknesses `begin` and `end`: a tube if top = 1.
 Patches cone(const Rational& top, const Rational& begin, const Rational& end);
+/// `count` spheres around one middle, at the distance `gap` from one another, the outermost of radius 1, walls and gaps
+/// in turn; the innermost is moved by `shift` along x. REQUIRES count * gap < 1.
+Patches nested_spheres(int count, const Rational& gap, const Rational& shift);
+/// The unit sphere with a spherical hole of half its radius, moved by `shift` along x: the walls touch in a point, where
+/// their curvatures differ, iff |shift| = 1/2.
+Patches eccentric_spheres(const Rational& shift);
+/// The unit square bent into a bicubic sheet, with the thickness `begin` at x = 0 and `end` at x = 1, measured along z.
+Patches curved_plate(const Rational& begin, const Rational& end);
+/// A C2 sheet of n x n bicubic patches over the unit square, wavy by about a tenth of its spans, with this thickness
+/// along z.
+Patches spline_sheet(int n, const Rational& thickness);
+/// The unit square with the thickness 1/8 and a square hole of side `width` in its middle, in 16 bilinear patches.
+Patches plate_with_hole(const Rational& width);
+/// Two tori of 2 * 24 * 16 PN triangles each, with the radii 1 and 1 - gap. Embedded for gaps from 2^-12 on.
+Patches pn_shell(double gap);
 
 enum class Walls {
   kApart,     ///< a solid whose walls have the distance of the gap, at least somewhere
@@ -33,8 +48,9 @@ struct Family {
   std::string name;
   Patches (*make)(const Rational& gap, Walls walls);
   std::vector<int> genus;  ///< of each shell of the sound solid
+  int bodies = 1;          ///< of the sound solid
 };
-/// Every shape above; each sound one is one body.
+/// Shapes above whose walls can touch and cross, of few patches.
 std::vector<Family> families();
 
 }  // namespace veritope::thin_shapes

@@ -14,6 +14,8 @@ namespace {
 
 using Entry = int128;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 // The cofactor of row r, column c; its magnitude is below 2^63.
 Entry cofactor(const BoxFrame::Rows& a, std::size_t r, std::size_t c) {
   const std::size_t i = (r + 1) % 3, j = (r + 2) % 3, k = (c + 1) % 3, l = (c + 2) % 3;
@@ -35,11 +37,35 @@ Interval enclosure(Entry v) {
   return out;
 }
 
-Interval row_of(const std::array<std::int64_t, 3>& row, const std::array<Interval, 3>& x) {
-  Interval sum;
-  for (std::size_t k = 0; k < 3; ++k) sum += Interval(static_cast<double>(row[k])) * x[k];
-  return sum;
-}
+// The rows as doubles, exactly: entries are below 2^31; and their negatives. The compiler must not know what is the
+// negative of what: it would take the negative of a product, which rounds the wrong way.
+class RowsInDoubles {
+ public:
+  explicit RowsInDoubles(const BoxFrame::Rows& rows) {
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c) {
+        plus_[r][c] = static_cast<double>(rows[r][c]);
+        minus_[r][c] = fenced(-plus_[r][c]);
+      }
+  }
+  // Contains the product of row r and x. REQUIRES upward rounding.
+  Interval product(std::size_t r, const std::array<Interval, 3>& x) const {
+    double hi = 0, minus_lo = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_minus = plus_[r][k] < 0;
+      const double lo_of_x = fenced(x[k].lo()), hi_of_x = fenced(x[k].hi());
+      hi += plus_[r][k] * (is_minus ? lo_of_x : hi_of_x);
+      minus_lo += minus_[r][k] * (is_minus ? hi_of_x : lo_of_x);
+    }
+    // Not a number where x has no bound.
+    if (!(hi < kInfinity && minus_lo < kInfinity))
+      return Interval::from_bounds(-kInfinity, kInfinity);
+    return Interval::from_bounds(-minus_lo, hi);
+  }
+
+ private:
+  std::array<std::array<double, 3>, 3> plus_, minus_;
+};
 
 }  // namespace
 
@@ -62,12 +88,16 @@ std::optional<BoxFrame> BoxFrame::make(const Rows& rows) {
 
 bool BoxFrame::is_plain() const { return *this == BoxFrame(); }
 
-Box3d BoxFrame::in_frame(const Point3d& x) const {
+Box3d BoxFrame::in_frame(const Point3d& x) const { return in_frame(Box3d{x, x}); }
+
+Box3d BoxFrame::in_frame(const Box3d& x) const {
+  const RowsInDoubles rows(rows_);
   const ScopedUpward upward;
-  const std::array<Interval, 3> at{Interval(x[0]), Interval(x[1]), Interval(x[2])};
+  std::array<Interval, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) at[k] = Interval::from_bounds(x.lo[k], x.hi[k]);
   Box3d out;
   for (std::size_t r = 0; r < 3; ++r) {
-    const Interval v = row_of(rows_[r], at);
+    const Interval v = rows.product(r, at);
     out.lo[r] = v.lo(), out.hi[r] = v.hi();
   }
   return out;
@@ -98,19 +128,27 @@ Point3d BoxFrame::approx_back(const Point3d& in_frame) const {
 
 Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame) {
   if (frame.is_plain()) return forest.node(id).hull;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const internal::NodePoints points(forest, id);
+  const RowsInDoubles rows(frame.rows());
   const ScopedUpward upward;
   Box3d out{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (std::size_t i = 0; i < points.count(); ++i) {
     const auto at = points.point(i);
     if (!at) return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
     for (std::size_t r = 0; r < 3; ++r) {
-      const Interval v = row_of(frame.rows()[r], *at);
+      const Interval v = rows.product(r, *at);
       out.lo[r] = std::min(out.lo[r], v.lo()), out.hi[r] = std::max(out.hi[r], v.hi());
     }
   }
   return out;
+}
+
+std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame,
+                                     const Box3d& box) {
+  if (!meets(frame.in_frame(forest.node(id).hull), box)) return std::nullopt;
+  const Box3d hull = hull_in_frame(forest, id, frame);
+  if (!meets(hull, box)) return std::nullopt;
+  return hull;
 }
 
 }  // namespace veritope

@@ -25,8 +25,9 @@ class BoxFrame {
   bool is_plain() const;
   friend bool operator==(const BoxFrame& a, const BoxFrame& b) { return a.rows_ == b.rows_; }
 
-  /// Contains A x for the exact x.
+  /// Contains A x for the exact x; for all x in the box.
   Box3d in_frame(const Point3d& x) const;
+  Box3d in_frame(const Box3d& x) const;
   /// Contains all x for which A x lies in the box.
   Box3d around(const Box3d& in_frame) const;
   /// Approximate, for searches: A^-1 y.
@@ -39,5 +40,8 @@ class BoxFrame {
 
 /// Contains A P for all exact control points P of the node; unbounded where a weight is not surely positive.
 Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame);
+/// The same; nothing if it misses `box`. Fast where the node is far from it.
+std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame,
+                                     const Box3d& box);
 
 }  // namespace veritope

@@ -72,9 +72,9 @@ bool find_sheet_pieces(PieceForest& forest, const SheetBox& box, std::size_t mos
   std::size_t num_tested = 0;
   const Box3d around = box.frame.around(box.box);
   return descend_to(forest, around, 16 * most, [&](Id id) {
-    const Box3d hull = hull_in_frame(forest, id, box.frame);
-    if (!meets(hull, box.box)) return PieceStep::kTaken;  // dropped
-    if (is_inside(hull, box.box)) pieces->held.push_back(id);
+    const auto hull = hull_that_meets(forest, id, box.frame, box.box);
+    if (!hull) return PieceStep::kTaken;  // dropped
+    if (is_inside(*hull, box.box)) pieces->held.push_back(id);
     const auto sheet = sheet_of(forest, id, box);
     if (!sheet) return PieceStep::kSplit;
     pieces->tested[*sheet].push_back(id);

@@ -131,9 +131,9 @@ bool FrameSearch::gather(const Region& region) {
   const Box3d box = region.box();
   const BoxFrame& frame = box_.sheets.frame;
   return descend_to(forest_, frame.around(box), 16 * kMostNear, [&](Id id) {
-    const Box3d hull = hull_in_frame(forest_, id, frame);
-    if (!meets(hull, box)) return PieceStep::kTaken;
-    if (!is_small(id, hull, region)) return PieceStep::kSplit;
+    const auto hull = hull_that_meets(forest_, id, frame, box);
+    if (!hull) return PieceStep::kTaken;
+    if (!is_small(id, *hull, region)) return PieceStep::kSplit;
     near_.push_back(id);
     return near_.size() <= kMostNear ? PieceStep::kTaken : PieceStep::kStop;
   });

@@ -123,8 +123,11 @@ class Certification {
     end_phase();
     if (!certified) return refuse(finding_of(certified.error()));
     report_.facts = std::move(certified->facts);
-    if (certified->verdict == Verdict::kUndecided)
-      return give_up(kExitUndecided, std::move(certified->findings.front()));
+    if (certified->verdict == Verdict::kUndecided) {
+      give_up(kExitUndecided, certified->findings.front());
+      report_.reasons = std::move(certified->findings);
+      return false;
+    }
     report_.defects = std::move(certified->findings);
     verdict_ = certified->verdict;
     claim_ = std::move(certified->claim);

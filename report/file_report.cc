@@ -44,6 +44,7 @@ Source source_of(const ModelFile& file) {
 void give_up(FileReport& report, ExitCode exit, Finding fault) {
   report.certificate.reset();
   report.defects.clear();
+  report.reasons.clear();
   if (std::holds_alternative<MeshFacts>(report.facts)) report.facts = std::monostate();
   std::visit([](auto& facts) { forget(facts); }, report.facts);
   report.exit = exit;

@@ -54,6 +54,8 @@ struct FileReport {
   Source source;
   Facts facts;
   std::vector<Finding> defects;  ///< of an INVALID model: what was proved, at most --max-defects
+  /// What stands in the way of a verdict, for an UNDECIDED model of patches; the first is `fault`.
+  std::vector<Finding> reasons;
   std::optional<CertificateReport> certificate;
   PhaseSeconds seconds;
   /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify,

@@ -33,6 +33,18 @@ Json patch_defect_json(const Finding& f) {
           {"winding", optional_json(f.witness.winding)}};
 }
 
+Json reason_json(const Finding& f) {
+  Json parts = Json::array();
+  for (const EntityPart& part : f.place.parts) parts.push_back(part_json(part));
+  return {{"code", f.code},
+          {"message", f.message},
+          {"parts", std::move(parts)},
+          {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
+          {"box", box_json(f.place.box)},
+          {"approximate_distance",
+           f.witness.approx_distance ? number_json(*f.witness.approx_distance) : Json(nullptr)}};
+}
+
 Json collar_json(const std::optional<CollarFacts>& c) {
   if (!c) return nullptr;
   Json out = {{"found", !c->open}};
@@ -82,6 +94,8 @@ void put_patch_facts(const FileReport& report, Json& out) {
   out["counts"] = counts_json(report, f);
   out["defects"] = Json::array();
   for (const Finding& d : report.defects) out["defects"].push_back(patch_defect_json(d));
+  out["reasons"] = Json::array();
+  for (const Finding& r : report.reasons) out["reasons"].push_back(reason_json(r));
   out["flipped"] = f.reversed;
   out["shells"] = shells_json(f);
   out["volume"] = bounds_json(f.volume);

@@ -106,6 +106,26 @@ std::string defects_text(const std::vector<Finding>& defects) {
   return out + detail_line("more", "veritope explain " + defects.front().code);
 }
 
+std::string reason_parts(const Finding& f) {
+  std::string out = where_line(f);
+  for (const EntityPart& part : f.place.parts)
+    if (!part.parameters.empty()) out += detail_line("", parameters_text(part));
+  return out;
+}
+
+// The first reason's message is in the summary.
+std::string reasons_text(const std::vector<Finding>& reasons) {
+  if (reasons.empty() || reasons.front().code == "not-covered") return "";
+  std::string out = reason_parts(reasons.front());
+  for (std::size_t i = 1; i < std::min(internal::kMostShown, reasons.size()); ++i)
+    out +=
+        detail_line("also", reasons[i].code + ": " + reasons[i].message) + reason_parts(reasons[i]);
+  if (reasons.size() > internal::kMostShown)
+    out += detail_line("...", std::to_string(reasons.size() - internal::kMostShown) +
+                                  " more reasons (--json lists them)");
+  return out + detail_line("more", "veritope explain " + reasons.front().code);
+}
+
 }  // namespace
 
 std::string collar_text(const CollarFacts& c) {
@@ -133,10 +153,7 @@ std::string patch_details(const FileReport& report, const TextOptions&) {
   std::string out = patch_file_text(report, f) + reversed_text(f.reversed);
   if (report.verdict == Verdict::kValid) return out + valid_text(f);
   if (!report.defects.empty()) return out + defects_text(report.defects);
-  const bool is_open = report.fault && report.fault->code == "not-certified";
-  return is_open ? out + where_line(*report.fault) +
-                       detail_line("more", "veritope explain not-certified")
-                 : out;
+  return out + reasons_text(report.reasons);
 }
 
 std::string patch_last_details(const FileReport&, const TextOptions&) { return ""; }

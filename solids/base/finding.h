@@ -54,6 +54,8 @@ struct Witness {
   std::optional<RationalPoint> point;  ///< an exact point of the defect
   /// The winding number on the inner side of place.shell, which is not 1.
   std::optional<int> winding;
+  /// Between the two parts of the place; approximate.
+  std::optional<double> approx_distance;
 };
 
 /// One thing that was found.

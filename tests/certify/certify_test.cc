@@ -120,7 +120,9 @@ TEST(Certify, PatchesAreValidInvalidOrUndecided) {
 
   const Certified touching = certify_patches(patch_shapes::joined(
       {patch_shapes::sphere(), patch_shapes::placed(patch_shapes::sphere(), 1, {2, 0, 0})}));
-  expect_undecided(touching, "not-certified", "sheets that face each other pass at about");
+  expect_undecided(touching, "not-certified", "two sheets ");
+  EXPECT_LT(touching.findings[0].witness.approx_distance.value(), 1e-6);
+  EXPECT_EQ(touching.findings[0].place.parts.size(), 2u);
   EXPECT_TRUE(touching.findings[0].place.box.has_value());
   EXPECT_TRUE(touching.findings[0].place.source.entity.has_value());
   EXPECT_EQ(patch_facts(touching).shells, 2u);

@@ -253,6 +253,23 @@ class CertifyPatches(Folder):
         self.assertIsNone(one["certificate"])
         self.assertIsNotNone(one["place"])
 
+    def test_sheets_that_are_near_each_other_are_named_with_both_patches_and_their_distance(self):
+        gap = Fraction(1, 2 ** 70)
+        one = self.certify([surface(f) for f in UNIT + block((0.25, 0.25, 1 + gap), (0.75, 0.75, 2))])
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-certified"))
+        (reason,) = one["reasons"]
+        self.assertEqual(reason["message"], one["error"]["message"])
+        self.assertRegex(reason["message"], r"two sheets (run approximately \S+ apart|meet) here.*; [0-9,]+ boxes tried")
+        self.assertEqual({part["entity"] for part in reason["parts"]}, {5, 10})
+        self.assertLess(reason["approximate_distance"], 1e-9)
+        lid, floor = sorted(reason["parts"], key=lambda part: part["entity"])
+        for bounds in lid["parameters"]:  # u and v of the lid are x and y: under the upper box
+            self.assertGreaterEqual(bounds["hi"], 0.25)
+            self.assertLessEqual(bounds["lo"], 0.75)
+        shown = run("certify", self.folder / "model.vjson").stdout
+        self.assertIn("entity 5: u in [", shown)
+        self.assertIn("entity 10: u in [", shown)
+
     def test_sides_that_agree_as_point_sets_only_are_undecided(self):
         halves = [[(0, 0, 1), (0, 1, 1), (0.5, 0, 1), (0.5, 1, 1)], [(0.5, 0, 1), (0.5, 1, 1), (1, 0, 1), (1, 1, 1)]]
         faces = [f for f in UNIT if any(p[2] != 1 for p in f)] + halves

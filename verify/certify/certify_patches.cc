@@ -6,6 +6,7 @@
 
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/collar_certifier.h"
+#include "verify/certify/entity_parts.h"
 #include "verify/certify/file_patches.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/format/patch_invalid_certificate.h"
@@ -129,6 +130,8 @@ class Certification {
     open.code = "not-certified";
     if (open.place.patch)
       open.place.source.entity = patches_.complex->patch(*open.place.patch).origin().number;
+    const EntityParts parts(*patches_.complex, patches_.entities);
+    for (const PatchPart& sheet : decision().facing) open.place.parts.push_back(parts.of(sheet));
     return open;
   }
   std::optional<Finding> doubt_about_refutation() {

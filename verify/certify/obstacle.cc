@@ -58,6 +58,21 @@ double gap_between(PieceForest& forest, Id a, Id b) {
   return gap_between(facet_of(forest, a), facet_of(forest, b));
 }
 
+double gap_in_model(PieceForest& forest, Id a, Id b) {
+  std::array<Facet, 2> facets{facet_of(forest, a), facet_of(forest, b)};
+  for (Facet& f : facets) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      f.at[k] = std::ldexp(f.at[k], -forest.frame().scale[k]);
+      f.normal[k] = std::ldexp(f.normal[k], forest.frame().scale[k]);
+    }
+    const double length = std::hypot(f.normal[0], f.normal[1], f.normal[2]);
+    for (double& c : f.normal) c = length > 0 ? c / length : 0;
+  }
+  const Point3d d{facets[0].at[0] - facets[1].at[0], facets[0].at[1] - facets[1].at[1],
+                  facets[0].at[2] - facets[1].at[2]};
+  return std::max(std::abs(dot(d, facets[0].normal)), std::abs(dot(d, facets[1].normal)));
+}
+
 Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& near) {
   std::vector<Facet> all;
   std::vector<std::size_t> own;
@@ -74,7 +89,10 @@ Obstacle find_obstacle(PieceForest& forest, Id piece, const std::vector<Id>& nea
     for (const Facet& b : all) {
       if (has_normal(a) && has_normal(b))
         out.least_cosine = std::min(out.least_cosine, dot(a.normal, b.normal));
-      out.gap = std::min(out.gap, gap_between(a, b));
+      const double gap = gap_between(a, b);
+      if (gap >= out.gap) continue;
+      out.gap = gap;
+      out.facing = {near[own[i]], near[static_cast<std::size_t>(&b - all.data())]};
     }
   }
   // Half the piece's length times the angle between its normals, which is at most twice their angle with the first

@@ -2,12 +2,11 @@
 #include "verify/certify/patch_decision.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "interval/upward.h"
 #include "solids/pieces/patch_volume.h"
+#include "verify/certify/cover_question.h"
 #include "verify/certify/crossing_search.h"
 #include "verify/certify/star_box_certifier.h"
 
@@ -22,58 +21,10 @@ constexpr std::size_t kFreeSearches = 16, kBoxesPerSearch = 64, kBoxesBeforeTrou
 // The search starts again with boxes in frames where boxes along the axes would be many: thin walls, gaps.
 constexpr std::size_t kBoxesBeforeFrames = 4096, kBoxesOfPatch = 8;
 
-constexpr const char* kOutOfRangeText =
-    "the model lies too far from the origin for its size, or has parts of too different sizes: "
-    "coordinates of boxes, in units of the least one, would have over 60 bits, or these units be "
-    "out of range";
-
-std::string text_of(UncoveredPiece::Why why) {
-  switch (why) {
-    case UncoveredPiece::Why::kNoCentres:
-      return "no point pair sees all patches near this piece from both sides: a fold, a contact, a "
-             "cusp, or a vertex whose normals lie in no open half-space";
-    case UncoveredPiece::Why::kCrossings:
-      return "several sheets pass near this piece: a crossing, a contact, or a gap that is too "
-             "small";
-    case UncoveredPiece::Why::kTooDeep:
-      return "too many patches, or pieces of very different sizes, meet near this piece";
-    case UncoveredPiece::Why::kTooFine: return kOutOfRangeText;
-    case UncoveredPiece::Why::kBudget: return "the number of boxes that may be tried is spent";
-    case UncoveredPiece::Why::kStopped: return "the search was stopped";
-  }
-  return "";
-}
-
-const char* code_of(UncoveredPiece::Why why) {
-  switch (why) {
-    case UncoveredPiece::Why::kBudget: return open_code::kBudget;
-    case UncoveredPiece::Why::kTooFine: return open_code::kOutOfRange;
-    default: return open_code::kNoStarBox;
-  }
-}
-
 Finding question(const char* code, std::string message) {
   Finding out;
   out.code = code;
   out.message = std::move(message);
-  return out;
-}
-
-// Approximate: a gap in the frame, along the frame's axis of the greatest unit; see Obstacle.
-std::string obstacle_text(const UncoveredPiece& piece, const PieceForest::Frame& frame) {
-  char text[160];
-  std::string out;
-  if (std::isfinite(piece.gap)) {
-    const int scale = *std::min_element(frame.scale.begin(), frame.scale.end());
-    std::snprintf(text, sizeof text, "; sheets that face each other pass at about %.3g",
-                  std::ldexp(piece.gap, -scale));
-    out += text;
-  }
-  if (piece.least_cosine < 0.99) {
-    std::snprintf(text, sizeof text, "; normals near it differ by up to %.0f degrees",
-                  std::acos(std::clamp(piece.least_cosine, -1.0, 1.0)) * 57.29577951308232);
-    out += text;
-  }
   return out;
 }
 
@@ -106,9 +57,9 @@ class Decider {
       return open(std::move(*error));
     auto crossing = cover_or_cross(false);
     if (!crossing && may_need_frames()) {
-      const std::optional<Finding> why = give_up_for_frames();
+      const std::optional<CoverQuestion> why = give_up_for_frames();
       if (auto error = make_forest(PieceForest::FrameChoice::kWhole))
-        return open(why ? *why : std::move(*error));
+        return why ? open(*why) : open(std::move(*error));
       crossing = cover_or_cross(true);
       const bool is_covered = out_.cover.is_complete() && fits_certificate(*forest_, out_.cover);
       if (!why && !crossing && !is_covered) {  // boxes along the axes only took too long
@@ -120,7 +71,7 @@ class Decider {
       if (why && !crossing && !out_.cover.is_complete()) return open(*why);
     }
     if (crossing) return refuted(*crossing);
-    if (!out_.cover.is_complete()) return open(cover_question());
+    if (!out_.cover.is_complete()) return open(cover_question(*forest_, out_.cover));
     return decide_sides();
   }
 
@@ -128,6 +79,10 @@ class Decider {
   PatchDecision open(Finding why) {
     out_.open = std::move(why);
     return std::move(out_);
+  }
+  PatchDecision open(CoverQuestion why) {
+    out_.facing = std::move(why.facing);
+    return open(std::move(why.finding));
   }
   PatchDecision refuted(PatchRefutation refutation) {
     out_.refutation = std::move(refutation);
@@ -147,9 +102,9 @@ class Decider {
   }
   // What stands in the way of boxes along the axes; nothing if the search for them only took too long. The forest to
   // which the finding refers may go.
-  std::optional<Finding> give_up_for_frames() const {
+  std::optional<CoverQuestion> give_up_for_frames() const {
     if (out_.cover.uncovered.front().why == UncoveredPiece::Why::kStopped) return std::nullopt;
-    return cover_question();
+    return cover_question(*forest_, out_.cover);
   }
 
   // Returns a crossing that was found before the search for the cover, at a piece without a star box during it, or
@@ -241,16 +196,6 @@ class Decider {
     return true;
   }
 
-  Finding cover_question() const {
-    const UncoveredPiece& piece = out_.cover.uncovered.front();
-    const PieceForest::Node& node = forest_->node(piece.piece);
-    Finding out =
-        question(code_of(piece.why), text_of(piece.why) + obstacle_text(piece, forest_->frame()));
-    out.place.patch = node.patch;
-    out.place.shell = complex_.shell(node.patch);
-    out.place.box = forest_->in_model(node.hull);
-    return out;
-  }
   Finding orientation_question(const ShellWalk& walk) const {
     return at_shell(
         walk.shell,

@@ -11,6 +11,7 @@
 #include "interval/interval.h"
 #include "solids/base/finding.h"
 #include "solids/base/verdict.h"
+#include "verify/certify/cover_question.h"
 #include "verify/certify/crossing_witness.h"
 #include "verify/certify/side_witness.h"
 #include "verify/certify/star_walks.h"
@@ -31,9 +32,11 @@ namespace open_code {
 inline constexpr const char* kNoSurface =
     "no-surface";  ///< S0, or another hypothesis of the theorem, does not hold
 inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates beyond binary64
-inline constexpr const char* kNoStarBox = "no-star-box";    ///< not even a box of the least size exists
-inline constexpr const char* kBudget = "box-budget";        ///< more boxes than allowed
-inline constexpr const char* kNoWalk = "no-walk";  ///< no free path from some shell to the outside was found
+inline constexpr const char* kNoStarBox =
+    "no-star-box";                                    ///< not even a box of the least size exists
+inline constexpr const char* kBudget = "box-budget";  ///< more boxes than allowed
+inline constexpr const char* kNoWalk =
+    "no-walk";  ///< no free path from some shell to the outside was found
 /// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks are not in an order that a
 /// certificate could use.
 inline constexpr const char* kOrientation = "orientation";
@@ -59,6 +62,7 @@ struct PatchDecision {
   /// Set iff the complex is neither valid nor refuted: why, with a code of open_code. The place may have the patch, the
   /// shell, and a box that contains the piece.
   std::optional<Finding> open;
+  std::vector<PatchPart> facing;        ///< with `open`: see CoverQuestion
   std::vector<PatchShellFacts> shells;  ///< empty unless the complex is valid
   std::uint64_t bodies = 0;
   std::optional<Interval> volume;

@@ -6,16 +6,11 @@
 #include <cmath>
 
 #include "splines/de_casteljau.h"
+#include "verify/certify/entity_parts.h"
 #include "verify/certify/miranda_internal.h"
 
 namespace veritope {
 namespace {
-
-using Bounds = std::array<Rational, 2>;
-
-Bounds bounds_of(const DyadicInterval& t) { return {t.lower(), t.upper()}; }
-Bounds mirrored(const Bounds& b) { return {Rational(1) - b[1], Rational(1) - b[0]}; }
-std::array<double, 2> outward(const Bounds& b) { return {round_down(b[0]), round_up(b[1])}; }
 
 std::string shortest(double v) {
   std::array<char, 32> text;
@@ -33,17 +28,18 @@ bool is_finite(const Point3d& p) {
 class FactFinder {
  public:
   FactFinder(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities)
-      : complex_(complex), entities_(entities) {}
+      : complex_(complex), parts_(complex, entities) {}
 
   Finding operator()(const CrossingWitness& found) const {
-    std::array<Patch, 2> patches{file_patch(found.sheets[0].patch),
-                                 file_patch(found.sheets[1].patch)};
+    std::array<Patch, 2> patches{parts_.file_patch(found.sheets[0].patch),
+                                 parts_.file_patch(found.sheets[1].patch)};
     const CrossingWitness w = with_reversed(
         complex_.patch(found.sheets[0].patch), complex_.patch(found.sheets[1].patch),
-        {is_reversed(found.sheets[0].patch), is_reversed(found.sheets[1].patch)}, found);
+        {parts_.is_reversed(found.sheets[0].patch), parts_.is_reversed(found.sheets[1].patch)},
+        found);
     Finding out;
     out.code = "patches-crossing";
-    for (const PatchRectangle& sheet : w.sheets) out.place.parts.push_back(part_of(sheet));
+    for (const PatchRectangle& sheet : w.sheets) out.place.parts.push_back(parts_.of(sheet));
     out.place.near = middle_of(patches[0], w.sheets[0]);
     out.place.box = common(hull_of(patches[0], w.sheets[0]), hull_of(patches[1], w.sheets[1]));
     const std::uint64_t a = out.place.parts[0].entity, b = out.place.parts[1].entity;
@@ -57,7 +53,7 @@ class FactFinder {
   Finding operator()(const SideWitness& found) const {
     Finding out;
     const std::size_t n = found.arcs.size();
-    for (const SideArc& arc : found.arcs) out.place.parts.push_back(part_of(arc));
+    for (const SideArc& arc : found.arcs) out.place.parts.push_back(parts_.of(arc));
     const PatchPoint p = point_of(complex_, found);
     out.witness.point = RationalPoint{{p[0], p[1], p[2]}};
     out.place.near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
@@ -86,7 +82,7 @@ class FactFinder {
     out.witness.winding = reversed.winding;
     const std::uint32_t patch = complex_.shells()[reversed.shell].first_patch;
     out.place.parts.push_back(
-        part_of(PatchRectangle{patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
+        parts_.of(PatchRectangle{patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
     out.message =
         "the winding number is " + std::to_string(reversed.winding) +
         " on the inner side of shell " + std::to_string(reversed.shell) + " (entity " +
@@ -98,70 +94,6 @@ class FactFinder {
   }
 
  private:
-  std::size_t entity_of(std::uint32_t patch) const {
-    const auto next =
-        std::upper_bound(entities_.begin(), entities_.end(), patch,
-                         [](std::uint32_t p, const StarBoxEntity& e) { return p < e.first_patch; });
-    return static_cast<std::size_t>(next - entities_.begin()) - 1;
-  }
-  bool is_reversed(std::uint32_t patch) const { return entities_[entity_of(patch)].is_reversed; }
-  Patch file_patch(std::uint32_t patch) const {
-    return is_reversed(patch) ? reversed(complex_.patch(patch)) : complex_.patch(patch);
-  }
-
-  // The rectangle in the parameters of the file's patch.
-  EntityPart part_of(const PatchRectangle& where) const {
-    const std::size_t e = entity_of(where.patch);
-    EntityPart out;
-    out.entity = e;
-    const Bounds s = bounds_of(where.at[0]), t = bounds_of(where.at[1]);
-    if (!complex_.patch(where.patch).is_triangle()) {
-      out.parameters = in_entity(e, where.patch, s, t);
-      return out;
-    }
-    const Bounds back = mirrored(t);
-    out.parameters = {outward(mirrored(s)), outward({s[0] * back[0], s[1] * back[1]}),
-                      outward({s[0] * t[0], s[1] * t[1]})};
-    return out;
-  }
-  // The arc in the parameters of its entity; `arc` has those of the complex's patch.
-  EntityPart part_of(const SideArc& arc) const {
-    const std::uint32_t p = arc.side.patch, n = complex_.patch(p).num_sides();
-    const std::size_t e = entity_of(p);
-    const bool is_back = entities_[e].is_reversed;
-    const std::uint32_t side = is_back ? n - 1 - arc.side.side : arc.side.side;
-    const Bounds along = is_back ? mirrored(bounds_of(arc.at)) : bounds_of(arc.at);
-    EntityPart out;
-    out.entity = e;
-    out.side = static_cast<std::uint8_t>(side);
-    const Rational zero(0), one(1);
-    if (n == 3) {
-      out.parameters.assign(3, {0, 0});
-      out.parameters[(side + 1) % 3] = outward(along);
-      out.parameters[side] = outward(mirrored(along));
-      return out;
-    }
-    const Bounds rising = side < 2 ? along : mirrored(along);
-    const Bounds end = side == 0 || side == 3 ? Bounds{zero, zero} : Bounds{one, one};
-    out.parameters = side % 2 == 0 ? in_entity(e, p, rising, end) : in_entity(e, p, end, rising);
-    return out;
-  }
-  // Converts parameters in [0,1]^2 to those of the surface.
-  std::vector<std::array<double, 2>> in_entity(std::size_t e, std::uint32_t patch, const Bounds& u,
-                                               const Bounds& v) const {
-    const auto& breaks = entities_[e].breaks;
-    if (breaks[0].empty()) return {outward(u), outward(v)};
-    const std::size_t piece = patch - entities_[e].first_patch, columns = breaks[1].size() - 1;
-    const std::size_t at[2] = {piece / columns, piece % columns};
-    std::vector<std::array<double, 2>> out;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const Rational &lo = breaks[axis][at[axis]], &hi = breaks[axis][at[axis] + 1];
-      const Bounds& b = axis == 0 ? u : v;
-      out.push_back(outward({lo + (hi - lo) * b[0], lo + (hi - lo) * b[1]}));
-    }
-    return out;
-  }
-
   static Point3d middle_of(const Patch& patch, const PatchRectangle& where) {
     std::array<Rational, 2> at;
     for (std::size_t axis = 0; axis < 2; ++axis)
@@ -184,7 +116,7 @@ class FactFinder {
     return out;
   }
   const PatchComplex& complex_;
-  const std::vector<StarBoxEntity>& entities_;
+  EntityParts parts_;
 };
 
 }  // namespace

@@ -93,8 +93,8 @@ class CoverSearch {
     if (forest_.node(id).level >= options_.max_level || is_spent || crowded > kMostCrowded ||
         search_.why() == Why::kTooFine) {
       const Obstacle obstacle = search_.obstacle();
-      out_.uncovered.push_back(
-          {id, is_spent ? Why::kBudget : search_.why(), obstacle.gap, obstacle.least_cosine});
+      out_.uncovered.push_back({id, is_spent ? Why::kBudget : search_.why(), obstacle.gap,
+                                obstacle.least_cosine, obstacle.facing});
       return;
     }
     const int scale = is_crowded ? open.scale : scale_of(id);

@@ -2,6 +2,7 @@
 // verify/certify/star_cover.h: the search for star boxes that cover a patch complex. Theory: docs/THEORY.md §4.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -23,7 +24,8 @@ struct StarCoverOptions {
   std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
   /// Boxes in frames and with several sheets, too, where a piece has no other.
   bool with_frames = false;
-  double least_framed_unit = 0x1p-34;  ///< the least unit of such boxes in their frames, and of their centres
+  double least_framed_unit =
+      0x1p-34;  ///< the least unit of such boxes in their frames, and of their centres
   /// Called for each piece without a star box of its own size; the search stops if it returns true.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };
@@ -50,6 +52,8 @@ struct UncoveredPiece {
   enum class Why { kNoCentres, kCrossings, kTooDeep, kTooFine, kBudget, kStopped } why;
   /// Approximate, in the forest's coordinates: see Obstacle.
   double gap = 0, least_cosine = 1;
+  /// The pieces between which the gap is; kNone without a gap.
+  std::array<PieceForest::Id, 2> facing{PieceForest::kNone, PieceForest::kNone};
 };
 
 struct StarCover {

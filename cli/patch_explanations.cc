@@ -7,7 +7,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<PatchExplanation, 6> kExplanations = {{
+constexpr std::array<PatchExplanation, 12> kExplanations = {{
     {{"patches-crossing", "patches that cross",
       "Two parts of patches, or of one patch, that are different places of the surface have a "
       "common point.",
@@ -70,15 +70,89 @@ constexpr std::array<PatchExplanation, 6> kExplanations = {{
   |   |     | -->      the inner shell bounds a cavity and must
   |   +-----+   |      face inward; here both face outward
   +-------------+)"},
+    {{"side-t-junction", "corner inside a side",
+      "A corner of a patch lies inside a side of its neighbour, and the two run along each other "
+      "there: equal maps after an affine change of parameter. Nothing gapes, but the sides are not "
+      "equal one to one, as the proof needs them. Status 3.",
+      "A long face beside two short ones, a surface refined on one side only, a hierarchical mesh.",
+      "Insert a vertex where the message says, exactly: veritope convert --rejoin IN OUT does so "
+      "at "
+      "every such place and lists them.",
+      "T-junction, hanging node; G+Smo: non-conforming interface"},
+     R"(  +-----+-----+
+  |  1  |  2  |
+  +-----x-----+    a corner of 1 and 2 is x, inside the
+  |     3     |    upper side of 3
+  +-----------+)"},
+    {{"side-parametrization", "one curve, other parameters",
+      "Two sides are arcs of one curve, but pass it at other speeds, and no affine change of "
+      "parameter makes them equal: equal sets are not equal maps. Or the message says that this "
+      "could not be decided. Status 3.",
+      "A straight edge with control points that are not evenly spread, a circle with other "
+      "weights, "
+      "one side that was parametrised by length.",
+      "Give both sides the control points and weights of one of them, with all digits.",
+      "tools with tolerances compare points, and accept such sides"},
+     R"(  o--o-----------o    the same edge twice: the middle control
+  o-------o------o    points o differ)"},
+    {{"knot-multiplicity", "inner knot of too great multiplicity",
+      "An inner knot of a surface occurs more often than its degree: the surface may break there. "
+      "The message says whether it does. A proof of INVALID would be about the pieces. Status 3.",
+      "Surfaces that were joined into one, knots that were inserted once too often.",
+      "Remove one copy of the knot and one of the equal rows of control points, or make two "
+      "surfaces "
+      "of it.",
+      "Open CASCADE: C-1 continuity; Parasolid: discontinuous B-surface"},
+     R"(  -----------.
+             |     between two rows of control points
+             '---  the surface may jump)"},
+    {{"patch-repeated", "patch that occurs twice",
+      "Two patches have equal control points, in one of the 8 orders of a tensor patch or the 6 of "
+      "a "
+      "triangle. The surface passes itself everywhere there, so it bounds no solid. Where other "
+      "patches share a side with both, INVALID is proved (side-overused); otherwise no certificate "
+      "can carry the proof. Status 3.",
+      "A face that was exported twice, the two sides of a sheet without thickness.",
+      "Delete one of the two, or both if the sheet has no thickness.",
+      "Open CASCADE: coincident faces; mesh tools: duplicate face"},
+     R"(  +-----+
+  | 1 2 |    1 and 2 are the same points
+  +-----+)"},
+    {{"patch-degenerate", "patch that is a point or a curve",
+      "All control points of a patch are one point, or its normal is zero everywhere, so that it "
+      "is "
+      "a curve. Such a patch is mapped one to one by no means, so the model bounds no solid as it "
+      "stands. Status 3.",
+      "A face that shrank to nothing, a fillet of radius zero, a sliver that was collapsed.",
+      "Delete the patch, and give the patches beside it a common side.",
+      "Open CASCADE BRepCheck: degenerated face; mesh tools: zero-area face"},
+     R"(  +-----+
+  |     x    x: four corners in one point
+  +-----+)"},
+    {{"singular-line", "line inside a patch that is one point",
+      "A line of parameters strictly inside a patch is mapped to one point: different places of "
+      "the "
+      "surface have one image, so the model bounds no solid. Only a whole side may be one point. "
+      "There are no inequalities that prove it, hence no certificate. Status 3.",
+      "A spindle torus, a cone that was continued through its apex, a profile that touches its "
+      "axis "
+      "of revolution.",
+      "Cut the patch at the line and leave out what lies beyond it; keep the profile off the axis.",
+      "Open CASCADE: degenerated edge inside a face; others: none"},
+     R"(   \     /
+    \   /
+      x      all parameters of one line have the image x
+    /   \
+   /     \)"},
     {{"not-certified", "neither proved nor refuted",
       "Near `where` no box with two centres sees the surface from both sides: a contact, a fold, "
       "a cusp, a vertex whose normals lie in no open half-space, or a gap below the least size. "
       "Or the message names another reason: coordinates out of range, a degree over 15, no free "
       "path from a shell.",
-      "Parts that just touch, surfaces tangent to themselves, knife edges, sides that agree as "
-      "point sets but not as curves (T-junctions), a vertex that is a steep saddle.",
-      "Where sheets pass the message has their distance and the angle of their normals. At about "
-      "0 they touch: unite them or move them apart. A T-junction: cut the long side in two.",
+      "Parts that just touch, surfaces tangent to themselves, knife edges, walls that are thin for "
+      "their curvature, a vertex that is a steep saddle.",
+      "Where two sheets run near each other the message has their distance. At about 0 they touch: "
+      "unite them or move them apart.",
       "tools with tolerances call it valid or invalid, as the tolerance has it"},
      R"(     \  /
       \/           which of the two is it?

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Writes tests/models/patches/: for each answer that `veritope explain` knows about spline models the smallest model
-that gets it, and the nearest valid one, in five to twelve bilinear surfaces.
+that gets it, and the nearest valid one, in two to twelve surfaces. Most are bilinear and written as .itd; those with
+knots or degrees of their own are .vjson.
 
 usage: make_patch_models.py [FOLDER]      (default: tests/models/patches/ of this tree)
 """
+import json
 import pathlib
 import sys
 
@@ -68,6 +70,68 @@ def itd(faces):
     return "\n".join(lines + ["]"]) + "\n"
 
 
+def surface(degrees, knots, points):
+    """An entity of a .vjson file; `points` v fastest."""
+    shape = {"degrees": degrees, "periodic": [False, False], "knots": knots, "rational": False, "components": 3,
+             "points": [[str(x) for x in p] for p in points]}
+    return {"kind": "surface", "group": None, "attributes": [], "shape": shape}
+
+
+def vjson(entities):
+    return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities}) + "\n"
+
+
+def bilinear(net):
+    a, b, c, d = net
+    return surface([1, 1], [["0", "0", "1", "1"]] * 2, [a, c, b, d])
+
+
+def lid_with_middle(x):
+    """The upper face of the unit cube, of degree 2 in u, with the middle control points at x."""
+    points = [(u, v, 1) for u in (0, x, 1) for v in (0, 1)]
+    return surface([2, 1], [["0", "0", "0", "1", "1", "1"], ["0", "0", "1", "1"]], points)
+
+
+def lid_with_double_knot(z):
+    """The upper face of the unit cube in two pieces of degree 1, the second of which begins at the height z."""
+    points = [(u, v, w) for u, w in ((0, 1), ("1/2", 1), ("1/2", z), (1, 1)) for v in (0, 1)]
+    return surface([1, 1], [["0", "0", "1/2", "1/2", "1", "1"], ["0", "0", "1", "1"]], points)
+
+
+def hourglass():
+    """Two pyramids with the apex (0, 0, 0), their walls in four patches; the line u = 1/2 of each is the apex."""
+    low = [(-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1)]
+    walls = []
+    for a, b in zip(low, low[1:] + low[:1]):
+        walls.append([a, tuple(-x for x in a), b, tuple(-x for x in b)])
+    bottom = [low[0], low[3], low[1], low[2]]
+    top = [tuple(-x for x in p) for p in (low[0], low[1], low[3], low[2])]
+    return [turned(w) for w in walls] + [bottom, top]
+
+
+def belt_cut(faces):
+    """The four faces around the y axis of the unit cube, cut in halves at x = 1/2 or not at all."""
+    out = []
+    for a, b, c, d in faces:
+        along_u, along_v = a[0] != b[0], a[0] != c[0]
+        middle = {p: ("0.5",) + p[1:] for p in (a, b, c, d)}
+        if along_u:
+            out += [[a, middle[b], c, middle[d]], [middle[a], b, middle[c], d]]
+        elif along_v:
+            out += [[a, b, middle[c], middle[d]], [middle[a], middle[b], c, d]]
+        else:
+            out.append([a, b, c, d])
+    return out
+
+
+def vjson_models():
+    walls = [bilinear(net) for net in block((0, 0, 0), (1, 1, 1))[:5]]
+    yield "side_parametrization_smallest", walls + [lid_with_middle("1/4")]
+    yield "side_parametrization_nearest_valid", walls + [lid_with_middle("1/2")]
+    yield "knot_multiplicity_smallest", walls + [lid_with_double_knot("5/4")]
+    yield "knot_multiplicity_nearest_valid", walls + [lid_with_double_knot(1)]
+
+
 def models():
     cube = block((0, 0, 0), (1, 1, 1))
     top = (1, 1, 1)
@@ -83,6 +147,11 @@ def models():
     yield "shell_turned_smallest", [turned(net) for net in cube]
     yield "shell_turned_thin", [turned(net) for net in plate(10)]
     yield "shell_turned_thin_nearest_valid", plate(10)
+    yield "side_t_junction_smallest", cube[:5] + belt_cut(cube[5:])
+    yield "side_t_junction_nearest_valid", belt_cut(cube)
+    yield "patch_repeated_smallest", [cube[5], turned(cube[5])]
+    yield "patch_degenerate_smallest", cube + [[top] * 4]
+    yield "singular_line_smallest", hourglass()
     yield "not_certified_smallest", cube + block(("0.25", "0.25", 1), ("0.75", "0.75", 2))
     yield "not_certified_nearest_valid", cube + block(("0.25", "0.25", "1.0001"), ("0.75", "0.75", 2))
 
@@ -95,6 +164,8 @@ def main(arguments):
     folder.mkdir(parents=True, exist_ok=True)
     for name, faces in models():
         (folder / f"{name}.itd").write_text(itd(faces))
+    for name, entities in vjson_models():
+        (folder / f"{name}.vjson").write_text(vjson(entities))
     return 0
 
 

@@ -279,7 +279,8 @@ TEST(Certify, ATornSurfaceIsNeverRefuted) {
   EXPECT_EQ(valid.verdict, Verdict::kValid);
   expect_accepted(whole.bytes(), valid);
   expect_undecided(Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0, false).certified(),
-                   "not-covered", "an inner knot of a multiplicity above its degree; side");
+                   "knot-multiplicity",
+                   "above its degree: u = 1/2 of entity 0, where the surface could");
 }
 
 // Nine bilinear patches around three triangles, the last joined to the first with its corners in the other order: closed, and one-sided.

@@ -270,11 +270,26 @@ class CertifyPatches(Folder):
         self.assertIn("entity 5: u in [", shown)
         self.assertIn("entity 10: u in [", shown)
 
+    def test_a_copy_that_others_touch_is_refuted_and_named(self):
+        for again in (UNIT[3], [UNIT[3][i] for i in (2, 0, 3, 1)], [UNIT[3][i] for i in (0, 2, 1, 3)]):
+            one = self.certify([surface(f) for f in UNIT + [again]])
+            self.assertEqual((one["verdict"], [d["code"] for d in one["defects"]]), ("INVALID", ["side-overused"]))
+            self.assertIn("entity 6 is entity 3 again", one["defects"][0]["message"])
+            self.assertTrue(one["certificate"]["checked"])
+
+    def test_a_copy_that_is_all_alone_is_named_in_all_its_orders(self):
+        a, b, c, d = UNIT[5]
+        orders = [[a, b, c, d], [c, a, d, b], [d, c, b, a], [b, d, a, c]]
+        for net in [*orders, *[[p, r, q, s] for p, q, r, s in orders]]:
+            one = self.certify([surface([a, b, c, d]), surface(net)], "--orient", "auto")
+            self.assertEqual(one["verdict"], "UNDECIDED")
+            self.assertIn("patch-repeated", [r["code"] for r in one["reasons"]])
+
     def test_sides_that_agree_as_point_sets_only_are_undecided(self):
         halves = [[(0, 0, 1), (0, 1, 1), (0.5, 0, 1), (0.5, 1, 1)], [(0.5, 0, 1), (0.5, 1, 1), (1, 0, 1), (1, 1, 1)]]
         faces = [f for f in UNIT if any(p[2] != 1 for p in f)] + halves
         one = self.certify([surface(f) for f in faces])
-        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-certified"))
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "side-t-junction"))
 
     def test_a_picture_is_refused(self):
         done = run("certify", self.file([surface(f) for f in UNIT]), "--picture", self.folder / "p.ply")
@@ -311,8 +326,9 @@ class CertifyPatches(Folder):
         sides = [surface(face) for face in UNIT if any(p[2] != 1 for p in face)]
         self.assertEqual(self.certify([lid, *sides])["verdict"], "VALID")
         one = self.certify([lid, *sides[1:]])
-        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-covered"))
-        self.assertIn("multiplicity above its degree", one["error"]["message"])
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "knot-multiplicity"))
+        self.assertIn("multiplicity above its degree: u = 1/2 of entity 0", one["error"]["message"])
+        self.assertIn("though it does not", one["error"]["message"])
 
     def test_what_certificates_do_not_cover_is_named(self):
         curve = {"kind": "curve", "group": None, "attributes": [],

@@ -46,8 +46,9 @@ using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
 struct Certified {
   Verdict verdict = Verdict::kUndecided;
-  /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: one finding, the reason:
-  /// "not-certified" (neither proved right nor wrong) or "not-covered" (no certificate can speak of this file).
+  /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: the reasons, named ones
+  /// first ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong) or
+  /// "not-covered" (no certificate can speak of this file).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided

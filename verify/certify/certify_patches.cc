@@ -8,11 +8,14 @@
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/entity_parts.h"
 #include "verify/certify/file_patches.h"
+#include "verify/certify/patch_reasons.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/format/patch_invalid_certificate.h"
 
 namespace veritope {
 namespace {
+
+constexpr std::size_t kMostReasons = 19;  // and one more: not-certified
 
 Finding why(const char* code, std::string message) {
   Finding out;
@@ -84,7 +87,7 @@ class Certification {
     decided_ = decide_file_patches(patches_, decision_options());
     facts_.reversed = patches_.reversed();
     facts_.boxes_tried = decision().boxes_tried;
-    if (auto finding = doubt()) return undecided(std::move(*finding));
+    if (auto finding = doubt()) return undecided_by(std::move(*finding));
     if (decision().is_valid) conclude_valid();
     certify();
     return std::move(out_);
@@ -97,6 +100,15 @@ class Certification {
   Result<Certified> undecided(Finding finding) {
     out_.verdict = Verdict::kUndecided;
     out_.findings.assign(1, std::move(finding));
+    return std::move(out_);
+  }
+
+  // The named reasons come before the general one.
+  Result<Certified> undecided_by(Finding finding) {
+    if (!decision().open) return undecided(std::move(finding));
+    out_.findings = patch_reasons(patches_, kMostReasons);
+    out_.findings.push_back(std::move(finding));
+    out_.verdict = Verdict::kUndecided;
     return std::move(out_);
   }
 
@@ -136,9 +148,13 @@ class Certification {
   }
   std::optional<Finding> doubt_about_refutation() {
     Finding defect = finding_of(*patches_.complex, patches_.entities, *decision().refutation);
-    if (patches_.is_torn)
-      return not_covered("a surface has an inner knot of a multiplicity above its degree; " +
-                         defect.message);
+    if (!patches_.torn.empty()) {
+      Finding torn = torn_knot_finding(patches_.torn.front());
+      torn.message += "; its pieces do not fit: " + defect.message;
+      return torn;
+    }
+    if (defect.code == "side-overused")
+      defect.message += repetition_text(patches_, std::get<SideWitness>(*decision().refutation));
     if (!facts_.reversed.empty() && is_of_orientation(*decision().refutation))
       return why("not-certified", "with the entities that were reversed " + defect.message);
     out_.verdict = Verdict::kInvalid;

@@ -6,6 +6,8 @@
 
 #include "io/splines/patch_model.h"
 #include "robust/base/check.h"
+#include "solids/patches/patch_sides.h"
+#include "splines/knot_insertion.h"
 #include "verify/certify/patch_collar.h"
 
 namespace veritope {
@@ -14,18 +16,40 @@ namespace {
 // The number of boxes that may be tried in a collar's plain frame for each box in the frame that fits the model.
 constexpr std::size_t kBoxesInPlainFrame = 16, kFreeBoxes = 256;
 
-// Whether the surface may be torn inside its domain.
-bool has_torn_knot(const ExactSurface& surface) {
-  for (const auto& axis : surface.axes()) {
-    std::size_t run = 0;
-    for (std::size_t i = 0; i < axis.knots.size(); ++i) {
-      run = i > 0 && axis.knots[i] == axis.knots[i - 1] ? run + 1 : 1;
-      const bool is_inner =
-          axis.domain_begin() < axis.knots[i] && axis.knots[i] < axis.domain_end();
-      if (is_inner && run > static_cast<std::size_t>(axis.degree)) return true;
-    }
+// Whether the pieces on both sides of break number `at` of an axis agree along it.
+bool is_broken_at(const PatchSource& source, const PatchEntity& entity, std::size_t axis,
+                  std::size_t at) {
+  const std::size_t columns = entity.breaks[1].size() - 1;
+  const std::size_t others = entity.breaks[1 - axis].size() - 1;
+  for (std::size_t k = 0; k < others; ++k) {
+    const auto piece = [&](std::size_t i) -> const Patch& {
+      return source.patches[entity.first_patch + (axis == 0 ? i * columns + k : k * columns + i)];
+    };
+    // The side where the parameter is greatest, and the one where it is least.
+    const auto before = piece(at - 1).side(axis == 0 ? 1 : 2);
+    const auto after = piece(at).side(axis == 0 ? 3 : 0);
+    if (!(directed_form(before) == run_backwards(directed_form(after)))) return true;
   }
   return false;
+}
+
+void put_torn_knots(const ExactSurface& surface, std::uint64_t number, const PatchSource& source,
+                    std::vector<TornKnot>& out) {
+  const PatchEntity& entity = source.entities[number];
+  TornKnot knot;
+  knot.entity = number;
+  for (std::size_t a = 0; a < 2; ++a)
+    knot.domain[a] = {round_down(entity.breaks[a].front()), round_up(entity.breaks[a].back())};
+  for (knot.axis = 0; knot.axis < 2; ++knot.axis) {
+    const auto& breaks = entity.breaks[knot.axis];
+    const auto& axis = surface.axis(knot.axis);
+    for (std::size_t i = 1; i + 1 < breaks.size(); ++i) {
+      if (multiplicity(axis, breaks[i]) <= axis.degree) continue;
+      knot.at = breaks[i];
+      knot.is_broken = is_broken_at(source, entity, knot.axis, i);
+      out.push_back(knot);
+    }
+  }
 }
 
 std::size_t end_of(const FilePatches& patches, std::size_t entity) {
@@ -122,7 +146,7 @@ Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orie
     return Error{Code::kEmpty, {}, "there is no surface and no triangle in this file"};
   for (std::size_t e = 0; e < source->entities.size(); ++e) {
     const auto* const surface = std::get_if<ExactSurface>(&model.entities[e].shape);
-    out.is_torn = out.is_torn || (surface != nullptr && has_torn_knot(*surface));
+    if (surface != nullptr) put_torn_knots(*surface, e, *source, out.torn);
     out.entities.push_back({surface != nullptr, false,
                             static_cast<std::uint32_t>(source->entities[e].first_patch),
                             std::move(source->entities[e].breaks)});

@@ -2,6 +2,8 @@
 // verify/certify/file_patches.h: the surfaces and triangles of a spline file as one complex of patches, and the
 // decision about it: what certify and pictures of proofs have in common.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,6 +19,16 @@
 
 namespace veritope {
 
+/// An inner knot of a surface with a multiplicity above the degree of its axis.
+struct TornKnot {
+  std::uint64_t entity = 0;
+  std::size_t axis = 0;  ///< 0: a knot of u
+  Rational at;
+  std::array<std::array<double, 2>, 2>
+      domain{};            ///< of the surface, along u and v, rounded outward
+  bool is_broken = false;  ///< the pieces on both sides do not agree along it; otherwise they do
+};
+
 /// The patches of a file, in the order of its entities.
 struct FilePatches {
   /// Null if the file has something that is no surface or triangle in space; not_covered says what.
@@ -24,10 +36,9 @@ struct FilePatches {
   std::vector<StarBoxEntity> entities;
   /// An entity some of whose patches were reversed, not all: no certificate can speak of that.
   std::optional<std::size_t> mixed_entity;
-  /// A surface has an inner knot of a multiplicity above its degree: the surface may be torn into pieces, and sides of
-  /// pieces that no other surface shares may be open. VALID is proved even so; INVALID would be about the pieces and
-  /// not about the surfaces.
-  bool is_torn = false;
+  /// At such knots a surface may be torn into pieces, and sides of pieces that no other surface shares may be open.
+  /// VALID is proved even so; INVALID would be about the pieces and not about the surfaces.
+  std::vector<TornKnot> torn;
   std::optional<Finding> not_covered;
 
   /// The numbers of the entities that are reversed, ascending.

@@ -150,6 +150,7 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
         "convert writes meshes and splines; " + options.input.files[0] + " is " + title_of(kind)});
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
+  if (options.rejoin) return fail(bad_argument("--rejoin is for splines"));
   const Result<WriteOptions> target = target_of(options);
   if (!target) return fail(target.error());
   if (const Status status = refuse_same(options.input.files, options.output); !status) {
@@ -180,6 +181,7 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.length("--chord", "H", o.chord, "of splines in obj, gltf: distance of chords aimed at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
   set.flag("--faces", o.faces, "of spline volumes: their boundary, as surfaces");
+  set.flag("--rejoin", o.rejoin, "of splines: cut sides at T-junctions, exactly");
   set.flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
   declare_jobs(set, o.input.reading.jobs);
   declare_format(set, o.input);

@@ -7,6 +7,7 @@
 #include "cli/output_plan.h"
 #include "io/formats.h"
 #include "io/splines/patch_model.h"
+#include "io/splines/rejoin.h"
 #include "io/splines/volume_faces.h"
 #include "io/splines/write_splines.h"
 #include "render/spline_view.h"
@@ -72,9 +73,43 @@ Status take_faces(SplineFile& file, const std::string& path, std::vector<std::st
   return ok_status();
 }
 
+std::string joint_text(const Joint& joint) {
+  std::string at;
+  for (const Rational& p : joint.at) at += (at.empty() ? "" : ", ") + p.to_string();
+  return "  joined: entity " + std::to_string(joint.entity) + " at " +
+         (joint.at.size() == 3 ? "(b0, b1, b2)" : "(u, v)") + " = (" + at +
+         "), a corner of entity " + std::to_string(joint.neighbour) + "\n";
+}
+
+// Cuts the model's sides at T-junctions and says where; what the target cannot hold exactly is left alone.
+Status rejoin(SplineFile& file, const ConvertOptions& o, const Target& target, std::string& text) {
+  const auto* const format = std::get_if<SplineFormat>(&target);
+  const ReadLimits& limits = o.input.reading.limits;
+  const auto can_hold = [&](const SplineEntity& entity) {
+    if (format == nullptr) return true;
+    SplineModel alone;
+    alone.entities.push_back(entity);
+    alone.entities[0].group.reset();
+    const SplineLoss loss =
+        spline_loss(alone, *format, spline_bytes(alone, *format, limits), limits);
+    return !loss.unreadable && loss.shapes.empty();
+  };
+  Result<Rejoined> done = rejoined(file.model, can_hold);
+  if (!done) {
+    Error error = done.error();
+    error.place.file = o.input.files[0];
+    return error;
+  }
+  for (const Joint& joint : done->joined) text += joint_text(joint);
+  for (const std::string& left : done->left) text += "  left: " + left + "\n";
+  if (text.empty()) text = "  nothing to join\n";
+  file.model = std::move(done->model);
+  return ok_status();
+}
+
 ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::string& bytes,
                 const std::string& lost, const std::string& dropped, bool is_view,
-                StandardOutput& out) {
+                const std::string& joints, StandardOutput& out) {
   const Status written = write_output(o.output, bytes, out);
   if (!written && o.output != "-") return fail(written.error());
   const std::string what = is_view ? ", a picture" : lost.empty() ? ", nothing lost" : "";
@@ -82,12 +117,13 @@ ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::stri
       "wrote  " + harmless(o.output) + "  " +
       counted(file.model.entities.size(), "entity", "entities") + what +
       (lost.empty() ? "" : ", lossy: " + lost) + "\n" +
-      (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n");
+      (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n") + joints;
   if (o.output != "-") {
     out.write(text);
   } else {
     if (!lost.empty()) complain("lossy: " + lost);
     if (!dropped.empty()) complain("not part of the geometry, dropped: " + dropped);
+    if (!joints.empty()) complain(joints.substr(2, joints.size() - 3));
   }
   return kExitValid;
 }
@@ -111,6 +147,10 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
   if (options.faces)
     if (const Status status = take_faces(*file, options.input.files[0], lost, dropped); !status)
       return fail(status.error());
+  std::string joints;
+  if (options.rejoin)
+    if (const Status status = rejoin(*file, options, *target, joints); !status)
+      return fail(status.error());
   if (view != nullptr) {
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());
@@ -119,7 +159,7 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
       error.place.file = options.output;
       return fail(error);
     }
-    return finish(options, *file, *bytes, "", joined(lost), true, out);
+    return finish(options, *file, *bytes, "", joined(lost), true, joints, out);
   }
   const SplineFormat format = std::get<SplineFormat>(*target);
   const ReadLimits& limits = options.input.reading.limits;
@@ -140,7 +180,7 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
              (loss.shapes.empty() ? "" : "; --to vjson keeps every spline"));
     return kExitInvalid;
   }
-  return finish(options, *file, bytes, joined(lost), joined(dropped), false, out);
+  return finish(options, *file, bytes, joined(lost), joined(dropped), false, joints, out);
 }
 
 }  // namespace veritope::cli

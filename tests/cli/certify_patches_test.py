@@ -270,6 +270,40 @@ class CertifyPatches(Folder):
         self.assertIn("entity 5: u in [", shown)
         self.assertIn("entity 10: u in [", shown)
 
+    def test_a_t_junction_is_named_with_the_place_of_the_missing_vertex_and_rejoined(self):
+        third = Fraction(1, 3)
+        halves = [[(0, 0, 1), (0, 1, 1), (third, 0, 1), (third, 1, 1)], [(third, 0, 1), (third, 1, 1), (1, 0, 1), (1, 1, 1)]]
+        one = self.certify([surface(f) for f in UNIT[:5] + halves])
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "side-t-junction"))
+        named = [r for r in one["reasons"] if r["code"] == "side-t-junction"]
+        self.assertEqual(len(named), 2)
+        for reason in named:
+            self.assertRegex(reason["message"], r"insert a vertex at \(u, v\) = \((0|1|1/3|2/3), (0|1|1/3|2/3)\) of entity [0-4]")
+            self.assertAlmostEqual(reason["point"][0], 1 / 3)
+        joined = self.folder / "joined.vjson"
+        done = run("convert", "--rejoin", self.folder / "model.vjson", joined)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("(u, v) = (", done.stdout)
+        self.assertNotIn("left:", done.stdout)
+        self.assertTrue(run("certify", joined).stdout.startswith("VALID"))
+        # .itd has no thirds: nothing is joined, and the model is not rounded either.
+        refused = run("convert", "--rejoin", self.folder / "model.vjson", self.folder / "joined.itd")
+        self.assertEqual(refused.returncode, 1)
+        self.assertFalse((self.folder / "joined.itd").exists())
+        again = run("convert", "--rejoin", joined, self.folder / "again.vjson")
+        self.assertIn("nothing to join", again.stdout)
+
+    def test_a_third_in_an_itd_file_is_left_alone_and_said(self):
+        floor = [[(0, 1, 0), (0, 0, 0), (1, 1, 0), (1, 0, 0)], [(1, 1, 0), (1, 0, 0), (3, 1, 0), (3, 0, 0)]]
+        model = [f for f in block((0, 0, 0), (3, 1, 1)) if any(p[2] != 0 for p in f)] + floor
+        source = self.file([surface(f) for f in model])
+        done = run("convert", "--rejoin", source, self.folder / "cut.itd")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("left: entity", done.stdout)
+        self.assertIn("cannot be written exactly", done.stdout)
+        self.assertNotIn("joined:", done.stdout)
+        self.assertIn("joined:", run("convert", "--rejoin", source, self.folder / "cut.vjson").stdout)
+
     def test_a_copy_that_others_touch_is_refuted_and_named(self):
         for again in (UNIT[3], [UNIT[3][i] for i in (2, 0, 3, 1)], [UNIT[3][i] for i in (0, 2, 1, 3)]):
             one = self.certify([surface(f) for f in UNIT + [again]])

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_thin.cc: [digits [seconds]]. Certificates of thin walls: every family of models/thin_shapes.h with gaps
-// of 1e-1 to 1e-digits (6): seconds to decide, boxes, those with several sheets, bytes of the certificate, seconds of
-// the C++ checker as a program. A decision ends after `seconds` (60), or a quarter of that after a wider gap of its
-// family had no proof; its row gives the reason.
+// of 1e-1 to 1e-digits (6), holes of tori and of a plate, and free-form sheets: seconds to decide, boxes, those with
+// several sheets, bytes of the certificate, seconds of the C++ checker as a program. A decision ends after `seconds`
+// (60), or a quarter of that after a wider gap of its family had no proof; its row gives the reason.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -120,5 +120,18 @@ int main(int argc, char** argv) {
                                  is_proved ? seconds : seconds / 4);
     }
   }
+  for (int bits = 4; bits <= 20; bits += 4) {
+    const Rational hole = Rational::power_of_two(-bits);
+    bench.measure("torus-with-hole", nearest_double(hole),
+                  patch_shapes::torus(Rational(1) + hole, 1), seconds);
+  }
+  const Rational tiny = Rational(1) / Rational(10'000);
+  bench.measure("plate-with-hole-turned", nearest_double(tiny),
+                thin_shapes::turned(thin_shapes::plate_with_hole(tiny)), seconds);
+  for (const int part : {50, 1000})
+    bench.measure("sheet-50x50", 1.0 / part,
+                  thin_shapes::spline_sheet(50, Rational(1) / Rational(part)), 4 * seconds);
+  for (const double gap : {1e-2, 1e-3})
+    bench.measure("pn-shell", gap, thin_shapes::pn_shell(gap), 4 * seconds);
   return 0;
 }

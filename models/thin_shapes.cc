@@ -76,13 +76,13 @@ Rational bernstein(int i, const std::function<Rational(int)>& d) {
 }
 Heights uniform_spline(int n) {
   const auto height = [n](int i, int j) {  // sixteenths of a tenth of a span, of either sign
-    const unsigned hash = static_cast<unsigned>(i + 7) * 2654435761u ^ static_cast<unsigned>(j + 7) * 40503u;
+    const unsigned hash =
+        static_cast<unsigned>(i + 7) * 2654435761u ^ static_cast<unsigned>(j + 7) * 40503u;
     return Rational(static_cast<int>(hash >> 16 & 63) - 32) / Rational(320 * n);
   };
   return {n, [height](int i, int j) {
-            return bernstein(i, [&](int k) {
-              return bernstein(j, [&](int l) { return height(k, l); });
-            });
+            return bernstein(
+                i, [&](int k) { return bernstein(j, [&](int l) { return height(k, l); }); });
           }};
 }
 
@@ -129,8 +129,10 @@ Patches plate(const Rational& begin, const Rational& end) {
 
 Patches curved_plate(const Rational& begin, const Rational& end) {
   // Heights in tenths: a saddle with a bump.
-  static constexpr int kHeights[4][4] = {{0, 1, 1, 0}, {1, 4, 3, -1}, {0, 2, -1, -2}, {-1, 0, -2, -3}};
-  return sheet({1, [](int i, int j) { return Rational(kHeights[i][j]) / Rational(10); }}, begin, end);
+  static constexpr int kHeights[4][4] = {
+      {0, 1, 1, 0}, {1, 4, 3, -1}, {0, 2, -1, -2}, {-1, 0, -2, -3}};
+  return sheet({1, [](int i, int j) { return Rational(kHeights[i][j]) / Rational(10); }}, begin,
+               end);
 }
 
 Patches spline_sheet(int n, const Rational& thickness) {

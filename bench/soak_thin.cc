@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/soak_thin.cc: --count N --models N --maps N --seed S [--only embedded|crossing|touching|maps]. Tests the search
+// for boxes in frames and with several sheets on thin walls of known truth, each under a random affine map: two to five
+// sheets, flat, quadric, of different curvature near one point, and free-form, at gaps down to 2^-40 of the size for
+// planes and spheres (2^-13 for free-form ones). Those that are apart must be valid with their genus and bodies, those
+// that cross invalid, those that touch never valid. Then N models under N maps each, rotations and shears up to 2^10:
+// their verdicts must agree. One JSON line a figure; wrong and undecided models on standard error.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "models/patch_shapes.h"
+#include "models/thin_shapes.h"
+#include "robust/base/random.h"
+#include "solids/patches/patch_transform.h"
+#include "verify/certify/patch_decision.h"
+
+namespace {
+
+using namespace veritope;
+using patch_shapes::Patches;
+using thin_shapes::Family;
+using thin_shapes::Walls;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kMostSeconds = 60;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// A rotation by a random quaternion of small integers: its entries are rational.
+AffineMap rotation(Random& random) {
+  for (;;) {
+    std::int64_t q[4], norm = 0;
+    for (std::int64_t& v : q) v = random.between(-5, 5), norm += v * v;
+    if (norm == 0) continue;
+    const auto [w, x, y, z] = q;
+    const std::int64_t m[9] = {w * w + x * x - y * y - z * z, 2 * (x * y - w * z),
+                               2 * (x * z + w * y),           2 * (x * y + w * z),
+                               w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
+                               2 * (x * z - w * y),           2 * (y * z + w * x),
+                               w * w - x * x - y * y + z * z};
+    AffineMap out{3, 3, {}, {}};
+    for (const std::int64_t v : m) out.linear.push_back(Rational(v) / Rational(norm));
+    for (int k = 0; k < 3; ++k)
+      out.translation.push_back(Rational(random.between(-99, 99)) / Rational(8));
+    return out;
+  }
+}
+// Adds up to 2^most_bits times a coordinate to another one.
+AffineMap shear(Random& random, int most_bits) {
+  AffineMap out{3, 3, std::vector<Rational>(9), std::vector<Rational>(3)};
+  for (std::size_t k = 0; k < 3; ++k) out.linear[4 * k] = Rational(1);
+  const std::size_t to = random.below(3), from = (to + 1 + random.below(2)) % 3;
+  const auto size = std::int64_t{1} << random.below(static_cast<std::uint64_t>(most_bits) + 1);
+  out.linear[3 * to + from] = Rational(random.below(2) == 0 ? size : -size);
+  return out;
+}
+Patches moved(const Patches& patches, Random& random, int shear_bits) {
+  Patches out = affine_image(patches, rotation(random)).value();
+  if (random.below(2) == 0) out = affine_image(out, shear(random, shear_bits)).value();
+  return out;
+}
+
+struct Answer {
+  Verdict verdict;
+  std::vector<std::int64_t> genus;
+  std::uint64_t bodies = 0;
+  std::string why;
+  double seconds = 0;
+};
+Answer answer(const Patches& patches) {
+  PatchInput input;
+  input.patches = patches;
+  const PatchComplex complex = make_patch_complex(std::move(input)).value();
+  PatchDecisionOptions options;
+  options.with_frames = true;
+  options.tolerance = 1e-2;
+  const Clock::time_point start = Clock::now();
+  options.cover.stops_at = [&](PieceForest::Id, std::size_t) {
+    return seconds_since(start) > kMostSeconds;
+  };
+  std::optional<PieceForest> forest;
+  const PatchDecision d = decide_patches(complex, options, &forest);
+  Answer out{d.verdict(), {}, d.bodies, d.open ? d.open->message : "", seconds_since(start)};
+  for (const PatchShellFacts& s : d.shells) out.genus.push_back(s.genus);
+  return out;
+}
+
+struct Tally {
+  std::size_t models = 0, valid = 0, invalid = 0, undecided = 0, wrong = 0;
+  double seconds = 0, slowest = 0;
+};
+void print(const char* name, const Tally& t, const char* goal) {
+  std::printf(
+      "{\"name\":\"thin_%s\",\"value\":%zu,\"goal\":\"%s\",\"models\":%zu,\"valid\":%zu,"
+      "\"invalid\":%zu,"
+      "\"undecided\":%zu,\"seconds\":%.1f,\"slowest\":%.1f}\n",
+      name, t.wrong, goal, t.models, t.valid, t.invalid, t.undecided, t.seconds, t.slowest);
+  std::fflush(stdout);
+}
+
+// Free-form walls need pieces as long as a root of the gap; those of planes and quadrics do not.
+int most_bits_of(const std::string& family) {
+  if (family == "tori" || family == "curved-plate" || family == "tube" || family == "cone")
+    return 13;
+  return family == "nested" || family == "eccentric" ? 20 : 40;
+}
+
+Tally run(Walls walls, std::size_t count, std::uint64_t seed) {
+  const std::vector<Family> families = thin_shapes::families();
+  Tally tally;
+  for (std::size_t i = 0; i < count; ++i) {
+    Random random(seed + i);
+    const Family& family = families[i % families.size()];
+    const auto bits =
+        3 +
+        static_cast<int>(random.below(static_cast<std::uint64_t>(most_bits_of(family.name) - 2)));
+    const Rational gap =
+        Rational(random.between(5, 8)) / Rational(8) * Rational::power_of_two(-bits);
+    const Answer a = answer(moved(family.make(gap, walls), random, 2));
+    ++tally.models;
+    tally.seconds += a.seconds, tally.slowest = std::max(tally.slowest, a.seconds);
+    ++(a.verdict == Verdict::kValid     ? tally.valid
+       : a.verdict == Verdict::kInvalid ? tally.invalid
+                                        : tally.undecided);
+    const bool is_right =
+        a.verdict == Verdict::kUndecided ||
+        (walls == Walls::kApart
+             ? a.verdict == Verdict::kValid && a.bodies == static_cast<std::uint64_t>(family.bodies)
+             : a.verdict == Verdict::kInvalid);
+    if (!is_right) ++tally.wrong;
+    if (!is_right || (a.verdict == Verdict::kUndecided && walls != Walls::kTouching))
+      std::fprintf(stderr, "%s %s, gap near 2^-%d, seed %llu: %s, %.1f s: %s\n",
+                   is_right ? "undecided" : "WRONG", family.name.c_str(), bits,
+                   static_cast<unsigned long long>(seed + i), verdict_name(a.verdict), a.seconds,
+                   a.why.c_str());
+  }
+  return tally;
+}
+
+// The value is the number of models with VALID and INVALID among the verdicts of their images.
+void run_maps(std::size_t num_models, std::size_t num_maps, std::uint64_t seed) {
+  std::vector<patch_shapes::Shape> shapes = patch_shapes::sound_shapes();
+  for (patch_shapes::Shape& s : patch_shapes::broken_shapes())
+    if (s.truth == patch_shapes::Truth::kCrossing) shapes.push_back(std::move(s));
+  const std::vector<Family> families = thin_shapes::families();
+  std::size_t contradictions = 0, same = 0, images = 0;
+  const Clock::time_point start = Clock::now();
+  for (std::size_t i = 0; i < num_models; ++i) {
+    Random random(seed + i);
+    std::string name;
+    Patches base;
+    if (i % 2 == 0) {
+      const patch_shapes::Shape& shape = shapes[i / 2 % shapes.size()];
+      name = shape.name, base = shape.patches;
+    } else {
+      const Family& family = families[i / 2 % families.size()];
+      name = family.name;
+      base = family.make(Rational(random.between(3, 40)) / Rational(128),
+                         random.below(2) == 0 ? Walls::kApart : Walls::kCrossing);
+    }
+    const Verdict expected = answer(base).verdict;
+    for (std::size_t k = 0; k < num_maps; ++k, ++images) {
+      const Answer a = answer(moved(base, random, 10));
+      same += a.verdict == expected ? 1 : 0;
+      if (a.verdict == expected) continue;
+      if (a.verdict != Verdict::kUndecided && expected != Verdict::kUndecided) ++contradictions;
+      std::fprintf(stderr, "%s, seed %llu, map %zu: %s, not %s, %.1f s: %s\n", name.c_str(),
+                   static_cast<unsigned long long>(seed + i), k, verdict_name(a.verdict),
+                   verdict_name(expected), a.seconds, a.why.c_str());
+    }
+  }
+  std::printf(
+      "{\"name\":\"thin_maps\",\"value\":%zu,\"goal\":\"0 of them VALID against INVALID, 99 %% the "
+      "same\","
+      "\"models\":%zu,\"images\":%zu,\"same\":%zu,\"seconds\":%.1f}\n",
+      contradictions, num_models, images, same, seconds_since(start));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::size_t count = 2000, models = 500, maps = 20;
+  std::uint64_t seed = 1;
+  std::string only;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (std::strcmp(argv[i], "--count") == 0) count = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--models") == 0) models = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--maps") == 0) maps = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--only") == 0) only = argv[i + 1];
+  }
+  const auto is_wanted = [&](const char* kind) { return only.empty() || only == kind; };
+  std::size_t wrong = 0;
+  const auto one = [&](const char* kind, Walls walls, const char* goal) {
+    if (!is_wanted(kind)) return;
+    const Tally t = run(walls, count, seed);
+    print(kind, t, goal);
+    wrong += t.wrong;
+  };
+  one("embedded", Walls::kApart, "0 wrong, 1 % undecided");
+  one("crossing", Walls::kCrossing, "0 wrong, 1 % undecided");
+  one("touching", Walls::kTouching, "0 wrong");
+  if (is_wanted("maps")) run_maps(models, maps, seed);
+  return wrong == 0 ? 0 : 1;
+}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "solids/pieces/exact_piece.h"
 #include "solids/pieces/piece_forest.h"
@@ -84,6 +85,38 @@ Sign3 PieceForest::exact_side_of(Id id, const Point3d& c) {
   }
   exact_left_ += std::exchange(node->owed, 0);
   return *common == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative;
+}
+
+std::optional<PieceForest::SideWithZeros> PieceForest::side_with_zeros(Id id, const Point3d& c) {
+  const RoundedSide rounded = rounded_side_of(id, c);
+  SideWithZeros out;
+  if (is_certain(rounded.sign)) {
+    out.sign = rounded.sign == Sign3::kPositive ? Sign::kPositive : Sign::kNegative;
+    return out;
+  }
+  if (!rounded.may_be_weak) return std::nullopt;
+  Exact* const node = exact_node(id, true);
+  if (node == nullptr) return std::nullopt;
+  const ExactPiece::Side side(node->piece, c);
+  const std::size_t n = forms_[nodes_[id].patch].determinant.count();
+  out.is_zero.resize(n);
+  bool is_one = true;
+  for (std::size_t i = 0; i < n && is_one; ++i) {
+    const Sign s = side.at(i);
+    out.is_zero[i] = s == Sign::kZero;
+    if (s == Sign::kZero) continue;
+    if (out.sign == Sign::kZero) out.sign = s;
+    is_one = s == out.sign;
+  }
+  if (!is_one || out.sign == Sign::kZero) {
+    exact_left_ -= std::min(exact_left_, n);
+    return std::nullopt;
+  }
+  exact_left_ += std::exchange(node->owed, 0);
+  bool is_strict = true;
+  for_each_kept(nodes_[id], [&](std::size_t i) { is_strict = is_strict && !out.is_zero[i]; });
+  if (is_strict) out.is_zero.clear();
+  return out;
 }
 
 }  // namespace veritope

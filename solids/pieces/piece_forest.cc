@@ -201,11 +201,37 @@ bool PieceForest::side_of_patch(const Node& node, std::uint32_t side) const {
   }
 }
 
+bool PieceForest::is_on_side(const Node& node, std::uint32_t corner, std::uint32_t side) const {
+  const Form& form = forms_[node.patch];
+  if (form.shape.is_triangle) {
+    const std::uint64_t whole = std::uint64_t{1} << node.level;
+    const std::uint64_t first = (node.is_upside_down ? whole + 1 : whole - 1) - node.i - node.j;
+    const std::uint32_t opposite = (side + 2) % 3;
+    const std::uint64_t base = opposite == 0 ? first : opposite == 1 ? node.i : node.j;
+    if (opposite != corner) return base == 0;
+    return node.is_upside_down && base == 1;
+  }
+  const std::uint64_t i = node.i + (corner == 1 || corner == 2 ? 1 : 0);
+  const std::uint64_t j = node.j + (corner >= 2 ? 1 : 0);
+  switch (side) {
+    case 0: return j == 0;
+    case 1: return i == std::uint64_t{1} << (form.root_bits[0] + node.level);
+    case 2: return j == std::uint64_t{1} << (form.root_bits[1] + node.level);
+    default: return i == 0;
+  }
+}
+
 Sign3 PieceForest::side_of(Id id, const Point3d& c) {
+  const RoundedSide rounded = rounded_side_of(id, c);
+  if (is_certain(rounded.sign) || !rounded.may_be_weak) return rounded.sign;
+  return exact_side_of(id, c);
+}
+
+PieceForest::RoundedSide PieceForest::rounded_side_of(Id id, const Point3d& c) {
   const Node& node = nodes_[id];
   const Form& form = forms_[node.patch];
   const Collapsed collapsed = collapsed_sides(node, form);
-  if (collapsed == Collapsed::kAdjacent) return Sign3::kUncertain;
+  if (collapsed == Collapsed::kAdjacent) return {Sign3::kUncertain, false};
   const double* const net = this->net(id, Part::kDeterminants);
   const Layout at = layout(form, Part::kDeterminants);
   Point3d x;
@@ -230,12 +256,12 @@ Sign3 PieceForest::side_of(Id id, const Point3d& c) {
     });
   }
   switch (internal::common_sign(lo, hi, bound)) {
-    case CommonSign::kPositive: return Sign3::kPositive;
-    case CommonSign::kNegative: return Sign3::kNegative;
-    case CommonSign::kMixed: return Sign3::kUncertain;
+    case CommonSign::kPositive: return {Sign3::kPositive, true};
+    case CommonSign::kNegative: return {Sign3::kNegative, true};
+    case CommonSign::kMixed: return {Sign3::kUncertain, false};
     case CommonSign::kUnknown: break;
   }
-  return exact_side_of(id, c);
+  return {};
 }
 
 const double* PieceForest::control(Id id) { return net(id, Part::kControl); }

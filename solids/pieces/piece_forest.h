@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -97,6 +98,8 @@ class PieceForest {
   /// Whether side s of the node (numbered as in the patch: in a triangle, from corner s to corner s + 1) lies in side s
   /// of the patch.
   bool side_of_patch(const Node& node, std::uint32_t side) const;
+  /// Whether a corner of the node (where its side of that number starts) lies on side s of the patch.
+  bool is_on_side(const Node& node, std::uint32_t corner, std::uint32_t side) const;
   /// Calls visit(i) for the places of the determinants' coefficients outside the rows of collapsed sides.
   template <typename Visit>
   void for_each_kept(const Node& node, Visit visit) const;
@@ -106,6 +109,15 @@ class PieceForest {
   /// corner: there g_c is 0 and the corner is never certified. Where the bound of doubles does not decide, integers do
   /// while the budget for them lasts; after that the sign is uncertain, too.
   Sign3 side_of(Id id, const Point3d& c);
+  /// The sign of the coefficients of g_c that are not zero, if all of these have one sign.
+  struct SideWithZeros {
+    Sign sign = Sign::kZero;
+    /// For each coefficient, rows of collapsed sides included, whether it is zero; empty if only such rows are.
+    std::vector<bool> is_zero;
+  };
+  /// Zeros are found by integers. Nothing if all coefficients are zero or two differ in sign, if two sides of the piece
+  /// lie in collapsed sides and share a corner, or if the budget for integers is spent.
+  std::optional<SideWithZeros> side_with_zeros(Id id, const Point3d& c);
   /// Approximate coefficients of G0 .. G3 relative to origin(), for searches.
   const double* approx_determinants(Id id);
   /// The sum of the control net of the piece's normals: approximate and not of unit length, for searches.
@@ -148,6 +160,12 @@ class PieceForest {
   void quarter(Id id, Part part);
   Box3d tight_hull(Id id);
   bool is_rough(const Form& form, const double* net, const Box3d& hull) const;
+  /// What doubles know of side_of.
+  struct RoundedSide {
+    Sign3 sign = Sign3::kUncertain;
+    bool may_be_weak = true;  ///< false: coefficients surely differ in sign, or the rule on collapsed sides fails
+  };
+  RoundedSide rounded_side_of(Id id, const Point3d& c);
   Sign3 exact_side_of(Id id, const Point3d& c);
   struct Exact;
   Exact* exact_node(Id id, bool with_determinants);

@@ -3,7 +3,10 @@
 // normals of their faces, products of their edges' directions, or, in a plane, normals of edges.
 #include "solids/star_box/mesh_box.h"
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
+#include <utility>
 
 #include "interval/ring_numbers.h"
 #include "interval/upward.h"
@@ -82,10 +85,27 @@ struct Separation {
   }
 };
 
+// One of the triangles that a flat patch consists of.
+struct Facet {
+  std::uint32_t patch;
+  std::array<std::uint32_t, 3> corners;  // of the patch
+  std::array<std::uint64_t, 3> edges;    // of X, or the patch's diagonal; edge i starts at corner i
+};
+constexpr std::uint64_t kDiagonal = std::uint64_t{1} << 32;  // above the numbers of edges
+
+void append_facets(const PatchComplex& complex, std::uint32_t patch, std::vector<Facet>* out) {
+  const auto edge = [&](std::uint32_t side) -> std::uint64_t { return complex.edge({patch, side}); };
+  if (complex.patch(patch).is_triangle())
+    return out->push_back({patch, {0, 1, 2}, {edge(0), edge(1), edge(2)}});
+  const std::uint64_t diagonal = kDiagonal + patch;
+  out->push_back({patch, {0, 1, 2}, {edge(0), edge(1), diagonal}});
+  out->push_back({patch, {0, 2, 3}, {diagonal, edge(2), edge(3)}});
+}
+
 class MeshBox {
  public:
-  MeshBox(PieceForest& forest, const Box3d& box, std::size_t most)
-      : forest_(forest), box_(box), most_(most) {}
+  MeshBox(PieceForest& forest, FlatPatches& flat, const Box3d& box, std::size_t most)
+      : forest_(forest), flat_(flat), box_(box), most_(most) {}
 
   std::optional<std::vector<std::uint32_t>> run() {
     bool is_good = true;
@@ -93,19 +113,27 @@ class MeshBox {
         [&](const Box3d& b) { return is_good && meets(b, box_); },
         [&](std::uint32_t number) { is_good = is_good && visit(forest_.root(number)); });
     if (!is_good) return std::nullopt;
+    // A patch may have several roots.
+    std::sort(patches_.begin(), patches_.end());
+    patches_.erase(std::unique(patches_.begin(), patches_.end()), patches_.end());
+    for (const std::uint32_t patch : patches_)
+      append_facets(forest_.complex(), patch, &candidates_);
     if (!decide<Interval>() && !decide<Rational>()) return std::nullopt;
-    return std::move(tested_);
+    std::vector<std::uint32_t> out;
+    for (const Facet& f : tested_)
+      if (out.empty() || out.back() != f.patch) out.push_back(f.patch);
+    return out;
   }
 
  private:
   static constexpr int kMostVisits = 1000;
 
   bool visit(Id id) {
-    const Patch& patch = forest_.complex().patch(forest_.node(id).patch);
+    const std::uint32_t patch = forest_.node(id).patch;
     if (!meets(forest_.node(id).hull, box_)) return true;
-    if (patch.is_flat_triangle() && !patch.is_rational()) {
-      candidates_.push_back(forest_.node(id).patch);
-      return candidates_.size() <= 4 * most_;
+    if (flat_.contain(patch)) {
+      patches_.push_back(patch);
+      return patches_.size() <= 4 * most_;
     }
     if (++visits_ > kMostVisits || forest_.node(id).level + 2 >= PieceForest::kMaxLevel)
       return false;
@@ -116,13 +144,14 @@ class MeshBox {
   }
 
   template <typename K>
-  typename Separation<K>::Triangle triangle(std::uint32_t patch) const {
+  typename Separation<K>::Triangle triangle(const Facet& facet) const {
+    const Patch& patch = forest_.complex().patch(facet.patch);
     typename Separation<K>::Points corners;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const std::uint32_t corner : facet.corners) {
+      const std::size_t at = patch.side_index(corner, 0);
       typename Separation<K>::Vec v;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Rational x =
-            forest_.in_frame(k, forest_.complex().patch(patch).component(static_cast<int>(k))[i]);
+        const Rational x = forest_.in_frame(k, patch.component(static_cast<int>(k))[at]);
         if constexpr (std::is_same_v<K, Rational>)
           v[k] = x;
         else
@@ -134,12 +163,10 @@ class MeshBox {
   }
 
   template <typename K>
-  bool decide() {
-    using S = Separation<K>;
-    const ScopedUpward upward;
-    typename S::Points corners;
+  typename Separation<K>::Points corners_of_box() const {
+    typename Separation<K>::Points out;
     for (std::size_t i = 0; i < 8; ++i) {
-      typename S::Vec v;
+      typename Separation<K>::Vec v;
       for (std::size_t k = 0; k < 3; ++k) {
         const double x = (i >> k & 1) != 0 ? box_.hi[k] : box_.lo[k];
         if constexpr (std::is_same_v<K, Rational>)
@@ -147,16 +174,24 @@ class MeshBox {
         else
           v[k] = Interval(x);
       }
-      corners.push_back(v);
+      out.push_back(v);
     }
+    return out;
+  }
+
+  template <typename K>
+  bool decide() {
+    using S = Separation<K>;
+    const ScopedUpward upward;
+    const typename S::Points corners = corners_of_box<K>();
     std::vector<typename S::Triangle> triangles;
     tested_.clear();
-    for (const std::uint32_t patch : candidates_) {
-      typename S::Triangle t = triangle<K>(patch);
+    for (const Facet& facet : candidates_) {
+      typename S::Triangle t = triangle<K>(facet);
       if (!S::is_vector(t.normal)) return false;
       if (S::misses_box(t, corners)) continue;
       triangles.push_back(std::move(t));
-      tested_.push_back(patch);
+      tested_.push_back(facet);
     }
     if (tested_.size() > most_) return false;
     for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -167,16 +202,17 @@ class MeshBox {
 
   template <typename K>
   bool meet_properly(const typename Separation<K>::Triangle& t,
-                     const typename Separation<K>::Triangle& u, std::uint32_t a,
-                     std::uint32_t b) const {
+                     const typename Separation<K>::Triangle& u, const Facet& a,
+                     const Facet& b) const {
     using S = Separation<K>;
     const PatchComplex& complex = forest_.complex();
     int vertices = 0, edges = 0;
     std::size_t at_t = 0, at_u = 0;
-    for (std::uint32_t i = 0; i < 3; ++i)
-      for (std::uint32_t j = 0; j < 3; ++j) {
-        if (complex.vertex({a, i}) == complex.vertex({b, j})) ++vertices, at_t = i, at_u = j;
-        if (complex.edge({a, i}) == complex.edge({b, j})) ++edges;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (complex.vertex({a.patch, a.corners[i]}) == complex.vertex({b.patch, b.corners[j]}))
+          ++vertices, at_t = i, at_u = j;
+        if (a.edges[i] == b.edges[j]) ++edges;
       }
     if (vertices == 0) return S::is_apart(t, u.v, u.edges, &u.normal);
     const auto opposite_edge_misses = [](const auto& x, std::size_t corner, const auto& y) {
@@ -190,17 +226,19 @@ class MeshBox {
   }
 
   PieceForest& forest_;
+  FlatPatches& flat_;
   const Box3d box_;
   const std::size_t most_;
   int visits_ = 0;
-  std::vector<std::uint32_t> candidates_, tested_;
+  std::vector<std::uint32_t> patches_;
+  std::vector<Facet> candidates_, tested_;
 };
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> mesh_box_triangles(PieceForest& forest, const Box3d& box,
-                                                             std::size_t most) {
-  return MeshBox(forest, box, most).run();
+std::optional<std::vector<std::uint32_t>> mesh_box_patches(PieceForest& forest, FlatPatches& flat,
+                                                           const Box3d& box, std::size_t most) {
+  return MeshBox(forest, flat, box, most).run();
 }
 
 }  // namespace veritope

@@ -6,7 +6,7 @@
 #include "robust/base/check.h"
 #include "solids/pieces/crossing_number.h"
 #include "solids/pieces/piece_descent.h"
-#include "solids/star_box/star_box.h"
+#include "solids/star_box/star_zeros.h"
 
 namespace veritope {
 namespace {
@@ -39,7 +39,7 @@ std::optional<std::size_t> sheet_of(PieceForest& forest, Id id, const SheetBox& 
   NodeSigns signs(forest, id, box.separators);
   for (std::size_t i = 0; i < box.sheets.size(); ++i)
     if (signs.suit(box.sheets[i]) &&
-        has_star_signs(forest, id, {box.sheets[i].inside, box.sheets[i].outside}))
+        has_star_signs_or_zeros(forest, id, {box.sheets[i].inside, box.sheets[i].outside}))
       return i;
   return std::nullopt;
 }

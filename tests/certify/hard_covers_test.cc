@@ -64,18 +64,19 @@ TEST(MeshBoxes, AreRefusedAtTheFlatZFold) {
   const PatchComplex complex = complex_of(patch_shapes::wrinkled_cube());
   PieceForest forest = PieceForest::make(complex).value();
   const double size = std::ldexp(1.0, forest.frame().scale[0]);
+  FlatPatches triangles(complex, FlatPatches::Kind::kTriangles);
   const auto around = [&](double x, double y, double z, double half) {
     half *= size;
     return Box3d{{x * size - half, y * size - half, z * size - half},
                  {x * size + half, y * size + half, z * size + half}};
   };
-  EXPECT_FALSE(mesh_box_triangles(forest, around(0, 0, 4, 0.25), 48));
-  EXPECT_FALSE(mesh_box_triangles(forest, around(-2, 0, 4, 0.25), 48));
+  EXPECT_FALSE(mesh_box_patches(forest, triangles, around(0, 0, 4, 0.25), 48));
+  EXPECT_FALSE(mesh_box_patches(forest, triangles, around(-2, 0, 4, 0.25), 48));
   // At a corner of the cube, away from the fold, they meet properly; not if fewer triangles are allowed than meet.
-  const auto corner = mesh_box_triangles(forest, around(4, 4, -4, 0.25), 48);
+  const auto corner = mesh_box_patches(forest, triangles, around(4, 4, -4, 0.25), 48);
   ASSERT_TRUE(corner);
   EXPECT_GE(corner->size(), 3u);
-  EXPECT_FALSE(mesh_box_triangles(forest, around(4, 4, -4, 0.25), corner->size() - 1));
+  EXPECT_FALSE(mesh_box_patches(forest, triangles, around(4, 4, -4, 0.25), corner->size() - 1));
   const CertifiedPatches fold = certified_patches(patch_shapes::wrinkled_cube());
   EXPECT_FALSE(fold.decision.is_valid);
 }
@@ -83,8 +84,9 @@ TEST(MeshBoxes, AreRefusedAtTheFlatZFold) {
 TEST(MeshBoxes, AreNoneWherePatchesAreCurved) {
   const PatchComplex complex = complex_of(patch_shapes::pn_torus(12, 8));
   PieceForest forest = PieceForest::make(complex).value();
-  EXPECT_FALSE(mesh_box_triangles(forest, forest.node(0).hull, 1000));
-  EXPECT_TRUE(mesh_box_triangles(forest, {{5, 5, 5}, {6, 6, 6}}, 1000));  // nothing is met
+  FlatPatches triangles(complex, FlatPatches::Kind::kTriangles);
+  EXPECT_FALSE(mesh_box_patches(forest, triangles, forest.node(0).hull, 1000));
+  EXPECT_TRUE(mesh_box_patches(forest, triangles, {{5, 5, 5}, {6, 6, 6}}, 1000));  // nothing is met
 }
 
 AffineMap diagonal(const Rational& a, const Rational& b, const Rational& c, const Rational& shift) {

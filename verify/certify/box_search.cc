@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "solids/pieces/exact_piece.h"
 #include "solids/star_box/mesh_box.h"
 #include "solids/star_box/place_centres.h"
-#include "verify/certify/sheet_tangents_internal.h"
+#include "verify/certify/grid_box.h"
+#include "verify/certify/half_spaces.h"
 
 namespace veritope {
 namespace {
@@ -16,8 +16,6 @@ namespace {
 using Id = PieceForest::Id;
 using Why = UncoveredPiece::Why;
 
-// Boxes and centres are multiples of their box's size divided by approximately this number.
-constexpr double kGrid = 64;
 // Grid units that fit the narrowest strip between a piece and a cut-back side of a box.
 constexpr double kUnitsInStrip = 8;
 constexpr std::size_t kMostPieces = 4096;
@@ -30,26 +28,6 @@ constexpr double kPartToBorder = 0.75;
 // The most triangles in a mesh box. Mesh boxes are tried only at vertices, and every pair of their
 // triangles is tested.
 constexpr std::size_t kMostTriangles = 48;
-
-double on_grid(double v, double unit) { return std::nearbyint(v / unit) * unit; }
-
-// The box, rounded outward. `unit` is a power of two.
-CoverBox on_grid(const Box3d& box, double unit) {
-  CoverBox out;
-  out.unit = unit;
-  for (std::size_t k = 0; k < 3; ++k) {
-    out.star.box.lo[k] = std::floor(box.lo[k] / unit) * unit;
-    out.star.box.hi[k] = std::ceil(box.hi[k] / unit) * unit;
-  }
-  return out;
-}
-
-// A cube around this middle, with its corners on a grid of a power of two, that contains the cube of half edge `half`.
-CoverBox cube_around(const Point3d& middle, double half) {
-  Box3d cube;
-  for (std::size_t k = 0; k < 3; ++k) cube.lo[k] = middle[k] - half, cube.hi[k] = middle[k] + half;
-  return on_grid(cube, std::exp2(std::ceil(std::log2(2 * half / kGrid))));
-}
 
 // The axis on which two boxes are farthest apart.
 struct Separation {
@@ -76,6 +54,23 @@ double common_area(const Box3d& a, const Box3d& b, std::size_t axis) {
 
 double square(double a) { return a * a; }
 
+// The children of a tensor piece at the corners where its sides 0, 1, 2, 3 start.
+constexpr std::array<Id, 4> kTensorChildAtCorner{0, 2, 3, 1};
+
+// Whether this corner of the piece is that corner of the patch.
+bool is_at_corner(const PieceForest& forest, const PieceForest::Node& node, std::uint32_t corner) {
+  const std::uint32_t n = forest.form(node.patch).shape.is_triangle ? 3 : 4;
+  return !node.is_upside_down && forest.is_on_side(node, corner, corner) &&
+         forest.is_on_side(node, corner, (corner + n - 1) % n);
+}
+std::optional<std::uint32_t> corner_of_patch(const PieceForest& forest,
+                                             const PieceForest::Node& node) {
+  const std::uint32_t n = forest.form(node.patch).shape.is_triangle ? 3 : 4;
+  for (std::uint32_t corner = 0; corner < n; ++corner)
+    if (is_at_corner(forest, node, corner)) return corner;
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool BoxSearch::try_piece(Id id) {
@@ -100,16 +95,15 @@ bool BoxSearch::try_piece(Id id) {
   return try_cut_star() || try_mesh() || fail(why_of_cube);
 }
 
-// A mesh box is tried only at a corner of flat triangles and only for parts of them: the rest of each triangle then has
-// star boxes, at which walks begin.
+// A mesh box is tried only at a corner of flat patches and only for parts of them: the rest of each patch then has star
+// boxes, at which walks begin.
 bool BoxSearch::try_mesh() {
   const PieceForest::Node& node = forest_.node(piece_);
   if (why_ == Why::kTooDeep || node.level == 0 || node.is_upside_down) return false;
   const PatchComplex& complex = forest_.complex();
-  if (!complex.patch(node.patch).is_flat_triangle()) return false;
-  const std::uint64_t last = (std::uint64_t{1} << node.level) - 1;
-  const std::uint32_t corner = node.i == last ? 1 : node.j == last ? 2 : 0;
-  if (corner == 0 && (node.i != 0 || node.j != 0)) return false;
+  const auto found = corner_of_patch(forest_, node);
+  if (!found || !flat_.contain(node.patch)) return false;
+  const std::uint32_t corner = *found;
   const PieceForest::Form& form = forest_.form(node.patch);
   const std::size_t at = complex.patch(node.patch).side_index(corner, 0), n = form.shape.count();
   Point3d vertex;
@@ -119,22 +113,30 @@ bool BoxSearch::try_mesh() {
   CoverBox mesh = cube_around(vertex, 1.125 * extent(hull));
   mesh.is_mesh = true;
   if (!is_inside(hull, mesh.star.box)) return false;
-  const auto triangles = mesh_box_triangles(forest_, mesh.star.box, kMostTriangles);
-  if (!triangles) return false;
+  const auto patches = mesh_box_patches(forest_, flat_, mesh.star.box, kMostTriangles);
+  if (!patches) return false;
+  mesh.needs_version_2 =
+      !std::all_of(patches->begin(), patches->end(),
+                   [&](std::uint32_t p) { return complex.patch(p).is_flat_triangle(); });
   box_ = mesh;
   held_.clear();
   const std::uint32_t common = complex.vertex({forest_.node(piece_).patch, corner});
-  for (const std::uint32_t patch : *triangles)
-    for (const std::uint32_t c : {0u, 1u, 2u})
+  for (const std::uint32_t patch : *patches)
+    for (std::uint32_t c = 0; c < complex.patch(patch).num_sides(); ++c)
       if (complex.vertex({patch, c}) == common) hold_corner(patch, c);
   return true;
 }
 
 // Adds to held_ the existing parts at this corner that lie in the box.
 void BoxSearch::hold_corner(std::uint32_t patch, std::uint32_t corner) {
-  Id id = forest_.node(forest_.form(patch).first_root).first_child;
-  for (; id != PieceForest::kNone; id = forest_.node(id + corner).first_child)
-    if (is_inside(forest_.node(id + corner).hull, box_.star.box)) held_.push_back(id + corner);
+  const PieceForest::Form& form = forest_.form(patch);
+  for (Id root = form.first_root; root < form.first_root + form.num_roots; ++root) {
+    if (!is_at_corner(forest_, forest_.node(root), corner)) continue;
+    const Id child = form.shape.is_triangle ? corner : kTensorChildAtCorner[corner];
+    Id id = forest_.node(root).first_child;
+    for (; id != PieceForest::kNone; id = forest_.node(id + child).first_child)
+      if (is_inside(forest_.node(id + child).hull, box_.star.box)) held_.push_back(id + child);
+  }
 }
 
 bool BoxSearch::try_star() {
@@ -252,7 +254,7 @@ bool BoxSearch::search_centres() {
 // The deepest points, on the box's grid, under approximately `most` conditions of each piece.
 BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   const Box3d& box = box_.star.box;
-  const double unit = box_.unit, enough = 1e-3 * std::min(1.0, kGrid * unit / extent(box));
+  const double unit = box_.unit, enough = 1e-3 * std::min(1.0, kUnitsInBox * unit / extent(box));
   const Point3d m = approx_centre(box);
   Box3d room;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -261,7 +263,8 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   }
   half_spaces_.clear();
   bool has_all = true;
-  for (const Id id : tested_) has_all = add_half_spaces(id, most) && has_all;
+  for (const Id id : tested_)
+    has_all = append_half_spaces(forest_, id, {m, scale_}, most, &half_spaces_) && has_all;
   const auto inside = deepest_point(half_spaces_, room, enough);
   if (!inside) return Centres::kNone;
   box_.star.inside = on_grid_near(inside->point);
@@ -297,45 +300,6 @@ Point3d BoxSearch::on_grid_near(Point3d point) const {
     point[k] = length(k, out[k]);
   }
   return out;
-}
-
-// Adds g_c > 0 for coefficients of the piece as half-spaces for (c - m) / scale_, with m the middle of the box: all
-// coefficients, or approximately `most`, evenly spread. Returns whether all were added.
-bool BoxSearch::add_half_spaces(Id id, std::size_t most) {
-  const PieceForest::Node& node = forest_.node(id);
-  const PieceForest::Form& form = forest_.form(node.patch);
-  const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
-  const double* const g = forest_.approx_determinants(id);
-  std::size_t left = 0;
-  const Point3d m = approx_centre(box_.star.box);
-  double error = 0;
-  for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
-  // a.(c - m) + b > 0.
-  const auto add = [&](Point3d a, double b) {
-    for (std::size_t k = 0; k < 3; ++k) a[k] *= scale_[k];
-    const double length = internal::length_of(a);
-    if (!(length > 0)) {
-      half_spaces_.push_back({{0, 0, 0}, -1});  // never satisfied: g_c does not depend on c
-      return;
-    }
-    const double factor = 1 / length;
-    half_spaces_.push_back({{a[0] * factor, a[1] * factor, a[2] * factor}, b * factor});
-  };
-  forest_.for_each_kept(node, [&](std::size_t i) {
-    if (left-- != 0) return;
-    left = step - 1;
-    const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
-    // A normal shorter than its error has no meaningful direction.
-    if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error)
-      if (const ExactPiece* const exact = forest_.exact_determinants(id)) {
-        const std::array<double, 4> h = exact->approx_half_space(i, m);
-        return add({h[0], h[1], h[2]}, h[3]);
-      }
-    double b = g[i];
-    for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
-    add(a, b);
-  });
-  return step == 1;
 }
 
 }  // namespace veritope

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "solids/star_box/flat_patch.h"
 #include "verify/certify/centre_search.h"
 #include "verify/certify/obstacle.h"
 #include "verify/certify/star_cover.h"
@@ -16,7 +17,10 @@ class BoxSearch {
   using Id = PieceForest::Id;
 
   BoxSearch(PieceForest& forest, const StarCoverOptions& options)
-      : forest_(forest), options_(options) {}
+      : forest_(forest),
+        options_(options),
+        flat_(forest.complex(),
+              options.with_frames ? FlatPatches::Kind::kAll : FlatPatches::Kind::kTriangles) {}
 
   /// Whether a box that contains the piece's hull was found and proved.
   bool try_piece(Id id);
@@ -51,10 +55,10 @@ class BoxSearch {
   enum class Centres { kNone, kSomeConditions, kAllConditions };
   Centres solve_centres(std::size_t most);
   Point3d on_grid_near(Point3d point) const;
-  bool add_half_spaces(Id id, std::size_t most);
 
   PieceForest& forest_;
   const StarCoverOptions& options_;
+  FlatPatches flat_;
   Id piece_ = 0;
   CoverBox box_;
   Point3d scale_{};  ///< lengths that count as 1 in the linear programs

@@ -23,6 +23,18 @@ struct Program {
   std::array<double, kDimension> lo, hi;
 };
 
+// The greatest depth t at (x, y, z) in the box.
+Program program_in(const Box3d& box) {
+  Program out{kDimension, {0, 0, 0, 1, 0}, {}, {}};
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.lo[i] = box.lo[i], out.hi[i] = box.hi[i];
+    size = std::max(size, box.hi[i] - box.lo[i]);
+  }
+  out.lo[3] = -4 * size, out.hi[3] = 4 * size;
+  return out;
+}
+
 // Puts the optimum into x[0 .. dimension); false if the program has no optimum.
 bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num_rows, double* x) {
   const int d = program.dimension;
@@ -77,6 +89,34 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
   return true;
 }
 
+// Maximises the depth t in the half-spaces that are not at_border; the others are met up to kBorder. Returns x, y, z, t.
+constexpr double kBorder = 1e-9;
+constexpr int kMostRounds = 60;
+std::optional<std::array<double, kDimension>> deepest_beside_borders(
+    const std::vector<HalfSpace>& half_spaces, const std::vector<bool>& at_border, Program program) {
+  std::array<double, kDimension> x{};
+  for (int i = 0; i < kDimension; ++i)
+    x[i] = i < 3 ? 0.5 * (program.lo[i] + program.hi[i]) : program.hi[i];
+  std::vector<Row> rows;
+  for (int round = 0; round < kMostRounds; ++round) {
+    double most = std::max(0.1 * x[3], 0.25 * kBorder);  // the greatest violation
+    std::optional<Row> worst;
+    for (std::size_t i = 0; i < half_spaces.size(); ++i) {
+      const HalfSpace& h = half_spaces[i];
+      const double value = h.a[0] * x[0] + h.a[1] * x[1] + h.a[2] * x[2] + h.b;
+      const double violation = (at_border[i] ? -kBorder : x[3]) - value;
+      if (!(violation > most)) continue;
+      most = violation;
+      worst = at_border[i] ? Row{h.a[0], h.a[1], h.a[2], 0, h.b + kBorder}
+                           : Row{h.a[0], h.a[1], h.a[2], -1, h.b};
+    }
+    if (!worst) return x;
+    rows.push_back(*worst);
+    if (!solve(program, rows, rows.size(), x.data()) || x[3] < -kBorder) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& point) {
@@ -89,15 +129,9 @@ double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& poi
 std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
                                           const Box3d& box, double enough) {
   constexpr int kMaxRounds = 40;
-  Program program{kDimension, {0, 0, 0, 1, 0}, {}, {}};
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    program.lo[i] = box.lo[i], program.hi[i] = box.hi[i];
-    size = std::max(size, box.hi[i] - box.lo[i]);
-  }
-  program.lo[3] = -4 * size, program.hi[3] = 4 * size;
+  const Program program = program_in(box);
   const Point3d centre = approx_centre(box);
-  double x[kDimension] = {centre[0], centre[1], centre[2], 4 * size};
+  double x[kDimension] = {centre[0], centre[1], centre[2], program.hi[3]};
   std::vector<Row> rows;
   for (int round = 0; round < kMaxRounds; ++round) {
     double worst = x[3];
@@ -112,6 +146,24 @@ std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spa
     }
     rows.push_back({worst_one->a[0], worst_one->a[1], worst_one->a[2], -1, worst_one->b});
     if (!solve(program, rows, rows.size(), x) || !(x[3] > enough)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// Half-spaces that stop the depth at 0 are met at their borders, one group after the other.
+std::optional<DeepestPointOrZeros> deepest_point_or_zeros(
+    const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough) {
+  constexpr int kMostGroups = 6;
+  const Program program = program_in(box);
+  std::vector<bool> at_border(half_spaces.size());
+  for (int group = 0; group < kMostGroups; ++group) {
+    const auto x = deepest_beside_borders(half_spaces, at_border, program);
+    if (!x) return std::nullopt;
+    const Point3d point{(*x)[0], (*x)[1], (*x)[2]};
+    if ((*x)[3] > enough) return DeepestPointOrZeros{point, group > 0};
+    if ((*x)[3] > kBorder) return std::nullopt;
+    for (std::size_t i = 0; i < half_spaces.size(); ++i)
+      if (least_depth({half_spaces[i]}, point) < 2 * kBorder) at_border[i] = true;
   }
   return std::nullopt;
 }

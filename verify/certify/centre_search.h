@@ -30,4 +30,14 @@ struct DeepestPoint {
 std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
                                           const Box3d& box, double enough);
 
+/// As deepest_point, but for half-spaces of which some can be met at their borders only, by no point with a margin: all
+/// others are met with the margin `enough`. Nothing if half-spaces exclude each other by more than 1e-9, or if the
+/// greatest margin of all half-spaces lies between 1e-9 and `enough`.
+struct DeepestPointOrZeros {
+  Point3d point;
+  bool has_zeros = false;  ///< whether some half-spaces are met at their borders
+};
+std::optional<DeepestPointOrZeros> deepest_point_or_zeros(
+    const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough);
+
 }  // namespace veritope

@@ -61,13 +61,13 @@ bool is_of_orientation(const PatchRefutation& refutation) {
 }
 
 std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
-  const bool has_frames = decision.cover.has_frames();
+  const bool is_2 = decision.cover.needs_version_2();
   if (!decision.refutation && has_collar) return certificate::kCollarClaim;
   if (!decision.refutation)
-    return has_frames ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
+    return is_2 ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
   if (!std::holds_alternative<ReversedShell>(*decision.refutation))
     return certificate::kPatchInvalidClaim;
-  return has_frames ? certificate::kReversedShell2Claim : certificate::kReversedShellClaim;
+  return is_2 ? certificate::kReversedShell2Claim : certificate::kReversedShellClaim;
 }
 
 class Certification {
@@ -174,9 +174,10 @@ class Certification {
 
   void seek_collar() {
     internal::enter(Phase::kSeekingCollar, options_);
-    if (decision().cover.has_frames())
+    if (decision().cover.needs_version_2())
       collar_.open = why("no-collar",
-                         "walls are thin: boxes along the axes, which collars need, would be many");
+                         "the star boxes need version 2 of their certificate, and collars have version 1: walls are "
+                         "thin, or normals are zero somewhere");
     else if (decided_.forest->frame().is_plain())
       collar_ = find_patch_collar(*decided_.forest, decision().cover);
     else

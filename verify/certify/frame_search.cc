@@ -252,8 +252,12 @@ void FrameSearch::add_half_spaces(const Region& region, Id id) {
     y[j] = region.half[j];
     steps[j] = frame.approx_back(y);
   }
+  double error = 0;
+  for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
   forest_.for_each_kept(node, [&](std::size_t i) {
     const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
+    // A normal that is zero, or shorter than its error, says nothing: the proof decides whether it may be zero.
+    if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error) return;
     double b = g[i];
     for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
     Point3d in_steps;

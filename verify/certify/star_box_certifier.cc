@@ -94,6 +94,7 @@ class StarBoxBodyWriter {
         body_.boxes.push_back(framed_item(*b.framed, least));
         continue;
       }
+      if (b.needs_version_2) body_.version = 2;
       StarBoxItem item;
       item.is_mesh = b.is_mesh;
       const int unit = grid_exponent(forest_, b), spare = std::ilogb(b.unit) - unit;

@@ -8,6 +8,7 @@
 #include "robust/base/check.h"
 #include "verify/certify/box_search.h"
 #include "verify/certify/frame_search.h"
+#include "verify/certify/zero_search.h"
 
 namespace veritope {
 namespace {
@@ -25,6 +26,7 @@ class CoverSearch {
       : forest_(forest),
         options_(options),
         search_(forest, options),
+        zeros_(forest, options),
         frames_(forest, options.growth, options.least_framed_unit) {}
 
   StarCover run() {
@@ -77,6 +79,10 @@ class CoverSearch {
     if (search_.try_piece(id)) {
       accept(search_.box(), search_.held());
       VT_CHECK(box_of(id) != StarCover::kNone, "a box does not cover the piece it was made for");
+      return;
+    }
+    if (options_.with_frames && zeros_.try_piece(id)) {
+      accept(zeros_.box(), zeros_.held());
       return;
     }
     if (options_.with_frames && frames_.try_piece(id)) {
@@ -194,6 +200,7 @@ class CoverSearch {
   PieceForest& forest_;
   const StarCoverOptions& options_;
   BoxSearch search_;
+  ZeroSearch zeros_;
   FrameSearch frames_;
   StarCover out_;
   std::priority_queue<Open> open_;

@@ -22,7 +22,8 @@ struct StarCoverOptions {
   /// the least unit of cubes; the search ends where a cube would need a finer one
   double least_cube_unit = 0;
   std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
-  /// Boxes in frames and with several sheets, too, where a piece has no other.
+  /// Where a piece has no other box: boxes with zeros (ZeroSearch), mesh boxes of flat patches of any degree, boxes in
+  /// frames and with several sheets. Their certificates are of version 2.
   bool with_frames = false;
   double least_framed_unit =
       0x1p-34;  ///< the least unit of such boxes in their frames, and of their centres
@@ -41,6 +42,8 @@ struct CoverBox {
   /// A box in a frame, with one sheet or several; then `star` has the plain box around it, and the centres of the first
   /// sheet.
   std::shared_ptr<const FramedBox> framed;
+  /// A star box with zeros, or a mesh box of other patches than triangles of degree 1.
+  bool needs_version_2 = false;
 
   /// Walks start and end at such boxes only.
   bool has_one_sheet() const { return !is_mesh && (!framed || framed->sheets.sheets.size() == 1); }
@@ -66,9 +69,9 @@ struct StarCover {
   std::size_t tried = 0, tested_pieces = 0, programs = 0;
   bool is_complete() const { return uncovered.empty(); }
   /// Whether a certificate of it needs version 2.
-  bool has_frames() const {
+  bool needs_version_2() const {
     return std::any_of(boxes.begin(), boxes.end(),
-                       [](const CoverBox& b) { return b.framed != nullptr; });
+                       [](const CoverBox& b) { return b.framed != nullptr || b.needs_version_2; });
   }
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/half_spaces.h"
+
+#include <cmath>
+
+#include "solids/pieces/exact_piece.h"
+#include "verify/certify/sheet_tangents_internal.h"
+
+namespace veritope {
+bool append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreCoordinates& in,
+                        std::size_t most, std::vector<HalfSpace>* out) {
+  const PieceForest::Node& node = forest.node(id);
+  const PieceForest::Form& form = forest.form(node.patch);
+  const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
+  const double* const g = forest.approx_determinants(id);
+  std::size_t left = 0;
+  const Point3d& m = in.middle;
+  double error = 0;
+  for (std::size_t k = 1; k < 4; ++k) error += forest.determinant_error(id, k);
+  // a.(c - m) + b > 0.
+  const auto add = [&](Point3d a, double b) {
+    for (std::size_t k = 0; k < 3; ++k) a[k] *= in.scale[k];
+    const double length = internal::length_of(a);
+    if (!(length > 0)) {
+      out->push_back({{0, 0, 0}, -1});
+      return;
+    }
+    const double factor = 1 / length;
+    out->push_back({{a[0] * factor, a[1] * factor, a[2] * factor}, b * factor});
+  };
+  forest.for_each_kept(node, [&](std::size_t i) {
+    if (left-- != 0) return;
+    left = step - 1;
+    const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
+    // A normal shorter than its error has no meaningful direction.
+    if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error)
+      if (const ExactPiece* const exact = forest.exact_determinants(id)) {
+        const std::array<double, 4> h = exact->approx_half_space(i, m);
+        return add({h[0], h[1], h[2]}, h[3]);
+      }
+    double b = g[i];
+    for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
+    add(a, b);
+  });
+  return step == 1;
+}
+
+}  // namespace veritope

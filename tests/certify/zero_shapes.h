@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "models/patch_shapes.h"
-#include "solids/patches/patch.h"
-#include "splines/bezier_degree.h"
+#include "solids/patches/patch_transform.h"
 
 namespace veritope::zero_shapes {
 
@@ -33,7 +32,7 @@ inline Patch rational(int p, int q, const std::vector<HomogeneousPoint>& points)
   return make_patch(std::move(map)).value();
 }
 inline Patch elevated_patch(const Patch& patch) {
-  return make_patch(elevate(elevate(patch.tensor(), 0, 1), 1, 1)).value();
+  return elevated(std::vector<Patch>{patch}, 1).front();
 }
 
 /// A curve in the plane as (x, y) control points, extruded from z = low to z = high; outward if it runs round the solid

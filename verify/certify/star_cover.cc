@@ -128,23 +128,33 @@ class CoverSearch {
       if (box_of(id) == StarCover::kNone) box_of(id) = number;
   }
 
-  // Walks start at boxes with one sheet. Where there are others, each shell gets a small one at the place where it
-  // reaches farthest along x: there the shells of a thin wall are near each other.
+  // Walks start at boxes with one sheet. Where there are boxes with several, each shell gets a small one at the place
+  // where it reaches farthest along x: there the shells of a thin wall are near each other. So does a shell that mesh
+  // boxes cover alone.
   void add_boxes_for_walks() {
     const auto& boxes = out_.boxes;
-    if (std::all_of(boxes.begin(), boxes.end(),
-                    [](const CoverBox& b) { return b.is_mesh || b.has_one_sheet(); }))
+    const bool have_several = std::any_of(boxes.begin(), boxes.end(), [](const CoverBox& b) {
+      return !b.is_mesh && !b.has_one_sheet();
+    });
+    if (!have_several &&
+        std::none_of(boxes.begin(), boxes.end(), [](const CoverBox& b) { return b.is_mesh; }))
       return;
     const PatchComplex& complex = forest_.complex();
+    std::vector<bool> has_start(complex.shells().size());
     std::vector<Id> farthest(complex.shells().size(), PieceForest::kNone);
     for (Id id = 0; id < out_.box_of_node.size(); ++id) {
       if (out_.box_of_node[id] == StarCover::kNone) continue;
-      Id& best = farthest[complex.shell(forest_.node(id).patch)];
+      const std::uint32_t shell = complex.shell(forest_.node(id).patch);
+      if (!have_several && boxes[out_.box_of_node[id]].has_one_sheet() &&
+          !is_covered(forest_.node(id).parent))
+        has_start[shell] = true;
+      Id& best = farthest[shell];
       if (best == PieceForest::kNone || forest_.node(id).hull.hi[0] > forest_.node(best).hull.hi[0])
         best = id;
     }
-    for (const Id id : farthest)
-      if (id != PieceForest::kNone) add_box_for_walks(id);
+    for (std::size_t shell = 0; shell < farthest.size(); ++shell)
+      if (farthest[shell] != PieceForest::kNone && !has_start[shell])
+        add_box_for_walks(farthest[shell]);
   }
   // Descends from a leaf to its farthest part until that has a box with one sheet; its other parts keep theirs.
   void add_box_for_walks(Id id) {

@@ -114,6 +114,7 @@ class WalkSearch {
       bool outside;
       std::uint8_t direction;
     };
+    if (boxes_of_shell_[shell].empty()) return false;
     std::vector<Start> starts;
     for (std::uint8_t direction = 0; direction < 6; ++direction) {
       const std::size_t k = direction / 2;

@@ -163,7 +163,8 @@ class PieceForest {
   /// What doubles know of side_of.
   struct RoundedSide {
     Sign3 sign = Sign3::kUncertain;
-    bool may_be_weak = true;  ///< false: coefficients surely differ in sign, or the rule on collapsed sides fails
+    bool may_be_weak =
+        true;  ///< false: coefficients surely differ in sign, or the rule on collapsed sides fails
   };
   RoundedSide rounded_side_of(Id id, const Point3d& c);
   Sign3 exact_side_of(Id id, const Point3d& c);

@@ -17,7 +17,9 @@ Vec cross(const Vec& a, const Vec& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 bool is_zero(const Rational& a) { return a.sign() == Sign::kZero; }
-bool is_zero(const Vec& a) { return std::all_of(a.begin(), a.end(), [](const Rational& x) { return is_zero(x); }); }
+bool is_zero(const Vec& a) {
+  return std::all_of(a.begin(), a.end(), [](const Rational& x) { return is_zero(x); });
+}
 
 Vec point(const Patch& patch, std::size_t at) {
   return {patch.component(0)[at], patch.component(1)[at], patch.component(2)[at]};

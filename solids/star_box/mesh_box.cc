@@ -94,7 +94,9 @@ struct Facet {
 constexpr std::uint64_t kDiagonal = std::uint64_t{1} << 32;  // above the numbers of edges
 
 void append_facets(const PatchComplex& complex, std::uint32_t patch, std::vector<Facet>* out) {
-  const auto edge = [&](std::uint32_t side) -> std::uint64_t { return complex.edge({patch, side}); };
+  const auto edge = [&](std::uint32_t side) -> std::uint64_t {
+    return complex.edge({patch, side});
+  };
   if (complex.patch(patch).is_triangle())
     return out->push_back({patch, {0, 1, 2}, {edge(0), edge(1), edge(2)}});
   const std::uint64_t diagonal = kDiagonal + patch;

@@ -14,9 +14,9 @@ namespace veritope {
 
 /// The patches that meet the closed box, if all of them are among the flat ones, and any two of their triangles (a flat
 /// tensor patch is two, cut along the diagonal from its corner 0) meet exactly in their common vertex or edge of X, or
-/// not at all if they have no vertex in common. They are taken whole, however long and thin they are. Nothing otherwise,
-/// or if more than `most` triangles meet the box, if one has no normal, or if a patch that is not flat cannot be shown
-/// to miss the box. Box in the forest's coordinates.
+/// not at all if they have no vertex in common. They are taken whole, however long and thin they are. The result is
+/// empty in all other cases: also if more than `most` triangles meet the box, if one has no normal, or if a patch that
+/// is not flat cannot be shown to miss the box. Box in the forest's coordinates.
 /// @cost for a pair of triangles: some 20 separating axes in intervals, in rationals where intervals do not decide
 std::optional<std::vector<std::uint32_t>> mesh_box_patches(PieceForest& forest, FlatPatches& flat,
                                                            const Box3d& box, std::size_t most);

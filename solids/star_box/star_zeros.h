@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/star_box/star_zeros.h: S1 for patches whose normals are zero in corners or along sides, or whose tangent planes
-// there pass through a centre. Theory: docs/THEORY.md, STAR-5. The conditions: docs/certificates/star-box-2.md, section 4.
+// solids/star_box/star_zeros.h: S1 for patches whose normals are zero in corners or along sides, or whose tangent
+// planes there pass through a centre. Theory: docs/THEORY.md, STAR-5. The conditions: docs/certificates/star-box-2.md,
+// section 4.
 #pragma once
 #include "solids/pieces/crossing_number.h"
 #include "solids/pieces/piece_forest.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "models/thin_shapes.h"
@@ -55,7 +56,8 @@ TEST(ZeroCover, OfBentCapsAndBars) {
   expect_valid(sheared(zero_shapes::repeated_points_bar(), shear), Boxes::kWithZeros, "a bent bar");
 }
 TEST(ZeroCover, OfARoundSectionThatFoldsIsNone) {
-  expect_not_valid(zero_shapes::round_prism_with_middle_at(ratio(4)), "a cap that leaves its border");
+  expect_not_valid(zero_shapes::round_prism_with_middle_at(ratio(4)),
+                   "a cap that leaves its border");
 }
 
 TEST(ZeroCover, OfAThinRoundPlateInFrames) {
@@ -98,10 +100,23 @@ TEST(MeshCover, OfTurnedBlocks) {
 // Mesh boxes cover all of the surface, and walks start at star boxes.
 TEST(MeshCover, OfThinTurnedBlocksHasABoxForWalks) {
   const Rational one(1), zero;
-  const AffineMap flatten{3, 3, {one, zero, zero, zero, one, zero, zero, zero, ratio(1, 1024)},
-                          {zero, zero, zero}};
+  const AffineMap flatten{
+      3, 3, {one, zero, zero, zero, one, zero, zero, zero, ratio(1, 1024)}, {zero, zero, zero}};
   const Patches thin = affine_image(zero_shapes::four_blocks(), flatten).value();
   expect_valid(thin_shapes::turned(thin), Boxes::kFlatMesh, "thin and turned");
+}
+
+// A walk that started at a mesh box would start at the origin, whatever lies there.
+TEST(MeshCover, AloneHasNoWalks) {
+  const PatchComplex complex = make_patch_complex(zero_shapes::four_blocks()).value();
+  std::optional<PieceForest> forest;
+  PatchDecisionOptions options;
+  options.with_frames = true;
+  PatchDecision decision = decide_patches(complex, options, &forest);
+  ASSERT_TRUE(decision.is_valid);
+  EXPECT_TRUE(find_shell_walks(*forest, decision.cover).missing.empty());
+  for (CoverBox& box : decision.cover.boxes) box.is_mesh = true;
+  EXPECT_EQ(find_shell_walks(*forest, decision.cover).missing.size(), 1u);
 }
 
 TEST(MeshCover, OfAFlatFoldedFaceIsNone) {

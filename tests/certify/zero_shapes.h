@@ -49,8 +49,8 @@ inline Patch wall(const std::vector<std::array<Rational, 2>>& curve, const Ratio
 inline Patches round_prism(bool is_bicubic = false) {
   const auto P = [](int x, int y, int z) { return Point{ratio(x), ratio(y), ratio(z)}; };
   Patches out{polynomial(2, 2,
-                         {P(1, 0, 1), P(1, -1, 1), P(0, -1, 1), P(1, 1, 1), P(0, 0, 1), P(-1, -1, 1),
-                          P(0, 1, 1), P(-1, 1, 1), P(-1, 0, 1)}),
+                         {P(1, 0, 1), P(1, -1, 1), P(0, -1, 1), P(1, 1, 1), P(0, 0, 1),
+                          P(-1, -1, 1), P(0, 1, 1), P(-1, 1, 1), P(-1, 0, 1)}),
               polynomial(2, 2,
                          {P(1, 0, -1), P(1, 1, -1), P(0, 1, -1), P(1, -1, -1), P(0, 0, -1),
                           P(-1, 1, -1), P(0, -1, -1), P(-1, -1, -1), P(-1, 0, -1)})};
@@ -94,7 +94,9 @@ inline Patches revolved(const std::vector<std::vector<std::array<int, 2>>>& prof
 /// A spike: its tip is a pole at which all meridians touch the axis.
 inline Patches cusp_tip() { return revolved({{{0, -1}, {1, -1}}, {{1, -1}, {0, 0}, {0, 1}}}); }
 /// A lens whose two sides touch each other along its rim.
-inline Patches cusp_edge() { return revolved({{{0, -1}, {1, 0}, {2, 0}}, {{2, 0}, {1, 0}, {0, 1}}}); }
+inline Patches cusp_edge() {
+  return revolved({{{0, -1}, {1, 0}, {2, 0}}, {{2, 0}, {1, 0}, {0, 1}}});
+}
 
 /// The bar [-1, 1] x [0, 1] x [0, 1] whose long faces are cut along x, with these control points of x in each part. If
 /// two are equal where parts meet, normals are zero there.
@@ -139,7 +141,8 @@ inline Patches quad_prism(const std::array<std::array<Rational, 2>, 4>& c) {
   const auto at = [&](std::size_t i, int z) { return Point{c[i][0], c[i][1], ratio(z)}; };
   out.push_back(polynomial(1, 1, {at(0, 1), at(3, 1), at(1, 1), at(2, 1)}));
   out.push_back(polynomial(1, 1, {at(0, 0), at(1, 0), at(3, 0), at(2, 0)}));
-  for (std::size_t i = 0; i < 4; ++i) out.push_back(wall({c[i], c[(i + 1) % 4]}, ratio(0), ratio(1)));
+  for (std::size_t i = 0; i < 4; ++i)
+    out.push_back(wall({c[i], c[(i + 1) % 4]}, ratio(0), ratio(1)));
   return out;
 }
 
@@ -147,7 +150,7 @@ inline Patches quad_prism(const std::array<std::array<Rational, 2>, 4>& c) {
 inline Patches four_blocks() {
   return patch_shapes::blocks({{1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 1}});
 }
-/// The same, with faces as biquadratic patches whose middle control points are moved by `by` in their planes.
+/// Those cubes with faces as biquadratic patches whose middle control points are moved by `by` in their planes.
 inline Patches four_bent_blocks(const Rational& by) {
   Patches out;
   for (const Patch& face : four_blocks()) {

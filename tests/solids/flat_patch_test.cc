@@ -52,8 +52,10 @@ TEST(FlatPatch, LeavesNoPlane) {
       with_point(elevated_patch(square()), 4, {ratio(1), ratio(1), ratio(3) + ratio(1, 1 << 30)})));
 }
 TEST(FlatPatch, HasStraightSides) {
-  EXPECT_FALSE(is_flat_patch(with_point(elevated_patch(square()), 1, on_plane(ratio(-1, 8), ratio(1)))));
-  EXPECT_FALSE(is_flat_patch(with_point(elevated_patch(square()), 1, on_plane(ratio(1, 8), ratio(1)))));
+  EXPECT_FALSE(
+      is_flat_patch(with_point(elevated_patch(square()), 1, on_plane(ratio(-1, 8), ratio(1)))));
+  EXPECT_FALSE(
+      is_flat_patch(with_point(elevated_patch(square()), 1, on_plane(ratio(1, 8), ratio(1)))));
 }
 TEST(FlatPatch, IsStrictlyConvex) {
   EXPECT_FALSE(is_flat_patch(quad(on_plane(0, 0), on_plane(2, 0), on_plane(1, 1), on_plane(0, 2))));
@@ -69,8 +71,10 @@ TEST(FlatPatch, DoesNotFoldInItsPlane) {
 }
 TEST(FlatPatch, IsPolynomial) {
   const Rational zero, one(1);
-  const std::vector<zero_shapes::HomogeneousPoint> points{
-      {zero, zero, zero, one}, {zero, one, zero, one}, {one, zero, zero, one}, {one, one, zero, one}};
+  const std::vector<zero_shapes::HomogeneousPoint> points{{zero, zero, zero, one},
+                                                          {zero, one, zero, one},
+                                                          {one, zero, zero, one},
+                                                          {one, one, zero, one}};
   EXPECT_FALSE(is_flat_patch(zero_shapes::rational(1, 1, points)));
 }
 TEST(FlatPatch, MayBeATriangle) {
@@ -80,9 +84,8 @@ TEST(FlatPatch, MayBeATriangle) {
     std::vector<Rational> values;
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<Rational> component(num_triangle_coefficients(3));
-      for_each_triangle_index(3, [&](int, int j, int l) {
-        component[triangle_index(j, l)] = on_plane(j, l)[k];
-      });
+      for_each_triangle_index(
+          3, [&](int, int j, int l) { component[triangle_index(j, l)] = on_plane(j, l)[k]; });
       component[triangle_index(1, 1)] = middle[k];
       values.insert(values.end(), component.begin(), component.end());
     }

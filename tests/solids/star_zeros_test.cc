@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// S1 with zeros, one condition after the other: beside each lie that only one condition refuses, a neighbour that holds.
+// S1 with zeros, one condition after the other: beside each lie that only one condition refuses stands a neighbour for
+// which it holds.
 #include "solids/star_box/star_zeros.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +73,8 @@ TEST(StarZeros, LieOnSidesOfPatchesOnly) {
   EXPECT_TRUE(cut.holds(cut.root(4), inside, outside));
   const PieceForest::Id top = whole.root(0), first = whole.forest().children(top);
   EXPECT_FALSE(whole.holds(top, inside, outside));
-  for (PieceForest::Id k = 0; k < 4; ++k) EXPECT_FALSE(whole.holds(first + k, inside, outside)) << k;
+  for (PieceForest::Id k = 0; k < 4; ++k)
+    EXPECT_FALSE(whole.holds(first + k, inside, outside)) << k;
   // Beside that line nothing is zero.
   EXPECT_TRUE(whole.holds(whole.forest().children(first), inside, outside));
 }
@@ -82,7 +84,8 @@ Patches parabola_prism() {
   using zero_shapes::wall;
   const Rational zero, half = ratio(1, 2), one(1);
   Patches out{wall({{zero, zero}, {half, zero}, {one, one}}, zero, one),
-              wall({{one, one}, {zero, one}}, zero, one), wall({{zero, one}, {zero, half}}, zero, one),
+              wall({{one, one}, {zero, one}}, zero, one),
+              wall({{zero, one}, {zero, half}}, zero, one),
               wall({{zero, half}, {zero, zero}}, zero, one)};
   for (const bool is_upper : {true, false}) {
     std::vector<PatchPoint> points;

@@ -115,9 +115,9 @@ bool BoxSearch::try_mesh() {
   if (!is_inside(hull, mesh.star.box)) return false;
   const auto patches = mesh_box_patches(forest_, flat_, mesh.star.box, kMostTriangles);
   if (!patches) return false;
-  mesh.needs_version_2 =
-      !std::all_of(patches->begin(), patches->end(),
-                   [&](std::uint32_t p) { return complex.patch(p).is_flat_triangle(); });
+  mesh.needs_version_2 = !std::all_of(patches->begin(), patches->end(), [&](std::uint32_t p) {
+    return complex.patch(p).is_flat_triangle();
+  });
   box_ = mesh;
   held_.clear();
   const std::uint32_t common = complex.vertex({forest_.node(piece_).patch, corner});

@@ -89,11 +89,13 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
   return true;
 }
 
-// Maximises the depth t in the half-spaces that are not at_border; the others are met up to kBorder. Returns x, y, z, t.
+// Maximises the depth t in the half-spaces that are not at_border; the others are met up to kBorder. Returns x, y, z
+// and t.
 constexpr double kBorder = 1e-9;
 constexpr int kMostRounds = 60;
 std::optional<std::array<double, kDimension>> deepest_beside_borders(
-    const std::vector<HalfSpace>& half_spaces, const std::vector<bool>& at_border, Program program) {
+    const std::vector<HalfSpace>& half_spaces, const std::vector<bool>& at_border,
+    Program program) {
   std::array<double, kDimension> x{};
   for (int i = 0; i < kDimension; ++i)
     x[i] = i < 3 ? 0.5 * (program.lo[i] + program.hi[i]) : program.hi[i];
@@ -151,8 +153,8 @@ std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spa
 }
 
 // Half-spaces that stop the depth at 0 are met at their borders, one group after the other.
-std::optional<DeepestPointOrZeros> deepest_point_or_zeros(
-    const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough) {
+std::optional<DeepestPointOrZeros> deepest_point_or_zeros(const std::vector<HalfSpace>& half_spaces,
+                                                          const Box3d& box, double enough) {
   constexpr int kMostGroups = 6;
   const Program program = program_in(box);
   std::vector<bool> at_border(half_spaces.size());

@@ -63,8 +63,7 @@ bool is_of_orientation(const PatchRefutation& refutation) {
 std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
   const bool is_2 = decision.cover.needs_version_2();
   if (!decision.refutation && has_collar) return certificate::kCollarClaim;
-  if (!decision.refutation)
-    return is_2 ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
+  if (!decision.refutation) return is_2 ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
   if (!std::holds_alternative<ReversedShell>(*decision.refutation))
     return certificate::kPatchInvalidClaim;
   return is_2 ? certificate::kReversedShell2Claim : certificate::kReversedShellClaim;
@@ -176,7 +175,8 @@ class Certification {
     internal::enter(Phase::kSeekingCollar, options_);
     if (decision().cover.needs_version_2())
       collar_.open = why("no-collar",
-                         "the star boxes need version 2 of their certificate, and collars have version 1: walls are "
+                         "the star boxes need version 2 of their certificate, and collars have "
+                         "version 1: walls are "
                          "thin, or normals are zero somewhere");
     else if (decided_.forest->frame().is_plain())
       collar_ = find_patch_collar(*decided_.forest, decision().cover);

@@ -49,8 +49,8 @@ bool ZeroSearch::touches_side(Id id) const {
   return false;
 }
 
-// Centres that the pieces allow, if coefficients may be zero. A coefficient that no centre can make positive is zero for
-// all centres, or the proof fails.
+// Centres that the pieces allow, if coefficients may be zero. A coefficient that does not depend on the centre is zero,
+// or the proof fails.
 bool ZeroSearch::solve(const std::vector<Id>& pieces) {
   const Box3d& box = box_.star.box;
   const Point3d m = approx_centre(box);

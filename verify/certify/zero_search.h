@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/zero_search.h: a star box around one piece at which S1 holds with zeros only: normals are zero in a
-// corner or along a side, or both centres must lie in a tangent plane. Searched in floating point, proved with integers.
-// Theory: docs/THEORY.md, STAR-5.
+// corner or along a side, or both centres must lie in a tangent plane. Searched in floating point, proved with
+// integers. Theory: docs/THEORY.md, STAR-5.
 #pragma once
 #include <optional>
 #include <vector>
@@ -35,7 +35,7 @@ class ZeroSearch {
   CoverBox box_;
   std::vector<Id> near_, held_;
   std::vector<HalfSpace> half_spaces_;
-  bool has_zeros_ = false;      // some half-spaces are met without a margin, or by no centre
+  bool has_zeros_ = false;        // some half-spaces are met without a margin, or by no centre
   Point3d inside_{}, outside_{};  // before they are rounded
 };
 

@@ -78,6 +78,7 @@ bool BoxSearch::try_piece(Id id) {
   tested_.assign(1, id);
   held_.clear();
   num_near_ = 1;
+  may_have_zeros_ = is_marginal_ = false;
   obstacle_.reset();
   const Box3d hull = forest_.node(id).hull;
   // Coordinates are at most 1; a hull is longer where weights are not known to be positive.
@@ -91,6 +92,7 @@ bool BoxSearch::try_piece(Id id) {
     return fail(Why::kTooFine);
   }
   if (try_star()) return true;
+  may_have_zeros_ = is_marginal_;
   const Why why_of_cube = why_;
   return try_cut_star() || try_mesh() || fail(why_of_cube);
 }
@@ -265,14 +267,24 @@ BoxSearch::Centres BoxSearch::solve_centres(std::size_t most) {
   bool has_all = true;
   for (const Id id : tested_)
     has_all = append_half_spaces(forest_, id, {m, scale_}, most, &half_spaces_) && has_all;
-  const auto inside = deepest_point(half_spaces_, room, enough);
-  if (!inside) return Centres::kNone;
+  double bound = 0;
+  const auto inside = deepest_point(half_spaces_, room, enough, &bound);
+  if (!inside) return no_centres(bound);
   box_.star.inside = on_grid_near(inside->point);
   for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
-  const auto outside = deepest_point(half_spaces_, room, enough);
-  if (!outside) return Centres::kNone;
+  const auto outside = deepest_point(half_spaces_, room, enough, &bound);
+  if (!outside) return no_centres(bound);
   box_.star.outside = on_grid_near(outside->point);
   return has_all ? Centres::kAllConditions : Centres::kSomeConditions;
+}
+
+// Notes whether centres fail at borders of half-spaces only, or at normals that are zero.
+BoxSearch::Centres BoxSearch::no_centres(double bound) {
+  is_marginal_ = bound > -kBorderDepth ||
+                 std::any_of(half_spaces_.begin(), half_spaces_.end(), [](const HalfSpace& h) {
+                   return h.a[0] == 0 && h.a[1] == 0 && h.a[2] == 0;
+                 });
+  return Centres::kNone;
 }
 
 // Converts a point of the linear programs, (c - m) / scale_, to c on the box's grid: the nearest grid point or, if that

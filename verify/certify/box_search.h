@@ -30,6 +30,8 @@ class BoxSearch {
   /// After try_piece returned false: why.
   UncoveredPiece::Why why() const { return why_; }
   const Obstacle& obstacle();
+  /// Whether centres in the cube may exist for S1 with zeros.
+  bool may_have_zeros() const { return may_have_zeros_; }
   /// The number of pieces near it; 1, the piece itself, if even the piece alone has no centres.
   std::size_t num_looked_at() const { return num_near_; }
 
@@ -54,6 +56,7 @@ class BoxSearch {
   bool search_centres();
   enum class Centres { kNone, kSomeConditions, kAllConditions };
   Centres solve_centres(std::size_t most);
+  Centres no_centres(double bound);
   Point3d on_grid_near(Point3d point) const;
 
   PieceForest& forest_;
@@ -64,6 +67,8 @@ class BoxSearch {
   Point3d scale_{};  ///< lengths that count as 1 in the linear programs
   std::vector<Id> tested_, held_;
   std::size_t num_near_ = 0;
+  bool may_have_zeros_ = false;
+  bool is_marginal_ = false;  // no centres were found in the last half-spaces, by a hair
   std::optional<Obstacle> obstacle_;
   UncoveredPiece::Why why_ = UncoveredPiece::Why::kNoCentres;
   std::vector<HalfSpace> half_spaces_;

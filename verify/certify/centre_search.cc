@@ -89,9 +89,8 @@ bool solve(const Program& program, const std::vector<Row>& rows, std::size_t num
   return true;
 }
 
-// Maximises the depth t in the half-spaces that are not at_border; the others are met up to kBorder. Returns x, y, z
-// and t.
-constexpr double kBorder = 1e-9;
+// Maximises the depth t in the half-spaces that are not at_border; the others are met up to kBorderDepth. Returns x, y,
+// z and t.
 constexpr int kMostRounds = 60;
 std::optional<std::array<double, kDimension>> deepest_beside_borders(
     const std::vector<HalfSpace>& half_spaces, const std::vector<bool>& at_border,
@@ -101,20 +100,20 @@ std::optional<std::array<double, kDimension>> deepest_beside_borders(
     x[i] = i < 3 ? 0.5 * (program.lo[i] + program.hi[i]) : program.hi[i];
   std::vector<Row> rows;
   for (int round = 0; round < kMostRounds; ++round) {
-    double most = std::max(0.1 * x[3], 0.25 * kBorder);  // the greatest violation
+    double most = std::max(0.1 * x[3], 0.25 * kBorderDepth);  // the greatest violation
     std::optional<Row> worst;
     for (std::size_t i = 0; i < half_spaces.size(); ++i) {
       const HalfSpace& h = half_spaces[i];
       const double value = h.a[0] * x[0] + h.a[1] * x[1] + h.a[2] * x[2] + h.b;
-      const double violation = (at_border[i] ? -kBorder : x[3]) - value;
+      const double violation = (at_border[i] ? -kBorderDepth : x[3]) - value;
       if (!(violation > most)) continue;
       most = violation;
-      worst = at_border[i] ? Row{h.a[0], h.a[1], h.a[2], 0, h.b + kBorder}
+      worst = at_border[i] ? Row{h.a[0], h.a[1], h.a[2], 0, h.b + kBorderDepth}
                            : Row{h.a[0], h.a[1], h.a[2], -1, h.b};
     }
     if (!worst) return x;
     rows.push_back(*worst);
-    if (!solve(program, rows, rows.size(), x.data()) || x[3] < -kBorder) return std::nullopt;
+    if (!solve(program, rows, rows.size(), x.data()) || x[3] < -kBorderDepth) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -129,12 +128,13 @@ double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& poi
 }
 
 std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
-                                          const Box3d& box, double enough) {
+                                          const Box3d& box, double enough, double* bound) {
   constexpr int kMaxRounds = 40;
   const Program program = program_in(box);
   const Point3d centre = approx_centre(box);
   double x[kDimension] = {centre[0], centre[1], centre[2], program.hi[3]};
   std::vector<Row> rows;
+  if (bound != nullptr) *bound = program.hi[3];
   for (int round = 0; round < kMaxRounds; ++round) {
     double worst = x[3];
     const HalfSpace* worst_one = nullptr;
@@ -147,7 +147,9 @@ std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spa
       return DeepestPoint{{x[0], x[1], x[2]}, worst};
     }
     rows.push_back({worst_one->a[0], worst_one->a[1], worst_one->a[2], -1, worst_one->b});
-    if (!solve(program, rows, rows.size(), x) || !(x[3] > enough)) return std::nullopt;
+    const bool is_solved = solve(program, rows, rows.size(), x);
+    if (bound != nullptr) *bound = is_solved ? x[3] : 0;
+    if (!is_solved || !(x[3] > enough)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -163,9 +165,9 @@ std::optional<DeepestPointOrZeros> deepest_point_or_zeros(const std::vector<Half
     if (!x) return std::nullopt;
     const Point3d point{(*x)[0], (*x)[1], (*x)[2]};
     if ((*x)[3] > enough) return DeepestPointOrZeros{point, group > 0};
-    if ((*x)[3] > kBorder) return std::nullopt;
+    if ((*x)[3] > kBorderDepth) return std::nullopt;
     for (std::size_t i = 0; i < half_spaces.size(); ++i)
-      if (least_depth({half_spaces[i]}, point) < 2 * kBorder) at_border[i] = true;
+      if (least_depth({half_spaces[i]}, point) < 2 * kBorderDepth) at_border[i] = true;
   }
   return std::nullopt;
 }

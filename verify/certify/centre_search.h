@@ -21,18 +21,22 @@ struct HalfSpace {
 double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& point);
 
 /// The point of the box whose least a·x + b is greatest, and that least value; approximate, and returned only if it
-/// exceeds `enough`. Half-spaces are added when a candidate violates them. @cost O(m) a round for m half-spaces,
-/// usually a few rounds
+/// exceeds `enough`. Half-spaces are added when a candidate violates them. *bound becomes a depth that no point exceeds.
+/// @cost O(m) a round for m half-spaces, usually a few rounds
 struct DeepestPoint {
   Point3d point;
   double depth;
 };
 std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spaces,
-                                          const Box3d& box, double enough);
+                                          const Box3d& box, double enough,
+                                          double* bound = nullptr);
+
+/// Half-spaces that exclude each other by no more than this may have common points at their borders.
+inline constexpr double kBorderDepth = 1e-9;
 
 /// As deepest_point, but for half-spaces of which some can be met at their borders only, by no point with a margin: all
-/// others are met with the margin `enough`. Nothing if half-spaces exclude each other by more than 1e-9, or if the
-/// greatest margin of all half-spaces lies between 1e-9 and `enough`.
+/// others are met with the margin `enough`. Nothing if half-spaces exclude each other by more than kBorderDepth, or if
+/// the greatest margin of all half-spaces lies between kBorderDepth and `enough`.
 struct DeepestPointOrZeros {
   Point3d point;
   bool has_zeros = false;  ///< whether some half-spaces are met at their borders

@@ -81,7 +81,7 @@ class CoverSearch {
       VT_CHECK(box_of(id) != StarCover::kNone, "a box does not cover the piece it was made for");
       return;
     }
-    if (options_.with_frames && zeros_.try_piece(id)) {
+    if (options_.with_frames && search_.may_have_zeros() && zeros_.try_piece(id)) {
       accept(zeros_.box(), zeros_.held());
       return;
     }

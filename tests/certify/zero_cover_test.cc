@@ -88,7 +88,7 @@ TEST(MeshCover, OfBlocksWithFacesOfAnyDegree) {
   expect_valid(zero_shapes::four_blocks(), Boxes::kFlatMesh, "bilinear");
   for (const Rational& by : {ratio(0), ratio(1, 8)})
     expect_valid(zero_shapes::four_bent_blocks(by), Boxes::kFlatMesh,
-                 "biquadratic, by " + to_string(by));
+                 "biquadratic, by " + by.to_string());
   expect_not_valid(zero_shapes::four_bent_blocks(ratio(2)), "folded in their planes");
 }
 

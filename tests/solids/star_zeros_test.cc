@@ -19,7 +19,8 @@ using zero_shapes::ratio;
 class Model {
  public:
   explicit Model(Patches patches)
-      : complex_(complex_of(std::move(patches))), forest_(PieceForest::make(complex_).value()) {}
+      : complex_(complex_of(std::move(patches))),
+        forest_(PieceForest::make(complex_, PieceForest::FrameChoice::kWhole).value()) {}
 
   PieceForest& forest() { return forest_; }
   /// For centres in the model's coordinates.
@@ -72,6 +73,7 @@ TEST(StarZeros, LieOnSidesOfPatchesOnly) {
   EXPECT_TRUE(cut.holds(cut.root(0), inside, outside));
   EXPECT_TRUE(cut.holds(cut.root(4), inside, outside));
   const PieceForest::Id top = whole.root(0), first = whole.forest().children(top);
+  ASSERT_EQ(whole.forest().form(0).num_roots, 1u);
   EXPECT_FALSE(whole.holds(top, inside, outside));
   for (PieceForest::Id k = 0; k < 4; ++k)
     EXPECT_FALSE(whole.holds(first + k, inside, outside)) << k;

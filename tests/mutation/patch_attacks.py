@@ -9,6 +9,7 @@ accepted.  Run
 
     python3 tests/mutation/patch_attacks.py --count 100000 --seed 1 --checker PATH_TO_veritope-check
 """
+import random
 import sys
 import time
 
@@ -16,6 +17,7 @@ import attacks
 import collar_liars
 import invalid_liars
 import patch_liars
+import sheet_conditions
 import sheet_liars
 
 CONDITIONS = ["B2", "B3", "P1", "C1", "C2", "C3", "C4", "W1", "W2", "W3", "K0", "K1E", "K1V", "K2", "K3", "I1", "I2", "I3", "I4",
@@ -38,8 +40,11 @@ def subjects(found):
 
 
 def draw(rng):
+    """Half of the attacks are of version 2."""
     r = rng.random()
-    return patch_liars.star_attacks if r < .3 else sheet_liars.sheet_attacks if r < .6 else invalid_liars.invalid_attacks if r < .95 else collar_liars.collar_attacks
+    if r < .25:
+        return patch_liars.star_attacks
+    return sheet_liars.sheet_attacks if r < .75 else invalid_liars.invalid_attacks if r < .97 else collar_liars.collar_attacks
 
 
 def honest(rng):
@@ -57,16 +62,54 @@ def honest(rng):
         yield "collar", made.model, made.certificate()
 
 
+TRIED = .1                                                # of the attacks of version 2: is a part of a condition needed?
+KINDS = {make.__name__: make for make in (patch_liars.star_attacks, sheet_liars.sheet_attacks, invalid_liars.invalid_attacks, collar_liars.collar_attacks)}
+
+
 class Run(attacks.Run):
     conditions, implied = CONDITIONS, IMPLIED
 
-    @staticmethod
-    def attacks(rng):
-        return subjects(draw(rng)(rng))
+    def __init__(self, options):
+        super().__init__(options)
+        self.order = random.Random(options.seed)          # which attacks the Python checker judges
+
+    def attacks(self, rng):
+        kind = self.options.only or draw(rng).__name__
+        return subjects(KINDS[kind](rng))
+
+    def attack(self, name, case, cert, seed):
+        is_new = sheet_conditions.is_new(cert)
+        self.seen["2" if is_new else "rest"] += 1
+        if self.options.checker and self.order.random() >= self.options.python_share:
+            code, message = self.native.check(case.bytes, cert)
+            found = attacks.condition_of(code, message)
+            if code != 1:
+                self.fail("FALSE CLAIM ACCEPTED" if code == 0 else message, case.bytes, cert, seed, name)
+            self.table[name, found] += 1
+            return
+        self.seen["2 by python" if is_new else "rest by python"] += 1
+        super().attack(name, case, cert, seed)
+
+    @property
+    def seen(self):
+        """Counts of attacks by versions and judges, beside those of needed conditions."""
+        return self.alone
+
+    def both(self, case, cert, seed, name):
+        found = super().both(case, cert, seed, name)
+        if sheet_conditions.is_new(cert) and self.order.random() < TRIED:
+            sheet_conditions.needed(self.py._check, case.bytes, cert, found, self.alone, 2)
+        return found
 
     @staticmethod
     def honest_certificates(rng):
         return subjects(honest(rng))
+
+
+def print_parts(alone):
+    print("needed alone in version 2:")
+    for name in sheet_conditions.NAMES:
+        print("  %-24s %4s  %s" % (name[2:], alone.get(name) or "", "" if alone.get(name) else sheet_conditions.UNCOVERED.get(name, "NOT COVERED")))
 
 
 def missing_conditions(alone):
@@ -85,6 +128,9 @@ def by_lie(table):
 def figures(table, alone, honest_found, failures, seconds, options):
     yield "patch_attacks", sum(table.values()), options.count
     yield "patch_attacks_stopped_by_S_or_B1", sum(n for (_, c), n in table.items() if c in attacks.UNCOUNTED), None
+    yield "patch_attacks_of_version_2", alone.get("2", 0), options.count // 2 if not options.only else options.count
+    yield "patch_attacks_of_version_2_judged_by_python", alone.get("2 by python", 0), options.count // 5
+    yield "patch_parts_of_version_2_needed_alone", len(sheet_conditions.NAMES) - len(sheet_conditions.missing(alone)), len(sheet_conditions.NAMES) - len(sheet_conditions.UNCOVERED)
     yield "patch_attack_strategies", len({n for n, _ in table}), 100
     yield "patch_attacks_accepted", sum(n for (_, c), n in table.items() if c == "ACCEPT"), 0
     yield "patch_checker_disagreements", sum("disagree" in f for f in failures), 0
@@ -100,6 +146,7 @@ def main(argv):
     options, start = attacks.parse(argv), time.monotonic()
     table, alone, honest_found, failures = attacks.run_all(options, Run)
     attacks.print_table(by_lie(table), alone, CONDITIONS)
+    print_parts(alone)
     return attacks.report(failures, figures(table, alone, honest_found, failures, time.monotonic() - start, options),
                           missing_conditions(alone) if sum(table.values()) >= 20000 else ())
 

@@ -757,8 +757,8 @@ def parse(argv):
     a.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     a.add_argument("--honest", type=int, default=1000)
     a.add_argument("--seconds", type=float, default=0, help="stop after so long, if not 0")
-    a.add_argument("--only", default="", help="one kind of attacks of patch_attacks.py, such as sheet_attacks")
-    a.add_argument("--python-share", type=float, default=1, help="the part of the attacks of patch_attacks.py that the Python checker judges, too")
+    a.add_argument("--only", default="", help="one kind of cases: sheet_attacks, ... of patch_attacks.py, sheets of patch_differential.py")
+    a.add_argument("--python-share", type=float, default=1, help="of the attacks of patch_attacks.py: the Python checker judges this part, too")
     a.add_argument("--save", default="mutation-failures")
     return a.parse_args(argv)
 

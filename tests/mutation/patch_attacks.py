@@ -62,7 +62,7 @@ def honest(rng):
         yield "collar", made.model, made.certificate()
 
 
-TRIED = .1                                                # of the attacks of version 2: is a part of a condition needed?
+TRIED = .05                                               # of the attacks of version 2: is a part of a condition needed?
 KINDS = {make.__name__: make for make in (patch_liars.star_attacks, sheet_liars.sheet_attacks, invalid_liars.invalid_attacks, collar_liars.collar_attacks)}
 
 

@@ -172,9 +172,23 @@ def bent_cases(rng):
             yield "bent_" + lie.__name__, *sheet_liars.encoded(new)
 
 
-def certificate_cases(rng):
-    if rng.random() < .2:
+def sheet_cases(rng):
+    """Bodies of version 2, honest or not: bent, damaged in some bytes."""
+    if rng.random() < .5:
         yield from bent_cases(rng)
+        return
+    if rng.random() < .6:
+        plan = sheet_liars.sound(rng)
+    else:
+        plan = sheet_liars.sheet_models.false_model(rng)[1]
+    model, cert = sheet_liars.encoded(plan)
+    for _ in range(12):
+        yield "damaged_sheets", model, damaged_certificate(cert, rng)
+
+
+def certificate_cases(rng):
+    if rng.random() < .4:
+        yield from sheet_cases(rng)
         return
     kind = patch_attacks.honest if rng.random() < .6 else patch_attacks.draw(rng)
     found = list(kind(rng))
@@ -221,7 +235,8 @@ def cases(rng):
 
 
 class Run(attacks.Run):
-    attacks = staticmethod(cases)
+    def attacks(self, rng):
+        return sheet_cases(rng) if self.options.only == "sheets" else cases(rng)
 
     def attack(self, name, case, cert, seed):
         """case: the model's bytes."""

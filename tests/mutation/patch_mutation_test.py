@@ -17,6 +17,8 @@ import mutation_test                                      # noqa: E402
 import patch_attacks                                      # noqa: E402
 import patch_differential                                 # noqa: E402
 import patch_liars as star                                # noqa: E402
+import sheet_conditions as parts                          # noqa: E402
+import sheet_liars as sheets                              # noqa: E402
 
 
 def bent(make, most=99):
@@ -59,6 +61,22 @@ class PatchMutationTest(mutation_test.WithBothCheckers):
             if c not in patch_attacks.IMPLIED:
                 self.assertGreater(self.run_.alone[c], 0, c)
         self.assertGreaterEqual(sum(self.run_.table.values()), 350)
+
+    def test_every_part_of_a_condition_of_version_2_is_needed(self):
+        names = {name[2:] for name in parts.NAMES if name not in parts.UNCOVERED}
+        self.assertEqual({name for names in sheets.DIRECTED.values() for name in names}, names)
+        for pair, wanted in sheets.DIRECTED.items():
+            for name in wanted:
+                self.assertTrue(any(self.is_needed(name, pair, seed) for seed in range(30)), (pair, name))
+        self.assertEqual(self.run_.failures, [])
+
+    def is_needed(self, name, pair, seed):
+        for strategy, subject, cert in patch_attacks.subjects(sheets.directed_attacks(random.Random(seed), pair)):
+            found = attacks.Run.both(self.run_, subject, cert, seed, strategy)
+            self.assertNotEqual(found, "ACCEPT", (seed, strategy))
+            if found == name.split()[0] and parts.accepts_without(self.run_.py._check, subject.bytes, cert, name):
+                return True
+        return False
 
     def test_honest_certificates_are_accepted(self):
         for seed in range(24):

@@ -5,6 +5,7 @@ from fractions import Fraction as Q
 
 import patch_liars
 import patch_solids as ps
+import sheet_lies
 import sheet_models
 import star_box_2_forge as forge2
 import star_box_2_models as models2
@@ -53,7 +54,25 @@ def of_version_1(plan):
 
 # ---------------------------------------------------------------- attacks
 
+# (false model, lie): the parts of conditions (sheet_conditions.py) of which some such attack needs each alone.
+DIRECTED = {("poked", "equal_signs"): ("B1 signs differ",), ("far_centres", "plain"): ("B1 centres inside",), ("two_that_cross", "boxes_elsewhere"): ("C1", "C1 hull"),
+            ("one_inside_out", "walks_from_unnamed_boxes"): ("C1 named",), ("poked", "plain"): ("C2 separators",), ("tip_on_a_face", "plain"): ("C2 zero of q",),
+            ("nested_and_poking", "merged_by_component"): ("C3",), ("two_that_cross", "plain"): ("C4", "C4 meet"), ("bulging", "plain"): ("C4 plane",),
+            ("folded", "plain"): ("C4 unfolded",), ("upside_down_in_a_cavity", "plain"): ("W1", "W1 one sheet"), ("open_by_an_ulp", "plain"): ("P1",),
+            ("one_inside_out", "missing_walks"): ("W1 one walk", "W1 earlier"), ("one_inside_out", "plain"): ("W2",), ("sound", "wrong_numbers"): ("W3",)}
+
+
+def directed_attacks(rng, pair=None):
+    model, lie = pair or rng.choice(list(DIRECTED))
+    found = sheet_models.sound(rng) if model == "sound" else getattr(sheet_models, model)(rng)[0]
+    for new in getattr(sheet_lies, lie)(found, rng):
+        yield "%s/%s" % (model, lie), *encoded(new)
+
+
 def thin_attacks(rng):
+    if rng.random() < .2:
+        yield from directed_attacks(rng)
+        return
     name, plan = sheet_models.false_model(rng)
     for lie in LIES:
         if lie is plain or rng.random() < .5:

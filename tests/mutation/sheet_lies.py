@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Lies of version 2: each takes the plan of a certificate, and yields plans in which one thing is another one."""
+from fractions import Fraction as Q
+
 import patch_liars
+import patch_solids as ps
 import star_box_2_forge as forge2
 from patch_solids import UNIT
-from sheet_plans import copied, settled_walks
+from sheet_plans import copied, copied_box, settled_walks
 
 
 def plain(plan, rng):
@@ -112,6 +115,23 @@ def merged_sheets(plan, rng):
         yield new
 
 
+def merged_by_component(plan, rng):
+    """As merged_sheets, with a copy of the box for the leaves of each component."""
+    new, way = copied(plan), rng.randint(0, 1)
+    owners, copies = [patch.component for patch in ps.reader(copied(plan)).patches], {}
+    if max(owners) == 0:
+        return
+    for n, box in enumerate(plan.boxes):
+        if len(box.centres) > 1:
+            for owner in set(owners):
+                copies[n, owner] = len(new.boxes) if owner else n
+                one = new.boxes[n]
+                one.centres, one.separators, one.signs, one.points_shift = [box.centres[-way]], [], [[]], None
+                new.boxes += [copied_box(one)] if owner else []
+    new.trees = [[patch_liars.renamed(t, lambda n: copies.get((n, owner), n)) for t in trees] for owner, trees in zip(owners, new.trees)]
+    yield new
+
+
 def split_sheets(plan, rng):
     """A sheet more, on a side of a plane or with the centres of another."""
     new = copied(plan)
@@ -167,6 +187,19 @@ def zero_on_a_sheet(plan, rng):
     yield new
 
 
+def through_a_vertex(plan, rng):
+    """Planes moved until they go through a control point of the model: a point where two bodies touch, for example."""
+    new = copied(plan)
+    for box in stars(new, 2):
+        for q in box.separators:
+            points = rng.choice(plan.entities)["shape"]["points"]
+            y = [(Q(c) * 2 ** -plan.unit - o) / Q(2) ** (box.exponent() + q[1]) for c, o in zip(rng.choice(points), box.centres[0][0])]
+            if q[0] == 1:
+                value = sum(c * t for c, t in zip(q[2][1:], y[::-1]))
+                q[2] = [int(-value * value.denominator), *[c * value.denominator for c in q[2][1:]]]
+    yield new
+
+
 def separators_of_others(plan, rng):
     """Those of another pair of sheets, of another box, one for all."""
     for way in range(3):
@@ -183,7 +216,7 @@ def separators_of_others(plan, rng):
 
 
 def random_separators(plan, rng):
-    """Of any degree, through anything; the sheets have different signs."""
+    """Separators have any degree and go through anything; the sheets have different signs."""
     new, degree = copied(plan), rng.choice((1, 2, 3))
     for box in stars(new, 2):
         n, size = len(box.centres), len(forge2.powers(degree))
@@ -215,6 +248,16 @@ def reaching_boxes(plan, rng):
         if box.kind:
             by = [(h - l) * rng.choice((0, 1, 8)) for l, h in zip(box.lo, box.hi)]
             box.lo, box.hi, box.shift = [l - d for l, d in zip(box.lo, by)], [h + d for h, d in zip(box.hi, by)], None
+    yield new
+
+
+def boxes_elsewhere(plan, rng):
+    """All boxes but those where walks start are mesh boxes where nothing is."""
+    new, starts = copied(plan), {w[0] for w in plan.walks}
+    for i, box in enumerate(new.boxes):
+        if i not in starts:
+            box.kind, box.centres, box.separators, box.signs, box.frame = 1, [], [], [], 0
+            box.lo, box.hi, box.shift = [-1000 * UNIT] * 3, [-999 * UNIT] * 3, None
     yield new
 
 
@@ -305,6 +348,16 @@ def walks_of_others(plan, rng):
         yield settled_walks(new)
 
 
+def missing_walks(plan, rng):
+    """A component has no walk, or one from its box to itself."""
+    for way in range(3):
+        new, i = copied(plan), rng.randrange(len(plan.walks))
+        box, sign, _, _ = new.walks[i]
+        sign = rng.choice((0, sign))
+        new.walks[i:i + 1] = [] if way == 0 else [(box, sign, [], (box, sign))]
+        yield settled_walks(new)
+
+
 def wrong_numbers(plan, rng):
     for key in rng.sample(("patches", "edges", "vertices", "shells", "bodies", "genus"), 2):
         new = copied(plan)
@@ -328,6 +381,7 @@ def far_walks(plan, rng):
     yield settled_walks(new)
 
 
-LIES = (plain, singular_frames, swapped_frames, mirrored_frames, sheared_frames, equal_signs, other_signs, merged_sheets, split_sheets, exchanged_centres,
-        wrong_coefficients, zero_on_a_sheet, separators_of_others, random_separators, other_boxes, reaching_boxes, shrunk_boxes, other_leaves,
-        untested_leaves, other_walks, walks_from_shared_boxes, walks_from_unnamed_boxes, walks_of_others, wrong_numbers, said_to_be_turned, far_walks)
+LIES = (plain, singular_frames, swapped_frames, mirrored_frames, sheared_frames, equal_signs, other_signs, merged_sheets, merged_by_component,
+        split_sheets, exchanged_centres, wrong_coefficients, zero_on_a_sheet, through_a_vertex, separators_of_others, random_separators,
+        other_boxes, reaching_boxes, boxes_elsewhere, shrunk_boxes, other_leaves, untested_leaves, other_walks, walks_from_shared_boxes,
+        walks_from_unnamed_boxes, walks_of_others, missing_walks, wrong_numbers, said_to_be_turned, far_walks)

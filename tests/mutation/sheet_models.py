@@ -4,6 +4,8 @@ or folded; the certificate is the honest one of the sound solid, or of each part
 import random
 from fractions import Fraction as Q
 
+import patch_solids as ps
+import sheet_lies
 import sheet_solids as ss
 from patch_solids import UNIT
 from sheet_plans import copied, joined, made, moved_points, settled_walks, shifted
@@ -13,17 +15,11 @@ GAPS = [Q(1, 16), Q(1, 64), Q(1, 1 << 10), Q(1, 1 << 16)]
 WIDE = 16                                                 # of mesh boxes that have room for a control point far away
 
 
-def place_of(rng):
-    """One of few for each matrix, so that plans are made seldom."""
-    number = rng.randrange(2 * len(ss.MATRICES))
-    return number, ss.Place(random.Random(number), ss.MATRICES[number // 2])
-
-
 def drawn(rng, make, *args, **options):
-    """(place, plan of the solid at some place)."""
-    number, place = place_of(rng)
-    key = "%s %d %s %s" % (make.__name__, number, args, sorted(options.items()))
-    return place, made(key, lambda: make(rng, place, *args, **options))
+    """(place, plan of the solid there). What is made once in a process depends on nothing that was drawn before."""
+    number = rng.randrange(len(ss.MATRICES))
+    place, key = ss.Place(random.Random(number), ss.MATRICES[number]), "%s %d %s %s" % (make.__name__, number, args, sorted(options.items()))
+    return place, made(key, lambda: make(random.Random(number), place, *args, **options))
 
 
 def degree(rng):
@@ -51,11 +47,11 @@ def sound(rng):
 # ---------------------------------------------------------------- crossing and touching
 
 def pulled_through(rng):
-    """A corner of the upper wall on, or a hair or more beyond, the lower one."""
+    """A corner of the upper wall a hair or more beyond the lower one. (On it, the plate would be a solid without that edge.)"""
     gap, place, plan = plate(rng)
     corners = [p for ring in ss.RINGS for p in ring if has_point(plan, place.point((*p, gap)))]
     x, y = rng.choice(corners)
-    beyond = rng.choice(HAIRS + [gap / 8, gap])
+    beyond = rng.choice(HAIRS[1:] + [gap / 8, gap])
     return moved_points(plan, place.point((x, y, gap)), place.point((x, y, -beyond))), "two walls cross"
 
 
@@ -66,7 +62,8 @@ def has_point(plan, p):
 def two_that_cross(rng):
     """A plate, and itself moved by less than its thickness."""
     gap, place, plan = plate(rng)
-    v = Q(rng.randint(-1, 1), 4), Q(rng.randint(-1, 1), 4), gap * Q(rng.randint(1, 7), 8)
+    x, y = rng.choice([(x, y) for x in (Q(-1, 4), 0, Q(1, 4), 6, -5) for y in (0, Q(1, 4))] + [(0, 5)])    # all rings still overlap
+    v = x, y, gap * Q(rng.randint(1, 7), 8)
     return joined(plan, shifted(plan, of_vector(place, v))), "two plates cross"
 
 
@@ -101,9 +98,31 @@ def poked(rng):
     return moved_points(plan, apex, place.point((0, 0, (1 if is_cavity else -1) * rng.choice(HAIRS + [Q(1, 16), Q(1, 8)])))), "a tip crosses a face"
 
 
+def tip_on_a_face(rng):
+    """The only plane between them is that of the face, and it has the tip."""
+    place, plan = drawn(rng, ss.poke, Q(1, 16))
+    plan = moved_points(plan, place.point((0, 0, Q(1, 16))), place.point((0, 0, 0)))
+    both = plan.boxes[0]
+    both.separators, both.signs = [], [[], []]
+    both.separate(place.plane(0), 20, 2, 1)
+    return plan, "a tip touches a face"
+
+
 def nested_and_poking(rng):
     """A tip of a body that lies in another one, through its face: both normals point up."""
     return drawn(rng, ss.poke, -Q(1, 4), way="parallel")[1], "a tip crosses a face"
+
+
+def far_centres(rng):
+    """Such a tip and two boxes of one sheet, whose centres lie above and below them, beside the tip: the line between the centres crosses
+    the face only."""
+    place, plan = drawn(rng, ss.poke, -Q(1, 4), way="parallel")
+    new = next(sheet_lies.merged_by_component(plan, rng))
+    for box in new.boxes:
+        if box.centres and box.lo == plan.boxes[0].lo:
+            x = rng.choice((-2, 2, Q(3, 2)))
+            box.centres, box.points_shift = [[ss.whole(place.point((x, 0, z))) for z in (-20, 20)]], None
+    return new, "a tip crosses a face"
 
 
 def pulled_roof(rng):
@@ -177,6 +196,8 @@ def open_by_an_ulp(rng):
     p, k = rng.randrange(len(points)), rng.randrange(3)
     points[p][k] = str(Q(points[p][k]) + rng.choice((-1, 1)) * Q(1, 1 << rng.choice((30, 52, 80, 400))))
     new.entities[i] = dict(new.entities[i], shape=dict(shape, points=points))
+    if rng.random() < .7:                                 # the numbers that a checker without P1 would count
+        new.values.update(ps.reader(copied(new)).counts)
     return new, "a gap along a side"
 
 
@@ -198,7 +219,7 @@ def of_exact(place, v):
 
 def flat_plate(rng, shared):
     gap = rng.choice(GAPS)
-    return gap, *drawn(rng, ss.stack, (gap,), ring=ss.RINGS[1], wide=WIDE, shared=shared)
+    return gap, *drawn(rng, ss.stack, (gap,), ring=ss.RINGS[1], wide=WIDE, shared=shared, at=(Q(13, 4), Q(13, 4)))
 
 
 def folded(rng):
@@ -223,7 +244,8 @@ def dart(rng):
     return plan, "a patch is folded"
 
 
-MODELS = ((pulled_through, 5), (two_that_cross, 2), (two_that_touch, 2), (plates_that_cross, 3), (poked, 4), (nested_and_poking, 1), (pulled_roof, 2),
+MODELS = ((pulled_through, 5), (two_that_cross, 2), (two_that_touch, 2), (plates_that_cross, 3), (poked, 4), (nested_and_poking, 2), (far_centres, 1), (tip_on_a_face, 1),
+          (pulled_roof, 2),
           (inside_out, 3), (one_inside_out, 2), (upside_down_in_a_cavity, 1), (open_by_an_ulp, 1), (folded, 2), (bulging, 2), (dart, 2))
 
 

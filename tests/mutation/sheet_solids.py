@@ -171,23 +171,24 @@ def away(place, p, axis):
     return [whole(place.point(far))], 2 * k + (way[k] < 0)
 
 
-def stack(rng, place, gaps, ring=None, degree=1, wide=6, shared=True):
+def stack(rng, place, gaps, ring=None, degree=1, wide=6, shared=True, at=(Q(1, 2), Q(1, 4))):
     """Plates one above the other, gaps: their thicknesses and those of the air between, in turn. A box with all walls, for each plate a
     box with its upper wall, and a mesh box for each."""
     ring, heights = ring or rng.choice(RINGS), [Q(0)]
     for gap in gaps:
         heights.append(heights[-1] + gap)
-    low, high, c = -Q(3, 2), heights[-1] + Q(3, 2), (Q(1, 2), Q(1, 4))
+    low, high, c = -Q(3, 2), heights[-1] + Q(3, 2), at
+    near, far = [x - Q(1, 2) for x in c], [x + Q(1, 2) for x in c]
     least, boxes, loops, walks = min(gaps), [], [], []
     below, above = (*c, -1), (*c, heights[-1] + 1)
-    walls = place.box(0, (-Q(1, 2), -Q(3, 4), low), (Q(3, 2), Q(5, 4), high), *[(below, above) if i % 2 else (above, below) for i in range(len(heights))])
+    walls = place.box(0, (*near, low), (*far, high), *[(below, above) if i % 2 else (above, below) for i in range(len(heights))])
     for i, (a, b) in enumerate(zip(heights, heights[1:])):
         walls.separate(of_degree(place.plane((a + b) / 2), degree, rng), 20, *[2 - (j > i) for j in range(len(heights))])
     plates = list(zip(heights[::2], heights[1::2]))
     for n, (a, b) in enumerate(plates):
         loops += slab(ring, a, b)
         d, room = least / 4, least * 2 if len(gaps) > 1 else 1
-        one = place.box(0, (-Q(1, 2), -Q(3, 4), b - 2 * d), (Q(3, 2), Q(5, 4), b + 2 * d), ((*c, b - d), (*c, b + d)))
+        one = place.box(0, (*near, b - 2 * d), (*far, b + 2 * d), ((*c, b - d), (*c, b + d)))
         mesh = place.box(1, (-wide, -wide, a - room), (wide, wide, b + room))
         one.owner = mesh.owner = n
         boxes += [one, mesh]
@@ -226,7 +227,8 @@ def poke(rng, place, gap, degree=1, way="above"):
     sign, small, h, d = -1 if below else 1, Q(1, 8), Q(3, 4), Q(1, 8)
     at = (Q(0), Q(0), sign * gap)
     loops = slab(RINGS[1], -6, 0)
-    body = tip(at, at[2] + 4 * sign, 2)
+    half = 1 if way == "parallel" else 2
+    body = tip(at, at[2] + 4 * sign, half)
     loops += reversed_loops(body) if way == "cavity" else body
     low, high = (0, 0, small - h), (0, 0, h - small)
     both = place.box(0, (-2, -2, -h), (2, 2, h), (low, high), (low, high) if way == "parallel" else (high, low))
@@ -236,8 +238,8 @@ def poke(rng, place, gap, degree=1, way="above"):
     far = at[2] + 4 * sign
     if way == "parallel":                                 # on a face of the tip that looks out of the block
         t, z = Q(1, 64), at[2] - Q(1, 8)
-        base = place.box(0, (-t, -5 * t, z - 2 * t), (t, -3 * t, z + 2 * t), ((0, -Q(7, 2) * t, z), (0, -Q(9, 2) * t, z)))
-        out = (0, -Q(9, 2) * t, z)
+        base = place.box(0, (-t, -3 * t, z - 2 * t), (t, -t, z + 2 * t), ((0, -Q(3, 2) * t, z), (0, -Q(5, 2) * t, z)))
+        out = (0, -Q(5, 2) * t, z)
     else:
         base = place.box(0, (-Q(1, 2), -1, far - 2 * d), (Q(1, 2), 0, far + 2 * d), ((0, -Q(1, 2), far - d), (0, -Q(1, 2), far + d)))
         out = (0, -Q(1, 2), far + d)

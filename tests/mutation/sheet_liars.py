@@ -56,7 +56,8 @@ def of_version_1(plan):
 
 # (false model, lie): the parts of conditions (sheet_conditions.py) of which some such attack needs each alone.
 DIRECTED = {("poked", "equal_signs"): ("B1 signs differ",), ("far_centres", "plain"): ("B1 centres inside",), ("two_that_cross", "boxes_elsewhere"): ("C1", "C1 hull"),
-            ("one_inside_out", "walks_from_unnamed_boxes"): ("C1 named",), ("poked", "plain"): ("C2 separators",), ("tip_on_a_face", "plain"): ("C2 zero of q",),
+            ("one_inside_out", "walks_from_unnamed_boxes"): ("C1 named",), ("poked", "plain"): ("C2 separators",), ("z_fold", "plain"): ("C2 own centres",),
+            ("pinched_roof", "plain"): ("C2 inner side",), ("tip_on_a_face", "plain"): ("C2 zero of q",),
             ("nested_and_poking", "merged_by_component"): ("C3",), ("two_that_cross", "plain"): ("C4", "C4 meet"), ("bulging", "plain"): ("C4 plane",),
             ("folded", "plain"): ("C4 unfolded",), ("upside_down_in_a_cavity", "plain"): ("W1", "W1 one sheet"), ("open_by_an_ulp", "plain"): ("P1",),
             ("one_inside_out", "missing_walks"): ("W1 one walk", "W1 earlier"), ("one_inside_out", "plain"): ("W2",), ("sound", "wrong_numbers"): ("W3",)}

@@ -5,6 +5,7 @@ import random
 from fractions import Fraction as Q
 
 import patch_solids as ps
+import sheet_conditions
 import sheet_lies
 import sheet_solids as ss
 from patch_solids import UNIT
@@ -123,6 +124,26 @@ def far_centres(rng):
             x = rng.choice((-2, 2, Q(3, 2)))
             box.centres, box.points_shift = [[ss.whole(place.point((x, 0, z))) for z in (-20, 20)]], None
     return new, "a tip crosses a face"
+
+
+def z_fold(rng):
+    return drawn(rng, ss.folded_roof, degree=degree(rng))[1], "a fold crosses itself"
+
+
+def pinched_roof(rng):
+    """A roof between a line and a parabola that touches it: the iso-line in the middle of the patch is mapped to their common point. Its
+    certificate is that of a checker without part 2 of S1 for sides."""
+    def make():
+        eaves = [[(-1, 0, 0), (0, 0, 0), (1, 0, 0)], [(-1, 1, 0), (0, -1, 0), (1, 1, 0)]]
+        floor = [[(x, y, -2) for x in (-2, 0, 2)] for y in (-2, 2)]
+        rows = [list(zip(*eaves)), list(zip(floor[0], eaves[0])), list(zip(eaves[1], floor[1])), list(zip(*floor[::-1]))]
+        ends = [[(floor[i][k], eaves[i][k]) for i in order] for k, order in ((0, (1, 0)), (2, (0, 1)))]
+        prover = ss.forge2.Prover2([ss.forge.surface(r) for r in rows + ends], search=True, deepest=7)
+        prover.plan.roots[0][:] = [1, 0]
+        prover.forest = ss.nodes.Forest(prover.patches, 10 ** 9)
+        with sheet_conditions.PARTS["C2"]["inner side"]():
+            return prover.prove().plan
+    return made("pinched roof", make), "an iso-line is a point"
 
 
 def pulled_roof(rng):
@@ -244,7 +265,7 @@ def dart(rng):
     return plan, "a patch is folded"
 
 
-MODELS = ((pulled_through, 5), (two_that_cross, 2), (two_that_touch, 2), (plates_that_cross, 3), (poked, 4), (nested_and_poking, 2), (far_centres, 1), (tip_on_a_face, 1),
+MODELS = ((pulled_through, 5), (two_that_cross, 2), (two_that_touch, 2), (plates_that_cross, 3), (poked, 4), (nested_and_poking, 2), (far_centres, 1), (tip_on_a_face, 1), (z_fold, 2), (pinched_roof, .2),
           (pulled_roof, 2),
           (inside_out, 3), (one_inside_out, 2), (upside_down_in_a_cavity, 1), (open_by_an_ulp, 1), (folded, 2), (bulging, 2), (dart, 2))
 

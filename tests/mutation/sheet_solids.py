@@ -162,11 +162,11 @@ class Builder:
         return self.plan
 
 
-def away(place, p, axis):
+def away(place, p, axis, by=64):
     """(points, end): from p along an axis of the place's coordinates far away, then to infinity along one of the model's."""
     far = list(p)
-    far[axis] += 64
-    way = [row[axis] for row in place.rows]
+    far[axis] += by
+    way = [row[axis] * by for row in place.rows]
     k = max(range(3), key=lambda i: abs(way[i]))
     return [whole(place.point(far))], 2 * k + (way[k] < 0)
 
@@ -256,3 +256,20 @@ def poke(rng, place, gap, degree=1, way="above"):
     else:
         walk = 2, 1, *away(place, out, 2)
     return builder.walks([(1, 1, *away(place, (c, c, d), 2)), walk])
+
+
+def folded_roof(rng, place, degree=1):
+    """A square block whose roof goes outward, back and outward again, so that its first and third part cross in a ring. Each part has S1
+    by some sheet's centres: the middle one by those of the floor."""
+    profile = (3, Q(1, 4)), (1, Q(1, 2)), (6, -Q(1, 4)), (6, -Q(3, 4))
+    rings = [[(x * r, y * r, z) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))] for r, z in profile]
+    loops = [[(Q(0), Q(0), Q(0)), rings[0][i - 1], rings[0][i]] for i in range(4)]
+    loops += [(a[i], a[i - 1], b[i - 1], b[i]) for a, b in zip(rings, rings[1:]) for i in range(4)] + [rings[-1][::-1]]
+    low, high = (0, 0, -Q(7, 8)), (0, 0, Q(7, 8))
+    both = place.box(0, (-4, -4, -1), (4, 4, 1), (low, high), (high, low))
+    both.separate(of_degree(place.plane(-Q(1, 2)), degree, rng), 20, 1, 2)
+    one = place.box(0, (Q(9, 2), Q(9, 2), -1), (Q(11, 2), Q(11, 2), -Q(1, 2)), ((5, 5, -Q(5, 8)), (5, 5, -Q(7, 8))))
+    r = Q(13, 4)
+    slabs = [place.box(1, (x0, y0, -1), (x1, y1, 1)) for x0, y0, x1, y1 in ((-7, -7, -r, 7), (r, -7, 7, 7), (-7, -7, 7, -r), (-7, r, 7, 7))]
+    under = place.box(1, (-7, -7, -1), (7, 7, -Q(1, 2)))
+    return Builder(place, loops, [both, one, under, *slabs]).walks([(1, 1, *away(place, (5, 5, -Q(7, 8)), 2, -64))])

@@ -21,8 +21,8 @@ struct HalfSpace {
 double least_depth(const std::vector<HalfSpace>& half_spaces, const Point3d& point);
 
 /// The point of the box whose least a·x + b is greatest, and that least value; approximate, and returned only if it
-/// exceeds `enough`. Half-spaces are added when a candidate violates them. *bound becomes a depth that no point exceeds.
-/// @cost O(m) a round for m half-spaces, usually a few rounds
+/// exceeds `enough`. Half-spaces are added when a candidate violates them. *bound becomes a depth that, approximately,
+/// no point exceeds. @cost O(m) a round for m half-spaces, usually a few rounds
 struct DeepestPoint {
   Point3d point;
   double depth;

@@ -23,11 +23,11 @@ Patches turned(const Patches& patches);
 /// A conical shell about the z axis between flat rings at z = 0 and z = 2, with the outer radii 1 and `top` and the
 /// thicknesses `begin` and `end`: a tube if top = 1.
 Patches cone(const Rational& top, const Rational& begin, const Rational& end);
-/// `count` spheres around one middle, at the distance `gap` from one another, the outermost of radius 1, walls and gaps
+/// `count` spheres around one middle, at the distance `gap` from one another, the outermost of radius 1: walls and gaps
 /// in turn; the innermost is moved by `shift` along x. REQUIRES count * gap < 1.
 Patches nested_spheres(int count, const Rational& gap, const Rational& shift);
-/// The unit sphere with a spherical hole of half its radius, moved by `shift` along x: the walls touch in a point, where
-/// their curvatures differ, iff |shift| = 1/2.
+/// The unit sphere with a spherical hole of half its radius, moved by `shift` along x: the walls touch iff |shift| is
+/// 1/2, in a point where their curvatures differ.
 Patches eccentric_spheres(const Rational& shift);
 /// The unit square bent into a bicubic sheet, with the thickness `begin` at x = 0 and `end` at x = 1, measured along z.
 Patches curved_plate(const Rational& begin, const Rational& end);

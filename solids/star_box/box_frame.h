@@ -40,7 +40,7 @@ class BoxFrame {
 
 /// Contains A P for all exact control points P of the node; unbounded where a weight is not surely positive.
 Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame);
-/// The same; nothing if it misses `box`. Fast where the node is far from it.
+/// The hull of hull_in_frame, or nothing if it misses `box`: fast where the node is far from it.
 std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame,
                                      const Box3d& box);
 

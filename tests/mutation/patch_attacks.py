@@ -40,11 +40,11 @@ def subjects(found):
 
 
 def draw(rng):
-    """Half of the attacks are of version 2."""
+    """More than half of the attacks are of version 2."""
     r = rng.random()
-    if r < .25:
+    if r < .2:
         return patch_liars.star_attacks
-    return sheet_liars.sheet_attacks if r < .75 else invalid_liars.invalid_attacks if r < .97 else collar_liars.collar_attacks
+    return sheet_liars.sheet_attacks if r < .8 else invalid_liars.invalid_attacks if r < .98 else collar_liars.collar_attacks
 
 
 def honest(rng):
@@ -63,7 +63,8 @@ def honest(rng):
 
 
 TRIED = .05                                               # of the attacks of version 2: is a part of a condition needed?
-KINDS = {make.__name__: make for make in (patch_liars.star_attacks, sheet_liars.sheet_attacks, invalid_liars.invalid_attacks, collar_liars.collar_attacks)}
+KINDS = {make.__name__: make for make in (patch_liars.star_attacks, sheet_liars.sheet_attacks, invalid_liars.invalid_attacks,
+                                          collar_liars.collar_attacks)}
 
 
 class Run(attacks.Run):
@@ -109,7 +110,8 @@ class Run(attacks.Run):
 def print_parts(alone):
     print("needed alone in version 2:")
     for name in sheet_conditions.NAMES:
-        print("  %-24s %4s  %s" % (name[2:], alone.get(name) or "", "" if alone.get(name) else sheet_conditions.UNCOVERED.get(name, "NOT COVERED")))
+        why = "" if alone.get(name) else sheet_conditions.UNCOVERED.get(name, "NOT COVERED")
+        print("  %-24s %4s  %s" % (name[2:], alone.get(name) or "", why))
 
 
 def missing_conditions(alone):
@@ -128,9 +130,10 @@ def by_lie(table):
 def figures(table, alone, honest_found, failures, seconds, options):
     yield "patch_attacks", sum(table.values()), options.count
     yield "patch_attacks_stopped_by_S_or_B1", sum(n for (_, c), n in table.items() if c in attacks.UNCOUNTED), None
-    yield "patch_attacks_of_version_2", alone.get("2", 0), options.count // 2 if not options.only else options.count
+    yield "patch_attacks_of_version_2", alone.get("2", 0), options.count // 2
     yield "patch_attacks_of_version_2_judged_by_python", alone.get("2 by python", 0), options.count // 5
-    yield "patch_parts_of_version_2_needed_alone", len(sheet_conditions.NAMES) - len(sheet_conditions.missing(alone)), len(sheet_conditions.NAMES) - len(sheet_conditions.UNCOVERED)
+    total = len(sheet_conditions.NAMES)
+    yield "patch_parts_of_version_2_needed_alone", total - len(sheet_conditions.missing(alone)), total - len(sheet_conditions.UNCOVERED)
     yield "patch_attack_strategies", len({n for n, _ in table}), 100
     yield "patch_attacks_accepted", sum(n for (_, c), n in table.items() if c == "ACCEPT"), 0
     yield "patch_checker_disagreements", sum("disagree" in f for f in failures), 0
@@ -147,8 +150,12 @@ def main(argv):
     table, alone, honest_found, failures = attacks.run_all(options, Run)
     attacks.print_table(by_lie(table), alone, CONDITIONS)
     print_parts(alone)
-    return attacks.report(failures, figures(table, alone, honest_found, failures, time.monotonic() - start, options),
-                          missing_conditions(alone) if sum(table.values()) >= 20000 else ())
+    done, missing = sum(table.values()), []
+    if done >= 20000 and not options.only:
+        missing += missing_conditions(alone)
+    if done >= 50000:
+        missing += [name for name in sheet_conditions.missing(alone) if name not in sheet_conditions.UNCOVERED]
+    return attacks.report(failures, figures(table, alone, honest_found, failures, time.monotonic() - start, options), missing)
 
 
 if __name__ == "__main__":

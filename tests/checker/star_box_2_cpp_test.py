@@ -541,26 +541,19 @@ def mesh_boxes(plan):
 
 
 class Work(StarBox2Test):
-    SEPARATORS = 59
-
     def test_separators_cost_by_their_degree(self):
-        """A plate whose numbers are so long that a visit costs 61 units, as much as a separator of degree 1; its box with both walls
-        comes three times. Four of the 63 separators get degree 2, with the same values, and that is too much."""
+        """A plate of patches of degree 9, whose box with both walls has 63 times the same separator: of degree 1, and, with the same
+        values, of degree 3, of which each costs thousands of units on a node."""
         entities, _, boxes = models2.plate(Q(1, 64))
-        raised, walls = [models2.raised(e, 4, Q(1, 1 << 6900)) for e in entities], boxes[1]
+        raised, walls = [models2.raised(e, 9, Q(1, 1 << 20)) for e in entities], boxes[1]
         prover = models2.forge2.Prover2(raised, boxes, roots=2, deepest=0).prove()
-        (_, t, c), number = walls.separators[0], prover.plan.boxes.index(walls)
-        trees = next(trees for trees in prover.plan.trees if trees.count(number) > 2)
-        for _ in range(2):
-            trees[trees.index(number)] = len(prover.plan.boxes)
-            prover.plan.boxes.append(copy.deepcopy(walls))
-        places = models2.forge2.powers(1)
-        square = [c[places.index(abc)] if abc in places else 0 for abc in models2.forge2.powers(2)]
-        for last, expected in (([1, t, c], "ACCEPT"), ([2, t, square], "C2")):
+        (_, t, c), linear = walls.separators[0], models2.forge2.powers(1)
+        for degree, expected in ((1, "ACCEPT"), (3, "C2")):
+            values = [c[linear.index(abc)] if abc in linear else 0 for abc in models2.forge2.powers(degree)]
             for box in prover.plan.boxes:
                 if len(box.centres) == 2:
-                    box.separators = [[1, t, c]] * self.SEPARATORS + [last] * 4
-                    box.signs = [[sign] * len(box.separators) for sign in (1, 2)]
+                    box.separators = [[degree, t, values]] * 63
+                    box.signs = [[sign] * 63 for sign in (1, 2)]
             code, condition, line = in_cpp(prover.model, prover.plan.certificate(prover.model))
             self.assertEqual((code, condition), (0, "ACCEPT") if expected == "ACCEPT" else (1, expected), line)
             self.assertIn("" if expected == "ACCEPT" else "more work than allowed", line)

@@ -145,14 +145,15 @@ class Prover2(forge.Prover):
 
     def checker(self):
         result = check.Checker2.__new__(check.Checker2)
-        result.skip, result.forest, result.vertex_of, result.flat = frozenset(), self.forest, self.vertex_of, {}
+        result.skip, result.forest, result.patches = frozenset(), self.forest, self.patches
+        result.vertex_of, result.flat = self.vertex_of, {}
         return result
 
     def probe(self, box):
         """The box as the checker reads it."""
         return read2.Box(read.Body(box.encode()), [tuple(map(tuple, rows)) for rows in self.plan.frames])
 
-    def reason(self, box, work=20000):
+    def reason(self, box, work=10 ** 8):
         """Why the box does not hold; "" if it does."""
         before, self.forest.work = self.forest.work, work
         try:
@@ -165,7 +166,7 @@ class Prover2(forge.Prover):
             self.forest.work = before
 
     def holds(self, box):
-        return not self.reason(box if isinstance(box, Box2) else from_version_1(box), 3000)
+        return not self.reason(box if isinstance(box, Box2) else from_version_1(box), 10 ** 5)
 
     def star_box(self, node):
         box = super().star_box(node) if self.search else None

@@ -262,10 +262,10 @@ class Prover:
 
     def holds(self, box):
         probe = check_box(box)
-        before, self.forest.work = self.forest.work, 3000
+        before, self.forest.work = self.forest.work, 10 ** 5
         try:
             nodes = self.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
-            return star_crossing.Crossing(nodes, probe, lambda: self.forest.spend("C2")).number() == 1
+            return star_crossing.Crossing(nodes, probe, lambda units: self.forest.spend("C2", units)).number() == 1
         except read.Reject:
             return False
         finally:
@@ -304,7 +304,7 @@ class Prover:
         return check_box(box)
 
     def is_free(self, misses):
-        before, self.forest.work = self.forest.work, 2000
+        before, self.forest.work = self.forest.work, 10 ** 6
         try:
             self.forest.descend(misses, "W1", lambda n: False)
             return True

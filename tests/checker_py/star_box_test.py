@@ -25,7 +25,7 @@ class Careless(forge.Prover):
 
     def holds(self, box):
         probe = forge.check_box(box)
-        self.forest.work = 3000
+        self.forest.work = 10 ** 5
         try:
             self.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
             return True
@@ -433,7 +433,7 @@ class Traps(StarBoxTest):
         box = forge.Box(0, to[0], star_triangles.sub(to[1], to[0]), star_triangles.sub(to[2], to[0]), star_triangles.sub(to[3], to[0]))
         probe = forge.check_box(box)
         nodes = prover.forest.descend(star_nodes.misses_box(probe), "C2", lambda n: n.has_s1(probe.c))
-        return star_crossing.Crossing(nodes, probe, lambda: None).number()
+        return star_crossing.Crossing(nodes, probe, lambda units: None).number()
 
     def test_a_fold_of_three_sheets_passes_everything_but_p1(self):
         def graph(sign):
@@ -556,7 +556,7 @@ class Pieces(unittest.TestCase):
 
     def test_the_rule_of_the_crossing_number(self):
         """Whole turns of polygons around the centre, from every corner, both ways, vertices on the ray among them."""
-        crossing = star_crossing.Crossing([], type("Box", (), {"c": [[0] * 3, [0, 0, 1]]}), lambda: None)
+        crossing = star_crossing.Crossing([], type("Box", (), {"c": [[0] * 3, [0, 0, 1]]}), lambda units: None)
         square = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
         for shift, want in (((0, 0), 1), ((3, 0), 0), ((-3, 0), 0), ((0, 3), 0)):
             points = [(x + shift[0], y + shift[1]) for x, y in square]

@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "big.h"
 #include "../common/checker.h"
+#include "big.h"
 
 const uint32_t kNoPair = 0xffffffff;
 const int kLevels = 24;                        // below the roots
@@ -15,6 +15,7 @@ const int64_t kFarthest = int64_t(1) << 61;    // absolute values of coordinates
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
+const uint64_t kFreeUnits = 1 << 20, kUnitsOfByte = 20;                     // of work
 
 // A surface or triangle of the model.
 struct Entity {
@@ -55,13 +56,30 @@ struct Patch {
   uint64_t first_root;
   std::vector<Big> net;  // shape.count() points (X, Y, Z, W), in units 2^E, no common factor
   int64_t bits;          // of the longest number of the net
-  uint64_t cost;         // units of work for a node
   uint32_t pair[4];      // for each side; collapsed: kNoPair
   bool is_second[4];     // whether the side is the second of its pair
   uint32_t vertex[4], component;
 
   bool is_collapsed(int e) const { return pair[e] == kNoPair; }
   uint64_t num_roots() const { return uint64_t(1) << (roots[0] + roots[1]); }
+  int64_t bits_at(int level) const {  // h of the page's last paragraph
+    return bits + (shape.p + shape.q) * (level + std::max(roots[0], roots[1]));
+  }
+  uint64_t cost_of_products() const {  // of g on the patch, once
+    const uint64_t limbs = 2 + uint64_t(2 * bits) / 64;
+    const Shape two = {shape.is_triangle, 2 * shape.p, 2 * shape.q};
+    return 1 + uint64_t(shape.count() * two.count()) * limbs * limbs / 64;
+  }
+  // Units of work for a node: its hull; g on it, if the hull does not miss the box; S1 for the centres of a sheet.
+  uint64_t cost_of_hull(int level) const {
+    return 1 + uint64_t(shape.count() * (shape.p + shape.q) * bits_at(level)) / 4096;
+  }
+  uint64_t cost_of_g(int level) const {
+    return 1 + uint64_t(shape.count_of_g() * (shape.p + shape.q) * bits_at(level)) / 8192;
+  }
+  uint64_t cost_of_s1(int level) const {
+    return 1 + uint64_t(shape.count_of_g() * bits_at(level)) / 4096;
+  }
 };
 
 struct Frame {  // the rows of A
@@ -109,14 +127,11 @@ struct StarBody {
   std::vector<Box> boxes;
   std::vector<uint32_t> symbols;  // the trees', in the body's order: 0, or 1 + a box
   std::vector<Walk> walks;
-  uint64_t num_reversed = 0, leaves = 0, num_roots = 0;
+  uint64_t num_reversed = 0, num_roots = 0;
 };
 
-// The units that coefficients of this many bits cost on a node of a patch of this shape; 0 if they are too long.
-inline uint64_t cost_of(const Shape& s, int64_t bits) {
-  const int64_t size = s.count_of_g() * bits;
-  return size <= kMostSize ? 1 + uint64_t(size) / 16384 : 0;
-}
+// Whether coefficients of this many bits are short enough for a patch of this shape: section 3.
+inline bool are_short(const Shape& s, int64_t bits) { return s.count_of_g() * bits <= kMostSize; }
 
 struct Place {  // a patch's entity, and the numbers of its intervals along u and v
   const Entity* entity;
@@ -137,6 +152,10 @@ struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
 struct Units {  // the work of the page's last paragraph
   uint64_t done, limit;
   const char* id;
+
+  static Units of_bytes(uint64_t bytes) {
+    return Units{0, kFreeUnits + kUnitsOfByte * bytes, "C1"};
+  }
   void add(uint64_t units) {
     done += units;
     require(done <= limit, id, "more work than allowed, units", limit);

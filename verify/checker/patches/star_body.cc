@@ -153,7 +153,6 @@ struct Reader : StarBytes {
       last += code % 2 == 0 ? int64_t(code / 2) : -int64_t(code / 2) - 1;
       require(last >= 0 && uint64_t(last) < out->boxes.size(), "B1", "a leaf has no box");
       out->symbols.push_back(1 + uint32_t(last));
-      ++out->leaves;
     }
     return last;
   }

@@ -73,8 +73,10 @@ struct Descent {
           visit);
   }
   bool misses(const Patch& p, const Node& node) {
-    units.add(p.cost);
-    return box.frame == 0 ? node.hull.misses(box) : hull_in(frame, p, node).misses(box);
+    units.add(p.cost_of_hull(node.level));
+    if (box.frame == 0) return node.hull.misses(box);
+    return !leads_to(box, frame, node.hull.out_lo, node.hull.out_hi) ||
+           hull_in(frame, p, node).misses(box);
   }
 };
 
@@ -87,6 +89,7 @@ struct StarDescent : Descent {
 
   void visit(const Patch& p, Node* node, Node* parent) {
     if (misses(p, *node)) return;
+    units.add(p.cost_of_g(node->level));
     forest.need_g(p, node, parent);
     const int sheet = test.sheet_of(p, node);
     if (sheet >= 0) return pieces[size_t(sheet)].push_back(Piece{&p, node});
@@ -167,7 +170,7 @@ std::string check_star_boxes(const Statement& s, const std::string& model, const
                                    if (more != nullptr) more->read(b);
                                  });
   const Gluing x(&body.patches);
-  Units units = {0, 2000 * (body.leaves + body.boxes.size() + 100), "C2"};
+  Units units = Units::of_bytes(s.number.at("subject_bytes") + bytes.left());
   Forest forest(&body, &units);
   check_boxes(body, &forest, &units);
   units.id = "W1";

@@ -91,12 +91,12 @@ struct Counter {
       for (size_t m = 0; m + 1 < n - s; ++m) v[m] = v[m] + v[m + 1];
     }
   }
-  void halve(const Curve& c, Curve* half) {
-    units.add(1);
+  void halve(const Side& s, const Curve& c, Curve* half) {
+    units.add(s.piece->patch->cost_of_hull(s.piece->node->level));
     halve(c.x, &half[0].x, &half[1].x);
     halve(c.y, &half[0].y, &half[1].y);
   }
-  int64_t crossings(const Curve& c, int halvings) {
+  int64_t crossings(const Side& s, const Curve& c, int halvings) {
     bool up = true, down = true, left = true, right = true;
     for (const Big& y : c.y) up = up && y.sign() >= 0, down = down && y.sign() < 0;
     for (const Big& x : c.x) left = left && x.sign() <= 0, right = right && x.sign() >= 0;
@@ -104,8 +104,8 @@ struct Counter {
     if (right) return int(c.y.back().sign() >= 0) - int(c.y[0].sign() >= 0);
     require(halvings < kMostHalvings, "C3", "a curve comes too close to the centres' line");
     Curve half[2];
-    halve(c, half);
-    return crossings(half[0], halvings + 1) + crossings(half[1], halvings + 1);
+    halve(s, c, half);
+    return crossings(s, half[0], halvings + 1) + crossings(s, half[1], halvings + 1);
   }
   // The part [lo, hi] of a side, whose curve is c, without what other pieces pass in the opposite
   // direction. Intervals are dyadic: one ends inside another only if it lies in it.
@@ -118,10 +118,10 @@ struct Counter {
       return o->line == key.line && o->place == key.place && o->is_forward == key.is_forward;
     };
     if (next != sides.begin() && is_opposite(next - 1) && (next - 1)->hi > lo) --next;
-    if (next == sides.end() || !is_opposite(next) || next->lo >= hi) return crossings(c, 0);
+    if (next == sides.end() || !is_opposite(next) || next->lo >= hi) return crossings(s, c, 0);
     if (next->lo <= lo && next->hi >= hi) return 0;
     Curve half[2];
-    halve(c, half);
+    halve(s, c, half);
     const int64_t middle = lo + (hi - lo) / 2;
     return remaining(s, lo, middle, half[s.is_reversed]) +
            remaining(s, middle, hi, half[!s.is_reversed]);

@@ -15,7 +15,12 @@ uint64_t limbs_below(const Node& n) {  // its own included
 }  // namespace
 
 Forest::Forest(StarBody* body, Units* units)
-    : patches_(&body->patches), units_(units), roots_(body->num_roots), used_(body->num_roots) {
+    : patches_(&body->patches),
+      units_(units),
+      roots_(body->num_roots),
+      used_(body->num_roots),
+      g_(body->patches.size()),
+      has_g_(body->patches.size()) {
   std::vector<int64_t> hulls;
   const uint32_t* symbol = body->symbols.data();
   for (uint32_t i = 0; i < body->patches.size(); ++i)
@@ -30,6 +35,7 @@ Forest::Forest(StarBody* body, Units* units)
   each_leaf([&] { return *symbol++ != 0; },
             [&](const Patch& p, const Node& leaf) {
               const uint32_t number = symbol[-1] - 1;
+              units_->add(p.cost_of_hull(leaf.level));
               Box& b = body->boxes[number];
               const bool is_plain = b.frame == 0;
               require((is_plain ? leaf.hull : hull_in(body->frames[b.frame], p, leaf)).is_inside(b),
@@ -64,10 +70,20 @@ void Forest::add(size_t limbs) {
   limbs_ += limbs + kNodeLimbs;
   require(limbs_ <= kMostLimbs, units_->id, "over a limit of this checker: 1,280 MiB of nodes");
 }
+Block Forest::root_g(const Patch& p, const Node& root) {
+  const size_t patch = size_t(&p - patches_->data());
+  if (!has_g_[patch]) units_->add(p.cost_of_products());
+  has_g_[patch] = true;
+  if (p.num_roots() == 1) return make_g(p);
+  if (g_[patch].d.empty()) g_[patch] = make_g(p);
+  const uint64_t i = uint64_t(root.at[0][0]) / uint64_t(kWholeSide >> p.roots[0]);
+  const uint64_t j = uint64_t(root.at[0][1]) / uint64_t(kWholeSide >> p.roots[1]);
+  return on_root(p, i << p.roots[1] | j, shape_of_g(p), 4, g_[patch]);
+}
 void Forest::need_g(const Patch& p, Node* node, Node* parent) {
   if (!node->g.d.empty()) return;
   if (parent == nullptr) {
-    make_root_g(p, node);
+    node->g = root_g(p, *node);
     add(node->g.d.size());
     return;
   }

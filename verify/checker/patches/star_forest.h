@@ -3,6 +3,8 @@
 #pragma once
 #include "star_node.h"
 
+const uint64_t kNodesOfUnit = 32;  // of the hierarchy
+
 class Forest {
  public:
   // C1, and the component of each box.
@@ -14,8 +16,10 @@ class Forest {
   template <class Leads, class Visit>
   void descend(Leads leads, Visit visit) {
     std::vector<size_t> open(1, 0);
+    uint64_t visited = 0;
     for (Range r; !open.empty();) {
       const size_t node = open.back();
+      if (visited++ % kNodesOfUnit == 0) units_->add(1);
       open.pop_back();
       r = ranges_[node];
       if (!leads(&bounds_[6 * node], &bounds_[6 * node + 3])) continue;
@@ -52,6 +56,7 @@ class Forest {
   struct Range {
     uint64_t lo, hi, right;
   };
+  Block root_g(const Patch& p, const Node& root);
   Node* use(uint64_t root);
   void add(size_t limbs);
   template <class IsLeaf, class Visit>
@@ -71,5 +76,7 @@ class Forest {
   std::vector<uint64_t> used_, order_, live_;  // used_: when last; live_: roots that are made
   std::vector<Range> ranges_;                  // the hierarchy, in preorder
   std::vector<int64_t> bounds_;
+  std::vector<Block> g_;     // of each patch with several roots, once needed
+  std::vector<bool> has_g_;  // whether g was needed on a patch
   uint64_t time_ = 0, limbs_ = 0;
 };

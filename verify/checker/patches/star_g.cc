@@ -6,19 +6,21 @@
 namespace {
 
 // (X, Y, Z, W)[k], or its derivative along axis 0 or 1 up to a positive factor.
-Poly component(const Patch& p, const Node& node, int k, int axis) {
-  return polynomial(p.shape, coefficients(p, node, k), axis);
+Poly component(const Patch& p, int k, int axis) {
+  std::vector<Big> r;
+  for (size_t i = size_t(k); i < p.net.size(); i += 4) r.push_back(p.net[i]);
+  return polynomial(p.shape, r, axis);
 }
 
 }  // namespace
 
-void make_root_g(const Patch& p, Node* root) {
+Block make_g(const Patch& p) {
   Poly f[4], du[4], dv[4], g[4];
   for (int k = 0; k < 4; ++k) {
-    f[k] = component(p, *root, k, -1);
+    f[k] = component(p, k, -1);
     if (k == 3 && !p.is_rational) continue;
-    du[k] = component(p, *root, k, 0);
-    dv[k] = component(p, *root, k, 1);
+    du[k] = component(p, k, 0);
+    dv[k] = component(p, k, 1);
   }
   Poly minors[4][4];
   for (int i = 0; i < (p.is_rational ? 4 : 3); ++i)
@@ -46,12 +48,15 @@ void make_root_g(const Patch& p, Node* root) {
     for (int k = 0; k < 4; ++k)
       numbers[4 * i + size_t(k)] = k == 0 ? g[k].c[i] * up : -(g[k].c[i] * up);
   });
-  root->g = packed(numbers);
+  return packed(numbers);
 }
 
-void make_children_g(const Patch& p, Node* node) {
+Shape shape_of_g(const Patch& p) {
   const int d = p.shape.is_triangle ? 2 : 1;
+  return Shape{p.shape.is_triangle, 3 * p.shape.p - d, 3 * p.shape.q - d};
+}
+void make_children_g(const Patch& p, Node* node) {
   Block quarter[4];
-  quarters(Shape{p.shape.is_triangle, 3 * p.shape.p - d, 3 * p.shape.q - d}, 4, node->g, quarter);
+  quarters(shape_of_g(p), 4, node->g, quarter);
   for (int c = 0; c < 4; ++c) node->child[c].g = std::move(quarter[c]);
 }

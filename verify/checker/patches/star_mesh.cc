@@ -150,7 +150,8 @@ bool meet_properly(const std::vector<Facet>& facets, Units* units) {
     if (is_zero(Triangle(corners(a)).n)) return false;
   for (size_t i = 0; i < facets.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
-      units->add(1);
+      const uint64_t bits = uint64_t(facets[i].patch->bits + facets[j].patch->bits);
+      units->add(4 + bits * bits / 16384);
       if (!meet_properly(facets[i], facets[j])) return false;
     }
   return true;

@@ -23,23 +23,27 @@ Block widened(const Block& b, int n) {
 }
 // The number of bits of the largest magnitude, and how often 2 divides all numbers.
 int bits_of(const Block& b, int* twos) {
-  std::vector<uint64_t> any(size_t(b.n)), low(size_t(b.n));
-  for (size_t i = 0; i < b.d.size(); i += size_t(b.n)) {
-    const uint64_t flip = 0 - (b.d[i + size_t(b.n) - 1] >> 63);
-    for (size_t k = 0; k < size_t(b.n); ++k) any[k] |= b.d[i + k] ^ flip, low[k] |= b.d[i + k];
-  }
-  int bits = 0;
+  const size_t n = size_t(b.n);
   *twos = 0;
-  for (int k = 0; k < b.n; ++k)
-    if (any[size_t(k)] != 0) bits = 64 * k + bit_length(any[size_t(k)]);
-  for (int k = 0; k < b.n; ++k) {
-    if (low[size_t(k)] == 0) continue;
-    *twos = 64 * k + __builtin_ctzll(low[size_t(k)]);
+  int bits = 0;
+  // Limb by limb from the highest, until one is not the sign alone; then from the lowest, until one is not 0.
+  for (size_t k = n; k-- > 0 && bits == 0;) {
+    uint64_t any = 0;
+    for (size_t i = 0; i < b.d.size(); i += n) any |= b.d[i + k] ^ (0 - (b.d[i + n - 1] >> 63));
+    if (any != 0) bits = 64 * int(k) + bit_length(any);
+  }
+  for (size_t k = 0; k < n; ++k) {
+    uint64_t any = 0;
+    for (size_t i = 0; i < b.d.size(); i += n) any |= b.d[i + k];
+    if (any == 0) continue;
+    *twos = 64 * int(k) + __builtin_ctzll(any);
     break;
   }
   return bits;
 }
-void shrink(Block* b) {
+}  // namespace
+
+int shrink(Block* b) {
   int twos = 0;
   const int bits = bits_of(*b, &twos);
   if (twos > 0) {
@@ -56,7 +60,11 @@ void shrink(Block* b) {
   }
   const int n = std::max(1, (bits - twos) / 64 + 1);  // one bit more for the sign
   if (n < b->n) *b = widened(*b, n);
+  return bits - twos;
 }
+
+namespace {
+
 // Halves along an axis; what follows the points (a common weight) is only scaled.
 void halves(const Shape& s, int axis, int numbers, const Block& b, Block* out) {
   int twos;
@@ -205,28 +213,43 @@ std::vector<Big> coefficients(const Patch& p, const Node& node, int k) {
   return r;
 }
 
+namespace {
+
+struct Index {  // of a root along u and v
+  int64_t at[2];
+};
+Index index_of(const Patch& p, uint64_t root) {
+  return Index{{int64_t(root >> p.roots[1]), int64_t(root & ((uint64_t(1) << p.roots[1]) - 1))}};
+}
+
+}  // namespace
+
+Block on_root(const Patch& p, uint64_t root, const Shape& s, int numbers, Block b) {
+  const Index ij = index_of(p, root);
+  for (int axis = 0; axis < 2; ++axis)
+    for (int bit = p.roots[axis]; bit-- > 0;) {
+      Block half[2];
+      halves(s, axis, numbers, b, half);
+      b = std::move(half[ij.at[axis] >> bit & 1]);
+      shrink(&b);
+    }
+  return b;
+}
+
 Node make_root(const Patch& p, uint64_t root) {
   Node r = Node();
   std::vector<Big> numbers;
   for (size_t i = 0; i < p.net.size(); ++i)
     if (p.is_rational || i % 4 < 3 || i + 1 == p.net.size()) numbers.push_back(p.net[i]);
-  r.net = packed(numbers);
-  const int64_t ij[2] = {int64_t(root >> p.roots[1]),
-                         int64_t(root & ((uint64_t(1) << p.roots[1]) - 1))};
-  for (int axis = 0; axis < 2; ++axis)
-    for (int bit = p.roots[axis]; bit-- > 0;) {
-      Block half[2];
-      halves(p.shape, axis, p.is_rational ? 4 : 3, r.net, half);
-      r.net = half[ij[axis] >> bit & 1];
-      shrink(&r.net);
-    }
+  r.net = on_root(p, root, p.shape, p.is_rational ? 4 : 3, packed(numbers));
+  const Index ij = index_of(p, root);
   if (p.shape.is_triangle) {
     r.at[1][0] = r.at[2][1] = kWholeSide;
   } else {
     for (int c = 0; c < 4; ++c)
       for (int axis = 0; axis < 2; ++axis)
         r.at[c][axis] =
-            (ij[axis] + int((axis == 0 ? c + 1 : c) % 4 >= 2)) * (kWholeSide >> p.roots[axis]);
+            (ij.at[axis] + int((axis == 0 ? c + 1 : c) % 4 >= 2)) * (kWholeSide >> p.roots[axis]);
   }
   r.hull = hull_of(p, r.net);
   return r;

@@ -55,12 +55,17 @@ struct Node {
 
 Node make_root(const Patch& p, uint64_t root);   // v fastest
 void make_children(const Patch& p, Node* node);  // with nets and hulls
-void make_root_g(const Patch& p, Node* root);
+Shape shape_of_g(const Patch& p);
+Block make_g(const Patch& p);  // on the whole patch
+Block on_root(const Patch& p, uint64_t root, const Shape& s, int numbers, Block b);  // the root's part of a block
 void make_children_g(const Patch& p, Node* node);  // REQUIRES the node's g, and children
 Hull hull_in(const Frame& frame, const Patch& p, const Node& node);
 std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (X, Y, Z, W)[k]
 
 Block packed(const std::vector<Big>& numbers);
+// Divides by the greatest common power of two; as few limbs as possible. The result is the number of bits of the
+// longest number.
+int shrink(Block* b);
 // The blocks of the children: points of `numbers` numbers each, and what follows them (a common
 // weight), all times the same power of two.
 void quarters(const Shape& s, int numbers, const Block& b, Block* out);

@@ -129,8 +129,7 @@ void cut_patches(const std::vector<Place>& places, int64_t unit,
   for (const Place& at : places) {
     Patch made = patch(at, unit, breaks, &cache);
     for (const Big& x : made.net) made.bits = std::max(made.bits, x.bits());
-    made.cost = cost_of(made.shape, made.bits);
-    require(made.cost != 0, "B2", "the coefficients are too long for their degree, bits",
+    require(are_short(made.shape, made.bits), "B2", "the coefficients are too long for their degree, bits",
             uint64_t(made.bits));
     use(std::move(made));
   }

@@ -1,26 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 #include "star_poly.h"
 
+#include "star_ring.h"
+
+namespace {
+
+int64_t longest(const std::vector<Big>& numbers) {
+  int64_t bits = 0;
+  for (const Big& x : numbers) bits = std::max(bits, x.bits());
+  return bits;
+}
+Wide widened(const Poly& a, size_t n) {
+  Wide r = {a.shape, std::vector<uint64_t>(a.c.size() * n)};
+  for (size_t i = 0; i < a.c.size(); ++i) a.c[i].store(&r.d[i * n], int(n));
+  return r;
+}
+
+}  // namespace
+
 int64_t binomial(int n, int k) {
   int64_t r = 1;
   for (int i = 0; i < k; ++i) r = r * (n - i) / (i + 1);
   return r;
 }
 Poly product(const Poly& a, const Poly& b) {
-  Poly r = {Shape{a.shape.is_triangle, a.shape.p + b.shape.p, a.shape.q + b.shape.q}, {}};
-  r.c.resize(size_t(r.shape.count()));
-  const bool tri = r.shape.is_triangle;
-  const int q = b.shape.q;
-  for (int i = 0; i <= a.shape.p; ++i)
-    for (int j = 0; j <= (tri ? a.shape.p - i : a.shape.q); ++j) {
-      const Big& x = a.c[size_t(tri ? a.shape.at3(i, j) : a.shape.at(i, j))];
-      for (int k = 0; k <= b.shape.p && x.sign() != 0; ++k)
-        for (int l = 0; l <= (tri ? b.shape.p - k : q); ++l) {
-          Big& to = r.c[size_t(tri ? r.shape.at3(i + k, j + l) : r.shape.at(i + k, j + l))];
-          to = to + x * b.c[size_t(tri ? b.shape.at3(k, l) : b.shape.at(k, l))];
-        }
-    }
-  return r;
+  const Shape shape = {a.shape.is_triangle, a.shape.p + b.shape.p, a.shape.q + b.shape.q};
+  const int64_t bits[2] = {longest(a.c), longest(b.c)};
+  const size_t n = size_t((bits[0] + bits[1] + bit_length(a.c.size())) / 64 + 1);
+  const Wide wide[2] = {widened(a, n), widened(b, n)};
+  Wide r = {shape, std::vector<uint64_t>(size_t(shape.count()) * n)};
+  Ring<0>{int(n)}.add_product(&r, wide[0], wide[1], int(bits[0] / 64 + 1));
+  Poly out = {shape, {}};
+  for (size_t i = 0; i < r.d.size(); i += n) out.c.push_back(Big::of(&r.d[i], int(n)));
+  return out;
 }
 Poly combined(const Poly& a, const Poly& b, int sign) {
   Poly r = a;

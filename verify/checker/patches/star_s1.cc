@@ -44,10 +44,6 @@ bool signs(const uint64_t* g, const Sheet& sheet, int sgn, int n) {
   }
 }
 
-Shape shape_of_g(const Patch& p) {
-  const int d = p.shape.is_triangle ? 2 : 1;
-  return Shape{p.shape.is_triangle, 3 * p.shape.p - d, 3 * p.shape.q - d};
-}
 bool is_pole(const Patch& p, const Node& node, int e) {
   return p.is_collapsed(e) && node.is_outer(p, e);
 }

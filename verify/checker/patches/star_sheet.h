@@ -2,7 +2,7 @@
 // star_sheet.h: whether S1 holds on a node, and which sheet of a box the node belongs to: section 4 of
 // docs/certificates/star-box.md and star-box-2.md.
 #pragma once
-#include "star_node.h"
+#include "star_compose.h"
 
 // S1 on the node for the sheet's centres; is_strict: S1 of version 1. REQUIRES the node's g.
 bool star_test(const Patch& p, Node* node, const Sheet& sheet, bool is_strict);
@@ -14,17 +14,11 @@ class SheetTest {  // in one star box
   int sheet_of(const Patch& p, Node* node);
 
  private:
-  struct Form {  // a separator times a power of two, homogeneous in x - o and w
-    int degree;
-    std::vector<Big> coefficients;
-  };
   bool has_signs(const Sheet& sheet, const Patch& p, const Node& node);
-  // The sign of all Bernstein coefficients of a separator on the node; 0 if they differ or one is 0.
-  int sign_on(size_t separator, const Patch& p, const Node& node) const;
 
   const Box& box_;
   const bool is_strict_;  // S1 of version 1
   Units* const units_;
-  std::vector<Form> forms_;
-  std::vector<int> known_;  // signs of the separators on the node, or kUnknown
+  std::vector<int> known_;           // signs of the separators on the node, or kUnknown
+  std::unique_ptr<LocalNet> local_;  // of the node, once needed
 };

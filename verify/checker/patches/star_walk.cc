@@ -64,7 +64,7 @@ struct Descent {
     return line.meets(end[0], w[0], end[1], w[1]);
   }
   void visit(const Patch& p, Node* node) {
-    units.add(p.cost);
+    units.add(2 * p.cost_of_hull(node->level));
     if (!meets(p, *node)) return;
     require(node->level < kLevels, units.id, "a node of level 24 is not off the walk", walk);
     Node* const child = forest.children(p, node);

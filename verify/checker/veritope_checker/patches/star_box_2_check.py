@@ -29,6 +29,7 @@ class Checker2(star_box_check.Checker):
         pieces = [[] for _ in box.sheets]
 
         def take(node):
+            self.forest.spend_on_g("C2", node)
             sheet = sheet_of(node, box, lambda units: self.forest.spend("C2", units))
             if sheet is None and "C2" in self.skip:
                 sheet = 0
@@ -38,7 +39,7 @@ class Checker2(star_box_check.Checker):
 
         self.forest.descend(misses_box(box), "C2", take, box.frame)
         for n, (sheet, nodes) in enumerate(zip(box.sheets, pieces)):
-            number = Crossing(nodes, sheet, lambda: self.forest.spend("C2")).number()
+            number = Crossing(nodes, sheet, lambda units: self.forest.spend("C2", units)).number()
             if number != 1:
                 self.fail("C3", "the crossing number of sheet %d of box %d is %d" % (n, i, number))
 

@@ -2,20 +2,24 @@
 """To which sheet of a star box a node belongs (docs/certificates/star-box-2.md, section 4)."""
 from ..common.errors import Reject
 from ..common.vectors import cross
+from . import star_box_work as work_of
 from .star_box_patches import FULL, MAX_SIZE, Packing, longest
 
 def sheet_of(node, box, spend):
     """The number of the sheet to which the node belongs, or None.  spend: called with units of work."""
-    costs, signs = [cost_of(separator, node.patch) for separator in box.separators], {}
+    for separator in box.separators:
+        if node.patch.num_g * (node.patch.bits + separator.length) > MAX_SIZE:
+            raise Reject("C2", "a separator is too long for the degree of a patch")
+    signs = {}
 
     def sign(number):
         if number not in signs:
-            spend(costs[number])
+            spend(work_of.of_separator(box.separators[number], node))
             signs[number] = sign_on(node, box.separators[number])
         return signs[number]
 
     for i, sheet in enumerate(box.sheets):
-        spend(node.patch.cost)
+        spend(work_of.of_s1(node))
         if has_s1(node, sheet.c) and all(sign(n) == s for n, s in enumerate(sheet.signs) if s):
             return i
     return None
@@ -76,13 +80,6 @@ def is_radial(curve, c):
 
 
 # ---------------------------------------------------------------- separators
-
-def cost_of(separator, patch):
-    """Units of work for the coefficients on a node of the patch."""
-    size = patch.size + patch.num_g * separator.length
-    if size > MAX_SIZE:
-        raise Reject("C2", "a separator is too long for the degree of a patch")
-    return separator.degree * (1 + (size >> 14))
 
 def sign_on(node, separator):
     """The sign of all Bernstein coefficients of W^d q(F / W) on the node, or 0 if they have not one sign."""

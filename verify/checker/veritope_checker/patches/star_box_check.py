@@ -6,6 +6,7 @@ fractions.  Lengths are in units of 2^E, so that all boxes have integer corners.
 """
 from ..common.errors import Reject
 from ..common.vectors import cross, sub
+from . import star_box_work as work_of
 from .star_box_crossing import Crossing
 from .star_box_itd import read_subject
 from .star_box_nodes import Forest, in_frame, misses_box, misses_segment, root_nodes
@@ -14,7 +15,6 @@ from .star_box_read import Certificate
 from .star_box_triangles import Flat, corners_of, meet_properly, triangle_misses_box
 
 MAX_DEGREE = 15
-UNITS = 2000                            # of work for each leaf and box
 
 def check(claim, statement, body, model, skip):
     """skip: conditions that are not tested, for tests only."""
@@ -29,6 +29,7 @@ class Checker:
         self.statement, self.entities, self.skip = statement, entities, skip
         self.cert = self.certificate(magic, body, entities)
         self.patches, self.vertex_of, self.forest, self.chi, self.inner = [], [], None, [], {}
+        self.work = work_of.allowed(statement["subject_bytes"] + len(body))
 
     def fail(self, condition, why):
         if condition not in self.skip:
@@ -46,7 +47,7 @@ class Checker:
         for i, box in enumerate(cert.boxes):
             if box.component is None:
                 self.fail("C1", "no leaf names box %d" % i)
-        self.forest = Forest(self.patches, UNITS * (cert.num_leaves + len(cert.boxes) + 100))
+        self.forest = Forest(self.patches, self.work)
         for i, box in enumerate(cert.boxes):
             (self.check_mesh_box if box.kind else self.check_star_box)(i, box)
         self.check_walks()
@@ -74,6 +75,9 @@ class Checker:
                     stack += node.children()[::-1]
                     node.kids = None
                     continue
+                self.work -= work_of.of_hull(node)
+                if self.work < 0:
+                    raise Reject("C1", "too much work")
                 box = self.cert.boxes[number]
                 lo, hi = node.hull(box.frame)
                 if any(n < c * d for (n, d), c in zip(lo, box.lo)) or any(n > c * d for (n, d), c in zip(hi, box.hi)):
@@ -83,8 +87,13 @@ class Checker:
                 box.component = patch.component
 
     def check_star_box(self, i, box):
-        nodes = self.forest.descend(misses_box(box), "C2", lambda node: "C2" in self.skip or node.has_s1(box.c))
-        number = Crossing(nodes, box, lambda: self.forest.spend("C2")).number()
+        def has_s1(node):
+            self.forest.spend_on_g("C2", node)
+            self.forest.spend("C2", work_of.of_s1(node))
+            return "C2" in self.skip or node.has_s1(box.c)
+
+        nodes = self.forest.descend(misses_box(box), "C2", has_s1)
+        number = Crossing(nodes, box, lambda units: self.forest.spend("C2", units)).number()
         if number != 1:
             self.fail("C3", "the crossing number of box %d is %d" % (i, number))
 
@@ -103,7 +112,7 @@ class Checker:
             if cross(sub(t.corners[1], t.corners[0]), sub(t.corners[2], t.corners[0])) == (0, 0, 0):
                 return self.fail("C4", "a triangle in box %d is degenerate" % i)
             for s in tested[:n]:
-                self.forest.spend("C4")
+                self.forest.spend("C4", work_of.of_pair(self.patches[s.patch], self.patches[t.patch]))
                 common = [p for p, v in zip(t.corners, t.vertices) if v in s.vertices]
                 if not meet_properly(s.corners, t.corners, common, len(t.edges & s.edges)):
                     self.fail("C4", "triangles %d and %d in box %d do not meet properly" % (s.patch, t.patch, i))
@@ -146,7 +155,7 @@ class Checker:
             ray[direction // 2] = 1 - 2 * (direction % 2)
             segments.append((points[-1], ray, True))
         for segment in segments:
-            self.forest.descend(misses_segment(*segment), condition, lambda node: condition in self.skip)
+            self.forest.descend(misses_segment(*segment), condition, lambda node: condition in self.skip, price=2)
 
     def check_values(self):
         """Tests W2; returns the numbers of the statement in which this claim differs from others, or that it alone

@@ -5,6 +5,7 @@ from itertools import compress
 
 from ..common.errors import Reject
 from ..common.vectors import dot
+from . import star_box_work as work_of
 from .star_box_patches import FULL
 from .star_box_read import MAX_DEPTH
 
@@ -137,6 +138,7 @@ class Forest:
 
     def __init__(self, patches, work):
         self.roots, self.work, self.cached = [node for patch in patches for node in root_nodes(patch)], work, 0
+        self.with_g = set()                                 # the patches on which g was needed
         items = []
         for node in self.roots:
             lo, hi = node.hull()
@@ -148,11 +150,19 @@ class Forest:
         if self.work < 0:
             raise Reject(condition, "too much work")
 
+    def spend_on_g(self, condition, node):
+        if node.patch not in self.with_g:
+            self.with_g.add(node.patch)
+            self.spend(condition, work_of.of_products(node.patch))
+        self.spend(condition, work_of.of_g(node))
+
     def roots_near(self, misses, condition, frame):
-        stack = [self.top] if self.top else []
+        stack, visited = [self.top] if self.top else [], 0
         while stack:
             lo, hi, item = stack.pop()
-            self.spend(condition)
+            if visited % work_of.NODES_OF_UNIT == 0:
+                self.spend(condition)
+            visited += 1
             if frame is not None:
                 lo, hi = mapped_box(frame, lo, hi)
             if not misses([(n, 1) for n in lo], [(n, 1) for n in hi]):
@@ -161,13 +171,13 @@ class Forest:
                 else:
                     stack += item
 
-    def descend(self, misses, condition, taken, frame=None):
+    def descend(self, misses, condition, taken, frame=None, price=1):
         """The nodes that are taken; those whose hulls (in the frame) miss are dropped, the others split down to the
-        last level."""
+        last level.  price: of a node, times the work of its hull."""
         stack, result = list(self.roots_near(misses, condition, frame)), []
         while stack:
             node = stack.pop()
-            self.spend(condition, node.patch.cost)
+            self.spend(condition, price * work_of.of_hull(node))
             if misses(*node.hull(frame)):
                 continue
             if taken(node):

@@ -169,10 +169,9 @@ class Patch:
             self.net = [[[c // common for c in row] for row in a] for a in self.net]
         p, q = self.degrees * (1 if self.is_tensor else 2)
         self.num_g = 9 * p * q if self.is_tensor else 3 * p * (3 * p - 1) // 2
-        self.size = self.num_g * longest(self.net)
-        if self.size > MAX_SIZE:
+        self.both_degrees, self.bits = (p, q), longest(self.net)
+        if self.num_g * self.bits > MAX_SIZE:
             raise Reject("B2", "the coefficients of a patch are too long for its degree")
-        self.cost = 1 + (self.size >> 14)                   # units of work for a node
         self.g, self.component, self.roots, self.index = None, None, (0, 0), 0
         self.sides = [None] * self.num_sides
 

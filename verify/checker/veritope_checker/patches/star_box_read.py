@@ -296,7 +296,7 @@ class Certificate:
         if abs(self.unit) > MAX_SHIFT:
             raise Reject("B1", "a unit of 2^%d" % self.unit)
         self.boxes = self.read_boxes(body)
-        self.last, self.num_leaves = 0, 0
+        self.last = 0
         if sum(1 << a + b for a, b in self.roots) > body.left():
             raise Reject("B1", "more roots than the body has room for")
         self.trees = [[self.tree(body) for _ in range(1 << a + b)] for a, b in self.roots]
@@ -321,7 +321,6 @@ class Certificate:
                 self.last += unzigzag(code - 1)
                 if not 0 <= self.last < len(self.boxes):
                     raise Reject("B1", "box %d does not exist" % self.last)
-                self.num_leaves += 1
             elif level == MAX_DEPTH:
                 raise Reject("B1", "a tree is too deep")
             else:

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// star_compose.h: the signs of separators on nodes, docs/certificates/star-box-2.md, section 4.
+#pragma once
+#include "star_node.h"
+
+// x - o and w of each control point of a node, homogeneous, times the binomials of its place, and all divided by a
+// common power of two.
+struct LocalNet {
+  Shape shape;
+  Block numbers;
+  int bits;  // of the longest number
+};
+LocalNet local_net(const Patch& p, const Node& node, const int64_t* o);
+
+// The sign of all Bernstein coefficients of W^d q(F / W); 0 if they differ or one is 0. The net's o is that of q.
+int sign_on(const Separator& q, const LocalNet& net);

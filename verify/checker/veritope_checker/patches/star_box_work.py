@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Units of work (the ends of section 6 of star-box.md and star-box-2.md)."""
+FREE_UNITS, UNITS_OF_BYTE = 1 << 20, 20
+NODES_OF_UNIT = 32                      # of the hierarchy over the roots
+
+def allowed(num_bytes):
+    """num_bytes: of the model and the body."""
+    return FREE_UNITS + UNITS_OF_BYTE * num_bytes
+
+def bits_at(patch, level):
+    p, q = patch.both_degrees
+    return patch.bits + (p + q) * (level + max(patch.roots))
+
+def count(patch, times):
+    """The number of Bernstein coefficients in degrees that are this multiple of the patch's."""
+    p, q = (times * n for n in patch.both_degrees)
+    return (p + 1) * (q + 1) if patch.is_tensor else (p + 1) * (p + 2) // 2
+
+def of_hull(node):
+    return 1 + (count(node.patch, 1) * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
+
+def of_g(node):
+    return 1 + (node.patch.num_g * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 13)
+
+def of_s1(node):
+    return 1 + (node.patch.num_g * bits_at(node.patch, node.level) >> 12)
+
+def of_products(patch):
+    """Once for each patch."""
+    return 1 + (count(patch, 1) * count(patch, 2) * (2 + 2 * patch.bits // 64) ** 2 >> 6)
+
+def of_separator(separator, node):
+    d, patch = separator.degree, node.patch
+    limbs = 2 + d * (bits_at(patch, node.level) + separator.length) // 64
+    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs ** 2 >> 9)
+
+def of_pair(p, q):
+    """For two triangles of these patches in a mesh box."""
+    return 4 + ((p.bits + q.bits) ** 2 >> 14)

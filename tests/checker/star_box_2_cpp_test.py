@@ -164,10 +164,6 @@ class StarBox2Test(unittest.TestCase):
         self.says(expected, changed, words)
 
 
-def proved(entities, **options):
-    return Plan(forge.Prover(entities, **options).prove())
-
-
 def proved(entities, kind=forge.Prover, **options):
     return Plan(kind(entities, **options).prove())
 
@@ -465,6 +461,14 @@ class WeakSigns(StarBox2Test):
         """(u, v) (u^2 + v^2 - u^2 v^2): the identity on the sides, one to one, and the normal is zero in the middle alone."""
         x, y = bernstein({(3, 0): 1, (1, 2): 1, (3, 2): -1}), bernstein({(0, 3): 1, (2, 1): 1, (2, 3): -1})
         self.assertEqual(self.judged([[(x[i][j], y[i][j]) for j in range(4)] for i in range(4)]), "C2")
+
+    def test_normals_that_are_zero_along_a_side_of_triangles(self):
+        """Whichever side it is. The boxes are those of the octahedron of flat triangles; for the lie, one has c- = c+."""
+        plain = proved(models2.octahedron())
+        for turn in range(3):
+            plan = covered(models2.folded_octahedron(turn), plain)
+            plan.drop_boxes()
+            self.lie("C2", plan, lambda changed: changed.boxes[0].sheets[0].__setitem__(0, changed.boxes[0].sheets[0][1]))
 
     def test_no_coefficient_is_negative(self):
         """c- is moved outside, nearly to c+: on a whole face of the ball the coefficients then have both signs."""

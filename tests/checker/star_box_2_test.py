@@ -4,10 +4,15 @@
 import unittest
 
 import judges
-import star_box_2_test as python_tests
+import star_box_2_body_test as body
+import star_box_2_flat_test as flat
+import star_box_2_sheets_test as sheets
+import star_box_2_test as sound
+import star_box_2_turned_test as turned
 
-judges.judge(python_tests.vc)
-SoundModels, Lies, FlatPatches = python_tests.SoundModels, python_tests.Lies, python_tests.FlatPatches
+judges.judge(sound.vc)
+SoundModels, Hostile, Body, Leaves = sound.SoundModels, sound.Hostile, body.Body, body.Leaves
+Sheets, Walks, FlatPatches, Turned = sheets.Sheets, sheets.Walks, flat.FlatPatches, turned.Turned
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Models for star_box_2_test.py with boxes made by hand: exact, known by construction. The unit of coordinates is 2^-20."""
+"""Models for star_box_2_*_test.py with boxes made by hand: exact, known by construction. The unit of coordinates is 2^-20."""
 from fractions import Fraction as Q
 
 import star_box_2_forge as forge2
@@ -47,15 +47,18 @@ def cuboid(lo, hi, point=lambda p: p):
     return [forge.surface([[shape(at(u, v)) for v in (-1, 1)] for u in (-1, 1)]) for at in models.cube_faces()]
 
 
-def plate(gap, turned=False):
+def plate(gap, turned=False, is_inside_out=False):
     """A plate 1 x 1 x gap: (entities, setting, boxes). One box has both walls, whose thickness does not depend on the gap."""
     to, gap = Setting(turned), Q(gap)
     entities = cuboid((0, 0, 0), (1, 1, gap), to.point)
+    way = -1 if is_inside_out else 1
     above, below = (Q(1, 2), Q(1, 2), Q(1, 4)), (Q(1, 2), Q(1, 2), -Q(1, 8))
-    walls = to.box(0, (Q(3, 16), Q(3, 16), -Q(1, 4)), (Q(13, 16), Q(13, 16), Q(1, 2)), (below, above), (above, below))
+    walls = to.box(0, (Q(3, 16), Q(3, 16), -Q(1, 4)), (Q(13, 16), Q(13, 16), Q(1, 2)), (below, above)[::way], (above, below)[::way])
     walls.separate(to.plane(gap / 2), 0, 1, 2)
-    one = to.box(0, (Q(3, 16), Q(3, 16), gap / 4), (Q(9, 16), Q(9, 16), Q(1, 2)), ((Q(3, 8), Q(3, 8), gap / 2), (Q(3, 8), Q(3, 8), Q(1, 4))))
+    one = to.box(0, (Q(3, 16), Q(3, 16), gap / 4), (Q(9, 16), Q(9, 16), Q(1, 2)), ((Q(3, 8), Q(3, 8), gap / 2), (Q(3, 8), Q(3, 8), Q(1, 4)))[::way])
     everything = to.box(1, (-Q(1, 8), -Q(1, 8), -Q(1, 4)), (Q(9, 8), Q(9, 8), Q(1, 2)))
+    if is_inside_out:
+        entities = [models.reversed_surface(e) for e in entities]
     return entities, to, [one, walls, everything]
 
 
@@ -151,6 +154,25 @@ def rounded_prism():
     (a, ab, b), (_, bc, c), (_, ca, _) = sides
     caps = [[(*p, 1) for p in (a, ab, ca, b, bc, c)], [(*p, -1) for p in (a, ca, ab, c, bc, b)]]
     return [forge.triangle(cap, 2) for cap in caps] + [forge.surface([[(*p, -1), (*p, 1)] for p in side]) for side in sides]
+
+
+def octahedron():
+    """The octahedron with |x| + |y| + |z| = 1, of flat triangles."""
+    return [forge.triangle([f["shape"]["points"][i] for i in (0, 3, 5)]) for f in folded_octahedron()]
+
+
+def folded_octahedron(turn=0):
+    """The octahedron as quadratic triangles whose normals are zero along the four sides with z = 0 only: the
+    other sides double their control point there, and neighbours agree on it. turn: the number of the corner with x = y = 0."""
+    ring, faces = [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], []
+    for i, a in enumerate(ring):
+        for b, c in ((ring[i - 3], (0, 0, 1)), (ring[i - 1], (0, 0, -1))):
+            # the control point of each pair of corners
+            between = {(0, 0): c, (1, 1): a, (2, 2): b, (1, 2): tuple(Q(x + y, 2) for x, y in zip(a, b)), (0, 1): a, (0, 2): b}
+            corner = [(k - turn) % 3 for k in range(3)]
+            faces.append(forge.triangle([between[tuple(sorted((corner[j], corner[k])))] for j, k in
+                                         ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))], 2))
+    return faces
 
 
 BLOCKS = ((0, 0, 0), (-1, 0, 0), (-1, -1, 0), (-1, -1, -1))

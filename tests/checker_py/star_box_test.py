@@ -408,7 +408,7 @@ class AnySign(forge.Prover):
 
     def first_walk(self, n, done):
         for number in self.components[n]:
-            box = forge.check_box(self.plan.boxes[number])
+            box = self.probe(self.plan.boxes[number])
             for sign in (1, 0):
                 for end in range(6):
                     ray = [0, 0, 0]
@@ -417,7 +417,7 @@ class AnySign(forge.Prover):
                         return number, sign, [], end
                 for other in [b for m in done for b in self.components[m][:12]]:
                     for to in (0, 1):
-                        at = forge.check_box(self.plan.boxes[other]).c[to]
+                        at = self.probe(self.plan.boxes[other]).c[to]
                         if self.is_free(star_nodes.misses_segment(box.c[sign], star_triangles.sub(at, box.c[sign]), False)):
                             return number, sign, [], (other, to)
         return None

@@ -19,7 +19,7 @@ constexpr std::size_t kMostFrames = 8;
 // A frame that was made for another piece serves this one if its box is thicker by no more than this.
 constexpr double kThicker = 1.05, kSameDirection = 0x1p-24;
 // The sine of the least angle of a crease, and the cosine from which its faces count as perpendicular.
-constexpr double kLeastCrease = 0.125, kRightAngle = 0.999;
+constexpr double kLeastCrease = 0.5, kRightAngle = 0.999;
 
 // The vector scaled to unit length; nothing if it has no direction in doubles.
 std::optional<Point3d> direction(const Point3d& a) {
@@ -102,21 +102,28 @@ std::optional<PieceFrame> FrameChoice::along(Id piece) {
   return out;
 }
 
-std::optional<PieceFrame> FrameChoice::at_crease(Id piece, const std::vector<Id>& around,
-                                                 const BoxFrame& plain) {
+std::optional<Point3d> FrameChoice::normal_across_crease(Id piece, const std::vector<Id>& around) {
   const auto normal = direction(forest_.approx_normal(piece));
   if (!normal) return std::nullopt;
-  Point3d other{}, crease{};
+  std::optional<Point3d> out;
+  double most = kLeastCrease;
   for (const Id id : around) {
-    const auto n = direction(forest_.approx_normal(id));
-    if (!n) continue;
-    const Point3d c = cross(*normal, *n);
-    if (length_of(c) > length_of(crease)) other = *n, crease = c;
+    const auto other = direction(forest_.approx_normal(id));
+    if (!other) continue;
+    const double sine = length_of(cross(*normal, *other));
+    if (sine > most) most = sine, out = other;
   }
-  if (!(length_of(crease) > kLeastCrease)) return std::nullopt;
+  return out;
+}
+
+std::optional<PieceFrame> FrameChoice::along_crease(Id piece, const Point3d& other_normal,
+                                                    const BoxFrame& plain) {
   for (std::size_t r = 0; r < 2; ++r)
-    if (std::abs(dot(other, approx_row(plain, r))) > kRightAngle) return std::nullopt;
-  auto frame = BoxFrame::make({row_of(*direction(crease)), row_of(other), row_of(*normal)});
+    if (std::abs(dot(other_normal, approx_row(plain, r))) > kRightAngle) return std::nullopt;
+  const auto normal = direction(forest_.approx_normal(piece));
+  const auto crease = normal ? direction(cross(*normal, other_normal)) : std::nullopt;
+  if (!crease) return std::nullopt;
+  auto frame = BoxFrame::make({row_of(*crease), row_of(other_normal), row_of(*normal)});
   if (!frame) return std::nullopt;
   const auto known = std::find_if(frames_.begin(), frames_.end(),
                                   [&](const BoxFrame& f) { return are_near(f, *frame); });

@@ -27,11 +27,14 @@ class FrameChoice {
   /// is not much thicker in it, so that planes and cylinders share theirs. Nothing if the piece has no normal.
   std::optional<PieceFrame> along(Id piece);
 
-  /// For a piece beside a crease: rows along the crease and along the normals of the faces that meet there, so that
-  /// pieces of both are thin in it, whatever the angle between them. Nothing if the normals of the pieces around it
-  /// show no crease, or one at a right angle, which `plain`, the frame along the piece, serves as well.
-  std::optional<PieceFrame> at_crease(Id piece, const std::vector<Id>& around,
-                                      const BoxFrame& plain);
+  /// The unit normal of the piece around `piece` whose normal differs most from that piece's; nothing if none differs
+  /// by 30 degrees or more, as beside a crease.
+  std::optional<Point3d> normal_across_crease(Id piece, const std::vector<Id>& around);
+
+  /// Rows along the crease and along the normals of the faces that meet there, so that pieces of both are thin in it,
+  /// whatever the angle between them. Nothing if that angle is right: `plain`, the frame along the piece, is thin then.
+  std::optional<PieceFrame> along_crease(Id piece, const Point3d& other_normal,
+                                         const BoxFrame& plain);
 
  private:
   std::optional<BoxFrame> own(Id piece);

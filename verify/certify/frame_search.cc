@@ -36,6 +36,7 @@ constexpr double kOtherSide = 2;
 
 using internal::dot;
 using internal::length_of;
+double length_along(const Box3d& b) { return std::min(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
 double height(const Box3d& b) { return b.hi[2] - b.lo[2]; }
 double power_of_two_below(double v) { return std::exp2(std::floor(std::log2(v))); }
 
@@ -54,10 +55,13 @@ bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
   if (!plain) return false;
   use(*plain);
   if (try_in_frame(with_one_sheet_only)) return true;
-  const auto crease = choice_.at_crease(id, around_, plain->frame);
-  if (!crease) return false;
-  use(*crease);
-  return try_in_frame(with_one_sheet_only);
+  const auto other = choice_.normal_across_crease(id, around_);
+  if (!other) return false;
+  if (try_tight()) return true;
+  const auto oblique = choice_.along_crease(id, *other, plain->frame);
+  if (!oblique) return false;
+  use(*oblique);
+  return try_in_frame(with_one_sheet_only) || try_tight();
 }
 
 void FrameSearch::use(const PieceFrame& chosen) {
@@ -66,7 +70,7 @@ void FrameSearch::use(const PieceFrame& chosen) {
 }
 
 bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
-  const double along = std::min(hull_.hi[0] - hull_.lo[0], hull_.hi[1] - hull_.lo[1]);
+  const double along = length_along(hull_);
   const double bent = growth_ * kHeights * height(hull_);
   const Region high = region_of_height(std::max(along, bent), growth_);
   const bool is_gathered = gather(high);
@@ -76,7 +80,6 @@ bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
   if (all.size() == 1 && try_sheets(high, all)) return true;
   if (const auto cut = cut_back(high, Cut::kAll); cut && gather(*cut) && try_sheets(*cut, {near_}))
     return true;
-  if (try_tight(2 * high.half[2])) return true;
   if (with_one_sheet_only) return false;
   if (all.size() > 1 && try_sheets(high, all)) return true;
   if (!(bent < along)) return false;
@@ -87,8 +90,8 @@ bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
 
 // One sheet in a box hardly longer than the piece: beside a curved rim a longer box is a thicker one, and its centres
 // must see farther round the bend.
-bool FrameSearch::try_tight(double height) {
-  Region region = region_of_height(height, kTightGrowth);
+bool FrameSearch::try_tight() {
+  Region region = region_of_height(length_along(hull_), kTightGrowth);
   region.part = kTightPart;
   if (!gather(region)) return false;
   if (const auto cut = cut_back(region, Cut::kOpposite)) {

@@ -42,7 +42,7 @@ class FrameSearch {
   };
   void use(const PieceFrame& chosen);
   bool try_in_frame(bool with_one_sheet_only);
-  bool try_tight(double height);
+  bool try_tight();
   Region region_of_height(double height, double growth) const;
   bool is_small(Id id, const Box3d& hull, const Region& region);
   void hold_near();

@@ -80,13 +80,13 @@ NAMES = ["2 " + c for c in WHOLE] + ["2 %s %s" % (c, part) for c, parts in PARTS
 
 # Parts that no attack is expected to need, and why: the last column of the table says so.
 UNCOVERED = {
-    "2 B1 det A": "a box in a singular frame has no end, but is tested as every other; shown with a sound solid (star_box_2_test.py)",
+    "2 B1 det A": "a box in a singular frame has no end, but is tested as every other; shown with a sound solid (star_box_2_body_test.py)",
     "2 C2": "its parts are needed; without all of it the first sheet has every node, and another crossing number",
     "2 C1 component": "a star box of one sheet that passes C2 and C3 has one disk, so leaves of one component only; in a mesh box nothing follows",
-    "2 C2 inner corner": "shown with an open surface (star_box_2_test.py), as are the next two",
+    "2 C2 inner corner": "shown with an open surface (star_box_2_zeros_test.py), as are the next two",
     "2 C2 radial": "", "2 C2 collapsed": "",
     "2 C4 convex": "a quadrilateral that is not convex folds at that corner, unless control points there are equal",
-    "2 C4 straight": "shown with a sound solid (star_box_2_test.py)",
+    "2 C4 straight": "shown with a sound solid (star_box_2_flat_test.py)",
 }
 
 

@@ -16,6 +16,7 @@
 #include "robust/base/check.h"
 #include "robust/base/stopwatch.h"
 #include "verify/format/sha256.h"
+#include "verify/format/star_box_certificate.h"
 
 namespace veritope::cli {
 namespace {
@@ -131,13 +132,31 @@ class Certification {
     report_.defects = std::move(certified->findings);
     verdict_ = certified->verdict;
     claim_ = std::move(certified->claim);
-    bytes_ = std::move(certified->certificate);
-    report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
+    set_certificate(std::move(certified->certificate));
+    without_collar_ = std::move(certified->without_collar);
     const auto* const mesh = std::get_if<MeshFile>(&model_);
     if (settings_.with_picture && mesh != nullptr)
       picture_ = defect_picture(mesh->mesh, report_.defects);
     model_ = {};  // memory for the checker
     return true;
+  }
+
+  void set_certificate(certificate::Bytes bytes) {
+    bytes_ = std::move(bytes);
+    report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
+  }
+
+  // The cells are too many for the checker; the star boxes alone may not be.
+  void drop_collar(const std::string& words) {
+    set_certificate(std::exchange(without_collar_, {}));
+    claim_ = certificate::kStarBoxClaim;
+    CollarFacts& facts = *std::get<PatchFacts>(report_.facts).collar;
+    Finding why = fault_of("over-budget", "one of " + std::to_string(facts.cells) +
+                                              " cells was found, but the checker has too little "
+                                              "memory or work for them" +
+                                              words);
+    facts = {};
+    facts.open = std::move(why);
   }
 
   bool check() {
@@ -169,6 +188,10 @@ class Certification {
     if (!outcome.is_started)
       return give_up(kExitUndecided,
                      fault_of("not-checked", settings_.checker + " " + outcome.words));
+    if ((outcome.lacks_resources || outcome.exceeds_work) && !without_collar_.empty()) {
+      drop_collar(words);
+      return check();
+    }
     if (outcome.lacks_resources)
       return give_up(kExitUndecided,
                      fault_of("out-of-memory", "not enough memory for veritope-check" + words));
@@ -228,6 +251,8 @@ class Certification {
     if (o.orientation == PatchOrientation::kAuto) out += "--orient auto ";
     if (o.with_collar) out += "--collar ";
     if (o.tolerance) out += "--tolerance " + short_decimal(*o.tolerance, 17) + " ";
+    if (o.max_cells) out += "--max-cells " + std::to_string(*o.max_cells) + " ";
+    if (o.max_memory) out += "--max-memory " + std::to_string(*o.max_memory >> 20) + " ";
     if (settings_.reading.format)
       out += std::string("--format ") + model_format(*settings_.reading.format).name + " ";
     return out;
@@ -241,7 +266,7 @@ class Certification {
   ModelFile model_;
   ByteBuffer copy_;  ///< if needs_copy(): the input, for the checker
   Verdict verdict_ = Verdict::kUndecided;
-  certificate::Bytes bytes_;
+  certificate::Bytes bytes_, without_collar_;
   std::string claim_, picture_;
 };
 

@@ -24,6 +24,7 @@ struct CertifyFilesOptions {
   // spline files
   bool orient_auto = false, collar = false;
   std::optional<double> tolerance;
+  LimitOptions limits;
 };
 
 void declare(OptionSet& set, CertifyFilesOptions& o) {
@@ -40,6 +41,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
   set.flag("-q,--quiet", o.quiet, "the verdict lines only");
   declare_format(set, o.input);
   declare_reading(set, o.input.reading);
+  declare_limits(set, o.limits);
 }
 
 std::string contradiction(const CertifyFilesOptions& o) {
@@ -98,6 +100,8 @@ CertifySettings settings_of(const CertifyFilesOptions& options) {
   if (options.orient_auto) out.certify.orientation = PatchOrientation::kAuto;
   out.certify.with_collar = options.collar;
   out.certify.tolerance = options.tolerance;
+  out.certify.max_cells = options.limits.max_cells;
+  out.certify.max_memory = options.limits.max_memory();
   out.with_picture = options.picture.has_value();
   return out;
 }

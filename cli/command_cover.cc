@@ -28,6 +28,7 @@ struct CoverOptions {
   std::optional<double> eps;  ///< nothing: chosen by the size of the model
   std::optional<std::string> json;
   bool orient_auto = false, quiet = false;
+  LimitOptions limits;
 };
 
 void declare(OptionSet& set, CoverOptions& o) {
@@ -56,6 +57,7 @@ void declare(OptionSet& set, CoverOptions& o) {
   declare_orientation(set, o.orient_auto, "patches");
   set.flag("-q,--quiet", o.quiet, "nothing on standard output, no progress");
   declare_format(set, o.input);
+  declare_limits(set, o.limits);
 }
 
 std::string contradiction(const CoverOptions& o) {
@@ -72,7 +74,7 @@ double default_eps(BoundaryModel& model) {
 }
 
 /// Budgets, in boxes and cells: a row takes seconds, tens of them at worst. What they do not suffice for is undecided.
-SweepOptions sweep_budgets() {
+SweepOptions sweep_budgets(const LimitOptions& limits) {
   SweepOptions out;
   out.boxes.max_boxes = 4'000;
   out.conditions.trace.max_cells = 500;
@@ -81,13 +83,20 @@ SweepOptions sweep_budgets() {
   out.conditions.max_listed = 1;
   out.conditions.stops_at_refutation = true;
   out.max_cells = 6'000;
+  if (limits.max_cells) {
+    out.max_cells = std::min(out.max_cells, *limits.max_cells);
+    out.boxes.max_boxes = std::min<std::size_t>(out.boxes.max_boxes, *limits.max_cells);
+  }
   return out;
 }
 
 class CoverRun {
  public:
   CoverRun(const CoverOptions& options, StandardOutput& out)
-      : options_(options), out_(out), progress_(!options.quiet) {}
+      : options_(options),
+        out_(out),
+        progress_(!options.quiet),
+        budget_(memory_allowed(options.limits.max_memory())) {}
 
   ExitCode run() {
     const ExitCode exit = look();
@@ -112,10 +121,10 @@ class CoverRun {
   }
 
   ExitCode sweep(PatchComplex complex) {
-    Result<BoundaryModel> model = BoundaryModel::make(std::move(complex));
+    Result<BoundaryModel> model = BoundaryModel::make(std::move(complex), &budget_);
     if (!model) return fail(kExitUndecided, model.error());
     phase("asking conditions");
-    const SweepOptions budgets = sweep_budgets();
+    const SweepOptions budgets = sweep_budgets(options_.limits);
     const auto rows = sweep_conditions(*model, options_.eps.value_or(default_eps(*model)),
                                        *options_.sweep, budgets);
     if (!rows) return fail(kExitUnreadable, rows.error());
@@ -131,7 +140,9 @@ class CoverRun {
 
   ExitCode write_boxes(BoundaryModel& model, const SweepRow* row) {
     if (row == nullptr) return fail(kExitUndecided, "no boxes were made, and nothing is written");
-    const auto boxes = make_surface_cover(model, row->eps, sweep_budgets().boxes);
+    budget_.forgive();
+    const auto boxes =
+        make_surface_cover(model, row->eps, sweep_budgets(options_.limits).boxes);
     if (!boxes) return fail(kExitUnreadable, boxes.error());
     return write(surface_boxes_picture(options_.output, *boxes));
   }
@@ -141,6 +152,8 @@ class CoverRun {
     FileDecisionOptions how;
     if (options_.part != CoverPart::kBoxes) how.frame = FrameWanted::kPlain;
     how.may_turn_shells = options_.orient_auto;
+    how.search.budget = &budget_;
+    if (options_.limits.max_cells) how.search.cover.max_boxes = *options_.limits.max_cells;
     auto [decision, forest] = decide_file_patches(patches, how);
     if (decision.refutation)
       return fail(kExitInvalid, "the model is invalid: veritope certify says where");
@@ -149,7 +162,9 @@ class CoverRun {
     PatchCollarSearch search;
     if (options_.part != CoverPart::kBoxes) {
       phase("looking for a collar");
-      search = find_patch_collar(*forest, decision.cover);
+      CollarSearchOptions limits;
+      if (options_.limits.max_cells) limits.max_cells = *options_.limits.max_cells;
+      search = find_patch_collar(*forest, decision.cover, limits);
       said_ += collar_text(collar_facts(search, *forest));
       if (!search.collar)
         return fail(kExitUndecided, "no collar was found, and nothing is written");
@@ -181,6 +196,7 @@ class CoverRun {
   StandardOutput& out_;
   Progress progress_;
   std::string words_, said_, sha256_;
+  MemoryBudget budget_;
 };
 
 Status check_outputs(const CoverOptions& options) {

@@ -10,6 +10,7 @@ namespace veritope::cli {
 namespace {
 
 constexpr unsigned kMostJobs = 1024;
+constexpr std::uint64_t kMostMebibytes = std::uint64_t{1} << 40;
 constexpr std::uint64_t kMostFaces = (std::uint64_t{1} << 30) - 1;  // the limit of decide_validity
 
 std::string wrong_files(const InputOptions& input) {
@@ -80,6 +81,18 @@ void declare_orientation(OptionSet& set, bool& is_auto, const std::string& what_
   };
   set.option("--orient", "HOW", take,
              "auto: reverse " + what_is_reversed + " that do not fit; keep: none");
+}
+
+std::optional<std::uint64_t> LimitOptions::max_memory() const {
+  if (!max_mebibytes) return std::nullopt;
+  return *max_mebibytes << 20;
+}
+
+void declare_limits(OptionSet& set, LimitOptions& limits) {
+  set.number("--max-cells", limits.max_cells, {1, kMost32},
+             "limit: boxes tried (4000000), octree cells (2097152)");
+  set.number("--max-memory", limits.max_mebibytes, {1, kMostMebibytes},
+             "limit: MiB for the search (half of the machine's)");
 }
 
 void declare_plain_file(OptionSet& set, const std::string& name, std::string& file,

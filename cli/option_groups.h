@@ -42,6 +42,14 @@ void declare_json(OptionSet& set, std::optional<std::string>& json, const std::s
 /// --orient; `is_auto` becomes true if patches that do not fit are to be reversed.
 void declare_orientation(OptionSet& set, bool& is_auto, const std::string& what_is_reversed);
 
+/// Bounds on what a search may take; nothing: its own.
+struct LimitOptions {
+  std::optional<std::uint64_t> max_cells, max_mebibytes;
+  std::optional<std::uint64_t> max_memory() const;  ///< in bytes
+};
+/// --max-cells, --max-memory
+void declare_limits(OptionSet& set, LimitOptions& limits);
+
 /// One file that is not a model.
 void declare_plain_file(OptionSet& set, const std::string& name, std::string& file,
                         const std::string& help);

@@ -123,6 +123,22 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "octrees, which are cubes, would need too many cells.",
      "The message names the place and what was tried; bring the model near to the origin, or do "
      "without --collar."},
+    {"memory-limit", "limit of memory reached",
+     "The search for a proof, or for a collar, would have needed more memory than it may take, and "
+     "ended before it took it. The message says what was reached. Status 3 without a verdict; a "
+     "verdict that was proved before stands, with its certificate.",
+     "Very many patches, sheets very near each other, edges at acute angles, cells around walls "
+     "that are thin for the size of the model.",
+     "Raise --max-memory, which counts MiB and is half of the machine's memory unless it is given; "
+     "cut the model into parts; do without --collar."},
+    {"cell-limit", "limit of boxes or cells reached",
+     "The search tried as many boxes, or made as many octree cells, as it may. The message says "
+     "what was reached. Status 3 without a verdict; a verdict that was proved before stands, with "
+     "its certificate.",
+     "Sheets very near each other, edges at acute angles, cells around walls that are thin for the "
+     "size of the model.",
+     "Raise --max-cells, and --max-memory with it; widen the gap that the message names; do "
+     "without --collar."},
     {"data-after-end", "bytes after the declared end",
      "A notice, not an error: the counts of the file end before its bytes do. The file is read as "
      "its counts say, which is "

@@ -49,6 +49,7 @@ Json collar_json(const std::optional<CollarFacts>& c) {
   if (!c) return nullptr;
   Json out = {{"found", !c->open}};
   if (c->open) {
+    out["code"] = c->open->code;
     out["message"] = c->open->message;
     out["place"] = box_json(c->open->place.box);
     return out;

@@ -3,6 +3,7 @@
 // a surface lies.
 // Theory: docs/THEORY.md, COLLAR-1.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -21,6 +22,9 @@ enum class CollarOutcome {
   kNotProduct,   ///< |K| is a 3-manifold, but some body does not have two boundary components of one genus
   kUndecided,    ///< every order that was tried got stuck: it may be a product or not
 };
+
+/// The bytes that a complex, its boundary and find_collar take at their peak for each face of the complex. Derived in docs/design/0036-bounds-on-everything.md.
+inline constexpr std::size_t kCollarBytesPerFace = 208;
 
 struct CollarOptions {
   /// Boundary faces, in at most one component of each body: their components are d+. For the other bodies d+ is chosen.

@@ -29,10 +29,9 @@ Facing FacingOfPieces::of(PieceForest::Id id) {
 }
 
 Facing FacingOfPieces::of_part(PieceForest::Id id, const Box3d& box) {
-  const PieceForest::Node node = forest_.node(id);
-  if (!meets(node.hull, box)) return kAllDirections;
-  if (extent(node.hull) <= kLongestPart * extent(box) || node.level >= PieceForest::kMaxLevel)
-    return of(id);
+  const Box3d hull = forest_.node(id).hull;
+  if (!meets(hull, box)) return kAllDirections;
+  if (extent(hull) <= kLongestPart * extent(box) || !forest_.may_split(id)) return of(id);
   const PieceForest::Id first = forest_.children(id);
   Facing out = kAllDirections;
   for (PieceForest::Id k = 0; k < 4 && out != 0; ++k) out &= of_part(first + k, box);

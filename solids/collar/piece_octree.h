@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/collar/piece_octree.h: octree cells that pieces of patches meet, split one by one.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "solids/collar/octree_root.h"
 #include "solids/pieces/piece_forest.h"
+#include "topology/octree_key_set.h"
 
 namespace veritope {
 
@@ -17,31 +20,48 @@ class PieceOctree {
  public:
   static constexpr double kPiece = 0.25;
 
-  struct Cell {
-    OctreeKey key;
-    /// All pieces that meet the closed cell are parts of these, whose hulls meet it.
-    std::vector<PieceForest::Id> pieces;
-  };
-
-  /// `memory`: bytes that the nets of the forest may take.
+  /// The forest's budget, if it has one, is charged for the cells.
+  /// @param memory  bytes that the nets of the forest may take
   PieceOctree(PieceForest& forest, const OctreeRoot& root, std::size_t memory);
 
   const OctreeRoot& root() const { return root_; }
-  /// The cells, ascending.
-  const std::vector<Cell>& cells() const { return cells_; }
+  std::size_t num_cells() const { return cells_.size(); }
+  /// Cells ascend.
+  OctreeKey key(std::size_t cell) const { return cells_[cell].key; }
   std::vector<OctreeKey> keys() const;
-  /// Replaces the cells where `which` is true by those of their children that meet pieces.
-  /// REQUIRES which.size() == cells().size(), and a level below OctreeKey::kMaxLevel where it is true.
-  void split(const std::vector<bool>& which);
+  /// Calls visit(PieceForest::Id): all pieces that meet the closed cell are parts of these, whose hulls meet it.
+  template <typename Visit>
+  void for_each_piece(std::size_t cell, Visit visit) const {
+    const Cell& c = cells_[cell];
+    for (std::uint32_t k = 0; k < c.num_pieces; ++k) visit(pieces_[c.first_piece + k]);
+  }
+  /// Replaces the cells where `which` is true by those of their children that meet pieces. Returns false where the
+  /// budget, or max_cells, would be exceeded; then the cells are no cover any more.
+  /// REQUIRES which.size() == num_cells(), and a level below OctreeKey::kMaxLevel where it is true.
+  [[nodiscard]] bool split(const std::vector<bool>& which,
+                           std::size_t max_cells = OctreeKeySet::kMaxCells);
 
  private:
+  struct Cell {
+    OctreeKey key;
+    std::uint32_t first_piece, num_pieces;
+  };
+  static_assert(sizeof(Cell) <= 16, "there are millions of cells");
+  // Deques give back what was taken from their front, so that old and new cells are not there together.
+  using Cells = std::deque<Cell>;
+  using Pieces = std::deque<PieceForest::Id>;
+
   bool is_met(PieceForest::Id id, const Box3d& box);
   void gather(PieceForest::Id id, const Box3d& box, std::vector<PieceForest::Id>* out);
+  bool split(OctreeKey key, const std::vector<PieceForest::Id>& pieces);
+  bool add(OctreeKey key, const std::vector<PieceForest::Id>& pieces);
 
   PieceForest& forest_;
   OctreeRoot root_;
   std::size_t memory_;
-  std::vector<Cell> cells_;
+  Cells cells_, next_cells_;
+  Pieces pieces_, next_pieces_;
+  MemoryShare share_;
 };
 
 }  // namespace veritope

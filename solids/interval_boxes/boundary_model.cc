@@ -46,7 +46,7 @@ Result<Patch> ruled(const std::array<std::vector<Rational>, 4>& begin,
 
 }  // namespace
 
-Result<BoundaryModel> BoundaryModel::make(PatchComplex complex) {
+Result<BoundaryModel> BoundaryModel::make(PatchComplex complex, MemoryBudget* budget) {
   if (!complex.is_closed_oriented_surface()) {
     std::string why = "the patches are no closed oriented surface";
     if (!complex.findings().empty()) why += ": " + describe(complex, complex.findings().front());
@@ -54,7 +54,7 @@ Result<BoundaryModel> BoundaryModel::make(PatchComplex complex) {
   }
   BoundaryModel out;
   out.complex_ = std::make_unique<PatchComplex>(std::move(complex));
-  auto forest = PieceForest::make(*out.complex_, PieceForest::FrameChoice::kPlain);
+  auto forest = PieceForest::make(*out.complex_, PieceForest::FrameChoice::kPlain, budget);
   if (!forest) return forest.error();
   out.forest_ = std::make_unique<PieceForest>(std::move(*forest));
   return out;

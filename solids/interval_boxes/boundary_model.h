@@ -29,7 +29,8 @@ class BoundaryModel {
  public:
   /// @error kBadArgument unless the complex is a closed oriented surface (the message names the first finding); as
   /// PieceForest::make
-  static Result<BoundaryModel> make(PatchComplex complex);
+  /// @param budget  of the forest, as PieceForest::make
+  static Result<BoundaryModel> make(PatchComplex complex, MemoryBudget* budget = nullptr);
   /// Closed loops of plane curves, each in the direction that has the inside on its left: curve i + 1 begins where
   /// curve i ends.
   /// @error kBadArgument unless the walls over them close up; kEmpty without a curve

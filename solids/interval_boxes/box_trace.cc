@@ -62,8 +62,7 @@ struct Doubt {
   bool visit(PieceForest::Id id) {
     const Box3d hull = forest.node(id).hull;
     if (!meets(hull, box)) return false;
-    if (left == 0 || is_in(hull, box, 3) || forest.node(id).level == PieceForest::kMaxLevel)
-      return true;
+    if (left == 0 || is_in(hull, box, 3) || !forest.may_split(id)) return true;
     --left;
     if (normal && crosses(id, hull)) return true;
     const PieceForest::Id first = forest.children(id);
@@ -321,7 +320,7 @@ bool is_met(BoundaryModel& model, const Box3d& box, std::size_t max_visits) {
     const PieceForest::Id id = queue.top().id;
     queue.pop();
     if (max_visits-- == 0) return false;
-    if (forest.node(id).level == PieceForest::kMaxLevel) continue;
+    if (!forest.may_split(id)) continue;
     const PieceForest::Id first = forest.children(id);
     for (PieceForest::Id k = 0; k < 4; ++k) look_at(first + k);
   }

@@ -48,8 +48,10 @@ class CellCover {
   Status visit(PieceForest::Id id, std::uint64_t max_cells, std::vector<OctreeCell>* cells) {
     const PieceForest::Node node = forest_.node(id);
     if (extent(node.hull) > 0.25 * cell_) {
-      if (node.level == PieceForest::kMaxLevel)
-        return Error{Code::kOverLimit, {}, "pieces below level " + std::to_string(node.level)};
+      if (!forest_.may_split(id))
+        return forest_.is_out_of_memory()
+                   ? memory_error(*forest_.budget())
+                   : Error{Code::kOverLimit, {}, "pieces below level " + std::to_string(node.level)};
       const PieceForest::Id first = forest_.children(id);
       for (PieceForest::Id k = 0; k < 4; ++k)
         if (const Status done = visit(first + k, max_cells, cells); !done) return done;
@@ -116,6 +118,7 @@ void fill(BoundaryModel& model, const SweepOptions& options, SweepRow* row) {
     if (!status)
       row->why_not += (row->why_not.empty() ? "" : "; ") + (what + (": " + status.error().message));
   };
+  if (MemoryBudget* const budget = model.forest().budget()) budget->forgive();
   note("boxes", decide_boxes(model, options, row));
   if (!model.is_planar()) note("cells", decide_collar(model, row->eps, options.max_cells, row));
 }

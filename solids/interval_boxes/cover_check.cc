@@ -91,7 +91,7 @@ class CoverCheck {
       found_.add({BoxOffence::Why::kUncovered, {}, hull, 0});
       return;
     }
-    if (forest_.node(id).level >= kMaxLevel) {
+    if (forest_.node(id).level >= kMaxLevel || !forest_.may_split(id)) {
       found_.add({BoxOffence::Why::kUndecided, {}, hull, 0});
       is_spent_ = ++stuck_ >= kMaxStuck;
       return;
@@ -138,7 +138,7 @@ class CoverCheck {
     const Box3d hull = forest_.node(id).hull;
     if (above ? hull.lo[k] > at : hull.hi[k] < at) return true;
     if (above ? hull.hi[k] <= at : hull.lo[k] >= at) return false;
-    if (depth == 0 || forest_.node(id).level >= PieceForest::kMaxLevel) return false;
+    if (depth == 0 || !forest_.may_split(id)) return false;
     const Id first = forest_.children(id);
     for (Id c = 0; c < 4; ++c)
       if (reaches(first + c, k, at, above, depth - 1)) return true;

@@ -60,7 +60,7 @@ std::optional<SelfDistance> self_distance(BoundaryModel& model, std::uint64_t ma
     queue.pop();
     const bool first = extent(forest.node(top.a).hull) >= extent(forest.node(top.b).hull);
     const Id split = first ? top.a : top.b;
-    if (forest.node(split).level == PieceForest::kMaxLevel) return out;
+    if (!forest.may_split(split)) return out;
     const Id child = forest.children(split);
     for (Id k = 0; k < 4; ++k) first ? push(child + k, top.b) : push(top.a, child + k);
     if (queue.empty()) return out;

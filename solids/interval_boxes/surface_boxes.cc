@@ -56,7 +56,8 @@ class CoverMaker {
       if (split.empty()) break;
       for (const Id id : split) {
         leaves_.erase(id);
-        if (forest_.node(id).level >= options_.max_level) return too_many();
+        if (forest_.node(id).level >= options_.max_level || !forest_.may_split(id))
+          return too_many();
         const Id first = forest_.children(id);
         for (Id k = 0; k < 4; ++k)
           if (!descend(first + k)) return too_many();
@@ -69,6 +70,7 @@ class CoverMaker {
 
  private:
   Error too_many() const {
+    if (forest_.is_out_of_memory()) return memory_error(*forest_.budget());
     return Error{Code::kOverLimit,
                  {},
                  leaves_.size() > options_.max_boxes
@@ -95,7 +97,7 @@ class CoverMaker {
       leaves_.insert(id);
       return leaves_.size() <= options_.max_boxes;
     }
-    if (node.level >= options_.max_level) return false;
+    if (node.level >= options_.max_level || !forest_.may_split(id)) return false;
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4; ++k)
       if (!descend(first + k)) return false;

@@ -15,9 +15,10 @@
 namespace veritope::internal {
 
 /// Items with the hashes of their forms, cut into classes of equal forms; classes of one item included. form_of(item)
-/// is called only where a hash occurs again: at any time only the forms of one hash are held. Items of a class ascend;
-/// the order of the classes is not fixed.
-/// @cost O(n log n) comparisons of hashes, and of forms where hashes are equal
+/// is called only where a hash occurs again; two forms are held at any time, or, of items that are equal in their hash
+/// and differ from the first of them, all. Items of a class ascend; the order of the classes is not fixed.
+/// @cost O(n log n) comparisons of hashes; of forms, one for each item, and O(n log n) for those of items that differ
+///       from the first one of their hash
 template <typename Item, typename FormOf>
 std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t, Item>> hashed,
                                              FormOf form_of) {
@@ -25,14 +26,26 @@ std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t
   std::sort(hashed.begin(), hashed.end());
   std::vector<std::vector<Item>> classes;
   std::vector<Form> forms;
-  std::vector<std::size_t> run;
+  std::vector<std::size_t> others, run;
   for (std::size_t i = 0; i < hashed.size();) {
     std::size_t end = i + 1;
     while (end < hashed.size() && hashed[end].first == hashed[i].first) ++end;
-    forms.clear();
-    if (end > i + 1)
-      for (std::size_t k = i; k < end; ++k) forms.push_back(form_of(hashed[k].second));
-    run.resize(end - i);
+    std::vector<Item>& first_class = classes.emplace_back();
+    first_class.push_back(hashed[i].second);
+    forms.clear(), others.clear();
+    if (end > i + 1) {
+      const Form first = form_of(hashed[i].second);
+      for (std::size_t k = i + 1; k < end; ++k) {
+        Form form = form_of(hashed[k].second);
+        if ((form <=> first) == 0) {
+          first_class.push_back(hashed[k].second);
+          continue;
+        }
+        forms.push_back(std::move(form));
+        others.push_back(k);
+      }
+    }
+    run.resize(others.size());
     std::iota(run.begin(), run.end(), std::size_t{0});
     std::sort(run.begin(), run.end(), [&](std::size_t a, std::size_t b) {
       const auto order = forms[a] <=> forms[b];
@@ -40,7 +53,7 @@ std::vector<std::vector<Item>> equal_classes(std::vector<std::pair<std::uint64_t
     });
     for (std::size_t k = 0; k < run.size(); ++k) {
       if (k == 0 || (forms[run[k - 1]] <=> forms[run[k]]) != 0) classes.emplace_back();
-      classes.back().push_back(hashed[i + run[k]].second);
+      classes.back().push_back(hashed[others[run[k]]].second);
     }
     i = end;
   }

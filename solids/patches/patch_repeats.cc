@@ -2,6 +2,8 @@
 // Patches that occur twice: equal up to degree, factor, corner 0 and normal.
 #include <algorithm>
 #include <array>
+#include <compare>
+#include <deque>
 
 #include "solids/patches/patch_complex_internal.h"
 #include "solids/patches/patch_net.h"
@@ -24,24 +26,36 @@ std::optional<SideEdges> edges_of(const Patch& patch, std::uint32_t p, const Mat
 }
 
 struct Net {
-  CanonicalNet net;
+  const CanonicalNet* net;  // several patches with equal numbers have one
   std::uint32_t patch;
 };
+
+std::strong_ordering order_of(const Net& a, const Net& b) {
+  return a.net == b.net ? std::strong_ordering::equal : *a.net <=> *b.net;
+}
+bool have_equal_numbers(const Patch& a, const Patch& b) {
+  if (a.is_triangle() != b.is_triangle()) return false;
+  return a.is_triangle() ? a.triangle() == b.triangle() : a.tensor() == b.tensor();
+}
 
 void compare_run(std::span<const Patch> patches, std::span<const std::uint32_t> run,
                  std::vector<PatchFinding>& out) {
   std::vector<Net> nets;
-  for (const std::uint32_t p : run) nets.push_back({canonical_net(patches[p]), p});
+  std::deque<CanonicalNet> made{canonical_net(patches[run.front()])};
+  for (const std::uint32_t p : run) {
+    const bool is_copy = have_equal_numbers(patches[run.front()], patches[p]);
+    nets.push_back({is_copy ? &made.front() : &made.emplace_back(canonical_net(patches[p])), p});
+  }
   std::sort(nets.begin(), nets.end(), [](const Net& a, const Net& b) {
-    const auto order = a.net <=> b.net;
+    const auto order = order_of(a, b);
     return order != 0 ? order < 0 : a.patch < b.patch;
   });
   for (std::size_t i = 1; i < nets.size(); ++i) {
-    if ((nets[i - 1].net <=> nets[i].net) != 0) continue;
+    if (order_of(nets[i - 1], nets[i]) != 0) continue;
     PatchFinding& f = out.emplace_back();
     f.defect = PatchDefect::kRepeatedPatch;
     f.sides = {{nets[i - 1].patch, 0}, {nets[i].patch, 0}};
-    f.has_other_normal = nets[i - 1].net.is_reversed != nets[i].net.is_reversed;
+    f.has_other_normal = nets[i - 1].net->is_reversed != nets[i].net->is_reversed;
   }
 }
 

@@ -25,8 +25,12 @@ class ForestBuilder {
   using Part = PieceForest::Part;
 
  public:
-  ForestBuilder(const PatchComplex& complex, PieceForest::FrameChoice choice) : choice_(choice) {
+  ForestBuilder(const PatchComplex& complex, PieceForest::FrameChoice choice, MemoryBudget* budget)
+      : choice_(choice) {
     forest_.complex_ = &complex;
+    forest_.node_share_ = MemoryShare(budget);
+    forest_.form_share_ = MemoryShare(budget);
+    forest_.store_.charge(budget);
   }
 
   Result<PieceForest> build() {
@@ -331,6 +335,12 @@ class ForestBuilder {
         }
     }
     forest_.num_roots_ = forest_.nodes_.size();
+    forest_.node_share_.resize_anyway(forest_.nodes_.capacity() * PieceForest::kBytesOfNode);
+    std::uint64_t forms = boxes.size() * 2 * sizeof(Box3d);  // with the tree over them
+    for (const PieceForest::Form& form : forest_.forms_)
+      forms += 2 * sizeof form +
+               (form.root_control.size() + form.root_determinants.size()) * sizeof(double);
+    forest_.form_share_.resize_anyway(forms);
     forest_.roots_ = BoxHierarchy(std::move(boxes));
   }
 
@@ -340,8 +350,9 @@ class ForestBuilder {
   PieceForest forest_;
 };
 
-Result<PieceForest> PieceForest::make(const PatchComplex& complex, FrameChoice choice) {
-  return ForestBuilder(complex, choice).build();
+Result<PieceForest> PieceForest::make(const PatchComplex& complex, FrameChoice choice,
+                                      MemoryBudget* budget) {
+  return ForestBuilder(complex, choice, budget).build();
 }
 
 }  // namespace veritope

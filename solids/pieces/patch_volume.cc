@@ -69,7 +69,7 @@ class Integrator {
     while (order < kMostOrder && !(2 * rest(w, most, order) <= enough)) ++order;
     const bool is_near = 2 * rest(w, most, order) <= enough;
     // If the order suffices for a node, rounding does not add less on parts of the node.
-    if (is_near || node.level >= kMaxLevel)
+    if (is_near || node.level >= kMaxLevel || !forest_.may_split(id))
       return area * over_cubed_weight(form, g, w, order, rest(w, most, order));
     forest_.limit_memory(kMemory);
     const Id first = forest_.children(id);

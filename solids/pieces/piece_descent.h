@@ -16,8 +16,9 @@ enum class PieceStep {
 
 /// Calls step(id) for the pieces whose closed hulls meet the box, from the roots on, a parent before its children.
 /// Every part of V that meets the box lies in a piece that was taken. Returns false if a step stopped the descent, if
-/// it visited more than max_visits pieces, or if a piece of the greatest level was to be split. Hulls may be unbounded,
-/// where weights are not known to be positive, and all pieces of such a patch meet every box: hence the budget.
+/// it visited more than max_visits pieces, or if a piece was to be split that may not be (PieceForest::may_split).
+/// Hulls may be unbounded, where weights are not known to be positive, and all pieces of such a patch meet every box:
+/// hence the budget.
 template <typename Step>
 class PieceDescent {
  public:
@@ -39,7 +40,7 @@ class PieceDescent {
     --left_;
     const PieceStep step = step_(id);
     if (step != PieceStep::kSplit) return step == PieceStep::kTaken;
-    if (forest_.node(id).level == PieceForest::kMaxLevel) return false;
+    if (!forest_.may_split(id)) return false;
     const PieceForest::Id first = forest_.children(id);
     for (PieceForest::Id k = 0; k < 4; ++k)
       if (!visit(first + k)) return false;

@@ -114,7 +114,7 @@ void PieceForest::quarter(Id id, Part part) {
 PieceForest::Id PieceForest::children(Id id) {
   if (nodes_[id].first_child != kNone) return nodes_[id].first_child;
   const Node parent = nodes_[id];
-  VT_CHECK(parent.level < kMaxLevel, "a piece is split too often");
+  VT_CHECK(may_split(id), "a piece is split too often");
   const Form& form = forms_[parent.patch];
   const Id first = static_cast<Id>(nodes_.size());
   for (std::uint8_t k = 0; k < 4; ++k) {
@@ -293,13 +293,17 @@ Point3d PieceForest::approx_normal(Id id) {
 
 void PieceForest::NetStore::next_block(std::size_t n) {
   VT_CHECK(n <= kBlock, "a net is larger than a block of memory");
-  if (block_ == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<double[]>(kBlock));
+  if (block_ == blocks_.size()) {
+    share_.resize_anyway((blocks_.size() + 1) * kBlock * sizeof(double));
+    blocks_.push_back(std::make_unique_for_overwrite<double[]>(kBlock));
+  }
   ++block_;
   used_ = 0;
 }
 
 void PieceForest::limit_memory(std::size_t bytes) {
   if (exact_stored_ > kMostExactStored / 4) exact_.clear(), exact_stored_ = 0;
+  if (budget() != nullptr) bytes = std::min<std::uint64_t>(bytes, budget()->limit() / 4);
   if (store_.bytes() <= bytes) return;
   store_.take_back();
 }

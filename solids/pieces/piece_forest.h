@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "robust/base/memory_budget.h"
 #include "robust/base/result.h"
 #include "robust/base/sign.h"
 #include "solids/patches/patch_complex.h"
@@ -72,9 +73,12 @@ class PieceForest {
     kPlain,  ///< for collars, which need cubes and the model's own origin
     kWhole,  ///< plain, and long patches are cut only where they bend: for boxes in frames, which are as long as they
   };
+  /// @param budget  of the nodes, with what searches keep for each, and of the nets; it must outlive the forest. Null:
+  ///                no limit
   /// REQUIRES a complex without defects. @error kOverLimit with the patch, if it is beyond the range of doubles.
   static Result<PieceForest> make(const PatchComplex& complex,
-                                  FrameChoice choice = FrameChoice::kFitted);
+                                  FrameChoice choice = FrameChoice::kFitted,
+                                  MemoryBudget* budget = nullptr);
 
   const Frame& frame() const { return frame_; }
   /// REQUIRES frame().is_plain().
@@ -88,8 +92,17 @@ class PieceForest {
   const Form& form(std::uint32_t patch) const { return forms_[patch]; }
   const Node& node(Id id) const { return nodes_[id]; }
   std::size_t num_nodes() const { return nodes_.size(); }
-  /// The first of the node's four children, whose numbers follow each other. REQUIRES level < kMaxLevel.
+  /// Whether the node has children or may have some: it is not of the greatest level, and the budget has room for them.
+  bool may_split(Id id) {
+    return nodes_[id].first_child != kNone ||
+           (nodes_[id].level < kMaxLevel && make_room(nodes_, 4, node_share_, kBytesOfNode));
+  }
+  /// The first of the node's four children, whose numbers follow each other. REQUIRES level < kMaxLevel, and
+  /// may_split(id) where there is a budget.
   Id children(Id id);
+  MemoryBudget* budget() const { return node_share_.budget(); }
+  /// Whether the budget refused something.
+  bool is_out_of_memory() const { return budget() != nullptr && budget()->is_spent(); }
   /// The tree over all roots; its number i is root(i).
   const BoxHierarchy& roots() const { return roots_; }
   Id root(std::uint32_t number) const { return number; }
@@ -132,7 +145,7 @@ class PieceForest {
   /// approximately half a second.
   const ExactPiece* exact(Id id);
   const ExactPiece* exact_determinants(Id id);
-  /// Drops all nets if they take more than this many bytes; nodes stay.
+  /// Drops all nets if they take more than this many bytes, or more than a quarter of the budget; nodes stay.
   void limit_memory(std::size_t bytes);
 
  private:
@@ -186,6 +199,7 @@ class PieceForest {
       return out;
     }
     void take_back() { block_ = 0, used_ = kBlock, ++age_; }
+    void charge(MemoryBudget* budget) { share_ = MemoryShare(budget); }
     std::uint32_t age() const { return age_; }
     std::size_t bytes() const { return block_ * kBlock * sizeof(double); }
 
@@ -194,6 +208,7 @@ class PieceForest {
     static constexpr std::size_t kBlock = std::size_t{1} << 16;
     void next_block(std::size_t n);
     std::vector<std::unique_ptr<double[]>> blocks_;
+    MemoryShare share_;
     std::size_t block_ = 0, used_ = kBlock;
     std::uint32_t age_ = 1;
   };
@@ -202,6 +217,9 @@ class PieceForest {
   Frame frame_;
   std::vector<Form> forms_;
   std::vector<Node> nodes_;
+  // With the entries that searches keep for each node: its box, its place in a queue, its facing.
+  static constexpr std::size_t kBytesOfNode = sizeof(Node) + 48;
+  MemoryShare node_share_, form_share_;
   std::size_t num_roots_ = 0;
   NetStore store_;
   BoxHierarchy roots_;

@@ -57,6 +57,12 @@ std::string list(const std::vector<std::uint32_t>& ids) {
   return ids.size() > kMost ? out + " and " + std::to_string(ids.size() - kMost) + " more" : out;
 }
 
+// An edge may have millions of faces; the message has their number.
+std::vector<std::uint32_t> first_of(const std::vector<std::uint32_t>& faces) {
+  constexpr std::size_t kMost = 1000;
+  return {faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(std::min(faces.size(), kMost))};
+}
+
 std::string edge_sentence(MeshRule rule, const EdgeDefect& e) {
   const std::string edge = "edge " + std::to_string(e.a) + "-" + std::to_string(e.b);
   if (rule == MeshRule::kM3) return edge + " has one face only (" + list(e.faces) + "): the surface is open there";
@@ -109,7 +115,7 @@ void DefectLister::duplicate(const DuplicateFaces& duplicates) {
 void DefectLister::add_edges(MeshRule rule, const std::vector<EdgeDefect>& edges) {
   for (const EdgeDefect& e : edges) {
     Finding d = new_defect(rule);
-    d.place.faces = e.faces;
+    d.place.faces = first_of(e.faces);
     d.place.edges = {{e.a, e.b}};
     const Vec3d &a = mesh_.positions[e.a], &b = mesh_.positions[e.b];
     d.witness.point = weighted({{1, &a}, {1, &b}});
@@ -125,7 +131,7 @@ void DefectLister::topology(const SurfaceTopology& topology) {
   add_edges(MeshRule::kM5, topology.misoriented);
   for (const VertexDefect& v : topology.pinched) {
     Finding d = new_defect(MeshRule::kM6);
-    d.place.faces = v.faces;
+    d.place.faces = first_of(v.faces);
     d.place.vertices = {v.vertex};
     d.witness.point = RationalPoint{exact(mesh_.positions[v.vertex])};
     d.message = "the faces at vertex " + std::to_string(v.vertex) + " form " + std::to_string(v.fans) +

@@ -17,9 +17,13 @@ struct Entry {
 DuplicateFaces among(std::vector<Entry> entries, std::size_t max_listed) {
   std::sort(entries.begin(), entries.end());
   DuplicateFaces out;
-  for (std::size_t i = 0, j = 0; i < entries.size(); i = j)
+  for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
     for (j = i + 1; j < entries.size() && entries[j].ids == entries[i].ids; ++j)
       out.first.emplace_back(entries[i].face, entries[j].face);
+    if (j == i + 1) continue;
+    std::vector<std::uint32_t>& group = out.groups.emplace_back();
+    for (std::size_t k = i; k < j; ++k) group.push_back(entries[k].face);
+  }
   out.count = out.first.size();
   std::sort(out.first.begin(), out.first.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   if (out.first.size() > max_listed) out.first.resize(max_listed);

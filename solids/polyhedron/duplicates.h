@@ -15,6 +15,8 @@ struct DuplicateFaces {
   std::uint64_t count = 0;                                      ///< faces with the same vertices as an earlier one
   /// (first such face, later one), by the later; at most max_listed
   std::vector<std::pair<std::uint32_t, std::uint32_t>> first;
+  /// All faces with the same vertices, ascending: two or more in each group.
+  std::vector<std::vector<std::uint32_t>> groups;
 };
 
 /// Collapsed faces are left out. @cost O(shells) if no edge has more than two faces, else a sort of the faces.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "predicates/triangle_triangle.h"
 #include "robust/base/parallel.h"
@@ -20,30 +21,71 @@ IndexedTriangle indexed(const TriangleMesh& mesh, std::uint32_t f) {
   return {{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, {t[0], t[1], t[2]}};
 }
 
+// Calls visit(pair) for pairs of two different faces, one of each group, ascending, as long as it returns true. Both
+// groups ascend; they are the same one, or have no face in common.
+template <typename Visit>
+void for_each_pair(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, Visit visit) {
+  std::size_t i = 0, k = 0;
+  const bool is_one = a.data() == b.data();
+  while (i < a.size() || (!is_one && k < b.size())) {
+    const bool is_first = is_one || k == b.size() || (i < a.size() && a[i] < b[k]);
+    const std::uint32_t f = is_first ? a[i++] : b[k++];
+    const std::span<const std::uint32_t> others =
+        is_one ? a.subspan(i) : is_first ? b.subspan(k) : a.subspan(i);
+    for (const std::uint32_t g : others)
+      if (!visit(FacetPair{f, g})) return;
+  }
+}
+
 // The pairs that one task found: all counted, grouped into places, the least kept.
 class Finds {
  public:
-  void decide(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g, std::size_t max_listed) {
-    if (is_proper(triangle_triangle(indexed(mesh, f), indexed(mesh, g)))) [[likely]] return;
-    ++count_;
-    if (!places_) places_.emplace(mesh);
-    places_->add(f, g);
-    if (max_listed == 0) return;
-    const FacetPair pair = std::minmax(f, g);
-    if (least_.size() < max_listed) {
-      least_.push_back(pair);
-      std::push_heap(least_.begin(), least_.end());
-    } else if (pair < least_.front()) {
-      std::pop_heap(least_.begin(), least_.end());
-      least_.back() = pair;
-      std::push_heap(least_.begin(), least_.end());
-    }
+  Finds() = default;
+  Finds(const TriangleMesh& mesh, const FaceCopies& copies, std::size_t max_listed)
+      : mesh_(&mesh), copies_(&copies), max_listed_(max_listed) {}
+
+  void decide(std::uint32_t f, std::uint32_t g) {
+    if (is_proper(triangle_triangle(indexed(*mesh_, f), indexed(*mesh_, g)))) [[likely]] return;
+    const auto group = [&](const std::uint32_t& face) {
+      const std::span<const std::uint32_t> all = copies_->of(face);
+      return all.empty() ? std::span(&face, 1) : all;
+    };
+    add(group(f), group(g), copies_->count(f) * copies_->count(g));
+  }
+  // The pairs of one group among themselves.
+  void add_copies(const FaceCopies::Group& group) {
+    add(group, group, std::uint64_t{group.size()} * (group.size() - 1) / 2);
+    for (const std::uint32_t face : group) places_->add_face(face);
   }
   std::uint64_t count() const { return count_; }
   const std::vector<FacetPair>& least() const { return least_; }
   const std::optional<ImproperPlaces>& places() const { return places_; }
 
  private:
+  void add(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, std::uint64_t pairs) {
+    count_ += pairs;
+    if (!places_) places_.emplace(*mesh_);
+    places_->add(a.front(), b.size() > 1 && a.data() == b.data() ? b[1] : b.front(), pairs);
+    for_each_pair(a, b, [&](const FacetPair& pair) { return keep(pair); });
+  }
+  // Whether a greater pair may be kept after this one.
+  bool keep(const FacetPair& pair) {
+    if (least_.size() < max_listed_) {
+      least_.push_back(pair);
+      std::push_heap(least_.begin(), least_.end());
+    } else if (max_listed_ > 0 && pair < least_.front()) {
+      std::pop_heap(least_.begin(), least_.end());
+      least_.back() = pair;
+      std::push_heap(least_.begin(), least_.end());
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  const TriangleMesh* mesh_ = nullptr;
+  const FaceCopies* copies_ = nullptr;
+  std::size_t max_listed_ = 0;
   std::uint64_t count_ = 0;
   std::vector<FacetPair> least_;  // a heap, greatest first
   std::optional<ImproperPlaces> places_;
@@ -52,7 +94,6 @@ class Finds {
 struct SeparatorWalk {
   const TriangleMesh& mesh;
   const BoxTree& tree;
-  std::size_t max_listed;
   SeparatorFinder finder;
   Finds finds;
 
@@ -62,19 +103,19 @@ struct SeparatorWalk {
            finder.find(tree.facets(a), tree.facets(b)).has_value();
   }
   void leaf_pair(std::uint32_t i, std::uint32_t j) {
-    finds.decide(mesh, tree.order()[i], tree.order()[j], max_listed);
+    finds.decide(tree.order()[i], tree.order()[j]);
   }
 };
 
 std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
-                                        const VertexStars& stars, std::size_t max_listed, unsigned jobs) {
+                                        const VertexStars& stars, const Finds& none, unsigned jobs) {
   const BoxTree tree(mesh, median_order(mesh, facets, jobs), stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<Finds> finds(parts.size());
   parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
     const std::size_t i = parts.size() - 1 - k;  // the longest parts are the last ones: they start first
-    SeparatorWalk walk{mesh, tree, max_listed, SeparatorFinder(mesh, largest), {}};
+    SeparatorWalk walk{mesh, tree, SeparatorFinder(mesh, largest), none};
     tree.walk(parts[i], walk);
     finds[i] = std::move(walk.finds);
   });
@@ -85,15 +126,18 @@ std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vec
 
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
-                                  std::size_t max_listed, unsigned jobs) {
+                                  std::size_t max_listed, unsigned jobs, const FaceCopies& copies) {
   ImproperPairs out;
   if (facets.empty()) return out;
-  std::vector<Finds> finds(boxes.num_tasks());
+  const Finds none(mesh, copies, max_listed);
+  std::vector<Finds> finds(boxes.num_tasks(), none);
   const std::uint64_t budget = kBudgetPerFacet * facets.size() + 4096;
   out.long_thin = !boxes.for_each_overlap(budget, jobs, [&](std::size_t task, std::span<const FacetPair> pairs) {
-    for (const auto& [f, g] : pairs) finds[task].decide(mesh, f, g, max_listed);
+    for (const auto& [f, g] : pairs) finds[task].decide(f, g);
   });
-  if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, max_listed, jobs);
+  if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, none, jobs);
+  finds.push_back(none);
+  for (const FaceCopies::Group& group : copies.groups()) finds.back().add_copies(group);
   ImproperPlaces places(mesh);
   for (const Finds& part : finds) {
     if (part.places()) places.add(*part.places());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solids/polyhedron/broad_phase.h"
+#include "solids/polyhedron/face_copies.h"
 #include "solids/polyhedron/improper_places.h"
 
 namespace veritope {
@@ -16,10 +17,13 @@ struct ImproperPairs {
   bool long_thin = false;         ///< the box groups gave up and the separator walk decided
 };
 
-/// Finds the pairs among the facets of `boxes`. REQUIRES that none of these is degenerate. The result does not depend
-/// on jobs.
+/// Finds the pairs among the facets of `boxes` and their copies: a pair of facets stands for as many pairs as they have
+/// copies, and the copies of one facet meet each other.
+/// REQUIRES that none of the facets is degenerate, and that none is a copy of another one. The result does not depend on
+/// jobs.
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
-                                  std::size_t max_listed, unsigned jobs);
+                                  std::size_t max_listed, unsigned jobs,
+                                  const FaceCopies& copies = {});
 
 }  // namespace veritope

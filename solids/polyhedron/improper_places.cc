@@ -50,9 +50,9 @@ void ImproperPlaces::add_to(Cluster& cluster, std::uint64_t pairs, const Box3d& 
   cluster.has_box = true;
 }
 
-void ImproperPlaces::add(std::uint32_t f, std::uint32_t g) {
+void ImproperPlaces::add(std::uint32_t f, std::uint32_t g, std::uint64_t pairs) {
   const std::uint32_t a = node_of(f), b = node_of(g);
-  add_to(cluster_of_node_[join(a, b)], 1, common(box_of(*mesh_, f), box_of(*mesh_, g)));
+  add_to(cluster_of_node_[join(a, b)], pairs, common(box_of(*mesh_, f), box_of(*mesh_, g)));
 }
 
 void ImproperPlaces::add(const ImproperPlaces& others) {

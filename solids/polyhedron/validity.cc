@@ -94,15 +94,27 @@ class Decision {
     }
   }
 
+  // The groups of equal faces that are not degenerate.
+  FaceCopies proper_copies() {
+    auto groups = std::move(duplicates_.groups);
+    std::erase_if(groups, [&](const FaceCopies::Group& g) {
+      return std::binary_search(signs_.degenerate.begin(), signs_.degenerate.end(), g.front());
+    });
+    return FaceCopies(std::move(groups));
+  }
+
   void decide_pairs() {
     report_.box = topology_.vertices == mesh_.positions.size() ? bounding_box(mesh_.positions, options_.jobs)
                                                                          : bounding_box_of_faces(mesh_, options_.jobs);
     const UnitScale scale(report_.box);
     facets_ = proper_facets(mesh_.faces.size(), signs_.degenerate);
+    copies_ = proper_copies();
+    if (!copies_.groups().empty()) facets_ = copies_.without_copies(facets_);
     boxes_.emplace(mesh_, morton_order(mesh_, facets_, scale, options_.jobs), report_.stars, scale,
                    options_.jobs);
     report_.seconds.boxes = watch_.lap();
-    pairs_ = find_improper_pairs(mesh_, *boxes_, facets_, report_.stars, options_.max_defects, options_.jobs);
+    pairs_ = find_improper_pairs(mesh_, *boxes_, facets_, report_.stars, options_.max_defects, options_.jobs,
+                                 copies_);
     report_.long_thin = pairs_.long_thin;
     report_.places = std::move(pairs_.places);
     rule(MeshRule::kM7) = report_.counts.selfint_pairs = pairs_.count;
@@ -159,7 +171,8 @@ class Decision {
   FacetSigns signs_;
   SurfaceTopology topology_;
   DuplicateFaces duplicates_;
-  std::vector<std::uint32_t> facets_;  // those that are not degenerate
+  std::vector<std::uint32_t> facets_;  // those that are not degenerate, copies left out
+  FaceCopies copies_;
   std::optional<BoxGroups> boxes_;
   ImproperPairs pairs_;
   bool is_manifold_ = false;

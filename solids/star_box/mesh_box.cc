@@ -137,7 +137,8 @@ class MeshBox {
       patches_.push_back(patch);
       return patches_.size() <= 4 * most_;
     }
-    if (++visits_ > kMostVisits || forest_.node(id).level + 2 >= PieceForest::kMaxLevel)
+    if (++visits_ > kMostVisits || forest_.node(id).level + 2 >= PieceForest::kMaxLevel ||
+        !forest_.may_split(id))
       return false;
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4; ++k)

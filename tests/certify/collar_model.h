@@ -51,7 +51,8 @@ inline std::vector<int> genus_of_shells(const PatchCollar& collar) {
 inline CommonSubdivision uniform_cells(PieceForest& forest, const OctreeRoot& root,
                                        unsigned level) {
   PieceOctree octree(forest, root, std::size_t{1} << 29);
-  for (unsigned l = 0; l < level; ++l) octree.split(std::vector<bool>(octree.cells().size(), true));
+  for (unsigned l = 0; l < level; ++l)
+    VT_CHECK(octree.split(std::vector<bool>(octree.num_cells(), true)), "too many cells");
   return CommonSubdivision::build(OctreeKeySet::make(octree.keys()).value()).value();
 }
 

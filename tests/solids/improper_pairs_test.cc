@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "robust/base/random.h"
+#include "solids/polyhedron/duplicates.h"
 #include "tests/predicates/test_scale.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/shapes.h"
@@ -11,7 +15,9 @@
 namespace veritope {
 namespace {
 
-ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 100000, unsigned jobs = 1) {
+// With `as_copies`, faces of equal vertices are one facet with a number of copies.
+ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 100000, unsigned jobs = 1,
+                         bool as_copies = false) {
   const Incidence incidence = Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), 1);
   const SurfaceTopology topology = analyse_surface(mesh.faces, incidence, 0, 1);
   const FacetSigns signs = facet_signs(mesh, 1);
@@ -19,9 +25,16 @@ ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 1000
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
     if (signs.signs[f] != 0) facets.push_back(f);
+  FaceCopies copies;
+  if (as_copies) {
+    auto groups = find_duplicate_faces(mesh.faces, topology, 0).groups;
+    std::erase_if(groups, [&](const auto& g) { return signs.signs[g.front()] == 0; });
+    copies = FaceCopies(std::move(groups));
+    facets = copies.without_copies(facets);
+  }
   const UnitScale scale(bounding_box(mesh.positions, 1));
   const BoxGroups boxes(mesh, morton_order(mesh, facets, scale, jobs), stars, scale, jobs);
-  return find_improper_pairs(mesh, boxes, facets, stars, max_listed, jobs);
+  return find_improper_pairs(mesh, boxes, facets, stars, max_listed, jobs, copies);
 }
 
 std::string first_difference(const std::vector<FacetPair>& got, const std::vector<FacetPair>& want) {
@@ -72,6 +85,36 @@ TEST(ImproperPairs, EveryKindOfContact) {
            {"v 0,0,0 4,0,0 0,4,0 0,0,0 -1,0,0 0,-1,1 ; f 0,1,2 3,4,5", 1},  // equal coordinates, two vertices
            {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,1 4,0,1 0,4,1", 0}})
     EXPECT_EQ(expect_exact(shapes::parse(text)).count, count) << text;
+}
+
+// Faces that occur again, in any turn and either direction, count for every pair that they are in.
+TEST(ImproperPairsLaw, OfCopiesAreThoseOfTheFacesOneByOne) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(60)); ++seed) {
+    Random random(seed);
+    TriangleMesh mesh = shapes::grid_soup(random, static_cast<int>(2 + random.below(8)), 3);
+    const std::size_t before = mesh.faces.size();
+    for (std::uint64_t k = random.below(20); k > 0; --k) {
+      auto copy = mesh.faces[random.below(before)];
+      std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(random.below(3)), copy.end());
+      if (random.below(2) == 0) std::swap(copy[0], copy[1]);
+      mesh.faces.push_back(copy);
+    }
+    const ImproperPairs each = expect_exact(mesh);
+    for (const std::size_t max_listed : {std::size_t{0}, std::size_t{5}, std::size_t{100000}}) {
+      const ImproperPairs got = find_pairs(mesh, max_listed, 2, true);
+      EXPECT_EQ(got.count, each.count) << "seed " << seed << ": " << shapes::to_text(mesh);
+      auto least = each.first;
+      if (least.size() > max_listed) least.resize(max_listed);
+      EXPECT_EQ(got.first, least) << "seed " << seed << ": " << shapes::to_text(mesh);
+      ASSERT_EQ(got.places.size(), each.places.size()) << "seed " << seed;
+      for (std::size_t i = 0; i < each.places.size(); ++i) {
+        EXPECT_EQ(got.places[i].pairs, each.places[i].pairs) << "seed " << seed;
+        EXPECT_EQ(got.places[i].faces, each.places[i].faces) << "seed " << seed;
+        EXPECT_EQ(got.places[i].first_face, each.places[i].first_face) << "seed " << seed;
+        EXPECT_TRUE(got.places[i].box == each.places[i].box) << "seed " << seed;
+      }
+    }
+  }
 }
 
 TEST(ImproperPairsLaw, AreExactOnGridSoups) {

@@ -35,18 +35,18 @@ TEST(PieceOctree, CoversTheSurfaceHoweverItIsSplit) {
   PieceOctree octree(m.forest, m.root, std::size_t{1} << 28);
   Random random(17);
   for (int round = 0; round < 6; ++round) {
-    std::vector<bool> which(octree.cells().size());
+    std::vector<bool> which(octree.num_cells());
     for (std::size_t i = 0; i < which.size(); ++i)
-      which[i] = octree.cells()[i].key.level() < 3 || random.below(2) == 0;
-    octree.split(which);
+      which[i] = octree.key(i).level() < 3 || random.below(2) == 0;
+    ASSERT_TRUE(octree.split(which));
     const std::vector<OctreeKey> keys = octree.keys();
     EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
     for (int trial = 0; trial < 200; ++trial) {
       const auto p = static_cast<std::uint32_t>(random.below(m.complex.patches().size()));
       const auto q = evaluate(m.complex.patch(p).tensor(), {Rational::from_double(random.unit()),
                                                             Rational::from_double(random.unit())});
-      const auto holds = [&](const PieceOctree::Cell& cell) {
-        const Box3d box = m.root.box(cell.key);
+      const auto holds = [&](OctreeKey key) {
+        const Box3d box = m.root.box(key);
         for (std::size_t k = 0; k < 3; ++k) {
           const Rational x = Rational::power_of_two(m.forest.scale()) * q[k] / q[3];
           if (x < Rational::from_double(box.lo[k]) || Rational::from_double(box.hi[k]) < x)
@@ -54,16 +54,19 @@ TEST(PieceOctree, CoversTheSurfaceHoweverItIsSplit) {
         }
         return true;
       };
-      const auto cell = std::find_if(octree.cells().begin(), octree.cells().end(), holds);
-      ASSERT_NE(cell, octree.cells().end()) << "round " << round << ", trial " << trial;
-      EXPECT_TRUE(std::any_of(cell->pieces.begin(), cell->pieces.end(),
-                              [&](PieceForest::Id id) { return m.forest.node(id).patch == p; }));
+      const auto at = std::find_if(keys.begin(), keys.end(), holds);
+      ASSERT_NE(at, keys.end()) << "round " << round << ", trial " << trial;
+      bool has_patch = false;
+      octree.for_each_piece(
+          static_cast<std::size_t>(at - keys.begin()),
+          [&](PieceForest::Id id) { has_patch = has_patch || m.forest.node(id).patch == p; });
+      EXPECT_TRUE(has_patch);
     }
   }
   // No cell is farther from the surface than a piece may be long: |(sqrt(x^2 + y^2) - 3, z)| is 1 on it.
   const double unit = std::exp2(m.forest.scale());
-  for (const PieceOctree::Cell& cell : octree.cells()) {
-    const Box3d box = m.root.box(cell.key);
+  for (const OctreeKey key : octree.keys()) {
+    const Box3d box = m.root.box(key);
     const Point3d c = approx_centre(box);
     const double d = std::abs(std::hypot(std::hypot(c[0], c[1]) - 3 * unit, c[2]) - unit);
     EXPECT_LE(

@@ -23,6 +23,10 @@ Status check(const CertifyOptions& options) {
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
     return bad_argument("the tolerance " + std::to_string(*options.tolerance) +
                         " is not a positive number");
+  if (options.max_cells && *options.max_cells == 0)
+    return bad_argument("at most 0 cells: at least one is needed");
+  if (options.max_memory && *options.max_memory == 0)
+    return bad_argument("at most 0 bytes of memory: some are needed");
   return ok_status();
 }
 

@@ -37,6 +37,12 @@ struct CertifyOptions {
   /// kAuto also reverses shells that are wrongly oriented as a whole.
   PatchOrientation orientation = PatchOrientation::kKeep;
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1
+  /// The most boxes that are tried, and the most octree cells of a collar. Nothing: those of StarCoverOptions and
+  /// CollarSearchOptions.
+  std::optional<std::uint64_t> max_cells;
+  /// The bytes that the structures of the search may take. Nothing: half of the machine's memory. The process takes up
+  /// to a tenth more, and what the file and the program take.
+  std::optional<std::uint64_t> max_memory;
   /// The width allowed to the volume's enclosure, as in PatchDecisionOptions: positive, finite; nothing: its default.
   std::optional<double> tolerance;
 };
@@ -46,13 +52,15 @@ using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
 struct Certified {
   Verdict verdict = Verdict::kUndecided;
-  /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: the reasons, named ones
-  /// first ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong) or
-  /// "not-covered" (no certificate can speak of this file).
+  /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: the reasons, named ones first
+  /// ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong), "cell-limit" or
+  /// "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can speak of this file).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
   std::string claim;               ///< the claim that the certificate states; empty without a certificate
+  /// If that claim is collar-1: the certificate of the star boxes alone, for checkers with too little memory for cells.
+  certificate::Bytes without_collar;
 };
 
 /// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes

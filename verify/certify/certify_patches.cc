@@ -2,6 +2,7 @@
 // certify for spline files: their surfaces and triangles are the patches of one complex.
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "verify/certify/certify_kinds_internal.h"
@@ -60,6 +61,10 @@ bool is_of_orientation(const PatchRefutation& refutation) {
   return std::holds_alternative<ReversedShell>(refutation);
 }
 
+bool is_limit(const std::string& code) {
+  return code == open_code::kBudget || code == open_code::kMemory;
+}
+
 std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
   const bool is_2 = decision.cover.needs_version_2();
   if (!decision.refutation && has_collar) return certificate::kCollarClaim;
@@ -72,7 +77,10 @@ std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
 class Certification {
  public:
   Certification(const SplineFile& file, const CertifyOptions& options)
-      : file_(file), options_(options), facts_(out_.facts.emplace<PatchFacts>()) {}
+      : file_(file),
+        options_(options),
+        facts_(out_.facts.emplace<PatchFacts>()),
+        budget_(memory_allowed(options.max_memory)) {}
 
   Result<Certified> run() {
     if (auto finding = uncovered_content(file_)) return undecided(std::move(*finding));
@@ -122,8 +130,10 @@ class Certification {
       std::erase_if(facts_.reversed, [&](std::uint64_t e) { return e >= *patches_.mixed_entity; });
   }
 
-  FileDecisionOptions decision_options() const {
+  FileDecisionOptions decision_options() {
     FileDecisionOptions out;
+    out.search.budget = &budget_;
+    if (options_.max_cells) out.search.cover.max_boxes = *options_.max_cells;
     if (options_.tolerance) out.search.tolerance = *options_.tolerance;
     if (options_.with_collar) out.frame = FrameWanted::kPlainIfCheap;
     out.may_turn_shells = options_.orientation == PatchOrientation::kAuto;
@@ -138,7 +148,7 @@ class Certification {
       return std::nullopt;
     }
     Finding open = *decision().open;
-    open.code = "not-certified";
+    if (!is_limit(open.code)) open.code = "not-certified";
     if (open.place.patch)
       open.place.source.entity = patches_.complex->patch(*open.place.patch).origin().number;
     const EntityParts parts(*patches_.complex, patches_.entities);
@@ -179,12 +189,25 @@ class Certification {
                          "version 1: walls are "
                          "thin, or normals are zero somewhere");
     else if (decided_.forest->frame().is_plain())
-      collar_ = find_patch_collar(*decided_.forest, decision().cover);
+      collar_ = find_collar_or_fail();
     else
       collar_.open = why("no-collar",
                          "octrees have cubes around the origin's grid: the model lies too far "
                          "away, or is too flat");
     facts_.collar = collar_facts(collar_, *decided_.forest);
+  }
+
+  // The star boxes are proved: not even a system that has less memory than the limit says takes that away.
+  PatchCollarSearch find_collar_or_fail() {
+    CollarSearchOptions limits;
+    if (options_.max_cells) limits.max_cells = *options_.max_cells;
+    try {
+      return find_patch_collar(*decided_.forest, decision().cover, limits);
+    } catch (const std::bad_alloc&) {
+      PatchCollarSearch out;
+      out.open = why(open_code::kMemory, "the system has no more memory");
+      return out;
+    }
   }
 
   void certify() {
@@ -194,6 +217,7 @@ class Certification {
                                                                 decision().walks, *collar_.collar,
                                                                 patches_.entities, subject)
                                       : make_patch_certificate(patches_, decided_, subject);
+    if (collar_.collar) out_.without_collar = make_patch_certificate(patches_, decided_, subject);
     out_.claim = claim_of(decision(), collar_.collar.has_value());
   }
 
@@ -201,6 +225,7 @@ class Certification {
   const CertifyOptions& options_;
   Certified out_;
   PatchFacts& facts_;
+  MemoryBudget budget_;  // before what it is charged for
   FilePatches patches_;
   FileDecision decided_;
   PatchCollarSearch collar_;

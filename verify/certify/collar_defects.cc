@@ -2,17 +2,24 @@
 #include "verify/certify/collar_defects.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace veritope {
 namespace {
+
+constexpr std::size_t kNetMemory = std::size_t{1} << 26;
+// A cavity at one place is enough for a collar. Where fewer cells than this are to be split they are split everywhere,
+// which finds the place without an estimate.
+constexpr std::size_t kManyCells = std::size_t{1} << 15;
+constexpr double kReachOfCavity = 2;  // in cells, beside the one where it is sought
 
 // Calls visit(number in the cover, number in the complex) for each cell of the cover. Both lists ascend by code, and
 // the complex contains all cells of the cover.
 template <typename Visit>
 void for_each_cell(const PieceOctree& cover, const CommonSubdivision& complex, Visit visit) {
   std::uint32_t at = 0;
-  for (std::size_t i = 0; i < cover.cells().size(); ++i) {
-    while (complex.cells()[at] != cover.cells()[i].key) ++at;
+  for (std::size_t i = 0; i < cover.num_cells(); ++i) {
+    while (complex.cells()[at] != cover.key(i)) ++at;
     visit(i, at);
   }
 }
@@ -31,6 +38,7 @@ class Splitter {
         has_one_shell_(boundary.bodies.size()) {
     for (const BodyDefect& d : bodies) {
       is_defect_[d.body] = true;
+      if (d.lacks_cavity) flat_bodies_.push_back(d.body);
       has_one_shell_[d.body] = d.has_one_shell;
     }
   }
@@ -41,25 +49,27 @@ class Splitter {
     for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
       is_filler[cell] = false;
       if (is_defect_[b_.body_of_cell[cell]])
-        cells[cell] = sheets_of(cover_.cells()[i], has_one_shell_[b_.body_of_cell[cell]]);
+        cells[cell] = sheets_of(i, has_one_shell_[b_.body_of_cell[cell]]);
     });
     // Cells that only fill gaps join the bodies that they touch.
     const std::vector<LocalSheets> around = at_vertices(cells);
     for (std::uint32_t cell = 0; cell < c_.num_cells(); ++cell)
       if (is_filler[cell])
         for_each_vertex(cell, [&](std::uint32_t v) { cells[cell].add(around[v]); });
-    return choose(at_vertices(cells));
+    std::vector<bool> out = choose(at_vertices(cells));
+    for (const std::uint32_t body : flat_bodies_) keep_one_place(body, out);
+    return out;
   }
 
  private:
-  LocalSheets sheets_of(const PieceOctree::Cell& cell, bool with_facing) {
+  LocalSheets sheets_of(std::size_t cell, bool with_facing) {
     LocalSheets out;
-    for (const PieceForest::Id id : cell.pieces) {
+    const Box3d box = cover_.root().box(cover_.key(cell));
+    forest_.limit_memory(kNetMemory);
+    cover_.for_each_piece(cell, [&](PieceForest::Id id) {
       const std::uint32_t shell = forest_.complex().shell(forest_.node(id).patch);
-      out.add({with_facing && out.facing != 0 ? facing_.of_part(id, cover_.root().box(cell.key))
-                                              : out.facing,
-               shell, shell});
-    }
+      out.add({with_facing && out.facing != 0 ? facing_.of_part(id, box) : out.facing, shell, shell});
+    });
     return out;
   }
   template <typename Visit>
@@ -76,7 +86,7 @@ class Splitter {
     return out;
   }
   std::vector<bool> choose(const std::vector<LocalSheets>& around) const {
-    std::vector<bool> out(cover_.cells().size()), has_one(b_.bodies.size());
+    std::vector<bool> out(cover_.num_cells()), has_one(b_.bodies.size());
     for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
       const std::uint32_t body = b_.body_of_cell[cell];
       if (!is_defect_[body]) return;
@@ -90,12 +100,54 @@ class Splitter {
     return out;
   }
 
+  void keep_one_place(std::uint32_t body, std::vector<bool>& which) const {
+    std::vector<std::size_t> chosen;
+    for_each_cell(cover_, c_, [&](std::size_t i, std::uint32_t cell) {
+      if (which[i] && b_.body_of_cell[cell] == body) chosen.push_back(i);
+    });
+    if (chosen.size() <= kManyCells) return;
+    const Box3d near = around(thickest(chosen));
+    for (const std::size_t i : chosen)
+      which[i] = meets(cover_.root().box(cover_.key(i)), near);
+  }
+  // Among the finest cells: where one place was chosen before, its cells are.
+  std::size_t thickest(const std::vector<std::size_t>& chosen) const {
+    std::size_t best = chosen.front();
+    double most = -1;
+    for (const std::size_t i : chosen) {
+      const unsigned level = cover_.key(i).level(), finest = cover_.key(best).level();
+      if (level < finest) continue;
+      const double here = thickness(i);
+      if (level > finest || here > most) best = i, most = here;
+    }
+    return best;
+  }
+  // The least side of the box around the pieces in the cell: approximate, and far too much where sheets are oblique.
+  double thickness(std::size_t cell) const {
+    std::optional<Box3d> all;
+    cover_.for_each_piece(cell, [&](PieceForest::Id id) {
+      all = all ? hull(*all, forest_.node(id).hull) : forest_.node(id).hull;
+    });
+    const Box3d box = cover_.root().box(cover_.key(cell));
+    double out = extent(box);
+    for (std::size_t k = 0; all && k < 3; ++k)
+      out = std::min(out, std::min(all->hi[k], box.hi[k]) - std::max(all->lo[k], box.lo[k]));
+    return out;
+  }
+  Box3d around(std::size_t cell) const {
+    Box3d out = cover_.root().box(cover_.key(cell));
+    const double reach = kReachOfCavity * extent(out);
+    for (std::size_t k = 0; k < 3; ++k) out.lo[k] -= reach, out.hi[k] += reach;
+    return out;
+  }
+
   PieceForest& forest_;
   FacingOfPieces& facing_;
   const PieceOctree& cover_;
   const CommonSubdivision& c_;
   const ComplexBoundary& b_;
   std::vector<bool> is_defect_, has_one_shell_;
+  std::vector<std::uint32_t> flat_bodies_;
 };
 
 }  // namespace
@@ -114,12 +166,12 @@ std::vector<std::vector<std::uint32_t>> shells_of_bodies(const PatchComplex& pat
   std::vector<std::vector<std::uint32_t>> out(boundary.bodies.size());
   for_each_cell(cover, complex, [&](std::size_t i, std::uint32_t cell) {
     std::vector<std::uint32_t>& shells = out[boundary.body_of_cell[cell]];
-    for (const PieceForest::Id id : cover.cells()[i].pieces) {
+    cover.for_each_piece(i, [&](PieceForest::Id id) {
       const std::uint32_t shell = patches.shell(forest.node(id).patch);
-      if (!shells.empty() && shells.back() == shell) continue;
+      if (!shells.empty() && shells.back() == shell) return;
       const auto at = std::lower_bound(shells.begin(), shells.end(), shell);
       if (at == shells.end() || *at != shell) shells.insert(at, shell);
-    }
+    });
   });
   return out;
 }
@@ -146,6 +198,7 @@ std::vector<BodyDefect> find_body_defects(
     if (sides[body].size() != 2) {
       complain(name + " have " + std::to_string(sides[body].size()) +
                " boundary components, not 2");
+      out.back().lacks_cavity = patches.shells()[shells[0]].euler() == 2;
       continue;
     }
     const std::int64_t euler = patches.shells()[shells[0]].euler();

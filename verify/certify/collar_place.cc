@@ -10,6 +10,7 @@ namespace {
 
 using Id = PieceForest::Id;
 constexpr std::uint32_t kNoBody = ~std::uint32_t{0}, kSeveralBodies = kNoBody - 1;
+constexpr std::size_t kMemoryOfNets = std::size_t{1} << 26;
 
 // inside(root) for one hull, and the bodies of the cells of K that it meets.
 class HullDescent {
@@ -82,13 +83,13 @@ class Placement {
 
   bool visit_piece(Id id, Misplaced* why) {
     ++nodes_;
-    const PieceForest::Node node = forest_.node(id);
-    if (descent_.is_inside_cells(node.hull)) return accept(id, why);
+    if (descent_.is_inside_cells(forest_.node(id).hull)) return accept(id, why);
     // The checkers count in the same way: docs/certificates/collar.md, section 4.
     if (nodes_ + descent_.visits() > 2000 * (out_.num_leaves + num_cells_ + 100))
       return fail(why, id,
                   "too many pieces are needed to show that the surface lies inside the cells");
-    if (node.level >= PieceForest::kMaxLevel)
+    forest_.limit_memory(kMemoryOfNets);
+    if (!forest_.may_split(id))
       return fail(why, id, "a piece of the least size does not lie inside the cells");
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4; ++k)

@@ -33,6 +33,7 @@ std::string text_of(Why why) {
       return "too many patches, or pieces of very different sizes, meet near this piece";
     case Why::kTooFine: return kOutOfRangeText;
     case Why::kBudget: return "the number of boxes that may be tried is spent";
+    case Why::kMemory: return "the memory that the search may take is spent";
     case Why::kStopped: return "the search was stopped";
   }
   return "";
@@ -41,6 +42,7 @@ std::string text_of(Why why) {
 const char* code_of(Why why) {
   switch (why) {
     case Why::kBudget: return open_code::kBudget;
+    case Why::kMemory: return open_code::kMemory;
     case Why::kTooFine: return open_code::kOutOfRange;
     default: return open_code::kNoStarBox;
   }
@@ -78,6 +80,13 @@ std::string tried_text(std::size_t tried) {
   return "; " + with_commas(tried) + (tried == 1 ? " box tried" : " boxes tried");
 }
 
+// A limit of the options ended the search: what it had done.
+bool is_limit(Why why) { return why == Why::kBudget || why == Why::kMemory; }
+std::string reached_text(const StarCover& cover) {
+  return "; " + with_commas(cover.tried) + " boxes were tried, and " +
+         with_commas(cover.boxes.size()) + " are proved";
+}
+
 std::string gap_text(double distance) {
   return distance > 0 ? "two sheets run approximately " + two_digits(distance) + " apart here"
                       : "two sheets meet here, or their distance is too small to be told from 0";
@@ -113,6 +122,10 @@ CoverQuestion cover_question(PieceForest& forest, const StarCover& cover) {
   out.finding.place.patch = node.patch;
   out.finding.place.shell = forest.complex().shell(node.patch);
   out.finding.place.box = forest.in_model(node.hull);
+  if (is_limit(piece.why)) {
+    out.finding.message = text_of(piece.why) + reached_text(cover);
+    return out;
+  }
   if (!is_gap(forest, piece)) {
     out.finding.message = text_of(piece.why) + tried_text(cover.tried) + angle_text(piece);
     return out;

@@ -69,9 +69,9 @@ std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>&
     return is_split ? 4 : 1;
   };
   for (const Pair& pair : pairs) {
-    const PieceForest::Node &x = forest_.node(pair.a), &y = forest_.node(pair.b);
-    if (x.level >= PieceForest::kMaxLevel || y.level >= PieceForest::kMaxLevel) continue;
-    const double size_a = extent(x.hull), size_b = extent(y.hull);
+    if (!forest_.may_split(pair.a) || !forest_.may_split(pair.b)) continue;
+    const double size_a = extent(forest_.node(pair.a).hull),
+                 size_b = extent(forest_.node(pair.b).hull);
     Id a, b;
     const Id num_a = parts(pair.a, !(2 * size_a < size_b), &a),
              num_b = parts(pair.b, !(2 * size_b < size_a), &b);

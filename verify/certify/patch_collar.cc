@@ -8,6 +8,7 @@
 #include "robust/base/check.h"
 #include "topology/thicken.h"
 #include "verify/certify/collar_defects.h"
+#include "verify/certify/patch_decision.h"
 
 namespace veritope {
 namespace {
@@ -46,11 +47,18 @@ constexpr std::size_t kFewCells = std::size_t{1} << 15;
 class Search {
  public:
   Search(PieceForest& forest, const StarCover& cover, const CollarSearchOptions& options)
-      : forest_(forest), cover_(cover), options_(options), facing_(forest) {}
+      : forest_(forest),
+        cover_(cover),
+        options_(options),
+        max_cells_(std::min(options.max_cells, OctreeKeySet::kMaxCells)),
+        facing_(forest),
+        complex_share_(forest.budget()) {
+    if (forest.budget() != nullptr) forest.budget()->forgive();
+  }
 
   PatchCollarSearch run() {
     gaps_ = count_gap_cells(cover_);
-    is_narrow_ = gaps_.all > kSurelyTooMany * static_cast<double>(options_.max_cells);
+    is_narrow_ = gaps_.all > kSurelyTooMany * static_cast<double>(max_cells_);
     const Result<OctreeRoot> root = root_around(hull_of_leaves(forest_, cover_));
     if (!root) {
       fail(root.error().message);
@@ -58,30 +66,65 @@ class Search {
     }
     root_ = *root;
     octree_.emplace(forest_, root_, options_.memory);
-    for (int level = 0; level < 2; ++level)
-      octree_->split(std::vector<bool>(octree_->cells().size(), true));
+    for (int level = 0; level < 2 && !is_done_; ++level)
+      split(std::vector<bool>(octree_->num_cells(), true), "");
     while (!is_done_) try_cells();
     return std::move(out_);
   }
 
  private:
   void fail(std::string message, std::optional<Box3d> place = {}) {
+    if (forest_.is_out_of_memory()) return fail_for_memory();
+    end("no-collar", std::move(message), place);
+  }
+  void fail_for_memory() {
+    end(open_code::kMemory, memory_error(*forest_.budget()).message + reached(), {});
+  }
+  void end(const char* code, std::string message, const std::optional<Box3d>& place) {
     Finding& why = out_.open.emplace();
-    why.code = "no-collar";
+    why.code = code;
     why.message = std::move(message);
     if (place) why.place.box = forest_.in_model(*place);
     is_done_ = true;
   }
+  std::string reached() const {
+    return "; covers of up to " + std::to_string(out_.most_cells) + " cells were tried";
+  }
 
   void try_cells() {
+    const std::size_t n = octree_->num_cells();
     ++out_.rounds;
-    out_.cells_tried += octree_->cells().size();
+    out_.cells_tried += n;
+    const std::uint32_t max_faces = most_faces();
+    if (3 * n > max_faces) return fail_for_faces();
     Result<CommonSubdivision> complex =
-        thicken_to_manifold(OctreeKeySet::make(octree_->keys()).value());
-    if (!complex) return fail(complex.error().message);
+        thicken_to_manifold(OctreeKeySet::make(octree_->keys()).value(), max_faces);
+    if (!complex) return fail_for_faces();
+    VT_CHECK(complex_share_.resize(std::uint64_t{complex->num_faces()} * kCollarBytesPerFace),
+             "more faces than there is room for");
+    if (complex->num_cells() > max_cells_) return fail_for_cells("", {});
+    out_.most_cells = std::max<std::uint64_t>(out_.most_cells, complex->num_cells());
     const std::vector<BodyDefect> defects = find_defects(*complex);
-    if (!defects.empty()) return split_at(*complex, defects);
+    if (!defects.empty()) return split_at(std::move(*complex), defects);
     conclude(std::move(*complex));
+  }
+
+  // The room for the next complex.
+  std::uint32_t most_faces() {
+    complex_share_.resize(0);
+    if (forest_.budget() == nullptr) return CommonSubdivision::kMaxFaces;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(
+        forest_.budget()->room() / kCollarBytesPerFace, CommonSubdivision::kMaxFaces));
+  }
+  void fail_for_faces() {
+    if (forest_.budget() != nullptr) return fail_for_memory();
+    fail("the cells have more faces than a complex may have" + reached());
+  }
+  void fail_for_cells(const std::string& defect, const std::optional<Box3d>& place) {
+    end(open_code::kBudget,
+        defect + (defect.empty() ? "" : "; ") + "more than " + std::to_string(max_cells_) +
+            " cells would be needed" + reached(),
+        place);
   }
 
   // Counts are tested first: they are cheap, and rule out most covers that are too coarse.
@@ -98,31 +141,37 @@ class Search {
     return out;
   }
 
-  void split_at(const CommonSubdivision& complex, const std::vector<BodyDefect>& defects) {
+  void split_at(CommonSubdivision complex, const std::vector<BodyDefect>& defects) {
     const std::vector<bool> which =
         cells_to_split(forest_, facing_, *octree_, complex, boundary_, defects);
-    std::size_t more = 0;
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      if (!which[i]) continue;
-      const OctreeKey key = octree_->cells()[i].key;
-      more += 3;  // a surface meets approximately 4 of 8 children
-      if (key.level() >= options_.max_level)
+    for (std::size_t i = 0; i < which.size(); ++i)
+      if (which[i] && octree_->key(i).level() >= options_.max_level)
         return fail(defects.front().message + "; cells of the least size come together here",
-                    root_.box(key));
-    }
-    if (is_narrow_ && which.size() + more > kFewCells)
-      return fail("sheets pass so near each other that more than " +
-                      std::to_string(options_.max_cells) +
-                      " cells may be needed; covers of up to " + std::to_string(which.size()) +
-                      " were tried",
-                  cover_.boxes[gaps_.narrowest].star.box);
-    if (which.size() + more > options_.max_cells) {
-      const std::uint32_t cell = boundary_.bodies[defects.front().body].first_cell;
-      return fail(defects.front().message + "; more than " + std::to_string(options_.max_cells) +
-                      " cells would be needed",
-                  root_.box(complex.cells()[cell]));
-    }
-    octree_->split(which);
+                    root_.box(octree_->key(i)));
+    const auto num_split =
+        static_cast<std::size_t>(std::count(which.begin(), which.end(), true));
+    // A surface meets approximately 4 of 8 children.
+    if (is_narrow_ && which.size() + 3 * num_split > kFewCells)
+      return end(open_code::kBudget,
+                 "sheets pass so near each other that more than " +
+                     std::to_string(max_cells_) + " cells may be needed" + reached(),
+                 cover_.boxes[gaps_.narrowest].star.box);
+    const Box3d place =
+        root_.box(complex.cells()[boundary_.bodies[defects.front().body].first_cell]);
+    drop(std::move(complex));
+    split(which, defects.front().message, place);
+  }
+  // Frees the complex and what was found about it before the cells grow.
+  void drop(CommonSubdivision) {
+    boundary_ = {};
+    collar_ = {};
+    complex_share_.resize(0);
+  }
+  void split(const std::vector<bool>& which, const std::string& defect,
+             const std::optional<Box3d>& place = {}) {
+    if (octree_->split(which, max_cells_)) return;
+    if (forest_.is_out_of_memory()) return fail_for_memory();
+    fail_for_cells(defect, place);
   }
 
   // The cells are a collar around each shell; it remains to prove where the shells lie in it.
@@ -142,7 +191,7 @@ class Search {
       shores.push_back(std::move(*s));
     }
     if (const auto twisted = twisted_bodies(shores); !twisted.empty())
-      return split_at(complex, twisted);
+      return split_at(std::move(complex), twisted);
     const CollapseCheck check = replay_collapse(complex, collar_.d_plus_faces(), collar_.collapses);
     VT_CHECK(check.fault == CollapseFault::kNone, "a collapse that was found cannot be replayed");
     out_.collar.emplace(PatchCollar{root_, std::move(complex), std::move(collar_),
@@ -161,6 +210,7 @@ class Search {
   PieceForest& forest_;
   const StarCover& cover_;
   const CollarSearchOptions& options_;
+  std::size_t max_cells_;
   FacingOfPieces facing_;
   OctreeRoot root_;
   std::optional<PieceOctree> octree_;
@@ -168,6 +218,7 @@ class Search {
   Collar collar_;
   PatchCollarSearch out_;
   GapCells gaps_;
+  MemoryShare complex_share_;
   bool is_narrow_ = false, is_done_ = false;
 };
 

@@ -90,7 +90,10 @@ class Decider {
   }
 
   std::optional<Finding> make_forest(PieceForest::FrameChoice choice) {
-    Result<PieceForest> forest = PieceForest::make(complex_, choice);
+    out_.cover = {};  // their memory is there for the next ones
+    forest_.reset();
+    if (options_.budget != nullptr) options_.budget->forgive();
+    Result<PieceForest> forest = PieceForest::make(complex_, choice, options_.budget);
     if (!forest) return question(open_code::kOutOfRange, forest.error().message);
     forest_.emplace(std::move(*forest));
     return std::nullopt;

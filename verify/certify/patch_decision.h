@@ -25,6 +25,8 @@ struct PatchDecisionOptions {
   bool in_plain_frame = false;  ///< as collars need it: see PieceForest::Frame
   /// Boxes in frames and with several sheets where boxes along the axes would be many. REQUIRES !in_plain_frame.
   bool with_frames = false;
+  /// Forests and covers are charged to it; it must outlive them. Null: no limit.
+  MemoryBudget* budget = nullptr;
 };
 
 /// Why there is no proof: codes of PatchDecision::open.
@@ -33,8 +35,9 @@ inline constexpr const char* kNoSurface =
     "no-surface";  ///< S0, or another hypothesis of the theorem, does not hold
 inline constexpr const char* kOutOfRange = "out-of-range";  ///< coordinates beyond binary64
 inline constexpr const char* kNoStarBox =
-    "no-star-box";                                    ///< not even a box of the least size exists
-inline constexpr const char* kBudget = "box-budget";  ///< more boxes than allowed
+    "no-star-box";                                      ///< not even a box of the least size exists
+inline constexpr const char* kBudget = "cell-limit";    ///< more boxes than allowed
+inline constexpr const char* kMemory = "memory-limit";  ///< more memory than allowed
 inline constexpr const char* kNoWalk =
     "no-walk";  ///< no free path from some shell to the outside was found
 /// The winding numbers beside a shell are not 1 inside and 0 outside, and the walks are not in an order that a

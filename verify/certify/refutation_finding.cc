@@ -12,6 +12,9 @@
 namespace veritope {
 namespace {
 
+// The arcs of a side that are listed: it may have millions. The message has their number, the certificate all of them.
+constexpr std::size_t kMostParts = 20;
+
 std::string shortest(double v) {
   std::array<char, 32> text;
   return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), v).ptr);
@@ -53,7 +56,8 @@ class FactFinder {
   Finding operator()(const SideWitness& found) const {
     Finding out;
     const std::size_t n = found.arcs.size();
-    for (const SideArc& arc : found.arcs) out.place.parts.push_back(parts_.of(arc));
+    for (std::size_t i = 0; i < std::min(n, kMostParts); ++i)
+      out.place.parts.push_back(parts_.of(found.arcs[i]));
     const PatchPoint p = point_of(complex_, found);
     out.witness.point = RationalPoint{{p[0], p[1], p[2]}};
     out.place.near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};

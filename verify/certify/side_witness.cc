@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "solids/patches/patch_sides.h"
 #include "splines/bezier_calculus.h"
@@ -27,27 +28,75 @@ bool have_common_interior(const DyadicInterval& a, const DyadicInterval& b) {
   return a.lower() < b.upper() && b.lower() < a.upper();
 }
 
+// The arcs by side, and along each side: where very many sides coincide there are as many arcs.
+class ArcsOfSides {
+ public:
+  explicit ArcsOfSides(const SideWitness& witness) : sorted_(witness.arcs) {
+    std::sort(sorted_.begin(), sorted_.end(), [](const SideArc& a, const SideArc& b) {
+      return a.side != b.side ? a.side < b.side : a.at.lower() < b.at.lower();
+    });
+  }
+  std::span<const SideArc> of(PatchSide side) const {
+    const auto range = std::ranges::equal_range(sorted_, side, {}, &SideArc::side);
+    return {range.begin(), range.end()};
+  }
+  // If any two arcs overlap, two adjacent ones do.
+  bool are_apart() const {
+    const auto overlap = [](const SideArc& a, const SideArc& b) {
+      return a.side == b.side && have_common_interior(a.at, b.at);
+    };
+    return std::adjacent_find(sorted_.begin(), sorted_.end(), overlap) == sorted_.end();
+  }
+
+ private:
+  std::vector<SideArc> sorted_;
+};
+
 bool holds_d1(const PatchComplex& complex, const OuterSides& outer, const SideWitness& w) {
   if (w.arcs.empty() || w.axis > 2 || w.point_bits > 62) return false;
-  for (std::size_t i = 0; i < w.arcs.size(); ++i) {
-    const SideArc& arc = w.arcs[i];
+  for (const SideArc& arc : w.arcs) {
     if (arc.side.patch >= complex.patches().size() ||
         arc.side.side >= complex.patch(arc.side.patch).num_sides() || !is_outer(outer, arc.side) ||
         complex.is_collapsed(arc.side))
       return false;
     if (!arc.at.is_part_of_unit() || arc.at.is_point()) return false;
-    for (std::size_t k = 0; k < i; ++k)
-      if (w.arcs[k].side == arc.side && have_common_interior(w.arcs[k].at, arc.at)) return false;
   }
+  if (!ArcsOfSides(w).are_apart()) return false;
   const Rational t = DyadicInterval{w.point_bits, w.point, w.point}.lower();
   return w.arcs[0].at.lower() < t && t < w.arcs[0].at.upper();
+}
+
+// Whether the second arc is given by the same numbers as the first one, or by the same run backwards: then its form
+// need not be made.
+bool have_equal_numbers(const PatchComplex& complex, const SideArc& a, const SideArc& b,
+                        bool is_back) {
+  const Patch &p = complex.patch(a.side.patch), &q = complex.patch(b.side.patch);
+  const std::size_t n = p.side_length(a.side.side);
+  if (n != q.side_length(b.side.side) || p.is_rational() != q.is_rational() ||
+      b.at != (is_back ? a.at.mirrored() : a.at))
+    return false;
+  for (int c = 0; c < (p.is_rational() ? 4 : 3); ++c)
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(p.component(c)[p.side_index(a.side.side, i)] ==
+            q.component(c)[q.side_index(b.side.side, is_back ? n - 1 - i : i)]))
+        return false;
+  return true;
 }
 
 bool holds_d2(const PatchComplex& complex, const SideWitness& w) {
   const CanonicalCurve first = directed_form(part_of(complex, w.arcs[0])),
                        back = run_backwards(first);
+  const bool is_both = first == back;
   std::uint32_t same = 0, opposite = 0;
   for (const SideArc& arc : w.arcs) {
+    if (have_equal_numbers(complex, w.arcs[0], arc, false)) {
+      ++same;
+      continue;
+    }
+    if (have_equal_numbers(complex, w.arcs[0], arc, true)) {
+      ++(is_both ? same : opposite);
+      continue;
+    }
     const CanonicalCurve curve = directed_form(part_of(complex, arc));
     if (curve == first) {
       ++same;
@@ -79,7 +128,7 @@ class PassSearch {
  public:
   PassSearch(const PatchComplex& complex, const SideWitness& witness, const PatchPoint& point,
              std::uint64_t most)
-      : complex_(complex), witness_(witness), point_(point), most_(most) {}
+      : complex_(complex), arcs_(witness), point_(point), most_(most) {}
 
   // Whether some part of the side outside of all arcs cannot be kept away from the point.
   bool may_pass(PatchSide side) {
@@ -89,15 +138,16 @@ class PassSearch {
     };
     // The whole side comes first, without a copy of its coefficients.
     if (is_away(patch.side_length(side.side), patch.is_rational(), at)) return ++visits_ > most_;
-    return may_pass(side, patch.side(side.side), {0, 0, 1}, 0);
+    return may_pass(arcs_.of(side), patch.side(side.side), {0, 0, 1}, 0);
   }
 
  private:
-  bool may_pass(PatchSide side, const Curve& curve, const DyadicInterval& at, int halvings) {
+  // A part of the side that has these arcs.
+  bool may_pass(std::span<const SideArc> arcs, const Curve& curve, const DyadicInterval& at,
+                int halvings) {
     if (++visits_ > most_) return true;
-    for (const SideArc& arc : witness_.arcs)
-      if (arc.side == side && arc.at.lower() <= at.lower() && at.upper() <= arc.at.upper())
-        return false;
+    for (const SideArc& arc : arcs)
+      if (arc.at.lower() <= at.lower() && at.upper() <= arc.at.upper()) return false;
     const auto coefficient = [&](int c, std::size_t i) -> const Rational& {
       return curve.component(c)[i];
     };
@@ -107,8 +157,8 @@ class PassSearch {
     if (halvings >= std::min(kMaxHalvings, 62)) return true;
     const auto [left, right] = split(curve, 0, Rational(1) / Rational(2));
     const std::uint64_t middle = at.lo + at.hi;
-    return may_pass(side, left, {at.bits + 1, 2 * at.lo, middle}, halvings + 1) ||
-           may_pass(side, right, {at.bits + 1, middle, 2 * at.hi}, halvings + 1);
+    return may_pass(arcs, left, {at.bits + 1, 2 * at.lo, middle}, halvings + 1) ||
+           may_pass(arcs, right, {at.bits + 1, middle, 2 * at.hi}, halvings + 1);
   }
 
   // Whether the closed hull of the control points does not contain the point.
@@ -129,7 +179,7 @@ class PassSearch {
   }
 
   const PatchComplex& complex_;
-  const SideWitness& witness_;
+  ArcsOfSides arcs_;
   const PatchPoint& point_;
   std::uint64_t most_, visits_ = 0;
 };

@@ -27,7 +27,10 @@ class CoverSearch {
         options_(options),
         search_(forest, options),
         zeros_(forest, options),
-        frames_(forest, options.growth, options.least_framed_unit) {}
+        frames_(forest, options.growth, options.least_framed_unit),
+        framed_share_(forest.budget()) {
+    out_.memory = std::make_shared<MemoryShare>(forest.budget());
+  }
 
   StarCover run() {
     const auto& order = forest_.roots().order();
@@ -41,6 +44,7 @@ class CoverSearch {
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
     if (out_.is_complete() && options_.with_frames) add_boxes_for_walks();
     if (out_.is_complete()) keep_leaves();
+    out_.memory->resize_anyway(out_.boxes.size() * kBytesOfBox + framed_share_.bytes());
     return std::move(out_);
   }
 
@@ -75,6 +79,8 @@ class CoverSearch {
   void cover(const Open& open) {
     const Id id = open.id;
     forest_.limit_memory(options_.memory);
+    if (out_.tried >= options_.max_boxes) return give_up(id, Why::kBudget);
+    if (!has_memory()) return give_up(id, Why::kMemory);
     ++out_.tried;
     if (search_.try_piece(id)) {
       accept(search_.box(), search_.held());
@@ -89,10 +95,8 @@ class CoverSearch {
       accept(cover_box(frames_.box()), frames_.held());
       if (box_of(id) != StarCover::kNone) return;
     }
-    if (options_.stops_at && options_.stops_at(id, out_.tried)) {
-      out_.uncovered.push_back({id, Why::kStopped});
-      return;
-    }
+    if (forest_.is_out_of_memory()) return give_up(id, Why::kMemory);
+    if (options_.stops_at && options_.stops_at(id, out_.tried)) return give_up(id, Why::kStopped);
     const bool is_crowded = search_.why() == Why::kTooDeep;
     const int crowded = is_crowded ? open.crowded + 1 : 0;
     const bool is_spent = out_.tried >= options_.max_boxes;
@@ -104,9 +108,15 @@ class CoverSearch {
       return;
     }
     const int scale = is_crowded ? open.scale : scale_of(id);
+    if (!forest_.may_split(id)) return give_up(id, Why::kMemory);
     const Id first = forest_.children(id);
     for (const Id k : {3u, 2u, 1u, 0u}) push(first + k, scale, crowded);
   }
+  // Room for one more box, before it is sought.
+  bool has_memory() {
+    return make_room(out_.boxes, 1, *out_.memory, kBytesOfBox) && !forest_.is_out_of_memory();
+  }
+  void give_up(Id id, Why why) { out_.uncovered.push_back({id, why}); }
   int scale_of(Id id) {
     if (search_.num_looked_at() == 1) return kUnknownScale;
     const double size = std::min(search_.obstacle().least_gap, extent(forest_.node(id).hull));
@@ -123,6 +133,7 @@ class CoverSearch {
   }
   void accept(const CoverBox& box, const std::vector<Id>& held) {
     const auto number = static_cast<std::uint32_t>(out_.boxes.size());
+    if (box.framed) framed_share_.resize_anyway(framed_share_.bytes() + bytes_of(*box.framed));
     out_.boxes.push_back(box);
     for (const Id id : held)
       if (box_of(id) == StarCover::kNone) box_of(id) = number;
@@ -162,7 +173,7 @@ class CoverSearch {
       if (box_of(up) != StarCover::kNone) id = up;
     const std::uint32_t box = box_of(id);
     std::vector<Id> parents;
-    for (; forest_.node(id).level < options_.max_level;
+    for (; forest_.node(id).level < options_.max_level && forest_.may_split(id) && has_memory();
          parents.push_back(id), id = farthest_child(id)) {
       if (!frames_.try_piece(id, true)) continue;
       const auto& held = frames_.held();
@@ -182,6 +193,16 @@ class CoverSearch {
     Id out = first;
     for (Id k = 1; k < 4; ++k)
       if (forest_.node(first + k).hull.hi[0] > forest_.node(out).hull.hi[0]) out = first + k;
+    return out;
+  }
+
+  // What a box takes here, while keep_leaves copies it, and in a certificate's body and bytes.
+  static constexpr std::size_t kBytesOfBox = 2 * sizeof(CoverBox) + 384;
+  static std::uint64_t bytes_of(const FramedBox& box) {
+    std::uint64_t out = 2 * sizeof(FramedBox);
+    for (const Sheet& s : box.sheets.sheets) out += 2 * sizeof(Sheet) + s.signs.size();
+    for (const SheetSeparator& q : box.sheets.separators)
+      out += 2 * (sizeof(SheetSeparator) + q.coefficients.size() * sizeof(q.coefficients[0]));
     return out;
   }
 
@@ -213,6 +234,7 @@ class CoverSearch {
   ZeroSearch zeros_;
   FrameSearch frames_;
   StarCover out_;
+  MemoryShare framed_share_;
   std::priority_queue<Open> open_;
   std::uint64_t next_number_ = 0;
 };

@@ -52,7 +52,7 @@ struct CoverBox {
 /// Where no star box was found.
 struct UncoveredPiece {
   PieceForest::Id piece;
-  enum class Why { kNoCentres, kCrossings, kTooDeep, kTooFine, kBudget, kStopped } why;
+  enum class Why { kNoCentres, kCrossings, kTooDeep, kTooFine, kBudget, kMemory, kStopped } why;
   /// Approximate, in the forest's coordinates: see Obstacle.
   double gap = 0, least_cosine = 1;
   /// The pieces between which the gap is; kNone without a gap.
@@ -67,6 +67,7 @@ struct StarCover {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box
   std::size_t tried = 0, tested_pieces = 0, programs = 0;
+  std::shared_ptr<MemoryShare> memory;  ///< what the forest's budget is charged for the boxes
   bool is_complete() const { return uncovered.empty(); }
   /// Whether a certificate of it needs version 2.
   bool needs_version_2() const {
@@ -75,6 +76,7 @@ struct StarCover {
   }
 };
 
+/// Boxes are charged to the forest's budget, with what a certificate takes for them, before they are made.
 /// Stops at the first piece that stays uncovered at the greatest level. Among sheets that face each other, the nearest
 /// ones come first.
 StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options);

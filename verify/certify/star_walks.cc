@@ -55,7 +55,8 @@ class SegmentDescent {
   }
   bool visit(Id id) {
     if (!meets_segment(forest_.node(id).hull)) return true;
-    if (++visits_ > kMaxVisits || forest_.node(id).level >= PieceForest::kMaxLevel - 2)
+    if (++visits_ > kMaxVisits || forest_.node(id).level >= PieceForest::kMaxLevel - 2 ||
+        !forest_.may_split(id))
       return false;
     const Id first = forest_.children(id);
     for (Id k = 0; k < 4; ++k)

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Bounds on searches: what suffices exactly, what is one too few, and what is kept.
+#include <gtest/gtest.h>
+
+#include "collar_model.h"
+#include "models/thin_shapes.h"
+#include "verify/certify/patch_decision.h"
+
+namespace veritope {
+namespace {
+
+using collar_model::complex_of;
+
+patch_shapes::Patches torus() { return patch_shapes::torus(3, 1); }
+
+struct Decided {
+  explicit Decided(std::uint64_t bytes, std::size_t boxes = 4'000'000) : budget(bytes) {
+    PatchDecisionOptions options;
+    options.budget = &budget;
+    options.in_plain_frame = true;
+    options.cover.max_boxes = boxes;
+    decision = decide_patches(complex, options, &forest);
+  }
+  std::string code() const { return decision.open ? decision.open->code : ""; }
+
+  PatchComplex complex = complex_of(torus());
+  MemoryBudget budget;
+  std::optional<PieceForest> forest;
+  PatchDecision decision;
+};
+
+TEST(Limits, ADecisionPassesWithTheMemoryThatItNeedsAndNotWithOneByteLess) {
+  const Decided free(MemoryBudget::kUnlimited);
+  ASSERT_TRUE(free.decision.is_valid);
+  const std::uint64_t need = free.budget.most();
+  EXPECT_TRUE(Decided(need).decision.is_valid);
+  const Decided less(need - 1);
+  EXPECT_EQ(less.decision.verdict(), Verdict::kUndecided);
+  EXPECT_EQ(less.code(), open_code::kMemory);
+  EXPECT_NE(less.decision.open->message.find("boxes were tried"), std::string::npos);
+}
+
+TEST(Limits, ADecisionPassesWithTheBoxesThatItNeedsAndNotWithOneLess) {
+  const Decided free(MemoryBudget::kUnlimited);
+  const std::size_t need = free.decision.boxes_tried;
+  EXPECT_TRUE(Decided(MemoryBudget::kUnlimited, need).decision.is_valid);
+  const Decided less(MemoryBudget::kUnlimited, need - 1);
+  EXPECT_EQ(less.decision.verdict(), Verdict::kUndecided);
+  EXPECT_EQ(less.code(), open_code::kBudget);
+}
+
+// Memory is given back with what it was charged for, whether or not there was enough.
+TEST(Limits, NothingStaysCharged) {
+  for (const std::uint64_t bytes : {std::uint64_t{1}, std::uint64_t{1} << 20, std::uint64_t{1} << 40}) {
+    Decided one(bytes);
+    one.decision = {};
+    one.forest.reset();
+    EXPECT_EQ(one.budget.used(), 0u) << bytes;
+  }
+}
+
+// Less memory never changes a verdict to another one: it is UNDECIDED or the same.
+TEST(Limits, AreNeverAnsweredByAnotherVerdict) {
+  const std::uint64_t need = Decided(MemoryBudget::kUnlimited).budget.most();
+  for (std::uint64_t bytes = 1; bytes < 2 * need; bytes += need / 13) {
+    const Decided one(bytes);
+    EXPECT_FALSE(one.decision.refutation) << bytes;
+    EXPECT_EQ(one.decision.is_valid, bytes >= need) << bytes;
+  }
+}
+
+struct Searched {
+  explicit Searched(std::uint64_t bytes, const CollarSearchOptions& options = {})
+      : decided(MemoryBudget::kUnlimited), budget(bytes) {
+    forest.emplace(PieceForest::make(decided.complex, PieceForest::FrameChoice::kPlain, &budget).value());
+    cover = find_star_cover(*forest, {});
+    if (cover.is_complete()) search = find_patch_collar(*forest, cover, options);
+  }
+  std::string code() const { return search.open ? search.open->code : ""; }
+
+  Decided decided;
+  MemoryBudget budget;
+  std::optional<PieceForest> forest;
+  StarCover cover;
+  PatchCollarSearch search;
+};
+
+TEST(Limits, ACollarIsFoundWithTheMemoryThatItNeedsAndNotWithOneByteLess) {
+  const Searched free(MemoryBudget::kUnlimited);
+  ASSERT_TRUE(free.search.collar);
+  const std::uint64_t need = free.budget.most();
+  EXPECT_TRUE(Searched(need).search.collar);
+  const Searched less(need - 1);
+  EXPECT_TRUE(less.cover.is_complete());
+  EXPECT_FALSE(less.search.collar);
+  EXPECT_EQ(less.code(), open_code::kMemory);
+  EXPECT_NE(less.search.open->message.find("cells were tried"), std::string::npos);
+}
+
+TEST(Limits, ACollarIsFoundWithTheCellsThatItNeedsAndNotWithOneLess) {
+  const Searched free(MemoryBudget::kUnlimited);
+  CollarSearchOptions options;
+  options.max_cells = free.search.most_cells;
+  EXPECT_TRUE(Searched(MemoryBudget::kUnlimited, options).search.collar);
+  --options.max_cells;
+  const Searched less(MemoryBudget::kUnlimited, options);
+  EXPECT_FALSE(less.search.collar);
+  EXPECT_EQ(less.code(), open_code::kBudget);
+}
+
+}  // namespace
+}  // namespace veritope

@@ -43,8 +43,7 @@ void declare(OptionSet& set, CoverOptions& o) {
              "the new file: .vtu, .obj, .ply, .off or .stl");
   set.option(
       "--what", "W", take_part,
-      "star boxes: boxes; octree cells around the surface:\ncollar (default); solids: outer, "
-      "inner");
+      "boxes; octree cells: collar (default); solids: outer, inner");
   set.number(
       "--sweep", o.sweep, {0, kMaxSweep},
       "table which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nof boxes of size EPS, halved N "

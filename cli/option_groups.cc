@@ -55,14 +55,14 @@ void declare_reading(OptionSet& set, ModelReadOptions& reading) {
   set.flag("--as-indexed", reading.as_indexed, "keep the file's vertex indices, merge none");
   ReadLimits& limits = reading.limits;
   set.number("--max-bytes", limits.max_bytes, {0, kMost64},
-             "limit: size of a file (4 GiB); --max-faces N: triangles");
+             "limit: bytes; --max-faces, --max-digits, --max-exponent N");
   set.number("--max-faces", limits.max_faces, {0, kMostFaces}, "limit: triangles (200000000)");
-  set.hide("--max-faces");  // the help line above names it
-  set.number("--max-digits", limits.max_digits, {1, kMost32},
-             "limit: digits (1000); --max-exponent N: exponent (4096)");
+  set.hide("--max-faces");  // the help line above names it and the next two
+  set.number("--max-digits", limits.max_digits, {1, kMost32}, "limit: digits of a number (1000)");
+  set.hide("--max-digits");
   set.number("--max-exponent", limits.max_exponent, {0, kMost32},
              "limit: exponent of a number (4096)");
-  set.hide("--max-exponent");  // the help line above names it
+  set.hide("--max-exponent");
 }
 
 void declare_jobs(OptionSet& set, int& jobs) {
@@ -89,10 +89,11 @@ std::optional<std::uint64_t> LimitOptions::max_memory() const {
 }
 
 void declare_limits(OptionSet& set, LimitOptions& limits) {
+  set.number("--max-memory", limits.max_mebibytes, {1, kMostMebibytes},
+             "limit: MiB (half of the machine's); --max-cells N: cells");
   set.number("--max-cells", limits.max_cells, {1, kMost32},
              "limit: boxes tried (4000000), octree cells (2097152)");
-  set.number("--max-memory", limits.max_mebibytes, {1, kMostMebibytes},
-             "limit: MiB for the search (half of the machine's)");
+  set.hide("--max-cells");  // the help line above names it
 }
 
 void declare_plain_file(OptionSet& set, const std::string& name, std::string& file,

@@ -23,7 +23,8 @@ enum class CollarOutcome {
   kUndecided,    ///< every order that was tried got stuck: it may be a product or not
 };
 
-/// The bytes that a complex, its boundary and find_collar take at their peak for each face of the complex. Derived in docs/design/0036-bounds-on-everything.md.
+/// The bytes that a complex, its boundary and find_collar take at their peak for each face of the complex. Derived in
+/// docs/design/0036-bounds-on-everything.md.
 inline constexpr std::size_t kCollarBytesPerFace = 208;
 
 struct CollarOptions {

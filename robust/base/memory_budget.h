@@ -15,9 +15,9 @@
 
 namespace veritope {
 
-/// Counts bytes that are owned, not those of the process: the allocator, the code and the stacks take more. A refusal is
-/// remembered until it is forgiven: structures that are refused stop growing at once, and the search that drives them
-/// looks here why. For one thread.
+/// Counts bytes that are owned, not those of the process: the allocator, the code and the stacks take more. A refusal
+/// is remembered until it is forgiven: structures that are refused stop growing at once, and the search that drives
+/// them looks here why. For one thread.
 class MemoryBudget {
  public:
   static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/polyhedron/face_copies.h: faces with the same three vertices as one face with a number, so that what is decided
-// about one of them is not decided for every pair of them.
+// solids/polyhedron/face_copies.h: faces with the same three vertices as one face with a number, so that what is
+// decided about one of them is not decided for every pair of them.
 #pragma once
 #include <algorithm>
 #include <cstdint>

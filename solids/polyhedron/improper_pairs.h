@@ -19,8 +19,8 @@ struct ImproperPairs {
 
 /// Finds the pairs among the facets of `boxes` and their copies: a pair of facets stands for as many pairs as they have
 /// copies, and the copies of one facet meet each other.
-/// REQUIRES that none of the facets is degenerate, and that none is a copy of another one. The result does not depend on
-/// jobs.
+/// REQUIRES that none of the facets is degenerate, and that none is a copy of another one. The result does not depend
+/// on jobs.
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs,

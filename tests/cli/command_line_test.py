@@ -73,7 +73,7 @@ class Usage(unittest.TestCase):
                 self.assertLessEqual(len(lines), 25)
                 self.assertLessEqual(max(map(len, lines)), 80)
         for option in ("--json", "--certificate", "--max-defects", "--jobs", "--no-check", "--as-indexed", "--format", "--max-bytes",
-                       "--max-faces", "--max-digits", "--max-exponent", "--quiet"):
+                       "--max-faces", "--max-digits", "--max-exponent", "--max-cells", "--max-memory", "--quiet"):
             self.assertIn(option, run("certify", "--help").stdout)
         self.assertEqual(re.findall(r"(?m)^  (\w[\w-]*)", run("--help").stdout), COMMANDS)
 

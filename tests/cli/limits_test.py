@@ -9,8 +9,10 @@ import schema
 from certify_patches_test import UNIT, block, document, surface, triangle
 from support import BIN, Folder, only_file, run
 
-# Two plates with a slot between them: cells around it are as small as it is wide.
-SLOT = [f for low, high in (((0, 0, 0), (64, 64, 1)), ((0, 0, 2), (64, 64, 3))) for f in block(low, high)]
+# Two blocks with a slot between them: cells around it are as small as it is wide.
+SLOT = block((0, 0, 0), (32, 32, 16)) + block((0, 0, 17), (32, 32, 33))
+# A hundred cubes: boxes for more than a mebibyte.
+CUBES = [face for x in range(10) for y in range(10) for face in block((2 * x, 2 * y, 0), (2 * x + 1, 2 * y + 1, 1))]
 
 
 def peak_of(*arguments):
@@ -40,14 +42,14 @@ class Limits(Folder):
 
     def test_a_decision_that_meets_a_limit_is_undecided_and_says_what_was_reached(self):
         for option, code in (("--max-memory", "memory-limit"), ("--max-cells", "cell-limit")):
-            done = run("certify", self.model(SLOT), option, "1", "--json", "-", "--certificate", self.folder / "none")
+            done = run("certify", self.model(CUBES), option, "1", "--json", "-", "--certificate", self.folder / "none")
             report = json.loads(done.stdout)
             self.assertEqual(schema.faults(report), [])
             (one,) = report["files"]
             self.assertEqual((done.returncode, one["verdict"], one["error"]["code"]), (3, "UNDECIDED", code))
             self.assertRegex(one["error"]["message"], "[0-9]+ boxes were tried, and [0-9]+ are proved")
             self.assertFalse((self.folder / "none").exists())
-            text = run("certify", self.model(SLOT), option, "1").stdout
+            text = run("certify", self.model(CUBES), option, "1").stdout
             self.assertIn("veritope explain " + code, text)
             self.assertEqual(run("explain", code).returncode, 0)
 

@@ -198,7 +198,8 @@ std::vector<BodyDefect> find_body_defects(
     if (sides[body].size() != 2) {
       complain(name + " have " + std::to_string(sides[body].size()) +
                " boundary components, not 2");
-      out.back().lacks_cavity = patches.shells()[shells[0]].euler() == 2;
+      out.back().lacks_cavity =
+          sides[body].size() == 1 && patches.shells()[shells[0]].euler() == 2;
       continue;
     }
     const std::int64_t euler = patches.shells()[shells[0]].euler();

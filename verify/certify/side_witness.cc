@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <unordered_map>
 
 #include "solids/patches/patch_sides.h"
 #include "splines/bezier_calculus.h"
@@ -66,21 +67,24 @@ bool holds_d1(const PatchComplex& complex, const OuterSides& outer, const SideWi
   return w.arcs[0].at.lower() < t && t < w.arcs[0].at.upper();
 }
 
-// Whether the second arc is given by the same numbers as the first one, or by the same run backwards: then its form
-// need not be made.
+// Whether the second side is given by the same numbers as the first one, or by the same run backwards: then what is
+// known of one need not be found out about the other.
+bool have_equal_numbers(const PatchComplex& complex, PatchSide a, PatchSide b, bool is_back) {
+  const Patch &p = complex.patch(a.patch), &q = complex.patch(b.patch);
+  const std::size_t n = p.side_length(a.side);
+  if (n != q.side_length(b.side) || p.is_rational() != q.is_rational()) return false;
+  for (int c = 0; c < (p.is_rational() ? 4 : 3); ++c) {
+    const std::span<const Rational> x = p.component(c), y = q.component(c);
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(x[p.side_index(a.side, i)] == y[q.side_index(b.side, is_back ? n - 1 - i : i)]))
+        return false;
+  }
+  return true;
+}
 bool have_equal_numbers(const PatchComplex& complex, const SideArc& a, const SideArc& b,
                         bool is_back) {
-  const Patch &p = complex.patch(a.side.patch), &q = complex.patch(b.side.patch);
-  const std::size_t n = p.side_length(a.side.side);
-  if (n != q.side_length(b.side.side) || p.is_rational() != q.is_rational() ||
-      b.at != (is_back ? a.at.mirrored() : a.at))
-    return false;
-  for (int c = 0; c < (p.is_rational() ? 4 : 3); ++c)
-    for (std::size_t i = 0; i < n; ++i)
-      if (!(p.component(c)[p.side_index(a.side.side, i)] ==
-            q.component(c)[q.side_index(b.side.side, is_back ? n - 1 - i : i)]))
-        return false;
-  return true;
+  return b.at == (is_back ? a.at.mirrored() : a.at) &&
+         have_equal_numbers(complex, a.side, b.side, is_back);
 }
 
 bool holds_d2(const PatchComplex& complex, const SideWitness& w) {
@@ -132,6 +136,28 @@ class PassSearch {
 
   // Whether some part of the side outside of all arcs cannot be kept away from the point.
   bool may_pass(PatchSide side) {
+    const std::span<const SideArc> arcs = arcs_.of(side);
+    if (arcs.size() == 1 && arcs.front().at == DyadicInterval::whole()) return ++visits_ > most_;
+    if (!arcs.empty()) return examine(side);
+    const auto [known, is_new] = known_.try_emplace(complex_.edge(side), Known{side, 0});
+    if (!is_new && have_equal_numbers(complex_, known->second.side, side, false)) {
+      visits_ += known->second.visits;
+      return visits_ > most_;
+    }
+    const std::uint64_t before = visits_;
+    if (examine(side)) return true;
+    known->second = {side, visits_ - before};
+    return false;
+  }
+
+ private:
+  // A side that does not pass, and the work that it took.
+  struct Known {
+    PatchSide side;
+    std::uint64_t visits;
+  };
+
+  bool examine(PatchSide side) {
     const Patch& patch = complex_.patch(side.patch);
     const auto at = [&](int c, std::size_t i) -> const Rational& {
       return patch.component(c)[patch.side_index(side.side, i)];
@@ -141,7 +167,6 @@ class PassSearch {
     return may_pass(arcs_.of(side), patch.side(side.side), {0, 0, 1}, 0);
   }
 
- private:
   // A part of the side that has these arcs.
   bool may_pass(std::span<const SideArc> arcs, const Curve& curve, const DyadicInterval& at,
                 int halvings) {
@@ -182,6 +207,7 @@ class PassSearch {
   ArcsOfSides arcs_;
   const PatchPoint& point_;
   std::uint64_t most_, visits_ = 0;
+  std::unordered_map<std::uint32_t, Known> known_;  // by edge
 };
 
 bool holds_d4(const PatchComplex& complex, const OuterSides& outer, const SideWitness& w) {

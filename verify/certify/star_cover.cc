@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 #include "robust/base/check.h"
@@ -116,7 +117,10 @@ class CoverSearch {
   bool has_memory() {
     return make_room(out_.boxes, 1, *out_.memory, kBytesOfBox) && !forest_.is_out_of_memory();
   }
-  void give_up(Id id, Why why) { out_.uncovered.push_back({id, why}); }
+  // Nothing is known about what is near the piece.
+  void give_up(Id id, Why why) {
+    out_.uncovered.push_back({id, why, std::numeric_limits<double>::infinity(), 1});
+  }
   int scale_of(Id id) {
     if (search_.num_looked_at() == 1) return kUnknownScale;
     const double size = std::min(search_.obstacle().least_gap, extent(forest_.node(id).hull));

@@ -54,7 +54,8 @@ struct Certified {
   Verdict verdict = Verdict::kUndecided;
   /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: the reasons, named ones first
   /// ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong), "cell-limit" or
-  /// "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can speak of this file).
+  /// "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can speak of such a
+  /// file).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided

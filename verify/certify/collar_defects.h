@@ -47,8 +47,8 @@ std::vector<BodyDefect> find_body_defects(
 
 /// For each cell of the cover whether it is to be split. In each of the bodies, these are the cells where several
 /// shells come together around a vertex or, if the body holds one shell, sheets that face in all directions; in a body
-/// without such cells, all of its cells. Where these would be very many and the body lacks a cavity, they are only those
-/// near the place where the sheets are farthest apart, among its finest cells.
+/// without such cells, all of its cells. Where these would be very many and the body lacks a cavity, they are only
+/// those near the place where the sheets are farthest apart, among its finest cells.
 std::vector<bool> cells_to_split(PieceForest& forest, FacingOfPieces& facing,
                                  const PieceOctree& cover, const CommonSubdivision& complex,
                                  const ComplexBoundary& boundary,

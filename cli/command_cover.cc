@@ -42,7 +42,7 @@ void declare(OptionSet& set, CoverOptions& o) {
   set.option("-o,--output", "F", any_text(o.output),
              "the new file: .vtu, .obj, .ply, .off or .stl");
   set.option("--what", "W", take_part,
-             "boxes; octree cells: collar (default);\nsolids: outer, inner");
+             "boxes; cells: collar (default); solids: outer, inner");
   set.number(
       "--sweep", o.sweep, {0, kMaxSweep},
       "table which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nof boxes of size EPS, halved N "

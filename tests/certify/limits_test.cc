@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collar_model.h"
+#include "models/thin_shapes.h"
 #include "verify/certify/patch_decision.h"
 
 namespace veritope {
@@ -81,6 +82,28 @@ TEST(Limits, AreNeverAnsweredByAnotherVerdict) {
     EXPECT_FALSE(one.decision.refutation) << bytes;
     EXPECT_EQ(one.decision.is_valid, bytes >= need) << bytes;
   }
+}
+
+// At whatever step memory ends, the answer is UNDECIDED or the truth: also where boxes in frames and crossings are
+// sought.
+TEST(Limits, MayEndASearchAtAnyStep) {
+  for (const thin_shapes::Walls walls : {thin_shapes::Walls::kApart, thin_shapes::Walls::kCrossing})
+    for (const thin_shapes::Family& family : thin_shapes::families()) {
+      if (family.name != "plate-turned" && family.name != "wedge") continue;
+      const PatchComplex complex =
+          complex_of(family.make(Rational(1) / Rational(10), walls));
+      for (std::uint64_t bytes = 1; bytes < std::uint64_t{1} << 28; bytes += 1 + bytes / 3) {
+        MemoryBudget budget(bytes);
+        std::optional<PieceForest> forest;
+        PatchDecisionOptions options;
+        options.budget = &budget;
+        options.with_frames = true;
+        const PatchDecision decision = decide_patches(complex, options, &forest);
+        EXPECT_NE(decision.verdict(), walls == thin_shapes::Walls::kApart ? Verdict::kInvalid
+                                                                          : Verdict::kValid)
+            << family.name << ", " << bytes << " bytes";
+      }
+    }
 }
 
 struct Searched {

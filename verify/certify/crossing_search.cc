@@ -64,15 +64,17 @@ std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effor
 std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>& pairs,
                                                         std::size_t most) {
   std::vector<Pair> out;
+  // None if there is no room for them.
   const auto parts = [&](Id id, bool is_split, Id* first) -> Id {
+    if (is_split && !forest_.may_split(id)) return 0;
     *first = is_split ? forest_.children(id) : id;
     return is_split ? 4 : 1;
   };
   for (const Pair& pair : pairs) {
-    if (!forest_.may_split(pair.a) || !forest_.may_split(pair.b)) continue;
-    const double size_a = extent(forest_.node(pair.a).hull),
-                 size_b = extent(forest_.node(pair.b).hull);
-    Id a, b;
+    const PieceForest::Node &x = forest_.node(pair.a), &y = forest_.node(pair.b);
+    if (x.level >= PieceForest::kMaxLevel || y.level >= PieceForest::kMaxLevel) continue;
+    const double size_a = extent(x.hull), size_b = extent(y.hull);
+    Id a = 0, b = 0;
     const Id num_a = parts(pair.a, !(2 * size_a < size_b), &a),
              num_b = parts(pair.b, !(2 * size_b < size_a), &b);
     for (Id i = 0; i < num_a; ++i)

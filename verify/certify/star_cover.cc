@@ -177,11 +177,14 @@ class CoverSearch {
       if (box_of(up) != StarCover::kNone) id = up;
     const std::uint32_t box = box_of(id);
     std::vector<Id> parents;
-    for (; forest_.node(id).level < options_.max_level && forest_.may_split(id) && has_memory();
-         parents.push_back(id), id = farthest_child(id)) {
-      if (!frames_.try_piece(id, true)) continue;
+    while (forest_.node(id).level < options_.max_level && has_memory()) {
       const auto& held = frames_.held();
-      if (std::find(held.begin(), held.end(), id) == held.end()) continue;
+      if (!frames_.try_piece(id, true) || std::find(held.begin(), held.end(), id) == held.end()) {
+        if (!forest_.may_split(id)) return;
+        parents.push_back(id);
+        id = farthest_child(id);
+        continue;
+      }
       for (const Id parent : parents) {
         const Id first = forest_.children(parent);
         box_of(parent) = StarCover::kNone;

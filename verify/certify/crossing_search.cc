@@ -64,7 +64,7 @@ std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effor
 std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>& pairs,
                                                         std::size_t most) {
   std::vector<Pair> out;
-  // None if there is no room for them.
+  // Returns 0 if there is no room for the parts.
   const auto parts = [&](Id id, bool is_split, Id* first) -> Id {
     if (is_split && !forest_.may_split(id)) return 0;
     *first = is_split ? forest_.children(id) : id;

@@ -57,6 +57,8 @@ class RowsInDoubles {
       hi += plus_[r][k] * (is_minus ? lo_of_x : hi_of_x);
       minus_lo += minus_[r][k] * (is_minus ? hi_of_x : lo_of_x);
     }
+    // Nothing is computed after the rounding mode has changed back.
+    hi = fenced(hi), minus_lo = fenced(minus_lo);
     // Not a number where x has no bound.
     if (!(hi < kInfinity && minus_lo < kInfinity))
       return Interval::from_bounds(-kInfinity, kInfinity);

@@ -122,17 +122,16 @@ CoverQuestion cover_question(PieceForest& forest, const StarCover& cover) {
   out.finding.place.patch = node.patch;
   out.finding.place.shell = forest.complex().shell(node.patch);
   out.finding.place.box = forest.in_model(node.hull);
-  if (is_limit(piece.why)) {
-    out.finding.message = text_of(piece.why) + reached_text(cover);
-    return out;
-  }
+  const bool is_spent = is_limit(piece.why);
+  const std::string tried = is_spent ? reached_text(cover) : tried_text(cover.tried);
   if (!is_gap(forest, piece)) {
-    out.finding.message = text_of(piece.why) + tried_text(cover.tried) + angle_text(piece);
+    out.finding.message = text_of(piece.why) + tried + (is_spent ? "" : angle_text(piece));
     return out;
   }
   const double distance = gap_in_model(forest, piece.facing[0], piece.facing[1]);
   out.finding.witness.approx_distance = distance;
-  out.finding.message = gap_text(distance) + tried_text(cover.tried) + angle_text(piece);
+  out.finding.message =
+      (is_spent ? text_of(piece.why) + "; " : "") + gap_text(distance) + tried + angle_text(piece);
   for (const PieceForest::Id id : piece.facing) out.facing.push_back(part_of_piece(forest, id));
   return out;
 }

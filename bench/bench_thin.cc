@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_thin.cc: [digits [seconds]]. Certificates of thin walls: every family of models/thin_shapes.h with gaps
-// of 1e-1 to 1e-digits (6), holes of tori and of a plate, and free-form sheets: seconds to decide, boxes, those with
-// several sheets, bytes of the certificate, seconds of the C++ checker as a program. A decision ends after `seconds`
-// (60), or a quarter of that after a wider gap of its family had no proof; its row gives the reason.
+// bench/bench_thin.cc: [digits [seconds]]. Measures certificates of thin walls. Models: every family of
+// models/thin_shapes.h with gaps of 1e-1 to 1e-digits (6), holes of tori and of a plate, and free-form sheets. Rows:
+// seconds to decide, boxes, those with several sheets, bytes of the certificate, seconds of the C++ checker as a
+// program. A decision ends after `seconds` (60), or a quarter of that after a wider gap of its family had no proof; its
+// row gives the reason.
 #include <sys/resource.h>
 #include <unistd.h>
 

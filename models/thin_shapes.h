@@ -36,7 +36,8 @@ Patches curved_plate(const Rational& begin, const Rational& end);
 Patches spline_sheet(int n, const Rational& thickness);
 /// The unit square with the thickness 1/8 and a square hole of side `width` in its middle, in 16 bilinear patches.
 Patches plate_with_hole(const Rational& width);
-/// Two tori of 2 * 24 * 16 PN triangles each, with the radii 1 and 1 - gap. Embedded for gaps from 2^-12 on.
+/// Two tori of 2 * 24 * 16 PN triangles each, with the radii 1 and 1 - gap, whose vertices are rounded to multiples of
+/// 2^-20. Embedded at the gap 0.01.
 Patches pn_shell(double gap);
 
 enum class Walls {

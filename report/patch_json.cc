@@ -21,12 +21,16 @@ Json part_json(const EntityPart& part) {
           {"parameters", std::move(parameters)}};
 }
 
+Json parts_json(const Finding& f) {
+  Json out = Json::array();
+  for (const EntityPart& part : f.place.parts) out.push_back(part_json(part));
+  return out;
+}
+
 Json patch_defect_json(const Finding& f) {
-  Json parts = Json::array();
-  for (const EntityPart& part : f.place.parts) parts.push_back(part_json(part));
   return {{"code", f.code},
           {"message", f.message},
-          {"parts", std::move(parts)},
+          {"parts", parts_json(f)},
           {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
           {"box", box_json(f.place.box)},
           {"shell", optional_json(f.place.shell)},
@@ -34,11 +38,9 @@ Json patch_defect_json(const Finding& f) {
 }
 
 Json reason_json(const Finding& f) {
-  Json parts = Json::array();
-  for (const EntityPart& part : f.place.parts) parts.push_back(part_json(part));
   return {{"code", f.code},
           {"message", f.message},
-          {"parts", std::move(parts)},
+          {"parts", parts_json(f)},
           {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
           {"box", box_json(f.place.box)},
           {"approximate_distance",

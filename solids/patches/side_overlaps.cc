@@ -52,12 +52,6 @@ std::vector<OpenSide> open_sides(const PatchComplex& complex) {
   return out;
 }
 
-bool meet(const Box3d& a, const Box3d& b) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if (a.hi[c] < b.lo[c] || b.hi[c] < a.lo[c]) return false;
-  return true;
-}
-
 // The axis along which the boxes are spread over the most of their own lengths.
 std::size_t sweep_axis(const std::vector<OpenSide>& sides) {
   std::array<double, 3> spread{};
@@ -83,7 +77,7 @@ void for_each_pair(std::vector<OpenSide>& sides, Visit visit) {
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size() && sides[j].box.lo[axis] <= sides[i].box.hi[axis];
          ++j)
-      if (meet(sides[i].box, sides[j].box) && !visit(sides[i].side, sides[j].side)) return;
+      if (meets(sides[i].box, sides[j].box) && !visit(sides[i].side, sides[j].side)) return;
 }
 
 class Comparison {

@@ -20,7 +20,6 @@ using Form = internal::ScaledForm<Interval>;
 
 constexpr int kMostOrder = 9;  // of the polynomial for 1 / w^3
 constexpr int kMaxLevel = 8;
-constexpr std::size_t kMemory = std::size_t{1} << 26;  // bytes, of the nets of pieces
 
 // Each coefficient within `error` of its number.
 std::vector<Interval> enclosures(const double* net, std::size_t n, double error) {
@@ -71,7 +70,7 @@ class Integrator {
     // If the order suffices for a node, rounding does not add less on parts of the node.
     if (is_near || node.level >= kMaxLevel || !forest_.may_split(id))
       return area * over_cubed_weight(form, g, w, order, rest(w, most, order));
-    forest_.limit_memory(kMemory);
+    forest_.limit_memory(PieceForest::kNetMemory);
     const Id first = forest_.children(id);
     Interval sum;
     for (Id k = 0; k < 4; ++k) sum += over(first + k);

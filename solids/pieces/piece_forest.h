@@ -145,6 +145,8 @@ class PieceForest {
   /// approximately half a second.
   const ExactPiece* exact(Id id);
   const ExactPiece* exact_determinants(Id id);
+  /// What descents that do not come back to a node allow the nets of pieces.
+  static constexpr std::size_t kNetMemory = std::size_t{1} << 26;
   /// Drops all nets if they take more than this many bytes, or more than a quarter of the budget; nodes stay.
   void limit_memory(std::size_t bytes);
 
@@ -217,7 +219,7 @@ class PieceForest {
   Frame frame_;
   std::vector<Form> forms_;
   std::vector<Node> nodes_;
-  // With the entries that searches keep for each node: its box, its place in a queue, its facing.
+  // It includes the entries that searches keep for each node: its box, its place in a queue, its facing.
   static constexpr std::size_t kBytesOfNode = sizeof(Node) + 48;
   MemoryShare node_share_, form_share_;
   std::size_t num_roots_ = 0;

@@ -26,9 +26,9 @@ class ImproperPlaces {
 
   /// @cost a few hash lookups; memory grows with the facets, not with the pairs
   void add(std::uint32_t f, std::uint32_t g) { add(f, g, 1); }
-  /// So many pairs of faces that have the vertices of f and of g; f and g are counted as faces, the others are not.
+  /// Adds this number of pairs of faces that have the vertices of f and of g; only f and g are counted as faces.
   void add(std::uint32_t f, std::uint32_t g, std::uint64_t pairs);
-  /// A face that lies in pairs that were added, or will be, with another face of its vertices.
+  /// Counts a face that lies in such pairs.
   void add_face(std::uint32_t face) { node_of(face); }
   void add(const ImproperPlaces& others);
 

@@ -7,7 +7,6 @@
 namespace veritope {
 namespace {
 
-constexpr std::size_t kNetMemory = std::size_t{1} << 26;
 // A cavity at one place is enough for a collar. Where fewer cells than this are to be split they are split everywhere,
 // which finds the place without an estimate.
 constexpr std::size_t kManyCells = std::size_t{1} << 15;
@@ -65,7 +64,7 @@ class Splitter {
   LocalSheets sheets_of(std::size_t cell, bool with_facing) {
     LocalSheets out;
     const Box3d box = cover_.root().box(cover_.key(cell));
-    forest_.limit_memory(kNetMemory);
+    forest_.limit_memory(PieceForest::kNetMemory);
     cover_.for_each_piece(cell, [&](PieceForest::Id id) {
       const std::uint32_t shell = forest_.complex().shell(forest_.node(id).patch);
       out.add({with_facing && out.facing != 0 ? facing_.of_part(id, box) : out.facing, shell, shell});

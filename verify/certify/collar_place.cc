@@ -10,7 +10,6 @@ namespace {
 
 using Id = PieceForest::Id;
 constexpr std::uint32_t kNoBody = ~std::uint32_t{0}, kSeveralBodies = kNoBody - 1;
-constexpr std::size_t kMemoryOfNets = std::size_t{1} << 26;
 
 // inside(root) for one hull, and the bodies of the cells of K that it meets.
 class HullDescent {
@@ -88,7 +87,7 @@ class Placement {
     if (nodes_ + descent_.visits() > 2000 * (out_.num_leaves + num_cells_ + 100))
       return fail(why, id,
                   "too many pieces are needed to show that the surface lies inside the cells");
-    forest_.limit_memory(kMemoryOfNets);
+    forest_.limit_memory(PieceForest::kNetMemory);
     if (!forest_.may_split(id))
       return fail(why, id, "a piece of the least size does not lie inside the cells");
     const Id first = forest_.children(id);

@@ -7,6 +7,7 @@
 
 #include "robust/base/disjoint_sets.h"
 #include "solids/pieces/piece_descent.h"
+#include "verify/certify/grid_box.h"
 #include "verify/certify/piece_neighbours.h"
 #include "verify/certify/piece_samples.h"
 #include "verify/certify/separator_search.h"
@@ -18,8 +19,6 @@ namespace {
 using Id = PieceForest::Id;
 
 constexpr double kRowLength = FrameChoice::kRowLength;
-// Boxes are multiples of their least half size divided by this.
-constexpr double kGrid = 64;
 constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8;
 // The least depth of centres, in half sizes of the box.
 constexpr double kLeastDepth = 1e-3;
@@ -200,7 +199,7 @@ std::vector<std::vector<Id>> FrameSearch::components() const {
 bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets) {
   if (sheets.empty() || sheets.size() > kMostSheets) return false;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
-  box_.unit = power_of_two_below(least / kGrid);
+  box_.unit = power_of_two_below(least / kUnitsInBox);
   if (box_.unit < least_unit_) return false;
   const Box3d box = region.box();
   for (std::size_t k = 0; k < 3; ++k) {

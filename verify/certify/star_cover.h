@@ -21,7 +21,7 @@ struct StarCoverOptions {
   double least_unit = 0x1p-48;        ///< the least unit of boxes that are cut back
   /// the least unit of cubes; the search ends where a cube would need a finer one
   double least_cube_unit = 0;
-  std::size_t memory = std::size_t{1} << 26;  ///< bytes that the nets of pieces may take
+  std::size_t memory = PieceForest::kNetMemory;  ///< bytes that the nets of pieces may take
   /// Where a piece has no other box: boxes with zeros (ZeroSearch), mesh boxes of flat patches of any degree, boxes in
   /// frames and with several sheets. Their certificates are of version 2.
   bool with_frames = false;

@@ -15,8 +15,8 @@ void drop_zeros(Polynomial& p) {
   while (!p.empty() && p.back().sign() == Sign::kZero) p.pop_back();
 }
 
-// Scales the polynomial by a positive number so that its leading coefficient is 1 or -1: numbers stay short along chains
-// of remainders, and signs do not change.
+// Scales the polynomial by a positive number so that its leading coefficient is 1 or -1: numbers stay short along
+// chains of remainders, and signs do not change.
 void shorten(Polynomial& p) {
   if (p.empty()) return;
   const Rational scale = abs(p.back());

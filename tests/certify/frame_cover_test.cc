@@ -106,6 +106,7 @@ void expect_bounded(const std::string& name, const std::vector<int>& all_digits,
 TEST(FrameCover, OfSpheresDoesNotGrowAsTheirGapShrinks) {
   expect_bounded("spheres", {2, 6}, 2, 1000);
 }
+TEST(FrameCover, OfSpheresHasWalksAcrossVerySmallGaps) { expect_bounded("spheres", {11}, 2, 1000); }
 TEST(FrameCover, OfPlatesDoesNotGrowAsTheyGetThinner) {
   expect_bounded("plate", {2, 3, 4, 5, 6}, 2, 100);
   expect_bounded("plate-turned", {2, 3, 4, 5, 6}, 2, 100);

@@ -196,16 +196,34 @@ class Frames(StarBox2Test):
         self.plan = proved(models.bicubic_ball()).into_frame(TURNED, 0)
 
     def test_each_leaf_lies_in_its_box_exactly(self):
-        """The boxes have no margin; each side is shifted by one in turn."""
+        """The boxes have no margin."""
         self.says("ACCEPT", self.plan)
-        seen = []
-        for box in self.plan.boxes[:6]:
+        self.assertEqual(self.sides_moved_inwards(self.plan), {"C1", "B1"})          # B1: a centre, not a leaf, was at the side
+
+    @staticmethod
+    def sides_moved_inwards(plan):
+        """The conditions that fail when each side of six boxes is shifted by one in turn."""
+        seen = set()
+        for box in plan.boxes[:6]:
             for k in range(3):
                 for move in (1, 0):
                     box.lo[k], box.size[k] = box.lo[k] + move, box.size[k] - 1
-                    seen.append(in_cpp(self.plan.model, self.plan.certificate())[1])
+                    seen.add(in_cpp(plan.model, plan.certificate())[1])
                     box.lo[k], box.size[k] = box.lo[k] - move, box.size[k] + 1
-        self.assertEqual(set(seen), {"C1", "B1"})          # B1: a centre, not a leaf, was at the side
+        return seen
+
+    def test_a_box_in_a_frame_counts_in_its_own_unit(self):
+        """Its sides are at 2^89 units of 2^E, and at 2^51 of its own; one of these decides."""
+        long = tuple(tuple((1 << 28) * a for a in row) for row in TURNED)
+        plan = proved(models.bicubic_ball()).into_frame(long, 0)
+        plan.unit -= 38
+        for box in plan.boxes:
+            box.shift, box.scale = 38, 38
+        self.says("ACCEPT", plan)
+        self.assertEqual(self.sides_moved_inwards(plan), {"C1", "B1"})
+        self.lie("B1", plan, lambda plan: setattr(plan.boxes[0], "shift", 121), "too far away")
+        for lo in (1 << 61, -1 << 61):
+            self.lie("B1", plan, lambda plan, lo=lo: plan.boxes[0].lo.__setitem__(0, lo), "too far away")
 
     def test_the_matrix_is_regular_and_its_entries_are_small(self):
         def put(matrix):

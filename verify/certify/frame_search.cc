@@ -32,12 +32,30 @@ constexpr double kHeights = 4;
 constexpr double kTightGrowth = 1.125, kTightPart = 0.125;
 // What a box that was cut on one side reaches on the other, as a multiple.
 constexpr double kOtherSide = 2;
+// Cut::kOppositeParts splits pieces that are higher than this many heights of the hull and this part of their distance.
+constexpr double kMostHeights = 2, kMostOfDistance = 0.25;
+constexpr std::size_t kMostSplits = 1024;
 
 using internal::dot;
 using internal::length_of;
 double length_along(const Box3d& b) { return std::min(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
 double height(const Box3d& b) { return b.hi[2] - b.lo[2]; }
 double power_of_two_below(double v) { return std::exp2(std::floor(std::log2(v))); }
+
+// The axis on which two boxes are farthest from each other; the distance is 0 if they meet.
+struct FarthestSide {
+  std::size_t axis = 0;
+  double distance = 0;
+  bool is_above = false;  // `other` is
+};
+FarthestSide farthest_side(const Box3d& hull, const Box3d& other) {
+  FarthestSide out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double above = other.lo[k] - hull.hi[k], below = hull.lo[k] - other.hi[k];
+    if (std::max(above, below) > out.distance) out = {k, std::max(above, below), above > below};
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -77,7 +95,8 @@ bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
   if (!is_gathered) return false;
   const std::vector<std::vector<Id>> all = components();
   if (all.size() == 1 && try_sheets(high, all)) return true;
-  if (const auto cut = cut_back(high, Cut::kAll); cut && gather(*cut) && try_sheets(*cut, {near_}))
+  const Cut which = with_one_sheet_only ? Cut::kOppositeParts : Cut::kAll;
+  if (const auto cut = cut_back(high, which); cut && gather(*cut) && try_sheets(*cut, {near_}))
     return true;
   if (with_one_sheet_only) return false;
   if (all.size() > 1 && try_sheets(high, all)) return true;
@@ -141,23 +160,28 @@ bool FrameSearch::gather(const Region& region) {
   });
 }
 
-// The region with sides halfway to each piece that does not touch the hull (Cut::kOpposite: of those that face the
-// other way), on the axis on which it is farthest from it; nothing if there is no such piece.
-std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, Cut which) const {
+// The region with sides halfway to each piece that does not touch the hull, on the axis on which it is farthest from
+// it; nothing if there is no such piece. Cut::kOpposite: of those that face the other way; Cut::kOppositeParts: of
+// parts of those, so small that their hulls do not hide a gap.
+std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, Cut which) {
   Box3d box = region.box();
   const Point3d normal = forest_.approx_normal(piece_);
   bool is_cut = false;
-  for (const Id id : near_) {
-    if (which == Cut::kOpposite && !(dot(forest_.approx_normal(id), normal) < 0)) continue;
+  std::vector<Id> open = near_;
+  for (std::size_t splits = 0; !open.empty();) {
+    const Id id = open.back();
+    open.pop_back();
+    if (which != Cut::kAll && !(dot(forest_.approx_normal(id), normal) < 0)) continue;
     const Box3d other = hull_in_frame(forest_, id, box_.sheets.frame);
     if (!meets(box, other)) continue;
-    std::size_t axis = 0;
-    double distance = 0;
-    bool is_above = false;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double above = other.lo[k] - hull_.hi[k], below = hull_.lo[k] - other.hi[k];
-      if (std::max(above, below) > distance)
-        axis = k, distance = std::max(above, below), is_above = above > below;
+    const auto [axis, distance, is_above] = farthest_side(hull_, other);
+    const double enough = std::max(kMostHeights * height(hull_), kMostOfDistance * distance);
+    if (which == Cut::kOppositeParts && height(other) > enough && splits < kMostSplits &&
+        forest_.may_split(id)) {
+      const Id first = forest_.children(id);
+      for (Id k = 0; k < 4; ++k) open.push_back(first + k);
+      ++splits;
+      continue;
     }
     if (!(distance > 16 * least_unit_)) continue;
     is_cut = true;
@@ -276,7 +300,7 @@ void FrameSearch::add_half_spaces(const Region& region, Id id) {
 Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double depth) {
   const double least = std::min({region.half[0], region.half[1], region.half[2]}) / kRowLength;
   const double unit =
-      std::max(least_unit_, power_of_two_below(std::min(depth, 1 - kRoom) * least / 4));
+      std::max(least_centre_unit_, power_of_two_below(std::min(depth, 1 - kRoom) * least / 4));
   Point3d y;
   for (std::size_t k = 0; k < 3; ++k) y[k] = region.middle[k] + region.half[k] * z[k];
   Point3d c = box_.sheets.frame.approx_back(y);

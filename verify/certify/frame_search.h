@@ -22,9 +22,14 @@ class FrameSearch {
  public:
   using Id = PieceForest::Id;
   /// @param growth   size of a box along the surface, relative to the piece
-  /// @param least_unit  the least unit of boxes in frames and of centres; a certificate counts both in one unit
-  FrameSearch(PieceForest& forest, double growth, double least_unit)
-      : forest_(forest), growth_(growth), least_unit_(least_unit), choice_(forest) {}
+  /// @param least_unit  the least unit of boxes, in their frames
+  /// @param least_centre_unit  the least unit of centres
+  FrameSearch(PieceForest& forest, double growth, double least_unit, double least_centre_unit)
+      : forest_(forest),
+        growth_(growth),
+        least_unit_(least_unit),
+        least_centre_unit_(least_centre_unit),
+        choice_(forest) {}
 
   /// Whether a box that contains the piece's hull was found and proved. With one sheet only: the box ends before other
   /// sheets.
@@ -47,8 +52,8 @@ class FrameSearch {
   bool is_small(Id id, const Box3d& hull, const Region& region);
   void hold_near();
   bool gather(const Region& region);
-  enum class Cut { kAll, kOpposite };
-  std::optional<Region> cut_back(const Region& region, Cut which) const;
+  enum class Cut { kAll, kOpposite, kOppositeParts };
+  std::optional<Region> cut_back(const Region& region, Cut which);
   std::vector<std::vector<Id>> components() const;
   bool try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets);
   bool place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet);
@@ -57,7 +62,7 @@ class FrameSearch {
   bool separate(const std::vector<std::vector<Id>>& sheets, const Region& region);
 
   PieceForest& forest_;
-  const double growth_, least_unit_;
+  const double growth_, least_unit_, least_centre_unit_;
   Id piece_ = 0;
   Box3d hull_{};  // of the piece, in the frame
   FramedBox box_;

@@ -127,10 +127,8 @@ class Decider {
     StarCoverOptions options = options_.cover;
     options.least_unit = std::max(options.least_unit, least_unit_that_fits(*forest_));
     options.least_cube_unit = least_unit_of_any(*forest_);
-    options.least_framed_unit = least_unit_that_fits(*forest_) * FrameChoice::kRowLength;
+    options.least_framed_unit = least_unit_that_fits(*forest_) * 2 * FrameChoice::kRowLength;
     options.with_frames = with_frames;
-    // A certificate counts all boxes in one unit, and coordinates in frames are long.
-    if (with_frames) options.least_unit = std::max(options.least_unit, options.least_framed_unit);
     const std::size_t before_frames =
         kBoxesBeforeFrames + kBoxesOfPatch * complex_.patches().size();
     options.stops_at = [&](PieceForest::Id piece, std::size_t tried) {

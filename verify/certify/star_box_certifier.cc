@@ -35,15 +35,23 @@ int grid_exponent(const PieceForest& forest, const CoverBox& box) {
   return out;
 }
 
-// The greatest coordinate of the box on the axis, or along a row of its frame.
+// The greatest coordinate of a box, or of the plain box around one in a frame, on the axis.
 double farthest(const CoverBox& b, std::size_t k) {
-  const double plain = std::max(std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k]));
-  if (!b.framed) return plain;
-  const Box3d& box = b.framed->sheets.box;
-  return std::max({plain, std::abs(box.lo[k]), std::abs(box.hi[k])});
+  return std::max(std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k]));
 }
 
-constexpr int kMostBits = 60;  // the C++ checker's 61, minus one for the sum of corner and size
+constexpr int kMostBits = 60;    // the C++ checker's 61, minus one for the sum of corner and size
+constexpr int kMostShift = 120;  // the C++ checker's limit for boxes in frames
+
+// Whether the C++ checker reads the box, which it holds in the box's own unit. 2^least is the certificate's unit.
+bool fits_checker(const FramedBox& b, int least) {
+  if (std::ilogb(b.unit) - least > kMostShift) return false;
+  const Box3d& box = b.sheets.box;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::max(std::abs(box.lo[k]), std::abs(box.hi[k])) > std::ldexp(b.unit, kMostBits))
+      return false;
+  return true;
+}
 
 class StarBoxBodyWriter {
  public:
@@ -208,6 +216,8 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
   constexpr int kMostExponent = 4096 - 64;  // a collar's unit may be less than that of all boxes
   int least = 0;
   for (const CoverBox& b : cover.boxes) least = std::min(least, grid_exponent(forest, b));
+  for (const CoverBox& b : cover.boxes)
+    if (b.framed && !fits_checker(*b.framed, least)) return false;
   const int steps = *std::max_element(scale.begin(), scale.end()) - least;
   if (std::abs(steps) > kMostExponent) return false;
   const Rational units = Rational::power_of_two(steps);

@@ -28,7 +28,7 @@ class CoverSearch {
         options_(options),
         search_(forest, options),
         zeros_(forest, options),
-        frames_(forest, options.growth, options.least_framed_unit),
+        frames_(forest, options.growth, options.least_framed_unit, options.least_unit),
         framed_share_(forest.budget()) {
     out_.memory = std::make_shared<MemoryShare>(forest.budget());
   }
@@ -171,13 +171,15 @@ class CoverSearch {
       if (farthest[shell] != PieceForest::kNone && !has_start[shell])
         add_box_for_walks(farthest[shell]);
   }
+  // A box needs pieces of two levels more.
+  static constexpr int kMaxLevelOfWalks = PieceForest::kMaxLevel - 2;
   // Descends from a leaf to its farthest part until that has a box with one sheet; its other parts keep theirs.
   void add_box_for_walks(Id id) {
     for (Id up = id; up != PieceForest::kNone; up = forest_.node(up).parent)
       if (box_of(up) != StarCover::kNone) id = up;
     const std::uint32_t box = box_of(id);
     std::vector<Id> parents;
-    while (forest_.node(id).level < options_.max_level && has_memory()) {
+    while (forest_.node(id).level < kMaxLevelOfWalks && has_memory()) {
       const auto& held = frames_.held();
       if (!frames_.try_piece(id, true) || std::find(held.begin(), held.end(), id) == held.end()) {
         if (!forest_.may_split(id)) return;

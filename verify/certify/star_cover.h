@@ -18,15 +18,14 @@ struct StarCoverOptions {
   int max_level = 20;                 ///< pieces are not split deeper: undecided there
   std::size_t max_boxes = 4'000'000;  ///< boxes that are tried
   double growth = 1.75;               ///< size of a box relative to the hull
-  double least_unit = 0x1p-48;        ///< the least unit of boxes that are cut back
+  double least_unit = 0x1p-48;        ///< the least unit of boxes that are cut back, and of centres
   /// the least unit of cubes; the search ends where a cube would need a finer one
   double least_cube_unit = 0;
   std::size_t memory = PieceForest::kNetMemory;  ///< bytes that the nets of pieces may take
   /// Where a piece has no other box: boxes with zeros (ZeroSearch), mesh boxes of flat patches of any degree, boxes in
   /// frames and with several sheets. Their certificates are of version 2.
   bool with_frames = false;
-  double least_framed_unit =
-      0x1p-34;  ///< the least unit of such boxes in their frames, and of their centres
+  double least_framed_unit = 0x1p-34;  ///< the least unit of boxes in frames
   /// Called for each piece without a star box of its own size; the search stops if it returns true.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
 };

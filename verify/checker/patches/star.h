@@ -12,6 +12,7 @@
 const uint32_t kNoPair = 0xffffffff;
 const int kLevels = 24;                        // below the roots
 const int64_t kFarthest = int64_t(1) << 61;    // absolute values of coordinates are less
+const int kMostShift = 120;                    // s of a box in a frame; a limit of this checker
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
@@ -85,8 +86,9 @@ struct Patch {
 struct Frame {  // the rows of A
   int64_t a[3][3];
 };
-struct Bounds {  // closed, in units 2^E
+struct Bounds {  // closed, in units 2^(E + shift); of boxes in frames shift is s, otherwise 0
   int64_t lo[3], hi[3];
+  int shift = 0;
 };
 // q(x) = the sum of coefficient times y1^a y2^b y3^c with y = (x - o) / 2^scale, in the body's order; o is c- of the
 // box's first sheet.

@@ -12,11 +12,16 @@ struct Reader : StarBytes {
   Reader(const Body& bytes, StarBody* to) : StarBytes(bytes, to) {}
 
   uint64_t bounds(Box* b, int64_t* least, int64_t* size) {  // the result is the shift
-    const uint64_t s = shift();
+    uint64_t s = shift();
     for (int k = 0; k < 3; ++k) least[k] = zigzag();
     for (int k = 0; k < 3; ++k) {
       size[k] = int64_t(varint());
       require(size[k] >= 1, "B1", "a box has no size");
+    }
+    if (b->frame != 0) {
+      require(s <= uint64_t(kMostShift), "B1", "a coordinate is too far away, s =", s);
+      b->shift = int(s);
+      s = 0;
     }
     for (int k = 0; k < 3; ++k) {
       b->lo[k] = scaled(least[k], s);
@@ -106,7 +111,8 @@ struct Reader : StarBytes {
     for (int row = 0; row < 3; ++row) {
       i128 at = 0;
       for (int k = 0; k < 3; ++k) at += i128(out->frames[b.frame].a[row][k]) * c[k];
-      if (at <= b.lo[row] || at >= b.hi[row]) return false;
+      // at <= lo 2^shift or at >= hi 2^shift.
+      if ((at - 1) >> b.shift < b.lo[row] || at >> b.shift >= b.hi[row]) return false;
     }
     return true;
   }

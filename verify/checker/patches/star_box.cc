@@ -49,7 +49,8 @@ bool leads_to(const Bounds& b, const Frame& frame, const int64_t* lo, const int6
       least += i128(a) * (a > 0 ? lo[k] : hi[k]);
       most += i128(a) * (a > 0 ? hi[k] : lo[k]);
     }
-    if (most < b.lo[row] || least > b.hi[row]) return false;
+    // most < lo 2^shift or least > hi 2^shift.
+    if (most >> b.shift < b.lo[row] || (least - 1) >> b.shift >= b.hi[row]) return false;
   }
   return true;
 }
@@ -76,7 +77,7 @@ struct Descent {
     units.add(p.cost_of_hull(node.level));
     if (box.frame == 0) return node.hull.misses(box);
     return !leads_to(box, frame, node.hull.out_lo, node.hull.out_hi) ||
-           hull_in(frame, p, node).misses(box);
+           hull_in(frame, box.shift, p, node).misses(box);
   }
 };
 

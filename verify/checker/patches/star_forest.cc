@@ -38,8 +38,9 @@ Forest::Forest(StarBody* body, Units* units)
               units_->add(p.cost_of_hull(leaf.level));
               Box& b = body->boxes[number];
               const bool is_plain = b.frame == 0;
-              require((is_plain ? leaf.hull : hull_in(body->frames[b.frame], p, leaf)).is_inside(b),
-                      "C1", "the hull of a leaf is not in its box", number);
+              const Hull& hull =
+                  is_plain ? leaf.hull : hull_in(body->frames[b.frame], b.shift, p, leaf);
+              require(hull.is_inside(b), "C1", "the hull of a leaf is not in its box", number);
               require(b.component == kNoPair || b.component == p.component || b.sheets.size() > 1,
                       "C1", "leaves of two components name the box", number);
               if (!is_plain) std::copy(leaf.hull.out_lo, leaf.hull.out_lo + 3, b.place);

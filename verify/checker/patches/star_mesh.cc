@@ -131,7 +131,8 @@ bool misses(const Facet& facet, const Frame& frame, const Box& b) {
   Points q;
   for (int i = 0; i < 8; ++i) {
     Vec v;
-    for (int k = 0; k < 3; ++k) v.x[k] = w * Big((i >> k & 1) != 0 ? b.hi[k] : b.lo[k]);
+    for (int k = 0; k < 3; ++k)
+      v.x[k] = w * shifted(Big((i >> k & 1) != 0 ? b.hi[k] : b.lo[k]), b.shift);
     q.push_back(v);
   }
   if (separates(t.n, t.v, q)) return true;

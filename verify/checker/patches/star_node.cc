@@ -77,21 +77,29 @@ void halves(const Shape& s, int axis, int numbers, const Block& b, Block* out) {
       Limbs<0>::shift(&out[i].d[k], 1, n, p);
   }
 }
-// floor(x / w), limited to +-kFarthest; w > 0.
-int64_t floor_ratio(const uint64_t* x, const uint64_t* w, int n, bool* exact) {
+int64_t limited(i128 q) {
+  return int64_t(std::max<i128>(-kFarthest, std::min<i128>(kFarthest, q)));
+}
+// floor(q / 2^shift); *exact becomes false where this is less.
+i128 shifted(i128 q, int shift, bool* exact) {
+  if ((q & ((i128(1) << shift) - 1)) != 0) *exact = false;
+  return q >> shift;
+}
+// floor(x / (w 2^shift)), limited to +-kFarthest; w > 0, 0 <= shift <= kMostShift.
+int64_t floor_ratio(const uint64_t* x, const uint64_t* w, int n, int shift, bool* exact) {
   if (n == 1) {
     const int64_t a = int64_t(*x), d = int64_t(*w), q = a / d - (a % d < 0);
     *exact = a % d == 0;
-    return std::max(-kFarthest, std::min(kFarthest, q));
+    return limited(shifted(q, shift, exact));
   }
   if (n == 2) {
     const i128 a = i128(u128(x[1]) << 64 | x[0]), d = i128(u128(w[1]) << 64 | w[0]);
     const i128 q = a / d - (a % d < 0);
     *exact = a % d == 0;
-    return int64_t(std::max<i128>(-kFarthest, std::min<i128>(kFarthest, q)));
+    return limited(shifted(q, shift, exact));
   }
   Big rest;
-  Big q = divide(Big::of(x, n), Big::of(w, n), &rest);
+  Big q = divide(Big::of(x, n), shifted(Big::of(w, n), shift), &rest);
   *exact = rest.sign() == 0;
   if (rest.sign() < 0) q = q - Big(1);
   if (q.bits() > 61) return q.sign() * kFarthest;
@@ -103,8 +111,8 @@ bool is_less(const uint64_t* a, const uint64_t* b, int n) {
     if (a[i] != b[i]) return a[i] < b[i];
   return false;
 }
-// The hull of a node with this net.
-Hull hull_of(const Patch& p, const Block& net) {
+// The hull of a node with this net, in units 2^shift times those of the net.
+Hull hull_of(const Patch& p, const Block& net, int shift) {
   Hull h;
   const int n = net.n, count = p.shape.count();
   const size_t step = p.is_rational ? 4 : 3;
@@ -122,7 +130,7 @@ Hull hull_of(const Patch& p, const Block& net) {
       bool exact;
       const uint64_t* const weight =
           net.number(p.is_rational ? 4 * size_t(i) + 3 : 3 * size_t(count));
-      const int64_t low = floor_ratio(coordinate(i), weight, n, &exact);
+      const int64_t low = floor_ratio(coordinate(i), weight, n, shift, &exact);
       const int64_t high = exact ? low : std::min(low + 1, kFarthest);
       h.out_lo[k] = std::min(h.out_lo[k], low);
       h.in_lo[k] = std::min(h.in_lo[k], high);
@@ -203,8 +211,8 @@ bool Node::is_outer(const Patch& p, int e) const {
   return touches(p, (e + 1) % 3, e) && touches(p, (e + 2) % 3, e);
 }
 
-Hull hull_in(const Frame& frame, const Patch& p, const Node& node) {
-  return hull_of(p, mapped(p, node.net, frame));
+Hull hull_in(const Frame& frame, int shift, const Patch& p, const Node& node) {
+  return hull_of(p, mapped(p, node.net, frame), shift);
 }
 std::vector<Big> coefficients(const Patch& p, const Node& node, int k) {
   std::vector<Big> r;
@@ -251,7 +259,7 @@ Node make_root(const Patch& p, uint64_t root) {
         r.at[c][axis] =
             (ij.at[axis] + int((axis == 0 ? c + 1 : c) % 4 >= 2)) * (kWholeSide >> p.roots[axis]);
   }
-  r.hull = hull_of(p, r.net);
+  r.hull = hull_of(p, r.net, 0);
   return r;
 }
 
@@ -273,6 +281,6 @@ void make_children(const Patch& p, Node* node) {
             (own < p.shape.sides() ? a[i][k] + a[own][k] : a[(i + 1) % 3][k] + a[(i + 2) % 3][k]) /
             2;
       }
-    to.hull = hull_of(p, to.net);
+    to.hull = hull_of(p, to.net, 0);
   }
 }

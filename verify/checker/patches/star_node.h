@@ -15,8 +15,8 @@ struct Block {
   const uint64_t* number(size_t i) const { return &d[i * size_t(n)]; }
 };
 
-// In units 2^E: the exact hull, rounded to integers outwards and inwards; farther ones are cut at
-// +-kFarthest.
+// In units 2^E, or of the box whose frame it is in: the exact hull, rounded to integers outwards and inwards; farther
+// ones are cut at +-kFarthest.
 struct Hull {
   int64_t out_lo[3], out_hi[3], in_lo[3], in_hi[3];
   bool misses(const Bounds& b) const {  // exact, as the box has integers and is nearer
@@ -59,7 +59,7 @@ Shape shape_of_g(const Patch& p);
 Block make_g(const Patch& p);  // on the whole patch
 Block on_root(const Patch& p, uint64_t root, const Shape& s, int numbers, Block b);  // the root's part of a block
 void make_children_g(const Patch& p, Node* node);  // REQUIRES the node's g, and children
-Hull hull_in(const Frame& frame, const Patch& p, const Node& node);
+Hull hull_in(const Frame& frame, int shift, const Patch& p, const Node& node);  // in units 2^(E + shift)
 std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (X, Y, Z, W)[k]
 
 Block packed(const std::vector<Big>& numbers);

@@ -222,10 +222,14 @@ class ForestBuilder {
         const Point3d &a = line.front(), &b = line.back();
         const double length = distance(a, b);
         for (const Point3d& p : line) {
-          double along = 0;
-          for (std::size_t k = 0; k < 3; ++k) along += (p[k] - a[k]) * (b[k] - a[k]);
-          const double square = distance(a, p) * distance(a, p) - along * along / (length * length);
-          out = std::max(out, length > 0 ? std::sqrt(std::max(0.0, square)) : distance(a, p));
+          // The length of the cross product: a difference of squares would take rounding for a bend.
+          Point3d area;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            area[k] = (p[i] - a[i]) * (b[j] - a[j]) - (p[j] - a[j]) * (b[i] - a[i]);
+          }
+          const double bend = std::hypot(area[0], area[1], area[2]) / length;
+          out = std::max(out, length > 0 ? bend : distance(a, p));
         }
       });
       return out;

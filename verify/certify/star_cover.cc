@@ -9,6 +9,7 @@
 #include "robust/base/check.h"
 #include "verify/certify/box_search.h"
 #include "verify/certify/frame_search.h"
+#include "verify/certify/walk_boxes.h"
 #include "verify/certify/zero_search.h"
 
 namespace veritope {
@@ -43,9 +44,9 @@ class CoverSearch {
     }
     out_.tested_pieces = search_.tested_pieces(), out_.programs = search_.programs();
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
-    if (out_.is_complete() && options_.with_frames) add_boxes_for_walks();
+    if (out_.is_complete() && options_.with_frames) add_boxes_for_walks(forest_, frames_, &out_);
     if (out_.is_complete()) keep_leaves();
-    out_.memory->resize_anyway(out_.boxes.size() * kBytesOfBox + framed_share_.bytes());
+    out_.memory->resize_anyway(out_.boxes.size() * StarCover::kBytesOfBox + framed_share_.bytes());
     return std::move(out_);
   }
 
@@ -93,7 +94,7 @@ class CoverSearch {
       return;
     }
     if (options_.with_frames && frames_.try_piece(id)) {
-      accept(cover_box(frames_.box()), frames_.held());
+      accept(CoverBox::of(frames_.box()), frames_.held());
       if (box_of(id) != StarCover::kNone) return;
     }
     if (forest_.is_out_of_memory()) return give_up(id, Why::kMemory);
@@ -114,9 +115,7 @@ class CoverSearch {
     for (const Id k : {3u, 2u, 1u, 0u}) push(first + k, scale, crowded);
   }
   // Room for one more box, before it is sought.
-  bool has_memory() {
-    return make_room(out_.boxes, 1, *out_.memory, kBytesOfBox) && !forest_.is_out_of_memory();
-  }
+  bool has_memory() { return out_.has_room_for_box() && !forest_.is_out_of_memory(); }
   // Nothing is known about what is near the piece.
   void give_up(Id id, Why why) {
     out_.uncovered.push_back({id, why, std::numeric_limits<double>::infinity(), 1});
@@ -127,14 +126,6 @@ class CoverSearch {
     if (!(size > 0)) return kLeastScale;
     return std::clamp(std::ilogb(size), kLeastScale, kMostScale);
   }
-  static CoverBox cover_box(const FramedBox& framed) {
-    CoverBox out;
-    const Sheet& first = framed.sheets.sheets.front();
-    out.star = {framed.sheets.frame.around(framed.sheets.box), first.inside, first.outside};
-    out.unit = framed.unit;
-    out.framed = std::make_shared<const FramedBox>(framed);
-    return out;
-  }
   void accept(const CoverBox& box, const std::vector<Id>& held) {
     const auto number = static_cast<std::uint32_t>(out_.boxes.size());
     if (box.framed) framed_share_.resize_anyway(framed_share_.bytes() + bytes_of(*box.framed));
@@ -143,70 +134,7 @@ class CoverSearch {
       if (box_of(id) == StarCover::kNone) box_of(id) = number;
   }
 
-  // Walks start at boxes with one sheet. Where there are boxes with several, each shell gets a small one at the place
-  // where it reaches farthest along x: there the shells of a thin wall are near each other. So does a shell that mesh
-  // boxes cover alone.
-  void add_boxes_for_walks() {
-    const auto& boxes = out_.boxes;
-    const bool have_several = std::any_of(boxes.begin(), boxes.end(), [](const CoverBox& b) {
-      return !b.is_mesh && !b.has_one_sheet();
-    });
-    if (!have_several &&
-        std::none_of(boxes.begin(), boxes.end(), [](const CoverBox& b) { return b.is_mesh; }))
-      return;
-    const PatchComplex& complex = forest_.complex();
-    std::vector<bool> has_start(complex.shells().size());
-    std::vector<Id> farthest(complex.shells().size(), PieceForest::kNone);
-    for (Id id = 0; id < out_.box_of_node.size(); ++id) {
-      if (out_.box_of_node[id] == StarCover::kNone) continue;
-      const std::uint32_t shell = complex.shell(forest_.node(id).patch);
-      if (!have_several && boxes[out_.box_of_node[id]].has_one_sheet() &&
-          !is_covered(forest_.node(id).parent))
-        has_start[shell] = true;
-      Id& best = farthest[shell];
-      if (best == PieceForest::kNone || forest_.node(id).hull.hi[0] > forest_.node(best).hull.hi[0])
-        best = id;
-    }
-    for (std::size_t shell = 0; shell < farthest.size(); ++shell)
-      if (farthest[shell] != PieceForest::kNone && !has_start[shell])
-        add_box_for_walks(farthest[shell]);
-  }
-  // A box needs pieces of two levels more.
-  static constexpr int kMaxLevelOfWalks = PieceForest::kMaxLevel - 2;
-  // Descends from a leaf to its farthest part until that has a box with one sheet; its other parts keep theirs.
-  void add_box_for_walks(Id id) {
-    for (Id up = id; up != PieceForest::kNone; up = forest_.node(up).parent)
-      if (box_of(up) != StarCover::kNone) id = up;
-    const std::uint32_t box = box_of(id);
-    std::vector<Id> parents;
-    while (forest_.node(id).level < kMaxLevelOfWalks && has_memory()) {
-      const auto& held = frames_.held();
-      if (!frames_.try_piece(id, true) || std::find(held.begin(), held.end(), id) == held.end()) {
-        if (!forest_.may_split(id)) return;
-        parents.push_back(id);
-        id = farthest_child(id);
-        continue;
-      }
-      for (const Id parent : parents) {
-        const Id first = forest_.children(parent);
-        box_of(parent) = StarCover::kNone;
-        for (Id k = 0; k < 4; ++k) box_of(first + k) = box;
-      }
-      box_of(id) = static_cast<std::uint32_t>(out_.boxes.size());
-      out_.boxes.push_back(cover_box(frames_.box()));
-      return;
-    }
-  }
-  Id farthest_child(Id id) {
-    const Id first = forest_.children(id);
-    Id out = first;
-    for (Id k = 1; k < 4; ++k)
-      if (forest_.node(first + k).hull.hi[0] > forest_.node(out).hull.hi[0]) out = first + k;
-    return out;
-  }
-
-  // What a box takes here, while keep_leaves copies it, and in a certificate's body and bytes.
-  static constexpr std::size_t kBytesOfBox = 2 * sizeof(CoverBox) + 384;
+  // What it takes here, and in a certificate's body and bytes.
   static std::uint64_t bytes_of(const FramedBox& box) {
     std::uint64_t out = 2 * sizeof(FramedBox);
     for (const Sheet& s : box.sheets.sheets) out += 2 * sizeof(Sheet) + s.signs.size();
@@ -249,6 +177,15 @@ class CoverSearch {
 };
 
 }  // namespace
+
+CoverBox CoverBox::of(const FramedBox& framed) {
+  CoverBox out;
+  const Sheet& first = framed.sheets.sheets.front();
+  out.star = {framed.sheets.frame.around(framed.sheets.box), first.inside, first.outside};
+  out.unit = framed.unit;
+  out.framed = std::make_shared<const FramedBox>(framed);
+  return out;
+}
 
 StarCover find_star_cover(PieceForest& forest, const StarCoverOptions& options) {
   return CoverSearch(forest, options).run();

@@ -44,6 +44,7 @@ struct CoverBox {
   /// A star box with zeros, or a mesh box of other patches than triangles of degree 1.
   bool needs_version_2 = false;
 
+  static CoverBox of(const FramedBox& framed);
   /// Walks start and end at such boxes only.
   bool has_one_sheet() const { return !is_mesh && (!framed || framed->sheets.sheets.size() == 1); }
 };
@@ -67,6 +68,9 @@ struct StarCover {
   std::vector<UncoveredPiece> uncovered;  ///< empty: every piece has its box
   std::size_t tried = 0, tested_pieces = 0, programs = 0;
   std::shared_ptr<MemoryShare> memory;  ///< what the forest's budget is charged for the boxes
+  /// What a box takes here, while it is copied, and in a certificate's body and bytes.
+  static constexpr std::size_t kBytesOfBox = 2 * sizeof(CoverBox) + 384;
+  bool has_room_for_box() { return make_room(boxes, 1, *memory, kBytesOfBox); }
   bool is_complete() const { return uncovered.empty(); }
   /// Whether a certificate of it needs version 2.
   bool needs_version_2() const {

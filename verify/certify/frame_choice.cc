@@ -28,28 +28,17 @@ std::optional<Point3d> direction(const Point3d& a) {
   return Point3d{a[0] / length, a[1] / length, a[2] / length};
 }
 
-std::array<std::int64_t, 3> row_of(const Point3d& d) {
-  std::array<std::int64_t, 3> out;
-  for (std::size_t k = 0; k < 3; ++k) out[k] = std::llrint(FrameChoice::kRowLength * d[k]);
-  return out;
-}
-Point3d approx_row(const BoxFrame& frame, std::size_t r) {
-  Point3d out;
-  for (std::size_t k = 0; k < 3; ++k)
-    out[k] = static_cast<double>(frame.rows()[r][k]) / FrameChoice::kRowLength;
-  return out;
-}
 // Whether the frames differ only by the rounding of normals.
 bool are_near(const BoxFrame& a, const BoxFrame& b) {
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t k = 0; k < 3; ++k)
-      if (std::abs(a.rows()[r][k] - b.rows()[r][k]) > 1) return false;
+      if (std::abs(a.rows()[r][k] - b.rows()[r][k]) > 4) return false;
   return true;
 }
 
 // The sine of the angle between the normals of two frames, approximately.
-double turn(const BoxFrame& a, const BoxFrame& b) {
-  return length_of(cross(approx_row(a, 2), approx_row(b, 2)));
+double turn(const SearchFrame& a, const SearchFrame& b) {
+  return length_of(cross(a.rows[2], b.rows[2]));
 }
 // Whether no side of `hull` is much longer than that of `own`.
 bool is_as_thin(const Box3d& hull, const Box3d& own) {
@@ -61,24 +50,57 @@ bool is_as_thin(const Box3d& hull, const Box3d& own) {
 
 }  // namespace
 
-std::optional<BoxFrame> FrameChoice::own(Id piece) {
-  const auto normal = direction(forest_.approx_normal(piece));
+Box3d SearchFrame::in_lengths(const Box3d& in_frame) const {
+  Box3d out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out.lo[k] = in_frame.lo[k] / unit[k], out.hi[k] = in_frame.hi[k] / unit[k];
+  return out;
+}
+Box3d SearchFrame::in_frame(const Box3d& in_lengths) const {
+  Box3d out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out.lo[k] = in_lengths.lo[k] * unit[k], out.hi[k] = in_lengths.hi[k] * unit[k];
+  return out;
+}
+
+std::optional<Point3d> FrameChoice::unit_normal(Id piece) {
+  return direction(metric_.image_of_normal(forest_.approx_normal(piece)));
+}
+
+std::optional<SearchFrame> FrameChoice::with_rows(const std::array<Point3d, 3>& rows) const {
+  BoxFrame::Rows entries;
+  SearchFrame out;
+  out.rows = rows;
+  for (std::size_t r = 0; r < 3; ++r) {
+    const Point3d row = metric_.row_of_image(rows[r]);
+    out.unit[r] = kRowLength / length_of(row);
+    if (!std::isfinite(out.unit[r])) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k) entries[r][k] = std::llrint(out.unit[r] * row[k]);
+  }
+  const auto frame = BoxFrame::make(entries);
+  if (!frame) return std::nullopt;
+  out.frame = *frame;
+  return out;
+}
+
+std::optional<SearchFrame> FrameChoice::own(Id piece) {
+  const auto normal = unit_normal(piece);
   if (!normal) return std::nullopt;
-  Point3d along = longest_chord(forest_, piece);
+  Point3d along = metric_.image(longest_chord(forest_, piece, metric_));
   const double part = dot(along, *normal);
   for (std::size_t k = 0; k < 3; ++k) along[k] -= part * (*normal)[k];
   const auto tangent = direction(along);
   if (!tangent) return std::nullopt;
-  return BoxFrame::make({row_of(*tangent), row_of(cross(*normal, *tangent)), row_of(*normal)});
+  return with_rows({*tangent, cross(*normal, *tangent), *normal});
 }
 
-std::optional<PieceFrame> FrameChoice::with_hull(Id piece, const BoxFrame& frame) {
-  const Box3d hull = hull_in_frame(forest_, piece, frame);
+std::optional<PieceFrame> FrameChoice::with_hull(Id piece, const SearchFrame& frame) {
+  const Box3d hull = frame.in_lengths(hull_in_frame(forest_, piece, frame.frame));
   if (!std::isfinite(extent(hull)) || !(extent(hull) > 0)) return std::nullopt;
   return PieceFrame{frame, hull};
 }
 
-void FrameChoice::keep(const BoxFrame& frame) {
+void FrameChoice::keep(const SearchFrame& frame) {
   if (frames_.size() == kMostFrames) frames_.erase(frames_.begin());
   frames_.push_back(frame);
 }
@@ -92,7 +114,7 @@ std::optional<PieceFrame> FrameChoice::along(Id piece) {
   const double most_turn = kThicker * (height / extent(out->hull)) + kSameDirection;
   for (auto used = frames_.end(); used != frames_.begin();) {
     if (!(turn(*--used, *frame) <= most_turn)) continue;
-    const Box3d hull = hull_in_frame(forest_, piece, *used);
+    const Box3d hull = used->in_lengths(hull_in_frame(forest_, piece, used->frame));
     if (!is_as_thin(hull, out->hull)) continue;
     out = PieceFrame{*used, hull};
     std::rotate(used, used + 1, frames_.end());
@@ -103,12 +125,12 @@ std::optional<PieceFrame> FrameChoice::along(Id piece) {
 }
 
 std::optional<Point3d> FrameChoice::normal_across_crease(Id piece, const std::vector<Id>& around) {
-  const auto normal = direction(forest_.approx_normal(piece));
+  const auto normal = unit_normal(piece);
   if (!normal) return std::nullopt;
   std::optional<Point3d> out;
   double most = kLeastCrease;
   for (const Id id : around) {
-    const auto other = direction(forest_.approx_normal(id));
+    const auto other = unit_normal(id);
     if (!other) continue;
     const double sine = length_of(cross(*normal, *other));
     if (sine > most) most = sine, out = other;
@@ -117,16 +139,17 @@ std::optional<Point3d> FrameChoice::normal_across_crease(Id piece, const std::ve
 }
 
 std::optional<PieceFrame> FrameChoice::along_crease(Id piece, const Point3d& other_normal,
-                                                    const BoxFrame& plain) {
+                                                    const PieceFrame& plain) {
   for (std::size_t r = 0; r < 2; ++r)
-    if (std::abs(dot(other_normal, approx_row(plain, r))) > kRightAngle) return std::nullopt;
-  const auto normal = direction(forest_.approx_normal(piece));
+    if (std::abs(dot(other_normal, plain.rows[r])) > kRightAngle) return std::nullopt;
+  const auto normal = unit_normal(piece);
   const auto crease = normal ? direction(cross(*normal, other_normal)) : std::nullopt;
   if (!crease) return std::nullopt;
-  auto frame = BoxFrame::make({row_of(*crease), row_of(other_normal), row_of(*normal)});
+  auto frame = with_rows({*crease, other_normal, *normal});
   if (!frame) return std::nullopt;
-  const auto known = std::find_if(frames_.begin(), frames_.end(),
-                                  [&](const BoxFrame& f) { return are_near(f, *frame); });
+  const auto known = std::find_if(frames_.begin(), frames_.end(), [&](const SearchFrame& f) {
+    return are_near(f.frame, frame->frame);
+  });
   if (known == frames_.end())
     keep(*frame);
   else

@@ -38,9 +38,18 @@ constexpr std::size_t kMostSplits = 1024;
 
 using internal::dot;
 using internal::length_of;
+// A model whose metric is distorted by no more than this is treated as one as long as wide.
+constexpr double kMostDistortion = 1.2;
 double length_along(const Box3d& b) { return std::min(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
 double height(const Box3d& b) { return b.hi[2] - b.lo[2]; }
 double power_of_two_below(double v) { return std::exp2(std::floor(std::log2(v))); }
+Point3d product(const Point3d& a, const Point3d& b) {
+  return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+}
+double least_in_frame(const SearchFrame& frame, const Point3d& half) {
+  const Point3d in_frame = product(half, frame.unit);
+  return std::min({in_frame[0], in_frame[1], in_frame[2]});
+}
 
 // The axis on which two boxes are farthest from each other; the distance is 0 if they meet.
 struct FarthestSide {
@@ -67,15 +76,33 @@ Box3d FrameSearch::Region::box() const {
 }
 
 bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
+  if (choices_.empty()) make_choices();
   piece_ = id;
-  const auto plain = choice_.along(id);
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    const std::size_t number = (first_choice_ + i) % choices_.size();
+    if (!try_piece(id, with_one_sheet_only, choices_[number])) continue;
+    first_choice_ = number;
+    return true;
+  }
+  return false;
+}
+
+void FrameSearch::make_choices() {
+  choices_.emplace_back(forest_, ShapeMetric());
+  const ShapeMetric metric(forest_);
+  if (metric.distortion() > kMostDistortion) choices_.emplace_back(forest_, metric);
+}
+
+bool FrameSearch::try_piece(Id id, bool with_one_sheet_only, FrameChoice& choice) {
+  metric_ = &choice.metric();
+  const auto plain = choice.along(id);
   if (!plain) return false;
   use(*plain);
   if (try_in_frame(with_one_sheet_only)) return true;
-  const auto other = choice_.normal_across_crease(id, around_);
+  const auto other = choice.normal_across_crease(id, around_);
   if (!other) return false;
   if (try_tight()) return true;
-  const auto oblique = choice_.along_crease(id, *other, plain->frame);
+  const auto oblique = choice.along_crease(id, *other, *plain);
   if (!oblique) return false;
   use(*oblique);
   return try_in_frame(with_one_sheet_only) || try_tight();
@@ -83,7 +110,16 @@ bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
 
 void FrameSearch::use(const PieceFrame& chosen) {
   box_.sheets.frame = chosen.frame;
+  frame_ = chosen;
   hull_ = chosen.hull;
+}
+
+Point3d FrameSearch::normal_of(Id id) {
+  return metric_->image_of_normal(forest_.approx_normal(id));
+}
+
+Box3d FrameSearch::hull_of(Id id) {
+  return frame_.in_lengths(hull_in_frame(forest_, id, frame_.frame));
 }
 
 bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
@@ -143,18 +179,18 @@ bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
   }
   if (num_long == 0) return true;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
-  return num_long < 3 && approx_bend(forest_, id) <= kFlat * least / kRowLength;
+  return num_long < 3 && approx_bend(forest_, id, *metric_) <= kFlat * least;
 }
 
 // Puts the small pieces that the region meets into near_.
 bool FrameSearch::gather(const Region& region) {
   near_.clear();
-  const Box3d box = region.box();
-  const BoxFrame& frame = box_.sheets.frame;
+  const Box3d box = frame_.in_frame(region.box());
+  const BoxFrame& frame = frame_.frame;
   return descend_to(forest_, frame.around(box), 16 * kMostNear, [&](Id id) {
     const auto hull = hull_that_meets(forest_, id, frame, box);
     if (!hull) return PieceStep::kTaken;
-    if (!is_small(id, *hull, region)) return PieceStep::kSplit;
+    if (!is_small(id, frame_.in_lengths(*hull), region)) return PieceStep::kSplit;
     near_.push_back(id);
     return near_.size() <= kMostNear ? PieceStep::kTaken : PieceStep::kStop;
   });
@@ -165,14 +201,14 @@ bool FrameSearch::gather(const Region& region) {
 // parts of those, so small that their hulls do not hide a gap.
 std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, Cut which) {
   Box3d box = region.box();
-  const Point3d normal = forest_.approx_normal(piece_);
+  const Point3d normal = normal_of(piece_);
   bool is_cut = false;
   std::vector<Id> open = near_;
   for (std::size_t splits = 0; !open.empty();) {
     const Id id = open.back();
     open.pop_back();
-    if (which != Cut::kAll && !(dot(forest_.approx_normal(id), normal) < 0)) continue;
-    const Box3d other = hull_in_frame(forest_, id, box_.sheets.frame);
+    if (which != Cut::kAll && !(dot(normal_of(id), normal) < 0)) continue;
+    const Box3d other = hull_of(id);
     if (!meets(box, other)) continue;
     const auto [axis, distance, is_above] = farthest_side(hull_, other);
     const double enough = std::max(kMostHeights * height(hull_), kMostOfDistance * distance);
@@ -183,7 +219,7 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, C
       ++splits;
       continue;
     }
-    if (!(distance > 16 * least_unit_)) continue;
+    if (!(distance * frame_.unit[axis] > 16 * least_unit_)) continue;
     is_cut = true;
     if (is_above)
       box.hi[axis] = std::min(box.hi[axis], hull_.hi[axis] + 0.5 * distance);
@@ -222,10 +258,10 @@ std::vector<std::vector<Id>> FrameSearch::components() const {
 
 bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets) {
   if (sheets.empty() || sheets.size() > kMostSheets) return false;
-  const double least = std::min({region.half[0], region.half[1], region.half[2]});
+  const double least = least_in_frame(frame_, region.half);
   box_.unit = power_of_two_below(least / kUnitsInBox);
   if (box_.unit < least_unit_) return false;
-  const Box3d box = region.box();
+  const Box3d box = frame_.in_frame(region.box());
   for (std::size_t k = 0; k < 3; ++k) {
     box_.sheets.box.lo[k] = std::floor(box.lo[k] / box_.unit) * box_.unit;
     box_.sheets.box.hi[k] = std::ceil(box.hi[k] / box_.unit) * box_.unit;
@@ -264,18 +300,18 @@ bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pie
   return true;
 }
 
-// g_c > 0 for all coefficients of the piece, as half-spaces for z, where A c = middle + half z.
+// g_c > 0 for all coefficients of the piece, as half-spaces for z, where A c = middle + half z, both in the frame.
 void FrameSearch::add_half_spaces(const Region& region, Id id) {
   const PieceForest::Node& node = forest_.node(id);
   const PieceForest::Form& form = forest_.form(node.patch);
   const std::size_t n = form.determinant.count();
   const double* const g = forest_.approx_determinants(id);
   const BoxFrame& frame = box_.sheets.frame;
-  const Point3d m = frame.approx_back(region.middle);
+  const Point3d m = frame.approx_back(product(region.middle, frame_.unit));
   std::array<Point3d, 3> steps;  // of c for steps of z
   for (std::size_t j = 0; j < 3; ++j) {
     Point3d y{};
-    y[j] = region.half[j];
+    y[j] = region.half[j] * frame_.unit[j];
     steps[j] = frame.approx_back(y);
   }
   double error = 0;
@@ -298,12 +334,12 @@ void FrameSearch::add_half_spaces(const Region& region, Id id) {
 
 // A centre near middle + half z, on a grid that is short against its depth.
 Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double depth) {
-  const double least = std::min({region.half[0], region.half[1], region.half[2]}) / kRowLength;
+  const double least = least_in_frame(frame_, region.half) / kRowLength;
   const double unit =
       std::max(least_centre_unit_, power_of_two_below(std::min(depth, 1 - kRoom) * least / 4));
   Point3d y;
   for (std::size_t k = 0; k < 3; ++k) y[k] = region.middle[k] + region.half[k] * z[k];
-  Point3d c = box_.sheets.frame.approx_back(y);
+  Point3d c = frame_.frame.approx_back(product(y, frame_.unit));
   for (double& v : c) v = std::nearbyint(v / unit) * unit;
   box_.centre_unit = std::min(box_.centre_unit, unit);
   return c;
@@ -311,7 +347,8 @@ Point3d FrameSearch::rounded(const Region& region, const Point3d& z, double dept
 
 // Separators until any two sheets are on different sides of one.
 bool FrameSearch::separate(const std::vector<std::vector<Id>>& sheets, const Region& region) {
-  const double size = std::max({region.half[0], region.half[1], region.half[2]}) / kRowLength;
+  const Point3d half = product(region.half, frame_.unit);
+  const double size = std::max({half[0], half[1], half[2]}) / kRowLength;
   std::vector<std::vector<Point3d>> samples(sheets.size());
   for (std::size_t i = 0; i < sheets.size(); ++i)
     for (const Id id : sheets[i]) append_samples(forest_, id, &samples[i]);

@@ -28,8 +28,7 @@ class FrameSearch {
       : forest_(forest),
         growth_(growth),
         least_unit_(least_unit),
-        least_centre_unit_(least_centre_unit),
-        choice_(forest) {}
+        least_centre_unit_(least_centre_unit) {}
 
   /// Whether a box that contains the piece's hull was found and proved. With one sheet only: the box ends before other
   /// sheets.
@@ -39,13 +38,18 @@ class FrameSearch {
   const std::vector<Id>& held() const { return pieces_.held; }
 
  private:
-  /// A box in the frame, as a middle and half sizes.
+  /// A box in the frame, as a middle and half sizes in lengths.
   struct Region {
     Point3d middle{}, half{};
     double part = 1;  // pieces that reach out of it are split to this part of the half sizes
     Box3d box() const;
   };
+  void make_choices();
+  bool try_piece(Id id, bool with_one_sheet_only, FrameChoice& choice);
   void use(const PieceFrame& chosen);
+  /// A normal of the image under the metric, and the hull in lengths.
+  Point3d normal_of(Id id);
+  Box3d hull_of(Id id);
   bool try_in_frame(bool with_one_sheet_only);
   bool try_tight();
   Region region_of_height(double height, double growth) const;
@@ -64,12 +68,17 @@ class FrameSearch {
   PieceForest& forest_;
   const double growth_, least_unit_, least_centre_unit_;
   Id piece_ = 0;
-  Box3d hull_{};  // of the piece, in the frame
+  SearchFrame frame_;
+  Box3d hull_{};  // of the piece, in lengths
   FramedBox box_;
   SheetPieces pieces_;
   std::vector<Id> near_, around_;  // those that the last region meets; that the first region met
   std::vector<HalfSpace> half_spaces_;
-  FrameChoice choice_;
+  /// One in Euclid's metric, and one in that of the model's shape if they differ much; the one that succeeded last is
+  /// tried first.
+  std::vector<FrameChoice> choices_;
+  std::size_t first_choice_ = 0;
+  const ShapeMetric* metric_ = nullptr;  // of the choice in use
 };
 
 }  // namespace veritope

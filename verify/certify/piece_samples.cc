@@ -61,9 +61,9 @@ void append_samples(PieceForest& forest, PieceForest::Id id, std::vector<Point3d
       if (!sampler.is_triangle() || u + v <= 1) out->push_back(sampler.at(u, v));
 }
 
-double approx_bend(PieceForest& forest, PieceForest::Id id) {
+double approx_bend(PieceForest& forest, PieceForest::Id id, const ShapeMetric& metric) {
   const Point3d n = forest.approx_normal(id);
-  const double length = std::hypot(n[0], n[1], n[2]);
+  const double length = internal::length_of(metric.image_of_normal(n));
   if (!(length > 0)) return std::numeric_limits<double>::infinity();
   const PieceForest::Form& form = forest.form(forest.node(id).patch);
   const std::size_t count = form.shape.count();
@@ -78,7 +78,7 @@ double approx_bend(PieceForest& forest, PieceForest::Id id) {
   return (most - least) / length;
 }
 
-Point3d longest_chord(PieceForest& forest, PieceForest::Id id) {
+Point3d longest_chord(PieceForest& forest, PieceForest::Id id, const ShapeMetric& metric) {
   const Sampler sampler(forest, id);
   std::vector<Point3d> corners{sampler.at(0, 0), sampler.at(1, 0)};
   if (!sampler.is_triangle()) corners.push_back(sampler.at(1, 1));
@@ -88,7 +88,7 @@ Point3d longest_chord(PieceForest& forest, PieceForest::Id id) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point3d &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const Point3d d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const double length = std::hypot(d[0], d[1], d[2]);
+    const double length = metric.length(d);
     if (length > longest) longest = length, out = d;
   }
   return out;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solids/pieces/piece_forest.h"
+#include "verify/certify/shape_metric.h"
 
 namespace veritope {
 
@@ -11,9 +12,10 @@ namespace veritope {
 void append_samples(PieceForest& forest, PieceForest::Id id, std::vector<Point3d>* out);
 
 /// The longest of the differences between corners that are neighbours.
-Point3d longest_chord(PieceForest& forest, PieceForest::Id id);
+Point3d longest_chord(PieceForest& forest, PieceForest::Id id, const ShapeMetric& metric);
 
-/// How far the control points leave the plane through one of them across the mean normal; infinity without a normal.
-double approx_bend(PieceForest& forest, PieceForest::Id id);
+/// How far, in lengths, the control points leave the plane through one of them across the mean normal; infinity without
+/// a normal.
+double approx_bend(PieceForest& forest, PieceForest::Id id, const ShapeMetric& metric);
 
 }  // namespace veritope

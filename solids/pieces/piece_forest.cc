@@ -13,6 +13,18 @@ namespace veritope {
 
 using internal::CommonSign;
 
+namespace {
+// The greatest absolute value.
+double largest_size(const double* v, std::size_t n) {
+  double part[4] = {};  // four independent maxima
+  std::size_t i = 0;
+  for (; i + 4 <= n; i += 4)
+    for (std::size_t j = 0; j < 4; ++j) part[j] = std::max(part[j], std::abs(v[i + j]));
+  for (; i < n; ++i) part[0] = std::max(part[0], std::abs(v[i]));
+  return std::max({part[0], part[1], part[2], part[3]});
+}
+}  // namespace
+
 PieceForest::Layout PieceForest::layout(const Form& form, Part part) {
   if (part == Part::kDeterminants) return {form.determinant, 4, form.determinant.count()};
   return {form.shape, form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count()};
@@ -102,10 +114,8 @@ void PieceForest::quarter(Id id, Part part) {
                                                        internal::quarter_depth(at.shape));
     for (std::size_t k = 0; k < 4; ++k) {
       double* const child = begin + k * at.size();
-      double size = 0;
-      for (std::size_t i = 0; i < at.count; ++i) size = std::max(size, std::abs(to[k][i]));
       child[at.error(c)] = error;
-      child[at.magnitude(c)] = size;
+      child[at.magnitude(c)] = largest_size(to[k], at.count);
     }
   }
   for (Id k = 0; k < 4; ++k) keep_net(nodes_[id].first_child + k, part, begin + k * at.size());

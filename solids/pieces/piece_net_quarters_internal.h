@@ -3,7 +3,10 @@
 // test counts with.
 #pragma once
 #include <algorithm>
+#include <iterator>
 
+#include "robust/base/check.h"
+#include "solids/patches/patch.h"
 #include "solids/pieces/piece_net_internal.h"
 
 namespace veritope::internal {
@@ -83,21 +86,61 @@ void middle_quarter(int degree, const Number* net, Number* out) {
   }
 }
 
+// Coefficients of kLanes lines side by side: the compiler makes vectors of them.
+inline constexpr std::size_t kLanes = 4;
+template <typename Number>
+struct Lanes {
+  Number at[kLanes];
+
+  friend Lanes average(const Lanes& a, const Lanes& b) {
+    Lanes out;
+    for (std::size_t l = 0; l < kLanes; ++l) out.at[l] = internal::average(a.at[l], b.at[l]);
+    return out;
+  }
+};
+
+// Halves up to kLanes lines of n + 1 coefficients. Coefficient i of line l is read from first[i step + l next], the left
+// half goes to the same places of `left`, the right half to those of `right`. The averages are those of
+// split_keeping_left. work: room for n + 1.
+template <typename Number>
+void halve_lines(const Number* first, int n, std::size_t step, std::size_t lines, std::size_t next,
+                 Number* left, Number* right, Lanes<Number>* work) {
+  const auto store = [&](const Lanes<Number>& from, Number* to) {
+    if (lines == kLanes)
+      for (std::size_t l = 0; l < kLanes; ++l) to[l * next] = from.at[l];
+    else
+      for (std::size_t l = 0; l < lines; ++l) to[l * next] = from.at[l];
+  };
+  for (int i = 0; i <= n; ++i) {
+    const Number* const from = first + static_cast<std::size_t>(i) * step;
+    for (std::size_t l = 0; l < kLanes; ++l) work[i].at[l] = from[(l < lines ? l : 0) * next];
+  }
+  for (int level = 0; level <= n; ++level) {
+    store(work[n], right + static_cast<std::size_t>(n - level) * step);
+    Lanes<Number> before = work[level];
+    store(before, left + static_cast<std::size_t>(level) * step);
+    for (int i = level + 1; i <= n; ++i) {
+      const Lanes<Number> here = work[i];
+      work[i] = average(before, here);
+      before = here;
+    }
+  }
+}
+
 template <typename Number>
 void quarter_tensor(const FormShape& shape, const Number* net, Number* const children[4]) {
+  const auto rows = static_cast<std::size_t>(shape.p + 1);
   const auto columns = static_cast<std::size_t>(shape.q + 1);
-  std::copy(net, net + shape.count(), children[0]);
-  // Like split_keeping_left, on all columns at once.
-  for (int level = 0; level <= shape.p; ++level) {
-    const auto row = [&](int i) { return children[0] + static_cast<std::size_t>(i) * columns; };
-    std::copy(row(shape.p), row(shape.p) + columns,
-              children[2] + static_cast<std::size_t>(shape.p - level) * columns);
-    for (int i = shape.p; i > level; --i) average_into(row(i - 1), row(i), shape.q + 1);
-  }
+  Lanes<Number> work[3 * kMaxPatchDegree];
+  VT_CHECK(std::max(rows, columns) <= std::size(work), "a net of too great a degree");
+  for (std::size_t j = 0; j < columns; j += kLanes)
+    halve_lines(net + j, shape.p, columns, std::min(kLanes, columns - j), 1, children[0] + j,
+                children[2] + j, work);
   for (const int k : {0, 2})
-    for (int i = 0; i <= shape.p; ++i) {
-      const std::size_t row = static_cast<std::size_t>(i) * columns;
-      split_keeping_left(children[k] + row, 1, shape.q, children[k + 1] + row, 1, kHalves);
+    for (std::size_t i = 0; i < rows; i += kLanes) {
+      Number* const left = children[k] + i * columns;
+      halve_lines(left, shape.q, 1, std::min(kLanes, rows - i), columns, left,
+                  children[k + 1] + i * columns, work);
     }
 }
 

@@ -68,6 +68,11 @@ inline Pair both_first(Pair p) { return _mm_shuffle_epi32(p, 0x44); }
 inline Pair both_second(Pair p) { return _mm_shuffle_epi32(p, 0xee); }
 inline Pair low_and_high(Pair low, Pair high) { return _mm_unpacklo_epi64(low, high); }
 inline Pair flip(Pair p, Pair mask) { return _mm_xor_si128(p, mask); }
+/// In each place the number of `plus` or of `minus`, as the sign bit of `sign` says.
+inline Pair chosen_by_sign(Pair sign, Pair plus, Pair minus) {
+  const Pair is_minus = _mm_shuffle_epi32(_mm_srai_epi32(sign, 31), 0xf5);
+  return _mm_or_si128(_mm_andnot_si128(is_minus, plus), _mm_and_si128(is_minus, minus));
+}
 
 #if defined(__AVX__)
 #define VT_PAIR_OPERATION(name, instruction)                                  \
@@ -117,6 +122,9 @@ inline Pair both_first(Pair p) { return {p.a, p.a}; }
 inline Pair both_second(Pair p) { return {p.b, p.b}; }
 inline Pair low_and_high(Pair low, Pair high) { return {low.a, high.a}; }
 inline Pair flip(Pair p, Pair mask) { return {p.a ^ mask.a, p.b ^ mask.b}; }
+inline Pair chosen_by_sign(Pair sign, Pair plus, Pair minus) {
+  return {(sign.a & kSignBit) != 0 ? minus.a : plus.a, (sign.b & kSignBit) != 0 ? minus.b : plus.b};
+}
 inline double number(Bits v) { return fenced(std::bit_cast<double>(v)); }
 // f of two numbers; the empty bound if either is NaN. A NaN that f itself makes becomes kMadeNan.
 template <typename F>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solids/star_box/box_frame.h"
 
-#include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <limits>
 
+#include "interval/bound_pair.h"
 #include "interval/interval.h"
 #include "interval/upward.h"
 #include "robust/base/int128.h"
-#include "solids/star_box/node_points_internal.h"
 
 namespace veritope {
 namespace {
@@ -37,37 +38,93 @@ Interval enclosure(Entry v) {
   return out;
 }
 
-// The rows as doubles, exactly: entries are below 2^31; and their negatives. The compiler must not know what is the
-// negative of what: it would take the negative of a product, which rounds the wrong way.
+// (-lo, hi) of an interval: rounding upward widens both, and no compiler looks into operations on such pairs.
+using internal::Pair;
+Pair pair_of(double lo, double hi) {
+  return internal::make_pair(internal::negated(internal::bits_of(lo)), internal::bits_of(hi));
+}
+double lo_of(Pair p) { return std::bit_cast<double>(internal::negated(internal::first(p))); }
+double hi_of(Pair p) { return std::bit_cast<double>(internal::second(p)); }
+bool is_finite(Pair p) {
+  const auto is_number = [](internal::Bits v) {
+    return !internal::is_nan(v) && !internal::is_infinite(v);
+  };
+  return is_number(internal::first(p)) && is_number(internal::second(p));
+}
+
+// The coordinates of a point or of a box, each with its negative.
+struct PairsOfPoint {
+  Pair at[3][2];
+  void set(std::size_t k, Pair value) { at[k][0] = value, at[k][1] = internal::swapped(value); }
+};
+
+// The rows as doubles, exactly: entries are below 2^31. Magnitudes and signs, because a product with a positive number
+// rounds both bounds the right way.
 class RowsInDoubles {
  public:
   explicit RowsInDoubles(const BoxFrame::Rows& rows) {
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t c = 0; c < 3; ++c) {
-        plus_[r][c] = static_cast<double>(rows[r][c]);
-        minus_[r][c] = fenced(-plus_[r][c]);
+        const internal::Bits size = internal::bits_of(static_cast<double>(std::abs(rows[r][c])));
+        size_[r][c] = internal::make_pair(size, size);
+        is_minus_[r][c] = rows[r][c] < 0 ? 1 : 0;
       }
   }
-  // Contains the product of row r and x. REQUIRES upward rounding.
-  Interval product(std::size_t r, const std::array<Interval, 3>& x) const {
-    double hi = 0, minus_lo = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_minus = plus_[r][k] < 0;
-      const double lo_of_x = fenced(x[k].lo()), hi_of_x = fenced(x[k].hi());
-      hi += plus_[r][k] * (is_minus ? lo_of_x : hi_of_x);
-      minus_lo += minus_[r][k] * (is_minus ? hi_of_x : lo_of_x);
-    }
-    // Nothing is computed after the rounding mode has changed back.
-    hi = fenced(hi), minus_lo = fenced(minus_lo);
-    // Not a number where x has no bound.
-    if (!(hi < kInfinity && minus_lo < kInfinity))
-      return Interval::from_bounds(-kInfinity, kInfinity);
-    return Interval::from_bounds(-minus_lo, hi);
+  // Contains the product of row r and x; not a number, or infinite, where x has no bound. REQUIRES upward rounding.
+  Pair product(std::size_t r, const PairsOfPoint& x) const {
+    Pair sum = internal::multiplied(size_[r][0], x.at[0][is_minus_[r][0]]);
+    for (std::size_t k = 1; k < 3; ++k)
+      sum = internal::added(sum, internal::multiplied(size_[r][k], x.at[k][is_minus_[r][k]]));
+    return sum;
   }
 
  private:
-  std::array<std::array<double, 3>, 3> plus_, minus_;
+  Pair size_[3][3];
+  std::uint8_t is_minus_[3][3];
 };
+
+// The control points of a node: NodePoints::point as pairs.
+class PointsInPairs {
+ public:
+  PointsInPairs(PieceForest& forest, PieceForest::Id id)
+      : form_(forest.form(forest.node(id).patch)), net_(forest.control(id)) {
+    for (std::size_t c = 0; c < (form_.is_rational ? 4u : 3u); ++c) {
+      const double error = forest.control_error(id, c);
+      error_[c] = pair_of(-error, error);
+    }
+    for (std::size_t c = 0; c < 3; ++c) origin_[c] = pair_of(form_.origin[c], form_.origin[c]);
+  }
+  std::size_t count() const { return form_.shape.count(); }
+  // Returns false if the weight is not surely positive. REQUIRES upward rounding.
+  bool get(std::size_t i, PairsOfPoint* out) const {
+    if (!form_.is_rational) {
+      for (std::size_t c = 0; c < 3; ++c) out->set(c, internal::added(origin_[c], value(c, i)));
+      return true;
+    }
+    const Pair w = value(3, i);
+    if (!(internal::key_of(internal::first(w)) < 0)) return false;
+    const Pair least = internal::negated(internal::both_first(w)), most = internal::both_second(w);
+    for (std::size_t c = 0; c < 3; ++c) {
+      // A positive end goes farthest over the least weight, a negative one over the greatest.
+      const Pair x = value(c, i);
+      const Pair over = internal::divided(x, internal::chosen_by_sign(x, least, most));
+      out->set(c, internal::added(origin_[c], over));
+    }
+    return true;
+  }
+
+ private:
+  Pair value(std::size_t c, std::size_t i) const {
+    const double x = net_[c * count() + i];
+    return internal::added(pair_of(x, x), error_[c]);
+  }
+
+  const PieceForest::Form& form_;
+  const double* net_;
+  Pair error_[4], origin_[3];
+};
+
+constexpr Box3d kEverywhere{{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
 
 }  // namespace
 
@@ -95,12 +152,12 @@ Box3d BoxFrame::in_frame(const Point3d& x) const { return in_frame(Box3d{x, x});
 Box3d BoxFrame::in_frame(const Box3d& x) const {
   const RowsInDoubles rows(rows_);
   const ScopedUpward upward;
-  std::array<Interval, 3> at;
-  for (std::size_t k = 0; k < 3; ++k) at[k] = Interval::from_bounds(x.lo[k], x.hi[k]);
-  Box3d out;
+  PairsOfPoint at;
+  for (std::size_t k = 0; k < 3; ++k) at.set(k, pair_of(x.lo[k], x.hi[k]));
+  Box3d out = kEverywhere;
   for (std::size_t r = 0; r < 3; ++r) {
-    const Interval v = rows.product(r, at);
-    out.lo[r] = v.lo(), out.hi[r] = v.hi();
+    const Pair v = rows.product(r, at);
+    if (is_finite(v)) out.lo[r] = lo_of(v), out.hi[r] = hi_of(v);
   }
   return out;
 }
@@ -130,17 +187,25 @@ Point3d BoxFrame::approx_back(const Point3d& in_frame) const {
 
 Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame) {
   if (frame.is_plain()) return forest.node(id).hull;
-  const internal::NodePoints points(forest, id);
+  const PointsInPairs points(forest, id);
   const RowsInDoubles rows(frame.rows());
   const ScopedUpward upward;
-  Box3d out{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  const Pair none = pair_of(kInfinity, -kInfinity);
+  Pair hull[3] = {none, none, none}, sums[3] = {};
+  PairsOfPoint at;
   for (std::size_t i = 0; i < points.count(); ++i) {
-    const auto at = points.point(i);
-    if (!at) return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+    if (!points.get(i, &at)) return kEverywhere;
     for (std::size_t r = 0; r < 3; ++r) {
-      const Interval v = rows.product(r, *at);
-      out.lo[r] = std::min(out.lo[r], v.lo()), out.hi[r] = std::max(out.hi[r], v.hi());
+      const Pair v = rows.product(r, at);
+      hull[r] = internal::larger(hull[r], v);
+      sums[r] = internal::added(sums[r], v);
     }
+  }
+  // A maximum may forget what is not a number, a sum does not.
+  Box3d out;
+  for (std::size_t r = 0; r < 3; ++r) {
+    if (!is_finite(sums[r])) return kEverywhere;
+    out.lo[r] = lo_of(hull[r]), out.hi[r] = hi_of(hull[r]);
   }
   return out;
 }

@@ -8,6 +8,7 @@
 #include "robust/base/disjoint_sets.h"
 #include "solids/pieces/piece_descent.h"
 #include "verify/certify/grid_box.h"
+#include "verify/certify/half_spaces.h"
 #include "verify/certify/piece_neighbours.h"
 #include "verify/certify/piece_samples.h"
 #include "verify/certify/separator_search.h"
@@ -288,7 +289,15 @@ void FrameSearch::hold_near() {
 // The deepest points that see all of the pieces from inside and from outside.
 bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet) {
   half_spaces_.clear();
-  for (const Id id : pieces) add_half_spaces(region, id);
+  const BoxFrame& frame = box_.sheets.frame;
+  // For z, where A c = middle + half z, both in the frame.
+  CentreSteps in{frame.approx_back(product(region.middle, frame_.unit)), {}};
+  for (std::size_t j = 0; j < 3; ++j) {
+    Point3d y{};
+    y[j] = region.half[j] * frame_.unit[j];
+    in.steps[j] = frame.approx_back(y);
+  }
+  for (const Id id : pieces) append_half_spaces(forest_, id, in, &half_spaces_);
   const Box3d room{{-kRoom, -kRoom, -kRoom}, {kRoom, kRoom, kRoom}};
   const auto inside = deepest_point(half_spaces_, room, kLeastDepth);
   if (!inside) return false;
@@ -298,38 +307,6 @@ bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pie
   sheet->inside = rounded(region, inside->point, inside->depth);
   sheet->outside = rounded(region, outside->point, outside->depth);
   return true;
-}
-
-// g_c > 0 for all coefficients of the piece, as half-spaces for z, where A c = middle + half z, both in the frame.
-void FrameSearch::add_half_spaces(const Region& region, Id id) {
-  const PieceForest::Node& node = forest_.node(id);
-  const PieceForest::Form& form = forest_.form(node.patch);
-  const std::size_t n = form.determinant.count();
-  const double* const g = forest_.approx_determinants(id);
-  const BoxFrame& frame = box_.sheets.frame;
-  const Point3d m = frame.approx_back(product(region.middle, frame_.unit));
-  std::array<Point3d, 3> steps;  // of c for steps of z
-  for (std::size_t j = 0; j < 3; ++j) {
-    Point3d y{};
-    y[j] = region.half[j] * frame_.unit[j];
-    steps[j] = frame.approx_back(y);
-  }
-  double error = 0;
-  for (std::size_t k = 1; k < 4; ++k) error += forest_.determinant_error(id, k);
-  forest_.for_each_kept(node, [&](std::size_t i) {
-    const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
-    // A normal that is zero, or shorter than its error, says nothing: the proof decides whether it may be zero.
-    if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error) return;
-    double b = g[i];
-    for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
-    Point3d in_steps;
-    for (std::size_t j = 0; j < 3; ++j) in_steps[j] = dot(a, steps[j]);
-    const double length = length_of(in_steps);
-    if (!(length > 0)) return half_spaces_.push_back({{0, 0, 0}, -1});
-    const double factor = 1 / length;
-    half_spaces_.push_back(
-        {{in_steps[0] * factor, in_steps[1] * factor, in_steps[2] * factor}, b * factor});
-  });
 }
 
 // A centre near middle + half z, on a grid that is short against its depth.

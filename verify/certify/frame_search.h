@@ -61,7 +61,6 @@ class FrameSearch {
   std::vector<std::vector<Id>> components() const;
   bool try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets);
   bool place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet);
-  void add_half_spaces(const Region& region, Id id);
   Point3d rounded(const Region& region, const Point3d& at, double depth);
   bool separate(const std::vector<std::vector<Id>>& sheets, const Region& region);
 

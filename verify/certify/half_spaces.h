@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/half_spaces.h: condition S1 of a piece as half-spaces for a centre. Approximate: nothing here decides.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,5 +21,16 @@ struct CentreCoordinates {
 /// were added.
 bool append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreCoordinates& in,
                         std::size_t most, std::vector<HalfSpace>* out);
+
+/// Coordinates z for a centre c = middle + z[0] steps[0] + z[1] steps[1] + z[2] steps[2].
+struct CentreSteps {
+  Point3d middle;
+  std::array<Point3d, 3> steps;
+};
+
+/// Adds g_c > 0 for all coefficients of the piece, but for those whose normals are zero, or shorter than their errors:
+/// they say nothing.
+void append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreSteps& in,
+                        std::vector<HalfSpace>* out);
 
 }  // namespace veritope

@@ -21,11 +21,11 @@ inline double dot(const Vector3& a, const Vector3& b) {
 inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-// The square root is faster; std::hypot is right where squares leave the range of doubles.
-inline double length_of(const Vector3& a) {
-  const double square = dot(a, a);
+// square: of the length. The square root is faster; std::hypot is right where squares leave the range of doubles.
+inline double length_of(const Vector3& a, double square) {
   return square > 1e-200 && square < 1e200 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
 }
+inline double length_of(const Vector3& a) { return length_of(a, dot(a, a)); }
 inline double largest(const Vector3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }

@@ -218,4 +218,32 @@ std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, co
   return hull;
 }
 
+void FrameHulls::use(const BoxFrame& frame) {
+  if (frame == frame_) return;
+  frame_ = frame;
+  for (Known& k : known_) k.id = PieceForest::kNone;
+}
+
+FrameHulls::Known& FrameHulls::slot_of(PieceForest::Id id) {
+  Known& out = known_[id % kSlots];
+  if (out.id != id) {
+    out.id = id, out.has_hull = false;
+    out.around = frame_.in_frame(forest_.node(id).hull);
+  }
+  return out;
+}
+
+Box3d FrameHulls::of(PieceForest::Id id) {
+  Known& known = slot_of(id);
+  if (!known.has_hull) known.hull = hull_in_frame(forest_, id, frame_), known.has_hull = true;
+  return known.hull;
+}
+
+std::optional<Box3d> FrameHulls::that_meets(PieceForest::Id id, const Box3d& box) {
+  if (!meets(slot_of(id).around, box)) return std::nullopt;
+  const Box3d hull = of(id);
+  if (!meets(hull, box)) return std::nullopt;
+  return hull;
+}
+
 }  // namespace veritope

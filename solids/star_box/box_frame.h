@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "solids/pieces/piece_forest.h"
 
@@ -43,5 +44,28 @@ Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& fra
 /// The hull of hull_in_frame, or nothing if it misses `box`: fast where the node is far from it.
 std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame,
                                      const Box3d& box);
+
+/// The same for searches that come back to a piece in one frame: it remembers the hulls of the latest frame.
+class FrameHulls {
+ public:
+  explicit FrameHulls(PieceForest& forest) : forest_(forest), known_(kSlots) {}
+
+  void use(const BoxFrame& frame);
+  Box3d of(PieceForest::Id id);
+  std::optional<Box3d> that_meets(PieceForest::Id id, const Box3d& box);
+
+ private:
+  static constexpr std::size_t kSlots = 1024;
+  struct Known {
+    PieceForest::Id id = PieceForest::kNone;
+    bool has_hull = false;
+    Box3d around, hull;  // the box around the node's hull, in the frame; the hull in the frame
+  };
+  Known& slot_of(PieceForest::Id id);
+
+  PieceForest& forest_;
+  BoxFrame frame_;
+  std::vector<Known> known_;
+};
 
 }  // namespace veritope

@@ -112,6 +112,7 @@ bool FrameSearch::try_piece(Id id, bool with_one_sheet_only, FrameChoice& choice
 void FrameSearch::use(const PieceFrame& chosen) {
   box_.sheets.frame = chosen.frame;
   frame_ = chosen;
+  hulls_.use(chosen.frame);
   hull_ = chosen.hull;
 }
 
@@ -119,9 +120,7 @@ Point3d FrameSearch::normal_of(Id id) {
   return metric_->image_of_normal(forest_.approx_normal(id));
 }
 
-Box3d FrameSearch::hull_of(Id id) {
-  return frame_.in_lengths(hull_in_frame(forest_, id, frame_.frame));
-}
+Box3d FrameSearch::hull_of(Id id) { return frame_.in_lengths(hulls_.of(id)); }
 
 bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
   const double along = length_along(hull_);
@@ -187,9 +186,8 @@ bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
 bool FrameSearch::gather(const Region& region) {
   near_.clear();
   const Box3d box = frame_.in_frame(region.box());
-  const BoxFrame& frame = frame_.frame;
-  return descend_to(forest_, frame.around(box), 16 * kMostNear, [&](Id id) {
-    const auto hull = hull_that_meets(forest_, id, frame, box);
+  return descend_to(forest_, frame_.frame.around(box), 16 * kMostNear, [&](Id id) {
+    const auto hull = hulls_.that_meets(id, box);
     if (!hull) return PieceStep::kTaken;
     if (!is_small(id, frame_.in_lengths(*hull), region)) return PieceStep::kSplit;
     near_.push_back(id);
@@ -282,8 +280,7 @@ bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector
 void FrameSearch::hold_near() {
   near_.push_back(piece_);
   for (const Id id : near_)
-    if (is_inside(hull_in_frame(forest_, id, box_.sheets.frame), box_.sheets.box))
-      pieces_.held.push_back(id);
+    if (is_inside(hulls_.of(id), box_.sheets.box)) pieces_.held.push_back(id);
 }
 
 // The deepest points that see all of the pieces from inside and from outside.

@@ -28,7 +28,8 @@ class FrameSearch {
       : forest_(forest),
         growth_(growth),
         least_unit_(least_unit),
-        least_centre_unit_(least_centre_unit) {}
+        least_centre_unit_(least_centre_unit),
+        hulls_(forest) {}
 
   /// Whether a box that contains the piece's hull was found and proved. With one sheet only: the box ends before other
   /// sheets.
@@ -69,6 +70,7 @@ class FrameSearch {
   Id piece_ = 0;
   SearchFrame frame_;
   Box3d hull_{};  // of the piece, in lengths
+  FrameHulls hulls_;
   FramedBox box_;
   SheetPieces pieces_;
   std::vector<Id> near_, around_;  // those that the last region meets; that the first region met

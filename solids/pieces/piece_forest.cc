@@ -23,11 +23,20 @@ double largest_size(const double* v, std::size_t n) {
   for (; i < n; ++i) part[0] = std::max(part[0], std::abs(v[i]));
   return std::max({part[0], part[1], part[2], part[3]});
 }
+double sum_of(const double* v, std::size_t n) {
+  double part[4] = {};  // four independent sums
+  std::size_t i = 0;
+  for (; i + 4 <= n; i += 4)
+    for (std::size_t j = 0; j < 4; ++j) part[j] += v[i + j];
+  for (; i < n; ++i) part[0] += v[i];
+  return part[0] + part[1] + part[2] + part[3];
+}
 }  // namespace
 
 PieceForest::Layout PieceForest::layout(const Form& form, Part part) {
-  if (part == Part::kDeterminants) return {form.determinant, 4, form.determinant.count()};
-  return {form.shape, form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count()};
+  if (part == Part::kDeterminants) return {form.determinant, 4, form.determinant.count(), true};
+  return {form.shape, form.is_rational ? std::size_t{4} : std::size_t{3}, form.shape.count(),
+          false};
 }
 
 bool PieceForest::Frame::is_plain() const {
@@ -55,7 +64,7 @@ Box3d PieceForest::in_model(const Box3d& box) const {
   return out;
 }
 
-const double* PieceForest::net(Id id, Part part) {
+double* PieceForest::net(Id id, Part part) {
   const auto k = static_cast<std::size_t>(part);
   if (nodes_[id].net_ages[k] != store_.age()) make_net(id, part);
   return nodes_[id].nets[k];
@@ -77,6 +86,7 @@ void PieceForest::make_root_net(Id id, Part part) {
       part == Part::kControl ? form.root_control : form.root_determinants;
   double* const net = store_.take(at.size());
   std::copy(whole.begin(), whole.end(), net);
+  at.forget_normal(net);
   std::vector<double> other(at.count);
   for (const int axis : {0, 1})
     for (int bit = form.root_bits[axis]; bit-- > 0;) {
@@ -118,7 +128,10 @@ void PieceForest::quarter(Id id, Part part) {
       child[at.magnitude(c)] = largest_size(to[k], at.count);
     }
   }
-  for (Id k = 0; k < 4; ++k) keep_net(nodes_[id].first_child + k, part, begin + k * at.size());
+  for (Id k = 0; k < 4; ++k) {
+    at.forget_normal(begin + k * at.size());
+    keep_net(nodes_[id].first_child + k, part, begin + k * at.size());
+  }
 }
 
 PieceForest::Id PieceForest::children(Id id) {
@@ -286,19 +299,12 @@ double PieceForest::determinant_error(Id id, std::size_t k) {
 const double* PieceForest::approx_determinants(Id id) { return net(id, Part::kDeterminants); }
 
 Point3d PieceForest::approx_normal(Id id) {
-  Point3d sum{};
-  const std::size_t n = forms_[nodes_[id].patch].determinant.count();
-  const double* const g = approx_determinants(id);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double* const row = g + (k + 1) * n;
-    double part[4] = {};  // four independent sums
-    std::size_t i = 0;
-    for (; i + 4 <= n; i += 4)
-      for (std::size_t j = 0; j < 4; ++j) part[j] += row[i + j];
-    for (; i < n; ++i) part[0] += row[i];
-    sum[k] = -(part[0] + part[1] + part[2] + part[3]);
-  }
-  return sum;
+  double* const net = this->net(id, Part::kDeterminants);
+  const Layout at = layout(forms_[nodes_[id].patch], Part::kDeterminants);
+  double* const known = net + at.normal();
+  if (std::isnan(known[0]))
+    for (std::size_t k = 0; k < 3; ++k) known[k] = -sum_of(net + at.begin(k + 1), at.count);
+  return {known[0], known[1], known[2]};
 }
 
 void PieceForest::NetStore::next_block(std::size_t n) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -155,17 +156,23 @@ class PieceForest {
   // A node's control points and its determinants are two nets, each made on demand: hulls need no determinants, which
   // are many times as long.
   enum class Part : std::uint8_t { kControl, kDeterminants };
-  // A net: its components one after the other, then their errors, then the greatest absolute value of each.
+  // A net: its components one after the other, then their errors, then the greatest absolute value of each. Determinants
+  // end with approx_normal, the first coordinate not a number until it is asked for.
   struct Layout {
     FormShape shape;
     std::size_t components, count;
-    std::size_t size() const { return components * (count + 2); }
+    bool has_normal;
+    std::size_t size() const { return normal() + (has_normal ? 3 : 0); }
     std::size_t begin(std::size_t c) const { return c * count; }
     std::size_t error(std::size_t c) const { return components * count + c; }
     std::size_t magnitude(std::size_t c) const { return components * (count + 1) + c; }
+    std::size_t normal() const { return components * (count + 2); }
+    void forget_normal(double* net) const {
+      if (has_normal) net[normal()] = std::numeric_limits<double>::quiet_NaN();
+    }
   };
   static Layout layout(const Form& form, Part part);
-  const double* net(Id id, Part part);
+  double* net(Id id, Part part);
   void make_net(Id id, Part part);
   void make_root_net(Id id, Part part);
   void keep_net(Id id, Part part, double* net) {

@@ -105,7 +105,7 @@ struct Lanes {
 template <typename Number>
 void halve_lines(const Number* first, int n, std::size_t step, std::size_t lines, std::size_t next,
                  Number* left, Number* right, Lanes<Number>* work) {
-  const auto store = [&](const Lanes<Number>& from, Number* to) {
+  const auto store = [&](Lanes<Number> from, Number* to) {
     if (lines == kLanes)
       for (std::size_t l = 0; l < kLanes; ++l) to[l * next] = from.at[l];
     else
@@ -115,15 +115,21 @@ void halve_lines(const Number* first, int n, std::size_t step, std::size_t lines
     const Number* const from = first + static_cast<std::size_t>(i) * step;
     for (std::size_t l = 0; l < kLanes; ++l) work[i].at[l] = from[(l < lines ? l : 0) * next];
   }
-  for (int level = 0; level <= n; ++level) {
-    store(work[n], right + static_cast<std::size_t>(n - level) * step);
+  // Two steps of the scheme in one pass.
+  for (int level = 0; level <= n; level += 2) {
     Lanes<Number> before = work[level];
     store(before, left + static_cast<std::size_t>(level) * step);
-    for (int i = level + 1; i <= n; ++i) {
-      const Lanes<Number> here = work[i];
-      work[i] = average(before, here);
-      before = here;
+    store(work[n], right + static_cast<std::size_t>(n - level) * step);
+    if (level == n) return;
+    Lanes<Number> once = average(before, work[level + 1]);
+    before = work[level + 1];
+    store(once, left + static_cast<std::size_t>(level + 1) * step);
+    for (int i = level + 2; i <= n; ++i) {
+      const Lanes<Number> here = work[i], next_once = average(before, here);
+      work[i] = average(once, next_once);
+      once = next_once, before = here;
     }
+    store(once, right + static_cast<std::size_t>(n - level - 1) * step);
   }
 }
 

@@ -154,6 +154,12 @@ std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spa
   return std::nullopt;
 }
 
+bool is_surely_shallow(const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough) {
+  constexpr double kNearly = 1 - 1e-6;  // far beyond the tolerances of the linear programs
+  double bound = 0;                     // 0 if a linear program had no optimum
+  return !deepest_point(half_spaces, box, enough, &bound) && bound != 0 && bound < kNearly * enough;
+}
+
 // Half-spaces that stop the depth at 0 are met at their borders, one group after the other.
 std::optional<DeepestPointOrZeros> deepest_point_or_zeros(const std::vector<HalfSpace>& half_spaces,
                                                           const Box3d& box, double enough) {

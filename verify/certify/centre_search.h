@@ -31,6 +31,9 @@ std::optional<DeepestPoint> deepest_point(const std::vector<HalfSpace>& half_spa
                                           const Box3d& box, double enough,
                                           double* bound = nullptr);
 
+/// Whether deepest_point finds nothing, also with more half-spaces: no point is nearly as deep as `enough`.
+bool is_surely_shallow(const std::vector<HalfSpace>& half_spaces, const Box3d& box, double enough);
+
 /// Half-spaces that exclude each other by no more than this may have common points at their borders.
 inline constexpr double kBorderDepth = 1e-9;
 

@@ -21,6 +21,8 @@ using Id = PieceForest::Id;
 
 constexpr double kRowLength = FrameChoice::kRowLength;
 constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8;
+// The conditions of each piece in the first programs for centres.
+constexpr std::size_t kFewConditions = 8;
 // The least depth of centres, in half sizes of the box.
 constexpr double kLeastDepth = 1e-3;
 // Centres stay this far inside, in half sizes of the box.
@@ -283,9 +285,9 @@ void FrameSearch::hold_near() {
     if (is_inside(hulls_.of(id), box_.sheets.box)) pieces_.held.push_back(id);
 }
 
-// The deepest points that see all of the pieces from inside and from outside.
+// The deepest points that see all of the pieces from inside and from outside. Mostly there are none, and a few
+// conditions of each piece say so.
 bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet) {
-  half_spaces_.clear();
   const BoxFrame& frame = box_.sheets.frame;
   // For z, where A c = middle + half z, both in the frame.
   CentreSteps in{frame.approx_back(product(region.middle, frame_.unit)), {}};
@@ -294,11 +296,22 @@ bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pie
     y[j] = region.half[j] * frame_.unit[j];
     in.steps[j] = frame.approx_back(y);
   }
-  for (const Id id : pieces) append_half_spaces(forest_, id, in, &half_spaces_);
   const Box3d room{{-kRoom, -kRoom, -kRoom}, {kRoom, kRoom, kRoom}};
+  const auto set_half_spaces = [&](std::size_t most) {
+    half_spaces_.clear();
+    for (const Id id : pieces) append_half_spaces_in_steps(forest_, id, in, most, &half_spaces_);
+  };
+  const auto turn = [&] {
+    for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
+  };
+  set_half_spaces(kFewConditions);
+  if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;
+  turn();
+  if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;
+  set_half_spaces(~std::size_t{0});
   const auto inside = deepest_point(half_spaces_, room, kLeastDepth);
   if (!inside) return false;
-  for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
+  turn();
   const auto outside = deepest_point(half_spaces_, room, kLeastDepth);
   if (!outside) return false;
   sheet->inside = rounded(region, inside->point, inside->depth);

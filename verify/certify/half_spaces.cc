@@ -45,11 +45,12 @@ bool append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreCoo
   return step == 1;
 }
 
-void append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreSteps& in,
-                        std::vector<HalfSpace>* out) {
+void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const CentreSteps& in,
+                                 std::size_t most, std::vector<HalfSpace>* out) {
   const PieceForest::Node& node = forest.node(id);
   const PieceForest::Form& form = forest.form(node.patch);
-  const std::size_t n = form.determinant.count();
+  const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
+  const std::size_t count = 1 + (n - 1) / step;
   const double* const g = forest.approx_determinants(id);
   double error = 0;
   for (std::size_t k = 1; k < 4; ++k) error += forest.determinant_error(id, k);
@@ -57,34 +58,46 @@ void append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreSte
   for (std::size_t k = 0; k < 3; ++k) x[k] = in.middle[k] - form.origin[k];
   // a.steps, b, and the sizes of both normals, one after the other: the compiler makes vectors of them.
   static thread_local std::vector<double> work;
-  work.resize(6 * n);
-  double *const a0 = work.data(), *const a1 = a0 + n, *const a2 = a1 + n, *const b = a2 + n,
-                *const square = b + n, *const size = square + n;
-  const double *const g1 = g + n, *const g2 = g1 + n, *const g3 = g2 + n;
+  work.resize(6 * count);
+  double *const a0 = work.data(), *const a1 = a0 + count, *const a2 = a1 + count,
+                *const b = a2 + count, *const square = b + count, *const size = square + count;
   const auto& [s0, s1, s2] = in.steps;
+  const auto fill = [&](std::size_t stride) {
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
-    const double u = g1[i], v = g2[i], w = g3[i];
-    a0[i] = u * s0[0] + v * s0[1] + w * s0[2];
-    a1[i] = u * s1[0] + v * s1[1] + w * s1[2];
-    a2[i] = u * s2[0] + v * s2[1] + w * s2[2];
-    b[i] = g[i] + u * x[0] + v * x[1] + w * x[2];
-    square[i] = a0[i] * a0[i] + a1[i] * a1[i] + a2[i] * a2[i];
-    size[i] = std::abs(u) + std::abs(v) + std::abs(w);
-  }
+    for (std::size_t j = 0; j < count; ++j) {
+      const double* const at = g + j * stride;
+      const double u = at[n], v = at[2 * n], w = at[3 * n];
+      a0[j] = u * s0[0] + v * s0[1] + w * s0[2];
+      a1[j] = u * s1[0] + v * s1[1] + w * s1[2];
+      a2[j] = u * s2[0] + v * s2[1] + w * s2[2];
+      b[j] = at[0] + u * x[0] + v * x[1] + w * x[2];
+      square[j] = a0[j] * a0[j] + a1[j] * a1[j] + a2[j] * a2[j];
+      size[j] = std::abs(u) + std::abs(v) + std::abs(w);
+    }
+  };
+  if (step == 1)
+    fill(1);
+  else
+    fill(step);
   const std::size_t first = out->size();
-  out->resize(first + n);
+  out->resize(first + count);
   HalfSpace* next = out->data() + first;
-  forest.for_each_kept(node, [&](std::size_t i) {
-    if (size[i] <= error) return;
-    const double length = internal::length_of({a0[i], a1[i], a2[i]}, square[i]);
+  const auto add = [&](std::size_t j) {
+    if (size[j] <= error) return;
+    const double length = internal::length_of({a0[j], a1[j], a2[j]}, square[j]);
     if (!(length > 0)) {
       *next++ = {{0, 0, 0}, -1};
       return;
     }
     const double factor = 1 / length;
-    *next++ = {{a0[i] * factor, a1[i] * factor, a2[i] * factor}, b[i] * factor};
-  });
+    *next++ = {{a0[j] * factor, a1[j] * factor, a2[j] * factor}, b[j] * factor};
+  };
+  if (form.collapsed == 0 && !form.shape.is_triangle)
+    for (std::size_t j = 0; j < count; ++j) add(j);
+  else
+    forest.for_each_kept(node, [&](std::size_t i) {
+      if (i % step == 0) add(i / step);
+    });
   out->resize(static_cast<std::size_t>(next - out->data()));
 }
 

@@ -28,9 +28,8 @@ struct CentreSteps {
   std::array<Point3d, 3> steps;
 };
 
-/// Adds g_c > 0 for all coefficients of the piece, but for those whose normals are zero, or shorter than their errors:
-/// they say nothing.
-void append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreSteps& in,
-                        std::vector<HalfSpace>* out);
+/// The same, without coefficients whose normals are zero, or shorter than their errors: they say nothing.
+void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const CentreSteps& in,
+                                 std::size_t most, std::vector<HalfSpace>* out);
 
 }  // namespace veritope

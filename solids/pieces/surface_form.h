@@ -77,8 +77,10 @@ class ScaledForm {
   friend ScaledForm operator*(const ScaledForm& x, const ScaledForm& y) {
     ScaledForm out({x.shape_.is_triangle, x.shape_.p + y.shape_.p, x.shape_.q + y.shape_.q});
     const auto columns = static_cast<std::size_t>(out.columns_);
-    add_product_of_rows<R>(x.values_.data(), x.own_rows(), y.values_.data(), y.own_rows(),
-                           out.values_.data(), [columns](std::size_t a) { return a * columns; });
+    static thread_local std::vector<ScaledRow> x_rows, y_rows;
+    x.list_rows(&x_rows), y.list_rows(&y_rows);
+    add_product_of_rows<R>(x.values_.data(), x_rows, y.values_.data(), y_rows, out.values_.data(),
+                           [columns](std::size_t a) { return a * columns; });
     return out;
   }
 
@@ -94,12 +96,11 @@ class ScaledForm {
 
  private:
   /// The rows of this form, for products.
-  std::vector<ScaledRow> own_rows() const {
-    std::vector<ScaledRow> out;
+  void list_rows(std::vector<ScaledRow>* out) const {
+    out->clear();
     for (int a = 0; a < rows(); ++a)
-      out.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(a * columns_),
-                     static_cast<std::size_t>(last(shape_, a)) + 1});
-    return out;
+      out->push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(a * columns_),
+                      static_cast<std::size_t>(last(shape_, a)) + 1});
   }
   /// The product of binomials in two factors: each alone needs fewer digits.
   static std::array<R, 2> factors(const FormShape& s, int a, int b) {

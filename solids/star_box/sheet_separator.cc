@@ -23,6 +23,7 @@ Forms forms_of(PieceForest& forest, PieceForest::Id id, const SheetSeparator& q)
   for (std::size_t c = 0; c < 3; ++c)
     shift[c] = Interval(points.form().origin[c]) - Interval(q.origin[c]);
   std::array<std::vector<Interval>, 4> y;
+  for (std::vector<Interval>& v : y) v.reserve(points.count());
   for (std::size_t i = 0; i < points.count(); ++i) {
     const Interval w = points.weight(i);
     for (std::size_t c = 0; c < 3; ++c)
@@ -75,14 +76,15 @@ Sign3 separator_sign(PieceForest& forest, PieceForest::Id id, const SheetSeparat
            "a separator without all its coefficients");
   const ScopedUpward upward;
   const Forms y = forms_of(forest, id, separator);
-  Sign3 common = Sign3::kUncertain;
-  for (const Interval& v : Composition(y, separator).run().to_bernstein()) {
-    const Sign3 s = v.sign();
-    if (s != Sign3::kPositive && s != Sign3::kNegative) return Sign3::kUncertain;
-    if (is_certain(common) && s != common) return Sign3::kUncertain;
-    common = s;
-  }
-  return common;
+  // Each coefficient times binomials.
+  const Form q = Composition(y, separator).run();
+  bool is_positive = true, is_negative = true;
+  q.visit([&](int a, int b, std::size_t) {
+    const Sign3 s = q.at(a, b).sign();
+    is_positive = is_positive && s == Sign3::kPositive;
+    is_negative = is_negative && s == Sign3::kNegative;
+  });
+  return is_positive ? Sign3::kPositive : is_negative ? Sign3::kNegative : Sign3::kUncertain;
 }
 
 }  // namespace veritope

@@ -7,13 +7,19 @@
 #include "verify/certify/sheet_tangents_internal.h"
 
 namespace veritope {
+namespace {
+// Whether for_each_kept visits all coefficients, in the order in which they are stored.
+bool has_all_in_order(const PieceForest::Form& form) {
+  return form.collapsed == 0 && !form.shape.is_triangle;
+}
+}  // namespace
+
 bool append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreCoordinates& in,
                         std::size_t most, std::vector<HalfSpace>* out) {
   const PieceForest::Node& node = forest.node(id);
   const PieceForest::Form& form = forest.form(node.patch);
   const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
   const double* const g = forest.approx_determinants(id);
-  std::size_t left = 0;
   const Point3d& m = in.middle;
   double error = 0;
   for (std::size_t k = 1; k < 4; ++k) error += forest.determinant_error(id, k);
@@ -28,9 +34,7 @@ bool append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreCoo
     const double factor = 1 / length;
     out->push_back({{a[0] * factor, a[1] * factor, a[2] * factor}, b * factor});
   };
-  forest.for_each_kept(node, [&](std::size_t i) {
-    if (left-- != 0) return;
-    left = step - 1;
+  const auto add_one = [&](std::size_t i) {
     const Point3d a{g[n + i], g[2 * n + i], g[3 * n + i]};
     // A normal shorter than its error has no meaningful direction.
     if (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) <= error)
@@ -41,7 +45,16 @@ bool append_half_spaces(PieceForest& forest, PieceForest::Id id, const CentreCoo
     double b = g[i];
     for (std::size_t k = 0; k < 3; ++k) b += a[k] * (m[k] - form.origin[k]);
     add(a, b);
-  });
+  };
+  std::size_t left = 0;
+  if (has_all_in_order(form))
+    for (std::size_t i = 0; i < n; i += step) add_one(i);
+  else
+    forest.for_each_kept(node, [&](std::size_t i) {
+      if (left-- != 0) return;
+      left = step - 1;
+      add_one(i);
+    });
   return step == 1;
 }
 
@@ -92,7 +105,7 @@ void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const 
     const double factor = 1 / length;
     *next++ = {{a0[j] * factor, a1[j] * factor, a2[j] * factor}, b[j] * factor};
   };
-  if (form.collapsed == 0 && !form.shape.is_triangle)
+  if (has_all_in_order(form))
     for (std::size_t j = 0; j < count; ++j) add(j);
   else
     forest.for_each_kept(node, [&](std::size_t i) {

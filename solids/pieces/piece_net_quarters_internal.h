@@ -86,46 +86,47 @@ void middle_quarter(int degree, const Number* net, Number* out) {
   }
 }
 
-// Coefficients of kLanes lines side by side: the compiler makes vectors of them.
-inline constexpr std::size_t kLanes = 4;
+// Coefficients of kLinesAbreast lines side by side: the compiler makes vectors of them.
+inline constexpr std::size_t kLinesAbreast = 4;
 template <typename Number>
-struct Lanes {
-  Number at[kLanes];
+struct LinesAbreast {
+  Number at[kLinesAbreast];
 
-  friend Lanes average(const Lanes& a, const Lanes& b) {
-    Lanes out;
-    for (std::size_t l = 0; l < kLanes; ++l) out.at[l] = internal::average(a.at[l], b.at[l]);
+  friend LinesAbreast average(const LinesAbreast& a, const LinesAbreast& b) {
+    LinesAbreast out;
+    for (std::size_t l = 0; l < kLinesAbreast; ++l) out.at[l] = internal::average(a.at[l], b.at[l]);
     return out;
   }
 };
 
-// Halves up to kLanes lines of n + 1 coefficients. Coefficient i of line l is read from first[i step + l next], the left
+// Halves up to kLinesAbreast lines of n + 1 coefficients. Coefficient i of line l is read from first[i step + l next], the left
 // half goes to the same places of `left`, the right half to those of `right`. The averages are those of
 // split_keeping_left. work: room for n + 1.
 template <typename Number>
 void halve_lines(const Number* first, int n, std::size_t step, std::size_t lines, std::size_t next,
-                 Number* left, Number* right, Lanes<Number>* work) {
-  const auto store = [&](Lanes<Number> from, Number* to) {
-    if (lines == kLanes)
-      for (std::size_t l = 0; l < kLanes; ++l) to[l * next] = from.at[l];
+                 Number* left, Number* right, LinesAbreast<Number>* work) {
+  const auto store = [&](LinesAbreast<Number> from, Number* to) {
+    if (lines == kLinesAbreast)
+      for (std::size_t l = 0; l < kLinesAbreast; ++l) to[l * next] = from.at[l];
     else
       for (std::size_t l = 0; l < lines; ++l) to[l * next] = from.at[l];
   };
   for (int i = 0; i <= n; ++i) {
     const Number* const from = first + static_cast<std::size_t>(i) * step;
-    for (std::size_t l = 0; l < kLanes; ++l) work[i].at[l] = from[(l < lines ? l : 0) * next];
+    for (std::size_t l = 0; l < kLinesAbreast; ++l)
+      work[i].at[l] = from[(l < lines ? l : 0) * next];
   }
   // Two steps of the scheme in one pass.
   for (int level = 0; level <= n; level += 2) {
-    Lanes<Number> before = work[level];
+    LinesAbreast<Number> before = work[level];
     store(before, left + static_cast<std::size_t>(level) * step);
     store(work[n], right + static_cast<std::size_t>(n - level) * step);
     if (level == n) return;
-    Lanes<Number> once = average(before, work[level + 1]);
+    LinesAbreast<Number> once = average(before, work[level + 1]);
     before = work[level + 1];
     store(once, left + static_cast<std::size_t>(level + 1) * step);
     for (int i = level + 2; i <= n; ++i) {
-      const Lanes<Number> here = work[i], next_once = average(before, here);
+      const LinesAbreast<Number> here = work[i], next_once = average(before, here);
       work[i] = average(once, next_once);
       once = next_once, before = here;
     }
@@ -137,15 +138,15 @@ template <typename Number>
 void quarter_tensor(const FormShape& shape, const Number* net, Number* const children[4]) {
   const auto rows = static_cast<std::size_t>(shape.p + 1);
   const auto columns = static_cast<std::size_t>(shape.q + 1);
-  Lanes<Number> work[3 * kMaxPatchDegree];
+  LinesAbreast<Number> work[3 * kMaxPatchDegree];
   VT_CHECK(std::max(rows, columns) <= std::size(work), "a net of too great a degree");
-  for (std::size_t j = 0; j < columns; j += kLanes)
-    halve_lines(net + j, shape.p, columns, std::min(kLanes, columns - j), 1, children[0] + j,
+  for (std::size_t j = 0; j < columns; j += kLinesAbreast)
+    halve_lines(net + j, shape.p, columns, std::min(kLinesAbreast, columns - j), 1, children[0] + j,
                 children[2] + j, work);
   for (const int k : {0, 2})
-    for (std::size_t i = 0; i < rows; i += kLanes) {
+    for (std::size_t i = 0; i < rows; i += kLinesAbreast) {
       Number* const left = children[k] + i * columns;
-      halve_lines(left, shape.q, 1, std::min(kLanes, rows - i), columns, left,
+      halve_lines(left, shape.q, 1, std::min(kLinesAbreast, rows - i), columns, left,
                   children[k + 1] + i * columns, work);
     }
 }

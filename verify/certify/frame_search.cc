@@ -22,7 +22,7 @@ using Id = PieceForest::Id;
 constexpr double kRowLength = FrameChoice::kRowLength;
 constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8;
 // The conditions of each piece in the first programs for centres.
-constexpr std::size_t kFewConditions = 8;
+constexpr std::size_t kFirstConditions = 8;
 // The least depth of centres, in half sizes of the box.
 constexpr double kLeastDepth = 1e-3;
 // Centres stay this far inside, in half sizes of the box.
@@ -304,7 +304,7 @@ bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pie
   const auto turn = [&] {
     for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
   };
-  set_half_spaces(kFewConditions);
+  set_half_spaces(kFirstConditions);
   if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;
   turn();
   if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;

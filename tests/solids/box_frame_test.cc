@@ -239,6 +239,40 @@ TEST(BoxFrame, ContainsTheHullsOfNodesNarrowly) {
   }
 }
 
+// More nodes than it has places for, in frames that follow each other and come back.
+TEST(BoxFrame, RemembersTheHullsOfTheFrameInUse) {
+  constexpr std::uint64_t kSeed = 59;
+  Random random(kSeed);
+  const PatchComplex complex = both_sides(bent_sheet(FormShape{false, 2, 1}, true, 0, 1, random));
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kWhole).value();
+  for (PieceForest::Id id = 0; forest.num_nodes() < 3000; ++id) forest.children(id);
+  FrameHulls hulls(forest);
+  std::vector<BoxFrame> frames{BoxFrame()};
+  for (int trial = 0; trial < 3; ++trial)
+    frames.push_back(BoxFrame::make(some_rows(random, trial)).value());
+  int num_met = 0, num_missed = 0;
+  for (int step = 0; step < 40; ++step) {
+    const BoxFrame& frame = frames[random.below(frames.size())];
+    hulls.use(frame);
+    const PieceForest::Id other = random.below(forest.num_nodes());
+    const Box3d box = hull_in_frame(forest, other, frame);
+    for (int k = 0; k < 60; ++k) {
+      // Often the same few, which share a place.
+      const auto id = static_cast<PieceForest::Id>(k % 2 == 0 ? 7 + 1024 * random.below(3)
+                                                              : random.below(forest.num_nodes()));
+      const Box3d expected = hull_in_frame(forest, id, frame), hull = hulls.of(id);
+      EXPECT_EQ(hull.lo, expected.lo) << "seed " << kSeed << ", node " << id;
+      EXPECT_EQ(hull.hi, expected.hi) << "seed " << kSeed << ", node " << id;
+      const auto met = hulls.that_meets(id, box);
+      EXPECT_EQ(met.has_value(), hull_that_meets(forest, id, frame, box).has_value())
+          << "seed " << kSeed << ", nodes " << id << ", " << other;
+      ++(met ? num_met : num_missed);
+    }
+  }
+  EXPECT_GT(num_met, 50);
+  EXPECT_GT(num_missed, 50);
+}
+
 // Weights that doubles do not tell from 0 leave the hull unbounded.
 TEST(BoxFrame, KeepsHullsUnboundedWhereWeightsAlmostVanish) {
   const Rational zero, one(1), tiny = Rational::power_of_two(-80);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/half_spaces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solids/pieces/exact_piece.h"
@@ -63,22 +64,18 @@ void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const 
   const PieceForest::Node& node = forest.node(id);
   const PieceForest::Form& form = forest.form(node.patch);
   const std::size_t n = form.determinant.count(), step = 1 + (n - 1) / most;
-  const std::size_t count = 1 + (n - 1) / step;
   const double* const g = forest.approx_determinants(id);
   double error = 0;
   for (std::size_t k = 1; k < 4; ++k) error += forest.determinant_error(id, k);
   Point3d x;
   for (std::size_t k = 0; k < 3; ++k) x[k] = in.middle[k] - form.origin[k];
-  // a.steps, b, and the sizes of both normals, one after the other: the compiler makes vectors of them.
-  static thread_local std::vector<double> work;
-  work.resize(6 * count);
-  double *const a0 = work.data(), *const a1 = a0 + count, *const a2 = a1 + count,
-                *const b = a2 + count, *const square = b + count, *const size = square + count;
   const auto& [s0, s1, s2] = in.steps;
-  const auto fill = [&](std::size_t stride) {
-#pragma GCC ivdep
+  // Conditions side by side: the compiler makes vectors of them.
+  constexpr std::size_t kBlock = 8;
+  double a0[kBlock], a1[kBlock], a2[kBlock], b[kBlock], square[kBlock], size[kBlock];
+  const auto fill = [&](std::size_t first, std::size_t stride, std::size_t count) {
     for (std::size_t j = 0; j < count; ++j) {
-      const double* const at = g + j * stride;
+      const double* const at = g + first + j * stride;
       const double u = at[n], v = at[2 * n], w = at[3 * n];
       a0[j] = u * s0[0] + v * s0[1] + w * s0[2];
       a1[j] = u * s1[0] + v * s1[1] + w * s1[2];
@@ -88,30 +85,29 @@ void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const 
       size[j] = std::abs(u) + std::abs(v) + std::abs(w);
     }
   };
-  if (step == 1)
-    fill(1);
-  else
-    fill(step);
-  const std::size_t first = out->size();
-  out->resize(first + count);
-  HalfSpace* next = out->data() + first;
   const auto add = [&](std::size_t j) {
     if (size[j] <= error) return;
     const double length = internal::length_of({a0[j], a1[j], a2[j]}, square[j]);
-    if (!(length > 0)) {
-      *next++ = {{0, 0, 0}, -1};
-      return;
-    }
+    if (!(length > 0)) return out->push_back({{0, 0, 0}, -1});
     const double factor = 1 / length;
-    *next++ = {{a0[j] * factor, a1[j] * factor, a2[j] * factor}, b[j] * factor};
+    out->push_back({{a0[j] * factor, a1[j] * factor, a2[j] * factor}, b[j] * factor});
   };
-  if (has_all_in_order(form))
-    for (std::size_t j = 0; j < count; ++j) add(j);
-  else
-    forest.for_each_kept(node, [&](std::size_t i) {
-      if (i % step == 0) add(i / step);
-    });
-  out->resize(static_cast<std::size_t>(next - out->data()));
+  if (has_all_in_order(form)) {
+    for (std::size_t first = 0; first < n; first += kBlock * step) {
+      const std::size_t count = std::min(kBlock, 1 + (n - 1 - first) / step);
+      if (step == 1 && count == kBlock)
+        fill(first, 1, kBlock);
+      else
+        fill(first, step, count);
+      for (std::size_t j = 0; j < count; ++j) add(j);
+    }
+    return;
+  }
+  forest.for_each_kept(node, [&](std::size_t i) {
+    if (i % step != 0) return;
+    fill(i, 1, 1);
+    add(0);
+  });
 }
 
 }  // namespace veritope

@@ -156,8 +156,8 @@ class PieceForest {
   // A node's control points and its determinants are two nets, each made on demand: hulls need no determinants, which
   // are many times as long.
   enum class Part : std::uint8_t { kControl, kDeterminants };
-  // A net: its components one after the other, then their errors, then the greatest absolute value of each. Determinants
-  // end with approx_normal, the first coordinate not a number until it is asked for.
+  // A net: its components one after the other, then their errors, then the greatest absolute value of each. A net of
+  // determinants ends with approx_normal, whose first coordinate is not a number before the first call.
   struct Layout {
     FormShape shape;
     std::size_t components, count;

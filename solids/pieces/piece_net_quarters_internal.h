@@ -99,8 +99,8 @@ struct LinesAbreast {
   }
 };
 
-// Halves up to kLinesAbreast lines of n + 1 coefficients. Coefficient i of line l is read from first[i step + l next], the left
-// half goes to the same places of `left`, the right half to those of `right`. The averages are those of
+// Halves up to kLinesAbreast lines of n + 1 coefficients. Coefficient i of line l is read from first[i step + l next],
+// the left half goes to the same places of `left`, the right half to those of `right`. The averages are those of
 // split_keeping_left. work: room for n + 1.
 template <typename Number>
 void halve_lines(const Number* first, int n, std::size_t step, std::size_t lines, std::size_t next,

@@ -124,7 +124,8 @@ class PointsInPairs {
   Pair error_[4], origin_[3];
 };
 
-constexpr Box3d kEverywhere{{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+constexpr Box3d kEverywhere{{-kInfinity, -kInfinity, -kInfinity},
+                            {kInfinity, kInfinity, kInfinity}};
 
 }  // namespace
 

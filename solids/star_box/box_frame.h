@@ -45,7 +45,8 @@ Box3d hull_in_frame(PieceForest& forest, PieceForest::Id id, const BoxFrame& fra
 std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, const BoxFrame& frame,
                                      const Box3d& box);
 
-/// The same for searches that come back to a piece in one frame: it remembers the hulls of the latest frame.
+/// Returns what hull_in_frame and hull_that_meets return, and remembers hulls in the latest frame: for searches that
+/// come back to a piece.
 class FrameHulls {
  public:
   explicit FrameHulls(PieceForest& forest) : forest_(forest), known_(kSlots) {}

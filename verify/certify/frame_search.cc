@@ -285,8 +285,8 @@ void FrameSearch::hold_near() {
     if (is_inside(hulls_.of(id), box_.sheets.box)) pieces_.held.push_back(id);
 }
 
-// The deepest points that see all of the pieces from inside and from outside. Mostly there are none, and a few
-// conditions of each piece say so.
+// The deepest points that see all of the pieces from inside and from outside. Mostly a few conditions of each piece
+// show that no such points exist.
 bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet) {
   const BoxFrame& frame = box_.sheets.frame;
   // For z, where A c = middle + half z, both in the frame.

@@ -28,7 +28,8 @@ struct CentreSteps {
   std::array<Point3d, 3> steps;
 };
 
-/// The same, without coefficients whose normals are zero, or shorter than their errors: they say nothing.
+/// Adds g_c > 0 for coefficients of the piece, chosen in the same way, but for those whose normals are zero, or shorter
+/// than their errors: they say nothing.
 void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const CentreSteps& in,
                                  std::size_t most, std::vector<HalfSpace>* out);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The roots of a PieceForest: exact coefficients to doubles with bounds.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "interval/exact_box.h"
@@ -13,6 +14,13 @@ namespace veritope {
 namespace {
 
 constexpr int kMaxRootBits = 6;
+// Parts of rims are as short as the square root of the wall's thickness: as many as a certificate may have, unless the
+// patches are so many that all might have more than 2^kMostBitsOfAll.
+constexpr int kMostRimBits = 12, kMostBitsOfAll = 22;
+int most_rim_bits(std::size_t num_patches) {
+  return std::clamp(kMostBitsOfAll - static_cast<int>(std::bit_width(num_patches)), kMaxRootBits,
+                    kMostRimBits);
+}
 
 FormShape shape_of(const Patch& patch) {
   if (patch.is_triangle()) return {true, patch.triangle().degree(), 0};
@@ -309,14 +317,15 @@ class ForestBuilder {
   // Chooses the numbers of parts so that a part bends along each parameter by no more than its length along the other
   // one: the rim of a thin wall is cut along its length only, and not at all if it is straight. A half bends by a
   // quarter.
-  static void choose_straight_roots(PieceForest::Form* form) {
+  void choose_straight_roots(PieceForest::Form* form) const {
     if (form->shape.is_triangle) return;
     const std::array<ControlLines, 2> lines{ControlLines(*form, 0), ControlLines(*form, 1)};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double ratio = lines[axis].bend() / lines[1 - axis].chord();
       if (!(ratio > 1) || !std::isfinite(ratio)) continue;
       const int bits = static_cast<int>(std::ceil(0.5 * std::log2(ratio)));
-      form->root_bits[axis] = static_cast<std::uint8_t>(std::min(kMaxRootBits, bits));
+      const int most = most_rim_bits(forest_.complex_->patches().size());
+      form->root_bits[axis] = static_cast<std::uint8_t>(std::min(most, bits));
     }
   }
 

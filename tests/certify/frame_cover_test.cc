@@ -140,6 +140,31 @@ TEST(FrameCover, OfCurvedWallsAndWedgesIsAcceptedByTheChecker) {
     expect_bounded(name, {digits}, 2, 4000);
 }
 
+// The numbers of roots of the patches of a model, the least and the greatest.
+std::pair<std::uint32_t, std::uint32_t> roots_of(const patch_shapes::Patches& patches) {
+  const PatchComplex complex = make_patch_complex(patches).value();
+  const PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kWhole).value();
+  std::pair<std::uint32_t, std::uint32_t> out{~std::uint32_t{0}, 0};
+  for (std::uint32_t p = 0; p < forest.num_patches(); ++p) {
+    out.first = std::min(out.first, forest.form(p).num_roots);
+    out.second = std::max(out.second, forest.form(p).num_roots);
+  }
+  return out;
+}
+TEST(FrameCover, CutsRimsToTheSquareRootOfTheirWidthAndStraightOnesNot) {
+  for (const int bits : {10, 20, 34, 44}) {
+    const Rational gap = Rational::power_of_two(-bits);
+    EXPECT_EQ(roots_of(thin_shapes::turned(thin_shapes::plate(gap, gap))), std::pair(1u, 1u))
+        << bits;
+  }
+  for (const int bits : {8, 12, 16, 20}) {
+    const Rational gap = Rational::power_of_two(-bits);
+    const auto [wall, rim] = roots_of(thin_shapes::cone(1, gap, gap));
+    EXPECT_EQ(wall, 1u) << bits;
+    EXPECT_EQ(rim, 1u << (bits / 2)) << bits;
+  }
+}
+
 // Without frames along creases 7,500 boxes, without tight boxes 5,600: an acute rim needs both.
 TEST(FrameCover, OfAnAcuteRimHasLongBoxes) { expect_bounded("cone", {3}, 2, 4800); }
 

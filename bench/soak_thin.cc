@@ -6,10 +6,10 @@
 // that cross invalid, those that touch never valid. Then N models under N maps each, rotations and shears up to 2^10:
 // their verdicts must agree. One JSON line a figure; wrong and undecided models on standard error.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -25,13 +25,11 @@ using namespace veritope;
 using patch_shapes::Patches;
 using thin_shapes::Family;
 using thin_shapes::Walls;
-using Clock = std::chrono::steady_clock;
 
 constexpr double kMostSeconds = 60;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+// Of this process's processor time: another process must not make a model undecided.
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // A rotation by a random quaternion of small integers: its entries are rational.
 AffineMap rotation(Random& random) {
@@ -81,13 +79,13 @@ Answer answer(const Patches& patches) {
   PatchDecisionOptions options;
   options.with_frames = true;
   options.tolerance = 1e-2;
-  const Clock::time_point start = Clock::now();
+  const double start = seconds();
   options.cover.stops_at = [&](PieceForest::Id, std::size_t) {
-    return seconds_since(start) > kMostSeconds;
+    return seconds() - start > kMostSeconds;
   };
   std::optional<PieceForest> forest;
   const PatchDecision d = decide_patches(complex, options, &forest);
-  Answer out{d.verdict(), {}, d.bodies, d.open ? d.open->message : "", seconds_since(start)};
+  Answer out{d.verdict(), {}, d.bodies, d.open ? d.open->message : "", seconds() - start};
   for (const PatchShellFacts& s : d.shells) out.genus.push_back(s.genus);
   return out;
 }
@@ -154,7 +152,7 @@ std::size_t run_maps(std::size_t num_models, std::size_t num_maps, std::uint64_t
     if (s.truth == patch_shapes::Truth::kCrossing) shapes.push_back(std::move(s));
   const std::vector<Family> families = thin_shapes::families();
   std::size_t contradictions = 0, same = 0, images = 0;
-  const Clock::time_point start = Clock::now();
+  const double start = seconds();
   for (std::size_t i = 0; i < num_models; ++i) {
     Random random(seed + i);
     std::string name;
@@ -183,7 +181,7 @@ std::size_t run_maps(std::size_t num_models, std::size_t num_maps, std::uint64_t
       "{\"name\":\"thin_maps\",\"value\":%zu,\"goal\":\"0 of them VALID against INVALID, 99 %% the "
       "same\","
       "\"models\":%zu,\"images\":%zu,\"same\":%zu,\"seconds\":%.1f}\n",
-      contradictions, num_models, images, same, seconds_since(start));
+      contradictions, num_models, images, same, seconds() - start);
   return contradictions;
 }
 

@@ -38,8 +38,12 @@ class ArcsOfSides {
     });
   }
   std::span<const SideArc> of(PatchSide side) const {
-    const auto range = std::ranges::equal_range(sorted_, side, {}, &SideArc::side);
-    return {range.begin(), range.end()};
+    struct BySide {
+      bool operator()(const SideArc& a, PatchSide b) const { return a.side < b; }
+      bool operator()(PatchSide a, const SideArc& b) const { return a < b.side; }
+    };
+    const auto range = std::equal_range(sorted_.begin(), sorted_.end(), side, BySide());
+    return {range.first, range.second};
   }
   // If any two arcs overlap, two adjacent ones do.
   bool are_apart() const {

@@ -136,7 +136,9 @@ TEST(FrameCover, OfCurvedWallsAndWedgesIsAcceptedByTheChecker) {
                                                                              {"wedge", 6},
                                                                              {"eccentric", 2},
                                                                              {"curved-plate", 2},
-                                                                             {"nested", 1}})
+                                                                             {"nested", 1},
+                                                                             {"nested", 3},
+                                                                             {"eccentric", 6}})
     expect_bounded(name, {digits}, 2, 4000);
 }
 

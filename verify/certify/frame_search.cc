@@ -127,21 +127,28 @@ Box3d FrameSearch::hull_of(Id id) { return frame_.in_lengths(hulls_.of(id)); }
 bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
   const double along = length_along(hull_);
   const double bent = growth_ * kHeights * height(hull_);
-  const Region high = region_of_height(std::max(along, bent), growth_);
-  const bool is_gathered = gather(high);
+  const Region wide = region_of_height(std::max(along, bent), growth_);
+  const bool is_gathered = gather(wide);
   around_ = near_;
-  if (!is_gathered) return false;
-  const std::vector<std::vector<Id>> all = components();
-  if (all.size() == 1 && try_sheets(high, all)) return true;
-  const Cut which = with_one_sheet_only ? Cut::kOppositeParts : Cut::kAll;
-  if (const auto cut = cut_back(high, which); cut && gather(*cut) && try_sheets(*cut, {near_}))
+  if (is_gathered && try_one_sheet(wide, with_one_sheet_only ? Cut::kOppositeParts : Cut::kAll))
     return true;
   if (with_one_sheet_only) return false;
-  if (all.size() > 1 && try_sheets(high, all)) return true;
-  if (!(bent < along)) return false;
-  const Region low = region_of_height(bent, growth_);
-  if (!gather(low)) return false;
-  return try_sheets(low, components());
+  return try_several(std::max(along, bent)) || (bent < along && try_several(bent));
+}
+
+// In the region, into which gather has looked, if it has one; or before other sheets.
+bool FrameSearch::try_one_sheet(const Region& region, Cut which) {
+  const std::vector<std::vector<Id>> all = components();
+  if (all.size() == 1 && try_sheets(region, all)) return true;
+  const auto cut = cut_back(region, which);
+  return cut && gather(*cut) && try_sheets(*cut, {near_});
+}
+
+// All sheets in a box of this height that is hardly longer than the piece: in a longer one centres must see farther round
+// the bend, so that the piece must be shorter. One sheet alone is different: it bends less in a lower box.
+bool FrameSearch::try_several(double height) {
+  const Region region = region_of_height(height, kTightGrowth);
+  return gather(region) && try_sheets(region, components());
 }
 
 // One sheet in a box hardly longer than the piece: beside a curved rim a longer box is a thicker one, and its centres

@@ -53,11 +53,13 @@ class FrameSearch {
   Box3d hull_of(Id id);
   bool try_in_frame(bool with_one_sheet_only);
   bool try_tight();
+  bool try_several(double height);
   Region region_of_height(double height, double growth) const;
   bool is_small(Id id, const Box3d& hull, const Region& region);
   void hold_near();
   bool gather(const Region& region);
   enum class Cut { kAll, kOpposite, kOppositeParts };
+  bool try_one_sheet(const Region& region, Cut which);
   std::optional<Region> cut_back(const Region& region, Cut which);
   std::vector<std::vector<Id>> components() const;
   bool try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets);

@@ -69,7 +69,7 @@ void append_half_spaces_in_steps(PieceForest& forest, PieceForest::Id id, const 
   for (std::size_t k = 1; k < 4; ++k) error += forest.determinant_error(id, k);
   Point3d x;
   for (std::size_t k = 0; k < 3; ++k) x[k] = in.middle[k] - form.origin[k];
-  const auto& [s0, s1, s2] = in.steps;
+  const Point3d &s0 = in.steps[0], &s1 = in.steps[1], &s2 = in.steps[2];
   // Conditions side by side: the compiler makes vectors of them.
   constexpr std::size_t kBlock = 8;
   double a0[kBlock], a1[kBlock], a2[kBlock], b[kBlock], square[kBlock], size[kBlock];

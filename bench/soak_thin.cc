@@ -28,7 +28,7 @@ using thin_shapes::Walls;
 
 constexpr double kMostSeconds = 60;
 
-// Of this process's processor time: another process must not make a model undecided.
+// Processor time, so that another process makes no model undecided.
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // A rotation by a random quaternion of small integers: its entries are rational.

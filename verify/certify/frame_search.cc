@@ -144,8 +144,8 @@ bool FrameSearch::try_one_sheet(const Region& region, Cut which) {
   return cut && gather(*cut) && try_sheets(*cut, {near_});
 }
 
-// All sheets in a box of this height that is hardly longer than the piece: in a longer one centres must see farther round
-// the bend, so that the piece must be shorter. One sheet alone is different: it bends less in a lower box.
+// All sheets in a box of this height that is hardly longer than the piece: in a longer one centres must see farther
+// round the bend, so that the piece must be shorter. One sheet alone is different: it bends less in a lower box.
 bool FrameSearch::try_several(double height) {
   const Region region = region_of_height(height, kTightGrowth);
   return gather(region) && try_sheets(region, components());

@@ -7,6 +7,7 @@
 
 #include "solids/star_box/mesh_box.h"
 #include "solids/star_box/place_centres.h"
+#include "verify/certify/box_separation.h"
 #include "verify/certify/grid_box.h"
 #include "verify/certify/half_spaces.h"
 
@@ -28,21 +29,6 @@ constexpr double kPartToBorder = 0.75;
 // The most triangles in a mesh box. Mesh boxes are tried only at vertices, and every pair of their
 // triangles is tested.
 constexpr std::size_t kMostTriangles = 48;
-
-// The axis on which two boxes are farthest apart.
-struct Separation {
-  std::size_t axis = 0;
-  double distance = 0;  ///< 0: they touch
-  bool is_above = false;
-};
-Separation separation(const Box3d& a, const Box3d& b) {
-  Separation out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double above = b.lo[k] - a.hi[k], below = a.lo[k] - b.hi[k];
-    if (std::max(above, below) > out.distance) out = {k, std::max(above, below), above > below};
-  }
-  return out;
-}
 
 // The common area of the boxes' shadows along the axis.
 double common_area(const Box3d& a, const Box3d& b, std::size_t axis) {

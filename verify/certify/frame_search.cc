@@ -7,6 +7,7 @@
 
 #include "robust/base/disjoint_sets.h"
 #include "solids/pieces/piece_descent.h"
+#include "verify/certify/box_separation.h"
 #include "verify/certify/grid_box.h"
 #include "verify/certify/half_spaces.h"
 #include "verify/certify/piece_neighbours.h"
@@ -52,21 +53,6 @@ Point3d product(const Point3d& a, const Point3d& b) {
 double least_in_frame(const SearchFrame& frame, const Point3d& half) {
   const Point3d in_frame = product(half, frame.unit);
   return std::min({in_frame[0], in_frame[1], in_frame[2]});
-}
-
-// The axis on which two boxes are farthest from each other; the distance is 0 if they meet.
-struct FarthestSide {
-  std::size_t axis = 0;
-  double distance = 0;
-  bool is_above = false;  // `other` is
-};
-FarthestSide farthest_side(const Box3d& hull, const Box3d& other) {
-  FarthestSide out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double above = other.lo[k] - hull.hi[k], below = hull.lo[k] - other.hi[k];
-    if (std::max(above, below) > out.distance) out = {k, std::max(above, below), above > below};
-  }
-  return out;
 }
 
 }  // namespace
@@ -218,7 +204,7 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, C
     if (which != Cut::kAll && !(dot(normal_of(id), normal) < 0)) continue;
     const Box3d other = hull_of(id);
     if (!meets(box, other)) continue;
-    const auto [axis, distance, is_above] = farthest_side(hull_, other);
+    const auto [axis, distance, is_above] = separation(hull_, other);
     const double enough = std::max(kMostHeights * height(hull_), kMostOfDistance * distance);
     if (which == Cut::kOppositeParts && height(other) > enough && splits < kMostSplits &&
         forest_.may_split(id)) {

@@ -114,7 +114,7 @@ TEST(FrameCover, OfSpheresDoesNotGrowAsTheirGapShrinks) {
 }
 TEST(FrameCover, OfSpheresHasWalksAcrossVerySmallGaps) { expect_bounded("spheres", {11}, 2, 1000); }
 
-// In frames that are chosen by Euclid's lengths and angles the search does not end in a minute.
+// One of these two shears, after a rotation, kept a search by Euclid's lengths alone busy for a minute without an answer.
 TEST(FrameCover, OfAShearedModelIsHardlyLonger) {
   const AffineMap map{3, 3, {1, 4, 0, 0, 1, 0, 4, 0, 1}, {0, 0, 0}};
   const Family& family = family_of("spheres");

@@ -26,8 +26,8 @@ class ShapeMetric {
   Point3d row_of_image(const Point3d& row) const;
   /// |W x|.
   double length(const Point3d& x) const;
-  /// At least 1; 1 for a multiple of a rotation; at least r / 3 where lengths of 1 get lengths that differ by a factor
-  /// of r.
+  /// 1 for a multiple of a rotation, and more for other maps: at least r / 3 if images of unit vectors have lengths
+  /// that differ by a factor r.
   double distortion() const;
 
  private:

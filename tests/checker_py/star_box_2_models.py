@@ -87,7 +87,8 @@ SHELL_UNIT = -40
 
 
 def proved_shell(gap, factor=1.6):
-    """Concentric spheres: the boxes of one sphere with a second sheet and a quadric between them, and a box of one sheet on each."""
+    """Concentric spheres: the boxes of one sphere with a second sheet and a quadric between them, and a box of one sheet on each. REQUIRES a
+    gap of at most 2^-7: the boxes of the outer sphere have room for as much."""
     one, gap, e = forge.Prover(models.octant_sphere(1), unit=SHELL_UNIT, factor=factor).prove(), Q(gap), 1 << -SHELL_UNIT
     prover = forge2.Prover2(shell(gap), flags=[0] * 8 + [1] * 8, unit=SHELL_UNIT)
     plan = prover.plan

@@ -25,7 +25,7 @@ def plate(rng):
 
 
 def shell(rng):
-    gap = Q(1, 1 << rng.choice((6, 12)))
+    gap = Q(1, 1 << rng.choice((8, 12)))
     return made("shell %s" % gap, lambda: models2.proved_shell(gap).plan)
 
 

@@ -60,18 +60,20 @@ def product(p, q):
     return result
 
 
-def of_degree(polynomial, degree, rng):
-    """A polynomial with the same signs: times squares of linear forms, plus one."""
-    if degree == 1:
-        return polynomial
-    square = {(0, 0, 0): Q(1 << 60)}
+def separate(box, polynomial, degree, rng, *signs):
+    """Adds a separator of this degree to the box with the signs of a linear polynomial: it times a positive one in x - o, so that
+    coefficients stay short however fine the grid is on which o lies."""
+    def positive(form, constant):
+        o = box.centres[0][0]
+        return {**dict(zip(UNITS, form)), (0, 0, 0): constant - dot(form, o)}
+    if degree == 2:                                       # near the model it is positive
+        polynomial = product(polynomial, positive([rng.randint(-2, 2) for _ in range(3)], UNIT << 20))
     if degree == 3:
-        form = {**dict(zip(UNITS, [rng.randint(-2, 2) for _ in range(3)])), (0, 0, 0): rng.randint(-9, 9) * UNIT}
-        square = {**product(form, form)}
-        square[0, 0, 0] = square.get((0, 0, 0), 0) + (1 << 60)
-        return product(polynomial, square)
-    # of degree two: l (K + m), where K + m is positive near the model
-    return product(polynomial, {**dict(zip(UNITS, [rng.randint(-2, 2) for _ in range(3)])), (0, 0, 0): UNIT << 20})
+        form = positive([rng.randint(-2, 2) for _ in range(3)], rng.randint(-9, 9) * UNIT)
+        square = product(form, form)
+        square[0, 0, 0] += 1 << 60
+        polynomial = product(polynomial, square)
+    box.separate(polynomial, 20, *signs)
 
 
 # ---------------------------------------------------------------- polyhedra
@@ -183,7 +185,7 @@ def stack(rng, place, gaps, ring=None, degree=1, wide=6, shared=True, at=(Q(1, 2
     below, above = (*c, -1), (*c, heights[-1] + 1)
     walls = place.box(0, (*near, low), (*far, high), *[(below, above) if i % 2 else (above, below) for i in range(len(heights))])
     for i, (a, b) in enumerate(zip(heights, heights[1:])):
-        walls.separate(of_degree(place.plane((a + b) / 2), degree, rng), 20, *[2 - (j > i) for j in range(len(heights))])
+        separate(walls, place.plane((a + b) / 2), degree, rng, *[2 - (j > i) for j in range(len(heights))])
     plates = list(zip(heights[::2], heights[1::2]))
     for n, (a, b) in enumerate(plates):
         loops += slab(ring, a, b)
@@ -202,7 +204,7 @@ def cavity(rng, place, gap, degree=1, upside_down=False):
     ring, half = RINGS[1], [(x // 2, y // 2) for x, y in RINGS[1]]
     c, d, top, roof = (Q(1, 2), Q(1, 4)), gap / 4, Q(2), Q(2) - gap
     walls = place.box(0, (-Q(1, 2), -Q(3, 4), 1), (Q(3, 2), Q(5, 4), 3), ((*c, Q(5, 4)), (*c, Q(11, 4))), ((*c, Q(11, 4)), (*c, Q(5, 4))))
-    walls.separate(of_degree(place.plane((top + roof) / 2), degree, rng), 20, 1, 2)
+    separate(walls, place.plane((top + roof) / 2), degree, rng, 1, 2)
     outer = place.box(0, (-Q(1, 2), -Q(3, 4), top - d), (Q(3, 2), Q(5, 4), top + 2 * d), ((*c, top - d / 2), (*c, top + d)))
     inner = place.box(0, (-Q(1, 2), -Q(3, 4), roof - 2 * d), (Q(3, 2), Q(5, 4), roof + d), ((*c, roof + d / 2), (*c, roof - d)))
     around, hole = place.box(1, (-6, -6, -6), (6, 6, 4)), place.box(1, (-3, -3, -1), (3, 3, roof + 1))
@@ -232,7 +234,7 @@ def poke(rng, place, gap, degree=1, way="above"):
     loops += reversed_loops(body) if way == "cavity" else body
     low, high = (0, 0, small - h), (0, 0, h - small)
     both = place.box(0, (-2, -2, -h), (2, 2, h), (low, high), (low, high) if way == "parallel" else (high, low))
-    both.separate(of_degree(place.plane(at[2] / 2), degree, rng), 20, 2 - below, 1 + below)
+    separate(both, place.plane(at[2] / 2), degree, rng, 2 - below, 1 + below)
     c = Q(11, 4)
     one = place.box(0, (2, 2, -2 * d), (Q(7, 2), Q(7, 2), 2 * d), ((c, c, -d), (c, c, d)))
     far = at[2] + 4 * sign
@@ -267,7 +269,7 @@ def folded_roof(rng, place, degree=1):
     loops += [(a[i], a[i - 1], b[i - 1], b[i]) for a, b in zip(rings, rings[1:]) for i in range(4)] + [rings[-1][::-1]]
     low, high = (0, 0, -Q(7, 8)), (0, 0, Q(7, 8))
     both = place.box(0, (-4, -4, -1), (4, 4, 1), (low, high), (high, low))
-    both.separate(of_degree(place.plane(-Q(1, 2)), degree, rng), 20, 1, 2)
+    separate(both, place.plane(-Q(1, 2)), degree, rng, 1, 2)
     one = place.box(0, (Q(9, 2), Q(9, 2), -1), (Q(11, 2), Q(11, 2), -Q(1, 2)), ((5, 5, -Q(5, 8)), (5, 5, -Q(7, 8))))
     r = Q(13, 4)
     slabs = [place.box(1, (x0, y0, -1), (x1, y1, 1)) for x0, y0, x1, y1 in ((-7, -7, -r, 7), (r, -7, 7, 7), (-7, -7, 7, -r), (-7, r, 7, 7))]

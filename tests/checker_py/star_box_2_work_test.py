@@ -17,24 +17,44 @@ class Work(OnAPlate):
         box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2 + [[units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
                    [(3, 64, [1] + [0] * 19), (1, 0, [-1] + [0] * 3)], [[2, 1], [2, 2], [1, 0]])
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, level, bits, s1, first, second in ((1, 0, 21, 1, 1 + (3 * 4 * 9 * 7 ** 2 >> 9), 1),
-                                                       (15, 0, 24, 1 + (2025 * 24 >> 12), 1 + (3 * 256 * 961 * 7 ** 2 >> 9), 1 + (256 * 2 ** 2 >> 9)),
-                                                       (15, 2, 84, 1 + (2025 * 84 >> 12), 1 + (3 * 256 * 961 * 10 ** 2 >> 9), 1 + (256 * 3 ** 2 >> 9))):
+        for degree, level, bits, s1, first, second in ((1, 0, 21, 1, 1 + (3 * 4 * 9 * 7 ** 2 >> 8), 1),
+                                                       (15, 0, 24, 1 + (2025 * 24 >> 11), 1 + (3 * 256 * 961 * 7 ** 2 >> 8), 1 + (256 * 2 ** 2 >> 8)),
+                                                       (15, 2, 84, 1 + (2025 * 84 >> 11), 1 + (3 * 256 * 961 * 10 ** 2 >> 8), 1 + (256 * 3 ** 2 >> 8))):
             prover = Prover2([models2.raised(square, degree)], checked=False)
             read, node, spent = prover.probe(box), prover.forest.roots[0], []
             for _ in range(level):
                 node = node.children()[0]
             self.assertEqual((work.bits_at(node.patch, level), [s.length for s in read.separators]), (bits, [19 + 19 + 64, 19 + 19]))
-            self.assertEqual(sheets.sheet_of(node, read, spent.append), None)
-            self.assertEqual(spent, [s1, first, s1, s1])          # S1 fails for the last sheet: its signs are not looked at
+            signs = sheets.Signs(read, spent.append)
+            self.assertEqual(signs.sheet_of(node), None)
+            self.assertEqual(spent, [s1, first, s1, s1, second])  # S1 fails for the last sheet: its signs are found last
+            del spent[:]
+            self.assertEqual(signs.sheet_of(node.children()[3]), None)
+            self.assertEqual(spent, [work.of_s1(node.children()[3])] * 3)
             read.sheets[1] = read.sheets[1]._replace(signs=[1, -1])
             del spent[:]
-            self.assertEqual(sheets.sheet_of(node, read, spent.append), 1)
+            self.assertEqual(sheets.Signs(read, spent.append).sheet_of(node), 1)
             self.assertEqual(spent, [s1, first, s1, second])
+
+    def test_units_of_work_for_a_separator_that_changes_its_sign(self):
+        """Its coefficients on a node are a quarter of those on the parent, until they have one sign."""
+        box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2,
+                   [(1, 0, [-1, 0, 0, 1])], [[1], [2]])   # x - 1/2
+        square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
+        for degree, quarters in ((1, (1, 1)), (15, (1 + (256 * 30 * 3 >> 9), 1 + (256 * 30 * 3 >> 9)))):
+            prover, spent = Prover2([models2.raised(square, degree)], checked=False), []
+            read, node = prover.probe(box), prover.forest.roots[0]
+            signs = sheets.Signs(read, spent.append)
+            self.assertEqual(signs.sheet_of(node), None)
+            first = node.children()[0]                    # touches x = 1/2
+            for kid, expected, sheet in ((first, quarters[0], None), (first.children()[0], quarters[1], 1)):
+                del spent[:]
+                self.assertEqual(signs.sheet_of(kid), sheet)
+                self.assertEqual(spent, [expected, work.of_s1(kid), work.of_s1(kid)])
 
     def test_units_of_work_for_hulls_g_and_pairs(self):
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, hull, g, products in ((1, 1, 1, 1 + (4 * 9 * 4 >> 6)), (15, 1 + (256 * 30 * 54 >> 12), 1 + (2025 * 30 * 54 >> 13), 1 + (256 * 961 * 4 >> 6))):
+        for degree, hull, g, products in ((1, 2, 1, 1 + (4 * 9 * 4 >> 6)), (15, 2 + (256 * 30 * 54 >> 12), 1 + (2025 * 30 * 54 >> 12), 1 + (256 * 961 * 4 >> 6))):
             node = Prover2([models2.raised(square, degree)], checked=False).forest.roots[0].children()[3]
             self.assertEqual((work.of_hull(node), work.of_g(node), work.of_products(node.patch), work.of_pair(node.patch, node.patch)),
                              (hull, g, products, 4))

@@ -27,14 +27,14 @@ def unheard(text):
 def any_centres():
     """A node with S1 for some sheet's centres belongs to the sheet whose separators it satisfies."""
     sheets, found = module("star_box_2_sheets"), {}
-    has_s1, sheet_of = sheets.has_s1, sheets.sheet_of
+    has_s1, sheet_of = sheets.has_s1, sheets.Signs.sheet_of
 
-    def remember(node, box, spend):
-        found["pairs"] = [sheet.c for sheet in box.sheets]
-        return sheet_of(node, box, spend)
+    def remember(signs, node):
+        found["pairs"] = [sheet.c for sheet in signs.box.sheets]
+        return sheet_of(signs, node)
     stack = contextlib.ExitStack()
     stack.enter_context(mock.patch.object(sheets, "has_s1", lambda node, c: any(has_s1(node, pair) for pair in found["pairs"])))
-    stack.enter_context(mock.patch.object(module("star_box_2_check"), "sheet_of", remember))
+    stack.enter_context(mock.patch.object(sheets.Signs, "sheet_of", remember))
     return stack
 
 

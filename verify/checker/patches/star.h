@@ -16,7 +16,7 @@ const int kMostShift = 120;                    // s of a box in a frame; a limit
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
-const uint64_t kFreeUnits = 1 << 20, kUnitsOfByte = 48;                     // of work
+const uint64_t kFreeUnits = 1 << 20, kUnitsOfByte = 24;                     // of work
 
 // A surface or triangle of the model.
 struct Entity {
@@ -73,13 +73,13 @@ struct Patch {
   }
   // Units of work for a node: its hull; g on it, if the hull does not miss the box; S1 for the centres of a sheet.
   uint64_t cost_of_hull(int level) const {
-    return 1 + uint64_t(shape.count() * (shape.p + shape.q) * bits_at(level)) / 4096;
+    return 2 + uint64_t(shape.count() * (shape.p + shape.q) * bits_at(level)) / 4096;
   }
   uint64_t cost_of_g(int level) const {
-    return 1 + uint64_t(shape.count_of_g() * (shape.p + shape.q) * bits_at(level)) / 8192;
+    return 1 + uint64_t(shape.count_of_g() * (shape.p + shape.q) * bits_at(level)) / 4096;
   }
   uint64_t cost_of_s1(int level) const {
-    return 1 + uint64_t(shape.count_of_g() * bits_at(level)) / 4096;
+    return 1 + uint64_t(shape.count_of_g() * bits_at(level)) / 2048;
   }
 };
 

@@ -88,15 +88,18 @@ struct StarDescent : Descent {
   StarDescent(const Descent& d, int version)
       : Descent(d), test(box, version, &units), pieces(box.sheets.size()) {}
 
-  void visit(const Patch& p, Node* node, Node* parent) {
+  // Visits child c of a node with these signs, or a root.
+  void visit(const Patch& p, Node* node, Node* parent, const Signs* of_parent, int c) {
     if (misses(p, *node)) return;
     units.add(p.cost_of_g(node->level));
     forest.need_g(p, node, parent);
-    const int sheet = test.sheet_of(p, node);
+    Signs signs = test.begin(p, *node, of_parent, c);
+    const int sheet = test.sheet_of(p, node, &signs);
     if (sheet >= 0) return pieces[size_t(sheet)].push_back(Piece{&p, node});
     require(node->level < kLevels, "C2", "S1 fails on a node of level 24, in box", number);
+    const Forest::Held held(&forest, test.complete(p, *node, &signs));
     Node* const child = forest.children(p, node);
-    for (int c = 0; c < 4; ++c) visit(p, child + c, node);
+    for (int i = 0; i < 4; ++i) visit(p, child + i, node, &signs, i);
   }
 };
 
@@ -125,7 +128,7 @@ struct MeshDescent : Descent {
 void check_star_box(const Descent& descent, int version) {
   StarDescent d(descent, version);
   d.units.id = "C2";
-  d.each_root([&](const Patch& p, Node* root) { d.visit(p, root, nullptr); });
+  d.each_root([&](const Patch& p, Node* root) { d.visit(p, root, nullptr, nullptr, 0); });
   for (size_t i = 0; i < d.pieces.size(); ++i)
     require(crossing_number(d.pieces[i], d.box.sheets[i], &d.units) == 1, "C3",
             "the crossing number is not 1 in box", d.number);

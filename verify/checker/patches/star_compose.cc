@@ -16,6 +16,12 @@ size_t place_of(int d, int a, int b, int c) {
   return size_t(at);
 }
 
+int64_t length_of(const Separator& q) {  // in bits
+  uint64_t any = 0;
+  for (int64_t f : q.coefficients) any |= magnitude(f);
+  return bit_length(any);
+}
+
 // The sum of coefficient times v1^a v2^b v3^c v4^(d - a - b - c), v = x - o and w: Horner's scheme, variable by
 // variable, so that there are few products.
 template <int N>
@@ -49,34 +55,28 @@ struct Composition {
     r.d.resize(size_t(r.shape.count()) * size_t(ring.width()));
     return r;
   }
-  int sign() const {
+  Block value() const {
     int power[4] = {0, 0, 0, 0};
     Wide r = zero(q.degree);
     add(0, power, q.degree, &r);
-    const int first = ring.sign(r.d.data());
-    for (size_t at = 0; at < r.d.size(); at += size_t(ring.width()))
-      if (ring.sign(&r.d[at]) != first) return 0;
-    return first;
+    Block b;
+    b.n = ring.width();
+    b.d = std::move(r.d);
+    return b;
   }
 };
-int composed_sign(const Separator& q, const Wide* v, int n, int few) {
+Block composed(const Separator& q, const Wide* v, int n, int few) {
   switch (n) {
-    case 1: return Composition<1>{{n}, q, v, few}.sign();
-    case 2: return Composition<2>{{n}, q, v, few}.sign();
-    case 3: return Composition<3>{{n}, q, v, few}.sign();
-    case 4: return Composition<4>{{n}, q, v, few}.sign();
-    case 5: return Composition<5>{{n}, q, v, few}.sign();
-    case 6: return Composition<6>{{n}, q, v, few}.sign();
-    case 7: return Composition<7>{{n}, q, v, few}.sign();
-    case 8: return Composition<8>{{n}, q, v, few}.sign();
-    default: return Composition<0>{{n}, q, v, few}.sign();
+    case 1: return Composition<1>{{n}, q, v, few}.value();
+    case 2: return Composition<2>{{n}, q, v, few}.value();
+    case 3: return Composition<3>{{n}, q, v, few}.value();
+    case 4: return Composition<4>{{n}, q, v, few}.value();
+    case 5: return Composition<5>{{n}, q, v, few}.value();
+    case 6: return Composition<6>{{n}, q, v, few}.value();
+    case 7: return Composition<7>{{n}, q, v, few}.value();
+    case 8: return Composition<8>{{n}, q, v, few}.value();
+    default: return Composition<0>{{n}, q, v, few}.value();
   }
-}
-
-int64_t length_of(const Separator& q) {  // in bits
-  uint64_t any = 0;
-  for (int64_t f : q.coefficients) any |= magnitude(f);
-  return bit_length(any);
 }
 
 }  // namespace
@@ -104,7 +104,15 @@ LocalNet local_net(const Patch& p, const Node& node, const int64_t* o) {
   return r;
 }
 
-int sign_on(const Separator& q, const LocalNet& net) {
+int sign_of(const Block& b) {
+  const Ring<0> ring = {b.n};
+  const int first = ring.sign(b.d.data());
+  for (size_t at = 0; at < b.d.size(); at += size_t(b.n))
+    if (ring.sign(&b.d[at]) != first) return 0;
+  return first;
+}
+
+Block composed(const Separator& q, const LocalNet& net) {
   const Shape& s = net.shape;
   // Each of at most 20 terms is a coefficient times a product of `degree` polynomials, each of which has at most
   // 2^(p + q) coefficients.
@@ -112,23 +120,24 @@ int sign_on(const Separator& q, const LocalNet& net) {
   const int64_t length = net.bits + up, bits = length_of(q) + 5 + q.degree * (length + s.p + s.q);
   const int n = int(bits / 64 + 1), few = int(length / 64 + 1);
   Wide v[4];
-  std::vector<uint64_t> one(size_t(n), 0);
-  // At a corner the coefficient is the value: most nodes that fail do so there.
-  int known = 0;
-  for (int corner = 0; corner < s.sides(); ++corner) {
-    for (size_t k = 0; k < 4; ++k) {
-      v[k] = Wide{Shape{s.is_triangle, 0, 0}, one};
-      put(net.numbers, 4 * size_t(s.on_side(corner, 0)) + k, (q.scale > 0) == (k == 3) ? up : 0,
-          v[k].d.data(), n);
-    }
-    const int sign = composed_sign(q, v, n, few);
-    if (sign == 0 || sign == -known) return 0;
-    known = sign;
-  }
   for (size_t k = 0; k < 4; ++k) {
     v[k] = Wide{s, std::vector<uint64_t>(size_t(s.count()) * size_t(n))};
     for (size_t i = 0; i < size_t(s.count()); ++i)
       put(net.numbers, 4 * i + k, (q.scale > 0) == (k == 3) ? up : 0, &v[k].d[i * size_t(n)], n);
   }
-  return composed_sign(q, v, n, few);
+  return composed(q, v, n, few);
+}
+
+std::vector<Big> inverse_binomials(const Shape& s) {
+  Big common(1);
+  each_binomial(s, [&](size_t, const Big& b) { common = common * divide(b, gcd(common, b), nullptr); });
+  std::vector<Big> r(size_t(s.count()));
+  each_binomial(s, [&](size_t i, const Big& b) { r[i] = divide(common, b, nullptr); });
+  return r;
+}
+
+Block without_binomials(const std::vector<Big>& inverse, const Block& b) {
+  std::vector<Big> r;
+  for (size_t i = 0; i < inverse.size(); ++i) r.push_back(Big::of(b.number(i), b.n) * inverse[i]);
+  return packed(r);
 }

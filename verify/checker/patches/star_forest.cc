@@ -4,7 +4,6 @@
 namespace {
 const uint64_t kKeptLimbs = uint64_t(40) << 20;    // 320 MiB between boxes
 const uint64_t kMostLimbs = uint64_t(160) << 20;   // 1,280 MiB within one
-const uint64_t kNodeLimbs = sizeof(Node) / 8 + 8;  // what a node costs besides its numbers
 
 uint64_t limbs_below(const Node& n) {  // its own included
   uint64_t r = n.limbs() + kNodeLimbs;

@@ -3,7 +3,8 @@
 #pragma once
 #include "star_node.h"
 
-const uint64_t kNodesOfUnit = 32;  // of the hierarchy
+const uint64_t kNodesOfUnit = 32;                  // of the hierarchy
+const uint64_t kNodeLimbs = sizeof(Node) / 8 + 8;  // what a node costs besides its numbers
 
 class Forest {
  public:
@@ -40,6 +41,14 @@ class Forest {
     return node->child.get();
   }
   void need_g(const Patch& p, Node* node, Node* parent);
+  // What a descent keeps besides nodes, while it lives; it counts against the same limit.
+  struct Held {
+    Forest* forest;
+    size_t limbs;
+    Held(Forest* f, size_t n) : forest(f), limbs(n) { forest->add(limbs); }
+    ~Held() { forest->limbs_ -= limbs + kNodeLimbs; }
+    Held(const Held&) = delete;
+  };
   // Calls visit(patch, node) for the leaves of trees that are read in preorder, one for each root;
   // is_leaf() reads a symbol.
   template <class IsLeaf, class Visit>

@@ -34,26 +34,20 @@ struct Limbs {
     }
   }
 
-  // The two halves of a row of p + 1 points, each of `numbers` numbers, `step` limbs apart, times
-  // 2^p. On entry lower and upper both hold the row.
-  static void halve(uint64_t* lower, uint64_t* upper, int p, size_t step, int numbers, int n) {
-    for (int s = 1; s <= p; ++s)
-      for (int i = p; i >= s; --i) add(lower + step * i, lower + step * (i - 1), numbers, n);
-    for (int s = 1; s <= p; ++s)
-      for (int i = 0; i <= p - s; ++i) add(upper + step * i, upper + step * (i + 1), numbers, n);
-    for (int i = 0; i <= p; ++i) {
-      shift(lower + step * i, numbers, n, p - i);
-      shift(upper + step * i, numbers, n, i);
-    }
+  // Half 0 or 1 of a row of p + 1 points, each of `numbers` numbers, `step` limbs apart, times 2^p.
+  static void halve(int half, uint64_t* a, int p, size_t step, int numbers, int n) {
+    for (int s = 1; s <= p && half == 0; ++s)
+      for (int i = p; i >= s; --i) add(a + step * i, a + step * (i - 1), numbers, n);
+    for (int s = 1; s <= p && half == 1; ++s)
+      for (int i = 0; i <= p - s; ++i) add(a + step * i, a + step * (i + 1), numbers, n);
+    for (int i = 0; i <= p; ++i) shift(a + step * i, numbers, n, half == 0 ? p - i : i);
   }
-  static void halve_all(const Shape& s, int axis, int numbers, int n, uint64_t* lower,
-                        uint64_t* upper) {
+  static void halve_all(int half, const Shape& s, int axis, int numbers, int n, uint64_t* a) {
     const size_t point = size_t(numbers) * size_t(n);
-    for (int k = 0; k <= (axis == 0 ? s.q : s.p); ++k) {
-      const size_t first = point * size_t(axis == 0 ? s.at(0, k) : s.at(k, 0));
-      const size_t step = point * size_t(axis == 0 ? s.q + 1 : 1);
-      halve(lower + first, upper + first, axis == 0 ? s.p : s.q, step, numbers, n);
-    }
+    const size_t step = point * size_t(axis == 0 ? s.q + 1 : 1);
+    for (int k = 0; k <= (axis == 0 ? s.q : s.p); ++k)
+      halve(half, a + point * size_t(axis == 0 ? s.at(0, k) : s.at(k, 0)), axis == 0 ? s.p : s.q,
+            step, numbers, n);
   }
 
   // Replaces the corner `to` of a triangle's net by its midpoint with the corner `from`; points of
@@ -81,14 +75,14 @@ struct Limbs {
   }
   // From the corner triangle (m1, m0, c2) the middle one, (m0, m1, m2): m2 = m1 + m0 - c2, and the
   // point of index r in m2 is the r-th step of de Casteljau's scheme.
-  static void middle(const Shape& s, const uint64_t* a, uint64_t* out, int numbers, int n) {
+  static void middle(const Shape& s, uint64_t* a, int numbers, int n) {
     const size_t point = size_t(numbers) * size_t(n);
     std::vector<uint64_t> d(a, a + point * size_t(s.count()));
     for (int r = 0; r <= s.p; ++r) {
       const Shape now = {true, s.p - r, s.p - r}, next = {true, s.p - r - 1, s.p - r - 1};
       for (int j = 0; j <= s.p - r; ++j)  // j: second index, that of m0; index of m1: p - r - j
         std::copy(&d[point * size_t(now.at3(j, 0))], &d[point * size_t(now.at3(j, 0))] + point,
-                  out + point * size_t(s.at3(s.p - r - j, r)));
+                  a + point * size_t(s.at3(s.p - r - j, r)));
       // In place: the targets of a row come before their sources.
       for (int row = 0; row <= next.p && r < s.p; ++row)
         for (int k = 0; k <= row; ++k) {

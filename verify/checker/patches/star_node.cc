@@ -1,82 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_node.cc: halves and quarters in fixed widths, hulls, roots and children.
+// star_node.cc: hulls, roots and children.
 #include "star_node.h"
-
-#include "star_limbs.h"
 
 namespace {
 
 __extension__ typedef __int128 i128;
 
-// All numbers with n limbs.
-Block widened(const Block& b, int n) {
-  Block r;
-  r.n = n;
-  r.d.resize(b.d.size() / size_t(b.n) * size_t(n));
-  uint64_t* out = r.d.data();
-  for (const uint64_t* in = b.d.data(); in != b.d.data() + b.d.size(); in += b.n) {
-    std::copy(in, in + std::min(n, b.n), out);
-    std::fill(out + std::min(n, b.n), out + n, 0 - (in[b.n - 1] >> 63));
-    out += n;
-  }
-  return r;
-}
-// The number of bits of the largest magnitude, and how often 2 divides all numbers.
-int bits_of(const Block& b, int* twos) {
-  const size_t n = size_t(b.n);
-  *twos = 0;
-  int bits = 0;
-  // Limb by limb from the highest, until one is not the sign alone; then from the lowest, until one is not 0.
-  for (size_t k = n; k-- > 0 && bits == 0;) {
-    uint64_t any = 0;
-    for (size_t i = 0; i < b.d.size(); i += n) any |= b.d[i + k] ^ (0 - (b.d[i + n - 1] >> 63));
-    if (any != 0) bits = 64 * int(k) + bit_length(any);
-  }
-  for (size_t k = 0; k < n; ++k) {
-    uint64_t any = 0;
-    for (size_t i = 0; i < b.d.size(); i += n) any |= b.d[i + k];
-    if (any == 0) continue;
-    *twos = 64 * int(k) + __builtin_ctzll(any);
-    break;
-  }
-  return bits;
-}
-}  // namespace
-
-int shrink(Block* b) {
-  int twos = 0;
-  const int bits = bits_of(*b, &twos);
-  if (twos > 0) {
-    const int limbs = twos / 64, low = twos % 64;
-    for (size_t i = 0; i < b->d.size(); i += size_t(b->n)) {
-      uint64_t* const a = &b->d[i];
-      const uint64_t above = 0 - (a[b->n - 1] >> 63);
-      for (int k = 0; k < b->n; ++k) {
-        const uint64_t x = k + limbs < b->n ? a[k + limbs] : above;
-        const uint64_t y = k + limbs + 1 < b->n ? a[k + limbs + 1] : above;
-        a[k] = low == 0 ? x : x >> low | y << (64 - low);
-      }
-    }
-  }
-  const int n = std::max(1, (bits - twos) / 64 + 1);  // one bit more for the sign
-  if (n < b->n) *b = widened(*b, n);
-  return bits - twos;
-}
-
-namespace {
-
-// Halves along an axis; what follows the points (a common weight) is only scaled.
-void halves(const Shape& s, int axis, int numbers, const Block& b, Block* out) {
-  int twos;
-  const int p = axis == 0 ? s.p : s.q, n = (bits_of(b, &twos) + p) / 64 + 1;
-  out[0] = out[1] = widened(b, n);
-  WITH_LIMBS(n, halve_all(s, axis, numbers, n, out[0].d.data(), out[1].d.data()))
-  const size_t points = size_t(s.count()) * size_t(numbers) * size_t(n);
-  for (int i = 0; i < 2; ++i) {
-    for (size_t k = points; k < out[i].d.size(); k += size_t(n))
-      Limbs<0>::shift(&out[i].d[k], 1, n, p);
-  }
-}
 int64_t limited(i128 q) {
   return int64_t(std::max<i128>(-kFarthest, std::min<i128>(kFarthest, q)));
 }
@@ -169,38 +98,6 @@ Block mapped(const Patch& p, const Block& net, const Frame& frame) {
 
 }  // namespace
 
-Block packed(const std::vector<Big>& numbers) {
-  Block b;
-  int64_t bits = 0;
-  for (const Big& x : numbers) bits = std::max(bits, x.bits());
-  b.n = int(bits / 64 + 1);
-  b.d.resize(numbers.size() * size_t(b.n));
-  for (size_t i = 0; i < numbers.size(); ++i) numbers[i].store(&b.d[i * size_t(b.n)], b.n);
-  shrink(&b);
-  return b;
-}
-
-void quarters(const Shape& s, int numbers, const Block& b, Block* out) {
-  if (!s.is_triangle) {
-    Block half[2];
-    halves(s, 0, numbers, b, half);
-    for (int i = 0; i < 2; ++i) halves(s, 1, numbers, half[i], out + 2 * i);
-  } else {
-    int twos;
-    const int n = (bits_of(b, &twos) + s.p) / 64 + 1;
-    const size_t points = size_t(s.count()) * size_t(numbers) * size_t(n);
-    for (int c = 0; c < 4; ++c) {
-      out[c] = widened(b, n);
-      uint64_t* const d = out[c].d.data();
-      if (c < 3) WITH_LIMBS(n, corner(s, c, d, numbers, n))
-      if (c == 3) WITH_LIMBS(n, middle(s, out[2].d.data(), d, numbers, n))
-      for (size_t k = points; k < out[c].d.size(); k += size_t(n))
-        Limbs<0>::shift(d + k, 1, n, s.p);
-    }
-  }
-  for (int c = 0; c < 4; ++c) shrink(out + c);
-}
-
 bool Node::touches(const Patch& p, int corner, int e) const {
   const int64_t *const c = at[corner], whole = kWholeSide;
   if (p.shape.is_triangle) return (e == 0 ? whole - c[0] - c[1] : c[e - 1]) == 0;
@@ -236,9 +133,7 @@ Block on_root(const Patch& p, uint64_t root, const Shape& s, int numbers, Block 
   const Index ij = index_of(p, root);
   for (int axis = 0; axis < 2; ++axis)
     for (int bit = p.roots[axis]; bit-- > 0;) {
-      Block half[2];
-      halves(s, axis, numbers, b, half);
-      b = std::move(half[ij.at[axis] >> bit & 1]);
+      b = half_of(s, axis, int(ij.at[axis] >> bit & 1), numbers, b);
       shrink(&b);
     }
   return b;

@@ -63,9 +63,15 @@ Hull hull_in(const Frame& frame, int shift, const Patch& p, const Node& node);  
 std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (X, Y, Z, W)[k]
 
 Block packed(const std::vector<Big>& numbers);
+Block widened(const Block& b, int n);  // all numbers with n limbs
+// The number of bits of the largest magnitude, and how often 2 divides all numbers.
+int bits_of(const Block& b, int* twos);
 // Divides by the greatest common power of two; as few limbs as possible. The result is the number of bits of the
 // longest number.
 int shrink(Block* b);
-// The blocks of the children: points of `numbers` numbers each, and what follows them (a common
-// weight), all times the same power of two.
+// A half along an axis; what follows the points (a common weight) is only scaled.
+Block half_of(const Shape& s, int axis, int half, int numbers, const Block& b);
+// The block of child c: points of `numbers` numbers each, and what follows them (a common weight), all times the same
+// power of two; and those of all four.
+Block quarter(const Shape& s, int numbers, const Block& b, int c);
 void quarters(const Shape& s, int numbers, const Block& b, Block* out);

@@ -7,7 +7,7 @@ nothing.  All numbers are integers or fractions.
 from . import star_box_check
 from .star_box_2_flat import polygon_of
 from .star_box_2_read import Certificate2
-from .star_box_2_sheets import sheet_of
+from .star_box_2_sheets import Signs
 from .star_box_crossing import Crossing
 from .star_box_itd import read_subject
 from .star_box_nodes import misses_box
@@ -27,10 +27,11 @@ class Checker2(star_box_check.Checker):
 
     def check_star_box(self, i, box):
         pieces = [[] for _ in box.sheets]
+        signs = Signs(box, lambda units: self.forest.spend("C2", units))
 
         def take(node):
             self.forest.spend_on_g("C2", node)
-            sheet = sheet_of(node, box, lambda units: self.forest.spend("C2", units))
+            sheet = signs.sheet_of(node)
             if sheet is None and "C2" in self.skip:
                 sheet = 0
             if sheet is not None:

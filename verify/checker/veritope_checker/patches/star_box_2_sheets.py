@@ -5,24 +5,36 @@ from ..common.vectors import cross
 from . import star_box_work as work_of
 from .star_box_patches import FULL, MAX_SIZE, Packing, longest
 
-def sheet_of(node, box, spend):
-    """The number of the sheet to which the node belongs, or None.  spend: called with units of work."""
-    for separator in box.separators:
-        if node.patch.num_g * (node.patch.bits + separator.length) > MAX_SIZE:
-            raise Reject("C2", "a separator is too long for the degree of a patch")
-    signs = {}
+class Signs:
+    """The signs of the separators of a box on the nodes of its descent.  spend: called with units of work."""
 
-    def sign(number):
-        if number not in signs:
-            spend(work_of.of_separator(box.separators[number], node))
-            signs[number] = sign_on(node, box.separators[number])
-        return signs[number]
+    def __init__(self, box, spend):
+        self.box, self.spend, self.of = box, spend, {}      # of: for each node that was split, all signs
 
-    for i, sheet in enumerate(box.sheets):
-        spend(work_of.of_s1(node))
-        if has_s1(node, sheet.c) and all(sign(n) == s for n, s in enumerate(sheet.signs) if s):
-            return i
-    return None
+    def sheet_of(self, node):
+        """The number of the sheet to which the node belongs, or None: then its children may be asked for."""
+        for separator in self.box.separators:
+            if node.patch.num_g * (node.patch.bits + separator.length) > MAX_SIZE:
+                raise Reject("C2", "a separator is too long for the degree of a patch")
+        before = self.of.get(node.parent, {})
+        # If all coefficients on the parent have one sign, so have those on the node.
+        signs = {i: sign for i, sign in before.items() if sign}
+        for i in before.keys() - signs.keys():
+            self.spend(work_of.of_quarter(self.box.separators[i], node))
+
+        def sign(i):
+            if i not in signs:
+                if i not in before:
+                    self.spend(work_of.of_composition(self.box.separators[i], node))
+                signs[i] = sign_on(node, self.box.separators[i])
+            return signs[i]
+
+        for n, sheet in enumerate(self.box.sheets):
+            self.spend(work_of.of_s1(node))
+            if has_s1(node, sheet.c) and all(sign(i) == s for i, s in enumerate(sheet.signs) if s):
+                return n
+        self.of[node] = {i: sign(i) for i in range(len(self.box.separators))}
+        return None
 
 
 # ---------------------------------------------------------------- S1

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Units of work (the ends of section 6 of star-box.md and star-box-2.md)."""
-FREE_UNITS, UNITS_OF_BYTE = 1 << 20, 48
+FREE_UNITS, UNITS_OF_BYTE = 1 << 20, 24
 NODES_OF_UNIT = 32                      # of the hierarchy over the roots
 
 def allowed(num_bytes):
@@ -17,22 +17,29 @@ def count(patch, times):
     return (p + 1) * (q + 1) if patch.is_tensor else (p + 1) * (p + 2) // 2
 
 def of_hull(node):
-    return 1 + (count(node.patch, 1) * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
+    return 2 + (count(node.patch, 1) * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
 
 def of_g(node):
-    return 1 + (node.patch.num_g * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 13)
+    return 1 + (node.patch.num_g * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
 
 def of_s1(node):
-    return 1 + (node.patch.num_g * bits_at(node.patch, node.level) >> 12)
+    return 1 + (node.patch.num_g * bits_at(node.patch, node.level) >> 11)
 
 def of_products(patch):
     """Once for each patch."""
     return 1 + (count(patch, 1) * count(patch, 2) * (2 + 2 * patch.bits // 64) ** 2 >> 6)
 
-def of_separator(separator, node):
+def of_composition(separator, node):
     d, patch = separator.degree, node.patch
-    limbs = 2 + d * (bits_at(patch, node.level) + separator.length) // 64
-    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs ** 2 >> 9)
+    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs(separator, node) ** 2 >> 8)
+
+def of_quarter(separator, node):
+    """The composition on the node from that on its parent."""
+    d, patch = separator.degree, node.patch
+    return 1 + (count(patch, d) * d * sum(patch.both_degrees) * limbs(separator, node) >> 9)
+
+def limbs(separator, node):
+    return 2 + separator.degree * (bits_at(node.patch, node.level) + separator.length) // 64
 
 def of_pair(p, q):
     """For two triangles of these patches in a mesh box."""

@@ -11,6 +11,7 @@ namespace veritope {
 namespace {
 
 constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
+constexpr std::size_t kMostSplit = std::size_t{1} << 17;  // pairs at a level: a million nodes at most
 constexpr std::size_t kMostSolvedNear = 32;
 constexpr std::size_t kMostPiecesNear = 400;
 constexpr double kGrowth = 1.75,
@@ -32,8 +33,9 @@ std::optional<CrossingWitness> CrossingSearch::everywhere() {
 
 std::optional<CrossingWitness> CrossingSearch::by_level(const Effort& effort) {
   std::vector<Pair> pairs = root_pairs(effort);
+  thin_out(&pairs, kMostSplit);
   for (int level = 0; level < effort.levels && !pairs.empty(); ++level) {
-    pairs = split(pairs, effort.most_pairs);
+    pairs = split(pairs, std::min(effort.most_pairs, kMostSplit));
     std::vector<Pair> apart;
     for (const Pair& p : pairs)
       if (!are_neighbours(forest_, p.a, p.b)) apart.push_back(p);
@@ -59,8 +61,14 @@ std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effor
   return out;
 }
 
-// Splits the longer piece of each pair, or both. If that gives too many pairs, keeps some of them,
-// evenly spread.
+// Keeps at most this many of the pairs, evenly spread.
+void CrossingSearch::thin_out(std::vector<Pair>* pairs, std::size_t most) {
+  if (pairs->size() <= most) return;
+  for (std::size_t i = 0; i < most; ++i) (*pairs)[i] = (*pairs)[i * pairs->size() / most];
+  pairs->resize(most);
+}
+
+// Splits the longer piece of each pair, or both, and thins out what results.
 std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>& pairs,
                                                         std::size_t most) {
   std::vector<Pair> out;
@@ -71,6 +79,7 @@ std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>&
     return is_split ? 4 : 1;
   };
   for (const Pair& pair : pairs) {
+    forest_.limit_memory(PieceForest::kNetMemory);
     const PieceForest::Node &x = forest_.node(pair.a), &y = forest_.node(pair.b);
     if (x.level >= PieceForest::kMaxLevel || y.level >= PieceForest::kMaxLevel) continue;
     const double size_a = extent(x.hull), size_b = extent(y.hull);
@@ -84,9 +93,7 @@ std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>&
           out.push_back({a + i, b + k});
       }
   }
-  if (out.size() <= most) return out;
-  for (std::size_t i = 0; i < most; ++i) out[i] = out[i * out.size() / most];
-  out.resize(most);
+  thin_out(&out, most);
   return out;
 }
 

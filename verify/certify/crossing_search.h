@@ -19,11 +19,11 @@ class CrossingSearch {
   /// Searches the pairs of patches' pieces whose hulls meet and that are not neighbours. Pairs are split level by
   /// level; where the sizes of the hulls differ much, only the larger piece is split. In models of over 1,024 patches,
   /// only patches without a common point are searched. @cost at most 128 pairs of pieces a root (16,384 if there are
-  /// few roots), and 256 calls of the solver, at each of two or three levels
+  /// few roots) and 2^17 in all, and 256 calls of the solver, at each of two or three levels
   std::optional<CrossingWitness> among_patches();
 
-  /// Searches models of any number of patches, seven levels deep. @cost 32 pairs of pieces a root and 16,384 more, and
-  /// 1,024 calls of the solver, at each level
+  /// Searches models of any number of patches, seven levels deep. @cost 32 pairs of pieces a root and 16,384 more, 2^17
+  /// in all, and 1,024 calls of the solver, at each level
   std::optional<CrossingWitness> everywhere();
 
   /// Searches the pieces near this one, a quarter of its size, neighbours left out. @cost at most 400 pieces, 32 calls
@@ -45,6 +45,7 @@ class CrossingSearch {
   };
   std::optional<CrossingWitness> by_level(const Effort& effort);
   std::vector<Pair> root_pairs(const Effort& effort);
+  static void thin_out(std::vector<Pair>* pairs, std::size_t most);
   std::vector<Pair> split(const std::vector<Pair>& pairs, std::size_t most);
   std::optional<CrossingWitness> solve_some(const std::vector<Pair>& pairs, std::size_t most);
   std::optional<CrossingWitness> solve(const Pair& pair);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "robust/base/check.h"
 #include "solids/pieces/piece_bounds.h"
@@ -139,7 +140,9 @@ PieceForest::Id PieceForest::children(Id id) {
   const Node parent = nodes_[id];
   VT_CHECK(may_split(id), "a piece is split too often");
   const Form& form = forms_[parent.patch];
-  const Id first = static_cast<Id>(nodes_.size());
+  const bool is_new = free_.empty();
+  const Id first = is_new ? static_cast<Id>(nodes_.size()) : free_.back();
+  if (!is_new) free_.pop_back();
   for (std::uint8_t k = 0; k < 4; ++k) {
     Node child;
     child.patch = parent.patch, child.parent = id;
@@ -156,12 +159,26 @@ PieceForest::Id PieceForest::children(Id id) {
       else
         child.i += one_i, child.j += one_j;
     }
-    nodes_.push_back(child);
+    if (is_new)
+      nodes_.push_back(child);
+    else
+      nodes_[first + k] = child;
   }
   nodes_[id].first_child = first;
   quarter(id, Part::kControl);
   for (Id k = 0; k < 4; ++k) nodes_[first + k].hull = tight_hull(first + k);
   return first;
+}
+
+void PieceForest::drop_children(Id id) {
+  const Id first = std::exchange(nodes_[id].first_child, kNone);
+  if (first == kNone) return;
+  for (Id k = 0; k < 4; ++k) {
+    drop_children(first + k);
+    exact_.erase(first + k);
+  }
+  free_.push_back(first);
+  ++num_drops_;
 }
 
 Box3d PieceForest::hull_of(const Form& form, const double* net) const {

@@ -92,15 +92,22 @@ class PieceForest {
   std::size_t num_patches() const { return forms_.size(); }
   const Form& form(std::uint32_t patch) const { return forms_[patch]; }
   const Node& node(Id id) const { return nodes_[id]; }
+  /// Numbers of nodes are less, those of dropped ones included.
   std::size_t num_nodes() const { return nodes_.size(); }
+  std::size_t num_dropped() const { return 4 * free_.size(); }
   /// Whether the node has children or may have some: it is not of the greatest level, and the budget has room for them.
   bool may_split(Id id) {
-    return nodes_[id].first_child != kNone ||
-           (nodes_[id].level < kMaxLevel && make_room(nodes_, 4, node_share_, kBytesOfNode));
+    if (nodes_[id].first_child != kNone) return true;
+    return nodes_[id].level < kMaxLevel &&
+           (!free_.empty() || make_room(nodes_, 4, node_share_, kBytesOfNode));
   }
   /// The first of the node's four children, whose numbers follow each other. REQUIRES level < kMaxLevel, and
   /// may_split(id) where there is a budget.
   Id children(Id id);
+  /// Forgets all nodes below this one; their numbers will be given to other nodes. What others keep for a number is
+  /// void once num_drops has changed.
+  void drop_children(Id id);
+  std::uint64_t num_drops() const { return num_drops_; }
   MemoryBudget* budget() const { return node_share_.budget(); }
   /// Whether the budget refused something.
   bool is_out_of_memory() const { return budget() != nullptr && budget()->is_spent(); }
@@ -226,6 +233,8 @@ class PieceForest {
   Frame frame_;
   std::vector<Form> forms_;
   std::vector<Node> nodes_;
+  std::vector<Id> free_;  // first children that were dropped, each with the three after it
+  std::uint64_t num_drops_ = 0;
   // It includes the entries that searches keep for each node: its box, its place in a queue, its facing.
   static constexpr std::size_t kBytesOfNode = sizeof(Node) + 48;
   MemoryShare node_share_, form_share_;

@@ -220,8 +220,9 @@ std::optional<Box3d> hull_that_meets(PieceForest& forest, PieceForest::Id id, co
 }
 
 void FrameHulls::use(const BoxFrame& frame) {
-  if (frame == frame_) return;
+  if (frame == frame_ && drops_ == forest_.num_drops()) return;
   frame_ = frame;
+  drops_ = forest_.num_drops();
   for (Known& k : known_) k.id = PieceForest::kNone;
 }
 

@@ -66,6 +66,7 @@ class FrameHulls {
 
   PieceForest& forest_;
   BoxFrame frame_;
+  std::uint64_t drops_ = 0;  // of the forest, when the frame was taken into use
   std::vector<Known> known_;
 };
 

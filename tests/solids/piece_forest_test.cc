@@ -436,6 +436,39 @@ TEST(PieceForestNets, AreMadeAgainAsTheyWere) {
   for (std::size_t i = nodes.size(); i-- > 0;) EXPECT_EQ(numbers(nodes[i]), before[i]) << i;
 }
 
+// Dropped nodes leave their numbers to others, which have nothing of them.
+TEST(PieceForestNodes, TakeTheNumbersOfDroppedOnes) {
+  Random random(32);
+  const PatchComplex complex = both_sides(bent_sheet({false, 3, 3}, true, 0, 3, random));
+  PieceForest forest = PieceForest::make(complex).value();
+  const auto hulls_below = [&](auto& self, Id id, int depth) -> std::vector<double> {
+    const Box3d& hull = forest.node(id).hull;
+    std::vector<double> out(hull.lo.begin(), hull.lo.end());
+    out.insert(out.end(), hull.hi.begin(), hull.hi.end());
+    const double* const g = forest.approx_determinants(id);
+    out.insert(out.end(), g, g + forest.form(forest.node(id).patch).determinant.count());
+    for (Id k = 0; k < 4 && depth > 0; ++k) {
+      const auto below = self(self, forest.children(id) + k, depth - 1);
+      out.insert(out.end(), below.begin(), below.end());
+    }
+    return out;
+  };
+  const Id a = forest.root(0), b = forest.root(1);
+  const std::vector<double> below_a = hulls_below(hulls_below, a, 3),
+                            below_b = hulls_below(hulls_below, b, 3);
+  const std::size_t nodes = forest.num_nodes();
+  const std::uint64_t drops = forest.num_drops();
+  forest.drop_children(a);
+  EXPECT_EQ(forest.num_dropped(), 4u + 16u + 64u);
+  EXPECT_NE(forest.num_drops(), drops);
+  EXPECT_EQ(forest.node(a).first_child, PieceForest::kNone);
+  forest.drop_children(b);
+  EXPECT_EQ(hulls_below(hulls_below, b, 3), below_b);
+  EXPECT_EQ(hulls_below(hulls_below, a, 3), below_a);
+  EXPECT_EQ(forest.num_nodes(), nodes);
+  EXPECT_EQ(forest.num_dropped(), 0u);
+}
+
 // A budget that is spent on signs that do not exist leaves later signs uncertain.
 TEST(PieceForestNodes, SayNothingInIntegersBeyondTheBudget) {
   const PatchComplex complex = complex_of(unit_box());

@@ -41,6 +41,8 @@ class CoverSearch {
       const Open next = open_.top();
       open_.pop();
       if (!is_covered(next.id)) cover(next);
+      const std::size_t nodes = forest_.num_nodes() - forest_.num_dropped();
+      if (nodes > most_nodes_ && out_.is_complete()) drop_nodes();  // an obstacle names nodes
     }
     out_.tested_pieces = search_.tested_pieces(), out_.programs = search_.programs();
     out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
@@ -114,6 +116,40 @@ class CoverSearch {
     const Id first = forest_.children(id);
     for (const Id k : {3u, 2u, 1u, 0u}) push(first + k, scale, crowded);
   }
+  // Drops the nodes that are neither leaves, so far, nor above one, nor above a piece that waits. Half of the memory
+  // must be free then; otherwise the nodes may be twice as many.
+  void drop_nodes() {
+    std::vector<Open> open;
+    std::vector<bool> is_open(forest_.num_nodes());
+    for (; !open_.empty(); open_.pop())
+      if (!is_covered(open_.top().id)) {
+        open.push_back(open_.top());
+        is_open[open.back().id] = true;
+      }
+    open_ = std::priority_queue<Open>({}, std::move(open));
+    for (std::uint32_t r = 0; r < forest_.num_roots(); ++r) drop_below(forest_.root(r), is_open);
+    while (2 * (forest_.num_nodes() - forest_.num_dropped()) > most_nodes_) most_nodes_ *= 2;
+  }
+  // Returns whether the node must stay.
+  bool drop_below(Id id, const std::vector<bool>& is_open) {
+    const bool has_box = box_of(id) != StarCover::kNone;
+    bool must_stay = false;
+    const Id first = forest_.node(id).first_child;
+    for (Id k = 0; k < 4 && first != PieceForest::kNone && !has_box; ++k)
+      must_stay |= drop_below(first + k, is_open);
+    if (!must_stay) {
+      forget_boxes_below(id);
+      forest_.drop_children(id);
+    }
+    return has_box || must_stay || is_open[id];
+  }
+  void forget_boxes_below(Id id) {
+    const Id first = forest_.node(id).first_child;
+    for (Id k = 0; k < 4 && first != PieceForest::kNone; ++k) {
+      box_of(first + k) = StarCover::kNone;
+      forget_boxes_below(first + k);
+    }
+  }
   // Room for one more box, before it is sought.
   bool has_memory() { return out_.has_room_for_box() && !forest_.is_out_of_memory(); }
   // Nothing is known about what is near the piece.
@@ -174,6 +210,7 @@ class CoverSearch {
   MemoryShare framed_share_;
   std::priority_queue<Open> open_;
   std::uint64_t next_number_ = 0;
+  std::size_t most_nodes_ = options_.most_nodes;
 };
 
 }  // namespace

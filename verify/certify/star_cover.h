@@ -22,6 +22,8 @@ struct StarCoverOptions {
   /// the least unit of cubes; the search ends where a cube would need a finer one
   double least_cube_unit = 0;
   std::size_t memory = PieceForest::kNetMemory;  ///< bytes that the nets of pieces may take
+  /// Where the forest has more nodes, those are dropped, once in a while, that only tests of boxes needed.
+  std::size_t most_nodes = std::size_t{1} << 20;
   /// Where a piece has no other box: boxes with zeros (ZeroSearch), mesh boxes of flat patches of any degree, boxes in
   /// frames and with several sheets. Their certificates are of version 2.
   bool with_frames = false;

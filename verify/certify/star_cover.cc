@@ -31,6 +31,9 @@ class CoverSearch {
         zeros_(forest, options),
         frames_(forest, options.growth, options.least_framed_unit, options.least_unit),
         framed_share_(forest.budget()) {
+    if (const MemoryBudget* budget = forest.budget(); budget != nullptr)
+      most_nodes_ = std::min<std::uint64_t>(
+          most_nodes_, std::max(kFewNodes, budget->limit() / kBudgetOfNode));
     out_.memory = std::make_shared<MemoryShare>(forest.budget());
   }
 
@@ -62,6 +65,8 @@ class CoverSearch {
       return a.scale != b.scale ? a.scale > b.scale : a.number < b.number;
     }
   };
+  // Fewer nodes are never dropped. Nodes, and nets of some, take about a quarter of the budget before.
+  static constexpr std::uint64_t kFewNodes = 1 << 17, kBudgetOfNode = 1024;
   static constexpr int kUnknownScale = -101, kLeastScale = -100, kMostScale = 100;
   // Where features are small, boxes meet a quarter of the pieces at each further level; at a contact near a pole they
   // meet the same number at all levels.

@@ -69,14 +69,19 @@ TEST(SideWitness, OfThreeSides) {
   EXPECT_EQ(w->same + w->opposite, 3u);
 }
 
-// A patch over a plane curve x(t), y(t), which is its side 3 run downwards: the other sides lie at z = 5.
-Patch strip_over(const std::vector<Rational>& x, const std::vector<Rational>& y) {
+// A patch over a plane curve x(t), y(t), which is its side 3 run downwards: the opposite side lies at z = top. Weights
+// of the curve's control points make it rational; x and y are then the products with them.
+Patch strip_over(const std::vector<Rational>& x, const std::vector<Rational>& y, int top = 5,
+                 const std::vector<Rational>& weights = {}) {
   std::vector<Rational> c;
   for (const auto* values : {&x, &y})
     for (const Rational& v : *values) c.insert(c.end(), 2, v);
-  for (std::size_t i = 0; i < x.size(); ++i) c.push_back(Rational(0)), c.push_back(Rational(5));
+  for (std::size_t i = 0; i < x.size(); ++i) c.push_back(Rational(0)), c.push_back(Rational(top));
+  for (const Rational& w : weights) c.insert(c.end(), 2, w);
   const int degree = static_cast<int>(x.size()) - 1;
-  return make_patch(BezierSurface<Rational>({degree, 1}, 3, false, c)).value();
+  const bool is_rational = !weights.empty();
+  return make_patch(BezierSurface<Rational>({degree, 1}, is_rational ? 4 : 3, is_rational, c))
+      .value();
 }
 // The side of a strip that lies over z = 0, and whether parameters run along it.
 SideWitness on_curve(const Patch& strip, const DyadicInterval& arc, unsigned bits,
@@ -90,6 +95,17 @@ SideWitness on_curve(const Patch& strip, const DyadicInterval& arc, unsigned bit
       w.arcs = {{{0, s}, arc}};
   }
   w.point_bits = bits, w.point = point, w.same = 1;
+  return w;
+}
+// Whole sides over z = 0, one of each of the strips in this order, and their common middle.
+SideWitness on_strips(const PatchComplex& complex, const std::vector<std::uint32_t>& strips,
+                      std::uint32_t same, std::uint32_t opposite) {
+  SideWitness w;
+  for (const std::uint32_t p : strips) {
+    const SideWitness one = on_curve(complex.patch(p), DyadicInterval::whole(), 1, 1);
+    w.arcs.push_back({{p, one.arcs[0].side.side}, DyadicInterval::whole()});
+  }
+  w.point_bits = 1, w.point = 1, w.same = same, w.opposite = opposite;
   return w;
 }
 // The first of the three coordinates with which the witness holds, or why it does not with the best of them.
@@ -196,6 +212,77 @@ TEST(SideWitness, ArcsThatTouchAreTwoArcs) {
   EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD1);
 }
 
+// Arcs of another side that begin in between hide no overlap.
+TEST(SideWitness, ArcsThatOverlapAreFoundAmongThoseOfOtherSides) {
+  const PatchComplex complex =
+      complex_of({strip_over({0, 1}, {0, 0}), strip_over({0, 1}, {0, 0}, 6)});
+  SideWitness w = on_strips(complex, {0, 1, 0}, 3, 0);
+  w.arcs[1].at = {2, 1, 3};
+  w.arcs[2].at = {1, 1, 2};
+  EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD1);
+}
+
+TEST(SideWitness, ThousandsOfEqualArcsAreFoundToOverlap) {
+  const PatchComplex complex = complex_of({strip_over({0, 1}, {0, 0})});
+  const SideWitness w = on_strips(complex, std::vector<std::uint32_t>(5000, 0), 5000, 0);
+  EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD1);
+}
+
+TEST(SideWitness, ArcsOfSeveralSidesAreAProofInAnyOrder) {
+  const PatchComplex complex =
+      complex_of({strip_over({0, 1}, {0, 0}, 5), strip_over({0, 1}, {0, 0}, 6),
+                  strip_over({0, 1}, {0, 0}, 7)});
+  std::vector<std::uint32_t> order{0, 1, 2};
+  do {
+    EXPECT_EQ(best(complex, on_strips(complex, order, 3, 0)), std::nullopt)
+        << order[0] << " " << order[1] << " " << order[2];
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// The second of two sides that run alike passes every point of the first one's arc.
+TEST(SideWitness, AnArcOfOneSideCoversNoOtherSideOfItsEdge) {
+  const PatchComplex complex =
+      complex_of({strip_over({0, 1}, {0, 0}), strip_over({0, 1}, {0, 0}, 6)});
+  for (const DyadicInterval& part : {DyadicInterval{2, 1, 3}, DyadicInterval::whole()}) {
+    SideWitness w = on_strips(complex, {0, 1}, 2, 0);
+    for (SideArc& arc : w.arcs) arc.at = part;
+    EXPECT_EQ(best(complex, w), std::nullopt);
+    w.same = 1;
+    const SideArc second = w.arcs.back();
+    w.arcs.pop_back();
+    EXPECT_EQ(best(complex, w), SideCondition::kD4);
+    w.arcs = {second};
+    EXPECT_EQ(best(complex, w), SideCondition::kD4);
+  }
+}
+
+TEST(SideWitness, ACurveIsCountedInAnyDegree) {
+  const Rational half = Rational(1) / Rational(2);
+  const PatchComplex complex =
+      complex_of({strip_over({0, 1}, {0, 0}), strip_over({0, half, 1}, {0, 0, 0}, 6),
+                  strip_over({1, half, 0}, {0, 0, 0}, 7)});
+  EXPECT_EQ(best(complex, on_strips(complex, {0, 1, 2}, 2, 1)), std::nullopt);
+  EXPECT_EQ(best(complex, on_strips(complex, {0, 1, 2}, 3, 0)), SideCondition::kD2);
+}
+
+// The others share some numbers with the first curve, all but the weights, or no number.
+TEST(SideWitness, ACurveThatSharesNumbersWithTheFirstIsAnotherCurve) {
+  const Patch line = strip_over({0, 1}, {0, 0});
+  const Patch far = bilinear({PatchPoint{7, 8, 9}, {7, 9, 9}, {8, 8, 10}, {8, 9, 9}});
+  for (const Patch& other : {strip_over({0, 1, 5}, {0, 0, 0}), strip_over({5, 0, 1}, {0, 0, 0}),
+                             strip_over({1, 0, 5}, {0, 0, 0}), strip_over({5, 1, 0}, {0, 0, 0}),
+                             strip_over({0, 1}, {0, 0}, 5, {1, 2}), far}) {
+    const PatchComplex complex = complex_of({line, other});
+    for (std::uint32_t side = 0; side < 4; ++side)
+      for (const bool is_first : {false, true}) {
+        SideWitness w = on_strips(complex, {0}, 2, 0);
+        w.arcs.push_back({{1, side}, DyadicInterval::whole()});
+        if (is_first) std::swap(w.arcs[0], w.arcs[1]);
+        EXPECT_EQ(broken_condition(complex, {}, w), SideCondition::kD2);
+      }
+  }
+}
+
 // D4's hulls say nothing about a curve with a weight that is not positive.
 TEST(SideWitness, NoneOfModelsWithWeightsThatAreNotPositive) {
   for (const int weight : {0, -1}) {
@@ -248,6 +335,15 @@ TEST(SideWitness, NoneOfClosedModelsAndOfOtherParametrisations) {
   const PatchComplex complex = complex_of(halves);
   ASSERT_FALSE(complex.is_closed_oriented_surface());
   EXPECT_FALSE(find_side_witness(complex, {}));
+}
+
+TEST(DyadicInterval, APartOfTheUnitIntervalMayBeOnePoint) {
+  const std::uint64_t most = std::uint64_t{1} << 62;
+  for (const DyadicInterval& part : {DyadicInterval{0, 0, 1}, {0, 1, 1}, {3, 5, 5}, {62, 0, most}})
+    EXPECT_TRUE(part.is_part_of_unit()) << part.bits << " " << part.lo << " " << part.hi;
+  for (const DyadicInterval& other :
+       {DyadicInterval{0, 0, 2}, {3, 5, 4}, {62, 0, most + 1}, {63, 0, 1}})
+    EXPECT_FALSE(other.is_part_of_unit()) << other.bits << " " << other.lo << " " << other.hi;
 }
 
 TEST(SideWitness, EachConditionIsNeeded) {

@@ -25,10 +25,6 @@ Curve part_of(const PatchComplex& complex, const SideArc& arc) {
                     arc.at.upper());
 }
 
-bool have_common_interior(const DyadicInterval& a, const DyadicInterval& b) {
-  return a.lower() < b.upper() && b.lower() < a.upper();
-}
-
 // The arcs by side, and along each side: where very many sides coincide there are as many arcs.
 class ArcsOfSides {
  public:
@@ -45,10 +41,10 @@ class ArcsOfSides {
     const auto range = std::equal_range(sorted_.begin(), sorted_.end(), side, BySide());
     return {range.first, range.second};
   }
-  // If any two arcs overlap, two adjacent ones do.
+  // If any two arcs overlap, two adjacent ones do. REQUIRES that none of them is a point.
   bool are_apart() const {
-    const auto overlap = [](const SideArc& a, const SideArc& b) {
-      return a.side == b.side && have_common_interior(a.at, b.at);
+    const auto overlap = [](const SideArc& a, const SideArc& next) {
+      return a.side == next.side && next.at.lower() < a.at.upper();
     };
     return std::adjacent_find(sorted_.begin(), sorted_.end(), overlap) == sorted_.end();
   }

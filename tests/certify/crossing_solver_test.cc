@@ -6,6 +6,7 @@
 
 #include "tests/certify/crossing_planes.h"
 #include "tests/certify/planted_crossings.h"
+#include "verify/certify/sheet_tangents_internal.h"
 
 namespace veritope {
 namespace {
@@ -119,6 +120,47 @@ TEST(CrossingSolver, BordersThatMeetAndContactsAreNotProved) {
   EXPECT_FALSE(solver.prove(contact));
   // Nor is a place next to it, which is no solution.
   EXPECT_FALSE(solver.prove({SheetPlace{0, {0.25, 0.75}}, SheetPlace{1, {0.25, 0.5}}}));
+}
+
+// Two planes at an angle of 2^-slope cross next to a border of the second, so only small boxes fit. In these the sheets
+// are so near each other that doubles find signs of X3 which do not hold.
+TEST(CrossingSolver, SignsThatHoldInDoublesAloneAreNoProof) {
+  const PatchPoint e1{ratio(2, 3), ratio(1, 3), ratio(2, 3)},
+      e2{-ratio(2, 3), ratio(2, 3), ratio(1, 3)}, normal{ratio(1, 3), ratio(2, 3), -ratio(2, 3)};
+  const auto combined = [&](const Rational& a, const Rational& b, const Rational& c) {
+    PatchPoint out;
+    for (std::size_t k = 0; k < 3; ++k) out[k] = a * e1[k] + b * e2[k] + c * normal[k];
+    return out;
+  };
+  std::size_t proofs = 0, refused = 0;
+  for (int slope = 20; slope <= 30; slope += 2)
+    for (int depth = 28; depth <= 34; depth += 2) {
+      SCOPED_TRACE(std::to_string(slope) + " " + std::to_string(depth));
+      const Rational rise = Rational::power_of_two(1 - slope),
+                     border = ratio(7, 5) * Rational::power_of_two(-depth);
+      const PatchComplex complex =
+          complex_of({flat(combined(-1, -1, 0), combined(2, 0, 0), combined(0, 2, 0)),
+                      flat(combined(Rational(-2) * border, -ratio(9, 10), -border * rise),
+                           combined(2, 0, rise), combined(0, 2, 0))});
+      const PieceForest forest = PieceForest::make(complex).value();
+      CrossingSolver solver(forest);
+      const auto witness =
+          solver.prove({SheetPlace{0, {0.5, 0.5}}, SheetPlace{1, {nearest_double(border), 0.45}}});
+      if (witness) {
+        EXPECT_EQ(broken(complex, *witness), std::nullopt);
+      }
+      proofs += witness ? 1 : 0;
+      refused += solver.num_exact - (witness ? 1 : 0);
+    }
+  EXPECT_GT(proofs, 0u);
+  EXPECT_GT(refused, 0u);
+}
+
+TEST(SheetTangents, LengthsAreRightWhereSquaresLeaveTheRangeOfDoubles) {
+  for (const int scale : {-1000, -600, -538, -400, -1, 0, 1, 400, 600, 1000}) {
+    const auto at = [&](double v) { return std::ldexp(v, scale); };
+    EXPECT_DOUBLE_EQ(internal::length_of({at(3), -at(4), at(12)}), at(13)) << scale;
+  }
 }
 
 }  // namespace

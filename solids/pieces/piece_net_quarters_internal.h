@@ -3,7 +3,6 @@
 // test counts with.
 #pragma once
 #include <algorithm>
-#include <iterator>
 
 #include "robust/base/check.h"
 #include "solids/patches/patch.h"
@@ -138,8 +137,10 @@ template <typename Number>
 void quarter_tensor(const FormShape& shape, const Number* net, Number* const children[4]) {
   const auto rows = static_cast<std::size_t>(shape.p + 1);
   const auto columns = static_cast<std::size_t>(shape.q + 1);
-  LinesAbreast<Number> work[3 * kMaxPatchDegree];
-  VT_CHECK(std::max(rows, columns) <= std::size(work), "a net of too great a degree");
+  // The longest lines are those of determinant forms, whose degrees are 3 p - 1 and 3 q - 1.
+  constexpr std::size_t kLongestLine = 3 * kMaxPatchDegree;
+  LinesAbreast<Number> work[kLongestLine];
+  VT_CHECK(std::max(rows, columns) <= kLongestLine, "a net of too great a degree");
   for (std::size_t j = 0; j < columns; j += kLinesAbreast)
     halve_lines(net + j, shape.p, columns, std::min(kLinesAbreast, columns - j), 1, children[0] + j,
                 children[2] + j, work);

@@ -30,6 +30,20 @@ TEST(PieceBoxes, BoxesThatTouchMeetAndABoxLiesInItself) {
   EXPECT_TRUE(is_inside(unit, unit));
 }
 
+// Certificates list boxes in this order.
+TEST(PieceBoxes, TheOrderGathersNeighboursAndKeepsFourBoxesAsTheyAre) {
+  const auto order_along_x = [](const std::vector<double>& places) {
+    std::vector<Box3d> boxes;
+    for (const double x : places) boxes.push_back({{x, 0, 0}, {x + 1, 1, 1}});
+    return BoxHierarchy(boxes).order();
+  };
+  EXPECT_EQ(order_along_x({30, 20, 10, 0}), (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  std::vector<std::uint32_t> order = order_along_x({10, 80, 20, 70, 30, 60, 40, 50});
+  std::sort(order.begin(), order.begin() + 4);
+  EXPECT_EQ(std::vector(order.begin(), order.begin() + 4),
+            (std::vector<std::uint32_t>{0, 2, 4, 6}));
+}
+
 TEST(PieceBoxes, TheTreeFindsWhatALoopFinds) {
   Random random(3);
   const auto draw = [&](double size) {

@@ -117,24 +117,28 @@ TEST(ShellVolumes, KeepTheToleranceAndUseHalfOfIt) {
   EXPECT_GE(most, 0.5);
 }
 
-// A face in a plane has its area whatever its weights are; a control point inside may almost have none.
+// A face in a plane has its area whatever its weights are; a control point inside may almost have none. Where another
+// weight is a third, the enclosure of that one contains 0.
 TEST(ShellVolumes, AreFiniteWhereAnInnerWeightAlmostVanishes) {
   const Rational tiny = Rational::power_of_two(-60);
-  patch_shapes::Patches box = elevated(
-      patch_shapes::box({ratio(0), ratio(0), ratio(0)}, {ratio(1), ratio(1), ratio(1)}), 1);
-  const Patch::Tensor& face = box[0].tensor();
-  ASSERT_EQ(face.degrees(), (std::array<int, 2>{2, 2}));
-  Patch::Tensor map({2, 2}, 4, true);
-  for (std::size_t i = 0; i < 9; ++i) {
-    const Rational w = i == 4 ? tiny : ratio(1);
-    for (int c = 0; c < 3; ++c) map.component(c)[i] = w * face.component(c)[i];
-    map.component(3)[i] = w;
+  for (const Rational& other : {ratio(1), ratio(1, 3)}) {
+    patch_shapes::Patches box = elevated(
+        patch_shapes::box({ratio(0), ratio(0), ratio(0)}, {ratio(1), ratio(1), ratio(1)}), 2);
+    const Patch::Tensor& face = box[0].tensor();
+    ASSERT_EQ(face.degrees(), (std::array<int, 2>{3, 3}));
+    Patch::Tensor map({3, 3}, 4, true);
+    for (std::size_t i = 0; i < 16; ++i) {
+      const bool is_inner = i == 6 || i == 9 || i == 10;
+      const Rational w = i == 5 ? tiny : is_inner ? other : ratio(1);
+      for (int c = 0; c < 3; ++c) map.component(c)[i] = w * face.component(c)[i];
+      map.component(3)[i] = w;
+    }
+    box[0] = make_patch(std::move(map)).value();
+    const auto v = volumes(box, 1e-6);
+    ASSERT_EQ(v.size(), 1u);
+    EXPECT_TRUE(contains(v[0], ratio(1))) << to_string(v[0]);
+    EXPECT_LE(wid(v[0]), 1e-6);
   }
-  box[0] = make_patch(std::move(map)).value();
-  const auto v = volumes(box, 1e-6);
-  ASSERT_EQ(v.size(), 1u);
-  EXPECT_TRUE(contains(v[0], ratio(1))) << to_string(v[0]);
-  EXPECT_LE(wid(v[0]), 1e-6);
 }
 
 // Sizes far from 1: the interval is that of the unit model times a power of two.

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solids/pieces/crossing_number.h"
 #include "solids/pieces/exact_piece.h"
+#include "solids/pieces/find_pieces.h"
 #include "tests/solids/exact_nodes.h"
 
 namespace veritope {
@@ -329,6 +331,47 @@ TEST(PieceForestFrame, GoesToAPatchThatIsTinyBesideTheModel) {
   }
 }
 
+// A part bends by no more than its width: a half bends by a quarter.
+TEST(PieceForestRoots, CutTheRimOfAThinWallAlongItsLengthOnly) {
+  struct Rim {
+    std::array<int, 3> x, y;  // the control points of the bent side
+    Rational width;
+    int bits;  // of the number of parts
+  };
+  const Rational wide = Rational(1) / Rational(15), narrow = Rational(1) / Rational(17);
+  for (const Rim& rim :
+       {Rim{{0, 1, 2}, {0, 0, 0}, wide, 0}, Rim{{0, 1, 2}, {0, 1, 0}, Rational(20), 0},
+        Rim{{0, 1, 2}, {0, 1, 0}, wide, 2}, Rim{{0, 1, 2}, {0, 1, 0}, narrow, 3},
+        Rim{{0, 0, 0}, {0, 1, 0}, wide, 2}})  // the ends are one point
+    for (const std::array<int, 3>& weights : {std::array{1, 1, 1}, {8, 1, 1}})
+      for (const std::size_t length : {0, 1}) {
+        std::vector<Rational> c;
+        for (std::size_t component = 0; component < 4; ++component)
+          for (std::size_t n = 0; n < 6; ++n) {
+            const std::size_t i = length == 0 ? n / 2 : n % 3, side = length == 0 ? n % 2 : n / 3;
+            const Rational values[4] = {Rational(rim.x[i]), Rational(rim.y[i]),
+                                        side == 0 ? Rational(0) : rim.width, Rational(1)};
+            c.push_back(Rational(weights[i]) * values[component]);
+          }
+        const bool is_rational = weights[0] != 1;
+        if (!is_rational) c.resize(18);
+        const Patch patch =
+            make_patch(BezierSurface<Rational>({length == 0 ? 2 : 1, length == 0 ? 1 : 2},
+                                               is_rational ? 4 : 3, is_rational, c))
+                .value();
+        const PatchComplex complex = complex_of({patch});
+        const PieceForest forest =
+            PieceForest::make(complex, PieceForest::FrameChoice::kWhole).value();
+        EXPECT_EQ(forest.form(0).root_bits[length], rim.bits);
+        EXPECT_EQ(forest.form(0).root_bits[1 - length], 0);
+        if (rim.width < Rational(1)) {  // elsewhere roots are as long as wide
+          const PieceForest plain =
+              PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+          EXPECT_GT(plain.form(0).root_bits[length], 3);
+        }
+      }
+}
+
 // Coordinates in the frame are at most 2, whatever the model's are; powers of two cancel.
 TEST(PieceForestFrame, TakesWeightsAndCoordinatesOfAnySize) {
   Random random(5);
@@ -469,17 +512,20 @@ TEST(PieceForestNodes, TakeTheNumbersOfDroppedOnes) {
   EXPECT_EQ(forest.num_dropped(), 0u);
 }
 
+// The first corner of a root with integer coordinates, in the coordinates of the forest.
+Point3d corner_of_root(const PieceForest& forest, Id id) {
+  const ExactPiece piece(forest, forest.node(id));
+  const auto p = piece.control(0);
+  Point3d out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = nearest_double(Rational(*p[k], *p[3]));
+  return out;
+}
+
 // A budget that is spent on signs that do not exist leaves later signs uncertain.
 TEST(PieceForestNodes, SayNothingInIntegersBeyondTheBudget) {
   const PatchComplex complex = complex_of(unit_box());
   PieceForest forest = PieceForest::make(complex).value();
-  const auto corner = [&](Id id) {
-    const ExactPiece piece(forest, forest.node(id));
-    const auto p = piece.control(0);
-    Point3d out;
-    for (std::size_t k = 0; k < 3; ++k) out[k] = nearest_double(Rational(*p[k], *p[3]));
-    return out;
-  };
+  const auto corner = [&](Id id) { return corner_of_root(forest, id); };
   const Point3d c = corner(0);
   EXPECT_NE(forest.exact(1), nullptr);
   EXPECT_FALSE(forest.exact(1)->has_determinants());
@@ -489,7 +535,208 @@ TEST(PieceForestNodes, SayNothingInIntegersBeyondTheBudget) {
   EXPECT_EQ(forest.exact(3), nullptr);
   EXPECT_EQ(forest.exact_determinants(3), nullptr);
   EXPECT_EQ(forest.side_of(3, corner(3)), Sign3::kUncertain);
+  EXPECT_FALSE(forest.side_with_zeros(3, corner(3)));
   EXPECT_NE(forest.exact(1), nullptr);
+  // A line through the corner is left undecided, too.
+  CentreLine line{corner(3), corner(3)};
+  for (const std::size_t k : {0, 1, 2}) {
+    line.inside[k] -= 0.25;
+    line.outside[k] += 0.25;
+  }
+  EXPECT_EQ(crossing_number(forest, {3}, line), std::nullopt);
+}
+
+// A unit box, whose roots come first, with a closed sheet beside it.
+PatchComplex box_and_sheet(const Patch& sheet) {
+  return complex_of(patch_shapes::joined({unit_box(), {sheet, reversed(sheet)}}));
+}
+
+TEST(PieceForestNodes, BesideCollapsedSidesHaveTheirSidesWithoutIntegers) {
+  Random random(37);
+  for (const unsigned collapsed : {1u, 2u, 4u, 8u}) {
+    const PatchComplex complex =
+        box_and_sheet(bent_sheet({false, 2, 3}, collapsed % 2 == 0, collapsed, 1, random));
+    PieceForest fresh = PieceForest::make(complex).value();
+    PieceForest spent = PieceForest::make(complex).value();
+    const Point3d corner = corner_of_root(spent, 0);
+    for (int k = 0; k < 20000; ++k) ASSERT_EQ(spent.side_of(0, corner), Sign3::kUncertain);
+    ASSERT_EQ(spent.exact(3), nullptr);
+    std::vector<Id> nodes;
+    for (Id r = 0; r < fresh.form(6).num_roots; ++r) nodes.push_back(fresh.form(6).first_root + r);
+    int certain = 0;
+    for (std::size_t n = 0; n < nodes.size() && n < 40; ++n) {
+      const Id first = fresh.children(nodes[n]);
+      ASSERT_EQ(spent.children(nodes[n]), first);
+      for (Id k = 0; k < 4; ++k) nodes.push_back(first + k);
+      for (int trial = 0; trial < 8; ++trial) {
+        const Box3d hull = fresh.node(nodes[n]).hull;
+        Point3d c = approx_centre(hull);
+        for (double& v : c) v += 8 * extent(hull) * (random.unit() - 0.5);
+        const Sign3 expected = fresh.side_of(nodes[n], c);
+        EXPECT_EQ(spent.side_of(nodes[n], c), expected) << "node " << nodes[n];
+        const auto with_zeros = spent.side_with_zeros(nodes[n], c);
+        EXPECT_EQ(with_zeros.has_value(), is_certain(expected)) << "node " << nodes[n];
+        for (std::uint32_t s = 0; s < 4; ++s)
+          certain += is_certain(expected) && (collapsed >> s & 1) != 0 &&
+                     fresh.side_of_patch(fresh.node(nodes[n]), s);
+      }
+    }
+    EXPECT_GT(certain, 10);
+  }
+}
+
+// Doubles find two signs from the middle of a saddle; between two collapsed sides that share a corner none is asked for.
+TEST(PieceForestNodes, CostNoIntegersWhereDoublesSayThatNoSideExists) {
+  Random random(41);
+  const Rational three(3), four(4), zero, one(1);
+  const Patch saddle = make_patch(BezierSurface<Rational>({1, 1}, 3, false,
+                                                          {three, three, four, four, zero, one,
+                                                           zero, one, zero, zero, zero, one}))
+                           .value();
+  for (const unsigned collapsed : {0u, 3u, 6u, 9u}) {
+    const PatchComplex complex = box_and_sheet(
+        collapsed == 0 ? saddle : bent_sheet({false, 3, 3}, false, collapsed, 1, random));
+    PieceForest forest = PieceForest::make(complex).value();
+    const Id root = forest.form(6).first_root;
+    Point3d c = approx_centre(forest.node(root).hull);
+    if (collapsed == 0) {
+      const Rational middle[3] = {Rational(7) / Rational(2), one / Rational(2), one / Rational(4)};
+      for (std::size_t k = 0; k < 3; ++k) c[k] = nearest_double(forest.in_frame(k, middle[k]));
+    } else {
+      const Point3d n = forest.approx_normal(root);
+      const double length = std::hypot(n[0], n[1], n[2]), far = 8 * extent(forest.node(root).hull);
+      for (std::size_t k = 0; k < 3; ++k) c[k] += far * n[k] / length;
+    }
+    for (int k = 0; k < 20000; ++k) ASSERT_EQ(forest.side_of(root, c), Sign3::kUncertain);
+    for (int k = 0; k < 20000; ++k) ASSERT_FALSE(forest.side_with_zeros(root, c));
+    EXPECT_NE(forest.exact(3), nullptr) << collapsed;
+  }
+}
+
+// From a point in its plane a face has no side. From a point so near to it that only integers decide it has one, and no
+// zeros.
+TEST(PieceForestNodes, HaveASideWithZerosWhereSomeCoefficientIsNotZero) {
+  const PatchComplex complex = complex_of(unit_box());
+  PieceForest forest = PieceForest::make(complex).value();
+  int near = 0;
+  for (Id id = 0; id < forest.num_roots(); ++id) {
+    Point3d c = corner_of_root(forest, id);
+    EXPECT_FALSE(forest.side_with_zeros(id, c));
+    const Point3d n = forest.approx_normal(id);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (n[k] == 0 || c[k] != 0) continue;
+      for (const double by : {-0x1p-80, 0x1p-80}) {
+        c[k] = by;
+        const auto side = forest.side_with_zeros(id, c);
+        ASSERT_TRUE(side);
+        EXPECT_EQ(side->sign == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative,
+                  forest.side_of(id, c));
+        EXPECT_TRUE(side->is_zero.empty());
+        ++near;
+      }
+    }
+  }
+  EXPECT_GT(near, 0);
+}
+
+// The first two coordinates of these patches are their parameters.
+TEST(PieceForestNodes, KnowWhichOfTheirCornersLieOnSidesOfThePatch) {
+  const auto z = [](int x, int y) { return Rational(x + 2 * y); };
+  const Patch square = make_patch(BezierSurface<Rational>(
+                                      {1, 1}, 3, false,
+                                      {0, 0, 1, 1, 0, 1, 0, 1, z(0, 0), z(0, 1), z(1, 0), z(1, 1)}))
+                           .value();
+  Numbers values(9);
+  const std::array<std::array<int, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
+  for_each_triangle_index(1, [&](int i, int j, int k) {
+    const auto& at = corners[i == 1 ? 0 : j == 1 ? 1 : 2];
+    const std::size_t n = triangle_index(j, k);
+    values[n] = at[0], values[3 + n] = at[1], values[6 + n] = z(at[0], at[1]);
+  });
+  const Patch triangle = make_patch(Patch::Triangle(1, 3, false, values)).value();
+  for (const Patch& patch : {square, triangle}) {
+    const PatchComplex complex = both_sides(patch);
+    PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+    std::vector<Id> nodes;
+    for (Id r = 0; r < forest.form(0).num_roots; ++r) nodes.push_back(r);
+    for (std::size_t k = 0; k < 21; ++k)
+      for (Id c = 0; c < 4; ++c) nodes.push_back(forest.children(nodes[k]) + c);
+    const std::uint32_t n = patch.num_sides();
+    const Rational one = forest.in_frame(0, Rational(1));
+    for (const Id id : nodes) {
+      const ExactPiece piece(forest, forest.node(id));
+      for (std::uint32_t corner = 0; corner < n; ++corner) {
+        const auto p = piece.control(patch.side_index(corner, 0));
+        const Rational x(*p[0], *p[3]), y(*p[1], *p[3]), zero;
+        const std::array<bool, 4> is_on =
+            n == 4 ? std::array<bool, 4>{y == zero, x == one, y == one, x == zero}
+                   : std::array<bool, 4>{y == zero, x + y == one, x == zero, false};
+        for (std::uint32_t s = 0; s < n; ++s)
+          EXPECT_EQ(forest.is_on_side(forest.node(id), corner, s), is_on[s])
+              << n << " sides, node " << id << ", corner " << corner << ", side " << s;
+      }
+    }
+  }
+}
+
+// There are more such pieces than exact hulls in the budget.
+TEST(PieceForestNodes, OfRationalTrianglesHaveBoundedHullsWithoutIntegers) {
+  const PatchComplex complex = complex_of(patch_shapes::octant_sphere());
+  PieceForest forest = PieceForest::make(complex).value();
+  Id last = forest.num_roots();
+  for (Id id = 0; last < 20000; ++id) last = forest.children(id) + 3;
+  for (Id id = 0; id <= last; ++id) EXPECT_TRUE(std::isfinite(extent(forest.node(id).hull))) << id;
+}
+
+TEST(PieceForestNodes, HaveApproximateNormalsThatPointOutwards) {
+  const PatchComplex complex = complex_of(unit_box());
+  PieceForest forest = PieceForest::make(complex).value();
+  const Point3d middle = approx_centre(hull_of_roots(forest));
+  const auto sign = [](double v) { return (v > 0 ? 1 : 0) - (v < 0 ? 1 : 0); };
+  for (const bool is_again : {false, true}) {
+    for (Id id = 0; id < forest.num_roots(); ++id) {
+      const Point3d n = forest.approx_normal(id), at = approx_centre(forest.node(id).hull);
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(sign(n[k]), sign(at[k] - middle[k])) << id << (is_again ? ", again" : "");
+      EXPECT_EQ(forest.approx_normal(id), n);
+    }
+    forest.limit_memory(0);
+  }
+}
+
+TEST(PieceForestNodes, OfTheGreatestDegreeHaveDeterminants) {
+  Random random(43);
+  for (const FormShape& shape :
+       {FormShape{false, kMaxPatchDegree, 1}, {false, 1, kMaxPatchDegree}}) {
+    const PatchComplex complex = both_sides(bent_sheet(shape, false, 0, 1, random));
+    PieceForest forest = PieceForest::make(complex).value();
+    EXPECT_TRUE(std::isfinite(forest.approx_determinants(forest.children(0))[0]));
+  }
+}
+
+TEST(PieceForestNets, KeepToTheMemoryThatTheyMayUse) {
+  Random random(47);
+  const PatchComplex complex = both_sides(bent_sheet({false, 3, 3}, true, 0, 1, random));
+  const auto used = [&](std::uint64_t limit, std::size_t bytes) {
+    MemoryBudget budget(limit);
+    PieceForest forest =
+        PieceForest::make(complex, PieceForest::FrameChoice::kFitted, &budget).value();
+    for (Id id = 0; id < 4000; ++id) {
+      (void)forest.children(id);
+      forest.limit_memory(bytes);
+    }
+    EXPECT_FALSE(forest.is_out_of_memory());
+    const std::uint64_t out = budget.used();
+    EXPECT_FALSE(budget.take(MemoryBudget::kUnlimited));
+    EXPECT_TRUE(forest.is_out_of_memory());
+    return out;
+  };
+  constexpr std::uint64_t kMebi = 1 << 20;
+  const std::uint64_t all = used(MemoryBudget::kUnlimited, 1 << 30);
+  EXPECT_LT(all, 20 * kMebi);
+  EXPECT_LT(used(MemoryBudget::kUnlimited, 1 << 20), all - 4 * kMebi);
+  EXPECT_LT(used(16 * kMebi, 1 << 30), all - 2 * kMebi);  // a quarter of the limit
+  EXPECT_FALSE(PieceForest::make(complex).value().is_out_of_memory());
 }
 
 }  // namespace

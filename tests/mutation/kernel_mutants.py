@@ -52,11 +52,12 @@ LAYERS = {
         "binary": "certify_quick",
         "filter": "*",
     },
-    # The conditions X1 to X3, the solver that proposes what satisfies them, and which pieces are searched.
+    # The conditions X1 to X3, the solver that proposes what satisfies them, which pieces are searched, and how a sheet is
+    # restricted to its rectangle and raised to one degree.
     "crossing": {
         "files": ["verify/certify/crossing_witness.cc", "verify/certify/crossing_witness.h", "verify/certify/miranda_internal.h",
                   "verify/certify/crossing_search.cc", "verify/certify/crossing_solver.cc", "verify/certify/sheet_tangents_internal.h",
-                  "verify/certify/piece_neighbours.cc"],
+                  "verify/certify/piece_neighbours.cc", "splines/restriction.h", "splines/bezier_degree.h"],
         "tests": ["tests/certify/crossing_test.cc", "tests/certify/crossing_solver_test.cc"],
         "binary": "certify_quick",
         "filter": "*",

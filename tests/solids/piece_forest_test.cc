@@ -512,7 +512,7 @@ TEST(PieceForestNodes, TakeTheNumbersOfDroppedOnes) {
   EXPECT_EQ(forest.num_dropped(), 0u);
 }
 
-// The first corner of a root with integer coordinates, in the coordinates of the forest.
+// The first corner of a root, in the coordinates of the forest, rounded.
 Point3d corner_of_root(const PieceForest& forest, Id id) {
   const ExactPiece piece(forest, forest.node(id));
   const auto p = piece.control(0);
@@ -613,30 +613,27 @@ TEST(PieceForestNodes, CostNoIntegersWhereDoublesSayThatNoSideExists) {
   }
 }
 
-// From a point in its plane a face has no side. From a point so near to it that only integers decide it has one, and no
-// zeros.
+// From a point in its plane a face has no side. From the double nearest to a corner with other coordinates it has one,
+// which only integers find, and no zeros.
 TEST(PieceForestNodes, HaveASideWithZerosWhereSomeCoefficientIsNotZero) {
-  const PatchComplex complex = complex_of(unit_box());
-  PieceForest forest = PieceForest::make(complex).value();
-  int near = 0;
-  for (Id id = 0; id < forest.num_roots(); ++id) {
-    Point3d c = corner_of_root(forest, id);
-    EXPECT_FALSE(forest.side_with_zeros(id, c));
-    const Point3d n = forest.approx_normal(id);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (n[k] == 0 || c[k] != 0) continue;
-      for (const double by : {-0x1p-80, 0x1p-80}) {
-        c[k] = by;
-        const auto side = forest.side_with_zeros(id, c);
-        ASSERT_TRUE(side);
-        EXPECT_EQ(side->sign == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative,
-                  forest.side_of(id, c));
-        EXPECT_TRUE(side->is_zero.empty());
-        ++near;
-      }
-    }
-  }
-  EXPECT_GT(near, 0);
+  const PatchComplex box = complex_of(unit_box());
+  PieceForest flat = PieceForest::make(box).value();
+  for (Id id = 0; id < flat.num_roots(); ++id)
+    EXPECT_FALSE(flat.side_with_zeros(id, corner_of_root(flat, id)));
+  const auto third = [](int n) { return Rational(n) / Rational(3 * 7); };
+  Numbers values;
+  for (const std::array<int, 3>& c : {std::array{5, 17, 8}, {11, 2, 29}, {20, 1, 4}})
+    for (const int u : {0, 1})
+      for (const int v : {0, 1}) values.push_back(third(c[0] + u * c[1] + v * c[2]));
+  const PatchComplex complex =
+      both_sides(make_patch(BezierSurface<Rational>({1, 1}, 3, false, values)).value());
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kPlain).value();
+  const Point3d c = corner_of_root(forest, 0);
+  const auto side = forest.side_with_zeros(0, c);
+  ASSERT_TRUE(side);
+  EXPECT_EQ(side->sign == Sign::kPositive ? Sign3::kPositive : Sign3::kNegative,
+            forest.side_of(0, c));
+  EXPECT_TRUE(side->is_zero.empty());
 }
 
 // The first two coordinates of these patches are their parameters.

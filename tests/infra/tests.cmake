@@ -23,6 +23,8 @@ veritope_infra_test(dummy_kind full dummy_kind_test.py "${PROJECT_BINARY_DIR}")
 set_tests_properties(infra_dummy_kind PROPERTIES PROCESSORS 2)
 veritope_infra_test(headers_alone full install/headers_test.py "${CMAKE_CXX_COMPILER}")
 set_tests_properties(infra_headers_alone PROPERTIES PROCESSORS 2)
+veritope_infra_test(clang standard clang_test.py "${PROJECT_BINARY_DIR}")
+set_tests_properties(infra_clang PROPERTIES PROCESSORS 2)
 veritope_infra_test(claims_table quick claims_table_test.py "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 if(NOT VERITOPE_SANITIZE AND NOT VERITOPE_COVERAGE)
   # An instrumented library would need the same flags in the consumer.

@@ -157,6 +157,11 @@ TEST(FrameCover, OfCurvedWallsAndWedgesIsAcceptedByTheChecker) {
     expect_bounded(name, {digits}, 2, 4000);
 }
 
+// It takes 28 units of work for each byte, more than other models do.
+TEST(FrameCover, OfAThinCurvedPlateIsWithinTheCheckersBudget) {
+  expect_bounded("curved-plate", {4}, 2, 6500);
+}
+
 // The numbers of roots of the patches of a model, the least and the greatest.
 std::pair<std::uint32_t, std::uint32_t> roots_of(const patch_shapes::Patches& patches) {
   const PatchComplex complex = make_patch_complex(patches).value();

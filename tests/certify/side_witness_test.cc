@@ -69,8 +69,8 @@ TEST(SideWitness, OfThreeSides) {
   EXPECT_EQ(w->same + w->opposite, 3u);
 }
 
-// A patch over a plane curve x(t), y(t), which is its side 3 run downwards: the opposite side lies at z = top. Weights
-// of the curve's control points make it rational; x and y are then the products with them.
+// A patch over a plane curve x(t), y(t), which is its side 3 run downwards: the opposite side lies at z = top. With
+// weights the curve is rational, and x and y hold the products of coordinates and weights.
 Patch strip_over(const std::vector<Rational>& x, const std::vector<Rational>& y, int top = 5,
                  const std::vector<Rational>& weights = {}) {
   std::vector<Rational> c;

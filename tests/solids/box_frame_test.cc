@@ -273,6 +273,25 @@ TEST(BoxFrame, RemembersTheHullsOfTheFrameInUse) {
   EXPECT_GT(num_missed, 50);
 }
 
+TEST(BoxFrame, RemembersNoHullOfADroppedNode) {
+  Random random(60);
+  const PatchComplex complex = both_sides(bent_sheet(FormShape{false, 2, 1}, true, 0, 1, random));
+  PieceForest forest = PieceForest::make(complex, PieceForest::FrameChoice::kWhole).value();
+  const BoxFrame frame = BoxFrame::make(some_rows(random, 1)).value();
+  FrameHulls hulls(forest);
+  hulls.use(frame);
+  const PieceForest::Id quarter = forest.children(forest.root(0));
+  const PieceForest::Id first = forest.children(quarter);
+  const Box3d before = hulls.of(first);
+  forest.drop_children(quarter);
+  ASSERT_EQ(forest.children(quarter + 3), first);
+  const Box3d expected = hull_in_frame(forest, first, frame);
+  ASSERT_NE(expected.lo, before.lo);
+  hulls.use(frame);
+  EXPECT_EQ(hulls.of(first).lo, expected.lo);
+  EXPECT_EQ(hulls.of(first).hi, expected.hi);
+}
+
 // Weights that doubles do not tell from 0 leave the hull unbounded.
 TEST(BoxFrame, KeepsHullsUnboundedWhereWeightsAlmostVanish) {
   const Rational zero, one(1), tiny = Rational::power_of_two(-80);

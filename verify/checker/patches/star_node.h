@@ -72,6 +72,7 @@ int shrink(Block* b);
 // A half along an axis; what follows the points (a common weight) is only scaled.
 Block half_of(const Shape& s, int axis, int half, int numbers, const Block& b);
 // The block of child c: points of `numbers` numbers each, and what follows them (a common weight), all times the same
-// power of two; and those of all four.
+// power of two.
 Block quarter(const Shape& s, int numbers, const Block& b, int c);
+// The blocks of all four children: with less work than one by one.
 void quarters(const Shape& s, int numbers, const Block& b, Block* out);

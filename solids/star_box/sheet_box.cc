@@ -69,9 +69,11 @@ bool find_sheet_pieces(PieceForest& forest, const SheetBox& box, std::size_t mos
                        SheetPieces* pieces) {
   pieces->tested.assign(box.sheets.size(), {});
   pieces->held.clear();
+  pieces->num_visited = 0;
   std::size_t num_tested = 0;
   const Box3d around = box.frame.around(box.box);
   return descend_to(forest, around, 16 * most, [&](Id id) {
+    ++pieces->num_visited;
     const auto hull = hull_that_meets(forest, id, box.frame, box.box);
     if (!hull) return PieceStep::kTaken;  // dropped
     if (is_inside(*hull, box.box)) pieces->held.push_back(id);

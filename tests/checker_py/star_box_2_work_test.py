@@ -17,9 +17,9 @@ class Work(OnAPlate):
         box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2 + [[units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
                    [(3, 64, [1] + [0] * 19), (1, 0, [-1] + [0] * 3)], [[2, 1], [2, 2], [1, 0]])
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, level, bits, s1, first, second in ((1, 0, 21, 1, 1 + (3 * 4 * 9 * 7 ** 2 >> 8), 1),
-                                                       (15, 0, 24, 1 + (2025 * 24 >> 11), 1 + (3 * 256 * 961 * 7 ** 2 >> 8), 1 + (256 * 2 ** 2 >> 8)),
-                                                       (15, 2, 84, 1 + (2025 * 84 >> 11), 1 + (3 * 256 * 961 * 10 ** 2 >> 8), 1 + (256 * 3 ** 2 >> 8))):
+        for degree, level, bits, s1, first, second in ((1, 0, 21, 1, 1 + (3 * 4 * 9 * 7 ** 2 >> 6), 1),
+                                                       (15, 0, 24, 1 + (2025 * 24 >> 11), 1 + (3 * 256 * 961 * 7 ** 2 >> 6), 1 + (256 * 2 ** 2 >> 6)),
+                                                       (15, 2, 84, 1 + (2025 * 84 >> 11), 1 + (3 * 256 * 961 * 10 ** 2 >> 6), 1 + (256 * 3 ** 2 >> 6))):
             prover = Prover2([models2.raised(square, degree)], checked=False)
             read, node, spent = prover.probe(box), prover.forest.roots[0], []
             for _ in range(level):
@@ -41,7 +41,7 @@ class Work(OnAPlate):
         box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2,
                    [(1, 0, [-1, 0, 0, 1])], [[1], [2]])   # x - 1/2
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, quarters in ((1, (1, 1)), (15, (1 + (256 * 30 * 3 >> 9), 1 + (256 * 30 * 3 >> 9)))):
+        for degree, quarters in ((1, (1, 1)), (15, (1 + (256 * 30 * 3 >> 8), 1 + (256 * 30 * 3 >> 8)))):
             prover, spent = Prover2([models2.raised(square, degree)], checked=False), []
             read, node = prover.probe(box), prover.forest.roots[0]
             signs = sheets.Signs(read, spent.append)
@@ -52,12 +52,12 @@ class Work(OnAPlate):
                 self.assertEqual(signs.sheet_of(kid), sheet)
                 self.assertEqual(spent, [expected, work.of_s1(kid), work.of_s1(kid)])
 
-    def test_units_of_work_for_hulls_g_and_pairs(self):
+    def test_units_of_work_for_hulls_curves_g_and_pairs(self):
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, hull, g, products in ((1, 2, 1, 1 + (4 * 9 * 4 >> 6)), (15, 2 + (256 * 30 * 54 >> 12), 1 + (2025 * 30 * 54 >> 12), 1 + (256 * 961 * 4 >> 6))):
+        for degree, hull, g, products in ((1, 2, 2, 1 + (4 * 9 * 4 >> 6)), (15, 2 + (256 * 30 * 54 >> 12), 2 + (2025 * 30 * 54 >> 11), 1 + (256 * 961 * 4 >> 6))):
             node = Prover2([models2.raised(square, degree)], checked=False).forest.roots[0].children()[3]
-            self.assertEqual((work.of_hull(node), work.of_g(node), work.of_products(node.patch), work.of_pair(node.patch, node.patch)),
-                             (hull, g, products, 4))
+            self.assertEqual((work.of_hull(node), work.of_half_curve(node) // 16, work.of_g(node), work.of_products(node.patch), work.of_pair(node.patch, node.patch)),
+                             (hull, hull, g, products, 4))
             node.patch.bits = 200
             self.assertEqual(work.of_pair(node.patch, node.patch), 4 + 9)
             node.patch.roots = [3, 5]

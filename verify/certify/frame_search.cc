@@ -21,7 +21,12 @@ namespace {
 using Id = PieceForest::Id;
 
 constexpr double kRowLength = FrameChoice::kRowLength;
-constexpr std::size_t kMostNear = 192, kMostPieces = 1024, kMostSheets = 8;
+constexpr std::size_t kMostNear = 192, kMostSheets = 8;
+// The most pieces that a proof may test, and a sixteenth of those that it may visit. A box that takes more than a few
+// in each sheet is only used if no other is found: a certificate with such boxes takes long to check. Beside a rim that
+// is not at right angles to its walls, a thin box in the frame of the rim takes thousands of small pieces of the walls,
+// and an oblique one few.
+constexpr std::size_t kFewPieces = 32, kMostPieces = 1024;
 // The conditions of each piece in the first programs for centres.
 constexpr std::size_t kFirstConditions = 8;
 // The least depth of centres, in half sizes of the box.
@@ -67,13 +72,16 @@ Box3d FrameSearch::Region::box() const {
 bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
   if (choices_.empty()) make_choices();
   piece_ = id;
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    const std::size_t number = (first_choice_ + i) % choices_.size();
-    if (!try_piece(id, with_one_sheet_only, choices_[number])) continue;
-    first_choice_ = number;
-    return true;
+  for (most_pieces_ = kFewPieces;; most_pieces_ = kMostPieces) {
+    had_more_pieces_ = false;
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+      const std::size_t number = (first_choice_ + i) % choices_.size();
+      if (!try_piece(id, with_one_sheet_only, choices_[number])) continue;
+      first_choice_ = number;
+      return true;
+    }
+    if (!had_more_pieces_ || most_pieces_ == kMostPieces) return false;
   }
-  return false;
 }
 
 void FrameSearch::make_choices() {
@@ -266,7 +274,11 @@ bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector
   for (std::size_t i = 0; i < sheets.size(); ++i)
     if (!place_centres(region, sheets[i], &box_.sheets.sheets[i])) return false;
   if (sheets.size() > 1 && !separate(sheets, region)) return false;
-  if (!is_sheet_box(forest_, box_.sheets, kMostPieces, &pieces_)) return false;
+  const std::size_t most = std::min(most_pieces_ * sheets.size(), kMostPieces);
+  if (!is_sheet_box(forest_, box_.sheets, most, &pieces_)) {
+    had_more_pieces_ |= pieces_.num_visited > most;
+    return false;
+  }
   hold_near();
   return true;
 }

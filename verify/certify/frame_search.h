@@ -77,6 +77,8 @@ class FrameSearch {
   SheetPieces pieces_;
   std::vector<Id> near_, around_;  // those that the last region meets; that the first region met
   std::vector<HalfSpace> half_spaces_;
+  std::size_t most_pieces_ = 0;   // in each sheet, for a proof
+  bool had_more_pieces_ = false;  // a proof may have ended for that reason
   /// One in Euclid's metric, and one in that of the model's shape if they differ much; the one that succeeded last is
   /// tried first.
   std::vector<FrameChoice> choices_;

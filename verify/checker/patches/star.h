@@ -16,7 +16,7 @@ const int kMostShift = 120;                    // s of a box in a frame; a limit
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
-const uint64_t kFreeUnits = 1 << 20, kUnitsOfByte = 48;                     // of work
+const uint64_t kFreeUnits = 1 << 23, kUnitsOfByte = 40;                     // of work
 
 // A surface or triangle of the model.
 struct Entity {
@@ -71,12 +71,14 @@ struct Patch {
     const Shape two = {shape.is_triangle, 2 * shape.p, 2 * shape.q};
     return 1 + uint64_t(shape.count() * two.count()) * limbs * limbs / 64;
   }
-  // Units of work for a node: its hull; g on it, if the hull does not miss the box; S1 for the centres of a sheet.
+  // Units of work for a node: its hull; a side's curve that is halved; g on the node, if its hull does not miss the
+  // box; S1 for the centres of a sheet.
   uint64_t cost_of_hull(int level) const {
     return 2 + uint64_t(shape.count() * (shape.p + shape.q) * bits_at(level)) / 4096;
   }
+  uint64_t cost_of_half_curve(int level) const { return 16 * cost_of_hull(level); }
   uint64_t cost_of_g(int level) const {
-    return 1 + uint64_t(shape.count_of_g() * (shape.p + shape.q) * bits_at(level)) / 4096;
+    return 2 + uint64_t(shape.count_of_g() * (shape.p + shape.q) * bits_at(level)) / 2048;
   }
   uint64_t cost_of_s1(int level) const {
     return 1 + uint64_t(shape.count_of_g() * bits_at(level)) / 2048;

@@ -77,7 +77,7 @@ struct Descent {
     units.add(p.cost_of_hull(node.level));
     if (box.frame == 0) return node.hull.misses(box);
     return !leads_to(box, frame, node.hull.out_lo, node.hull.out_hi) ||
-           hull_in(frame, box.shift, p, node).misses(box);
+           misses_in(frame, box, p, node);
   }
 };
 

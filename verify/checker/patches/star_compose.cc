@@ -100,7 +100,8 @@ LocalNet local_net(const Patch& p, const Node& node, const int64_t* o) {
     }
   });
   LocalNet r = {p.shape, std::move(b), 0};
-  r.bits = shrink(&r.numbers);
+  shrink(&r.numbers);
+  r.bits = bits_of(r.numbers);
   return r;
 }
 

@@ -92,7 +92,7 @@ struct Counter {
     }
   }
   void halve(const Side& s, const Curve& c, Curve* half) {
-    units.add(s.piece->patch->cost_of_hull(s.piece->node->level));
+    units.add(s.piece->patch->cost_of_half_curve(s.piece->node->level));
     halve(c.x, &half[0].x, &half[1].x);
     halve(c.y, &half[0].y, &half[1].y);
   }

@@ -3,51 +3,68 @@
 #pragma once
 #include "star.h"
 
+// a + b + *carry, where *carry is 0 or 1, and becomes that of the sum.
+inline uint64_t sum_with_carry(uint64_t a, uint64_t b, unsigned char* carry) {
+#ifdef __x86_64__  // one instruction, to which g++ 12 does not turn the lines below
+  unsigned long long sum;
+  *carry = __builtin_ia32_addcarryx_u64(*carry, a, b, &sum);
+  return sum;
+#else
+  const uint64_t first = a + b, sum = first + *carry;
+  *carry = (first < a) | (sum < first);
+  return sum;
+#endif
+}
+#ifdef __clang__  // which unrolls short loops itself
+#define UNROLLED
+#else
+#define UNROLLED _Pragma("GCC unroll 6")
+#endif
+
 // Limbs of a number: N, or, if N is 0, n.
 template <int N>
 struct Limbs {
   static void add(uint64_t* a, const uint64_t* b, int numbers, int n) {
     const int width = N != 0 ? N : n;
     for (int k = 0; k < numbers; ++k, a += width, b += width) {
-      u128 carry = 0;
-      for (int i = 0; i < width; ++i, carry >>= 64) {
-        carry += u128(a[i]) + b[i];
-        a[i] = uint64_t(carry);
-      }
+      unsigned char carry = 0;
+      UNROLLED for (int i = 0; i < width; ++i) a[i] = sum_with_carry(a[i], b[i], &carry);
     }
   }
   static void subtract(uint64_t* a, const uint64_t* b, int numbers, int n) {
     const int width = N != 0 ? N : n;
     for (int k = 0; k < numbers; ++k, a += width, b += width) {
-      u128 carry = 1;
-      for (int i = 0; i < width; ++i, carry >>= 64) {
-        carry += u128(a[i]) + ~b[i];
-        a[i] = uint64_t(carry);
-      }
+      unsigned char carry = 1;
+      UNROLLED for (int i = 0; i < width; ++i) a[i] = sum_with_carry(a[i], ~b[i], &carry);
     }
   }
   static void shift(uint64_t* a, int numbers, int n, int up) {
     const int width = N != 0 ? N : n;
     for (int k = 0; k < numbers && up > 0; ++k, a += width) {
-      for (int i = width - 1; i > 0; --i) a[i] = a[i] << up | a[i - 1] >> (64 - up);
+      UNROLLED for (int i = width - 1; i > 0; --i) a[i] = a[i] << up | a[i - 1] >> (64 - up);
       a[0] <<= up;
     }
   }
 
-  // Half 0 or 1 of a row of p + 1 points, each of `numbers` numbers, `step` limbs apart, times 2^p.
-  static void halve(int half, uint64_t* a, int p, size_t step, int numbers, int n) {
-    for (int s = 1; s <= p && half == 0; ++s)
-      for (int i = p; i >= s; --i) add(a + step * i, a + step * (i - 1), numbers, n);
-    for (int s = 1; s <= p && half == 1; ++s)
-      for (int i = 0; i <= p - s; ++i) add(a + step * i, a + step * (i + 1), numbers, n);
-    for (int i = 0; i <= p; ++i) shift(a + step * i, numbers, n, half == 0 ? p - i : i);
+  // Both halves of a row of p + 1 points at `high`, each of `numbers` numbers, `step` limbs apart, times 2^p: the first
+  // at `low`, the second at `high`.
+  static void halve(uint64_t* low, uint64_t* high, int p, size_t step, int numbers, int n) {
+    const size_t point = size_t(numbers) * size_t(N != 0 ? N : n);
+    for (int s = 0; s <= p; ++s) {
+      std::copy(high, high + point, low + step * size_t(s));
+      shift(low + step * size_t(s), numbers, n, p - s);
+      for (int i = 0; i < p - s; ++i)
+        add(high + step * size_t(i), high + step * size_t(i + 1), numbers, n);
+    }
+    for (int i = 1; i <= p; ++i) shift(high + step * size_t(i), numbers, n, i);
   }
-  static void halve_all(int half, const Shape& s, int axis, int numbers, int n, uint64_t* a) {
+  static void halve_all(const Shape& s, int axis, int numbers, int n, uint64_t* low, uint64_t* high) {
     const size_t point = size_t(numbers) * size_t(n);
     const size_t step = point * size_t(axis == 0 ? s.q + 1 : 1);
-    for (int k = 0; k <= (axis == 0 ? s.q : s.p); ++k)
-      halve(half, a + point * size_t(axis == 0 ? s.at(0, k) : s.at(k, 0)), axis == 0 ? s.p : s.q,
-            step, numbers, n);
+    for (int k = 0; k <= (axis == 0 ? s.q : s.p); ++k) {
+      const size_t row = point * size_t(axis == 0 ? s.at(0, k) : s.at(k, 0));
+      halve(low + row, high + row, axis == 0 ? s.p : s.q, step, numbers, n);
+    }
   }
 
   // Replaces the corner `to` of a triangle's net by its midpoint with the corner `from`; points of

@@ -16,6 +16,7 @@ i128 shifted(i128 q, int shift, bool* exact) {
 }
 // floor(x / (w 2^shift)), limited to +-kFarthest; w > 0, 0 <= shift <= kMostShift.
 int64_t floor_ratio(const uint64_t* x, const uint64_t* w, int n, int shift, bool* exact) {
+  while (n > 2 && x[n - 1] == 0 - (x[n - 2] >> 63) && w[n - 1] == 0 && w[n - 2] >> 63 == 0) --n;
   if (n == 1) {
     const int64_t a = int64_t(*x), d = int64_t(*w), q = a / d - (a % d < 0);
     *exact = a % d == 0;
@@ -40,60 +41,66 @@ bool is_less(const uint64_t* a, const uint64_t* b, int n) {
     if (a[i] != b[i]) return a[i] < b[i];
   return false;
 }
-// The hull of a node with this net, in units 2^shift times those of the net.
-Hull hull_of(const Patch& p, const Block& net, int shift) {
-  Hull h;
+// Extent k of the hull of a node with this net, in units 2^shift times those of the net.
+void set_extent(int k, const Patch& p, const Block& net, int shift, Hull* h) {
   const int n = net.n, count = p.shape.count();
   const size_t step = p.is_rational ? 4 : 3;
-  for (int k = 0; k < 3; ++k) {
-    const auto coordinate = [&](int i) { return net.number(step * size_t(i) + size_t(k)); };
-    h.out_lo[k] = h.in_lo[k] = kFarthest;
-    h.out_hi[k] = h.in_hi[k] = -kFarthest;
-    int least = 0, most = 0;
-    for (int i = 1; i < count && !p.is_rational; ++i) {
-      if (is_less(coordinate(i), coordinate(least), n)) least = i;
-      if (is_less(coordinate(most), coordinate(i), n)) most = i;
-    }
-    for (int i = 0; i < count; ++i) {
-      if (!p.is_rational && i != least && i != most) continue;
-      bool exact;
-      const uint64_t* const weight =
-          net.number(p.is_rational ? 4 * size_t(i) + 3 : 3 * size_t(count));
-      const int64_t low = floor_ratio(coordinate(i), weight, n, shift, &exact);
-      const int64_t high = exact ? low : std::min(low + 1, kFarthest);
-      h.out_lo[k] = std::min(h.out_lo[k], low);
-      h.in_lo[k] = std::min(h.in_lo[k], high);
-      h.in_hi[k] = std::max(h.in_hi[k], low);
-      h.out_hi[k] = std::max(h.out_hi[k], high);
-    }
+  const auto coordinate = [&](int i) { return net.number(step * size_t(i) + size_t(k)); };
+  h->out_lo[k] = h->in_lo[k] = kFarthest;
+  h->out_hi[k] = h->in_hi[k] = -kFarthest;
+  int least = 0, most = 0;
+  for (int i = 1; i < count && !p.is_rational; ++i) {
+    if (is_less(coordinate(i), coordinate(least), n)) least = i;
+    if (is_less(coordinate(most), coordinate(i), n)) most = i;
   }
+  for (int i = 0; i < count; ++i) {
+    if (!p.is_rational && i != least && i != most) continue;
+    bool exact;
+    const uint64_t* const weight = net.number(p.is_rational ? 4 * size_t(i) + 3 : 3 * size_t(count));
+    const int64_t low = floor_ratio(coordinate(i), weight, n, shift, &exact);
+    const int64_t high = exact ? low : std::min(low + 1, kFarthest);
+    h->out_lo[k] = std::min(h->out_lo[k], low);
+    h->in_lo[k] = std::min(h->in_lo[k], high);
+    h->in_hi[k] = std::max(h->in_hi[k], low);
+    h->out_hi[k] = std::max(h->out_hi[k], high);
+  }
+}
+Hull hull_of(const Patch& p, const Block& net) {
+  Hull h;
+  for (int k = 0; k < 3; ++k) set_extent(k, p, net, 0, &h);
   return h;
 }
 
-// A net whose points are A times those of a net, with their weights. Sums of three products with entries below 2^31
-// need 33 bits more, so one more limb holds them.
-Block mapped(const Patch& p, const Block& net, const Frame& frame) {
+// Coordinate `row` of A times the points of a net, in *to, which has one limb more. Sums of three products with entries
+// below 2^31 need 33 bits more.
+void map_row(const Patch& p, const Block& net, const Frame& frame, size_t row, Block* to) {
   const int n = net.n;
   const size_t step = p.is_rational ? 4 : 3;
-  Block r = widened(net, n + 1);
-  for (size_t i = 0; i < size_t(p.shape.count()); ++i)
-    for (size_t row = 0; row < 3; ++row) {
-      const uint64_t* const from = net.number(step * i);
-      uint64_t* const to = &r.d[(step * i + row) * size_t(n + 1)];
-      i128 carry = 0;
-      for (int limb = 0; limb < n; ++limb) {
-        for (int k = 0; k < 3; ++k) {
-          const uint64_t x = from[k * n + limb];
-          carry += (limb + 1 == n ? i128(int64_t(x)) : i128(x)) * frame.a[row][k];
-        }
-        to[limb] = uint64_t(carry);
-        carry >>= 64;
+  for (size_t i = 0; i < size_t(p.shape.count()); ++i) {
+    const uint64_t* const from = net.number(step * i);
+    uint64_t* const out = &to->d[(step * i + row) * size_t(n + 1)];
+    i128 carry = 0;
+    for (int limb = 0; limb < n; ++limb) {
+      for (int k = 0; k < 3; ++k) {
+        const uint64_t x = from[k * n + limb];
+        carry += (limb + 1 == n ? i128(int64_t(x)) : i128(x)) * frame.a[row][k];
       }
-      to[n] = uint64_t(carry);
+      out[limb] = uint64_t(carry);
+      carry >>= 64;
     }
-  int twos;
-  const int need = bits_of(r, &twos) / 64 + 1;
-  return need < r.n ? widened(r, need) : r;
+    out[n] = uint64_t(carry);
+  }
+}
+// Sets the extents of the hull in a frame, one after the other, until is_enough(k).
+template <class IsEnough>
+void set_hull(const Frame& frame, int shift, const Patch& p, const Node& node, Hull* h, IsEnough is_enough) {
+  static thread_local Block image;  // kept, so that little memory is asked for
+  widen(node.net, node.net.n + 1, &image);
+  for (int k = 0; k < 3; ++k) {
+    map_row(p, node.net, frame, size_t(k), &image);
+    set_extent(k, p, image, shift, h);
+    if (is_enough(k)) return;
+  }
 }
 
 }  // namespace
@@ -109,7 +116,15 @@ bool Node::is_outer(const Patch& p, int e) const {
 }
 
 Hull hull_in(const Frame& frame, int shift, const Patch& p, const Node& node) {
-  return hull_of(p, mapped(p, node.net, frame), shift);
+  Hull h;
+  set_hull(frame, shift, p, node, &h, [](int) { return false; });
+  return h;
+}
+bool misses_in(const Frame& frame, const Bounds& b, const Patch& p, const Node& node) {
+  Hull h;
+  bool is_apart = false;
+  set_hull(frame, b.shift, p, node, &h, [&](int k) { return is_apart = h.misses(b, k); });
+  return is_apart;
 }
 std::vector<Big> coefficients(const Patch& p, const Node& node, int k) {
   std::vector<Big> r;
@@ -132,10 +147,8 @@ Index index_of(const Patch& p, uint64_t root) {
 Block on_root(const Patch& p, uint64_t root, const Shape& s, int numbers, Block b) {
   const Index ij = index_of(p, root);
   for (int axis = 0; axis < 2; ++axis)
-    for (int bit = p.roots[axis]; bit-- > 0;) {
+    for (int bit = p.roots[axis]; bit-- > 0;)
       b = half_of(s, axis, int(ij.at[axis] >> bit & 1), numbers, b);
-      shrink(&b);
-    }
   return b;
 }
 
@@ -154,7 +167,7 @@ Node make_root(const Patch& p, uint64_t root) {
         r.at[c][axis] =
             (ij.at[axis] + int((axis == 0 ? c + 1 : c) % 4 >= 2)) * (kWholeSide >> p.roots[axis]);
   }
-  r.hull = hull_of(p, r.net, 0);
+  r.hull = hull_of(p, r.net);
   return r;
 }
 
@@ -176,6 +189,6 @@ void make_children(const Patch& p, Node* node) {
             (own < p.shape.sides() ? a[i][k] + a[own][k] : a[(i + 1) % 3][k] + a[(i + 2) % 3][k]) /
             2;
       }
-    to.hull = hull_of(p, to.net, 0);
+    to.hull = hull_of(p, to.net);
   }
 }

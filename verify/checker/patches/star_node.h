@@ -10,7 +10,8 @@
 #include "star.h"
 
 struct Block {
-  int n = 0;  // limbs of a number
+  int n = 0;      // limbs of a number
+  int bits = -1;  // of the largest magnitude, where they have been counted
   std::vector<uint64_t> d;
   const uint64_t* number(size_t i) const { return &d[i * size_t(n)]; }
 };
@@ -19,11 +20,9 @@ struct Block {
 // ones are cut at +-kFarthest.
 struct Hull {
   int64_t out_lo[3], out_hi[3], in_lo[3], in_hi[3];
-  bool misses(const Bounds& b) const {  // exact, as the box has integers and is nearer
-    for (int k = 0; k < 3; ++k)
-      if (in_hi[k] < b.lo[k] || in_lo[k] > b.hi[k]) return true;
-    return false;
-  }
+  // Along axis k. Exact, as the box has integers and is nearer.
+  bool misses(const Bounds& b, int k) const { return in_hi[k] < b.lo[k] || in_lo[k] > b.hi[k]; }
+  bool misses(const Bounds& b) const { return misses(b, 0) || misses(b, 1) || misses(b, 2); }
   bool is_inside(const Bounds& b) const {
     for (int k = 0; k < 3; ++k)
       if (out_lo[k] < b.lo[k] || out_hi[k] > b.hi[k]) return false;
@@ -60,16 +59,16 @@ Block make_g(const Patch& p);  // on the whole patch
 Block on_root(const Patch& p, uint64_t root, const Shape& s, int numbers, Block b);  // the root's part of a block
 void make_children_g(const Patch& p, Node* node);  // REQUIRES the node's g, and children
 Hull hull_in(const Frame& frame, int shift, const Patch& p, const Node& node);  // in units 2^(E + shift)
+// Whether the node's hull in the box's frame misses the box.
+bool misses_in(const Frame& frame, const Bounds& b, const Patch& p, const Node& node);
 std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (X, Y, Z, W)[k]
 
 Block packed(const std::vector<Big>& numbers);
-Block widened(const Block& b, int n);  // all numbers with n limbs
-// The number of bits of the largest magnitude, and how often 2 divides all numbers.
-int bits_of(const Block& b, int* twos);
-// Divides by the greatest common power of two; as few limbs as possible. The result is the number of bits of the
-// longest number.
-int shrink(Block* b);
-// A half along an axis; what follows the points (a common weight) is only scaled.
+void widen(const Block& b, int n, Block* to);  // all numbers with n limbs
+int bits_of(const Block& b);           // of the largest magnitude
+void shrink(Block* b);  // divides by the greatest common power of two; as few limbs as possible
+// A half along an axis, divided by the greatest common power of two; what follows the points (a common weight) is only
+// scaled.
 Block half_of(const Shape& s, int axis, int half, int numbers, const Block& b);
 // The block of child c: points of `numbers` numbers each, and what follows them (a common weight), all times the same
 // power of two.

@@ -2,6 +2,7 @@
 // star_ring.h: polynomials over integers of n limbs. Sums and products are right modulo 2^(64 n), so a result is right
 // if it fits into n limbs with its sign, even if sums before it do not.
 #pragma once
+#include "star_limbs.h"
 #include "star_node.h"
 
 __extension__ typedef __int128 i128;
@@ -18,21 +19,22 @@ struct Ring {
   int n;
 
   int width() const { return N != 0 ? N : n; }
+  // Adds x times the lowest limbs of b to those of `to`.
+  static void add_row(uint64_t* to, uint64_t x, const uint64_t* b, int limbs) {
+    uint64_t carry = 0;
+    for (int i = 0; i < limbs; ++i) {
+      const u128 sum = u128(x) * b[i] + to[i] + carry;
+      to[i] = uint64_t(sum);
+      carry = uint64_t(sum >> 64);
+    }
+  }
   // REQUIRES that all limbs of a from `few` on are equal, and that a is negative iff limb few - 1 has its highest bit.
   void add_product(uint64_t* to, const uint64_t* a, const uint64_t* b, int few) const {
-    for (int i = 0; i < few; ++i) {
-      u128 carry = 0;
-      for (int j = 0; i + j < width(); ++j, carry >>= 64) {
-        carry += u128(a[i]) * b[j] + to[i + j];
-        to[i + j] = uint64_t(carry);
-      }
-    }
+    const int w = width();
+    for (int i = 0; i < few; ++i) add_row(to + i, a[i], b, w - i);
     if (a[few - 1] >> 63 == 0) return;
-    u128 carry = 1;  // minus b 2^(64 few)
-    for (int j = 0; few + j < width(); ++j, carry >>= 64) {
-      carry += u128(to[few + j]) + ~b[j];
-      to[few + j] = uint64_t(carry);
-    }
+    unsigned char carry = 1;  // minus b 2^(64 few)
+    for (int j = 0; few + j < width(); ++j) to[few + j] = sum_with_carry(to[few + j], ~b[j], &carry);
   }
   // REQUIRES |f| < 2^63: then sums stay below 2^127, and what is carried below 2^63, in absolute value.
   void add_multiple(uint64_t* to, const uint64_t* a, int64_t f) const {

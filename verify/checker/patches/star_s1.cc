@@ -9,40 +9,49 @@ namespace {
 
 __extension__ typedef __int128 i128;
 
-// The sign of g_c = G0 + c.G. Products are below 2^125 in absolute value, three of them and the carry below 2^127.
-template <int N>
-inline int sign_of(const uint64_t* g, const int64_t* c, int n) {
-  const int width = N != 0 ? N : n;
-  i128 carry = 0;
-  uint64_t any = 0;
-  for (int i = 0; i < width; ++i) {
-    const bool top = i + 1 == width;
-    i128 t[4];
-    for (int k = 0; k < 4; ++k)
-      t[k] = top ? i128(int64_t(g[k * width + i])) : i128(g[k * width + i]);
-    carry += t[0] + t[1] * c[0] + t[2] * c[1] + t[3] * c[2];
-    if (top) break;
-    any |= uint64_t(carry);
-    carry >>= 64;
+// The signs of g_c = G0 + c.G on a node.
+class SignsOfG {
+ public:
+  SignsOfG(const Block& g, const int64_t* c)
+      : g_(g), c_(c), drop_(std::max(0, bits_of(g) - 63)), length_(0) {
+    for (int k = 0; k < 3; ++k) length_ += c[k] < 0 ? -i128(c[k]) : i128(c[k]);
   }
-  return carry < 0 ? -1 : (carry != 0 || any != 0) ? 1 : 0;
-}
-// Whether the signs at c- and c+ are sgn and -sgn.
-template <int N>
-inline bool are_opposite(const uint64_t* g, const Sheet& sheet, int sgn, int n) {
-  return sign_of<N>(g, sheet.c[0], n) == sgn && sign_of<N>(g, sheet.c[1], n) == -sgn;
-}
-bool signs(const uint64_t* g, const Sheet& sheet, int sgn, int n) {
-  switch (n) {
-    case 1: return are_opposite<1>(g, sheet, sgn, n);
-    case 2: return are_opposite<2>(g, sheet, sgn, n);
-    case 3: return are_opposite<3>(g, sheet, sgn, n);
-    case 4: return are_opposite<4>(g, sheet, sgn, n);
-    case 5: return are_opposite<5>(g, sheet, sgn, n);
-    case 6: return are_opposite<6>(g, sheet, sgn, n);
-    default: return are_opposite<0>(g, sheet, sgn, n);
+  // In most cases the highest 64 bits decide: they are G / 2^drop less e, 0 <= e < 1, where e = 0 if drop is 0.
+  int sign(size_t i) const {
+    const uint64_t* const g = g_.number(4 * i);
+    i128 top = high(g);
+    for (int k = 0; k < 3; ++k) top += i128(high(g + (k + 1) * g_.n)) * c_[k];
+    if (drop_ == 0) return top < 0 ? -1 : top > 0;
+    return top > length_ ? 1 : top < -length_ - 1 ? -1 : exact_sign(g);
   }
-}
+
+ private:
+  int64_t high(const uint64_t* a) const {
+    a += drop_ / 64;
+    const int low = drop_ % 64;
+    return int64_t(low == 0 ? a[0] : a[0] >> low | a[1] << (64 - low));
+  }
+  // Products are below 2^125 in absolute value, three of them and the carry below 2^127.
+  int exact_sign(const uint64_t* g) const {
+    i128 carry = 0;
+    uint64_t any = 0;
+    for (int i = 0; i < g_.n; ++i) {
+      any |= uint64_t(carry);
+      carry >>= 64;
+      const bool is_last = i + 1 == g_.n;
+      for (int k = 0; k < 4; ++k) {
+        const uint64_t x = g[k * g_.n + i];
+        carry += (is_last ? i128(int64_t(x)) : i128(x)) * (k == 0 ? 1 : c_[k - 1]);
+      }
+    }
+    return carry < 0 ? -1 : (carry != 0 || any != 0) ? 1 : 0;
+  }
+
+  const Block& g_;
+  const int64_t* const c_;
+  const int drop_;
+  i128 length_;  // |c|
+};
 
 bool is_pole(const Patch& p, const Node& node, int e) {
   return p.is_collapsed(e) && node.is_outer(p, e);
@@ -56,8 +65,9 @@ bool is_double_pole(const Patch& p, const Node& node) {
 }
 
 bool holds_strictly(const Patch& p, Node* node, const Sheet& sheet) {
-  const int sgn = p.is_reversed ? -1 : 1, n = node->g.n;
+  const int sgn = p.is_reversed ? -1 : 1;
   const Shape s = shape_of_g(p);
+  const SignsOfG inner(node->g, sheet.c[0]), outer(node->g, sheet.c[1]);
   std::vector<bool> left_out;
   for (int e = 0; e < s.sides(); ++e) {
     if (!is_pole(p, *node, e)) continue;
@@ -66,7 +76,7 @@ bool holds_strictly(const Patch& p, Node* node, const Sheet& sheet) {
   }
   const auto holds = [&](uint32_t i) {
     if (!left_out.empty() && left_out[i]) return true;
-    return signs(node->g.number(4 * i), sheet, sgn, n);
+    return inner.sign(i) == sgn && outer.sign(i) == -sgn;
   };
   if (!holds(node->last_fail)) return false;
   for (uint32_t i = 0; i < uint32_t(s.count()); ++i)
@@ -123,9 +133,8 @@ bool zeros_are_allowed(const Patch& p, const Node& node, const Shape& s,
 // Conditions 1 to 3 for one centre.
 bool holds_weakly(const Patch& p, Node* node, const int64_t* c, int sgn) {
   const Shape s = shape_of_g(p);
-  const auto sign = [&](uint32_t i) {
-    return sgn * sign_of<0>(node->g.number(4 * i), c, node->g.n);
-  };
+  const SignsOfG signs(node->g, c);
+  const auto sign = [&](uint32_t i) { return sgn * signs.sign(i); };
   if (sign(node->last_fail) < 0) return false;
   std::vector<bool> is_zero(size_t(s.count()));
   bool any_zero = false;

@@ -15,12 +15,12 @@ uint64_t limbs_of(const Separator& q, const Patch& p, int level) {
 uint64_t cost_of_products(const Separator& q, const Patch& p, int level) {
   const uint64_t limbs = limbs_of(q, p, level);
   const uint64_t products = count_of(p, 1) * count_of(p, q.degree - 1);
-  return 1 + uint64_t(q.degree) * products * limbs * limbs / 256;
+  return 1 + uint64_t(q.degree) * products * limbs * limbs / 64;
 }
 // The quarter of its coefficients that belongs to a child of a node that has them.
 uint64_t cost_of_quarter(const Separator& q, const Patch& p, int level) {
   const Shape s = composed_shape(p, q.degree);
-  return 1 + uint64_t(s.count()) * uint64_t(s.p + s.q) * limbs_of(q, p, level) / 512;
+  return 1 + uint64_t(s.count()) * uint64_t(s.p + s.q) * limbs_of(q, p, level) / 256;
 }
 
 }  // namespace

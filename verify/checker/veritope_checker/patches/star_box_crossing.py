@@ -35,7 +35,7 @@ class Crossing:
             if (direction < 0) == is_first:
                 a, b, curve = FULL - b, FULL - a, [c[::-1] for c in curve]
             direction = 1 if is_first else -1
-        self.lines.setdefault(line, []).append((a, b, direction, curve, work_of.of_hull(node)))
+        self.lines.setdefault(line, []).append((a, b, direction, curve, work_of.of_half_curve(node)))
 
     def project(self, points):
         k, d, c = self.k, self.d, self.box.c[0]

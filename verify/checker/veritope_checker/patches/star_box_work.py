@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Units of work (the ends of section 6 of star-box.md and star-box-2.md)."""
-FREE_UNITS, UNITS_OF_BYTE = 1 << 20, 48
+FREE_UNITS, UNITS_OF_BYTE = 1 << 23, 40
 NODES_OF_UNIT = 32                      # of the hierarchy over the roots
 
 def allowed(num_bytes):
@@ -19,8 +19,11 @@ def count(patch, times):
 def of_hull(node):
     return 2 + (count(node.patch, 1) * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
 
+def of_half_curve(node):
+    return 16 * of_hull(node)
+
 def of_g(node):
-    return 1 + (node.patch.num_g * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
+    return 2 + (node.patch.num_g * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 11)
 
 def of_s1(node):
     return 1 + (node.patch.num_g * bits_at(node.patch, node.level) >> 11)
@@ -31,12 +34,12 @@ def of_products(patch):
 
 def of_composition(separator, node):
     d, patch = separator.degree, node.patch
-    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs(separator, node) ** 2 >> 8)
+    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs(separator, node) ** 2 >> 6)
 
 def of_quarter(separator, node):
     """The composition on the node from that on its parent."""
     d, patch = separator.degree, node.patch
-    return 1 + (count(patch, d) * d * sum(patch.both_degrees) * limbs(separator, node) >> 9)
+    return 1 + (count(patch, d) * d * sum(patch.both_degrees) * limbs(separator, node) >> 8)
 
 def limbs(separator, node):
     return 2 + separator.degree * (bits_at(node.patch, node.level) + separator.length) // 64

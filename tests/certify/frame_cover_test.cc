@@ -149,6 +149,16 @@ TEST(FrameCover, HasHardlyOtherBoxesWhenNodesAreDropped) {
                 boxes, 0.01 * boxes);
   }
 }
+// One test of a box makes so many nodes that no others have room. They are dropped, and the search goes on.
+TEST(FrameCover, OfATubeIsFoundWithFewNodes) {
+  MemoryBudget budget(std::uint64_t{50} << 20);
+  FileDecisionOptions little;
+  little.search.budget = &budget;
+  const Family& family = family_of("tube");
+  EXPECT_LE(expect_certified(family, family.make(gap_of(3), Walls::kApart), "tube in 50 MiB", little),
+            3000);
+  EXPECT_LE(budget.most(), budget.limit());
+}
 TEST(FrameCover, OfPlatesDoesNotGrowAsTheyGetThinner) {
   expect_bounded("plate", {2, 3, 4, 5, 6}, 2, 100);
   expect_bounded("plate-turned", {2, 3, 4, 5, 6, 10}, 2, 100);

@@ -74,13 +74,15 @@ TEST(Limits, NothingStaysCharged) {
   }
 }
 
-// Less memory never changes a verdict to another one: it is UNDECIDED or the same.
+// Less memory never changes a verdict to another one: it is UNDECIDED or the same. A search may fail under a limit and
+// pass under a lower one, as it drops its nodes at another time.
 TEST(Limits, AreNeverAnsweredByAnotherVerdict) {
   const std::uint64_t need = least_memory_of_decision();
   for (std::uint64_t bytes = 1; bytes < 2 * need; bytes += need / 13) {
     const Decided one(bytes);
     EXPECT_FALSE(one.decision.refutation) << bytes;
-    EXPECT_EQ(one.decision.is_valid, bytes >= need) << bytes;
+    EXPECT_TRUE(one.decision.is_valid || bytes < need) << bytes;
+    EXPECT_TRUE(one.decision.is_valid || one.code() == open_code::kMemory) << bytes;
   }
 }
 

@@ -44,6 +44,7 @@ class CoverSearch {
       const Open next = open_.top();
       open_.pop();
       if (!is_covered(next.id)) cover(next);
+      if (lacks_memory(next.id)) try_again_with_fewer_nodes(next);
       const std::size_t nodes = forest_.num_nodes() - forest_.num_dropped();
       if (nodes > most_nodes_ && out_.is_complete()) drop_nodes();  // an obstacle names nodes
     }
@@ -135,6 +136,21 @@ class CoverSearch {
     for (std::uint32_t r = 0; r < forest_.num_roots(); ++r) drop_below(forest_.root(r), is_open);
     while (2 * (forest_.num_nodes() - forest_.num_dropped()) > most_nodes_) most_nodes_ *= 2;
   }
+  bool lacks_memory(Id id) const {
+    return forest_.is_out_of_memory() && out_.uncovered.size() == 1 &&
+           out_.uncovered[0].piece == id && out_.uncovered[0].why == Why::kMemory;
+  }
+  // Nodes that only tests needed may have taken all of the memory: if half of them can be dropped, each piece is tried
+  // twice.
+  void try_again_with_fewer_nodes(const Open& open) {
+    if (open.id == tried_again_) return;
+    tried_again_ = open.id;
+    open_.push(open);  // so that its node stays
+    drop_nodes();
+    if (2 * forest_.num_dropped() < forest_.num_nodes()) return;
+    out_.uncovered.clear();
+    forest_.budget()->forgive();
+  }
   // Returns whether the node must stay.
   bool drop_below(Id id, const std::vector<bool>& is_open) {
     const bool has_box = box_of(id) != StarCover::kNone;
@@ -216,6 +232,7 @@ class CoverSearch {
   std::priority_queue<Open> open_;
   std::uint64_t next_number_ = 0;
   std::size_t most_nodes_ = options_.most_nodes;
+  Id tried_again_ = PieceForest::kNone;
 };
 
 }  // namespace

@@ -65,8 +65,8 @@ std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (
 
 Block packed(const std::vector<Big>& numbers);
 void widen(const Block& b, int n, Block* to);  // all numbers with n limbs
-int bits_of(const Block& b);           // of the largest magnitude
-void shrink(Block* b);  // divides by the greatest common power of two; as few limbs as possible
+int bits_of(const Block& b);                   // of the largest magnitude
+void shrink(Block* b);                         // divides by the greatest common power of two; as few limbs as possible
 // A half along an axis, divided by the greatest common power of two; what follows the points (a common weight) is only
 // scaled.
 Block half_of(const Shape& s, int axis, int half, int numbers, const Block& b);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "bench/random_surfaces.h"
 #include "interval/intersect/surface_intersection.h"
 #include "interval/numeric.h"
@@ -93,8 +93,7 @@ void measure(int n, int seeds) {
 
 int main(int argc, char** argv) {
   int seeds = 40;
-  for (int i = 1; i + 1 < argc; i += 2)
-    if (std::strcmp(argv[i], "--seeds") == 0) seeds = std::atoi(argv[i + 1]);
+  bench::read_arguments(argc, argv, {{"--seeds", &seeds}});
   for (const int n : {6, 10, 16}) measure(n, seeds);
   return 0;
 }

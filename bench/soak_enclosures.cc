@@ -10,11 +10,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "bench/stopwatch.h"
 #include "interval/enclosure/surface_enclosure.h"
 #include "tests/interval/exact_jets.h"
@@ -344,10 +344,7 @@ bool print_orders(Random& random) {
 
 int main(int argc, char** argv) {
   std::uint64_t trials = 100000, seed = 1;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--trials") == 0) trials = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
-  }
+  bench::read_arguments(argc, argv, {{"--trials", &trials}, {"--seed", &seed}});
   Random random(seed);
   const bool are_good = print_orders(random);
   std::fflush(stdout);

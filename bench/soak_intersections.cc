@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "bench/random_surfaces.h"
 #include "interval/intersect/surface_intersection.h"
 #include "interval/numeric.h"
@@ -189,10 +189,7 @@ std::size_t bumps(double h, int count) {
 
 int main(int argc, char** argv) {
   int seeds = 40, num_bumps = 20;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--seeds") == 0) seeds = std::atoi(argv[i + 1]);
-    if (std::strcmp(argv[i], "--bumps") == 0) num_bumps = std::atoi(argv[i + 1]);
-  }
+  bench::read_arguments(argc, argv, {{"--seeds", &seeds}, {"--bumps", &num_bumps}});
   std::size_t bad = 0;
   for (double h = 0.1; h > 0.5e-12; h /= 10) bad += bumps(h, num_bumps);
   for (const int n : {6, 10, 16}) bad += random_pairs(n, seeds);

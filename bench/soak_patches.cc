@@ -7,11 +7,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "io/splines/patch_model.h"
 #include "solids/polyhedron/validity.h"
 #include "splines/de_casteljau.h"
@@ -191,12 +191,10 @@ int main(int argc, char** argv) {
   std::size_t count = 1500, unknown = 500;
   std::uint64_t seed = 1;
   std::string only;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--count") == 0) count = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--unknown") == 0) unknown = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--only") == 0) only = argv[i + 1];
-  }
+  bench::read_arguments(argc, argv, {{"--count", &count},
+                                     {"--unknown", &unknown},
+                                     {"--seed", &seed},
+                                     {"--only", &only}});
   const auto wanted = [&](const char* kind) { return only.empty() || only == kind; };
   std::size_t wrong = 0;
   const auto one = [&](const char* kind, Make make, std::size_t how_many, bool is_embedded,

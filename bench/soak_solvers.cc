@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
+#include "bench/arguments.h"
 #include "tests/interval/known_systems.h"
 
 namespace {
@@ -81,10 +81,7 @@ Rational tenth_to(int n) {
 int main(int argc, char** argv) {
   int systems = 60;
   std::uint64_t seed = 1;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--systems") == 0) systems = std::atoi(argv[i + 1]);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
-  }
+  bench::read_arguments(argc, argv, {{"--systems", &systems}, {"--seed", &seed}});
   const struct {
     const char* name;
     Recipe recipe;

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "models/patch_shapes.h"
 #include "robust/base/random.h"
 #include "solids/patches/patch_transform.h"
@@ -117,11 +117,8 @@ void print(const char* name, const Tally& t, const char* goal) {
 int main(int argc, char** argv) {
   int rounds = 2, num_planted = 0;
   std::uint64_t seed = 1;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::atoi(argv[i + 1]);
-    if (std::strcmp(argv[i], "--planted") == 0) num_planted = std::atoi(argv[i + 1]);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
-  }
+  bench::read_arguments(argc, argv,
+                        {{"--rounds", &rounds}, {"--planted", &num_planted}, {"--seed", &seed}});
   Tally sound, crossing, touching, two, one;
   for (int round = 0; round < rounds; ++round)
     for (const Description& d : descriptions()) {

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <string>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "models/patch_shapes.h"
 #include "models/thin_shapes.h"
 #include "robust/base/random.h"
@@ -191,13 +191,11 @@ int main(int argc, char** argv) {
   std::size_t count = 2000, models = 500, maps = 20;
   std::uint64_t seed = 1;
   std::string only;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--count") == 0) count = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--models") == 0) models = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--maps") == 0) maps = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--only") == 0) only = argv[i + 1];
-  }
+  bench::read_arguments(argc, argv, {{"--count", &count},
+                                     {"--models", &models},
+                                     {"--maps", &maps},
+                                     {"--seed", &seed},
+                                     {"--only", &only}});
   const auto is_wanted = [&](const char* kind) { return only.empty() || only == kind; };
   std::size_t wrong = 0;
   const auto one = [&](const char* kind, Walls walls, const char* goal) {

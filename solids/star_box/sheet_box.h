@@ -31,7 +31,7 @@ struct SheetPieces {
   std::vector<std::vector<PieceForest::Id>> tested;  ///< sheet by sheet
   std::vector<PieceForest::Id>
       held;  ///< visited pieces whose hulls lie in the box, parents before their children
-  std::size_t num_visited = 0;
+  std::size_t num_visited = 0;  ///< how many pieces the descent looked at
 };
 
 /// T: descends to the pieces that meet the box and belong to one of its sheets (S1 for its centres, S3 for its

@@ -140,8 +140,8 @@ class CoverSearch {
     return forest_.is_out_of_memory() && out_.uncovered.size() == 1 &&
            out_.uncovered[0].piece == id && out_.uncovered[0].why == Why::kMemory;
   }
-  // Nodes that only tests needed may have taken all of the memory: if half of them can be dropped, each piece is tried
-  // twice.
+  // Nodes that only tests needed may have taken all of the memory. If half of all nodes can be dropped, the piece is
+  // tried once more.
   void try_again_with_fewer_nodes(const Open& open) {
     if (open.id == tried_again_) return;
     tried_again_ = open.id;

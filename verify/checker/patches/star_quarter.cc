@@ -35,7 +35,7 @@ Block shrunk(const Block& b) {
 
 void widen(const Block& b, int n, Block* to) {
   to->n = n;
-  to->bits = b.bits;
+  to->bits = -1;  // who widens numbers changes them
   to->d.resize(b.d.size() / size_t(b.n) * size_t(n));
   const int same = std::min(n, b.n);
   uint64_t* out = to->d.data();
@@ -74,7 +74,6 @@ namespace {
 void halve(const Shape& s, int axis, int numbers, Block* low, Block* high) {
   const int n = high->n, p = axis == 0 ? s.p : s.q;
   low->n = n;
-  low->bits = high->bits = -1;
   low->d.resize(high->d.size());
   WITH_LIMBS(n, halve_all(s, axis, numbers, n, low->d.data(), high->d.data()))
   for (size_t k = size_t(s.count()) * size_t(numbers) * size_t(n); k < high->d.size(); k += size_t(n)) {
@@ -99,7 +98,6 @@ Block corner_of(const Shape& s, int numbers, const Block& b, int c) {
   const int n = (bits_of(b) + s.p) / 64 + 1;
   Block r;
   widen(b, n, &r);
-  r.bits = -1;
   WITH_LIMBS(n, corner(s, c, r.d.data(), numbers, n))
   for (size_t k = size_t(s.count()) * size_t(numbers) * size_t(n); k < r.d.size(); k += size_t(n))
     Limbs<0>::shift(&r.d[k], 1, n, s.p);

@@ -9,10 +9,11 @@ import star_box_2_flat_test as flat
 import star_box_2_sheets_test as sheets
 import star_box_2_test as sound
 import star_box_2_turned_test as turned
+import star_box_long_test as long
 
 judges.judge(sound.vc)
 SoundModels, Hostile, Body, Leaves = sound.SoundModels, sound.Hostile, body.Body, body.Leaves
-Sheets, Walks, FlatPatches, Turned = sheets.Sheets, sheets.Walks, flat.FlatPatches, turned.Turned
+Sheets, Walks, FlatPatches, Turned, LongNumbers = sheets.Sheets, sheets.Walks, flat.FlatPatches, turned.Turned, long.LongNumbers
 
 if __name__ == "__main__":
     unittest.main()

@@ -20,7 +20,7 @@ namespace {
 
 using Id = PieceForest::Id;
 
-constexpr double kRowLength = FrameChoice::kRowLength;
+constexpr double kRowLength = FrameProposals::kRowLength;
 constexpr std::size_t kMostNear = 192, kMostSheets = 8;
 // The most pieces that a proof may test, and a sixteenth of those that it may visit. A box that takes more than a few
 // in each sheet is only used if no other is found: a certificate with such boxes takes long to check. Beside a rim that
@@ -70,36 +70,36 @@ Box3d FrameSearch::Region::box() const {
 }
 
 bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
-  if (choices_.empty()) make_choices();
+  if (proposals_.empty()) make_proposals();
   piece_ = id;
   for (most_pieces_ = kFewPieces;; most_pieces_ = kMostPieces) {
     had_more_pieces_ = false;
-    for (std::size_t i = 0; i < choices_.size(); ++i) {
-      const std::size_t number = (first_choice_ + i) % choices_.size();
-      if (!try_piece(id, with_one_sheet_only, choices_[number])) continue;
-      first_choice_ = number;
+    for (std::size_t i = 0; i < proposals_.size(); ++i) {
+      const std::size_t number = (first_proposals_ + i) % proposals_.size();
+      if (!try_piece(id, with_one_sheet_only, proposals_[number])) continue;
+      first_proposals_ = number;
       return true;
     }
     if (!had_more_pieces_ || most_pieces_ == kMostPieces) return false;
   }
 }
 
-void FrameSearch::make_choices() {
-  choices_.emplace_back(forest_, ShapeMetric());
+void FrameSearch::make_proposals() {
+  proposals_.emplace_back(forest_, ShapeMetric());
   const ShapeMetric metric(forest_);
-  if (metric.distortion() > kMostDistortion) choices_.emplace_back(forest_, metric);
+  if (metric.distortion() > kMostDistortion) proposals_.emplace_back(forest_, metric);
 }
 
-bool FrameSearch::try_piece(Id id, bool with_one_sheet_only, FrameChoice& choice) {
-  metric_ = &choice.metric();
-  const auto plain = choice.along(id);
+bool FrameSearch::try_piece(Id id, bool with_one_sheet_only, FrameProposals& proposals) {
+  metric_ = &proposals.metric();
+  const auto plain = proposals.along(id);
   if (!plain) return false;
   use(*plain);
   if (try_in_frame(with_one_sheet_only)) return true;
-  const auto other = choice.normal_across_crease(id, around_);
+  const auto other = proposals.normal_across_crease(id, around_);
   if (!other) return false;
   if (try_tight()) return true;
-  const auto oblique = choice.along_crease(id, *other, *plain);
+  const auto oblique = proposals.along_crease(id, *other, *plain);
   if (!oblique) return false;
   use(*oblique);
   return try_in_frame(with_one_sheet_only) || try_tight();

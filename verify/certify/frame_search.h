@@ -8,7 +8,7 @@
 
 #include "solids/star_box/sheet_box.h"
 #include "verify/certify/centre_search.h"
-#include "verify/certify/frame_choice.h"
+#include "verify/certify/frame_proposals.h"
 
 namespace veritope {
 
@@ -45,8 +45,8 @@ class FrameSearch {
     double part = 1;  // pieces that reach out of it are split to this part of the half sizes
     Box3d box() const;
   };
-  void make_choices();
-  bool try_piece(Id id, bool with_one_sheet_only, FrameChoice& choice);
+  void make_proposals();
+  bool try_piece(Id id, bool with_one_sheet_only, FrameProposals& proposals);
   void use(const PieceFrame& chosen);
   /// A normal of the image under the metric, and the hull in lengths.
   Point3d normal_of(Id id);
@@ -81,9 +81,9 @@ class FrameSearch {
   bool had_more_pieces_ = false;  // a proof may have ended for that reason
   /// One in Euclid's metric, and one in that of the model's shape if they differ much; the one that succeeded last is
   /// tried first.
-  std::vector<FrameChoice> choices_;
-  std::size_t first_choice_ = 0;
-  const ShapeMetric* metric_ = nullptr;  // of the choice in use
+  std::vector<FrameProposals> proposals_;
+  std::size_t first_proposals_ = 0;
+  const ShapeMetric* metric_ = nullptr;  // of the proposals in use
 };
 
 }  // namespace veritope

@@ -127,7 +127,7 @@ class Decider {
     StarCoverOptions options = options_.cover;
     options.least_unit = std::max(options.least_unit, least_unit_that_fits(*forest_));
     options.least_cube_unit = least_unit_of_any(*forest_);
-    options.least_framed_unit = least_unit_that_fits(*forest_) * 2 * FrameChoice::kRowLength;
+    options.least_framed_unit = least_unit_that_fits(*forest_) * 2 * FrameProposals::kRowLength;
     options.with_frames = with_frames;
     const std::size_t before_frames =
         kBoxesBeforeFrames + kBoxesOfPatch * complex_.patches().size();

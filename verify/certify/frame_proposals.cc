@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "verify/certify/frame_choice.h"
+#include "verify/certify/frame_proposals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,11 +63,11 @@ Box3d SearchFrame::in_frame(const Box3d& in_lengths) const {
   return out;
 }
 
-std::optional<Point3d> FrameChoice::unit_normal(Id piece) {
+std::optional<Point3d> FrameProposals::unit_normal(Id piece) {
   return direction(metric_.image_of_normal(forest_.approx_normal(piece)));
 }
 
-std::optional<SearchFrame> FrameChoice::with_rows(const std::array<Point3d, 3>& rows) const {
+std::optional<SearchFrame> FrameProposals::with_rows(const std::array<Point3d, 3>& rows) const {
   BoxFrame::Rows entries;
   SearchFrame out;
   out.rows = rows;
@@ -83,7 +83,7 @@ std::optional<SearchFrame> FrameChoice::with_rows(const std::array<Point3d, 3>& 
   return out;
 }
 
-std::optional<SearchFrame> FrameChoice::own(Id piece) {
+std::optional<SearchFrame> FrameProposals::own(Id piece) {
   const auto normal = unit_normal(piece);
   if (!normal) return std::nullopt;
   Point3d along = metric_.image(longest_chord(forest_, piece, metric_));
@@ -94,18 +94,18 @@ std::optional<SearchFrame> FrameChoice::own(Id piece) {
   return with_rows({*tangent, cross(*normal, *tangent), *normal});
 }
 
-std::optional<PieceFrame> FrameChoice::with_hull(Id piece, const SearchFrame& frame) {
+std::optional<PieceFrame> FrameProposals::with_hull(Id piece, const SearchFrame& frame) {
   const Box3d hull = frame.in_lengths(hull_in_frame(forest_, piece, frame.frame));
   if (!std::isfinite(extent(hull)) || !(extent(hull) > 0)) return std::nullopt;
   return PieceFrame{frame, hull};
 }
 
-void FrameChoice::keep(const SearchFrame& frame) {
+void FrameProposals::keep(const SearchFrame& frame) {
   if (frames_.size() == kMostFrames) frames_.erase(frames_.begin());
   frames_.push_back(frame);
 }
 
-std::optional<PieceFrame> FrameChoice::along(Id piece) {
+std::optional<PieceFrame> FrameProposals::along(Id piece) {
   const auto frame = own(piece);
   if (!frame) return std::nullopt;
   auto out = with_hull(piece, *frame);
@@ -124,7 +124,8 @@ std::optional<PieceFrame> FrameChoice::along(Id piece) {
   return out;
 }
 
-std::optional<Point3d> FrameChoice::normal_across_crease(Id piece, const std::vector<Id>& around) {
+std::optional<Point3d> FrameProposals::normal_across_crease(Id piece,
+                                                            const std::vector<Id>& around) {
   const auto normal = unit_normal(piece);
   if (!normal) return std::nullopt;
   std::optional<Point3d> out;
@@ -138,8 +139,8 @@ std::optional<Point3d> FrameChoice::normal_across_crease(Id piece, const std::ve
   return out;
 }
 
-std::optional<PieceFrame> FrameChoice::along_crease(Id piece, const Point3d& other_normal,
-                                                    const PieceFrame& plain) {
+std::optional<PieceFrame> FrameProposals::along_crease(Id piece, const Point3d& other_normal,
+                                                       const PieceFrame& plain) {
   for (std::size_t r = 0; r < 2; ++r)
     if (std::abs(dot(other_normal, plain.rows[r])) > kRightAngle) return std::nullopt;
   const auto normal = unit_normal(piece);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/frame_choice.h: frames for boxes around pieces, few distinct ones: searched in floating point; what
+// verify/certify/frame_proposals.h: frames for boxes around pieces, few distinct ones: searched in floating point; what
 // lies in a box is proved elsewhere. Lengths and angles are those of a ShapeMetric. Theory: docs/THEORY.md §4b.
 #pragma once
 #include <array>
@@ -25,14 +25,15 @@ struct PieceFrame : SearchFrame {
   Box3d hull;
 };
 
-class FrameChoice {
+class FrameProposals {
  public:
   using Id = PieceForest::Id;
   /// Rows of frames have about this length: directions are right to 2^-27, and entries take four bytes in a
   /// certificate.
   static constexpr double kRowLength = 0x1p26;
 
-  FrameChoice(PieceForest& forest, const ShapeMetric& metric) : forest_(forest), metric_(metric) {}
+  FrameProposals(PieceForest& forest, const ShapeMetric& metric)
+      : forest_(forest), metric_(metric) {}
 
   const ShapeMetric& metric() const { return metric_; }
 

@@ -38,7 +38,8 @@ LAYERS = {
     "pieces": {
         "files": ["solids/pieces/*.cc", "solids/pieces/*.h"],
         "tests": ["tests/solids/piece_net_bound_test.cc", "tests/solids/piece_decisions_test.cc", "tests/solids/exact_piece_test.cc",
-                  "tests/solids/surface_form_test.cc", "tests/solids/piece_forest_test.cc", "tests/solids/find_pieces_test.cc", "tests/solids/patch_volume_test.cc",
+                  "tests/solids/surface_form_test.cc", "tests/solids/piece_forest_test.cc", "tests/solids/piece_forest_frame_test.cc",
+                  "tests/solids/piece_forest_memory_test.cc", "tests/solids/find_pieces_test.cc", "tests/solids/patch_volume_test.cc",
                   "tests/solids/box_hierarchy_test.cc", "tests/solids/star_zeros_test.cc",
                   "tests/support/piece_bound_subjects.cc"],
         "binary": "solids_quick",

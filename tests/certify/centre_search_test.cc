@@ -102,9 +102,9 @@ TEST(IsSurelyShallow, IsNeverSaidWhereAPointIsDeepEnough) {
     const Point3d best = random_point(random);
     const double depth = between(random, 1e-3, 0.3);
     HalfSpaces all;
-    for (int n = 0; n < 40; ++n) {
-      all.push_back(half_space(random_normal(random), best, depth));
-      if (n % 8 == 0) EXPECT_FALSE(is_surely_shallow(all, kBox, depth)) << n;
+    for (int n = 0; n < 40; n += 8) {
+      for (int k = 0; k < 8; ++k) all.push_back(half_space(random_normal(random), best, depth));
+      EXPECT_FALSE(is_surely_shallow(all, kBox, depth)) << n;
     }
   }
 }

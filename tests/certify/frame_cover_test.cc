@@ -143,10 +143,10 @@ TEST(FrameCover, HasHardlyOtherBoxesWhenNodesAreDropped) {
     FileDecisionOptions few;
     few.search.cover.most_nodes = 500;
     const auto boxes = static_cast<double>(expect_certified(family, digits));
-    EXPECT_NEAR(static_cast<double>(expect_certified(family,
-                                                     family.make(gap_of(digits), Walls::kApart),
-                                                     name_of(family, digits) + ", few nodes", few)),
-                boxes, 0.01 * boxes);
+    EXPECT_NEAR(
+        static_cast<double>(expect_certified(family, family.make(gap_of(digits), Walls::kApart),
+                                             name_of(family, digits) + ", few nodes", few)),
+        boxes, 0.01 * boxes);
   }
 }
 // One test of a box makes so many nodes that no others have room. They are dropped, and the search goes on.
@@ -155,8 +155,9 @@ TEST(FrameCover, OfATubeIsFoundWithFewNodes) {
   FileDecisionOptions little;
   little.search.budget = &budget;
   const Family& family = family_of("tube");
-  EXPECT_LE(expect_certified(family, family.make(gap_of(3), Walls::kApart), "tube in 50 MiB", little),
-            3000);
+  EXPECT_LE(
+      expect_certified(family, family.make(gap_of(3), Walls::kApart), "tube in 50 MiB", little),
+      3000);
   EXPECT_LE(budget.most(), budget.limit());
 }
 TEST(FrameCover, OfPlatesDoesNotGrowAsTheyGetThinner) {
@@ -188,6 +189,21 @@ TEST(FrameCover, OfAThinCurvedPlateHasFewBoxesThatMeetManyPieces) {
                              &num_large),
             6500);
   EXPECT_LE(num_large, 40);
+}
+
+// The half-line from a shell that needs a box for its walk meets a side of the next copy, which lies across it and has
+// boxes on its parts only.
+TEST(FrameCover, OfTwoCopiesBesideEachOtherIsAcceptedByTheChecker) {
+  for (const auto& [name, denominator] :
+       {std::pair{"curved-plate", 30}, {"plate-turned", 100}, {"spheres", 100}, {"tube", 30}}) {
+    const Family& one = family_of(name);
+    const auto patches = one.make(Rational(1) / Rational(denominator), Walls::kApart);
+    Family two{"two of " + one.name, one.make, one.genus, 2 * one.bodies};
+    two.genus.insert(two.genus.end(), one.genus.begin(), one.genus.end());
+    const auto copy =
+        patch_shapes::placed(patches, Rational(1), {Rational(16), Rational(), Rational()});
+    expect_certified(two, patch_shapes::joined({patches, copy}), two.name);
+  }
 }
 
 // The numbers of roots of the patches of a model, the least and the greatest.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_thin.cc: --count N --models N --maps N --seed S [--only embedded|crossing|touching|maps]. Tests the search
-// for boxes in frames and with several sheets on thin walls of known truth, each under a random affine map: two to five
-// sheets, flat, quadric, of different curvature near one point, and free-form, at gaps down to 2^-40 of the size for
-// planes and spheres (2^-13 for free-form ones). Those that are apart must be valid with their genus and bodies, those
-// that cross invalid, those that touch never valid. Then N models under N maps each, rotations and shears up to 2^10:
-// their verdicts must agree. One JSON line a figure; wrong and undecided models on standard error.
+// bench/soak_thin.cc: --count N --models N --maps N --seed S [--only embedded|crossing|touching|assemblies|maps]. Tests
+// the search for boxes in frames and with several sheets on thin walls of known truth, each under a random affine map:
+// two to five sheets, flat, quadric, of different curvature near one point, and free-form, at gaps down to 2^-40 of the
+// size for planes and spheres (2^-13 for free-form ones). Those that are apart must be valid with their genus and
+// bodies, those that cross invalid, those that touch never valid. Assemblies are two to four of those that are apart,
+// in a row. Then N models under N maps each, rotations and shears up to 2^10: their verdicts must agree. One JSON line
+// a figure; wrong and undecided models on standard error.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -110,37 +112,85 @@ int most_bits_of(const std::string& family) {
   return family == "nested" || family == "eccentric" ? 20 : 40;
 }
 
-bool has_known_numbers(const Answer& a, const Family& family) {
-  return a.verdict == Verdict::kValid && a.bodies == static_cast<std::uint64_t>(family.bodies) &&
-         std::equal(a.genus.begin(), a.genus.end(), family.genus.begin(), family.genus.end());
+// A model, and its genus and bodies if it is sound.
+struct Subject {
+  std::string name;
+  Patches patches;
+  std::vector<int> genus;
+  int bodies = 0;
+};
+bool has_known_numbers(const Answer& a, const Subject& subject) {
+  return a.verdict == Verdict::kValid && a.bodies == static_cast<std::uint64_t>(subject.bodies) &&
+         std::equal(a.genus.begin(), a.genus.end(), subject.genus.begin(), subject.genus.end());
 }
 
-Tally run(Walls walls, std::size_t count, std::uint64_t seed) {
-  const std::vector<Family> families = thin_shapes::families();
+Subject random_walls(const Family& family, Walls walls, int most_bits, Random& random) {
+  const int bits = 3 + static_cast<int>(random.below(static_cast<std::uint64_t>(most_bits - 2)));
+  const Rational gap = Rational(random.between(5, 8)) / Rational(8) * Rational::power_of_two(-bits);
+  return {family.name + ", gap near 2^-" + std::to_string(bits), family.make(gap, walls),
+          family.genus, family.bodies};
+}
+// Two to four solids in a row: each lies in a ball of radius 5 around the origin before it is moved there.
+constexpr int kMostBitsInRow = 10, kDistanceInRow = 11;
+Subject random_assembly(const std::vector<Family>& families, Random& random) {
+  Subject out;
+  std::array<Rational, 3> direction{};
+  direction[random.below(3)] = Rational(kDistanceInRow);
+  direction[random.below(3)] = Rational(kDistanceInRow);
+  const auto num_parts = 2 + static_cast<int>(random.below(3));
+  for (int part = 0; part < num_parts; ++part) {
+    const Family& family = families[random.below(families.size())];
+    const Subject next = random_walls(family, Walls::kApart, kMostBitsInRow, random);
+    AffineMap map = rotation(random);
+    if (random.below(2) == 0) map.linear = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (std::size_t k = 0; k < 3; ++k) map.translation[k] = Rational(part) * direction[k];
+    const Patches placed = affine_image(next.patches, map).value();
+    out.patches = part == 0 ? placed : patch_shapes::joined({out.patches, placed});
+    out.name += (part == 0 ? "" : "; ") + next.name;
+    out.genus.insert(out.genus.end(), next.genus.begin(), next.genus.end());
+    out.bodies += next.bodies;
+  }
+  return out;
+}
+
+enum class Kind { kEmbedded, kCrossing, kTouching, kAssembly };
+Subject random_subject(Kind kind, std::size_t i, Random& random) {
+  static const std::vector<Family> families = thin_shapes::families();
+  Subject out;
+  if (kind == Kind::kAssembly) {
+    out = random_assembly(families, random);
+    if (random.below(2) == 0) return out;
+  } else {
+    const Family& family = families[i % families.size()];
+    const Walls walls = kind == Kind::kEmbedded   ? Walls::kApart
+                        : kind == Kind::kCrossing ? Walls::kCrossing
+                                                  : Walls::kTouching;
+    out = random_walls(family, walls, most_bits_of(family.name), random);
+  }
+  out.patches = moved(out.patches, random, 2);
+  return out;
+}
+
+Tally run(Kind kind, std::size_t count, std::uint64_t seed) {
   Tally tally;
   for (std::size_t i = 0; i < count; ++i) {
     Random random(seed + i);
-    const Family& family = families[i % families.size()];
-    const auto bits =
-        3 +
-        static_cast<int>(random.below(static_cast<std::uint64_t>(most_bits_of(family.name) - 2)));
-    const Rational gap =
-        Rational(random.between(5, 8)) / Rational(8) * Rational::power_of_two(-bits);
-    const Answer a = answer(moved(family.make(gap, walls), random, 2));
+    const Subject subject = random_subject(kind, i, random);
+    const Answer a = answer(subject.patches);
     ++tally.models;
     tally.seconds += a.seconds, tally.slowest = std::max(tally.slowest, a.seconds);
     ++(a.verdict == Verdict::kValid     ? tally.valid
        : a.verdict == Verdict::kInvalid ? tally.invalid
                                         : tally.undecided);
+    const bool is_sound = kind == Kind::kEmbedded || kind == Kind::kAssembly;
     const bool is_right =
         a.verdict == Verdict::kUndecided ||
-        (walls == Walls::kApart ? has_known_numbers(a, family) : a.verdict == Verdict::kInvalid);
+        (is_sound ? has_known_numbers(a, subject) : a.verdict == Verdict::kInvalid);
     if (!is_right) ++tally.wrong;
-    if (!is_right || (a.verdict == Verdict::kUndecided && walls != Walls::kTouching))
-      std::fprintf(stderr, "%s %s, gap near 2^-%d, seed %llu: %s, %.1f s: %s\n",
-                   is_right ? "undecided" : "WRONG", family.name.c_str(), bits,
-                   static_cast<unsigned long long>(seed + i), verdict_name(a.verdict), a.seconds,
-                   a.why.c_str());
+    if (!is_right || (a.verdict == Verdict::kUndecided && kind != Kind::kTouching))
+      std::fprintf(stderr, "%s %s, seed %llu: %s, %.1f s: %s\n", is_right ? "undecided" : "WRONG",
+                   subject.name.c_str(), static_cast<unsigned long long>(seed + i),
+                   verdict_name(a.verdict), a.seconds, a.why.c_str());
   }
   return tally;
 }
@@ -191,22 +241,24 @@ int main(int argc, char** argv) {
   std::size_t count = 2000, models = 500, maps = 20;
   std::uint64_t seed = 1;
   std::string only;
-  bench::read_arguments(argc, argv, {{"--count", &count},
-                                     {"--models", &models},
-                                     {"--maps", &maps},
-                                     {"--seed", &seed},
-                                     {"--only", &only}});
+  bench::read_arguments(argc, argv,
+                        {{"--count", &count},
+                         {"--models", &models},
+                         {"--maps", &maps},
+                         {"--seed", &seed},
+                         {"--only", &only}});
   const auto is_wanted = [&](const char* kind) { return only.empty() || only == kind; };
   std::size_t wrong = 0;
-  const auto one = [&](const char* kind, Walls walls, const char* goal) {
-    if (!is_wanted(kind)) return;
-    const Tally t = run(walls, count, seed);
-    print(kind, t, goal);
+  const auto one = [&](const char* name, Kind kind, const char* goal) {
+    if (!is_wanted(name)) return;
+    const Tally t = run(kind, count, seed);
+    print(name, t, goal);
     wrong += t.wrong;
   };
-  one("embedded", Walls::kApart, "0 wrong, 1 % undecided");
-  one("crossing", Walls::kCrossing, "0 wrong, 1 % undecided");
-  one("touching", Walls::kTouching, "0 wrong");
+  one("embedded", Kind::kEmbedded, "0 wrong, 1 % undecided");
+  one("crossing", Kind::kCrossing, "0 wrong, 1 % undecided");
+  one("touching", Kind::kTouching, "0 wrong");
+  one("assemblies", Kind::kAssembly, "0 wrong, 1 % undecided");
   if (is_wanted("maps")) wrong += run_maps(models, maps, seed);
   return wrong == 0 ? 0 : 1;
 }

@@ -16,7 +16,7 @@ const int kMostShift = 120;                    // s of a box in a frame; a limit
 const int64_t kWholeSide = int64_t(1) << 40;   // parameters count 2^-40 of a patch
 const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and s
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
-const uint64_t kFreeUnits = 1 << 23, kUnitsOfByte = 40;                     // of work
+const uint64_t kFreeUnits = 1 << 23, kUnitsOfByte = 96;                     // of work
 
 // A surface or triangle of the model.
 struct Entity {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Units of work (the ends of section 6 of star-box.md and star-box-2.md)."""
-FREE_UNITS, UNITS_OF_BYTE = 1 << 23, 40
+FREE_UNITS, UNITS_OF_BYTE = 1 << 23, 96
 NODES_OF_UNIT = 32                      # of the hierarchy over the roots
 
 def allowed(num_bytes):

@@ -4,8 +4,8 @@
 // two to five sheets, flat, quadric, of different curvature near one point, and free-form, at gaps down to 2^-40 of the
 // size for planes and spheres (2^-13 for free-form ones). Those that are apart must be valid with their genus and
 // bodies, those that cross invalid, those that touch never valid. Assemblies are two to four of those that are apart,
-// in a row. Then N models under N maps each, rotations and shears up to 2^10: their verdicts must agree. One JSON line
-// a figure; wrong and undecided models on standard error.
+// in a row; half of the rows are not mapped. Then N models under N maps each, rotations and shears up to 2^10: their
+// verdicts must agree. One JSON line a figure; wrong and undecided models on standard error.
 #include <algorithm>
 #include <array>
 #include <cstdio>

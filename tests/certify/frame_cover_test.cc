@@ -191,7 +191,7 @@ TEST(FrameCover, OfAThinCurvedPlateHasFewBoxesThatMeetManyPieces) {
   EXPECT_LE(num_large, 40);
 }
 
-// So many of them, 16 apart along x. The family describes them.
+// A row of solids of one family, 16 apart along x, and a family that has the genus and the bodies of the whole row.
 struct Row {
   Family family;
   patch_shapes::Patches patches;
@@ -217,7 +217,8 @@ TEST(FrameCover, OfTwoCopiesBesideEachOtherIsAcceptedByTheChecker) {
     expect_certified(row.family, row.patches, row.family.name);
   }
 }
-// Each takes 46 to 60 of the checkers' units of work for each byte, and the units that are there without bytes are there once.
+// The row takes 63 of the checkers' units of work for each byte. A single pair of spheres would be accepted with 40 a byte, because
+// of the units that every certificate has.
 TEST(FrameCover, OfManyCopiesIsWithinTheCheckersBudget) {
   const Row row = row_of(family_of("eccentric"), gap_of(6), 10);
   expect_certified(row.family, row.patches, row.family.name);

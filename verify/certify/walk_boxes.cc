@@ -43,14 +43,9 @@ class WalkBoxes {
       cover_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
     return cover_.box_of_node[id];
   }
-  bool is_covered(Id id) {
-    for (; id != PieceForest::kNone; id = forest_.node(id).parent)
-      if (box_of(id) != StarCover::kNone) return true;
-    return false;
-  }
-  // The node itself or the ancestor that is a leaf of the cover. REQUIRES is_covered(id).
+  // The node itself or the ancestor that is a leaf of the cover; kNone if the node is above leaves.
   Id leaf_above(Id id) {
-    Id out = id;
+    Id out = PieceForest::kNone;
     for (Id up = id; up != PieceForest::kNone; up = forest_.node(up).parent)
       if (box_of(up) != StarCover::kNone) out = up;
     return out;
@@ -132,9 +127,9 @@ class WalkBoxes {
     return PieceForest::kNone;
   }
 
-  // The first covered piece of another shell that the half-line from `from` along x meets, no longer along x than
-  // `most`, or kNone. Approximate: the half-line meets its hull. A large piece across x, such as a side of a plate, is
-  // short along x and may have no box: only its parts do.
+  // The first piece of another shell that the half-line from `from` along x meets, no longer along x than `most` and
+  // within a leaf of the cover, or kNone. Approximate: the half-line meets its hull. A large piece across x, such as a
+  // side of a plate, is short along x and may have no box: only its parts do.
   Id first_hit(const Point3d& from, std::uint32_t shell, double most) {
     const auto is_met = [&](const Box3d& b) {
       return b.hi[0] >= from[0] && b.lo[1] <= from[1] && from[1] <= b.hi[1] && b.lo[2] <= from[2] &&
@@ -156,7 +151,7 @@ class WalkBoxes {
       const Id id = open.top().id;
       open.pop();
       const Box3d& hull = forest_.node(id).hull;
-      if (hull.hi[0] - hull.lo[0] <= most && is_covered(id)) return id;
+      if (hull.hi[0] - hull.lo[0] <= most && leaf_above(id) != PieceForest::kNone) return id;
       if (forest_.node(id).level >= kMostLevel || !forest_.may_split(id)) return PieceForest::kNone;
       const Id first = forest_.children(id);
       for (Id k = 0; k < 4; ++k) push(first + k);

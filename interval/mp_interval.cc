@@ -2,7 +2,9 @@
 #include "interval/mp_interval.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "interval/mpfr_internal.h"
 #include "robust/base/check.h"
@@ -61,9 +63,12 @@ void take(Real& out, const Real& v, bool first, bool least) {
 Rational rational_of(const Real& v) {
   VT_CHECK(mpfr_number_p(v.get()) != 0, "the bound is infinite or the interval is empty");
   if (mpfr_zero_p(v.get())) return Rational();
-  Integer mantissa;
-  const mpfr_exp_t exponent = mpfr_get_z_2exp(static_cast<mpz_ptr>(mantissa.gmp()), v.get());
-  return Rational(mantissa) * Rational::power_of_two(exponent);
+  mpz_t z;
+  mpz_init(z);
+  const mpfr_exp_t exponent = mpfr_get_z_2exp(z, v.get());
+  Integer mantissa = Integer::from_limbs(mpz_limbs_read(z), mpz_size(z), mpz_sgn(z) < 0);
+  mpz_clear(z);
+  return Rational(std::move(mantissa)) * Rational::power_of_two(exponent);
 }
 
 // sign of v - x.
@@ -73,13 +78,27 @@ int order(const Real& v, const Rational& x) {
   return exact < x ? -1 : (x < exact ? 1 : 0);
 }
 
+// An integer as MPFR takes it.
+class MpzOf {
+ public:
+  explicit MpzOf(const Integer& a) : limbs_(a.limbs()) {
+    const auto size = static_cast<mp_size_t>(limbs_.size());
+    mpz_roinit_n(z_, limbs_.data(), a.sign() == Sign::kNegative ? -size : size);
+  }
+  MpzOf(const MpzOf&) = delete;
+  mpz_srcptr get() const { return z_; }
+
+ private:
+  std::vector<std::uint64_t> limbs_;
+  mpz_t z_;
+};
+
 void divide_rational(Real& out, const Rational& x, mpfr_rnd_t direction) {
-  const auto* n = static_cast<mpz_srcptr>(x.numerator().gmp());
-  const auto* d = static_cast<mpz_srcptr>(x.denominator().gmp());
+  const MpzOf n(x.numerator()), d(x.denominator());
   // An exact numerator, so that the division rounds once.
   Real numerator(std::max<mpfr_prec_t>(2, static_cast<mpfr_prec_t>(x.numerator().bit_length())));
-  mpfr_set_z(numerator.get(), n, MPFR_RNDN);
-  mpfr_div_z(out.get(), numerator.get(), d, direction);
+  mpfr_set_z(numerator.get(), n.get(), MPFR_RNDN);
+  mpfr_div_z(out.get(), numerator.get(), d.get(), direction);
 }
 
 }  // namespace

@@ -75,6 +75,7 @@ Rational& Rational::canonicalise() noexcept {
     num_.negate();
     den_.negate();
   }
+  if (den_ == Integer(1)) return *this;
   const Integer g = gcd(num_, den_);
   if (g != Integer(1)) {
     num_ = divide_exactly(num_, g);
@@ -102,18 +103,26 @@ Rational Rational::power_of_two(std::int64_t n) noexcept {
 }
 
 Rational& Rational::operator+=(const Rational& b) noexcept {
-  num_ = num_ * b.den_ + b.num_ * den_;
-  den_ = den_ * b.den_;
+  if (den_ == b.den_) {
+    num_ += b.num_;
+  } else {
+    num_ = num_ * b.den_ + b.num_ * den_;
+    den_ *= b.den_;
+  }
   return canonicalise();
 }
 Rational& Rational::operator-=(const Rational& b) noexcept {
-  num_ = num_ * b.den_ - b.num_ * den_;
-  den_ = den_ * b.den_;
+  if (den_ == b.den_) {
+    num_ -= b.num_;
+  } else {
+    num_ = num_ * b.den_ - b.num_ * den_;
+    den_ *= b.den_;
+  }
   return canonicalise();
 }
 Rational& Rational::operator*=(const Rational& b) noexcept {
-  num_ = num_ * b.num_;
-  den_ = den_ * b.den_;
+  num_ *= b.num_;
+  den_ *= b.den_;
   return canonicalise();
 }
 Rational& Rational::operator/=(const Rational& b) {
@@ -125,6 +134,7 @@ Rational& Rational::negate() noexcept {
 }
 
 std::strong_ordering operator<=>(const Rational& a, const Rational& b) noexcept {
+  if (a.den_ == b.den_) return a.num_ <=> b.num_;
   return a.num_ * b.den_ <=> b.num_ * a.den_;
 }
 

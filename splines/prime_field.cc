@@ -36,11 +36,6 @@ bool is_prime(const PrimeField& field) {
   return true;
 }
 
-std::vector<std::uint64_t> limbs_of(const Integer& a) {
-  const auto* z = static_cast<mpz_srcptr>(a.gmp());
-  return {mpz_limbs_read(z), mpz_limbs_read(z) + mpz_size(z)};
-}
-
 }  // namespace
 
 static_assert(sizeof(mp_limb_t) == 8 && GMP_NAIL_BITS == 0);
@@ -53,7 +48,7 @@ PrimeField::Number PrimeField::power(Number a, Number n) const {
 }
 
 PrimeField::Number PrimeField::of(const Integer& a) const {
-  return mpz_fdiv_ui(static_cast<mpz_srcptr>(a.gmp()), p_);
+  return floor_remainder(a, p_);
 }
 
 std::vector<PrimeField> largest_primes(std::size_t count) {
@@ -72,7 +67,7 @@ RemainderBasis::RemainderBasis(std::uint64_t bits) : bits_(bits) {
   std::size_t k = 0;
   for (; product <= least; ++k) {
     const PrimeField& field = fields_[k];
-    product_.push_back(limbs_of(product));
+    product_.push_back(product.limbs());
     offset_.push_back(field.power(2, bits));
     std::vector<Number> minus;
     Number prefix = 1;
@@ -86,7 +81,7 @@ RemainderBasis::RemainderBasis(std::uint64_t bits) : bits_(bits) {
   }
   fields_.resize(k, PrimeField(1));
   digit_.resize(k);
-  limbs_.resize(limbs_of(product).size() + 1);
+  limbs_.resize(product.limbs().size() + 1);
 }
 
 Integer RemainderBasis::combined(const Number* remainder, std::size_t stride) {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/base/exact_number.h"
 
-#include <gmp.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 namespace veritope {
 namespace {
-
-mpz_ptr z(Integer& n) { return static_cast<mpz_ptr>(n.gmp()); }
-mpz_srcptr z(const Integer& n) { return static_cast<mpz_srcptr>(n.gmp()); }
 
 Integer power_of_ten(std::uint64_t n) {
   static const auto kSmall = [] {
@@ -105,12 +100,6 @@ bool is_all_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-// How often `factor` divides `n`; n loses these factors. REQUIRES n > 0, factor >= 2.
-std::uint64_t strip(Integer& n, unsigned long factor) {
-  const Integer f(factor);
-  return mpz_remove(z(n), z(n), z(f));
-}
-
 std::string plain(std::string digits, std::uint64_t num_fraction) {
   if (num_fraction == 0) return digits;
   if (digits.size() <= num_fraction) digits.insert(0, num_fraction + 1 - digits.size(), '0');
@@ -197,7 +186,7 @@ std::optional<std::string> spell_decimal(std::string digits, std::int64_t expone
 
 std::optional<std::string> exact_decimal(const Rational& value, const ReadLimits& limits) {
   Integer rest = value.denominator();
-  const std::uint64_t twos = strip(rest, 2), fives = rest == Integer(1) ? 0 : strip(rest, 5);
+  const std::uint64_t twos = remove_factor(&rest, 2), fives = remove_factor(&rest, 5);
   if (rest != Integer(1)) return std::nullopt;
   const std::uint64_t places = std::max(twos, fives);
   Integer scaled = abs(value.numerator());

@@ -2,8 +2,6 @@
 // io/splines/power_basis.cc: from the power basis over [0, 1] to Bernstein's, in integers over a common denominator.
 // Theory  b_j = sum over k <= j of C(j, k) c_k with c_k = a_k / C(n, k), along each axis in turn. The binomial
 //         transform of c is n rounds of additions: in round r, b_j += b_{j-1} for j = n down to r.
-#include <gmp.h>
-
 #include <algorithm>
 
 #include "io/splines/spline_builder.h"
@@ -11,9 +9,6 @@
 
 namespace veritope {
 namespace {
-
-mpz_ptr z(Integer& n) { return static_cast<mpz_ptr>(n.gmp()); }
-mpz_srcptr z(const Integer& n) { return static_cast<mpz_srcptr>(n.gmp()); }
 
 /// lcm of C(n, k) over k, divided by each C(n, k).
 struct Factors {
@@ -24,7 +19,7 @@ struct Factors {
 Factors factors_of(std::uint64_t degree) {
   Factors out;
   const std::vector<Integer> binomials = binomial_row(static_cast<int>(degree));
-  for (const Integer& b : binomials) mpz_lcm(z(out.common), z(out.common), z(b));
+  for (const Integer& b : binomials) out.common = lcm(out.common, b);
   for (const Integer& b : binomials) out.each.push_back(divide_exactly(out.common, b));
   return out;
 }
@@ -38,7 +33,7 @@ struct Numerators {
 Numerators numerators_of(const std::vector<Rational>& points, std::size_t first, std::size_t step) {
   Numerators out;
   for (std::size_t i = first; i < points.size(); i += step)
-    mpz_lcm(z(out.denominator), z(out.denominator), z(points[i].denominator()));
+    out.denominator = lcm(out.denominator, points[i].denominator());
   out.values.reserve(points.size() / step);
   for (std::size_t i = first; i < points.size(); i += step)
     out.values.push_back(points[i].numerator() *
@@ -64,7 +59,7 @@ std::uint64_t most_bits(const std::vector<Rational>& points, std::size_t first, 
   Integer common(1);
   for (std::size_t i = first; i < points.size(); i += step) {
     numerator = std::max(numerator, points[i].numerator().bit_length());
-    mpz_lcm(z(common), z(common), z(points[i].denominator()));
+    common = lcm(common, points[i].denominator());
   }
   return numerator + 2 * common.bit_length();
 }

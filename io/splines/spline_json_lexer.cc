@@ -64,19 +64,19 @@ bool SplineJsonLexer::read_string(std::string& text) {
   if (!is_next('"')) return fail_expected("a string");
   const char* const start = p_++;
   text.clear();
+  bool is_ascii = true;
   for (;;) {
+    const char* const run = p_;
+    for (; p_ < source_.end && *p_ != '"' && *p_ != '\\' && static_cast<unsigned char>(*p_) >= 0x20; ++p_)
+      is_ascii &= static_cast<unsigned char>(*p_) < 0x80;
+    text.append(run, p_);
     if (p_ >= source_.end) return fail(start, Code::kTruncated, "a string does not end");
     const char c = *p_++;
     if (c == '"') break;
-    if (static_cast<unsigned char>(c) < 0x20)
-      return fail(p_ - 1, Code::kSyntax, "a control character in a string");
-    if (c != '\\') {
-      text += c;
-    } else if (!read_escape(text)) {
-      return false;
-    }
+    if (c != '\\') return fail(p_ - 1, Code::kSyntax, "a control character in a string");
+    if (!read_escape(text)) return false;
   }
-  if (to_utf8(text) != text) return fail(start, Code::kSyntax, "a string is not UTF-8");
+  if (!is_ascii && to_utf8(text) != text) return fail(start, Code::kSyntax, "a string is not UTF-8");
   return true;
 }
 

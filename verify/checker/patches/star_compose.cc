@@ -88,8 +88,8 @@ LocalNet local_net(const Patch& p, const Node& node, const int64_t* o) {
   b.d.resize(4 * count * n);
   x.d.resize(n), w.d.resize(n);
   const Ring<0> ring = {b.n};
-  each_binomial(p.shape, [&](size_t i, const Big& binomials) {
-    const int64_t factor = int64_t(binomials.m[0]);
+  each_pair_of_binomials(p.shape, [&](size_t i, int64_t one, int64_t other) {
+    const int64_t factor = one * other;
     const size_t weight = size_t(node.weight(p, int(i)) - node.net.d.data()) / size_t(node.net.n);
     put(node.net, weight, 0, w.d.data(), b.n);
     ring.add_multiple(&b.d[(4 * i + 3) * n], w.d.data(), factor);
@@ -127,18 +127,4 @@ Block composed(const Separator& q, const LocalNet& net) {
       put(net.numbers, 4 * i + k, (q.scale > 0) == (k == 3) ? up : 0, &v[k].d[i * size_t(n)], n);
   }
   return composed(q, v, n, few);
-}
-
-std::vector<Big> inverse_binomials(const Shape& s) {
-  Big common(1);
-  each_binomial(s, [&](size_t, const Big& b) { common = common * divide(b, gcd(common, b), nullptr); });
-  std::vector<Big> r(size_t(s.count()));
-  each_binomial(s, [&](size_t i, const Big& b) { r[i] = divide(common, b, nullptr); });
-  return r;
-}
-
-Block without_binomials(const std::vector<Big>& inverse, const Block& b) {
-  std::vector<Big> r;
-  for (size_t i = 0; i < inverse.size(); ++i) r.push_back(Big::of(b.number(i), b.n) * inverse[i]);
-  return packed(r);
 }

@@ -16,8 +16,3 @@ LocalNet local_net(const Patch& p, const Node& node, const int64_t* o);
 Block composed(const Separator& q, const LocalNet& net);
 // The sign of all numbers; 0 if they differ or one is 0.
 int sign_of(const Block& b);
-
-// A common multiple of all binomials of a shape, divided by each.
-std::vector<Big> inverse_binomials(const Shape& s);
-// The coefficients alone, up to one positive factor.
-Block without_binomials(const std::vector<Big>& inverse, const Block& b);

@@ -66,12 +66,11 @@ std::vector<Big> coefficients(const Patch& p, const Node& node, int k);  // of (
 Block packed(const std::vector<Big>& numbers);
 void widen(const Block& b, int n, Block* to);  // all numbers with n limbs
 int bits_of(const Block& b);                   // of the largest magnitude
+int bits_of(const uint64_t* a, int n);         // a number of n limbs is at most 2^this in absolute value
 void shrink(Block* b);                         // divides by the greatest common power of two; as few limbs as possible
 // A half along an axis, divided by the greatest common power of two; what follows the points (a common weight) is only
 // scaled.
 Block half_of(const Shape& s, int axis, int half, int numbers, const Block& b);
-// The block of child c: points of `numbers` numbers each, and what follows them (a common weight), all times the same
-// power of two.
-Block quarter(const Shape& s, int numbers, const Block& b, int c);
-// The blocks of all four children: with less work than one by one.
+// The blocks of all four children: points of `numbers` numbers each, and what follows them (a common weight), all times
+// the same power of two.
 void quarters(const Shape& s, int numbers, const Block& b, Block* out);

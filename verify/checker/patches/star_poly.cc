@@ -18,11 +18,6 @@ Wide widened(const Poly& a, size_t n) {
 
 }  // namespace
 
-int64_t binomial(int n, int k) {
-  int64_t r = 1;
-  for (int i = 0; i < k; ++i) r = r * (n - i) / (i + 1);
-  return r;
-}
 Poly product(const Poly& a, const Poly& b) {
   const Shape shape = {a.shape.is_triangle, a.shape.p + b.shape.p, a.shape.q + b.shape.q};
   const int64_t bits[2] = {longest(a.c), longest(b.c)};

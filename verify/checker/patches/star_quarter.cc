@@ -54,6 +54,12 @@ int bits_of(const Block& b) {
   }
   return 0;
 }
+int bits_of(const uint64_t* a, int n) {
+  const uint64_t sign = 0 - (a[n - 1] >> 63);
+  for (int k = n; k-- > 0;)
+    if (a[k] != sign) return 64 * k + bit_length(a[k] ^ sign);
+  return 0;
+}
 void shrink(Block* b) { *b = shrunk(*b); }
 
 Block packed(const std::vector<Big>& numbers) {
@@ -110,11 +116,6 @@ Block middle_of(const Shape& s, int numbers, Block corner) {
 }
 
 }  // namespace
-
-Block quarter(const Shape& s, int numbers, const Block& b, int c) {
-  if (!s.is_triangle) return half_of(s, 1, c % 2, numbers, half_of(s, 0, c / 2, numbers, b));
-  return shrunk(c < 3 ? corner_of(s, numbers, b, c) : middle_of(s, numbers, corner_of(s, numbers, b, 2)));
-}
 
 void quarters(const Shape& s, int numbers, const Block& b, Block* out) {
   static thread_local Block part[4];  // kept, so that little memory is asked for

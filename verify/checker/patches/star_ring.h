@@ -19,13 +19,21 @@ struct Ring {
   int n;
 
   int width() const { return N != 0 ? N : n; }
-  // Adds x times the lowest limbs of b to those of `to`.
+  // Adds x times the lowest limbs of b to those of `to`, or subtracts it.
   static void add_row(uint64_t* to, uint64_t x, const uint64_t* b, int limbs) {
     uint64_t carry = 0;
-    for (int i = 0; i < limbs; ++i) {
+    UNROLLED for (int i = 0; i < limbs; ++i) {
       const u128 sum = u128(x) * b[i] + to[i] + carry;
       to[i] = uint64_t(sum);
       carry = uint64_t(sum >> 64);
+    }
+  }
+  static void subtract_row(uint64_t* to, uint64_t x, const uint64_t* b, int limbs) {
+    uint64_t carry = 0;
+    UNROLLED for (int i = 0; i < limbs; ++i) {
+      const u128 product = u128(x) * b[i] + carry;
+      carry = uint64_t(product >> 64) + (to[i] < uint64_t(product));
+      to[i] -= uint64_t(product);
     }
   }
   // REQUIRES that all limbs of a from `few` on are equal, and that a is negative iff limb few - 1 has its highest bit.
@@ -50,18 +58,32 @@ struct Ring {
       if (a[i] != 0) return 1;
     return 0;
   }
-  void add_product(Wide* to, const Wide& a, const Wide& b, int few) const {
-    const auto at = [](const Shape& s, int i, int j) {
-      return size_t(s.is_triangle ? s.at3(i, j) : s.at(i, j));
-    };
-    const bool tri = a.shape.is_triangle;
+  // Adds x times each of `count` numbers at b to those at `to`.
+  void add_products(uint64_t* to, const uint64_t* x, const uint64_t* b, int count, int few) const {
     const size_t w = size_t(width());
-    for (int i = 0; i <= a.shape.p; ++i)
-      for (int j = 0; j <= (tri ? a.shape.p - i : a.shape.q); ++j)
-        for (int k = 0; k <= b.shape.p; ++k)
-          for (int l = 0; l <= (tri ? b.shape.p - k : b.shape.q); ++l)
-            add_product(&to->d[w * at(to->shape, i + k, j + l)], &a.d[w * at(a.shape, i, j)],
-                        &b.d[w * at(b.shape, k, l)], few);
+    if (N == 0 || few > 1) {
+      for (int i = 0; i < count; ++i) add_product(to + w * size_t(i), x, b + w * size_t(i), few);
+    } else if (*x >> 63 == 0) {
+      for (int i = 0; i < count; ++i, to += w, b += w) add_row(to, *x, b, N);
+    } else {
+      for (int i = 0; i < count; ++i, to += w, b += w) subtract_row(to, 0 - *x, b, N);
+    }
+  }
+  void add_product(Wide* to, const Wide& a, const Wide& b, int few) const {
+    const Shape &s = a.shape, &t = b.shape, &sum = to->shape;
+    const size_t w = size_t(width());
+    const uint64_t* x = a.d.data();
+    if (s.is_triangle) {  // coefficients of which the first index is the same lie side by side
+      for (int i = 0; i <= s.p; ++i)
+        for (int k = 0; k <= i; ++k, x += w)
+          for (int j = 0; j <= t.p; ++j)
+            add_products(&to->d[w * size_t(sum.at3(i + j - k, k))], x, &b.d[w * size_t(t.at3(j, 0))], j + 1, few);
+    } else {
+      for (int i = 0; i <= s.p; ++i)
+        for (int k = 0; k <= s.q; ++k, x += w)
+          for (int j = 0; j <= t.p; ++j)
+            add_products(&to->d[w * size_t(sum.at(i + j, k))], x, &b.d[w * size_t(t.at(j, 0))], t.q + 1, few);
+    }
   }
 };
 

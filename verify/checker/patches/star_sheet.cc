@@ -38,7 +38,7 @@ Signs SheetTest::begin(const Patch& p, const Node& child, const Signs* of_parent
       signs[i].sign = before.sign;
     } else {
       units_->add(cost_of_quarter(q, p, child.level));
-      signs[i].coefficients = quarter(composed_shape(p, q.degree), 1, before.coefficients, c);
+      signs[i].coefficients = quarter(composed_shape(p, q.degree), before.coefficients, c);
     }
   }
   return signs;
@@ -65,24 +65,22 @@ bool SheetTest::has_signs(const Sheet& sheet, const Patch& p, const Node& node, 
 
 int SheetTest::sign(size_t separator, const Patch& p, const Node& node, SignOn* known) {
   if (known->sign != kUnknown) return known->sign;
-  if (known->coefficients.d.empty()) {
-    const Separator& q = box_.separators[separator];
-    units_->add(cost_of_products(q, p, node.level));
-    const Block all = composed(q, local(p, node));
-    known->sign = sign_of(all);
-    if (known->sign == 0)
-      known->coefficients = without_binomials(inverse(composed_shape(p, q.degree)), all);
-    return known->sign;
-  }
-  return known->sign = sign_of(known->coefficients);
+  if (!known->coefficients.c.empty()) known->sign = sign_of(known->coefficients);
+  if (known->sign != kUnknown) return known->sign;
+  const Separator& q = box_.separators[separator];
+  units_->add(cost_of_products(q, p, node.level));
+  const Block all = composed(q, local(p, node));
+  known->sign = sign_of(all);
+  if (known->sign == 0) known->coefficients = rounded(composed_shape(p, q.degree), all);
+  return known->sign;
 }
 
 size_t SheetTest::complete(const Patch& p, const Node& node, Signs* signs) {
   size_t limbs = 0;
   for (size_t i = 0; i < signs->size(); ++i) {
     SignOn& known = (*signs)[i];
-    if (sign(i, p, node, &known) != 0) known.coefficients = Block();
-    limbs += known.coefficients.d.size();
+    if (sign(i, p, node, &known) != 0) known.coefficients = Rounded();
+    limbs += known.coefficients.c.size();
   }
   return limbs;
 }
@@ -90,10 +88,4 @@ size_t SheetTest::complete(const Patch& p, const Node& node, Signs* signs) {
 const LocalNet& SheetTest::local(const Patch& p, const Node& node) {
   if (!local_) local_.reset(new LocalNet(local_net(p, node, box_.sheets[0].c[0])));
   return *local_;
-}
-const std::vector<Big>& SheetTest::inverse(const Shape& s) {
-  if (s.is_triangle != inverse_shape_.is_triangle || s.p != inverse_shape_.p ||
-      s.q != inverse_shape_.q)
-    inverse_ = inverse_binomials(inverse_shape_ = s);
-  return inverse_;
 }

@@ -3,16 +3,16 @@
 // docs/certificates/star-box.md and star-box-2.md.
 #pragma once
 #include "star_compose.h"
+#include "star_rounded.h"
 
 // S1 on the node for the sheet's centres; is_strict: S1 of version 1. REQUIRES the node's g.
 bool star_test(const Patch& p, Node* node, const Sheet& sheet, bool is_strict);
 
 // What is known of a separator on a node: nothing, the coefficients in Bernstein's basis, or the sign of all of them;
 // if that is 0, for they differ, the coefficients are needed for the children.
-const int kUnknown = 2;
 struct SignOn {
   int sign = kUnknown;
-  Block coefficients;
+  Rounded coefficients;
 };
 
 typedef std::vector<SignOn> Signs;  // of all separators of a box
@@ -31,12 +31,9 @@ class SheetTest {  // in one star box
   bool has_signs(const Sheet& sheet, const Patch& p, const Node& node, Signs* signs);
   int sign(size_t separator, const Patch& p, const Node& node, SignOn* known);
   const LocalNet& local(const Patch& p, const Node& node);
-  const std::vector<Big>& inverse(const Shape& s);
 
   const Box& box_;
   const bool is_strict_;  // S1 of version 1
   Units* const units_;
   std::unique_ptr<LocalNet> local_;  // of the node, once needed
-  Shape inverse_shape_ = {false, -1, -1};
-  std::vector<Big> inverse_;
 };

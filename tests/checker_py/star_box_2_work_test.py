@@ -17,9 +17,9 @@ class Work(OnAPlate):
         box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2 + [[units(0, 0, Q(1, 2)), units(0, 0, -Q(1, 2))]],
                    [(3, 64, [1] + [0] * 19), (1, 0, [-1] + [0] * 3)], [[2, 1], [2, 2], [1, 0]])
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, level, bits, s1, first, second in ((1, 0, 21, 1, 1 + (3 * 4 * 9 * 7 ** 2 >> 6), 1),
-                                                       (15, 0, 24, 1 + (2025 * 24 >> 11), 1 + (3 * 256 * 961 * 7 ** 2 >> 6), 1 + (256 * 2 ** 2 >> 6)),
-                                                       (15, 2, 84, 1 + (2025 * 84 >> 11), 1 + (3 * 256 * 961 * 10 ** 2 >> 6), 1 + (256 * 3 ** 2 >> 6))):
+        for degree, level, bits, s1, first, second in ((1, 0, 21, 1, 1 + (3 * 4 * 9 * 7 ** 2 >> 7), 1),
+                                                       (15, 0, 24, 1 + (2025 * 24 >> 11), 1 + (3 * 256 * 961 * 7 ** 2 >> 7), 1 + (256 * 2 ** 2 >> 7)),
+                                                       (15, 2, 84, 1 + (2025 * 84 >> 11), 1 + (3 * 256 * 961 * 10 ** 2 >> 7), 1 + (256 * 3 ** 2 >> 7))):
             prover = Prover2([models2.raised(square, degree)], checked=False)
             read, node, spent = prover.probe(box), prover.forest.roots[0], []
             for _ in range(level):
@@ -41,7 +41,7 @@ class Work(OnAPlate):
         box = Box2(0, units(-1, -1, -1), units(1, 1, 1), [[units(0, 0, -Q(1, 2)), units(0, 0, Q(1, 2))]] * 2,
                    [(1, 0, [-1, 0, 0, 1])], [[1], [2]])   # x - 1/2
         square = forge.surface([[(x, y, 0) for y in (0, 1)] for x in (0, 1)])
-        for degree, quarters in ((1, (1, 1)), (15, (1 + (256 * 30 * 3 >> 8), 1 + (256 * 30 * 3 >> 8)))):
+        for degree, quarters in ((1, (2, 2)), (15, (2 + (256 * 30 >> 8), 2 + (256 * 30 >> 8)))):
             prover, spent = Prover2([models2.raised(square, degree)], checked=False), []
             read, node = prover.probe(box), prover.forest.roots[0]
             signs = sheets.Signs(read, spent.append)

@@ -93,7 +93,7 @@ struct StarDescent : Descent {
     if (misses(p, *node)) return;
     units.add(p.cost_of_g(node->level));
     forest.need_g(p, node, parent);
-    Signs signs = test.begin(p, *node, of_parent, c);
+    Signs signs = test.begin(p, of_parent, c);
     const int sheet = test.sheet_of(p, node, &signs);
     if (sheet >= 0) return pieces[size_t(sheet)].push_back(Piece{&p, node});
     require(node->level < kLevels, "C2", "S1 fails on a node of level 24, in box", number);

@@ -23,7 +23,7 @@ i128 floor_divided(i128 a, int64_t b) {
   return q - (q * b > a);
 }
 
-int64_t middle(int64_t a, int64_t b) { return (a + b) >> 1; }
+int64_t midpoint(int64_t a, int64_t b) { return (a + b) >> 1; }
 
 // Both halves of a row come from n rounds of midpoints: the second half from those with the next number, the first half
 // from those with the one before. rows: of `width` numbers each, `step` apart.
@@ -31,10 +31,10 @@ void halve(int64_t* rows, int n, int64_t step, int width) {
   for (int round = 1; round <= n; ++round)
     for (int i = 0; i <= n - round; ++i) {
       int64_t* const row = rows + i * step;
-      for (int k = 0; k < width; ++k) row[k] = middle(row[k], row[k + step]);
+      for (int k = 0; k < width; ++k) row[k] = midpoint(row[k], row[k + step]);
     }
 }
-void quarter_tensor(const Shape& s, int child, std::vector<int64_t>* c) {
+void take_quarter(const Shape& s, int child, std::vector<int64_t>* c) {
   const int64_t along = s.q + 1;
   if (child / 2 == 0)
     halve(c->data() + s.p * along, s.p, -along, s.q + 1);
@@ -49,35 +49,36 @@ void quarter_tensor(const Shape& s, int child, std::vector<int64_t>* c) {
   }
 }
 
-// A vertex of a child of a triangle: the midpoint of two corners, or a corner twice.
-struct Vertex {
-  int a, b;
-};
-// One step of de Casteljau's scheme at the vertex: from the net of degree n, that of degree n - 1.
-std::vector<int64_t> step(const std::vector<int64_t>& net, int n, const Vertex& v) {
-  const Shape s = {true, n, n}, to = {true, n - 1, n - 1};
-  std::vector<int64_t> r(size_t(to.count()));
-  for (int j = 0; j < n; ++j)
-    for (int k = 0; j + k < n; ++k) {
-      const auto next = [&](int corner) { return net[size_t(s.at3(j + (corner == 1), k + (corner == 2)))]; };
-      r[size_t(to.at3(j, k))] = middle(next(v.a), next(v.b));
-    }
-  return r;
+// Replaces the corner `to` of a triangle's net by its midpoint with the corner `from`.
+void replace(const Shape& s, int from, int to, int64_t* c) {
+  for (int m = 1; m <= s.p; ++m)  // the rows with from + to = m
+    for (int step = 1; step <= m; ++step)
+      for (int r = m; r >= step; --r) {
+        int i[3], j[3];
+        i[to] = r, i[from] = m - r, i[3 - from - to] = s.p - m;
+        j[to] = r - 1, j[from] = m - r + 1, j[3 - from - to] = s.p - m;
+        int64_t* const x = &c[s.at3(i[1], i[2])];
+        *x = midpoint(*x, c[s.at3(j[1], j[2])]);
+      }
 }
-// The coefficient with indices i, j, k comes from i, j and k steps at the vertices of the child.
-void quarter_triangle(const Shape& s, int child, std::vector<int64_t>* c) {
-  Vertex v[3];
-  for (int i = 0; i < 3; ++i) v[i] = child < 3 ? Vertex{child, i} : Vertex{(i + 1) % 3, (i + 2) % 3};
-  std::vector<int64_t> last = *c;
+void take_corner(const Shape& s, int corner, int64_t* c) {
+  replace(s, corner, (corner + 1) % 3, c);
+  replace(s, corner, (corner + 2) % 3, c);
+}
+// The middle triangle (m0, m1, m2), m0 between the corners 1 and 2. After k steps at m2 the coefficients with the third
+// index k are on the side from m1 to m0 of the corner triangle (m1, m0, c2).
+void take_middle(const Shape& s, std::vector<int64_t>* c) {
+  std::vector<int64_t> net = *c, corner;
   for (int k = 0; k <= s.p; ++k) {
-    std::vector<int64_t> second = last;
-    for (int j = 0; j + k <= s.p; ++j) {
-      std::vector<int64_t> first = second;
-      for (int n = s.p - k - j; n > 0; --n) first = step(first, n, v[0]);
-      (*c)[size_t(s.at3(j, k))] = first[0];
-      if (j + k < s.p) second = step(second, s.p - k - j, v[1]);
-    }
-    if (k < s.p) last = step(last, s.p - k, v[2]);
+    const int n = s.p - k;
+    corner = net;
+    take_corner(Shape{true, n, n}, 2, corner.data());
+    for (int j = 0; j <= n; ++j) (*c)[size_t(s.at3(j, k))] = corner[size_t(s.at3(n - j, 0))];
+    for (int row = 0; row < n; ++row)
+      for (int i = 0; i <= row; ++i) {
+        int64_t* const x = &net[size_t(s.at3(row - i, i))];
+        *x = midpoint(*x, net[size_t(s.at3(row - i + 1, i))]);
+      }
   }
 }
 
@@ -101,10 +102,12 @@ Rounded rounded(const Shape& s, const Block& b) {
 
 Rounded quarter(const Shape& s, const Rounded& r, int child) {
   Rounded to = {r.c, r.error + (s.is_triangle ? s.p + 1 : s.p + s.q + 1) / 2};  // a midpoint adds at most 1/2
-  if (s.is_triangle)
-    quarter_triangle(s, child, &to.c);
+  if (!s.is_triangle)
+    take_quarter(s, child, &to.c);
+  else if (child < 3)
+    take_corner(s, child, to.c.data());
   else
-    quarter_tensor(s, child, &to.c);
+    take_middle(s, &to.c);
   return to;
 }
 

@@ -15,12 +15,12 @@ uint64_t limbs_of(const Separator& q, const Patch& p, int level) {
 uint64_t cost_of_products(const Separator& q, const Patch& p, int level) {
   const uint64_t limbs = limbs_of(q, p, level);
   const uint64_t products = count_of(p, 1) * count_of(p, q.degree - 1);
-  return 1 + uint64_t(q.degree) * products * limbs * limbs / 64;
+  return 1 + uint64_t(q.degree) * products * limbs * limbs / 128;
 }
-// The quarter of its coefficients that belongs to a child of a node that has them.
-uint64_t cost_of_quarter(const Separator& q, const Patch& p, int level) {
+// The quarter of its coefficients that belongs to a child of a node that has them; triangles need more midpoints.
+uint64_t cost_of_quarter(const Separator& q, const Patch& p) {
   const Shape s = composed_shape(p, q.degree);
-  return 1 + uint64_t(s.count()) * uint64_t(s.p + s.q) * limbs_of(q, p, level) / 256;
+  return 2 + uint64_t(s.count()) * uint64_t(s.is_triangle ? s.p * s.p : s.p + s.q) / 256;
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ uint64_t cost_of_quarter(const Separator& q, const Patch& p, int level) {
 SheetTest::SheetTest(const Box& box, int version, Units* units)
     : box_(box), is_strict_(version == 1), units_(units) {}
 
-Signs SheetTest::begin(const Patch& p, const Node& child, const Signs* of_parent, int c) {
+Signs SheetTest::begin(const Patch& p, const Signs* of_parent, int c) {
   local_.reset();
   Signs signs(box_.separators.size());
   for (size_t i = 0; of_parent != nullptr && i < signs.size(); ++i) {
@@ -37,7 +37,7 @@ Signs SheetTest::begin(const Patch& p, const Node& child, const Signs* of_parent
     if (before.sign != 0) {
       signs[i].sign = before.sign;
     } else {
-      units_->add(cost_of_quarter(q, p, child.level));
+      units_->add(cost_of_quarter(q, p));
       signs[i].coefficients = quarter(composed_shape(p, q.degree), before.coefficients, c);
     }
   }

@@ -21,7 +21,7 @@ class SheetTest {  // in one star box
  public:
   SheetTest(const Box& box, int version, Units* units);
   // What follows for child c of a node of which every sign is known, or for a root (nullptr).
-  Signs begin(const Patch& p, const Node& child, const Signs* of_parent, int c);
+  Signs begin(const Patch& p, const Signs* of_parent, int c);
   // The number of the sheet to which the node belongs, or -1. REQUIRES the node's g.
   int sheet_of(const Patch& p, Node* node, Signs* signs);
   // Finds out all signs on the node of the last call of sheet_of. The result is the number of limbs that they have.

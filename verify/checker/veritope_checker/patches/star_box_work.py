@@ -34,12 +34,12 @@ def of_products(patch):
 
 def of_composition(separator, node):
     d, patch = separator.degree, node.patch
-    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs(separator, node) ** 2 >> 6)
+    return 1 + (d * count(patch, 1) * count(patch, d - 1) * limbs(separator, node) ** 2 >> 7)
 
 def of_quarter(separator, node):
     """The composition on the node from that on its parent."""
-    d, patch = separator.degree, node.patch
-    return 1 + (count(patch, d) * d * sum(patch.both_degrees) * limbs(separator, node) >> 8)
+    p, q = (separator.degree * n for n in node.patch.both_degrees)
+    return 2 + (count(node.patch, separator.degree) * (p + q if node.patch.is_tensor else p * p) >> 8)
 
 def limbs(separator, node):
     return 2 + separator.degree * (bits_at(node.patch, node.level) + separator.length) // 64

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_thin.cc: --count N --models N --maps N --seed S [--only embedded|crossing|touching|assemblies|maps]. Tests
-// the search for boxes in frames and with several sheets on thin walls of known truth, each under a random affine map:
+// bench/soak_thin.cc: --count N --models N --maps N --seed S [--only embedded|crossing|touching|assemblies|maps]
+// [--program VERITOPE]. Tests the search for boxes in frames and with several sheets on thin walls of known truth, each under a random affine map:
 // two to five sheets, flat, quadric, of different curvature near one point, and free-form, at gaps down to 2^-40 of the
 // size for planes and spheres (2^-13 for free-form ones). Those that are apart must be valid with their genus and
 // bodies, those that cross invalid, those that touch never valid. Assemblies are two to four of those that are apart,
 // in a row; half of the rows are not mapped. Then N models under N maps each, rotations and shears up to 2^10: their
-// verdicts must agree. One JSON line a figure; wrong and undecided models on standard error.
+// verdicts must agree. One JSON line a figure; wrong and undecided models on standard error. With a program, that program
+// must certify each sound model that is found valid, too: then the checker has accepted it.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bench/arguments.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/write_splines.h"
 #include "models/patch_shapes.h"
 #include "models/thin_shapes.h"
 #include "robust/base/random.h"
@@ -171,7 +176,20 @@ Subject random_subject(Kind kind, std::size_t i, Random& random) {
   return out;
 }
 
-Tally run(Kind kind, std::size_t count, std::uint64_t seed) {
+// Whether `veritope certify` says VALID, which it does after the checker has accepted.
+bool is_certified(const std::string& program, const Patches& patches, std::uint64_t seed) {
+  namespace fs = std::filesystem;
+  const fs::path file = fs::temp_directory_path() / ("soak_thin_" + std::to_string(seed) + ".vjson");
+  std::ofstream(file) << spline_json_bytes(model_of(patches));
+  const int exit = std::system((program + " certify " + file.string() + " > " + file.string() + ".txt").c_str());
+  if (exit == 0) {
+    fs::remove(file);
+    fs::remove(file.string() + ".txt");
+  }
+  return exit == 0;
+}
+
+Tally run(Kind kind, std::size_t count, std::uint64_t seed, const std::string& program) {
   Tally tally;
   for (std::size_t i = 0; i < count; ++i) {
     Random random(seed + i);
@@ -185,7 +203,8 @@ Tally run(Kind kind, std::size_t count, std::uint64_t seed) {
     const bool is_sound = kind == Kind::kEmbedded || kind == Kind::kAssembly;
     const bool is_right =
         a.verdict == Verdict::kUndecided ||
-        (is_sound ? has_known_numbers(a, subject) : a.verdict == Verdict::kInvalid);
+        (is_sound ? has_known_numbers(a, subject) && (program.empty() || is_certified(program, subject.patches, seed + i))
+                  : a.verdict == Verdict::kInvalid);
     if (!is_right) ++tally.wrong;
     if (!is_right || (a.verdict == Verdict::kUndecided && kind != Kind::kTouching))
       std::fprintf(stderr, "%s %s, seed %llu: %s, %.1f s: %s\n", is_right ? "undecided" : "WRONG",
@@ -240,18 +259,19 @@ std::size_t run_maps(std::size_t num_models, std::size_t num_maps, std::uint64_t
 int main(int argc, char** argv) {
   std::size_t count = 2000, models = 500, maps = 20;
   std::uint64_t seed = 1;
-  std::string only;
+  std::string only, program;
   bench::read_arguments(argc, argv,
                         {{"--count", &count},
                          {"--models", &models},
                          {"--maps", &maps},
                          {"--seed", &seed},
-                         {"--only", &only}});
+                         {"--only", &only},
+                         {"--program", &program}});
   const auto is_wanted = [&](const char* kind) { return only.empty() || only == kind; };
   std::size_t wrong = 0;
   const auto one = [&](const char* name, Kind kind, const char* goal) {
     if (!is_wanted(name)) return;
-    const Tally t = run(kind, count, seed);
+    const Tally t = run(kind, count, seed, program);
     print(name, t, goal);
     wrong += t.wrong;
   };

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The Python checker of star-box certificates of version 2: units of work."""
+import pathlib
+import re
 import unittest
 from fractions import Fraction as Q
 
@@ -73,6 +75,14 @@ class Work(OnAPlate):
         for most, expected in ((taken, "ACCEPT"), (taken - 1, "W1"), (0, "C1")):
             with replaced((work, "allowed", lambda _, most=most: most)):
                 self.says(expected, self.plate, plan, skip={"replaced"})
+
+    def test_both_checkers_and_the_page_state_one_bound(self):
+        tree = pathlib.Path(__file__).resolve().parents[2]
+        page = (tree / "docs/certificates/star-box.md").read_text(encoding="utf-8")
+        cpp = (tree / "verify/checker/patches/star.h").read_text(encoding="utf-8")
+        power, each = re.search(r"exceeds 2\^(\d+) \+ (\d+) \(bytes", page).groups()
+        self.assertEqual((work.FREE_UNITS, work.UNITS_OF_BYTE), (1 << int(power), int(each)))
+        self.assertEqual(re.search(r"kFreeUnits = 1 << (\d+), kUnitsOfByte = (\d+);", cpp).groups(), (power, each))
 
 if __name__ == "__main__":
     unittest.main()

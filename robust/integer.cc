@@ -3,6 +3,7 @@
 
 #include <gmp.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <numeric>
@@ -173,18 +174,18 @@ Integer Integer::from_decimal(std::string_view digits) {
   constexpr std::size_t kSurelySmall = 18;  // digits
   const bool negative = digits.starts_with('-');
   const std::string_view rest = digits.substr(negative ? 1 : 0);
-  if (!rest.empty() && rest.size() <= kSurelySmall) {
+  // GMP would skip blanks, and end at a zero byte.
+  VT_CHECK(!rest.empty() && std::all_of(rest.begin(), rest.end(), [](char c) { return c >= '0' && c <= '9'; }),
+           "not a decimal integer");
+  if (rest.size() <= kSurelySmall) {
     std::int64_t value = 0;
-    for (const char c : rest) {
-      VT_CHECK(c >= '0' && c <= '9', "not a decimal integer");
-      value = 10 * value + (c - '0');
-    }
+    for (const char c : rest) value = 10 * value + (c - '0');
     return negative ? -value : value;
   }
   Integer to;
   {
     Result r(to);
-    VT_CHECK(mpz_set_str(r, std::string(digits).c_str(), 10) == 0, "not a decimal integer");
+    mpz_set_str(r, std::string(digits).c_str(), 10);
   }
   return to;
 }

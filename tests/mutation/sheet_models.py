@@ -82,7 +82,8 @@ def plates_that_cross(rng):
     """The second of the plates, moved down on or into the first; its boxes stay, or go with it."""
     gap, place, plan = plates(rng)
     down, n = gap + rng.choice(HAIRS + [gap / 3, gap]), len(plan.entities) * 2 // (plan.values["shells"] * 2)
-    by = [sum(a * x for a, x in zip(row, (Q(rng.randint(0, 1), 3), Q(0), -down))) for row in place.rows]
+    v = Q(rng.randint(0, 1), 3), Q(0), -down
+    by = [sum(a * x for a, x in zip(row, v)) for row in place.rows]
     new = copied(plan)
     for i in range(n, 2 * n):
         e = new.entities[i]

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include "robust/base/check.h"
@@ -74,7 +75,10 @@ TEST(Integer, ReadsLimbsAndDecimals) {
   const std::uint64_t limbs[] = {1, 2};
   EXPECT_EQ(Integer::from_limbs(limbs, 2, true), -(power_of_two(65) + Integer(1)));
   EXPECT_EQ(Integer::from_decimal("-42"), Integer(-42));
-  EXPECT_THROW(Integer::from_decimal("4x2"), InternalError);
+  for (const std::string& text : {std::string(), std::string("-"), std::string("4x2"), std::string("+42"),
+                                  std::string("1234567890 1234567890"), std::string(20, ' ') + "1",
+                                  std::string("12345678901234567890\0a", 22)})
+    EXPECT_THROW(Integer::from_decimal(text), InternalError) << text;
 }
 
 TEST(Integer, DividesAsNamed) {

@@ -28,7 +28,6 @@ std::uint64_t magnitude(std::int64_t value) {
 // An Integer as GMP sees it.
 struct IntegerGmp {
   static bool is_small(const Integer& a) { return a.is_small(); }
-  static std::int64_t& small(Integer& a) { return a.held_.small; }
   static std::int64_t small(const Integer& a) { return a.held_.small; }
   static bool are_small(const Integer& a, const Integer& b) { return a.is_small() && b.is_small(); }
 

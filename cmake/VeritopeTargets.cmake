@@ -22,11 +22,11 @@ function(veritope_file_options flags)
                               SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# veritope_batches(TARGET): the compiler takes the files of TARGET eight at a time ("unity build"), so that it parses
+# veritope_batches(TARGET): the compiler takes the files of TARGET sixteen at a time ("unity build"), so that it parses
 # shared headers and instantiates shared templates once a batch. Files with flags of their own stay single. A name in an
 # anonymous namespace must therefore be the only one of its kind in its folder.
 function(veritope_batches target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${VERITOPE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${VERITOPE_UNITY} UNITY_BUILD_BATCH_SIZE 16)
   if(VERITOPE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC takes a .cc file of a batch for a header, and warns of types of anonymous namespaces in its classes.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)

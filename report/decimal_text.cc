@@ -113,6 +113,11 @@ std::string short_decimal(double value, int digits) {
   return short_decimal(Rational::from_double(value), digits);
 }
 
+std::string range_text(const Interval& a, int digits) {
+  const std::string lo = short_decimal(a.lo(), digits), hi = short_decimal(a.hi(), digits);
+  return lo == hi ? lo : lo + " to " + hi;
+}
+
 std::string cut(std::string_view text, std::size_t size) {
   if (text.size() <= size) return std::string(text);
   return std::string(text.substr(0, size - 3)) + "...";

@@ -7,9 +7,6 @@
 namespace veritope::report {
 namespace {
 
-std::string range_text(const Interval& a) {
-  return short_decimal(a.lo(), 9) + (a.lo() == a.hi() ? "" : " to " + short_decimal(a.hi(), 9));
-}
 std::string place_text(const Box3& box) {
   return "(" + range_text(box[0]) + ", " + range_text(box[1]) + ", " + range_text(box[2]) + ")";
 }

@@ -7,12 +7,6 @@
 namespace veritope::report {
 namespace {
 
-// Rounded to nearest, for people.
-std::string range_text(const Interval& a) {
-  const std::string lo = short_decimal(a.lo(), 9), hi = short_decimal(a.hi(), 9);
-  return lo == hi ? lo : lo + " to " + hi;
-}
-
 template <std::size_t N>
 std::string line_of(const CriticalPoint<N>& p) {
   std::string out = "    " + std::string(critical_kind_name(p.kind)) + "  distance " +

@@ -53,8 +53,8 @@ add_library(veritope_flags INTERFACE)
 target_compile_options(veritope_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic
                        -Wno-unused-parameter $<$<BOOL:${VERITOPE_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC looks for garbage whenever its heap has grown by 128 MiB or less, which takes 5 to 12 % of the time of a batch and
-  # frees little. These parameters change no code; a unit takes up to a quarter more memory, 1.2 GB at most.
+  # GCC looks for garbage whenever its heap has grown by 128 MiB or less, which takes 5 to 12 % of the time of a batch
+  # and frees little. This parameter changes no code; a unit takes up to a quarter more memory, 1.2 GB at most.
   target_compile_options(veritope_flags INTERFACE --param=ggc-min-heapsize=1000000)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -25,8 +25,8 @@ std::string short_decimal(const Rational& value, int digits = 6);
 /// The double's exact value as short_decimal; "inf" for infinity.
 std::string short_decimal(double value, int digits = 6);
 
-/// Both bounds as short_decimal, for people: "1.5 to 1.75", or "1.5" if both have the same text. The bounds are rounded to
-/// nearest, so the text is no enclosure.
+/// Both bounds as short_decimal, for people: "1.5 to 1.75", or "1.5" if both have the same text. The bounds are rounded
+/// to nearest, so the text is not an enclosure.
 std::string range_text(const Interval& a, int digits = 9);
 
 /// The text, or its start with "..." and a total of `size` characters if it is longer. REQUIRES size >= 4.

@@ -110,8 +110,8 @@ constexpr std::array<PatchExplanation, 12> kExplanations = {{
       "Two patches have equal control points, in one of the 8 orders of a tensor patch or the 6 of "
       "a "
       "triangle. The surface passes itself everywhere there, so it bounds no solid. Where other "
-      "patches share a side with both, INVALID is proved (side-overused); otherwise no certificate "
-      "can carry the proof. Status 3.",
+      "patches share a side with both, the report says side-overused; otherwise it names the middles "
+      "of the two, which have one image. Status 1, with a certificate.",
       "A face that was exported twice, the two sides of a sheet without thickness.",
       "Delete one of the two, or both if the sheet has no thickness.",
       "Open CASCADE: coincident faces; mesh tools: duplicate face"},
@@ -121,8 +121,9 @@ constexpr std::array<PatchExplanation, 12> kExplanations = {{
     {{"patch-degenerate", "patch that is a point or a curve",
       "All control points of a patch are one point, or its normal is zero everywhere, so that it "
       "is "
-      "a curve. Such a patch is mapped one to one by no means, so the model bounds no solid as it "
-      "stands. Status 3.",
+      "a curve. Such a patch cannot be mapped one to one, so the model bounds no solid as it "
+      "stands. Status 1, with a certificate that names two of its points with one image; status 3 "
+      "where a curve has no such points on lines of parameters.",
       "A face that shrank to nothing, a fillet of radius zero, a sliver that was collapsed.",
       "Delete the patch, and give the patches beside it a common side.",
       "Open CASCADE BRepCheck: degenerated face; mesh tools: zero-area face"},
@@ -133,7 +134,8 @@ constexpr std::array<PatchExplanation, 12> kExplanations = {{
       "A line of parameters strictly inside a patch is mapped to one point: different places of "
       "the "
       "surface have one image, so the model bounds no solid. Only a whole side may be one point. "
-      "There are no inequalities that prove it, hence no certificate. Status 3.",
+      "Status 1, with a certificate that names two points of the line; status 3 where the "
+      "line's parameter is irrational or has a denominator over 20 bits.",
       "A spindle torus, a cone that was continued through its apex, a profile that touches its "
       "axis "
       "of revolution.",

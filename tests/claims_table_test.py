@@ -19,6 +19,7 @@ import attacks  # noqa: E402
 import collar_liars  # noqa: E402
 import every_claim  # noqa: E402
 import invalid_liars  # noqa: E402
+import meeting_liars  # noqa: E402
 import patch_liars  # noqa: E402
 import sheet_liars  # noqa: E402
 
@@ -48,6 +49,7 @@ LIARS = {
     "star-box-2": of_patches(sheet_liars.thin_attacks),
     "star-box-turned-2": of_patches(sheet_liars.wrong_windings),
     "patch-invalid-1": of_patches(invalid_liars.invalid_attacks),
+    "patch-invalid-2": of_patches(meeting_liars.meeting_attacks),
     "collar-1": of_patches(collar_liars.lies_about_a_collar),
 }
 

@@ -15,6 +15,8 @@
 namespace veritope {
 namespace {
 
+constexpr std::size_t kMostExamined = 50'000;  // patches
+
 using Kind = PatchDegeneracy::Kind;
 using Row = std::array<Rational, 4>;
 
@@ -151,7 +153,8 @@ std::optional<PatchDegeneracy> degeneracy_of(const Patch& patch) {
 
 std::vector<PatchDegeneracy> find_degeneracies(std::span<const Patch> patches) {
   std::vector<PatchDegeneracy> out;
-  for (std::uint32_t p = 0; p < patches.size(); ++p) {
+  const std::size_t end = std::min(patches.size(), kMostExamined);
+  for (std::uint32_t p = 0; p < end; ++p) {
     if (patches[p].max_degree() > kMaxPatchDegree || !has_positive_weights(patches[p])) continue;
     if (auto found = degeneracy_of(patches[p])) {
       found->patch = p;

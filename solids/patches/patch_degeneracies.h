@@ -27,7 +27,7 @@ struct PatchDegeneracy {
 };
 
 /// The first of each patch, ascending. Patches with a weight that is not positive or a degree over kMaxPatchDegree are
-/// passed over.
+/// passed over, and so are all patches after the first 50,000.
 std::vector<PatchDegeneracy> find_degeneracies(std::span<const Patch> patches);
 
 }  // namespace veritope

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "models/thin_shapes.h"
 #include "solids/pieces/exact_piece.h"
 #include "tests/certify/crossing_planes.h"
 #include "tests/certify/planted_crossings.h"
@@ -256,6 +257,33 @@ TEST(CrossingSearch, FindsPlantedCrossings) {
     EXPECT_EQ(broken(complex, *w), std::nullopt) << i << ": " << m.name;
   }
   EXPECT_LE(50 * missed, kModels);
+}
+
+// The spheres cross at an angle of about the gap, and near it their distance is less than doubles tell.
+TEST(CrossingSearch, FindsCrossingsOfSheetsThatNearlyCoincide) {
+  const std::vector<thin_shapes::Family> families = thin_shapes::families();
+  for (const thin_shapes::Family& family : families) {
+    if (family.name != "spheres" && family.name != "eccentric") continue;
+    for (int bits = 8; bits <= 40; bits += 4) {
+      SCOPED_TRACE(family.name + ", gap 2^-" + std::to_string(bits));
+      const Rational gap = Rational::power_of_two(-bits);
+      const auto found = [&](thin_shapes::Walls walls, std::optional<CrossingWitness>* witness) {
+        const PatchComplex complex = complex_of(thin_shapes::turned(family.make(gap, walls)));
+        PieceForest forest = PieceForest::make(complex).value();
+        CrossingSearch search(forest);
+        *witness = search.among_patches();
+        if (*witness) {
+          EXPECT_EQ(broken(complex, **witness), std::nullopt);
+        }
+        return witness->has_value();
+      };
+      std::optional<CrossingWitness> witness;
+      if (family.name == "spheres" || bits <= 20) {
+        EXPECT_TRUE(found(thin_shapes::Walls::kCrossing, &witness));
+      }
+      EXPECT_FALSE(found(thin_shapes::Walls::kApart, &witness));
+    }
+  }
 }
 
 TEST(PieceNeighbours, AreThoseWithACommonPointOfTheSurface) {

@@ -135,15 +135,15 @@ TEST(Frames, TinyPartsBesideLargeOnes) {
 }
 
 // A shell of one triangle, all of whose corners are one point, has no length, and no multiple of a power of two in it.
-TEST(Frames, ShellsThatArePointsAreLeftOpen) {
+TEST(Frames, ShellsThatArePointsAreRefutedByTwoOfTheirPoints) {
   Patch::Triangle point(1, 3, false);
   for (int k = 0; k < 3; ++k)
     for (Rational& x : point.component(k)) x = Rational(1) / Rational(3);
   Patches patches = patch_shapes::box({0, 0, 0}, {1, 1, 1});
   patches.push_back(make_patch(point).value());
   const PatchDecision d = certified_patches(patches).decision;
-  ASSERT_TRUE(d.open);
-  EXPECT_EQ(d.open->place.patch, 6u);
+  ASSERT_TRUE(d.refutation);
+  EXPECT_EQ(std::get<MeetingWitness>(*d.refutation).places[0].patch, 6u);
 }
 
 // Every contact is found at once, at its place, and its distance and angle are reported.

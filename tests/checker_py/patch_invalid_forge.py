@@ -18,6 +18,7 @@ def interval(at):
 
 class Finding:
     """Everything that a body says. pair: two (patch, at, at); arcs: (patch, side, at); at: (lo, hi) or (k, a, b)."""
+    claim, magic = "patch-invalid-1", b"VTPI"
 
     def __init__(self, entities, flags=None, kind=0):
         plan = forge.Plan(entities)
@@ -25,11 +26,22 @@ class Finding:
         self.pair, self.y, self.arcs, self.axis, self.t0, self.values, self.tail = [], [], [], 0, (1, 1), {}, b""
 
     def body(self):
-        out = [b"VTPI", forge.u32(len(self.entities)), bytes(self.flags)]
+        return self.head() + self.found() + self.tail
+
+    def head(self):
+        out = [self.magic, forge.u32(len(self.entities)), self.marks()]
         for axes in self.breaks:
             for axis in axes:
                 out += [forge.u32(len(axis)), *map(forge.rational, axis)]
-        out.append(bytes([self.kind]))
+        return b"".join(out)
+
+    def marks(self):
+        """What stands for each entity."""
+        return bytes(self.flags)
+
+    def found(self):
+        """What stands after the breaks."""
+        out = [bytes([self.kind])]
         if self.kind == 0:
             for patch, *at in self.pair:
                 out += [forge.varint(patch)] + [self.interval(a) for a in at]
@@ -38,18 +50,22 @@ class Finding:
             out.append(forge.u32(len(self.arcs)))
             out += [forge.varint(patch) + bytes([side]) + self.interval(at) for patch, side, at in self.arcs]
             out += [bytes([self.axis]), *map(forge.varint, self.t0)]
-        return b"".join(out) + self.tail
+        return b"".join(out)
 
     def interval(self, at):
         return b"".join(map(forge.varint, interval(at) if len(at) == 2 else at))
 
+    def stated(self):
+        """The keys of the finding in the statement."""
+        return {"finding": "side" if self.kind else "crossing", "same": 0, "opposite": 0}
+
     def certificate(self, model=None):
         model, body = forge.encode_model(self.entities) if model is None else model, self.body()
         counts = [(len(b[0]) - 1) * (len(b[1]) - 1) if b else 1 for b in self.breaks]
-        statement = {"certificate": "veritope-certificate-1", "tool": "patch_invalid_forge", "claim": "patch-invalid-1",
+        statement = {"certificate": "veritope-certificate-1", "tool": "patch_invalid_forge", "claim": self.claim,
                      "subject_sha256": hashlib.sha256(model).hexdigest(), "subject_bytes": len(model), "subject_format": "vjson",
-                     "body_sha256": hashlib.sha256(body).hexdigest(), "finding": "side" if self.kind else "crossing",
-                     "patches": sum(counts), "flipped": sum(self.flags), "same": 0, "opposite": 0}
+                     "body_sha256": hashlib.sha256(body).hexdigest(), "patches": sum(counts), "flipped": sum(self.flags)}
+        statement.update(self.stated())
         statement.update(self.values)
         return json.dumps(statement, separators=(",", ":")).encode() + b"\n" + body
 

@@ -319,8 +319,9 @@ class CertifyPatches(Folder):
         orders = [[a, b, c, d], [c, a, d, b], [d, c, b, a], [b, d, a, c]]
         for net in [*orders, *[[p, r, q, s] for p, q, r, s in orders]]:
             one = self.certify([surface([a, b, c, d]), surface(net)], "--orient", "auto")
-            self.assertEqual(one["verdict"], "UNDECIDED")
-            self.assertIn("patch-repeated", [r["code"] for r in one["reasons"]])
+            self.assertEqual((one["verdict"], [d["code"] for d in one["defects"]]), ("INVALID", ["patch-repeated"]))
+            self.assertEqual([p["entity"] for p in one["defects"][0]["parts"]], [0, 1])
+            self.assertTrue(one["certificate"]["checked"])
 
     def test_sides_that_agree_as_point_sets_only_are_undecided(self):
         halves = [[(0, 0, 1), (0, 1, 1), (0.5, 0, 1), (0.5, 1, 1)], [(0.5, 0, 1), (0.5, 1, 1), (1, 0, 1), (1, 1, 1)]]

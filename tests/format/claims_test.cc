@@ -119,6 +119,15 @@ PatchInvalidBody invalid(bool is_side) {
   return b;
 }
 
+PatchMeetingBody meeting() {
+  PatchMeetingBody b;
+  b.entities = {square(), triangle(), triangle()};
+  b.entities.back().is_other = true;
+  b.places = {{{3, {UnitFraction{1, 2}, UnitFraction{7, std::uint64_t{1} << 62}}},
+               {0, {UnitFraction{0, 1}, UnitFraction{5, 5}}}}};
+  return b;
+}
+
 // A certificate of each claim, and bodies that fit it. All claims of the table must be here.
 struct Example {
   Bytes certificate;
@@ -157,6 +166,7 @@ std::map<std::string, Example, std::less<>> examples() {
   all["collar-1"] = {encode(subject, q, collar()), {collar()}, mixed};
   all["patch-invalid-1"] = {
       encode(subject, 5, invalid(true)), {invalid(true), invalid(false)}, {{true, false}}};
+  all["patch-invalid-2"] = {encode(subject, 5, meeting()), {meeting()}, {}};
   return all;
 }
 

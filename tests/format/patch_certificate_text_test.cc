@@ -213,6 +213,18 @@ point: 1/2^1 of the first one's side
 )")) << text;
 }
 
+TEST(PatchCertificateText, SaysWhichPointsHaveOneImage) {
+  ByteWriter w;
+  write_magic(w, "VTI2");
+  w.u32(2), w.u8(2), w.u8(0), w.u8(2), w.u8(1);
+  for (const unsigned v : {0u, 2u, 3u, 1u, 2u, 1u, 4u, 6u, 0u, 1u}) w.varint(v);
+  const std::string text = text_of(certificate_of("patch-invalid-2", 2, w.take()));
+  EXPECT_TRUE(has(text, R"(two points of the surface with one image:
+  A: patch 0, (2/3, 1/2)
+  B: patch 1, (4/6, 0/1)
+)")) << text;
+}
+
 TEST(PatchCertificateText, RefusesOtherClaimsOtherPatchesAndBodiesThatAreNotComplete) {
   const Bytes whole = certificate_of(body_of({{2, 2}}, 1));
   EXPECT_FALSE(has(text_of(whole), "NOT: "));

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Lying provers against both checkers of the claims about patches: star-box-1 and -2, star-box-turned-1 and -2, patch-invalid-1,
-collar-1.
+"""Lying provers against both checkers of the claims about patches: star-box-1 and -2, star-box-turned-1 and -2,
+patch-invalid-1 and -2, collar-1.
 
 As attacks.py, whose harness it uses: a model of known truth, a false claim, and a certificate in which everything but that claim is
 right for some part of the model.  Every attack must be rejected, by both checkers, for the same condition; honest certificates must be
@@ -16,12 +16,13 @@ import time
 import attacks
 import collar_liars
 import invalid_liars
+import meeting_liars
 import patch_liars
 import sheet_conditions
 import sheet_liars
 
 CONDITIONS = ["B2", "B3", "P1", "C1", "C2", "C3", "C4", "W1", "W2", "W3", "K0", "K1E", "K1V", "K2", "K3", "I1", "I2", "I3", "I4",
-              "X1", "X2", "X3", "D1", "D2", "D3", "D4"]
+              "X1", "X2", "X3", "D1", "D2", "D3", "D4", "M1", "M2"]
 # X3 implies X2 (patch-invalid.md, section 4); sides that are not one and one for each component get stuck (referee-2, 2.3).
 IMPLIED = {"X2": ("X3",), "K2": ("K3",)}
 
@@ -40,11 +41,15 @@ def subjects(found):
 
 
 def draw(rng):
-    """More than half of the attacks are of version 2."""
+    """More than half of the attacks are about star boxes of version 2."""
     r = rng.random()
     if r < .2:
         return patch_liars.star_attacks
-    return sheet_liars.sheet_attacks if r < .8 else invalid_liars.invalid_attacks if r < .98 else collar_liars.collar_attacks
+    if r < .8:
+        return sheet_liars.sheet_attacks
+    if r < .98:
+        return invalid_liars.invalid_attacks if r < .92 else meeting_liars.meeting_attacks
+    return collar_liars.collar_attacks
 
 
 def honest(rng):
@@ -54,7 +59,7 @@ def honest(rng):
     elif r < .65:
         yield from sheet_liars.honest(rng)
     elif r < .85:
-        for name, finding in invalid_liars.honest(rng):
+        for name, finding in (invalid_liars if r < .75 else meeting_liars).honest(rng):
             model = patch_liars.forge.encode_model(finding.entities)
             yield name, model, finding.certificate(model)
     else:
@@ -64,7 +69,7 @@ def honest(rng):
 
 TRIED = .05                                               # of the attacks of version 2: is a part of a condition needed?
 KINDS = {make.__name__: make for make in (patch_liars.star_attacks, sheet_liars.sheet_attacks, invalid_liars.invalid_attacks,
-                                          collar_liars.collar_attacks)}
+                                          meeting_liars.meeting_attacks, collar_liars.collar_attacks)}
 
 
 class Run(attacks.Run):
@@ -108,7 +113,7 @@ class Run(attacks.Run):
 
 
 def print_parts(alone):
-    print("needed alone in version 2:")
+    print("needed alone in version 2 of star boxes:")
     for name in sheet_conditions.NAMES:
         why = "" if alone.get(name) else sheet_conditions.UNCOVERED.get(name, "NOT COVERED")
         print("  %-24s %4s  %s" % (name[2:], alone.get(name) or "", why))

@@ -14,6 +14,7 @@ COMMANDS = {
     "star-box-2": (PATCHES / "shell_turned_thin_nearest_valid.itd",),
     "star-box-turned-2": (PATCHES / "shell_turned_thin.itd", "--orient", "keep"),
     "patch-invalid-1": (PATCHES / "side_open_smallest.itd",),
+    "patch-invalid-2": (PATCHES / "singular_line_smallest.itd",),
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
 }
 

@@ -12,6 +12,7 @@
 #include "verify/certify/patch_reasons.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/format/patch_invalid_certificate.h"
+#include "verify/format/patch_meeting_certificate.h"
 
 namespace veritope {
 namespace {
@@ -69,6 +70,8 @@ std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
   const bool is_2 = decision.cover.needs_version_2();
   if (!decision.refutation && has_collar) return certificate::kCollarClaim;
   if (!decision.refutation) return is_2 ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
+  if (std::holds_alternative<MeetingWitness>(*decision.refutation))
+    return certificate::kPatchInvalid2Claim;
   if (!std::holds_alternative<ReversedShell>(*decision.refutation))
     return certificate::kPatchInvalidClaim;
   return is_2 ? certificate::kReversedShell2Claim : certificate::kReversedShellClaim;

@@ -128,9 +128,10 @@ std::optional<CrossingWitness> CrossingSearch::solve_some(const std::vector<Pair
 
 std::optional<CrossingWitness> CrossingSearch::solve(const Pair& pair) {
   const PieceForest::Node &a = forest_.node(pair.a), &b = forest_.node(pair.b);
-  const auto solution = solver_.solve({middle(a), middle(b)}, std::max(reach(a), reach(b)));
-  if (!solution) return std::nullopt;
-  return solver_.prove(*solution);
+  const std::array<SheetPlace, 2> guess{middle(a), middle(b)};
+  const double far = std::max(reach(a), reach(b));
+  if (const auto solution = solver_.solve(guess, far)) return solver_.prove(*solution);
+  return solver_.prove_close(guess, far);
 }
 
 SheetPlace CrossingSearch::middle(const PieceForest::Node& node) const {

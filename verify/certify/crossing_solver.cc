@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "verify/certify/crossing_solver.h"
+#include "verify/certify/crossing_solver_internal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "verify/certify/miranda_internal.h"
-#include "verify/certify/sheet_tangents_internal.h"
 
 namespace veritope {
 namespace {
@@ -17,7 +16,7 @@ constexpr int kMaxSteps = 24;
 constexpr double kLastStep = 0x1p-28;
 // The bits of the fixed parameter, fewer first; boxes have half widths of 2^-kFirst to 2^-kLast.
 constexpr std::array<unsigned, 4> kFixedBits = {6, 14, 24, 40};
-constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20;
+constexpr unsigned kFirst = 3, kLast = 40, kCentreBits = 20, kMostBits = 62;
 constexpr double kRowSize = 0x1p40;
 constexpr std::size_t kMostExact = 3;  // tests of one solution with one fixed parameter
 constexpr double kNear = 0x1p-16;      // distance of parameters, in units of the patch's domain
@@ -47,21 +46,6 @@ std::optional<Vector> stretched(const Vector& row, const std::array<int, 3>& exp
   return out;
 }
 
-// Y for the frame's coordinates, which are 2^scale times the model's, as integer rows of any length
-// for the model's.
-std::optional<std::array<std::array<std::int64_t, 3>, 3>> integer_rows(
-    const Matrix& inverse, const std::array<int, 3>& scale) {
-  std::array<std::array<std::int64_t, 3>, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<Vector> row = stretched(inverse[i], scale);
-    if (!row) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k)
-      rows[i][k] =
-          static_cast<std::int64_t>(std::nearbyint((*row)[k] * (kRowSize / largest(*row))));
-  }
-  return rows;
-}
-
 // The interval of this radius around the multiple of 2^-bits nearest to t; the radius is a number of such multiples.
 // Nothing if the interval does not lie in [0,1].
 std::optional<DyadicInterval> interval_around(double t, unsigned bits, double radius) {
@@ -80,11 +64,40 @@ double parameter(const std::array<SheetPlace, 2>& places, std::size_t i) {
 
 }  // namespace
 
-/// A - B and its derivatives by the four parameters.
-struct CrossingSolver::Linear {
-  Vector difference;
-  std::array<Vector, 4> columns;
-};
+std::optional<std::array<std::array<std::int64_t, 3>, 3>> internal::integer_rows(
+    const Matrix& inverse, const std::array<int, 3>& scale, double size) {
+  std::array<std::array<std::int64_t, 3>, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<Vector> row = stretched(inverse[i], scale);
+    if (!row) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k)
+      rows[i][k] = static_cast<std::int64_t>(std::nearbyint((*row)[k] * (size / largest(*row))));
+  }
+  return rows;
+}
+
+std::optional<CrossingWitness> internal::box_around(
+    const PieceForest& forest, const std::array<SheetPlace, 2>& solution, std::size_t fixed,
+    unsigned fixed_bits, unsigned m, const std::array<std::array<std::int64_t, 3>, 3>& rows) {
+  CrossingWitness w;
+  w.rows = rows;
+  const unsigned bits = std::min(m + kCentreBits, kMostBits);
+  for (std::size_t i = 0; i < 4; ++i) {
+    PatchRectangle& sheet = w.sheets[i / 2];
+    sheet.patch = solution[i / 2].patch;
+    const bool is_open = i < 2 || (i == 2 && forest.form(sheet.patch).shape.is_triangle);
+    const double t = parameter(solution, i);
+    const auto around = i == fixed
+                            ? interval_around(t, fixed_bits, 0)
+                            : interval_around(t, bits, std::ldexp(1.0, static_cast<int>(bits - m)));
+    if (!around || (is_open && around->lo == 0) ||
+        (i < 2 && around->hi == std::uint64_t{1} << around->bits))
+      return std::nullopt;
+    sheet.at[i % 2] = *around;
+  }
+  if (!are_apart(w.sheets[0], w.sheets[1])) return std::nullopt;
+  return w;
+}
 
 // J^T y with J J^T y = difference: the shortest step that solves J step = difference. Rows of J are scaled to length
 // approximately one, which changes nothing but rounding.
@@ -248,8 +261,8 @@ std::optional<CrossingSolver::Rows> CrossingSolver::settle(std::array<SheetPlace
       if (!(t >= 0 && t <= 1)) return std::nullopt;
     }
     if (length < kLastStep && length >= 0.25 * last)
-      return integer_rows(inverse, forest_.frame().scale);
-    if (length == 0) return integer_rows(inverse, forest_.frame().scale);
+      return internal::integer_rows(inverse, forest_.frame().scale, kRowSize);
+    if (length == 0) return internal::integer_rows(inverse, forest_.frame().scale, kRowSize);
     last = length;
   }
   return std::nullopt;
@@ -261,24 +274,10 @@ std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace
   const PatchComplex& complex = forest_.complex();
   std::size_t exact = 0;
   for (unsigned m = kFirst; m <= kLast && exact < kMostExact && num_exact < kMostExactInAll; ++m) {
-    CrossingWitness w;
-    w.rows = rows;
-    bool fits = true;
-    for (std::size_t i = 0; i < 4 && fits; ++i) {
-      PatchRectangle& sheet = w.sheets[i / 2];
-      sheet.patch = solution[i / 2].patch;
-      const bool is_open = i < 2 || (i == 2 && forest_.form(sheet.patch).shape.is_triangle);
-      const auto around = i == fixed
-                              ? interval_around(parameter(solution, i), fixed_bits, 0)
-                              : interval_around(parameter(solution, i), m + kCentreBits,
-                                                std::ldexp(1.0, static_cast<int>(kCentreBits)));
-      fits = around && !(is_open && (around->lo == 0 ||
-                                     (i < 2 && around->hi == std::uint64_t{1} << around->bits)));
-      if (fits) sheet.at[i % 2] = *around;
-    }
-    if (!fits || !are_apart(w.sheets[0], w.sheets[1]) || !is_forecast(w)) continue;
+    const auto w = internal::box_around(forest_, solution, fixed, fixed_bits, m, rows);
+    if (!w || !is_forecast(*w)) continue;
     ++exact, ++num_exact;
-    if (!broken_condition(complex.patch(w.sheets[0].patch), complex.patch(w.sheets[1].patch), w))
+    if (!broken_condition(complex.patch(w->sheets[0].patch), complex.patch(w->sheets[1].patch), *w))
       return w;
   }
   return std::nullopt;

@@ -35,17 +35,33 @@ Patch EntityParts::file_patch(std::uint32_t patch) const {
   return is_reversed(patch) ? reversed(complex_.patch(patch)) : complex_.patch(patch);
 }
 
+// Converts parameters of the tensor form of the file's patch.
+std::vector<Bounds> EntityParts::on_tensor_form(std::uint32_t patch, const Bounds& s,
+                                                const Bounds& t) const {
+  if (!complex_.patch(patch).is_triangle()) return in_entity(patch, s, t);
+  const Bounds back = mirrored(t);
+  return {mirrored(s), {s[0] * back[0], s[1] * back[1]}, {s[0] * t[0], s[1] * t[1]}};
+}
+
 EntityPart EntityParts::of(const PatchRectangle& where) const {
   EntityPart out;
   out.entity = entity_of(where.patch);
-  const Bounds s = bounds_of(where.at[0]), t = bounds_of(where.at[1]);
-  if (!complex_.patch(where.patch).is_triangle()) {
-    out.parameters = outward(in_entity(where.patch, s, t));
-    return out;
-  }
-  const Bounds back = mirrored(t);
-  out.parameters = {outward(mirrored(s)), outward({s[0] * back[0], s[1] * back[1]}),
-                    outward({s[0] * t[0], s[1] * t[1]})};
+  out.parameters =
+      outward(on_tensor_form(where.patch, bounds_of(where.at[0]), bounds_of(where.at[1])));
+  return out;
+}
+
+EntityPart EntityParts::of(const PatchPlace& where) const {
+  EntityPart out;
+  out.entity = entity_of(where.patch);
+  for (const Rational& v : point_of(where)) out.parameters.push_back(outward(Bounds{v, v}));
+  return out;
+}
+
+std::vector<Rational> EntityParts::point_of(const PatchPlace& where) const {
+  std::vector<Rational> out;
+  const auto& [s, t] = where.at;
+  for (const Bounds& b : on_tensor_form(where.patch, {s, s}, {t, t})) out.push_back(b[0]);
   return out;
 }
 

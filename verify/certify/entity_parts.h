@@ -9,6 +9,7 @@
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/cover_question.h"
 #include "verify/certify/crossing_witness.h"
+#include "verify/certify/meeting_witness.h"
 #include "verify/certify/side_witness.h"
 
 namespace veritope {
@@ -28,6 +29,8 @@ class EntityParts {
 
   /// `where` has the parameters of the file's patch.
   EntityPart of(const PatchRectangle& where) const;
+  /// A point, in the parameters of the file's patch.
+  EntityPart of(const PatchPlace& where) const;
   /// `along` has the parameters of the complex's patch, in the side's direction of travel.
   EntityPart of(PatchSide side, const Bounds& along) const;
   EntityPart of(const SideArc& arc) const;
@@ -35,8 +38,11 @@ class EntityParts {
   EntityPart of(const PatchPart& part) const;
   /// The parameters of a point of a side, exactly: u and v, or barycentric coordinates. `t` as in `along` above.
   std::vector<Rational> point_of(PatchSide side, const Rational& t) const;
+  /// Those of a point whose parameters are the file's patch's.
+  std::vector<Rational> point_of(const PatchPlace& where) const;
 
  private:
+  std::vector<Bounds> on_tensor_form(std::uint32_t patch, const Bounds& s, const Bounds& t) const;
   std::vector<Bounds> on_side(PatchSide side, const Bounds& along) const;
   std::vector<Bounds> in_entity(std::uint32_t patch, const Bounds& u, const Bounds& v) const;
 

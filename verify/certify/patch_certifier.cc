@@ -18,6 +18,8 @@ certificate::Bytes make_patch_certificate(const PatchComplex& complex,
       return make_patch_invalid_certificate(complex, *crossing, entities, subject);
     if (const auto* const sides = std::get_if<SideWitness>(&*decision.refutation))
       return make_patch_invalid_certificate(complex, *sides, entities, subject);
+    if (const auto* const meeting = std::get_if<MeetingWitness>(&*decision.refutation))
+      return make_patch_invalid_certificate(complex, *meeting, entities, subject);
   }
   return make_star_box_certificate(*forest, decision.cover, decision.walks, entities, subject);
 }

@@ -10,7 +10,8 @@
 
 namespace veritope {
 
-/// The claim star-box-1 of a valid complex, patch-invalid-1 or star-box-turned-1 of a refuted one.
+/// The claim star-box of a valid complex, patch-invalid or star-box-turned of a refuted one, in the least version that
+/// can make it.
 /// REQUIRES a decision of `complex` that is not open, the forest that it was made with, and the entities of the complex
 /// in order.
 certificate::Bytes make_patch_certificate(const PatchComplex& complex,

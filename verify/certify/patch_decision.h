@@ -13,6 +13,7 @@
 #include "solids/base/verdict.h"
 #include "verify/certify/cover_question.h"
 #include "verify/certify/crossing_witness.h"
+#include "verify/certify/meeting_witness.h"
 #include "verify/certify/side_witness.h"
 #include "verify/certify/star_walks.h"
 
@@ -51,7 +52,7 @@ struct ReversedShell {
   int winding = 0;
 };
 /// A proof that the patches do not bound a solid.
-using PatchRefutation = std::variant<CrossingWitness, SideWitness, ReversedShell>;
+using PatchRefutation = std::variant<CrossingWitness, SideWitness, MeetingWitness, ReversedShell>;
 
 struct PatchShellFacts {
   std::int64_t euler = 0, genus = 0;

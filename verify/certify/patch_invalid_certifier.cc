@@ -42,6 +42,25 @@ certificate::SideFinding finding_of(const PatchComplex& complex, const SideWitne
   return out;
 }
 
+std::uint64_t short_number(const Integer& n) {
+  VT_CHECK(n.bit_length() <= 62, "parameters of meetings are short");
+  return n.low_bits();
+}
+
+certificate::PatchMeetingBody body_of(const PatchComplex& complex, const MeetingWitness& found,
+                                      const std::vector<bool>& is_reversed) {
+  VT_CHECK(!broken_condition(complex, found), "a witness of a meeting is a proof");
+  const MeetingWitness w = with_reversed(complex, is_reversed, found);
+  certificate::PatchMeetingBody out;
+  for (std::size_t i = 0; i < 2; ++i) {
+    out.places[i].patch = w.places[i].patch;
+    for (std::size_t k = 0; k < 2; ++k)
+      out.places[i].at[k] = {short_number(w.places[i].at[k].numerator()),
+                             short_number(w.places[i].at[k].denominator())};
+  }
+  return out;
+}
+
 }  // namespace
 
 certificate::Bytes make_patch_invalid_certificate(const PatchComplex& complex,
@@ -50,6 +69,11 @@ certificate::Bytes make_patch_invalid_certificate(const PatchComplex& complex,
                                                   const certificate::Subject& subject) {
   const std::size_t n = complex.patches().size();
   const std::vector<bool> is_reversed = reversed_patches(entities, n);
+  if (const auto* const meeting = std::get_if<MeetingWitness>(&witness)) {
+    certificate::PatchMeetingBody body = body_of(complex, *meeting, is_reversed);
+    body.entities = to_certificate(entities);
+    return certificate::encode(subject, n, body);
+  }
   certificate::PatchInvalidBody body;
   body.entities = to_certificate(entities);
   if (const auto* const sides = std::get_if<SideWitness>(&witness)) {

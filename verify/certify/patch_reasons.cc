@@ -8,27 +8,10 @@
 #include "solids/patches/patch_degeneracies.h"
 #include "solids/patches/side_overlaps.h"
 #include "verify/certify/entity_parts.h"
+#include "verify/certify/parameter_text.h"
 
 namespace veritope {
 namespace {
-
-constexpr std::size_t kMostExamined = 50'000;  // patches
-constexpr std::size_t kMostDigits = 24;        // of a number in a message
-
-std::string number_text(const Rational& v) {
-  std::string exact = v.to_string();
-  if (exact.size() <= kMostDigits) return exact;
-  return "approximately " + std::to_string(nearest_double(v));
-}
-std::string entity_text(std::uint64_t entity) { return "entity " + std::to_string(entity); }
-
-// "(u, v) = (1/2, 1) of entity 7".
-std::string point_text(const std::vector<Rational>& parameters, std::uint64_t entity) {
-  std::string numbers;
-  for (const Rational& p : parameters) numbers += (numbers.empty() ? "" : ", ") + number_text(p);
-  return std::string(parameters.size() == 3 ? "(b0, b1, b2)" : "(u, v)") + " = (" + numbers +
-         ") of " + entity_text(entity);
-}
 
 std::optional<Point3d> finite(const Point3d& p) {
   for (const double c : p)
@@ -47,10 +30,7 @@ class Reasons {
   std::vector<Finding> run() {
     for (const PatchFinding& f : complex_.findings())
       if (f.defect == PatchDefect::kRepeatedPatch) add(repeated(f));
-    const auto patches = complex_.patches();
-    for (const PatchDegeneracy& d :
-         find_degeneracies(patches.first(std::min(patches.size(), kMostExamined))))
-      add(degenerate(d));
+    for (const PatchDegeneracy& d : find_degeneracies(complex_.patches())) add(degenerate(d));
     for (const TornKnot& knot : torn_) add(torn_knot_finding(knot));
     if (complex_.count(PatchDefect::kOpenSide) != 0) put_sides();
     return std::move(out_);
@@ -145,7 +125,7 @@ class Reasons {
     out.message = "a corner of " + entity_text(entity(t.corner.patch)) + " lies inside side " +
                   std::to_string(*out.place.parts[0].side) + " of " + entity_text(long_one) +
                   ", along which the two agree: insert a vertex at " +
-                  point_text(parts_.point_of(t.side, t.at), long_one) +
+                  place_text(parts_.point_of(t.side, t.at), long_one) +
                   " (veritope convert --rejoin does)";
     return out;
   }

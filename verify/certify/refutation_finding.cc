@@ -8,6 +8,7 @@
 #include "splines/de_casteljau.h"
 #include "verify/certify/entity_parts.h"
 #include "verify/certify/miranda_internal.h"
+#include "verify/certify/parameter_text.h"
 
 namespace veritope {
 namespace {
@@ -79,6 +80,23 @@ class FactFinder {
     return out;
   }
 
+  Finding operator()(const MeetingWitness& found) const {
+    std::vector<bool> is_reversed(complex_.patches().size());
+    for (const PatchPlace& place : found.places)
+      is_reversed[place.patch] = parts_.is_reversed(place.patch);
+    const MeetingWitness w = with_reversed(complex_, is_reversed, found);
+    Finding out;
+    out.code = code_of(w.cause);
+    for (const PatchPlace& place : w.places) out.place.parts.push_back(parts_.of(place));
+    const PatchPoint p = point_of(complex_, found);
+    out.witness.point = RationalPoint{{p[0], p[1], p[2]}};
+    out.place.near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+    out.message = text_of(w.cause, entity_text(out.place.parts[0].entity),
+                          entity_text(out.place.parts[1].entity));
+    if (is_finite(*out.place.near)) out.message += ", near " + point_text(*out.place.near);
+    return out;
+  }
+
   Finding operator()(const ReversedShell& reversed) const {
     Finding out;
     out.code = "shell-turned";
@@ -98,6 +116,25 @@ class FactFinder {
   }
 
  private:
+  static const char* code_of(MeetingWitness::Cause cause) {
+    switch (cause) {
+      case MeetingWitness::Cause::kRepeatedPatch: return "patch-repeated";
+      case MeetingWitness::Cause::kDegeneratePatch: return "patch-degenerate";
+      case MeetingWitness::Cause::kSingularLine: break;
+    }
+    return "singular-line";
+  }
+  static std::string text_of(MeetingWitness::Cause cause, const std::string& first,
+                             const std::string& second) {
+    switch (cause) {
+      case MeetingWitness::Cause::kRepeatedPatch:
+        return "a patch of " + second + " is one of " + first + " again";
+      case MeetingWitness::Cause::kDegeneratePatch:
+        return "a patch of " + first + " is a point or a curve";
+      case MeetingWitness::Cause::kSingularLine: break;
+    }
+    return "a line inside a patch of " + first + " is mapped to one point";
+  }
   static Point3d middle_of(const Patch& patch, const PatchRectangle& where) {
     std::array<Rational, 2> at;
     for (std::size_t axis = 0; axis < 2; ++axis)

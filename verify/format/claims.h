@@ -13,11 +13,13 @@
 #include "verify/format/collar_certificate.h"
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"
+#include "verify/format/patch_meeting_certificate.h"
 
 namespace veritope::certificate {
 
 /// The body of a certificate as plain data.
-using AnyBody = std::variant<ValidBody, InvalidBody, StarBoxBody, CollarBody, PatchInvalidBody>;
+using AnyBody = std::variant<ValidBody, InvalidBody, StarBoxBody, CollarBody, PatchInvalidBody,
+                             PatchMeetingBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

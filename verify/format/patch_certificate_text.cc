@@ -189,4 +189,18 @@ std::string explain(const PatchInvalidBody& body, std::string_view claim, std::s
                     body.finding);
 }
 
+std::string explain(const PatchMeetingBody& body, std::string_view claim, std::size_t) {
+  std::string out =
+      head_text(claim, body.entities) + "two points of the surface with one image:\n";
+  const auto fraction_text = [](const UnitFraction& t) {
+    return number(t.numerator) + "/" + number(t.denominator);
+  };
+  for (std::size_t i = 0; i < body.places.size(); ++i) {
+    const MeetingPlace& place = body.places[i];
+    out += std::string("  ") + "AB"[i] + ": patch " + number(place.patch) + ", (" +
+           fraction_text(place.at[0]) + ", " + fraction_text(place.at[1]) + ")\n";
+  }
+  return out;
+}
+
 }  // namespace veritope::certificate

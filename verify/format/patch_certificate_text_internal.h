@@ -8,11 +8,13 @@
 
 #include "verify/format/collar_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"
+#include "verify/format/patch_meeting_certificate.h"
 
 namespace veritope::certificate {
 
 std::string explain(const StarBoxBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const CollarBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const PatchInvalidBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const PatchMeetingBody& body, std::string_view claim, std::size_t max_items);
 
 }  // namespace veritope::certificate

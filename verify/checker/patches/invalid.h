@@ -1,7 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// invalid.h: what the parts of patch-invalid-1 share. The page: docs/certificates/patch-invalid.md.
+// invalid.h: what the parts of patch-invalid-1 and patch-invalid-2 share. The pages: docs/certificates/patch-invalid.md
+// and patch-invalid-2.md.
 #pragma once
+#include "star_bytes.h"
 #include "star_curve.h"
+
+struct InvalidBytes : Bytes {  // a body from its beginning: B1
+  InvalidBytes(const std::vector<Entity>& entities, const char* magic, bool has_kinds,
+               const Body& bytes)
+      : Bytes(bytes), cuts(read_cuts(entities, magic, has_kinds, false, this)) {}
+
+  const Cuts cuts;
+
+  uint64_t patch() {
+    const uint64_t i = varint();
+    require(i < cuts.patches(), "B1", "there is no patch", i);
+    return i;
+  }
+};
+// The part of B2 that needs no coefficients.
+void check_kinds_and_knots(const std::vector<Entity>& entities);
+Patch cut_patch(const Cuts& cuts, uint64_t number);                // B2 for its coefficients
+void check_numbers_of_patches(const Statement& s, const Cuts& c);  // B3: `patches` and `flipped`
+
+typedef std::vector<Big> Net;  // a tensor patch's homogeneous points, second index fastest
+// A patch's net of degrees p, q; a triangle's in (s, t), up to a positive factor.
+Net tensor_net(const Patch& patch);
 
 struct RestrictedPatch {  // a patch restricted to a rectangle
   uint64_t patch;

@@ -4,8 +4,6 @@
 
 namespace {
 
-typedef std::vector<Big> Net;  // a tensor patch's homogeneous points, second index fastest
-
 uint64_t choose(int n, int k) {
   uint64_t r = 1;
   for (int i = 0; i < k; ++i) r = r * uint64_t(n - i) / uint64_t(i + 1);
@@ -74,6 +72,9 @@ void check_parts(const Crossing& x, bool b_is_triangle) {
 
 }  // namespace
 
+Net tensor_net(const Patch& patch) {
+  return patch.shape.is_triangle ? triangle_net(patch) : patch.net;
+}
 void check_crossing(const Crossing& x, const Patch& a, const Patch& b) {
   check_parts(x, b.shape.is_triangle);
   Big det;
@@ -87,8 +88,8 @@ void check_crossing(const Crossing& x, const Patch& a, const Patch& b) {
   size_t rows[2], columns[2];
   for (int i = 0; i < 2; ++i) {
     const Shape& s = patches[i]->shape;
-    whole[i] = s.is_triangle ? triangle_net(*patches[i]) : patches[i]->net;
-    rows[i] = size_t(s.p) + 1, columns[i] = size_t(s.is_triangle ? s.p : s.q) + 1;
+    whole[i] = tensor_net(*patches[i]);
+    rows[i] = size_t(s.p) + 1, columns[i] = size_t(s.q) + 1;
     cut[i] = restricted_net(whole[i], rows[i], columns[i], x.sheet[i].t[0], x.sheet[i].t[1]);
   }
   int row = 0;

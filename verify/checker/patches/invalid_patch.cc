@@ -2,14 +2,12 @@
 // invalid_patch.cc: B1 to B3 of docs/certificates/patch-invalid.md, and the claim as a whole.
 #include "invalid.h"
 #include "patch_claims.h"
-#include "star_bytes.h"
 
 namespace {
 
-struct Reader : Bytes {
-  const Cuts* cuts = nullptr;
-
-  explicit Reader(const Body& bytes) : Bytes(bytes) {}
+struct Reader : InvalidBytes {
+  Reader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
+      : InvalidBytes(entities, magic, false, bytes) {}
   Part part() {
     Part t;
     t.k = int(at_most(varint(), 62, "an interval counts 2^-k, k ="));
@@ -18,17 +16,10 @@ struct Reader : Bytes {
     require(t.a <= t.b, "B1", "an interval's ends fall");
     return t;
   }
-  uint64_t patch(bool* is_triangle) {
-    const uint64_t i = varint();
-    require(i < cuts->patches(), "B1", "there is no patch", i);
-    *is_triangle = (*cuts->entities)[cuts->entity_of(i)].kind == Entity::kTriangle;
-    return i;
-  }
   Crossing crossing() {
     Crossing r;
     for (RestrictedPatch& s : r.sheet) {
-      bool is_triangle;
-      s.patch = patch(&is_triangle);
+      s.patch = patch();
       for (Part& t : s.t) t = part();
     }
     for (auto& row : r.y)
@@ -41,8 +32,8 @@ struct Reader : Bytes {
     require(n >= 1, "B1", "there are no arcs");
     for (uint64_t i = 0; i < n; ++i) {
       Arc a;
-      bool is_triangle;
-      a.patch = patch(&is_triangle);
+      a.patch = patch();
+      const bool is_triangle = (*cuts.entities)[cuts.entity_of(a.patch)].kind == Entity::kTriangle;
       a.side = int(at_most(body.natural(1), is_triangle ? 2 : 3, "there is no side"));
       a.t = part();
       r.arcs.push_back(a);
@@ -115,6 +106,22 @@ Outer outer_sides(const Cuts& cuts) {
 
 }  // namespace
 
+void check_kinds_and_knots(const std::vector<Entity>& entities) {
+  check_kinds(entities);
+  for (const Entity& e : entities) check_knots(e);
+}
+Patch cut_patch(const Cuts& cuts, uint64_t number) {
+  Patch r;
+  each_patch(cuts, {number}, [&](Patch&& p, uint64_t, const Place&) { r = std::move(p); });
+  return r;
+}
+void check_numbers_of_patches(const Statement& s, const Cuts& cuts) {
+  require(s.number.at("patches") == cuts.patches(), "B3", "the number of patches is",
+          cuts.patches());
+  require(s.number.at("flipped") == cuts.num_reversed, "B3", "the number of flipped is",
+          cuts.num_reversed);
+}
+
 void check_finding(const Statement& s) {
   const std::string& finding = s.text.at("finding");
   require(finding == "crossing" || finding == "side", "S1", "unknown finding");
@@ -122,9 +129,8 @@ void check_finding(const Statement& s) {
 
 std::string check_patch_invalid(const Statement& s, std::string model, const Body& bytes) {
   const std::vector<Entity> entities = read_spline_model(model, s.text.at("subject_format"));
-  Reader r(bytes);
-  const Cuts cuts = read_cuts(entities, s.claim->magic, false, false, &r);
-  r.cuts = &cuts;
+  Reader r(entities, s.claim->magic, bytes);
+  const Cuts& cuts = r.cuts;
   const bool is_side = r.at_most(r.body.natural(1), 1, "there is no kind") == 1;
   Crossing crossing;
   Sides sides;
@@ -134,21 +140,16 @@ std::string check_patch_invalid(const Statement& s, std::string model, const Bod
     crossing = r.crossing();
   r.end();
 
-  check_kinds(entities);
-  for (const Entity& e : entities) check_knots(e);
+  check_kinds_and_knots(entities);
   Outer outer;
   std::vector<Patch> ab;
   if (is_side)
     outer = outer_sides(cuts);
   else
-    for (const RestrictedPatch& sheet : crossing.sheet)
-      each_patch(cuts, {sheet.patch}, [&](Patch&& p, uint64_t, const Place&) { ab.push_back(p); });
+    for (const RestrictedPatch& sheet : crossing.sheet) ab.push_back(cut_patch(cuts, sheet.patch));
   const uint64_t same = s.number.at("same"), opposite = s.number.at("opposite");
   require((s.text.at("finding") == "side") == is_side, "B3", "the body has another finding");
-  require(s.number.at("patches") == cuts.patches(), "B3", "the number of patches is",
-          cuts.patches());
-  require(s.number.at("flipped") == cuts.num_reversed, "B3", "the number of flipped is",
-          cuts.num_reversed);
+  check_numbers_of_patches(s, cuts);
   require(is_side || (same == 0 && opposite == 0), "B3", "a crossing has same or opposite sides");
   const std::string text = std::to_string(cuts.patches()) + " patches, ";
   if (!is_side) {

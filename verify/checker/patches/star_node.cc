@@ -2,39 +2,12 @@
 // star_node.cc: hulls, roots and children.
 #include "star_node.h"
 
+#include "star_ratio.h"
+
 namespace {
 
 __extension__ typedef __int128 i128;
 
-int64_t limited(i128 q) {
-  return int64_t(std::max<i128>(-kFarthest, std::min<i128>(kFarthest, q)));
-}
-// floor(q / 2^shift); *exact becomes false where this is less.
-i128 shifted(i128 q, int shift, bool* exact) {
-  if ((q & ((i128(1) << shift) - 1)) != 0) *exact = false;
-  return q >> shift;
-}
-// floor(x / (w 2^shift)), limited to +-kFarthest; w > 0, 0 <= shift <= kMostShift.
-int64_t floor_ratio(const uint64_t* x, const uint64_t* w, int n, int shift, bool* exact) {
-  while (n > 2 && x[n - 1] == 0 - (x[n - 2] >> 63) && w[n - 1] == 0 && w[n - 2] >> 63 == 0) --n;
-  if (n == 1) {
-    const int64_t a = int64_t(*x), d = int64_t(*w), q = a / d - (a % d < 0);
-    *exact = a % d == 0;
-    return limited(shifted(q, shift, exact));
-  }
-  if (n == 2) {
-    const i128 a = i128(u128(x[1]) << 64 | x[0]), d = i128(u128(w[1]) << 64 | w[0]);
-    const i128 q = a / d - (a % d < 0);
-    *exact = a % d == 0;
-    return limited(shifted(q, shift, exact));
-  }
-  Big rest;
-  Big q = divide(Big::of(x, n), shifted(Big::of(w, n), shift), &rest);
-  *exact = rest.sign() == 0;
-  if (rest.sign() < 0) q = q - Big(1);
-  if (q.bits() > 61) return q.sign() * kFarthest;
-  return q.sign() == 0 ? 0 : q.sign() * int64_t(q.m[0]);
-}
 bool is_less(const uint64_t* a, const uint64_t* b, int n) {
   if (a[n - 1] != b[n - 1]) return int64_t(a[n - 1]) < int64_t(b[n - 1]);
   for (int i = n - 1; i-- > 0;)

@@ -26,6 +26,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("star-box-turned-2", b"VTS2", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_2_check"),
     Claim("patch-invalid-1", b"VTPI", SPLINES, {**OF_PATCHES, "finding": "crossing|side", "same": int, "opposite": int},
           "patches.patch_invalid_check"),
+    Claim("patch-invalid-2", b"VTI2", SPLINES, {**OF_PATCHES, "finding": "meeting"}, "patches.patch_meeting_check"),
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
 )}
 

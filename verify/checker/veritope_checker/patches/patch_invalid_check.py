@@ -156,6 +156,12 @@ def tensor_net(patch):
     factor = lcm(*[comb(n, i) for i in range(n + 1)])
     return [[elevated(row, n, factor) for row in a] for a in patch.net]
 
+def value_at(c, n, d):
+    """The value at n / d, times d^degree."""
+    while len(c) > 1:
+        c = [(d - n) * x + n * y for x, y in zip(c, c[1:])]
+    return c[0]
+
 def slopes(x, w):
     """The coefficients of x' w - x w', each times a factor > 0."""
     p = len(x) - 1
@@ -172,9 +178,41 @@ def less(a, b):
 
 # ---------------------------------------------------------------- the conditions in the order of the page
 
-class Checker:
-    def __init__(self, magic, statement, data, entities, skip):
+class FindingChecker:
+    """What the versions of the claim share: B2 and B3.  A subclass reads the body: flags, patches."""
+
+    def __init__(self, statement, entities, skip):
         self.statement, self.entities, self.skip = statement, entities, skip
+
+    def fail(self, condition, why):
+        if condition not in self.skip:
+            raise Reject(condition, why)
+
+    def check_entities(self):
+        """Tests B2, but for the lengths of numbers."""
+        for i, entity in enumerate(self.entities):
+            if not entity or entity.dimension != 3 or max(entity.degrees) > MAX_DEGREE:
+                raise Reject("B2", "entity %d is no surface or triangle in space of degree at most %d"
+                             % (i, MAX_DEGREE))
+            for p, knots in zip(entity.degrees, entity.knots):
+                if any(a == b and knots[p] < a < knots[-p - 1] for a, b in zip(knots, knots[p:])):
+                    self.fail("B2", "entity %d has an inner knot of multiplicity %d" % (i, p + 1))
+
+    def make_patches(self, numbers):
+        """Tests the lengths of numbers (B2) of the patches that the finding is about."""
+        for n in sorted(set(numbers)):
+            self.patches[n]
+
+    def check_statement(self, **found):
+        """Tests B3.  found: what the statement says beside the numbers of patches and flags."""
+        found.update(patches=self.patches.count, flipped=sum(self.flags))
+        for key, value in found.items():
+            if self.statement[key] != value:
+                self.fail("B3", "%s: %s in the body, %s in the statement" % (key, value, self.statement[key]))
+
+class Checker(FindingChecker):
+    def __init__(self, magic, statement, data, entities, skip):
+        super().__init__(statement, entities, skip)
         body = Body(data)
         self.flags, breaks = read_entities(body, magic, entities)
         self.patches = Patches(entities, self.flags, breaks)
@@ -190,45 +228,22 @@ class Checker:
             self.t0 = body.varint(), 1 << k
         body.end()
 
-    def fail(self, condition, why):
-        if condition not in self.skip:
-            raise Reject(condition, why)
-
     def run(self):
         self.check_entities()
-        self.check_statement()
         if self.is_crossing:
+            self.make_patches(r.patch for r in self.pair)
+            self.check_statement(finding="crossing", same=0, opposite=0)
             self.check_places()
             self.check_rows()
             self.check_faces()
         else:
+            self.outer = list(self.patches.outer())
+            self.make_patches(n for n, _ in self.outer)
+            self.check_statement(finding="side")
             self.check_arcs()
             self.check_curves()
             self.check_slopes()
             self.check_others()
-
-    def check_entities(self):
-        """Tests B2; makes the patches that the finding is about."""
-        for i, entity in enumerate(self.entities):
-            if not entity or entity.dimension != 3 or max(entity.degrees) > MAX_DEGREE:
-                raise Reject("B2", "entity %d is no surface or triangle in space of degree at most %d"
-                             % (i, MAX_DEGREE))
-            for p, knots in zip(entity.degrees, entity.knots):
-                if any(a == b and knots[p] < a < knots[-p - 1] for a, b in zip(knots, knots[p:])):
-                    self.fail("B2", "entity %d has an inner knot of multiplicity %d" % (i, p + 1))
-        self.outer = [] if self.is_crossing else list(self.patches.outer())
-        for n in sorted({r.patch for r in self.pair} if self.is_crossing else {n for n, _ in self.outer}):
-            self.patches[n]
-
-    def check_statement(self):
-        """B3."""
-        found = {"finding": "crossing" if self.is_crossing else "side", "patches": self.patches.count,
-                 "flipped": sum(self.flags)}
-        if self.is_crossing:
-            found.update(same=0, opposite=0)
-        for key, value in found.items():
-            if self.statement[key] != value:
-                self.fail("B3", "%s: %s in the body, %s in the statement" % (key, value, self.statement[key]))
 
     def check_places(self):
         """Tests X1."""
@@ -315,9 +330,7 @@ class Checker:
         arcs, (a, full), first = {}, self.t0, self.arcs[0]
         for arc in self.arcs:
             arcs.setdefault((arc.patch, arc.side), []).append(arc.at)
-        x = self.patches[first.patch].side(first.side)
-        while len(x) > 1:
-            x = [[(full - a) * p + a * q for p, q in zip(s, t)] for s, t in zip(x, x[1:])]
+        x = [value_at(c, a, full) for c in zip(*self.patches[first.patch].side(first.side))]
         work = UNITS * (len(self.outer) + 100)
         for n, side in self.outer:
             curve = self.patches[n].side(side)
@@ -328,7 +341,7 @@ class Checker:
                 work -= 1
                 if work < 0:
                     return self.fail("D4", "too much work")
-                if any(at.holds(i, level) for at in mine) or misses_point(curve, x[0]):
+                if any(at.holds(i, level) for at in mine) or misses_point(curve, x):
                     continue
                 if level == MAX_HALVINGS:
                     return self.fail("D4", "side %d of patch %d passes the point, too" % (side, n))

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/parameter_text.h"
+
+#include "robust/binary64.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::size_t kMostDigits = 24;
+
+}  // namespace
+
+std::string number_text(const Rational& value) {
+  std::string exact = value.to_string();
+  if (exact.size() <= kMostDigits) return exact;
+  return "approximately " + std::to_string(nearest_double(value));
+}
+std::string entity_text(std::uint64_t entity) { return "entity " + std::to_string(entity); }
+
+std::string place_text(const std::vector<Rational>& parameters, std::uint64_t entity) {
+  std::string numbers;
+  for (const Rational& p : parameters) numbers += (numbers.empty() ? "" : ", ") + number_text(p);
+  return std::string(parameters.size() == 3 ? "(b0, b1, b2)" : "(u, v)") + " = (" + numbers +
+         ") of " + entity_text(entity);
+}
+
+}  // namespace veritope

@@ -37,6 +37,7 @@ unsigned facts(const std::string& statement) {
   const std::string claim = get(statement, "claim");
   if (claim == "patch-invalid-1")
     return get(statement, "finding") == "crossing" ? kCrossing : kSide;
+  if (claim == "patch-invalid-2") return kCrossing;
   if (claim == "star-box-turned-1" || claim == "star-box-turned-2") return kEmbedded | kReversed;
   return get(statement, "flipped") == "0" ? kEmbedded | kSolid : kEmbedded;
 }

@@ -8,6 +8,7 @@
 
 #include "robust/base/random.h"
 #include "robust/integer.h"
+#include "verify/checker/patches/big.h"
 #include "verify/checker/patches/star_ratio.h"
 
 namespace veritope {
@@ -97,6 +98,39 @@ TEST(CheckerRatio, IsRightWhereTheEstimateIsOneTooGreat) {
       wrong_estimates += top > Integer(q - 1) ? 1 : 0;
     }
   EXPECT_GT(wrong_estimates, 0);
+}
+
+Integer integer_of(const ::Big& v) {
+  Integer out(0);
+  for (std::size_t i = v.m.size(); i-- > 0;)
+    for (const unsigned half : {32u, 0u})
+      out = (out << 32) + Integer(static_cast<std::int64_t>(v.m[i] >> half & 0xffffffffu));
+  return v.neg ? -out : out;
+}
+::Big big_of(const Integer& v) {
+  const auto limbs = limbs_of(v, 8);
+  return ::Big::of(limbs.data(), 8);
+}
+
+// Short numbers take other ways than long ones.
+TEST(CheckerBig, DividesAndFindsCommonDivisorsOfAllLengths) {
+  Random random(3);
+  for (int i = 0; i < 100'000; ++i) {
+    const Integer common =
+        random_natural(random, 1 + static_cast<int>(random.below(90))) + Integer(1);
+    Integer a = common * random_natural(random, static_cast<int>(random.below(150)));
+    Integer b = common * (random_natural(random, static_cast<int>(random.below(70))) + Integer(1));
+    if (random.below(2) == 0) a = -a;
+    if (random.below(2) == 0) b = -b;
+    ::Big rest;
+    const ::Big quotient = ::divide(big_of(a), big_of(b), &rest);
+    const Integer q = integer_of(quotient), r = integer_of(rest);
+    ASSERT_EQ(q * b + r, a) << a.to_string() << " / " << b.to_string();
+    ASSERT_TRUE(r.is_zero() || (r < Integer(0)) == (a < Integer(0)));
+    ASSERT_TRUE(abs(r) < abs(b));
+    ASSERT_EQ(integer_of(::gcd(big_of(a), big_of(b))), abs(gcd(a, b)))
+        << a.to_string() << ", " << b.to_string();
+  }
 }
 
 }  // namespace

@@ -136,8 +136,27 @@ inline int compare(const Big& a, const Big& b) { return (a - b).sign(); }
 inline bool operator==(const Big& a, const Big& b) { return a.neg == b.neg && a.m == b.m; }
 inline bool operator<(const Big& a, const Big& b) { return compare(a, b) < 0; }
 
+// divide() by a number of one limb.
+inline Big divide_by_limb(const Big& a, const Big& b, Big* rest) {
+  Big q = a;
+  uint64_t r = 0;
+  for (size_t i = q.m.size(); i-- > 0;) {
+    const u128 t = u128(r) << 64 | q.m[i];
+    q.m[i] = r == 0 ? q.m[i] / b.m[0] : uint64_t(t / b.m[0]);
+    r = uint64_t(t - u128(q.m[i]) * b.m[0]);
+  }
+  q.neg = a.neg != b.neg;
+  if (rest != nullptr) {
+    Big left;
+    left.m.push_back(r);
+    left.neg = a.neg;
+    *rest = left.trim();
+  }
+  return q.trim();
+}
 // The quotient rounded towards zero; *rest has the sign of a. REQUIRES b != 0. [Knuth, 4.3.1 D]
 inline Big divide(const Big& a, const Big& b, Big* rest) {
+  if (b.m.size() == 1) return divide_by_limb(a, b, rest);
   Big q;
   const int up = 64 - bit_length(b.m.back());
   Big r = shifted(a, up);
@@ -174,6 +193,12 @@ inline Big gcd(Big a, Big b) {  // >= 0
     if (!a.m.empty()) a = shifted(a, -a.zeros());
     b = shifted(b, -b.zeros());
     if (b == Big(1)) return shifted(b, twos);
+    if (a.m.size() <= 1 && b.m.size() == 1) {
+      uint64_t x = a.m.empty() ? 0 : a.m[0], y = b.m[0];
+      for (; x != 0; std::swap(x, y)) y %= x;
+      b.m[0] = y;
+      return shifted(b, twos);
+    }
     Big rest;
     if (!a.m.empty()) divide(a, b, &rest);
     a = b;

@@ -28,8 +28,10 @@ constexpr double kNoise = 0x1p-46;      // of a difference in doubles, relative 
 constexpr double kLastExact = 0x1p-50;  // a shorter step of the exact iteration is the last one
 constexpr double kLongRow = 0x1p60;
 constexpr int kShortestBox = 52;  // half widths are at least 2^-52
-constexpr std::array<int, 5> kTried = {-2, 0, 2, 4,
-                                       6};  // relative to the bits that the condition suggests
+// The bits of half widths that are tried, relative to those that the condition suggests.
+constexpr std::array<int, 5> kTried = {-2, 0, 2, 4, 6};
+// Sheets that coincide in a region, or touch along a curve, have places without a crossing everywhere.
+constexpr std::size_t kMostRefinedInAll = 128;
 
 // The step of B's parameters that makes the difference perpendicular to B; nothing where B is singular.
 std::optional<std::array<double, 2>> foot_step(const Vector& difference, const Vector& s,
@@ -88,7 +90,7 @@ std::optional<CrossingWitness> CrossingSolver::prove_close(const std::array<Shee
     if (!drop_foot(&x, false)) return std::nullopt;
     const Approach to(linearised(x));
     if (!to.is_close()) return std::nullopt;
-    double length = std::abs(to.distance) / std::sqrt(to.steepness());
+    const double length = std::abs(to.distance) / std::sqrt(to.steepness());
     if (std::abs(to.distance) <= kNoise * to.unit || length < 0x1p-30) return prove_refined(x);
     const double factor = std::min(1.0, reach / 2 / length);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -118,13 +120,17 @@ CrossingSolver::Linear CrossingSolver::exactly_linearised(const std::array<Sheet
 // Moves one parameter of A, along which the sheets part fastest, to the common point; the other one of A stays. B's
 // follow before each step: where they are not at the foot, the slope along the normal is that of B's curvature.
 std::optional<CrossingWitness> CrossingSolver::prove_refined(std::array<SheetPlace, 2> x) {
-  if (is_near_unproved(x)) return std::nullopt;
+  if (num_refined >= kMostRefinedInAll || is_near_unproved(x)) return std::nullopt;
+  ++num_refined;
   const Approach first(linearised(x));
   const std::size_t moving = std::abs(first.slope[0]) > std::abs(first.slope[1]) ? 0 : 1;
+  double last = HUGE_VAL;
   for (int step = 0; step < kMostExactSteps && drop_foot(&x, true); ++step) {
     const Approach to(exactly_linearised(x));
     if (to.slope[moving] == 0) break;
     const double along = to.distance / to.slope[moving];
+    if (step >= 3 && !(std::abs(along) < last / 2)) break;
+    last = std::abs(along);
     if (std::abs(along) < kLastExact) {
       if (auto witness = boxed_close(x, 1 - moving)) return witness;
       break;

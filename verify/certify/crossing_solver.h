@@ -42,6 +42,7 @@ class CrossingSolver {
 
   static constexpr std::size_t kMostExactInAll = 1024;
   std::size_t num_solved = 0, num_exact = 0;  ///< calls of solve, exact tests
+  std::size_t num_refined = 0;                ///< places that prove_close has refined in rationals
 
  private:
   /// One patch in its tensor form; coordinates are as PieceForest has them relative to the origin.

@@ -9,7 +9,7 @@ endfunction()
 
 veritope_cli_test(models quick)
 veritope_cli_test(command_line quick)
-veritope_cli_test(json quick)
+veritope_cli_test(json standard)
 veritope_cli_test(reason_codes quick)
 veritope_cli_test(certificates quick)
 veritope_cli_test(claims quick)

@@ -31,19 +31,11 @@ Patch bump() {
     for (std::size_t i = 0; i < 6; ++i) map.component(c)[i] = Rational(net[c][i]);
   return make_patch(std::move(map)).value();
 }
-// (0, 0) is in the middle of the line u = 1/3: segments from p to -2 p.
+// The line u = 1/3 is one point, since the image consists of segments from p to -2 p.
 Patch hourglass_side() { return bilinear({{{1, 0, 1}, {-2, 0, -2}, {0, -2, -2}, {0, 1, 1}}}); }
-// x = (b0 - 1/2) b1, y = (b0 - 1/2) b2: b0 = 1/2 is one point.
+// The line on which barycentric coordinate `axis` is 1/2 is one point.
 Patch pinched_triangle(std::size_t axis) {
-  Patch::Triangle map(2, 3, false);
-  const Rational half = ratio(1, 2), quarter = ratio(1, 4);
-  map.component(0)[triangle_index(1, 0)] = quarter;
-  map.component(0)[triangle_index(2, 0)] = -half;
-  map.component(0)[triangle_index(1, 1)] = -quarter;
-  map.component(1)[triangle_index(0, 1)] = quarter;
-  map.component(1)[triangle_index(0, 2)] = -half;
-  map.component(1)[triangle_index(1, 1)] = -quarter;
-  return turned(make_patch(std::move(map)).value(), static_cast<std::uint32_t>((3 - axis) % 3));
+  return turned(veritope::pinched_triangle(), static_cast<std::uint32_t>((3 - axis) % 3));
 }
 
 std::string bytes_of(const Patches& patches) { return spline_json_bytes(model_of(patches)); }

@@ -53,17 +53,9 @@ TEST(PatchDegeneracies, ALineThatIsOnePointHasItsParameter) {
   EXPECT_TRUE(found_in(bilinear({{{1, 0, 1}, {-2, 0, -2}, {0, -2, -2}, {0, 1, 2}}})).empty());
 }
 
-// x = (b0 - 1/2) b1, y = (b0 - 1/2) b2.
 TEST(PatchDegeneracies, ALineInsideATriangleIsFound) {
-  Patch::Triangle map(2, 3, false);
-  const Rational half = Rational(1) / Rational(2), quarter = half * half;
-  map.component(0)[triangle_index(1, 0)] = quarter;
-  map.component(0)[triangle_index(2, 0)] = -half;
-  map.component(0)[triangle_index(1, 1)] = -quarter;
-  map.component(1)[triangle_index(0, 1)] = quarter;
-  map.component(1)[triangle_index(0, 2)] = -half;
-  map.component(1)[triangle_index(1, 1)] = -quarter;
-  const auto found = found_in(make_patch(std::move(map)).value());
+  const Rational half = Rational(1) / Rational(2);
+  const auto found = found_in(pinched_triangle());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::kSingularLine);
   EXPECT_EQ(found[0].axis, 0u);

@@ -45,6 +45,19 @@ inline Patch flat(const PatchPoint& a, const PatchPoint& b, const PatchPoint& c)
   return make_patch(Patch::Triangle(1, 3, false, std::move(values))).value();
 }
 
+/// x = (b0 - 1/2) b1, y = (b0 - 1/2) b2: the line b0 = 1/2 is one point.
+inline Patch pinched_triangle() {
+  Patch::Triangle map(2, 3, false);
+  const Rational half = Rational(1) / Rational(2), quarter = half * half;
+  map.component(0)[triangle_index(1, 0)] = quarter;
+  map.component(0)[triangle_index(2, 0)] = -half;
+  map.component(0)[triangle_index(1, 1)] = -quarter;
+  map.component(1)[triangle_index(0, 1)] = quarter;
+  map.component(1)[triangle_index(0, 2)] = -half;
+  map.component(1)[triangle_index(1, 1)] = -quarter;
+  return make_patch(std::move(map)).value();
+}
+
 inline std::string all_findings(const PatchComplex& complex) {
   std::string text;
   for (const PatchFinding& f : complex.findings()) text += describe(complex, f) + "\n";

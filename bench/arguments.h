@@ -14,7 +14,7 @@ namespace veritope::bench {
 
 struct Argument {
   const char* name;
-  std::variant<int*, std::uint64_t*, std::string*> value;
+  std::variant<int*, double*, std::uint64_t*, std::string*> value;
 
   /// Returns false if the text is not a number of the value's type.
   bool set(const char* text) const {
@@ -25,6 +25,7 @@ struct Argument {
       return error == std::errc() && at == end;
     };
     if (int* const* const i = std::get_if<int*>(&value)) return is_read(*i);
+    if (double* const* const d = std::get_if<double*>(&value)) return is_read(*d);
     return is_read(std::get<std::uint64_t*>(value));
   }
 };
@@ -34,7 +35,8 @@ struct Argument {
 inline void read_arguments(int argc, char** argv, std::initializer_list<Argument> known) {
   const auto end_with_usage = [&](int exit) {
     std::fprintf(exit == 0 ? stdout : stderr, "usage: %s", argv[0]);
-    for (const Argument& a : known) std::fprintf(exit == 0 ? stdout : stderr, " [%s VALUE]", a.name);
+    for (const Argument& a : known)
+      std::fprintf(exit == 0 ? stdout : stderr, " [%s VALUE]", a.name);
     std::fprintf(exit == 0 ? stdout : stderr, "\n");
     std::exit(exit);
   };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_thin.cc: [digits [seconds]]. Measures certificates of thin walls. Models: every family of
-// models/thin_shapes.h with gaps of 1e-1 to 1e-digits (6), holes of tori and of a plate, and free-form sheets. Rows:
-// seconds to decide, boxes, those with several sheets, bytes of the certificate, seconds of the C++ checker as a
-// program, memory. A decision ends after `seconds` (60), or a quarter of that after a wider gap of its family had no
-// proof; its row gives the reason.
+// bench/bench_thin.cc: [--digits N] [--seconds S] [--only ROWS]. Measures certificates of thin walls. Models: every
+// family of models/thin_shapes.h with gaps of 1e-1 to 1e-N (6), holes of tori and of a plate, and free-form sheets; or
+// the rows whose names start with ROWS. Each row: seconds to decide, boxes, those with several sheets, bytes of the
+// certificate, seconds of the C++ checker as a program, memory. A decision ends after S (60) seconds, or a quarter of
+// that after a wider gap of its family had no proof; its row gives the reason.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -14,6 +14,7 @@
 #include <fstream>
 #include <string>
 
+#include "bench/arguments.h"
 #include "io/read_model.h"
 #include "io/splines/patch_model.h"
 #include "io/splines/write_splines.h"
@@ -115,31 +116,40 @@ class Bench {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int digits = argc > 1 ? std::atoi(argv[1]) : 6;
-  const double seconds = argc > 2 ? std::atof(argv[2]) : 60;
+  int digits = 6;
+  double seconds = 60;
+  std::string only;
+  bench::read_arguments(argc, argv,
+                        {{"--digits", &digits}, {"--seconds", &seconds}, {"--only", &only}});
   Bench bench(fs::read_symlink("/proc/self/exe").parent_path());
+  const auto is_wanted = [&](const std::string& row) {
+    return row.compare(0, only.size(), only) == 0;
+  };
   for (const thin_shapes::Family& family : thin_shapes::families()) {
     Rational gap(1);
     bool is_proved = true;
-    for (int i = 1; i <= digits; ++i) {
+    for (int i = 1; i <= digits && is_wanted(family.name); ++i) {
       gap /= Rational(10);
       is_proved &= bench.measure(family.name, nearest_double(gap),
                                  family.make(gap, thin_shapes::Walls::kApart),
                                  is_proved ? seconds : seconds / 4);
     }
   }
-  for (int bits = 4; bits <= 20; bits += 4) {
+  for (int bits = 4; bits <= 20 && is_wanted("torus-with-hole"); bits += 4) {
     const Rational hole = Rational::power_of_two(-bits);
     bench.measure("torus-with-hole", nearest_double(hole),
                   patch_shapes::torus(Rational(1) + hole, 1), seconds);
   }
   const Rational tiny = Rational(1) / Rational(10'000);
-  bench.measure("plate-with-hole-turned", nearest_double(tiny),
-                thin_shapes::turned(thin_shapes::plate_with_hole(tiny)), seconds);
+  if (is_wanted("plate-with-hole-turned"))
+    bench.measure("plate-with-hole-turned", nearest_double(tiny),
+                  thin_shapes::turned(thin_shapes::plate_with_hole(tiny)), seconds);
   for (const int part : {50, 1000})
-    bench.measure("sheet-50x50", 1.0 / part,
-                  thin_shapes::spline_sheet(50, Rational(1) / Rational(part)), 4 * seconds);
+    if (is_wanted("sheet-50x50"))
+      bench.measure("sheet-50x50", 1.0 / part,
+                    thin_shapes::spline_sheet(50, Rational(1) / Rational(part)), 4 * seconds);
   for (const double gap : {1e-2, 1e-3})
-    bench.measure("pn-shell", gap, thin_shapes::pn_shell(gap), 4 * seconds);
+    if (is_wanted("pn-shell"))
+      bench.measure("pn-shell", gap, thin_shapes::pn_shell(gap), 4 * seconds);
   return 0;
 }

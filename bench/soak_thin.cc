@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_thin.cc: --count N --models N --maps N --seed S [--only embedded|crossing|touching|assemblies|maps]
-// [--program VERITOPE]. Tests the search for boxes in frames and with several sheets on thin walls of known truth,
-// each under a random affine map: two to five sheets, flat, quadric, of different curvature near one point, and free-
-// form, at gaps down to 2^-40 of the size for planes and spheres (2^-13 for free-form ones). Those that are apart must
-// be valid with their genus and bodies, those that cross invalid, those that touch never valid. Assemblies are two to
-// four of those that are apart, in a row; half of the rows are not mapped. Then N models under N maps each, rotations
-// and shears up to 2^10: their verdicts must agree. One JSON line a figure; wrong and undecided models on standard
-// error. With a program, that program must certify each sound model that is found valid, too: then the checker has
-// accepted it.
+// [--seconds S] [--program VERITOPE]. Tests the search for boxes in frames and with several sheets on thin walls of
+// known truth, each under a random affine map: two to five sheets, flat, quadric, of different curvature near one
+// point, and free-form, at gaps down to 2^-40 of the size for planes and spheres (2^-13 for free-form ones). Those that
+// are apart must be valid with their genus and bodies, those that cross invalid, those that touch never valid.
+// Assemblies are two to four of those that are apart, in a row; half of the rows are not mapped. Then N models under N maps each,
+// rotations and shears up to 2^10: their verdicts must agree. A model is undecided after S (60) seconds of processor
+// time. One JSON line a figure; wrong and undecided models on standard error, each with the seed that makes it alone
+// (--count 1). With a program, that program must certify each sound model that is found valid, too: then the checker
+// has accepted it.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -34,7 +35,7 @@ using patch_shapes::Patches;
 using thin_shapes::Family;
 using thin_shapes::Walls;
 
-constexpr double kMostSeconds = 60;
+double most_seconds = 60;  // for one model
 
 // Processor time, so that another process makes no model undecided.
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -89,7 +90,7 @@ Answer answer(const Patches& patches) {
   options.tolerance = 1e-2;
   const double start = seconds();
   options.cover.stops_at = [&](PieceForest::Id, std::size_t) {
-    return seconds() - start > kMostSeconds;
+    return seconds() - start > most_seconds;
   };
   std::optional<PieceForest> forest;
   const PatchDecision d = decide_patches(complex, options, &forest);
@@ -160,14 +161,14 @@ Subject random_assembly(const std::vector<Family>& families, Random& random) {
 }
 
 enum class Kind { kEmbedded, kCrossing, kTouching, kAssembly };
-Subject random_subject(Kind kind, std::size_t i, Random& random) {
+Subject random_subject(Kind kind, std::uint64_t index, Random& random) {
   static const std::vector<Family> families = thin_shapes::families();
   Subject out;
   if (kind == Kind::kAssembly) {
     out = random_assembly(families, random);
     if (random.below(2) == 0) return out;
   } else {
-    const Family& family = families[i % families.size()];
+    const Family& family = families[index % families.size()];
     const Walls walls = kind == Kind::kEmbedded   ? Walls::kApart
                         : kind == Kind::kCrossing ? Walls::kCrossing
                                                   : Walls::kTouching;
@@ -180,9 +181,11 @@ Subject random_subject(Kind kind, std::size_t i, Random& random) {
 // Whether `veritope certify` says VALID, which it does after the checker has accepted.
 bool is_certified(const std::string& program, const Patches& patches, std::uint64_t seed) {
   namespace fs = std::filesystem;
-  const fs::path file = fs::temp_directory_path() / ("soak_thin_" + std::to_string(seed) + ".vjson");
+  const fs::path file =
+      fs::temp_directory_path() / ("soak_thin_" + std::to_string(seed) + ".vjson");
   std::ofstream(file) << spline_json_bytes(model_of(patches));
-  const int exit = std::system((program + " certify " + file.string() + " > " + file.string() + ".txt").c_str());
+  const int exit =
+      std::system((program + " certify " + file.string() + " > " + file.string() + ".txt").c_str());
   if (exit == 0) {
     fs::remove(file);
     fs::remove(file.string() + ".txt");
@@ -194,7 +197,7 @@ Tally run(Kind kind, std::size_t count, std::uint64_t seed, const std::string& p
   Tally tally;
   for (std::size_t i = 0; i < count; ++i) {
     Random random(seed + i);
-    const Subject subject = random_subject(kind, i, random);
+    const Subject subject = random_subject(kind, seed + i, random);
     const Answer a = answer(subject.patches);
     ++tally.models;
     tally.seconds += a.seconds, tally.slowest = std::max(tally.slowest, a.seconds);
@@ -267,6 +270,7 @@ int main(int argc, char** argv) {
                          {"--models", &models},
                          {"--maps", &maps},
                          {"--seed", &seed},
+                         {"--seconds", &most_seconds},
                          {"--only", &only},
                          {"--program", &program}});
   const auto is_wanted = [&](const char* kind) { return only.empty() || only == kind; };

@@ -133,16 +133,22 @@ bool FrameSearch::try_in_frame(bool with_one_sheet_only) {
 // In the region, into which gather has looked, if it has one; or before other sheets.
 bool FrameSearch::try_one_sheet(const Region& region, Cut which) {
   const std::vector<std::vector<Id>> all = components();
-  if (all.size() == 1 && try_sheets(region, all)) return true;
+  if (all.size() == 1 && try_sheets(region, region, all)) return true;
   const auto cut = cut_back(region, which);
-  return cut && gather(*cut) && try_sheets(*cut, {near_});
+  if (!cut) return false;
+  // At the far centre of a high box, walks pass hulls of pieces that are longer than the gap on its near side.
+  if (which == Cut::kOppositeParts) {
+    const Region high = before_other_side_;
+    if (gather(high) && try_sheets(high, *cut, {near_})) return true;
+  }
+  return gather(*cut) && try_sheets(*cut, *cut, {near_});
 }
 
 // All sheets in a box of this height that is hardly longer than the piece: in a longer one centres must see farther
 // round the bend, so that the piece must be shorter. One sheet alone is different: it bends less in a lower box.
 bool FrameSearch::try_several(double height) {
   const Region region = region_of_height(height, kTightGrowth);
-  return gather(region) && try_sheets(region, components());
+  return gather(region) && try_sheets(region, region, components());
 }
 
 // One sheet in a box hardly longer than the piece: beside a curved rim a longer box is a thicker one, and its centres
@@ -155,7 +161,7 @@ bool FrameSearch::try_tight() {
     region = *cut;
     if (!gather(region)) return false;
   }
-  return try_sheets(region, {near_});
+  return try_sheets(region, region, {near_});
 }
 
 // The hull of the piece, grown along the surface, with this height.
@@ -181,6 +187,8 @@ bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
     num_long += hull.hi[k] - hull.lo[k] <= most ? 0 : 1;
   }
   if (num_long == 0) return true;
+  // The hull of all of a flat piece may hide a gap that those of its parts do not.
+  if (region.ends_at_opposite && dot(normal_of(id), normal_of(piece_)) < 0) return false;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
   return num_long < 3 && approx_bend(forest_, id, *metric_) <= kFlat * least;
 }
@@ -229,14 +237,19 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, C
       box.lo[axis] = std::max(box.lo[axis], hull_.lo[axis] - 0.5 * distance);
   }
   if (!is_cut) return std::nullopt;
+  const auto region_of = [&] {
+    Region out = region;
+    out.ends_at_opposite = which == Cut::kOppositeParts;
+    out.middle = approx_centre(box);
+    for (std::size_t k = 0; k < 3; ++k) out.half[k] = 0.5 * (box.hi[k] - box.lo[k]);
+    return out;
+  };
+  before_other_side_ = region_of();
   // Centres lie on both sides of the piece: a box that ends near it on one side need not reach far on the other.
   const double below = hull_.lo[2] - box.lo[2], above = box.hi[2] - hull_.hi[2];
   box.lo[2] = std::max(box.lo[2], hull_.lo[2] - kOtherSide * above);
   box.hi[2] = std::min(box.hi[2], hull_.hi[2] + kOtherSide * below);
-  Region out = region;
-  out.middle = approx_centre(box);
-  for (std::size_t k = 0; k < 3; ++k) out.half[k] = 0.5 * (box.hi[k] - box.lo[k]);
-  return out;
+  return region_of();
 }
 
 // The classes of near_ by common points in the surface.
@@ -258,9 +271,11 @@ std::vector<std::vector<Id>> FrameSearch::components() const {
   return out;
 }
 
-bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets) {
+// Centres on the side of the sheet on which the region reaches no farther than `near` lie in `near`.
+bool FrameSearch::try_sheets(const Region& region, const Region& near,
+                             const std::vector<std::vector<Id>>& sheets) {
   if (sheets.empty() || sheets.size() > kMostSheets) return false;
-  const double least = least_in_frame(frame_, region.half);
+  const double least = least_in_frame(frame_, near.half);
   box_.unit = power_of_two_below(least / kUnitsInBox);
   if (box_.unit < least_unit_) return false;
   const Box3d box = frame_.in_frame(region.box());
@@ -268,11 +283,17 @@ bool FrameSearch::try_sheets(const Region& region, const std::vector<std::vector
     box_.sheets.box.lo[k] = std::floor(box.lo[k] / box_.unit) * box_.unit;
     box_.sheets.box.hi[k] = std::ceil(box.hi[k] / box_.unit) * box_.unit;
   }
+  const Box3d all = region.box(), part = near.box();
+  const bool is_far_above = all.hi[2] - part.hi[2] > part.lo[2] - all.lo[2];
+  const bool is_outside_above = dot(normal_of(piece_), frame_.rows[2]) > 0;
+  const bool is_outside_far = is_far_above == is_outside_above;
   box_.centre_unit = std::numeric_limits<double>::infinity();
   box_.sheets.sheets.assign(sheets.size(), {});
   box_.sheets.separators.clear();
   for (std::size_t i = 0; i < sheets.size(); ++i)
-    if (!place_centres(region, sheets[i], &box_.sheets.sheets[i])) return false;
+    if (!place_centres(is_outside_far ? near : region, is_outside_far ? region : near, sheets[i],
+                       &box_.sheets.sheets[i]))
+      return false;
   if (sheets.size() > 1 && !separate(sheets, region)) return false;
   const std::size_t most = std::min(most_pieces_ * sheets.size(), kMostPieces);
   if (!is_sheet_box(forest_, box_.sheets, most, &pieces_)) {
@@ -290,37 +311,41 @@ void FrameSearch::hold_near() {
     if (is_inside(hulls_.of(id), box_.sheets.box)) pieces_.held.push_back(id);
 }
 
-// The deepest points that see all of the pieces from inside and from outside. Mostly a few conditions of each piece
-// show that no such points exist.
-bool FrameSearch::place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet) {
+// The first conditions of each piece for a centre that sees it from inside: for z, where A c = middle + half z, both in
+// the frame.
+void FrameSearch::set_half_spaces(const Region& region, const std::vector<Id>& pieces,
+                                  std::size_t most) {
   const BoxFrame& frame = box_.sheets.frame;
-  // For z, where A c = middle + half z, both in the frame.
   CentreSteps in{frame.approx_back(product(region.middle, frame_.unit)), {}};
   for (std::size_t j = 0; j < 3; ++j) {
     Point3d y{};
     y[j] = region.half[j] * frame_.unit[j];
     in.steps[j] = frame.approx_back(y);
   }
+  half_spaces_.clear();
+  for (const Id id : pieces) append_half_spaces_in_steps(forest_, id, in, most, &half_spaces_);
+}
+
+// The deepest points that see all of the pieces, from inside in the one region and from outside in the other. Mostly a
+// few conditions of each piece show that no such points exist.
+bool FrameSearch::place_centres(const Region& inside, const Region& outside,
+                                const std::vector<Id>& pieces, Sheet* sheet) {
   const Box3d room{{-kRoom, -kRoom, -kRoom}, {kRoom, kRoom, kRoom}};
-  const auto set_half_spaces = [&](std::size_t most) {
-    half_spaces_.clear();
-    for (const Id id : pieces) append_half_spaces_in_steps(forest_, id, in, most, &half_spaces_);
-  };
-  const auto turn = [&] {
-    for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
-  };
-  set_half_spaces(kFirstConditions);
-  if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;
-  turn();
-  if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;
-  set_half_spaces(~std::size_t{0});
-  const auto inside = deepest_point(half_spaces_, room, kLeastDepth);
-  if (!inside) return false;
-  turn();
-  const auto outside = deepest_point(half_spaces_, room, kLeastDepth);
-  if (!outside) return false;
-  sheet->inside = rounded(region, inside->point, inside->depth);
-  sheet->outside = rounded(region, outside->point, outside->depth);
+  for (const std::size_t most : {kFirstConditions, ~std::size_t{0}})
+    for (const bool is_inside : {true, false}) {
+      const Region& region = is_inside ? inside : outside;
+      if (is_inside || &inside != &outside) set_half_spaces(region, pieces, most);
+      if (!is_inside)
+        for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};
+      if (most == kFirstConditions) {
+        if (is_surely_shallow(half_spaces_, room, kLeastDepth)) return false;
+        continue;
+      }
+      const auto deepest = deepest_point(half_spaces_, room, kLeastDepth);
+      if (!deepest) return false;
+      (is_inside ? sheet->inside : sheet->outside) =
+          rounded(region, deepest->point, deepest->depth);
+    }
   return true;
 }
 

@@ -43,6 +43,7 @@ class FrameSearch {
   struct Region {
     Point3d middle{}, half{};
     double part = 1;  // pieces that reach out of it are split to this part of the half sizes
+    bool ends_at_opposite = false;  // halfway to parts of pieces that face the other way
     Box3d box() const;
   };
   void make_proposals();
@@ -62,8 +63,11 @@ class FrameSearch {
   bool try_one_sheet(const Region& region, Cut which);
   std::optional<Region> cut_back(const Region& region, Cut which);
   std::vector<std::vector<Id>> components() const;
-  bool try_sheets(const Region& region, const std::vector<std::vector<Id>>& sheets);
-  bool place_centres(const Region& region, const std::vector<Id>& pieces, Sheet* sheet);
+  bool try_sheets(const Region& region, const Region& near,
+                  const std::vector<std::vector<Id>>& sheets);
+  bool place_centres(const Region& inside, const Region& outside, const std::vector<Id>& pieces,
+                     Sheet* sheet);
+  void set_half_spaces(const Region& region, const std::vector<Id>& pieces, std::size_t most);
   Point3d rounded(const Region& region, const Point3d& at, double depth);
   bool separate(const std::vector<std::vector<Id>>& sheets, const Region& region);
 
@@ -75,6 +79,8 @@ class FrameSearch {
   FrameHulls hulls_;
   FramedBox box_;
   SheetPieces pieces_;
+  Region
+      before_other_side_;  // cut_back's, before a box that was cut on one side lost height on the other
   std::vector<Id> near_, around_;  // those that the last region meets; that the first region met
   std::vector<HalfSpace> half_spaces_;
   std::size_t most_pieces_ = 0;   // in each sheet, for a proof

@@ -32,8 +32,8 @@ class CoverSearch {
         frames_(forest, options.growth, options.least_framed_unit, options.least_unit),
         framed_share_(forest.budget()) {
     if (const MemoryBudget* budget = forest.budget(); budget != nullptr)
-      most_nodes_ = std::min<std::uint64_t>(
-          most_nodes_, std::max(kFewNodes, budget->limit() / kBudgetOfNode));
+      most_nodes_ = std::min<std::uint64_t>(most_nodes_,
+                                            std::max(kFewNodes, budget->limit() / kBudgetOfNode));
     out_.memory = std::make_shared<MemoryShare>(forest.budget());
   }
 
@@ -49,9 +49,11 @@ class CoverSearch {
       if (nodes > most_nodes_ && out_.is_complete()) drop_nodes();  // an obstacle names nodes
     }
     out_.tested_pieces = search_.tested_pieces(), out_.programs = search_.programs();
-    out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
-    if (out_.is_complete() && options_.with_frames) add_boxes_for_walks(forest_, frames_, &out_);
-    if (out_.is_complete()) keep_leaves();
+    if (out_.is_complete()) {
+      keep_leaves();
+      if (options_.with_frames) add_boxes_for_walks(forest_, frames_, &out_);
+      keep_leaves();
+    }
     out_.memory->resize_anyway(out_.boxes.size() * StarCover::kBytesOfBox + framed_share_.bytes());
     return std::move(out_);
   }
@@ -202,6 +204,7 @@ class CoverSearch {
 
   // Renumbers the boxes in the order of the leaves; drops those that cover only parts of other leaves.
   void keep_leaves() {
+    out_.box_of_node.resize(forest_.num_nodes(), StarCover::kNone);
     std::vector<std::uint32_t> leaf_box(forest_.num_nodes(), StarCover::kNone),
         number(out_.boxes.size(), StarCover::kNone);
     std::vector<CoverBox> boxes;

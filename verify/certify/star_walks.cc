@@ -79,10 +79,13 @@ class WalkSearch {
     const std::size_t n = boxes_of_shell_.size();
     done_.assign(n, false);
     windings_.resize(n);
-    for (bool progress = true; progress;) {
-      progress = false;
+    const auto pass = [&](bool is_patient) {
+      bool progress = false;
       for (std::uint32_t s = 0; s < n; ++s)
-        if (!done_[s]) progress = walk_from(s) || progress;
+        if (!done_[s]) progress = walk_from(s, is_patient) || progress;
+      return progress;
+    };
+    while (pass(false) || pass(true)) {
     }
     for (std::uint32_t s = 0; s < n; ++s)
       if (!done_[s]) out_.missing.push_back(s);
@@ -108,15 +111,27 @@ class WalkSearch {
     }
   }
 
-  // For each of six directions, tries the farthest centre: from there a ray often reaches infinity or the next shell.
-  bool walk_from(std::uint32_t shell) {
-    struct Start {
-      std::uint32_t box;
-      bool outside;
-      std::uint8_t direction;
-    };
+  struct Start {
+    std::uint32_t box;
+    bool outside;
+    std::uint8_t direction;
+  };
+  // The patient search takes longer. It is for shells that have no walk once all others have theirs.
+  bool walk_from(std::uint32_t shell, bool is_patient) {
     if (boxes_of_shell_[shell].empty()) return false;
-    std::vector<Start> starts;
+    if (!is_patient) return walk_from_any(shell, farthest_starts(shell));
+    return walk_from_any(shell, starts_at_long_boxes(shell)) || to_near_shell(shell);
+  }
+  bool walk_from_any(std::uint32_t shell, const std::vector<Start>& starts) {
+    for (const Start& s : starts)
+      if (to_infinity(shell, s.box, s.outside, s.direction)) return true;
+    for (const Start& s : starts)
+      if (to_other_shell(shell, s.box, s.outside, s.direction)) return true;
+    return false;
+  }
+  // For each of six directions the farthest centre: from there a ray often reaches infinity or the next shell.
+  std::vector<Start> farthest_starts(std::uint32_t shell) const {
+    std::vector<Start> out;
     for (std::uint8_t direction = 0; direction < 6; ++direction) {
       const std::size_t k = direction / 2;
       const double sign = direction % 2 == 0 ? 1 : -1;
@@ -127,13 +142,30 @@ class WalkSearch {
           const double reach = sign * centre(box, outside)[k];
           if (reach > farthest) farthest = reach, best = {box, outside, direction};
         }
-      starts.push_back(best);
+      out.push_back(best);
     }
-    for (const Start& s : starts)
-      if (to_infinity(shell, s.box, s.outside, s.direction)) return true;
-    for (const Start& s : starts)
-      if (to_other_shell(shell, s.box, s.outside, s.direction)) return true;
-    return to_near_shell(shell);
+    return out;
+  }
+  // The boxes whose centres are farthest apart: one of them may lie high above a sheet of a thin wall, where hulls do
+  // not hide the way.
+  std::vector<Start> starts_at_long_boxes(std::uint32_t shell) const {
+    constexpr std::size_t kMostBoxes = 8;
+    std::vector<std::uint32_t> boxes = boxes_of_shell_[shell];
+    const std::size_t count = std::min(boxes.size(), kMostBoxes);
+    std::partial_sort(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(count),
+                      boxes.end(), [&](std::uint32_t a, std::uint32_t b) {
+                        return distance(centre(a, true), centre(a, false)) >
+                               distance(centre(b, true), centre(b, false));
+                      });
+    std::vector<Start> out;
+    for (std::size_t i = 0; i < count; ++i)
+      for (const bool outside : {true, false})
+        for (std::uint8_t direction = 0; direction < 6; ++direction)
+          out.push_back({boxes[i], outside, direction});
+    return out;
+  }
+  static double distance(const Point3d& p, const Point3d& q) {
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
 
   struct Pair {
@@ -143,8 +175,8 @@ class WalkSearch {
     bool operator<(const Pair& b) const { return distance < b.distance; }
   };
   Pair pair_of(std::uint32_t from, bool from_outside, std::uint32_t to, bool to_outside) const {
-    const Point3d &p = centre(from, from_outside), &q = centre(to, to_outside);
-    return {std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), from, to, from_outside, to_outside};
+    return {distance(centre(from, from_outside), centre(to, to_outside)), from, to, from_outside,
+            to_outside};
   }
 
   // Tries the pairs of centres of this shell and of shells with walks that are nearest to each other: through a thin

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <queue>
 
+#include "verify/certify/star_walks.h"
+
 namespace veritope {
 namespace {
 
@@ -16,6 +18,23 @@ constexpr int kMostLevel = PieceForest::kMaxLevel - 2;
 constexpr double kPartOfWidth = 0.125;
 constexpr int kMostVisits = 20'000;
 
+// Where a shell gets a box, and how a half-line goes on from there.
+struct Place {
+  std::size_t axis;
+  bool is_positive;
+  // Away from the edges of the patch, in place of as far along the axis as it reaches.
+  bool is_inside;
+
+  // The greater, the farther along the axis.
+  double reach(const Box3d& hull) const { return is_positive ? hull.hi[axis] : -hull.lo[axis]; }
+};
+// In this order. Where a curved surface reaches farthest, the hulls of its pieces are thin. At a corner of a plate no
+// box may hold one sheet alone, and one in the middle of a face does.
+constexpr std::size_t kNumPlaces = 12;
+constexpr Place place_of(std::size_t number) {
+  return {number % 6 / 2, number % 2 == 0, number >= 6};
+}
+
 class WalkBoxes {
  public:
   WalkBoxes(PieceForest& forest, FrameSearch& frames, StarCover* cover)
@@ -23,16 +42,16 @@ class WalkBoxes {
 
   void run() {
     const auto& boxes = cover_.boxes;
-    const bool have_several = std::any_of(boxes.begin(), boxes.end(), [](const CoverBox& b) {
-      return !b.is_mesh && !b.has_one_sheet();
-    });
-    if (!have_several &&
+    have_several_ = std::any_of(boxes.begin(), boxes.end(),
+                                [](const CoverBox& b) { return !b.is_mesh && !b.has_one_sheet(); });
+    if (!have_several_ &&
         std::none_of(boxes.begin(), boxes.end(), [](const CoverBox& b) { return b.is_mesh; }))
       return;
-    for (const Id leaf : farthest_leaves(have_several)) {
-      if (leaf == PieceForest::kNone) continue;
-      const auto box = add_box(leaf, [&](Id id) { return farthest_child(id); });
-      if (box && have_several) add_box_beyond(*box, shell_of(leaf));
+    add_boxes(shells_that_need_a_box(), place_of(0));
+    for (std::size_t i = 1; i < kNumPlaces; ++i) {
+      const std::vector<std::uint32_t> missing = find_shell_walks(forest_, cover_).missing;
+      if (missing.empty()) return;
+      add_boxes(missing, place_of(i));
     }
   }
 
@@ -45,36 +64,64 @@ class WalkBoxes {
   }
   // The node itself or the ancestor that is a leaf of the cover; kNone if the node is above leaves.
   Id leaf_above(Id id) {
-    Id out = PieceForest::kNone;
-    for (Id up = id; up != PieceForest::kNone; up = forest_.node(up).parent)
-      if (box_of(up) != StarCover::kNone) out = up;
-    return out;
+    while (id != PieceForest::kNone && box_of(id) == StarCover::kNone) id = forest_.node(id).parent;
+    return id;
   }
 
-  // For each shell that needs a box, a covered node where it reaches farthest along x.
-  std::vector<Id> farthest_leaves(bool have_several) {
+  template <typename Visit>
+  void for_each_leaf(Visit visit) const {
+    for (Id id = 0; id < cover_.box_of_node.size(); ++id)
+      if (cover_.box_of_node[id] != StarCover::kNone) visit(id);
+  }
+  std::vector<std::uint32_t> shells_that_need_a_box() {
     const std::size_t num_shells = forest_.complex().shells().size();
     std::vector<bool> has_start(num_shells);
-    std::vector<Id> out(num_shells, PieceForest::kNone);
-    for (Id id = 0; id < cover_.box_of_node.size(); ++id) {
-      if (cover_.box_of_node[id] == StarCover::kNone) continue;
-      const std::uint32_t shell = shell_of(id);
-      if (!have_several && cover_.boxes[box_of(id)].has_one_sheet() && leaf_above(id) == id)
-        has_start[shell] = true;
-      Id& best = out[shell];
-      if (best == PieceForest::kNone || forest_.node(id).hull.hi[0] > forest_.node(best).hull.hi[0])
-        best = id;
-    }
-    for (std::size_t shell = 0; shell < num_shells; ++shell)
-      if (has_start[shell]) out[shell] = PieceForest::kNone;
+    for_each_leaf([&](Id id) {
+      if (!have_several_ && cover_.boxes[box_of(id)].has_one_sheet())
+        has_start[shell_of(id)] = true;
+    });
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t shell = 0; shell < num_shells; ++shell)
+      if (!has_start[shell]) out.push_back(shell);
     return out;
   }
-  Id farthest_child(Id id) {
+  // For each shell the leaf that reaches farthest; for a place inside a patch, of the leaves that are long.
+  std::vector<Id> farthest_leaves(const Place& place) {
+    const std::size_t num_shells = forest_.complex().shells().size();
+    std::vector<double> longest(num_shells);
+    for_each_leaf([&](Id id) {
+      double& size = longest[shell_of(id)];
+      size = std::max(size, extent(forest_.node(id).hull));
+    });
+    std::vector<Id> out(num_shells, PieceForest::kNone);
+    for_each_leaf([&](Id id) {
+      const Box3d& hull = forest_.node(id).hull;
+      if (place.is_inside && extent(hull) < 0.5 * longest[shell_of(id)]) return;
+      Id& best = out[shell_of(id)];
+      if (best == PieceForest::kNone || place.reach(hull) > place.reach(forest_.node(best).hull))
+        best = id;
+    });
+    return out;
+  }
+  Id next_child(Id id, const Place& place) {
     const Id first = forest_.children(id);
+    // The last child of a triangle is the one in its middle; those of other patches are the first and the last in turn.
+    if (place.is_inside)
+      return first + (is_triangle(id) || forest_.node(id).level % 2 == 0 ? 3 : 0);
     Id out = first;
     for (Id k = 1; k < 4; ++k)
-      if (forest_.node(first + k).hull.hi[0] > forest_.node(out).hull.hi[0]) out = first + k;
+      if (place.reach(forest_.node(first + k).hull) > place.reach(forest_.node(out).hull))
+        out = first + k;
     return out;
+  }
+  bool is_triangle(Id id) const { return forest_.form(forest_.node(id).patch).shape.is_triangle; }
+
+  void add_boxes(const std::vector<std::uint32_t>& shells, const Place& place) {
+    const std::vector<Id> farthest = farthest_leaves(place);
+    for (const std::uint32_t shell : shells) {
+      const auto box = add_box(farthest[shell], [&](Id id) { return next_child(id, place); });
+      if (box && have_several_) add_box_beyond(*box, shell, place);
+    }
   }
 
   // Descends from the leaf around `id` to the child that `next` names until one has a box with one sheet; the other
@@ -110,13 +157,13 @@ class WalkBoxes {
     return number;
   }
 
-  // A box for the shell that the half-line along x meets first, from the centre of the box that is farther along x.
-  void add_box_beyond(std::uint32_t number, std::uint32_t shell) {
+  // A box for the shell that the half-line of the place meets first, from the centre of the box that is farther along
+  // it.
+  void add_box_beyond(std::uint32_t number, std::uint32_t shell, const Place& place) {
     const StarBox& box = cover_.boxes[number].star;
-    const bool is_outside_farther = box.outside[0] > box.inside[0];
-    const Point3d from = is_outside_farther ? box.outside : box.inside;
-    const double width = std::abs(box.outside[0] - box.inside[0]);
-    const Id target = first_hit(from, shell, kPartOfWidth * width);
+    const double step = box.outside[place.axis] - box.inside[place.axis];
+    const Point3d from = (step > 0) == place.is_positive ? box.outside : box.inside;
+    const Id target = first_hit(from, shell, place, kPartOfWidth * std::abs(step));
     if (target == PieceForest::kNone) return;
     if (cover_.boxes[box_of(leaf_above(target))].has_one_sheet()) return;
     add_box(target, [&](Id id) { return child_towards(id, target); });
@@ -127,22 +174,25 @@ class WalkBoxes {
     return PieceForest::kNone;
   }
 
-  // The first piece of another shell that the half-line from `from` along x meets, no longer along x than `most` and
-  // within a leaf of the cover, or kNone. Approximate: the half-line meets its hull. A large piece across x, such as a
-  // side of a plate, is short along x and may have no box: only its parts do.
-  Id first_hit(const Point3d& from, std::uint32_t shell, double most) {
+  // The first piece of another shell that the half-line from `from` meets, no longer along it than `most` and within a
+  // leaf of the cover, or kNone. Approximate: the half-line meets its hull. A large piece across the half-line, such as
+  // a side of a plate, is short along it and may have no box: only its parts do.
+  Id first_hit(const Point3d& from, std::uint32_t shell, const Place& place, double most) {
+    const std::size_t along = place.axis;
     const auto is_met = [&](const Box3d& b) {
-      return b.hi[0] >= from[0] && b.lo[1] <= from[1] && from[1] <= b.hi[1] && b.lo[2] <= from[2] &&
-             from[2] <= b.hi[2];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (k != along && !(b.lo[k] <= from[k] && from[k] <= b.hi[k])) return false;
+      return place.reach(b) >= (place.is_positive ? from[along] : -from[along]);
     };
     struct Open {
-      double x;
+      double distance;
       Id id;
-      bool operator<(const Open& b) const { return x > b.x; }  // the least one on top
+      bool operator<(const Open& b) const { return distance > b.distance; }  // the least one on top
     };
     std::priority_queue<Open> open;
     const auto push = [&](Id id) {
-      if (is_met(forest_.node(id).hull)) open.push({forest_.node(id).hull.lo[0], id});
+      const Box3d& hull = forest_.node(id).hull;
+      if (is_met(hull)) open.push({place.is_positive ? hull.lo[along] : -hull.hi[along], id});
     };
     forest_.roots().visit(is_met, [&](std::uint32_t number) {
       if (shell_of(forest_.root(number)) != shell) push(forest_.root(number));
@@ -151,7 +201,8 @@ class WalkBoxes {
       const Id id = open.top().id;
       open.pop();
       const Box3d& hull = forest_.node(id).hull;
-      if (hull.hi[0] - hull.lo[0] <= most && leaf_above(id) != PieceForest::kNone) return id;
+      if (hull.hi[along] - hull.lo[along] <= most && leaf_above(id) != PieceForest::kNone)
+        return id;
       if (forest_.node(id).level >= kMostLevel || !forest_.may_split(id)) return PieceForest::kNone;
       const Id first = forest_.children(id);
       for (Id k = 0; k < 4; ++k) push(first + k);
@@ -162,6 +213,7 @@ class WalkBoxes {
   PieceForest& forest_;
   FrameSearch& frames_;
   StarCover& cover_;
+  bool have_several_ = false;
 };
 
 }  // namespace

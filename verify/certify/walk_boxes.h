@@ -9,8 +9,9 @@ namespace veritope {
 
 /// Walks start and end at star boxes with one sheet. Where there are boxes with several, each shell gets a small one at
 /// the place where it reaches farthest along x, and the next shell on the half-line from there along x gets one, too,
-/// where the half-line meets it: a straight walk between them is short. A shell that mesh boxes cover alone gets one.
-/// REQUIRES a complete cover, before its leaves are numbered: a node and its descendants may have boxes.
+/// where the half-line meets it: a straight walk between them is short. Shells that have no walk then get others: where
+/// they reach farthest in the other five directions, and inside patches there. A shell that mesh boxes cover alone gets
+/// one. REQUIRES a complete cover.
 void add_boxes_for_walks(PieceForest& forest, FrameSearch& frames, StarCover* cover);
 
 }  // namespace veritope

@@ -4,11 +4,11 @@
 // known truth, each under a random affine map: two to five sheets, flat, quadric, of different curvature near one
 // point, and free-form, at gaps down to 2^-40 of the size for planes and spheres (2^-13 for free-form ones). Those that
 // are apart must be valid with their genus and bodies, those that cross invalid, those that touch never valid.
-// Assemblies are two to four of those that are apart, in a row; half of the rows are not mapped. Then N models under N maps each,
-// rotations and shears up to 2^10: their verdicts must agree. A model is undecided after S (60) seconds of processor
-// time. One JSON line a figure; wrong and undecided models on standard error, each with the seed that makes it alone
-// (--count 1). With a program, that program must certify each sound model that is found valid, too: then the checker
-// has accepted it.
+// Assemblies are two to four of those that are apart, in a row; half of the rows are not mapped. Then N models under N
+// maps each, rotations and shears up to 2^10: their verdicts must agree. A model is undecided after S (60) seconds of
+// processor time. One JSON line a figure; wrong and undecided models on standard error, each with the seed that makes
+// it alone (--count 1). With a program, that program must certify each sound model that is found valid, too: then the
+// checker has accepted it.
 #include <algorithm>
 #include <array>
 #include <cstdio>

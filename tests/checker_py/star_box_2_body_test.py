@@ -28,11 +28,11 @@ class Body(OnAPlate):
                      self.changed(self.walls, separators=[[0, 0, [1]]]), self.changed(self.walls, separators=[[4, 0, [1] * 35]]),
                      self.changed(self.walls, centres=[], signs=[], separators=[]),
                      self.changed(self.one, separators=walls.separators, signs=[[1]]),
-                     self.changed(self.walls, centres=walls.centres * 33, signs=[[1]] * 66), self.plan(frames=[frame] * 65536),
+                     self.changed(self.walls, centres=walls.centres * 33, signs=[[1]] * 66),
                      self.changed(self.walls, separators=walls.separators * 65, signs=[[1] * 65, [2] * 65])):
             self.says("B1", self.plate, plan)
         self.says("ACCEPT", self.plate, self.changed(self.walls, separators=walls.separators * 64, signs=[[1] * 64, [2] * 64]))
-        self.says("ACCEPT", self.plate, self.plan(frames=[frame] * 65535))
+        self.says("ACCEPT", self.plate, self.plan(frames=[frame] * 70000))
         body = self.plate.plan.body()
         for n in range(len(body)):                        # every truncation
             plan = self.plan()

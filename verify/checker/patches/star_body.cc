@@ -6,7 +6,7 @@ namespace {
 
 __extension__ typedef __int128 i128;
 const int64_t kMostSteps = 64;  // abs(t)
-const uint64_t kMostSheets = 64, kMostFrames = 65535;  // and as many separators as sheets
+const uint64_t kMostSheets = 64;  // and as many separators
 
 struct Reader : StarBytes {
   Reader(const Body& bytes, StarBody* to) : StarBytes(bytes, to) {}
@@ -204,8 +204,7 @@ StarBody read_star_body(const Statement& statement, const std::vector<Entity>& e
   if (out.version == 1) {
     for (uint64_t n = r.body.count(8); n > 0; --n) out.boxes.push_back(r.box_1());
   } else {
-    const uint64_t frames = r.at_most(r.body.count(9), kMostFrames, "there are too many frames:");
-    for (uint64_t n = frames; n > 0; --n) out.frames.push_back(r.frame());
+    for (uint64_t n = r.body.count(9); n > 0; --n) out.frames.push_back(r.frame());
     for (uint64_t n = r.body.count(9); n > 0; --n) out.boxes.push_back(r.box_2());
   }
   int64_t last = 0;

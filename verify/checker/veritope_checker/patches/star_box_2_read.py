@@ -8,7 +8,7 @@ from ..common.vectors import cross, dot
 from .star_box_nodes import in_frame
 from .star_box_read import Certificate, read_all_breaks, read_head
 
-MAX_FRAMES, MAX_SHEETS, MAX_SEPARATORS = 65535, 64, 64
+MAX_SHEETS, MAX_SEPARATORS = 64, 64
 MAX_ENTRY = (1 << 31) - 1               # of a frame, in absolute value
 MAX_STEPS = 64                          # of a separator's unit from that of the points
 KINDS = {"surface": 1, "triangle": 2}
@@ -87,8 +87,5 @@ class Certificate2(Certificate):
     read_entities = staticmethod(read_entities)
 
     def read_boxes(self, body):
-        count = body.count(9)
-        if count > MAX_FRAMES:
-            raise Reject("B1", "%d frames" % count)
-        frames = [read_frame(body) for _ in range(count)]
+        frames = [read_frame(body) for _ in range(body.count(9))]
         return [Box(body, frames) for _ in range(body.count(9))]

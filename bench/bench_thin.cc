@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_thin.cc: [--digits N] [--seconds S] [--only ROWS]. Measures certificates of thin walls. Models: every
-// family of models/thin_shapes.h with gaps of 1e-1 to 1e-N (6), holes of tori and of a plate, and free-form sheets; or
-// the rows whose names start with ROWS. Each row: seconds to decide, boxes, those with several sheets, bytes of the
-// certificate, seconds of the C++ checker as a program, memory. A decision ends after S (60) seconds, or a quarter of
-// that after a wider gap of its family had no proof; its row gives the reason.
+// bench/bench_thin.cc: [--base B] [--digits N] [--seconds S] [--only ROWS]. Measures certificates of thin walls.
+// Models: every family of models/thin_shapes.h with gaps of B^-1 to B^-N (10, 6), holes of tori and of a plate, and
+// free-form sheets; or the rows whose names start with ROWS. Each row: seconds to decide, boxes, those with several
+// sheets, bytes of the certificate, seconds of the C++ checker as a program, memory. A decision ends after S (60)
+// seconds, or a quarter of that after a wider gap of its family had no proof; its row gives the reason.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -116,11 +116,12 @@ class Bench {
 }  // namespace
 
 int main(int argc, char** argv) {
-  int digits = 6;
+  int base = 10, digits = 6;
   double seconds = 60;
   std::string only;
-  bench::read_arguments(argc, argv,
-                        {{"--digits", &digits}, {"--seconds", &seconds}, {"--only", &only}});
+  bench::read_arguments(
+      argc, argv,
+      {{"--base", &base}, {"--digits", &digits}, {"--seconds", &seconds}, {"--only", &only}});
   Bench bench(fs::read_symlink("/proc/self/exe").parent_path());
   const auto is_wanted = [&](const std::string& row) {
     return row.compare(0, only.size(), only) == 0;
@@ -129,7 +130,7 @@ int main(int argc, char** argv) {
     Rational gap(1);
     bool is_proved = true;
     for (int i = 1; i <= digits && is_wanted(family.name); ++i) {
-      gap /= Rational(10);
+      gap /= Rational(base);
       is_proved &= bench.measure(family.name, nearest_double(gap),
                                  family.make(gap, thin_shapes::Walls::kApart),
                                  is_proved ? seconds : seconds / 4);

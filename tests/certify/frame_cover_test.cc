@@ -127,17 +127,20 @@ TEST(FrameCover, OfSpheresDoesNotGrowAsTheirGapShrinks) {
 }
 TEST(FrameCover, OfSpheresHasWalksAcrossVerySmallGaps) { expect_bounded("spheres", {11}, 2, 1000); }
 
-// The rotation by the quaternion, then (x, y, z + 4 y), with a shift that takes from doubles bits that a gap needs.
-AffineMap rotation_and_shear(const std::array<std::int64_t, 4>& quaternion) {
+// The rotation by the quaternion, then (x, y, z + shear y), then a shift by eighths, which takes from doubles bits that a
+// gap needs.
+AffineMap rotation_and_shear(const std::array<std::int64_t, 4>& quaternion, int shear,
+                             const std::array<int, 3>& shift) {
   const auto [w, x, y, z] = quaternion;
   const Rational norm(w * w + x * x + y * y + z * z);
-  AffineMap out{3, 3, {}, {Rational(-6), Rational(4), Rational(20)}};
+  AffineMap out{3, 3, {}, {}};
+  for (const int v : shift) out.translation.push_back(Rational(v) / Rational(8));
   for (const std::int64_t v :
        {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),
         2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
         2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z})
     out.linear.push_back(Rational(v) / norm);
-  for (std::size_t c = 0; c < 3; ++c) out.linear[6 + c] += Rational(4) * out.linear[3 + c];
+  for (std::size_t c = 0; c < 3; ++c) out.linear[6 + c] += Rational(shear) * out.linear[3 + c];
   return out;
 }
 // From a corner of such a plate no half-line is free in doubles, nor from a point as near to a side as the gap is long.
@@ -148,12 +151,22 @@ TEST(FrameCover, OfVeryThinPlatesHasWalksInAnyPosition) {
            {std::array<std::int64_t, 4>{5, 2, -2, 1}, {3, 2, 1, 1}}) {
         const Family& family = family_of(name);
         const auto image = affine_image(family.make(Rational::power_of_two(-bits), Walls::kApart),
-                                        rotation_and_shear(quaternion));
+                                        rotation_and_shear(quaternion, 4, {-48, 32, 160}));
         ASSERT_TRUE(image.has_value());
         expect_certified(family, *image,
                          std::string(name) + ", gap 2^-" + std::to_string(bits) + ", quaternion " +
                              std::to_string(quaternion[0]) + "...");
       }
+}
+
+// The walk from the inner sphere needs a box of the outer one beside its own.
+TEST(FrameCover, OfTurnedSpheresHasAWalkAcrossAVerySmallGap) {
+  const Family& family = family_of("spheres");
+  const auto image =
+      affine_image(family.make(Rational(7) * Rational::power_of_two(-35), Walls::kApart),
+                   rotation_and_shear({-1, 2, 3, 0}, 0, {29, 35, -67}));
+  ASSERT_TRUE(image.has_value());
+  expect_certified(family, *image, "turned spheres");
 }
 
 // One of these two shears, after a rotation, kept a search by Euclid's lengths alone busy for a minute without an answer.

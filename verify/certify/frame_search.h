@@ -79,8 +79,8 @@ class FrameSearch {
   FrameHulls hulls_;
   FramedBox box_;
   SheetPieces pieces_;
-  Region
-      before_other_side_;  // cut_back's, before a box that was cut on one side lost height on the other
+  /// What cut_back cut on one side, as high as before on the other.
+  Region before_other_side_;
   std::vector<Id> near_, around_;  // those that the last region meets; that the first region met
   std::vector<HalfSpace> half_spaces_;
   std::size_t most_pieces_ = 0;   // in each sheet, for a proof

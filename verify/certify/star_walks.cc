@@ -150,18 +150,17 @@ class WalkSearch {
   // not hide the way.
   std::vector<Start> starts_at_long_boxes(std::uint32_t shell) const {
     constexpr std::size_t kMostBoxes = 8;
-    std::vector<std::uint32_t> boxes = boxes_of_shell_[shell];
+    std::vector<std::pair<double, std::uint32_t>> boxes;
+    for (const std::uint32_t box : boxes_of_shell_[shell])
+      boxes.push_back({-distance(centre(box, true), centre(box, false)), box});
     const std::size_t count = std::min(boxes.size(), kMostBoxes);
     std::partial_sort(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(count),
-                      boxes.end(), [&](std::uint32_t a, std::uint32_t b) {
-                        return distance(centre(a, true), centre(a, false)) >
-                               distance(centre(b, true), centre(b, false));
-                      });
+                      boxes.end());
     std::vector<Start> out;
     for (std::size_t i = 0; i < count; ++i)
       for (const bool outside : {true, false})
         for (std::uint8_t direction = 0; direction < 6; ++direction)
-          out.push_back({boxes[i], outside, direction});
+          out.push_back({boxes[i].second, outside, direction});
     return out;
   }
   static double distance(const Point3d& p, const Point3d& q) {

@@ -3,7 +3,8 @@
 // Models: every family of models/thin_shapes.h with gaps of B^-1 to B^-N (10, 6), holes of tori and of a plate, and
 // free-form sheets; or the rows whose names start with ROWS. Each row: seconds to decide, boxes, those with several
 // sheets, bytes of the certificate, seconds of the C++ checker as a program, memory. A decision ends after S (60)
-// seconds, or a quarter of that after a wider gap of its family had no proof; its row gives the reason.
+// seconds, or a quarter of that after a wider gap of its family had no proof, or four times that for free-form sheets;
+// its row gives the reason.
 #include <malloc.h>
 #include <unistd.h>
 

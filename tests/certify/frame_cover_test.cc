@@ -144,7 +144,7 @@ AffineMap rotation_and_shear(const std::array<std::int64_t, 4>& quaternion, int 
   return out;
 }
 // From a corner of such a plate no half-line is free in doubles, nor from a point as near to a side as the gap is long.
-TEST(FrameCover, OfVeryThinPlatesHasWalksInAnyPosition) {
+TEST(FrameCover, OfVeryThinPlatesThatAreShearedHasWalks) {
   for (const char* const name : {"plate", "plate-turned"})
     for (const int bits : {34, 38})
       for (const std::array<std::int64_t, 4> quaternion :

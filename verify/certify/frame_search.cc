@@ -136,12 +136,10 @@ bool FrameSearch::try_one_sheet(const Region& region, Cut which) {
   if (all.size() == 1 && try_sheets(region, region, all)) return true;
   const auto cut = cut_back(region, which);
   if (!cut) return false;
-  // At the far centre of a high box, walks pass hulls of pieces that are longer than the gap on its near side.
-  if (which == Cut::kOppositeParts) {
-    const Region high = before_other_side_;
-    if (gather(high) && try_sheets(high, *cut, {near_})) return true;
-  }
-  return gather(*cut) && try_sheets(*cut, *cut, {near_});
+  // A walk that starts at the far centre of a high box clears hulls that are higher than the gap on the near side.
+  if (which == Cut::kOppositeParts && gather(cut->high) && try_sheets(cut->high, cut->low, {near_}))
+    return true;
+  return gather(cut->low) && try_sheets(cut->low, cut->low, {near_});
 }
 
 // All sheets in a box of this height that is hardly longer than the piece: in a longer one centres must see farther
@@ -158,7 +156,7 @@ bool FrameSearch::try_tight() {
   region.part = kTightPart;
   if (!gather(region)) return false;
   if (const auto cut = cut_back(region, Cut::kOpposite)) {
-    region = *cut;
+    region = cut->low;
     if (!gather(region)) return false;
   }
   return try_sheets(region, region, {near_});
@@ -209,7 +207,7 @@ bool FrameSearch::gather(const Region& region) {
 // The region with sides halfway to each piece that does not touch the hull, on the axis on which it is farthest from
 // it; nothing if there is no such piece. Cut::kOpposite: of those that face the other way; Cut::kOppositeParts: of
 // parts of those, so small that their hulls do not hide a gap.
-std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, Cut which) {
+std::optional<FrameSearch::CutRegion> FrameSearch::cut_back(const Region& region, Cut which) {
   Box3d box = region.box();
   const Point3d normal = normal_of(piece_);
   bool is_cut = false;
@@ -244,12 +242,12 @@ std::optional<FrameSearch::Region> FrameSearch::cut_back(const Region& region, C
     for (std::size_t k = 0; k < 3; ++k) out.half[k] = 0.5 * (box.hi[k] - box.lo[k]);
     return out;
   };
-  before_other_side_ = region_of();
+  const Region high = region_of();
   // Centres lie on both sides of the piece: a box that ends near it on one side need not reach far on the other.
   const double below = hull_.lo[2] - box.lo[2], above = box.hi[2] - hull_.hi[2];
   box.lo[2] = std::max(box.lo[2], hull_.lo[2] - kOtherSide * above);
   box.hi[2] = std::min(box.hi[2], hull_.hi[2] + kOtherSide * below);
-  return region_of();
+  return CutRegion{high, region_of()};
 }
 
 // The classes of near_ by common points in the surface.
@@ -334,6 +332,7 @@ bool FrameSearch::place_centres(const Region& inside, const Region& outside,
   for (const std::size_t most : {kFirstConditions, ~std::size_t{0}})
     for (const bool is_inside : {true, false}) {
       const Region& region = is_inside ? inside : outside;
+      // Where both regions are one, the conditions from outside are those from inside, turned.
       if (is_inside || &inside != &outside) set_half_spaces(region, pieces, most);
       if (!is_inside)
         for (HalfSpace& h : half_spaces_) h = {{-h.a[0], -h.a[1], -h.a[2]}, -h.b};

@@ -61,7 +61,11 @@ class FrameSearch {
   bool gather(const Region& region);
   enum class Cut { kAll, kOpposite, kOppositeParts };
   bool try_one_sheet(const Region& region, Cut which);
-  std::optional<Region> cut_back(const Region& region, Cut which);
+  /// A region that was cut: as high as before on the sides that were not, and no higher there than centres need.
+  struct CutRegion {
+    Region high, low;
+  };
+  std::optional<CutRegion> cut_back(const Region& region, Cut which);
   std::vector<std::vector<Id>> components() const;
   bool try_sheets(const Region& region, const Region& near,
                   const std::vector<std::vector<Id>>& sheets);
@@ -79,8 +83,6 @@ class FrameSearch {
   FrameHulls hulls_;
   FramedBox box_;
   SheetPieces pieces_;
-  /// What cut_back cut on one side, as high as before on the other.
-  Region before_other_side_;
   std::vector<Id> near_, around_;  // those that the last region meets; that the first region met
   std::vector<HalfSpace> half_spaces_;
   std::size_t most_pieces_ = 0;   // in each sheet, for a proof

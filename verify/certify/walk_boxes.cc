@@ -76,10 +76,10 @@ class WalkBoxes {
   std::vector<std::uint32_t> shells_that_need_a_box() {
     const std::size_t num_shells = forest_.complex().shells().size();
     std::vector<bool> has_start(num_shells);
-    for_each_leaf([&](Id id) {
-      if (!have_several_ && cover_.boxes[box_of(id)].has_one_sheet())
-        has_start[shell_of(id)] = true;
-    });
+    if (!have_several_)
+      for_each_leaf([&](Id id) {
+        if (cover_.boxes[box_of(id)].has_one_sheet()) has_start[shell_of(id)] = true;
+      });
     std::vector<std::uint32_t> out;
     for (std::uint32_t shell = 0; shell < num_shells; ++shell)
       if (!has_start[shell]) out.push_back(shell);
@@ -105,16 +105,14 @@ class WalkBoxes {
   }
   Id next_child(Id id, const Place& place) {
     const Id first = forest_.children(id);
-    // The last child of a triangle is the one in its middle; those of other patches are the first and the last in turn.
-    if (place.is_inside)
-      return first + (is_triangle(id) || forest_.node(id).level % 2 == 0 ? 3 : 0);
+    // The last child and the first one in turn: of a tensor piece and of a triangle, they lead away from its sides.
+    if (place.is_inside) return first + (forest_.node(id).level % 2 == 0 ? 3 : 0);
     Id out = first;
     for (Id k = 1; k < 4; ++k)
       if (place.reach(forest_.node(first + k).hull) > place.reach(forest_.node(out).hull))
         out = first + k;
     return out;
   }
-  bool is_triangle(Id id) const { return forest_.form(forest_.node(id).patch).shape.is_triangle; }
 
   void add_boxes(const std::vector<std::uint32_t>& shells, const Place& place) {
     const std::vector<Id> farthest = farthest_leaves(place);

@@ -11,7 +11,7 @@ namespace veritope {
 /// the place where it reaches farthest along x, and the next shell on the half-line from there along x gets one, too,
 /// where the half-line meets it: a straight walk between them is short. Shells that have no walk then get others: where
 /// they reach farthest in the other five directions, and inside patches there. A shell that mesh boxes cover alone gets
-/// one. REQUIRES a complete cover.
+/// one. REQUIRES a complete cover with one leaf on every way down, which it stays.
 void add_boxes_for_walks(PieceForest& forest, FrameSearch& frames, StarCover* cover);
 
 }  // namespace veritope

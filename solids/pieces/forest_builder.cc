@@ -9,18 +9,10 @@
 #include "interval/upward.h"
 #include "solids/pieces/piece_forest.h"
 #include "solids/pieces/piece_net_internal.h"
+#include "solids/pieces/root_choice_internal.h"
 
 namespace veritope {
 namespace {
-
-constexpr int kMaxRootBits = 6;
-// Parts of rims are as short as the square root of the wall's thickness: as many as a certificate may have, unless the
-// patches are so many that all might have more than 2^kMostBitsOfAll.
-constexpr int kMostRimBits = 12, kMostBitsOfAll = 22;
-int most_rim_bits(std::size_t num_patches) {
-  return std::clamp(kMostBitsOfAll - static_cast<int>(std::bit_width(num_patches)), kMaxRootBits,
-                    kMostRimBits);
-}
 
 FormShape shape_of(const Patch& patch) {
   if (patch.is_triangle()) return {true, patch.triangle().degree(), 0};
@@ -54,6 +46,10 @@ class ForestBuilder {
                          " has coordinates, weights or derivatives out of the range of binary64"};
       forest_.forms_.push_back(std::move(form));
     }
+    if (choice_ == PieceForest::FrameChoice::kWhole)
+      internal::choose_straight_roots(*forest_.complex_, &forest_.forms_);
+    else
+      for (PieceForest::Form& form : forest_.forms_) internal::choose_square_roots(&form);
     add_roots();
     return std::move(forest_);
   }
@@ -189,10 +185,6 @@ class ForestBuilder {
     std::vector<Interval> all;
     for (const std::vector<Interval>& d : determinants) all.insert(all.end(), d.begin(), d.end());
     fill_net(all, PieceForest::layout(form, Part::kDeterminants), &form.root_determinants);
-    if (choice_ == PieceForest::FrameChoice::kWhole)
-      choose_straight_roots(&form);
-    else
-      choose_roots(&form);
     return form;
   }
 
@@ -216,117 +208,6 @@ class ForestBuilder {
     const auto is_small = [](double v) { return std::abs(v) < 0x1p900; };
     return std::all_of(form.root_control.begin(), form.root_control.end(), is_small) &&
            std::all_of(form.root_determinants.begin(), form.root_determinants.end(), is_small);
-  }
-
-  // The lines of control points of a tensor patch along one parameter, approximately.
-  class ControlLines {
-   public:
-    ControlLines(const PieceForest::Form& form, std::size_t axis) : form_(form), axis_(axis) {}
-
-    /// The greatest distance of a control point from the chord of its line.
-    double bend() const {
-      double out = 0;
-      for_each_line([&](const std::vector<Point3d>& line) {
-        const Point3d &a = line.front(), &b = line.back();
-        const double length = distance(a, b);
-        for (const Point3d& p : line) {
-          // The length of the cross product: a difference of squares would take rounding for a bend.
-          Point3d area;
-          for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            area[k] = (p[i] - a[i]) * (b[j] - a[j]) - (p[j] - a[j]) * (b[i] - a[i]);
-          }
-          const double bend = std::hypot(area[0], area[1], area[2]) / length;
-          out = std::max(out, length > 0 ? bend : distance(a, p));
-        }
-      });
-      return out;
-    }
-    /// The greatest distance of a line's ends.
-    double chord() const {
-      double out = 0;
-      for_each_line([&](const std::vector<Point3d>& line) {
-        out = std::max(out, distance(line.front(), line.back()));
-      });
-      return out;
-    }
-
-   private:
-    static double distance(const Point3d& a, const Point3d& b) {
-      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    }
-    template <typename Use>
-    void for_each_line(Use use) const {
-      const auto layout = PieceForest::layout(form_, Part::kControl);
-      const auto rows = static_cast<std::size_t>(form_.shape.p + 1),
-                 columns = static_cast<std::size_t>(form_.shape.q + 1);
-      const std::size_t num_lines = axis_ == 0 ? columns : rows,
-                        length = axis_ == 0 ? rows : columns;
-      for (std::size_t j = 0; j < num_lines; ++j) {
-        std::vector<Point3d> line(length);
-        for (std::size_t i = 0; i < length; ++i) {
-          const std::size_t at = axis_ == 0 ? i * columns + j : j * columns + i;
-          for (std::size_t c = 0; c < 3; ++c) {
-            line[i][c] = form_.root_control[layout.begin(c) + at];
-            if (layout.components == 4) line[i][c] /= form_.root_control[layout.begin(3) + at];
-          }
-        }
-        use(line);
-      }
-    }
-    const PieceForest::Form& form_;
-    std::size_t axis_;
-  };
-
-  // Chooses the number of halves along the longer parameter so that the pieces are approximately as long as wide.
-  static void choose_roots(PieceForest::Form* form) {
-    if (form->shape.is_triangle) return;
-    const auto layout = PieceForest::layout(*form, Part::kControl);
-    const auto columns = static_cast<std::size_t>(form->shape.q + 1);
-    const auto length = [&](std::size_t from, std::size_t to) {
-      double sum = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double* const x = form->root_control.data() + layout.begin(c);
-        const auto point = [&](std::size_t i) {
-          return layout.components == 4 ? x[i] / form->root_control[layout.begin(3) + i] : x[i];
-        };
-        sum += (point(to) - point(from)) * (point(to) - point(from));
-      }
-      return std::sqrt(sum);
-    };
-    double along_u = 0, along_v = 0;
-    for (std::size_t j = 0; j < columns; ++j) {
-      double sum = 0;
-      for (std::size_t i = 0; i + 1 <= static_cast<std::size_t>(form->shape.p); ++i)
-        sum += length(i * columns + j, (i + 1) * columns + j);
-      along_u = std::max(along_u, sum);
-    }
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(form->shape.p); ++i) {
-      double sum = 0;
-      for (std::size_t j = 0; j + 1 < columns; ++j)
-        sum += length(i * columns + j, i * columns + j + 1);
-      along_v = std::max(along_v, sum);
-    }
-    const double ratio = along_u / along_v;
-    if (!(ratio > 0) || !std::isfinite(ratio)) return;
-    const int bits =
-        std::min(kMaxRootBits, std::abs(static_cast<int>(std::lround(std::log2(ratio)))));
-    form->root_bits[ratio > 1 ? 0 : 1] = static_cast<std::uint8_t>(bits);
-  }
-
-  // Chooses the numbers of parts so that a part bends along each parameter by no more than its length along the other
-  // one: the rim of a thin wall is cut along its length only, and not at all if it is straight. A half bends by a
-  // quarter.
-  void choose_straight_roots(PieceForest::Form* form) const {
-    if (form->shape.is_triangle) return;
-    const std::array<ControlLines, 2> lines{ControlLines(*form, 0), ControlLines(*form, 1)};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double ratio = lines[axis].bend() / lines[1 - axis].chord();
-      if (!(ratio > 1) || !std::isfinite(ratio)) continue;
-      const int bits = static_cast<int>(std::ceil(0.5 * std::log2(ratio)));
-      const int most = most_rim_bits(forest_.complex_->patches().size());
-      form->root_bits[axis] = static_cast<std::uint8_t>(std::min(most, bits));
-    }
   }
 
   void add_roots() {

@@ -63,6 +63,13 @@ LAYERS = {
         "binary": "certify_quick",
         "filter": "*",
     },
+    # The conditions M1 and M2, and which places are one point of a surface.
+    "meeting": {
+        "files": ["verify/certify/meeting_witness.cc", "verify/certify/patch_place.cc", "verify/certify/affine_patch.cc"],
+        "tests": ["tests/certify/meeting_witness_test.cc", "tests/certify/patch_place_test.cc", "tests/certify/contact_solver_test.cc"],
+        "binary": "certify_quick",
+        "filter": "*",
+    },
     # Proved arcs, what of them lies in both domains, and the cover of all common points by them.
     "tubes": {
         "files": ["interval/intersect/intersection_tube.cc", "interval/intersect/intersection_clip.cc",

@@ -104,6 +104,31 @@ TEST(PieceForestRoots, CutTheRimOfAThinWallAlongItsLengthOnly) {
       }
 }
 
+// A straight rim, 700 times as long as wide, is cut along its length iff the wall bends.
+TEST(PieceForestFrame, CutsStraightRimsAlongTheirLengthWhereWallsBend) {
+  const Rational width = Rational(3) * Rational::power_of_two(-11), one(1);
+  for (const bool bends : {false, true})
+    for (const bool is_turned : {false, true}) {
+      const Patch rim = bilinear({{{0, 0, 0}, {one, 0, 0}, {one, 0, width}, {0, 0, width}}});
+      // The wall beside the rim's lower side: its other end is a parabola.
+      std::vector<Rational> c;
+      for (std::size_t k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 2; ++j)
+            c.push_back(k == 0   ? Rational(i) / Rational(2)
+                        : k == 1 ? Rational(1 - j)
+                                 : Rational(bends && i == 1 && j == 0 ? 1 : 0));
+      const Patch wall = make_patch(BezierSurface<Rational>({2, 1}, 3, false, c)).value();
+      const Patches patches{is_turned ? turned(rim, 1) : rim, reversed(wall)};
+      const PatchComplex complex = complex_of(patches);
+      const PieceForest forest =
+          PieceForest::make(complex, PieceForest::FrameChoice::kWhole).value();
+      const auto& bits = forest.form(0).root_bits;
+      EXPECT_EQ(bits[is_turned ? 1 : 0], bends ? 4 : 0) << is_turned;
+      EXPECT_EQ(bits[is_turned ? 0 : 1], 0) << is_turned;
+    }
+}
+
 // Coordinates in the frame are at most 2, whatever the model's are; powers of two cancel.
 TEST(PieceForestFrame, TakesWeightsAndCoordinatesOfAnySize) {
   Random random(5);

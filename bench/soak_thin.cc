@@ -211,7 +211,7 @@ Tally run(Kind kind, std::size_t count, std::uint64_t seed, const std::string& p
                    : has_known_numbers(a, subject) &&
                          (program.empty() || is_certified(program, subject.patches, seed + i)));
     if (!is_right) ++tally.wrong;
-    if (!is_right || (a.verdict == Verdict::kUndecided && kind != Kind::kTouching))
+    if (!is_right || a.verdict == Verdict::kUndecided)
       std::fprintf(stderr, "%s %s, seed %llu: %s, %.1f s: %s\n", is_right ? "undecided" : "WRONG",
                    subject.name.c_str(), static_cast<unsigned long long>(seed + i),
                    verdict_name(a.verdict), a.seconds, a.why.c_str());

@@ -7,7 +7,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<PatchExplanation, 12> kExplanations = {{
+constexpr std::array<PatchExplanation, 13> kExplanations = {{
     {{"patches-crossing", "patches that cross",
       "Two parts of patches, or of one patch, that are different places of the surface have a "
       "common point.",
@@ -20,6 +20,21 @@ constexpr std::array<PatchExplanation, 12> kExplanations = {{
      R"(       |   /
   -----+--x----    the proved point lies in a box, near x
        | /)"},
+    {{"patches-touching", "patches that touch",
+      "Two different places of the surface are the same point, exactly, though nothing crosses "
+      "there: faces that lie on one another, a corner or an edge in a face, two smooth sheets that "
+      "are tangent. Status 1, with a certificate that names both places; status 3, as "
+      "not-certified, where no such place has simple parameters.",
+      "Parts that were placed side by side and not united, a fillet tangent to another face, a "
+      "hole that just reaches the border.",
+      "Unite the parts, or move them apart.",
+      "Open CASCADE BOPAlgo_ArgumentAnalyzer: self-interference; Parasolid: face-face "
+      "inconsistency, or general body; val3dity 501, 601"},
+     R"(    _____
+   |     |
+   |_____|___     the lower side of the small block lies
+   |         |    in the upper one of the large one
+   |_________|)"},
     {{"side-open", "open side",
       "A side of a patch that no other side runs along exactly, or only sides that stop short of "
       "a point of it. The surface is open there.",
@@ -110,7 +125,8 @@ constexpr std::array<PatchExplanation, 12> kExplanations = {{
       "Two patches have equal control points, in one of the 8 orders of a tensor patch or the 6 of "
       "a "
       "triangle. The surface passes itself everywhere there, so it bounds no solid. Where other "
-      "patches share a side with both, the report says side-overused; otherwise it names the middles "
+      "patches share a side with both, the report says side-overused; otherwise it names the "
+      "middles "
       "of the two, which have one image. Status 1, with a certificate.",
       "A face that was exported twice, the two sides of a sheet without thickness.",
       "Delete one of the two, or both if the sheet has no thickness.",
@@ -133,9 +149,10 @@ constexpr std::array<PatchExplanation, 12> kExplanations = {{
     {{"singular-line", "line inside a patch that is one point",
       "A line of parameters strictly inside a patch is mapped to one point: different places of "
       "the "
-      "surface have one image, so the model bounds no solid. Only a whole side may be one point. "
-      "Status 1, with a certificate that names two points of the line; status 3 where the "
-      "line's parameter is irrational or has a denominator over 20 bits.",
+      "surface have one image, so the model bounds no solid. Only a whole side of a surface may be "
+      "one "
+      "point. Status 1, with a certificate that names two points of the line; status 3 where the "
+      "line's parameter is irrational or has a denominator over 20 bits, or is a knot.",
       "A spindle torus, a cone that was continued through its apex, a profile that touches its "
       "axis "
       "of revolution.",

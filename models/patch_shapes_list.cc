@@ -93,6 +93,23 @@ Patches nested_spheres() {
   return joined({placed(sphere(), 3, o), reversed(placed(sphere(), 2, o)), sphere()});
 }
 
+// The unit square's prism up to z = 1 - (x^2 - 1/2)^2, and a box on the plane z = 1: they meet where 2 x^2 = 1.
+Patches lid_below_box() {
+  using internal::Scalar;
+  const Rational side = Rational(3) / 4;
+  const Scalar height = Scalar::along(0, {side, side, Rational(11) / 12, Rational(5) / 4, side});
+  const Scalar x = Scalar::linear(0, 0, 1), v = Scalar::linear(1, 0, 1);
+  Patches out;
+  const std::array<Point, 4> walls[] = {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
+                                        {{{0, 0, 0}, {0, 0, side}, {0, 1, side}, {0, 1, 0}}},
+                                        {{{1, 0, 0}, {1, 1, 0}, {1, 1, side}, {1, 0, side}}}};
+  for (const std::array<Point, 4>& wall : walls) internal::add(out, internal::bilinear(wall));
+  internal::add(out, internal::tensor_of(x, v, height));
+  internal::add(out, internal::tensor_of(x, 0, v * height));
+  internal::add(out, internal::tensor_of(x, 1, height - v * height));
+  return joined({out, box({0, 0, 1}, {1, 1, 2})});
+}
+
 }  // namespace
 
 Patches thin_shell(const Rational& thickness) {
@@ -144,6 +161,7 @@ std::vector<Shape> broken_shapes() {
        {0, 0},
        0},
       {"boxes-touching-in-a-vertex", other_box({1, 1, 1}, {2, 2, 2}), Truth::kTouching, {0, 0}, 0},
+      {"lid-touching-in-an-irrational-line", lid_below_box(), Truth::kTouching, {0, 0}, 0},
       {"box-folded", folded_box(), Truth::kTouching, {0}, 0},
       {"cube-wrinkled", wrinkled_cube(), Truth::kTouching, {0}, 0},
       {"sphere-pushed-through", pushed_through_sphere(), Truth::kCrossing, {0}, 0},

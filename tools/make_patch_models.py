@@ -92,6 +92,52 @@ def lid_with_middle(x):
     return surface([2, 1], [["0", "0", "0", "1", "1", "1"], ["0", "0", "1", "1"]], points)
 
 
+def pinched_lid():
+    """The upper face of the cube [-1, 1]^3 in three surfaces with a knot at u = 1/2, and the other faces, cut where
+    they are. The middle one is (x, x^2 v, 1): one to one but for the line x = 0, which is one point."""
+    x, square = ("-1", "-1/2", "1/2", "1"), (1, 0, 0, 1)
+    bent, straight = ["0"] * 3 + ["1/2"] + ["1"] * 3, ["0", "0", "1", "1"]
+
+    def sheet(y):
+        return surface([2, 1], [bent, straight], [(a, y(f, t), 1) for a, f in zip(x, square) for t in (0, 1)])
+
+    def cut(a, b, c, d):
+        """A bilinear face from the side a b, which runs along x, to c d."""
+        middle = [(0,) + p[1:] for p in (a, c)]
+        return surface([1, 1], [["0", "0", "1/2", "1", "1"], straight],
+                       [a, c, *middle, b, d])
+
+    low, high = ([(end, y, z) for end in (-1, 1) for y in (-1, 1)] for z in (-1, 1))
+    lids = [sheet(lambda f, t: f * (2 * t - 1)), sheet(lambda f, t: f + t * (1 - f)),
+            sheet(lambda f, t: t * (1 - f) - 1)]
+    return lids + [cut(low[1], low[3], low[0], low[2]), cut(low[0], low[2], high[0], high[2]),
+                   cut(high[1], high[3], low[1], low[3]), bilinear([low[0], high[0], low[1], high[1]]),
+                   bilinear([low[2], low[3], high[2], high[3]])]
+
+
+def wavy_lid():
+    """The upper face of the unit cube, z = 1 - (x^2 - 1/2)^2: it reaches z = 1 along an irrational line."""
+    heights = ("3/4", "3/4", "11/12", "5/4", "3/4")
+    return surface([4, 1], [["0"] * 5 + ["1"] * 5, ["0", "0", "1", "1"]],
+                   [(f"{i}/4", v, z) for i, z in enumerate(heights) for v in (0, 1)])
+
+
+def wavy_walls():
+    """The two walls below the sides of that face on which y is fixed."""
+    heights = ("3/4", "3/4", "11/12", "5/4", "3/4")
+    knots = [["0"] * 5 + ["1"] * 5, ["0", "0", "1", "1"]]
+    top = [(f"{i}/4", z) for i, z in enumerate(heights)]
+    front = [(x, 0, z) for x, height in top for z in (0, height)]
+    back = [(x, 1, z) for x, height in top for z in (height, 0)]
+    return [surface([4, 1], knots, front), surface([4, 1], knots, back)]
+
+
+def lid_below(block_above):
+    """A block with a wavy lid, and another block above it."""
+    low = [bilinear(net) for net in block((0, 0, 0), (1, 1, "3/4")) if len({p[1] for p in net}) > 1]
+    return low[:3] + wavy_walls() + [wavy_lid()] + [bilinear(net) for net in block_above]
+
+
 def lid_with_double_knot(z):
     """The upper face of the unit cube in two pieces of degree 1, the second of which begins at the height z."""
     points = [(u, v, w) for u, w in ((0, 1), ("1/2", 1), ("1/2", z), (1, 1)) for v in (0, 1)]
@@ -128,6 +174,9 @@ def vjson_models():
     walls = [bilinear(net) for net in block((0, 0, 0), (1, 1, 1))[:5]]
     yield "side_parametrization_smallest", walls + [lid_with_middle("1/4")]
     yield "side_parametrization_nearest_valid", walls + [lid_with_middle("1/2")]
+    yield "singular_line_on_a_knot", pinched_lid()
+    yield "not_certified_smallest", lid_below(block((0, 0, 1), (1, 1, 2)))
+    yield "not_certified_nearest_valid", lid_below(block((0, 0, "10001/10000"), (1, 1, 2)))
     yield "knot_multiplicity_smallest", walls + [lid_with_double_knot("5/4")]
     yield "knot_multiplicity_nearest_valid", walls + [lid_with_double_knot(1)]
 
@@ -152,8 +201,9 @@ def models():
     yield "patch_repeated_smallest", [cube[5], turned(cube[5])]
     yield "patch_degenerate_smallest", cube + [[top] * 4]
     yield "singular_line_smallest", hourglass()
-    yield "not_certified_smallest", cube + block(("0.25", "0.25", 1), ("0.75", "0.75", 2))
-    yield "not_certified_nearest_valid", cube + block(("0.25", "0.25", "1.0001"), ("0.75", "0.75", 2))
+    yield "patches_touching_smallest", cube + block(("0.25", "0.25", 1), ("0.75", "0.75", 2))
+    yield "patches_touching_nearest_valid", cube + block(("0.25", "0.25", "1.0001"), ("0.75", "0.75", 2))
+    yield "patches_touching_corners", cube + block((1, 1, 1), (2, 2, 2))
 
 
 def main(arguments):

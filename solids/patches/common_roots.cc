@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "robust/simplest.h"
 
 namespace veritope {
 namespace {
@@ -61,19 +62,6 @@ Sign sign_at(const Polynomial& p, const Rational& t) {
   Rational value;
   for (std::size_t i = p.size(); i-- > 0;) value = value * t + p[i];
   return value.sign();
-}
-
-// The simplest number strictly between lo and hi. REQUIRES 0 <= lo < hi.
-Rational simplest_between(const Rational& lo, const Rational& hi) {
-  const Rational floor(floor_divide(lo.numerator(), lo.denominator()));
-  if (floor + Rational(1) < hi) return floor + Rational(1);
-  const Rational from = lo - floor, to = hi - floor;  // 0 <= from < to <= 1
-  if (from.sign() == Sign::kZero) {
-    const Rational inverse = Rational(1) / to;
-    return floor + Rational(1) / Rational(floor_divide(inverse.numerator(), inverse.denominator()) +
-                                          Integer(1));
-  }
-  return floor + Rational(1) / simplest_between(Rational(1) / to, Rational(1) / from);
 }
 
 // A polynomial without multiple roots, and the Sturm chain that counts them.

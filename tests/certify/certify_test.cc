@@ -40,6 +40,12 @@ Certified certify_patches(const Patches& patches, const CertifyOptions& options 
   return certify(read(bytes_of(patches), "model.vjson"), options).value();
 }
 
+patch_shapes::Shape broken_shape(const std::string& name) {
+  for (patch_shapes::Shape& shape : patch_shapes::broken_shapes())
+    if (shape.name == name) return shape;
+  return {};
+}
+
 void expect_undecided(const Certified& c, const std::string& code, const std::string& words) {
   EXPECT_EQ(c.verdict, Verdict::kUndecided);
   ASSERT_EQ(c.findings.size(), 1u);
@@ -118,8 +124,18 @@ TEST(Certify, PatchesAreValidInvalidOrUndecided) {
   EXPECT_TRUE(invalid.findings[0].witness.point.has_value());
   expect_accepted(file, invalid);
 
-  const Certified touching = certify_patches(patch_shapes::joined(
-      {patch_shapes::sphere(), patch_shapes::placed(patch_shapes::sphere(), 1, {2, 0, 0})}));
+  const Patches balls = patch_shapes::joined(
+      {patch_shapes::sphere(), patch_shapes::placed(patch_shapes::sphere(), 1, {2, 0, 0})});
+  const Certified tangent = certify_patches(balls);
+  EXPECT_EQ(tangent.verdict, Verdict::kInvalid);
+  EXPECT_EQ(tangent.claim, "patch-invalid-2");
+  ASSERT_EQ(tangent.findings.size(), 1u);
+  EXPECT_EQ(tangent.findings[0].code, "patches-touching");
+  EXPECT_EQ(tangent.findings[0].place.near.value(), (Point3d{1, 0, 0}));
+  expect_accepted(bytes_of(balls), tangent);
+
+  const Certified touching =
+      certify_patches(broken_shape("lid-touching-in-an-irrational-line").patches);
   expect_undecided(touching, "not-certified", "two sheets ");
   EXPECT_LT(touching.findings[0].witness.approx_distance.value(), 1e-6);
   EXPECT_EQ(touching.findings[0].place.parts.size(), 2u);

@@ -7,6 +7,7 @@
 #include "io/splines/patch_model.h"
 #include "io/splines/write_splines.h"
 #include "models/patch_shapes.h"
+#include "solids/patches/patch_transform.h"
 #include "tests/solids/patch_support.h"
 #include "tests/support/checker_call.h"
 #include "verify/certify/certify.h"
@@ -36,6 +37,12 @@ Patch hourglass_side() { return bilinear({{{1, 0, 1}, {-2, 0, -2}, {0, -2, -2}, 
 // The line on which barycentric coordinate `axis` is 1/2 is one point.
 Patch pinched_triangle(std::size_t axis) {
   return turned(veritope::pinched_triangle(), static_cast<std::uint32_t>((3 - axis) % 3));
+}
+
+// The unit box, and a skew box that stands on it at `at`, with a corner.
+Patches on_its_corner(const PatchPoint& at) {
+  const AffineMap map{3, 3, {1, 1, -2, 1, -2, 1, 1, 1, 1}, {at[0], at[1], at[2]}};
+  return patch_shapes::joined({unit_box(), affine_image(unit_box(), map).value()});
 }
 
 std::string bytes_of(const Patches& patches) { return spline_json_bytes(model_of(patches)); }
@@ -151,6 +158,29 @@ TEST(MeetingWitness, EachConditionIsNeeded) {
   EXPECT_EQ(broken(0, half, third, 0, third, half), MeetingCondition::kM2) << "other images";
 }
 
+// Reason (b): places on sides and corners, where the surface is closed.
+TEST(MeetingWitness, OnBordersNeedsAClosedSurfaceAndTwoOfItsPoints) {
+  const Patches boxes = patch_shapes::joined({unit_box(), patch_shapes::box({1, 1, 1}, {2, 2, 2})});
+  const PatchComplex complex = complex_of(boxes);
+  std::vector<PatchPlace> at_corner;
+  for (std::uint32_t p = 0; p < 12; ++p)
+    for (const Rational& s : {Rational(0), Rational(1)})
+      for (const Rational& t : {Rational(0), Rational(1)})
+        if (point_of(complex, PatchPlace{p, {s, t}}) == PatchPoint{1, 1, 1})
+          at_corner.push_back({p, {s, t}});
+  ASSERT_EQ(at_corner.size(), 6u);
+  for (const PatchPlace& a : at_corner)
+    for (const PatchPlace& b : at_corner) {
+      const bool are_apart = (a.patch < 6) != (b.patch < 6);
+      EXPECT_EQ(broken_condition(complex, {Cause::kContact, {a, b}}),
+                are_apart ? std::nullopt : std::optional(MeetingCondition::kM1));
+    }
+  const Patches open(boxes.begin() + 1, boxes.end());
+  for (PatchPlace& place : at_corner) --place.patch;
+  EXPECT_EQ(broken_condition(complex_of(open), {Cause::kContact, {at_corner[2], at_corner[5]}}),
+            MeetingCondition::kM1);
+}
+
 TEST(MeetingWitness, HoldsInTheParametersOfReversedPatches) {
   for (const Patch& patch : {hourglass_side(), pinched_triangle(1)}) {
     const PatchComplex complex = complex_of({patch}), back = complex_of({reversed(patch)});
@@ -172,6 +202,8 @@ TEST(MeetingWitness, MakesACertificateThatTheCheckerAccepts) {
     Patches patches;
   };
   const Case cases[] = {
+      {"patches-touching", on_its_corner({1, 1, 1})},
+      {"patches-touching", on_its_corner({ratio(1, 2), ratio(1, 3), 1})},
       {"patch-repeated", {saddle(), reversed(saddle())}},
       {"patch-repeated", {bump(), turned(reversed(bump()), 1)}},
       {"patch-degenerate",

@@ -2,6 +2,7 @@
 """Writes bodies and certificates of patch-invalid-2, whatever they say: tests only. point() is the tests' own
 evaluation of a patch."""
 from fractions import Fraction as Q
+from itertools import product
 from math import comb
 
 import patch_invalid_forge as first
@@ -52,11 +53,31 @@ def bernstein(n, i, t):
 
 def point(entity, u, v):
     """The exact point of a Bezier patch at (u, v), or of a triangle at (s, t)."""
-    rows, total = rows_of(entity), [0] * entity["shape"]["components"]
+    return point_of(rows_of(entity), entity["shape"]["rational"], u, v)
+
+
+def point_of(rows, is_rational, u, v):
+    total = [0] * len(rows[0][0])
     for r, row in enumerate(rows):
         for k, p in enumerate(row):
             # In a triangle (1-s)^i (s (1-t))^j (s t)^k has the factor n! / (i! j! k!), which is comb(n, r) comb(r, k).
             factor = bernstein(len(rows) - 1, r, Q(u)) * bernstein(len(row) - 1, k, Q(v))
             total = [x + factor * c for x, c in zip(total, p)]
-    w = total[3] if entity["shape"]["rational"] else 1
+    w = total[3] if is_rational else 1
     return tuple(c / w for c in total[:3])
+
+
+def places(finding, along):
+    """(place, point) for all patches of Bezier entities, whatever their breaks, at all pairs of these parameters."""
+    first = 0
+    for entity, axes in zip(finding.entities, finding.breaks):
+        rows, is_rational = rows_of(entity), entity["shape"]["rational"]
+        pieces = list(product(*[list(zip(axis, axis[1:])) for axis in axes or [[0, 1], [0, 1]]]))
+        for n, ((a, b), (c, d)) in enumerate(pieces):
+            for u, v in product(along, repeat=2):
+                yield (first + n, u, v), point_of(rows, is_rational, a + (b - a) * u, c + (d - c) * v)
+        first += len(pieces)
+
+
+def places_at(finding, p, along=(0, Q(1, 4), Q(1, 3), Q(1, 2), Q(2, 3), Q(3, 4), 1)):
+    return [place for place, q in places(finding, along) if q == tuple(p)]

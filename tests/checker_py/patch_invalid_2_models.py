@@ -100,6 +100,86 @@ def spike(p):
     return broken.sheet(p, (0, 0, 5), (1, 0, 4))
 
 
+# ---------------------------------------------------------------- closed shells that touch
+
+def mapped(x, y, z):
+    """The linear map with these columns, as a shape for models.cube()."""
+    return lambda p: tuple(sum(c * a[k] for c, a in zip(p, (x, y, z))) for k in range(3))
+
+
+def leaning(at):
+    """A parallelepiped that meets x <= at[0] in its vertex only, which is at."""
+    return models.cube(1, [c + d for c, d in zip(at, (4, 3, 0))], shape=mapped((1, 1, -1), (1, 1, 1), (2, 1, 0)))
+
+
+def crosswise(at, along=Q(1, 3)):
+    """A parallelepiped that meets x + y <= at[0] + at[1] in an edge only: through at, in the direction (1, -1, 0). The
+    edge's middle is at + along (1, -1, 0), its half is (1, -1, 0)."""
+    middle = [c + d for c, d in zip(at, (2 + along, 2 - along, 0))]
+    return models.cube(1, middle, shape=mapped((1, 1, -1), (1, 1, 1), (1, -1, 0)))
+
+
+def moved(entity, by):
+    rows = [[tuple(c + d * p[3] for c, d in zip(p, by)) + p[3:] for p in row] for row in forge.rows_of(entity)]
+    return star_forge.surface(rows, rational=True)
+
+
+def revolved(profile):
+    """The polyline of points (r, z), turned in four steps, as one surface; v is along the profile."""
+    ring, n = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)], len(profile)
+    rows = [[(r * x, r * y, z) for r, z in profile] for x, y in ring]
+    return star_forge.surface(rows, (1, 1), [[0, *range(5), 4], [0, *range(n), n - 1]])
+
+
+TIPS = ((0, -2), (1, -1), (0, 0), (1, 1), (0, 2))
+
+
+def tips():
+    """Two octahedra, one upon the other, as one surface of 4 x 4 patches: an inner line, v = 2, is mapped to the point
+    where they touch."""
+    return revolved(TIPS)
+
+
+PINCHED_CELLS = ((0, 0, 0), (-1, 0, 0), (-1, 1, 0), (-1, 2, 0), (0, 2, 0), (1, 2, 0), (1, 2, 1), (1, 1, 1))
+
+
+def pinched_ring():
+    """One shell: a path of cubes whose ends touch in the vertex (1, 1, 1)."""
+    return models.snake(PINCHED_CELLS)
+
+
+def touching():
+    """(name, entities of the one shell, entities of the other, the point where they touch)"""
+    corner, on_edge, on_face = (1, 1, 1), (1, 1, Q(1, 2)), (1, Q(1, 3), Q(1, 2))
+    cube, sphere, tetrahedron = models.cube(), models.octant_sphere(), models.tetrahedron(2)
+    yield "vertex on vertex", cube, models.cube(1, (2, 2, 2)), corner
+    yield "vertex on vertex, leaning", cube, leaning(corner), corner
+    yield "edge across edge", cube, crosswise(on_edge), on_edge
+    yield "vertex on edge", cube, leaning(on_edge), on_edge
+    yield "vertex on face", cube, leaning(on_face), on_face
+    yield "vertex on the edge of a triangle", tetrahedron, leaning((1, 1, 0)), (1, 1, 0)
+    yield "a triangle's vertex on a vertex", models.tetrahedron(1, corner), cube, corner
+    yield "pole on pole", sphere, [moved(e, (0, 0, 2)) for e in sphere], (0, 0, 1)
+    yield "pole on face", cube, [moved(e, (0, 0, 2)) for e in sphere], (0, 0, 1)
+    yield "vertex on the equator of a torus", models.torus(), leaning((3, 0, 0)), (3, 0, 0)
+
+
+def touch(one, other, at):
+    """The Meeting of two shells, and all places that each of them has there."""
+    finding = forge.Meeting(one + other, (0, 0, 0), (0, 0, 0))
+    places = forge.places_at(finding, at)
+    mine, yours = [p for p in places if p[0] < len(one)], [p for p in places if p[0] >= len(one)]
+    finding.a, finding.b = yours[-1], mine[0]             # so A is not in the open domain
+    return finding, mine, yours
+
+
+def other_way(entity):
+    """A patch of this image with its other side outside."""
+    if entity["kind"] == "triangle":
+        return list(all_permuted(entity))[1]
+    return models.reversed_surface(entity)
+
+
 def honest():
     """(name, Meeting)"""
     cube, third = models.cube(), (Q(1, 3), Q(3, 4))

@@ -14,6 +14,7 @@ import patch_invalid_test as first
 import star_box_forge as star_forge
 import star_box_itd_test as itd
 import star_box_models as models
+import star_box_test as star
 
 vc, SCALE, Meeting, HALF, CENTROID = first.vc, first.SCALE, forge.Meeting, meeting.HALF, meeting.CENTROID
 THIRD = (Q(1, 3), Q(3, 4))
@@ -159,6 +160,96 @@ class Honest(first.PatchInvalidTest):
             self.says(says, Meeting([high, high], (0, *THIRD), (1, *THIRD)))
             high = meeting.lopsided_triangle(degree)
             self.says(says, Meeting([high, high], (0, *THIRD), (1, *THIRD)))
+
+    # PROVES INVALID-3
+    def test_closed_shells_that_touch_in_a_point(self):
+        """By whichever places the point is named on the two shells."""
+        for name, one, other, at in meeting.touching():
+            with self.subTest(name):
+                finding, mine, yours = meeting.touch(one, other, at)
+                self.assertGreater(len(mine), 0)
+                pairs = [(a, b) for a in mine for b in yours]
+                for a, b in pairs[::max(1, len(pairs) // 20) if SCALE == 1 else 1]:
+                    self.says("ACCEPT", self.changed(finding, a=a, b=b))
+                    self.says("ACCEPT", self.changed(finding, a=b, b=a))
+
+    def test_touching_shells_whatever_their_breaks_flags_and_order(self):
+        for name, one, other, at in meeting.touching():
+            with self.subTest(name):
+                finding, _, _ = meeting.touch(one, other, at)
+                n, m = len(one), len(other)
+                for flags in ([1] * (n + m), [1] * n + [0] * m, [0] * n + [1] * m):
+                    self.says("ACCEPT", self.changed(finding, flags=flags))
+                turned = [meeting.other_way(e) for e in one]
+                one_turned = turned[:1] + one[1:]
+                for entities, flags in ((turned, [0] * n), (turned, [1] * n), (one_turned, [1] + [0] * (n - 1))):
+                    again, _, _ = meeting.touch(entities, other, at)
+                    self.says("ACCEPT", self.changed(again, flags=flags + [0] * m))
+                backward, _, _ = meeting.touch(other, one, at)
+                self.says("ACCEPT", backward)
+                if not any(e["kind"] == "triangle" for e in one + other):
+                    finding.breaks = [[[Q(0), Q(1, 2), Q(1)]] * 2] * (n + m)
+                    named = forge.places_at(finding, at, (0, Q(1, 3), Q(1, 2), Q(2, 3), 1))
+                    mine, yours = [[p for p in named if (p[0] < 4 * n) == is_mine] for is_mine in (True, False)]
+                    self.says("ACCEPT", self.changed(finding, a=yours[0], b=mine[0]))
+
+    def test_one_shell_that_is_pinched(self):
+        """Its ends have different vertices in one point; two places of one of the ends are one vertex."""
+        entities = meeting.pinched_ring()
+        finding = Meeting(entities, (0, 0, 0), (0, 0, 0))
+        places = forge.places_at(finding, (1, 1, 1), (0, 1))
+        ends = {p: max(max(map(Q, c)) for c in entities[p[0]]["shape"]["points"]) > 1 for p in places}
+        self.assertEqual(sorted(set(ends.values())), [False, True])
+        for n, a in enumerate(places):
+            for b in places[n % 3::1 if SCALE > 1 else 3]:
+                lie = self.changed(finding, a=a, b=b)
+                if ends[a] == ends[b]:
+                    self.alone("M1", lie)
+                else:
+                    self.says("ACCEPT", lie)
+
+    def test_a_line_inside_a_surface_that_is_a_point(self):
+        """A knot there is a break, so that P1 does not hold; cut there, it would be a vertex on each of its sides."""
+        finding = Meeting([meeting.tips()], (1, Q(1, 3), 1), (2, Q(1, 3), 0))
+        self.alone("M1", finding)
+        self.alone("M1", self.changed(finding, a=(13, 0, 1), b=(6, 1, 0)))
+        self.alone("M1", self.changed(finding, flags=[1]))
+        for a, b in (((1, Q(1, 3), 1), (13, Q(1, 3), 1)), ((2, 0, 0), (6, 1, 0)), ((0, 0, 0), (8, Q(1, 2), 0)),
+                     ((3, 0, 1), (3, 1, 1))):
+            self.alone("M1", self.changed(finding, a=a, b=b))
+        two = [meeting.revolved(profile) for profile in (meeting.TIPS[:3], meeting.TIPS[2:])]
+        finding = Meeting(two, (1, Q(1, 3), 1), (8, Q(1, 3), 0))
+        self.says("ACCEPT", finding)                      # as two surfaces, with outer sides that are points
+        self.says("ACCEPT", self.changed(finding, a=(7, 0, 1), b=(12, 1, 0)))
+        self.alone("M1", self.changed(finding, a=(7, 0, 1), b=(1, Q(1, 3), 1)))
+
+    def test_a_line_inside_a_bezier_patch_that_is_a_point(self):
+        """Uncut it is a segment of X, by reason (a) between its ends and by (b) to its ends; no cut there is one of P1's."""
+        entities, cut = star.cusp()
+        finding = Meeting(entities, (0, Q(1, 2), 0), (0, Q(1, 2), 1))
+        self.says("ACCEPT", finding)
+        self.says("ACCEPT", self.changed(finding, a=(0, Q(1, 2), Q(1, 3)), b=(0, Q(1, 2), Q(2, 3))))
+        places = forge.places_at(self.changed(finding, breaks=cut), (0, 0, 1), (0, Q(1, 3), 1))
+        self.assertEqual(len(places), 4 * 3 + 4)          # patches 0 to 3 are the sheet's, 4 to 7 are its neighbours'
+        for a in places:
+            for b in places[::3]:
+                self.alone("M1", self.changed(finding, breaks=cut, a=a, b=b))
+
+    def test_a_patch_that_is_a_point_has_a_vertex_and_a_domain(self):
+        triangles = [star_forge.triangle([(1, 2, 3)] * 3), star_forge.triangle([(1, 2, 3)] * 10, 3)]
+        for patch in (meeting.one_point(), *triangles):
+            for border in ((0, 0), (0, Q(1, 2)), (1, Q(1, 2)), (Q(1, 2), 1)):
+                self.says("ACCEPT", Meeting([patch], (0, *border), (0, *HALF)))
+                self.says("ACCEPT", Meeting([patch], (0, *HALF), (0, *border)))
+                self.says("ACCEPT", Meeting([patch, patch], (0, *border), (1, *border)))
+                self.alone("M1", Meeting([patch], (0, *border), (0, 1, 1)))
+
+    def test_places_on_borders_in_other_terms(self):
+        finding, _, _ = meeting.touch(models.cube(), meeting.crosswise((1, 1, Q(1, 2))), (1, 1, Q(1, 2)))
+        n, *at = finding.a
+        for times in (2, 3, 1 << 50):
+            at = [(Q(t).numerator * times, Q(t).denominator * times) for t in finding.a[1:]]
+            self.says("ACCEPT", self.changed(finding, a=(n, *at)))
 
 
 class Lies(first.PatchInvalidTest):
@@ -350,6 +441,127 @@ class Lies(first.PatchInvalidTest):
                     other = star_forge.surface(rows, rational=rows is heavy)
                     self.alone("M2", Meeting([patch, other], (0, *THIRD), (1, *THIRD)))
 
+    # PROVES INVALID-3.M1
+    def test_m1_one_point_of_a_shell_that_touches_another(self):
+        """P1 holds, and there are two points of X with one image: but not these."""
+        for name, one, other, at in meeting.touching():
+            finding, mine, yours = meeting.touch(one, other, at)
+            for places in (mine, yours):
+                for a, b in list(zip(places, places[1:])) + [(places[0], places[0])]:
+                    with self.subTest(name, a=a, b=b):
+                        self.alone("M1", self.changed(finding, a=a, b=b))
+
+    def test_m1_the_same_place_on_a_border_twice(self):
+        for entities in (models.cube(), models.tetrahedron(), models.octant_sphere()):
+            for at in ((0, 0), (1, 1), (1, Q(1, 3)), (Q(2, 5), 0), (0, Q(1, 2)), (Q(2, 5), 1)):
+                self.alone("M1", Meeting(entities, (1, *at), (1, *at)))
+        self.alone("M1", Meeting(models.cube(), (1, (2, 4), (0, 3)), (1, (3, 6), (0, 7))))
+
+    def test_m1_the_two_sides_of_an_edge(self):
+        """At t of the one and 1 - t of the other: one image, and one point. At t of both: two points, two images."""
+        entities = models.cube() + models.cube(1, (2, 2, 2))
+        finding, t = Meeting(entities, (0, 0, 0), (0, 0, 0)), Q(1, 5)
+        near = forge.places_at(finding, (1, 1, 2 * t - 1), (0, t, 1 - t, 1))
+        far = forge.places_at(finding, (1, 1, 1 - 2 * t), (0, t, 1 - t, 1))
+        self.assertEqual((len(near), len(far)), (2, 2))
+        for a, b in (near, near[::-1], far, far[::-1]):
+            self.alone("M1", self.changed(finding, a=a, b=b))
+        for a in near:
+            for b in far:
+                self.alone("M2", self.changed(finding, a=a, b=b))
+
+    def test_m1_two_names_of_a_pole_or_of_a_first_corner(self):
+        sphere = models.octant_sphere()
+        finding = Meeting(sphere, (0, 0, 0), (0, 0, 0))
+        for pole in ((0, 0, 1), (0, 0, -1)):
+            named = forge.places_at(finding, pole)
+            self.assertEqual(len(named), 28)
+            for a, b in list(zip(named, named[1:] + named[:1])) + list(zip(named, named[9:])):
+                self.alone("M1", self.changed(finding, a=a, b=b))
+        for entities in (models.tetrahedron(), models.cubic_octahedron()):
+            corner = forge.point(entities[0], 0, 0)
+            for a in [(0, 0, t) for t in (0, Q(1, 3), Q(1, 2), 1)]:
+                for b in forge.places_at(Meeting(entities, a, a), corner, (0, Q(1, 2), 1)):
+                    self.alone("M1", Meeting(entities, a, b))
+
+    def test_m1_shells_that_are_not_closed(self):
+        """One patch is missing, or comes twice, or has come loose: P1 does not hold, wherever that is."""
+        loose = broken.sheet((9, 9, 9), (1, 0, 0), (0, 1, 0))
+        for name, one, other, at in list(meeting.touching())[::3]:
+            with self.subTest(name):
+                whole, _, _ = meeting.touch(one, other, at)
+                for k in range(0, len(one + other), 5):
+                    entities = one + other
+                    self.alone("M1", Meeting(entities + entities[k:k + 1], whole.a, whole.b))
+                    if k not in (whole.a[0], whole.b[0]):
+                        a, b = [(n - (n > k), u, v) for n, u, v in (whole.a, whole.b)]
+                        self.alone("M1", Meeting(entities[:k] + entities[k + 1:], a, b))
+                self.alone("M1", Meeting(one + other + [loose], whole.a, whole.b))
+
+    def test_m1_a_side_that_is_its_own_opposite(self):
+        """A sheet, folded: v = 0 goes there and back. Its other sides are collapsed, or a pair."""
+        there = star_forge.surface([[(0, 0, 0)] * 3, [(3, 0, 0)] * 2 + [(3, 1, 0)], [(0, 0, 0)] * 3])
+        self.alone("M1", Meeting([there], (0, 0, 0), (0, 0, 1)))
+        self.alone("M1", Meeting([there], (0, Q(1, 3), 0), (0, Q(2, 3), 0)))
+
+    def test_m1_a_break_that_the_neighbour_lacks(self):
+        """A point of the common curve, which is a vertex by the one and inside a side by the other: one point."""
+        whole, half, sound = [Q(0), Q(1)], [Q(0), Q(1, 2), Q(1)], models.cube()
+        for axes in ([half, whole], [whole, half], [half, half]):
+            finding = Meeting(sound, (0, 0, 0), (0, 0, 0))
+            finding.breaks = [axes] + finding.breaks[1:]
+            found = 0
+            for axis in range(3):
+                for ends in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+                    at = [*ends[:axis], 0, *ends[axis:]]
+                    places = forge.places_at(finding, at, (0, Q(1, 2), 1))
+                    for a, b in zip(places, places[1:]):
+                        self.alone("M1", self.changed(finding, a=a, b=b))
+                        found += a[0] < 6 <= b[0] + 4 * (len(axes[0]) - 1) * (len(axes[1]) - 1)
+            self.assertGreater(found, 2)
+        touching, _, _ = meeting.touch(sound, models.cube(1, (2, 2, 2)), (1, 1, 1))
+        for k in (1, 5, 7):                               # the claim is true here, but P1 does not hold at these breaks
+            breaks = touching.breaks[:k] + [[half, whole]] + touching.breaks[k + 1:]
+            lie = self.changed(touching, breaks=breaks)
+            mine, yours = [[p for p in forge.places_at(lie, (1, 1, 1), (0, 1)) if (p[0] < 6 + (k < 6)) == is_mine]
+                           for is_mine in (True, False)]
+            self.alone("M1", self.changed(lie, a=mine[0], b=yours[0]))
+
+    def test_m1_flags_by_which_sides_run_the_same_way(self):
+        for name, one, other, at in list(meeting.touching())[1::3]:
+            with self.subTest(name):
+                finding, _, _ = meeting.touch(one, other, at)
+                for k in range(0, len(one + other), 3):
+                    flags = [int(n == k) for n in range(len(one + other))]
+                    self.alone("M1", self.changed(finding, flags=flags))
+                    self.alone("M1", self.changed(finding, flags=[1 - f for f in flags]))
+                turned = [meeting.other_way(e) if n == 1 else e for n, e in enumerate(one)]
+                again, _, _ = meeting.touch(turned, other, at)
+                self.alone("M1", again)                   # the model is wrong, and so are all flags but these
+                again.flags[1] = 1
+                self.says("ACCEPT", again)
+
+    def test_b2_long_numbers_matter_in_all_patches_for_reason_b_only(self):
+        long = star_forge.surface([[(0, 0, Q(1, 3 ** 5200)), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
+        on_face = (1, Q(1, 3), Q(1, 2))
+        finding, _, _ = meeting.touch(models.cube(), meeting.leaning(on_face), on_face)
+        for entities, shift in ((finding.entities + [long], 0), ([long] + finding.entities, 1)):
+            a, b = [(n + shift, u, v) for n, u, v in (finding.a, finding.b)]
+            self.says("B2", Meeting(entities, a, b))
+            self.says("ACCEPT", Meeting(entities, a, b), {"M1"})
+            self.says("ACCEPT", Meeting(entities, b, a))  # by reason (a): A is inside the face
+
+    # PROVES INVALID-3.M2
+    def test_m2_different_points_of_closed_shells(self):
+        for name, one, other, at in list(meeting.touching())[::2]:
+            finding, mine, yours = meeting.touch(one, other, at)
+            away = [place for place, p in forge.places(finding, (0, Q(1, 7), 1)) if p != at]
+            for b in away[::7]:
+                with self.subTest(name, b=b):
+                    if b[0] >= len(one):
+                        self.alone("M2", self.changed(finding, a=mine[0], b=b))
+                    self.alone("M2", self.changed(finding, a=yours[0], b=b))
+
     def test_m2_is_about_points_and_not_about_homogeneous_ones(self):
         """(P, w) and (P, z) with other weights: equal numbers, other points, unless P = 0."""
         light = star_forge.surface([[(i, j, 1, 1) for j in range(2)] for i in range(2)], rational=True)
@@ -410,6 +622,39 @@ class SoundModels(first.PatchInvalidTest):
                 code, line = vc._check(star_forge.encode_model(entities), finding.certificate(), frozenset())
                 self.assertEqual((code, line[:8]), (1, "REJECT M"), (build.__name__, trial, finding.a, finding.b, line))
 
+    def cut_and_turned(self, rng, entities):
+        """Some entities turned, and those reversed; all cut at the same breaks, which are symmetric. (Places, by
+        their points; the Meeting.)"""
+        flags = [rng.randrange(2) for _ in entities]
+        whole, cut = [Q(0), Q(1)], rng.choice(([], [Q(1, 2)], [Q(1, 3), Q(2, 3)]))
+        turned = [meeting.other_way(e) if flag else e for e, flag in zip(entities, flags)]
+        finding = Meeting(turned, (0, 0, 0), (0, 0, 0))
+        finding.flags = flags if rng.random() < .5 else [1 - flag for flag in flags]
+        finding.breaks = [[[whole[0], *cut, whole[1]]] * 2 if b else b for b in finding.breaks]
+        named = {}
+        for place, p in forge.places(finding, (0, Q(1, 5), Q(1, 2), Q(4, 5), 1)):
+            named.setdefault(p, []).append(place)
+        return named, finding
+
+    # PROVES INVALID-3.M1
+    def test_places_on_the_borders_of_sound_models(self):
+        """What denotes one point of X is never taken for two; what denotes two is taken for two, so that M2 decides."""
+        rng = random.Random(59)
+        for build in (*self.SOUND, models.snake):
+            for trial in range(2 * SCALE):
+                named, finding = self.cut_and_turned(rng, build())
+                several = [p for p, places in named.items() if len(places) > 1]
+                for _ in range(8):
+                    p, q = rng.choice(several), rng.choice(list(named))
+                    for times in (1, 3):
+                        (n, *a), b = rng.choice(named[p]), rng.choice(named[p])
+                        a = [(Q(t).numerator * times, Q(t).denominator * times) for t in a]
+                        with self.subTest(build.__name__, trial=trial, a=a, b=b):
+                            self.alone("M1", self.changed(finding, a=(n, *a), b=b))
+                    a, b = rng.choice(named[p]), rng.choice(named[q])
+                    with self.subTest(build.__name__, trial=trial, a=a, b=b):
+                        self.alone("M1" if p == q else "M2", self.changed(finding, a=a, b=b))
+
     def test_seams(self):
         """A surface that closes on itself: its two ends are different parameters of one point of X."""
         torus = broken.polygon_torus()
@@ -431,7 +676,10 @@ class Hostile(first.PatchInvalidTest):
         for seed, finding in enumerate((Meeting(models.cube(), (0, *HALF), (2, Q(1, 2), 1)),
                                         Meeting(models.tetrahedron(), (1, *CENTROID), (2, 1, Q(1, 2))),
                                         Meeting(models.octant_sphere(), (0, *HALF), (1, *HALF)),
-                                        Meeting(models.torus(), (5, *THIRD), (5, *HALF)))):
+                                        Meeting(models.torus(), (5, *THIRD), (5, *HALF)),
+                                        Meeting(models.cube(), (0, 1, Q(1, 2)), (2, Q(1, 2), 1)),
+                                        Meeting(models.octant_sphere(), (0, 0, 1), (2, Q(1, 2), 1)),
+                                        Meeting(models.tetrahedron(), (1, 0, 1), (2, 1, Q(1, 2))))):
             self.mutated(finding, 400 + seed, 250 * SCALE)
 
     def test_breaks_that_would_make_many_patches(self):
@@ -445,6 +693,14 @@ class Hostile(first.PatchInvalidTest):
         for n in (middle + 1, middle - 3000, 0, 8999999):
             self.assertEqual(self.judged(self.changed(finding, a=(n, *HALF)), n)[1].split(":")[0], "REJECT M2")
         self.says("B1", self.changed(finding, b=(9000006, *HALF)))
+
+    def test_many_patches_are_not_cut_for_reason_b(self):
+        """A patch must be worth three bytes of the model or the body, as in star-box.md."""
+        many = [Q(i, 3000) for i in range(3001)]
+        finding = Meeting(models.cube(), (0, 0, 0), (0, 0, 0))
+        finding.breaks = [[many, many]] + finding.breaks[1:]
+        for b in ((0, 0, 0), (1, 0, 0), (9000004, 0, 0)):
+            self.assertEqual(self.judged(self.changed(finding, b=b), b)[1].split(":")[0], "REJECT M1")
 
     def test_long_numbers_in_patches_of_degree_15(self):
         most = (1 << 63) - 1

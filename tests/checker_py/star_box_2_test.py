@@ -95,6 +95,11 @@ class SoundModels(Judged):
         entities = [models.reversed_surface(e) if i % 2 else e for i, e in enumerate(entities)]
         self.says("ACCEPT", models2.star_and_mesh(entities, flags=[i % 2 for i in range(len(entities))]).prove())
 
+    def test_p1_a_break_on_a_line_that_is_a_point(self):
+        """The normals are zero on collapsed sides of patches, which S1 allows."""
+        prover = star.cut(*star.cusp(), kind=Prover2, search=True, checked=False).prove()
+        self.alone("P1", prover)
+
 
 class Hostile(OnAPlate):
     def test_bytes_of_the_body(self):

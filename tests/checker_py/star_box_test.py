@@ -54,6 +54,56 @@ class OneStar(forge.Prover):
         return len(self.plan.boxes) - 1
 
 
+def cut(entities, breaks, *args, kind=forge.Prover, **options):
+    """A prover with breaks that are given."""
+    class Cut(kind):
+        @staticmethod
+        def plan_kind(*of_plan):
+            plan = kind.plan_kind(*of_plan)
+            plan.breaks = breaks
+            return plan
+    return Cut(entities, *args, **options)
+
+
+WHOLE, HALVES = [Q(0), Q(1)], [Q(0), Q(1, 2), Q(1)]
+ONE_KNOT, NO_KNOT = [0, 0, Q(1, 2), 1, 1], [0, 0, 1, 1]   # in degree 1
+
+
+def with_waist(heights, **options):
+    """A cube (entities, and breaks with which they fit) whose top is cut at y = h(x) and y = -h(x): the sheet between these is the first
+    entity, (x, v h(x), 1). heights: the coefficients of h, which is 1 at x = -1 and x = 1."""
+    top = [forge.surface([[(x, a + b * h, 1) for a, b in borders] for x, h in zip((-1, 0, 1), heights)], **options)
+           for borders in (((0, -1), (0, 1)), ((0, 1), (1, 0)), ((-1, 0), (0, -1)))]
+    walls = models.cube()
+    del walls[4]
+    return top + walls, [[HALVES, HALVES]] + [[HALVES, WHOLE]] * 2 + [[HALVES, HALVES]] * 5
+
+
+def cusp():
+    """The middle sheet is a polynomial, (x, x^2 v, 1); the break is no knot."""
+    return with_waist((1, -1, 1))
+
+
+def bow_tie():
+    """The middle sheet has a knot where its line is collapsed: (x, |x| v, 1)."""
+    return with_waist((1, 0, 1), degrees=(1, 1), knots=[ONE_KNOT, NO_KNOT])
+
+
+def half_bow_tie():
+    """The middle sheet takes in that at larger y. Its line x = 0 is collapsed for v < 0, and goes from (0, 0, 1) to (0, 1, 1) for v > 0."""
+    entities, breaks = bow_tie()
+    rows = [[(x, y, 1) for y in ys] for x, ys in ((-1, (-1, 0, 1)), (0, (0, 0, 1)), (1, (-1, 0, 1)))]
+    return [forge.surface(rows, (1, 1), [ONE_KNOT] * 2), *entities[2:]], [breaks[0], *breaks[2:]]
+
+
+def sphere_of_one_surface():
+    """The sphere of octants as one surface of 4 x 2 spans, with a seam; its poles are outer sides of four spans each."""
+    us, vs = [[p for q in quarters for p in models.arc(q)[q != quarters[0]:]] for quarters in ((0, 1, 2, 3), (3, 4))]
+    rows = [[(c * x, c * y, s * w, v * w) for c, s, v in vs] for x, y, w in us]
+    knots = [[0, *[t for t in range(spans + 1) for _ in range(2)], spans] for spans in (4, 2)]
+    return [forge.surface(rows, (2, 2), knots, True)]
+
+
 class StarBoxTest(unittest.TestCase):
     def says(self, expected, prover, model=None, plan=None, skip=()):
         model = model or prover.model
@@ -89,6 +139,11 @@ class SoundModels(StarBoxTest):
 
     def test_sphere_of_octants_has_characteristic_two(self):
         self.accepted(models.octant_sphere(), patches=8, edges=12, vertices=6, genus=0)
+
+    def test_poles_with_knots_and_breaks_along_them(self):
+        prover = cut(sphere_of_one_surface(), [[[Q(0), Q(1, 2), Q(1), Q(2), Q(3), Q(4)], [Q(0), Q(1), Q(2)]]]).prove()
+        self.says("ACCEPT", prover)
+        self.assertEqual([prover.plan.values[key] for key in ("patches", "edges", "vertices", "genus")], [10, 15, 7, 0])
 
     def test_torus(self):
         self.accepted(models.torus(), patches=16, edges=32, vertices=16, genus=1)
@@ -292,6 +347,29 @@ class Lies(StarBoxTest):
         twice = forge.Prover(models.cube() * 2, checked=False)
         self.assertRaisesRegex(ValueError, "P1", forge.Prover, models.cube() * 2)
         self.assertEqual(twice.plan.values["patches"], 12)
+
+    def test_p1_a_line_inside_of_a_surface_that_is_a_point(self):
+        for build in (bow_tie, half_bow_tie):
+            with self.subTest(build.__name__):
+                entities, breaks = build()
+                self.assertRaisesRegex(ValueError, "P1 .*collapsed", cut, entities, breaks)
+                self.alone("P1", cut(entities, breaks, checked=False).prove())
+                turned = [models.reversed_surface(e) for e in entities]
+                prover = cut(turned, [axes[::-1] for axes in breaks], flags=[1] * len(entities), checked=False)
+                self.alone("P1", prover.prove())
+
+    def test_p1_a_break_that_is_no_knot_on_a_line_that_is_a_point(self):
+        """Without the break P1 holds: it is about the sides of patches."""
+        entities, breaks = cusp()
+        prover = cut(entities, breaks, checked=False)
+        prover.plan.boxes, prover.plan.trees = [forge.Box(1, [0] * 3, [9] * 3)], [[0]] * len(prover.patches)
+        self.says("P1", prover)
+        self.says("C1", prover, skip={"P1"})              # star_box_2_test.py has a proof of the rest
+        quarters = [Q(n, 4) for n in range(5)]
+        for axis in (WHOLE, [t for t in quarters if t != Q(1, 2)]):
+            cut(entities, [[axis if t is HALVES else t for t in axes] for axes in breaks])       # does not raise
+        with self.assertRaisesRegex(ValueError, "P1 .*collapsed"):
+            cut(entities, [[quarters if t is HALVES else t for t in axes] for axes in breaks])
 
     def test_c1(self):
         lies = [lie for i, box in enumerate(self.cube.plan.boxes) for k in range(3) for lie in [self.shrunk(i, k)]

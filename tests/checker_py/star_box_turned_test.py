@@ -48,6 +48,14 @@ class Turned(unittest.TestCase):
         self.says("ACCEPT", sound, skip={"W2"})
         self.says("S1", prover)                           # without its key
 
+    def test_p1_a_line_inside_of_a_surface_that_is_a_point(self):
+        entities, breaks = star.bow_tie()
+        turned = [models.reversed_surface(e) for e in entities]
+        prover = star.cut(turned, [axes[::-1] for axes in breaks], kind=star.AnySign, checked=False).prove()
+        prover.plan.values.update(winding=zigzag(0), bodies=0)
+        self.says("P1", prover)
+        self.says("ACCEPT", prover, skip={"P1"})
+
     def test_a_solid_in_a_solid(self):
         """The inner cube has w = 2 inside; the outer one alone is sound, so the inner one's walk must be the last."""
         prover = self.proved(models.cube(2) + models.cube(Q(1, 2)), 2)

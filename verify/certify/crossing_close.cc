@@ -33,15 +33,6 @@ constexpr std::array<int, 5> kTried = {-2, 0, 2, 4, 6};
 // Sheets that coincide in a region, or touch along a curve, have places without a crossing everywhere.
 constexpr std::size_t kMostRefinedInAll = 128;
 
-// The step of B's parameters that makes the difference perpendicular to B; nothing where B is singular.
-std::optional<std::array<double, 2>> foot_step(const Vector& difference, const Vector& s,
-                                               const Vector& t) {
-  const double ss = dot(s, s), st = dot(s, t), tt = dot(t, t), det = ss * tt - st * st;
-  if (!(det > 0x1p-30 * ss * tt)) return std::nullopt;
-  const double ds = dot(s, difference), dt = dot(t, difference);
-  return std::array<double, 2>{(ds * tt - dt * st) / det, (dt * ss - ds * st) / det};
-}
-
 bool is_in_unit(double t) { return t >= 0 && t <= 1; }
 
 }  // namespace
@@ -71,8 +62,8 @@ struct CrossingSolver::Approach {
 bool CrossingSolver::drop_foot(std::array<SheetPlace, 2>* x, bool exactly) {
   for (int step = 0; step < kMostFootSteps; ++step) {
     const Linear l = exactly ? exactly_linearised(*x) : linearised(*x);
-    const auto d =
-        foot_step(l.difference, l.columns[2], l.columns[3]);  // the columns are -B's tangents
+    const auto d = internal::foot_step(l.difference, l.columns[2],
+                                       l.columns[3]);  // the columns are -B's tangents
     if (!d) return false;
     for (std::size_t i = 0; i < 2; ++i) {
       (*x)[1].at[i] -= (*d)[i];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solids/star_box/star_box.h"
 #include "verify/certify/piece_neighbours.h"
@@ -11,8 +12,9 @@ namespace veritope {
 namespace {
 
 constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
-constexpr std::size_t kMostSplit = std::size_t{1} << 17;  // pairs at a level: a million nodes at most
-constexpr std::size_t kMostSolvedNear = 32;
+constexpr std::size_t kMostSplit = std::size_t{1}
+                                   << 17;  // pairs at a level: a million nodes at most
+constexpr std::size_t kMostSolvedNear = 32, kMostContacts = 256;
 constexpr std::size_t kMostPiecesNear = 400;
 constexpr double kGrowth = 1.75,
                  kPart = 0.3;  // the box, and its longest piece, relative to the piece's hull
@@ -20,18 +22,9 @@ constexpr double kReach = 4;   // relative to the size of a piece
 
 }  // namespace
 
-std::optional<CrossingWitness> CrossingSearch::among_patches() {
-  const std::size_t n = forest_.num_roots();
-  if (n <= kFewRoots) return by_level({true, 3, 16384, 256});
-  if (n <= kManyRoots) return by_level({true, 2, 128 * n, 256});
-  return by_level({false, 3, 64 * n, 256});
-}
-
-std::optional<CrossingWitness> CrossingSearch::everywhere() {
-  return by_level({true, 7, 16384 + 32 * forest_.num_roots(), 1024});
-}
-
-std::optional<CrossingWitness> CrossingSearch::by_level(const Effort& effort) {
+template <typename SolveAll>
+std::invoke_result_t<SolveAll, std::vector<CrossingSearch::Pair>> CrossingSearch::by_level(
+    const Effort& effort, SolveAll solve_all) {
   std::vector<Pair> pairs = root_pairs(effort);
   thin_out(&pairs, kMostSplit);
   for (int level = 0; level < effort.levels && !pairs.empty(); ++level) {
@@ -39,9 +32,28 @@ std::optional<CrossingWitness> CrossingSearch::by_level(const Effort& effort) {
     std::vector<Pair> apart;
     for (const Pair& p : pairs)
       if (!are_neighbours(forest_, p.a, p.b)) apart.push_back(p);
-    if (auto witness = solve_some(apart, effort.most_solved)) return witness;
+    if (auto witness = solve_all(std::move(apart))) return witness;
   }
   return std::nullopt;
+}
+
+std::optional<CrossingWitness> CrossingSearch::among_patches() {
+  const std::size_t n = forest_.num_roots();
+  const auto solve_all = [&](const std::vector<Pair>& pairs) { return crossing_of(pairs, 256); };
+  if (n <= kFewRoots) return by_level({true, 3, 16384}, solve_all);
+  if (n <= kManyRoots) return by_level({true, 2, 128 * n}, solve_all);
+  return by_level({false, 3, 64 * n}, solve_all);
+}
+
+std::optional<CrossingWitness> CrossingSearch::everywhere() {
+  return by_level({true, 7, 16384 + 32 * forest_.num_roots()},
+                  [&](const std::vector<Pair>& pairs) { return crossing_of(pairs, 1024); });
+}
+
+std::optional<MeetingWitness> CrossingSearch::touching_everywhere() {
+  return by_level({true, 5, 16384 + 32 * forest_.num_roots()}, [&](std::vector<Pair> pairs) {
+    return contact_of(std::move(pairs), kMostContacts);
+  });
 }
 
 std::vector<CrossingSearch::Pair> CrossingSearch::root_pairs(const Effort& effort) {
@@ -97,10 +109,10 @@ std::vector<CrossingSearch::Pair> CrossingSearch::split(const std::vector<Pair>&
   return out;
 }
 
-std::optional<CrossingWitness> CrossingSearch::near(Id piece) {
+std::vector<CrossingSearch::Pair> CrossingSearch::pairs_near(Id piece) {
   const Box3d hull = forest_.node(piece).hull;
   const double half = 0.5 * kGrowth * extent(hull);
-  if (!(half > 0) || !std::isfinite(half)) return std::nullopt;
+  if (!(half > 0) || !std::isfinite(half)) return {};
   const Point3d middle = approx_centre(hull);
   Box3d box;
   for (std::size_t k = 0; k < 3; ++k) box.lo[k] = middle[k] - half, box.hi[k] = middle[k] + half;
@@ -114,15 +126,45 @@ std::optional<CrossingWitness> CrossingSearch::near(Id piece) {
           !are_neighbours(forest_, pieces[i], pieces[k]))
         pairs.push_back({pieces[i], pieces[k]});
     }
-  return solve_some(pairs, kMostSolvedNear);
+  return pairs;
+}
+
+std::optional<CrossingWitness> CrossingSearch::near(Id piece) {
+  return crossing_of(pairs_near(piece), kMostSolvedNear);
+}
+
+std::optional<MeetingWitness> CrossingSearch::touching_near(Id piece) {
+  return contact_of(pairs_near(piece), kMostSolvedNear);
 }
 
 // Calls the solver for at most this many of the pairs, evenly spread.
-std::optional<CrossingWitness> CrossingSearch::solve_some(const std::vector<Pair>& pairs,
-                                                          std::size_t most) {
+std::optional<CrossingWitness> CrossingSearch::crossing_of(const std::vector<Pair>& pairs,
+                                                           std::size_t most) {
   const std::size_t n = std::min(most, pairs.size());
   for (std::size_t i = 0; i < n; ++i)
     if (auto witness = solve(pairs[i * pairs.size() / n])) return witness;
+  return std::nullopt;
+}
+
+// Calls the solver for at most this many of the pairs, first those whose middles are nearest to each other for their
+// size.
+std::optional<MeetingWitness> CrossingSearch::contact_of(std::vector<Pair> pairs,
+                                                         std::size_t most) {
+  const auto distance = [&](const Pair& pair) {
+    const Box3d &a = forest_.node(pair.a).hull, &b = forest_.node(pair.b).hull;
+    const Point3d x = approx_centre(a), y = approx_centre(b);
+    return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) / (extent(a) + extent(b));
+  };
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < pairs.size(); ++i) order.push_back({distance(pairs[i]), i});
+  const std::size_t n = std::min(most, pairs.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Pair& pair = pairs[order[i].second];
+    if (auto witness =
+            contacts_.solve(range_of_piece(forest_, pair.a), range_of_piece(forest_, pair.b)))
+      return witness;
+  }
   return std::nullopt;
 }
 

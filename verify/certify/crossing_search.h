@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // verify/certify/crossing_search.h: the search for two different points of a patch complex with the same image. A
-// crossing that is found is proved; nothing follows if no crossing is found. Theory: docs/THEORY.md §4. Certificate:
-// docs/certificates/patch-invalid.md.
+// crossing or a contact that is found is proved; nothing follows if none is found. Theory: docs/THEORY.md §4.
+// Certificates: docs/certificates/patch-invalid.md, patch-invalid-2.md.
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "verify/certify/contact_solver.h"
 #include "verify/certify/crossing_solver.h"
 
 namespace veritope {
@@ -14,7 +16,8 @@ namespace veritope {
 /// Keeps a reference to the forest and adds nodes to it.
 class CrossingSearch {
  public:
-  explicit CrossingSearch(PieceForest& forest) : forest_(forest), solver_(forest) {}
+  explicit CrossingSearch(PieceForest& forest)
+      : forest_(forest), solver_(forest), contacts_(solver_.maps()) {}
 
   /// Searches the pairs of patches' pieces whose hulls meet and that are not neighbours. Pairs are split level by
   /// level; where the sizes of the hulls differ much, only the larger piece is split. In models of over 1,024 patches,
@@ -30,6 +33,11 @@ class CrossingSearch {
   /// of the solver
   std::optional<CrossingWitness> near(PieceForest::Id piece);
 
+  /// Points at which sheets touch, in the same places as everywhere() and near(), but five levels deep only. @cost
+  /// ContactSolver's limits, in all calls
+  std::optional<MeetingWitness> touching_everywhere();
+  std::optional<MeetingWitness> touching_near(PieceForest::Id piece);
+
   std::size_t num_pairs = 0;  ///< pairs whose hulls were compared
   const CrossingSolver& solver() const { return solver_; }
 
@@ -41,19 +49,25 @@ class CrossingSearch {
   struct Effort {
     bool with_neighbours;
     int levels;
-    std::size_t most_pairs, most_solved;
+    std::size_t most_pairs;
   };
-  std::optional<CrossingWitness> by_level(const Effort& effort);
+  // `solve` makes a witness of a pair, or nothing; `solve_all` one of the pairs of a level.
+  template <typename SolveAll>
+  std::invoke_result_t<SolveAll, std::vector<Pair>> by_level(const Effort& effort,
+                                                             SolveAll solve_all);
+  std::optional<CrossingWitness> crossing_of(const std::vector<Pair>& pairs, std::size_t most);
+  std::optional<MeetingWitness> contact_of(std::vector<Pair> pairs, std::size_t most);
+  std::vector<Pair> pairs_near(Id piece);
   std::vector<Pair> root_pairs(const Effort& effort);
   static void thin_out(std::vector<Pair>* pairs, std::size_t most);
   std::vector<Pair> split(const std::vector<Pair>& pairs, std::size_t most);
-  std::optional<CrossingWitness> solve_some(const std::vector<Pair>& pairs, std::size_t most);
   std::optional<CrossingWitness> solve(const Pair& pair);
   SheetPlace middle(const PieceForest::Node& node) const;
   double reach(const PieceForest::Node& node) const;
 
   PieceForest& forest_;
   CrossingSolver solver_;
+  ContactSolver contacts_;
 };
 
 }  // namespace veritope

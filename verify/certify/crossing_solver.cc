@@ -55,13 +55,6 @@ std::optional<DyadicInterval> interval_around(double t, unsigned bits, double ra
                         static_cast<std::uint64_t>(middle + radius)};
 }
 
-double& parameter(std::array<SheetPlace, 2>* places, std::size_t i) {
-  return (*places)[i / 2].at[i % 2];
-}
-double parameter(const std::array<SheetPlace, 2>& places, std::size_t i) {
-  return places[i / 2].at[i % 2];
-}
-
 }  // namespace
 
 std::optional<std::array<std::array<std::int64_t, 3>, 3>> internal::integer_rows(
@@ -120,24 +113,8 @@ std::optional<std::array<double, 4>> CrossingSolver::shortest_step(Linear l) {
                                dot(l.columns[3], y)};
 }
 
-const CrossingSolver::Sheet& CrossingSolver::sheet(std::uint32_t patch) {
-  const auto known = sheets_.find(patch);
-  if (known != sheets_.end()) return known->second;
-  const PieceForest::Form& form = forest_.form(patch);
-  const int components = form.is_rational ? 4 : 3;
-  const std::size_t n = form.shape.count() * static_cast<std::size_t>(components);
-  std::vector<double> control(form.root_control.begin(),
-                              form.root_control.begin() + static_cast<std::ptrdiff_t>(n));
-  BezierSurface<double> map =
-      form.shape.is_triangle ? tensor_of_triangle(BezierTriangle<double>(
-                                   form.shape.p, components, form.is_rational, std::move(control)))
-                             : BezierSurface<double>({form.shape.p, form.shape.q}, components,
-                                                     form.is_rational, std::move(control));
-  return sheets_.emplace(patch, Sheet{std::move(map), form.origin}).first->second;
-}
-
 CrossingSolver::Linear CrossingSolver::linearised(const std::array<SheetPlace, 2>& at) {
-  const Sheet &a = sheet(at[0].patch), &b = sheet(at[1].patch);
+  const SheetMaps::Sheet &a = maps_.sheet(at[0].patch), &b = maps_.sheet(at[1].patch);
   const Tangents ta = tangents(a.map, at[0].at), tb = tangents(b.map, at[1].at);
   Linear out;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -285,7 +262,7 @@ std::optional<CrossingWitness> CrossingSolver::boxed(const std::array<SheetPlace
 
 // Whether X3 holds in doubles, computed relative to the second sheet's origin.
 bool CrossingSolver::is_forecast(const CrossingWitness& w) {
-  const Sheet &a = sheet(w.sheets[0].patch), &b = sheet(w.sheets[1].patch);
+  const SheetMaps::Sheet &a = maps_.sheet(w.sheets[0].patch), &b = maps_.sheet(w.sheets[1].patch);
   std::array<BezierSurface<double>, 2> maps{a.map, b.map};
   for (std::size_t c = 0; c < 3; ++c) {
     const double shift = a.origin[c] - b.origin[c];

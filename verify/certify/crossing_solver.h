@@ -5,24 +5,18 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "solids/pieces/piece_forest.h"
 #include "verify/certify/crossing_witness.h"
+#include "verify/certify/sheet_maps.h"
 
 namespace veritope {
-
-/// A place in the tensor form of a patch.
-struct SheetPlace {
-  std::uint32_t patch = 0;
-  std::array<double, 2> at{};
-};
 
 /// Keeps a reference to the forest.
 class CrossingSolver {
  public:
-  explicit CrossingSolver(const PieceForest& forest) : forest_(forest) {}
+  explicit CrossingSolver(const PieceForest& forest) : forest_(forest), maps_(forest) {}
 
   /// Parameters near the guess where the two sheets have approximately the same image. Method: Gauss-Newton, each step
   /// the shortest that solves the linear equations. Nothing if the iteration does not converge within `reach`, relative
@@ -40,20 +34,16 @@ class CrossingSolver {
   /// length, with normals that differ by less than 2^-6. Nothing for other sheets, or if none is found.
   std::optional<CrossingWitness> prove_close(const std::array<SheetPlace, 2>& guess, double reach);
 
+  SheetMaps& maps() { return maps_; }
+
   static constexpr std::size_t kMostExactInAll = 1024;
   std::size_t num_solved = 0, num_exact = 0;  ///< calls of solve, exact tests
   std::size_t num_refined = 0;                ///< places that prove_close has refined in rationals
 
  private:
-  /// One patch in its tensor form; coordinates are as PieceForest has them relative to the origin.
-  struct Sheet {
-    BezierSurface<double> map;
-    Point3d origin;
-  };
   struct Linear;
   struct Approach;
   using Rows = std::array<std::array<std::int64_t, 3>, 3>;
-  const Sheet& sheet(std::uint32_t patch);
   Linear linearised(const std::array<SheetPlace, 2>& at);
   static std::optional<std::array<double, 4>> shortest_step(Linear equations);
   bool is_near_unproved(const std::array<SheetPlace, 2>& solution) const;
@@ -71,7 +61,7 @@ class CrossingSolver {
   std::optional<CrossingWitness> boxed_close(const std::array<SheetPlace, 2>& x, std::size_t fixed);
 
   const PieceForest& forest_;
-  std::unordered_map<std::uint32_t, Sheet> sheets_;
+  SheetMaps maps_;
   std::vector<std::array<SheetPlace, 2>> unproved_;
 };
 

@@ -18,30 +18,30 @@ constexpr std::size_t kMostBits = 62;  // of the numbers of a certificate
 
 Rational ratio(int n, int d) { return Rational(n) / Rational(d); }
 
-PatchPoint image(const PatchComplex& complex, const PatchPlace& place) {
-  const std::vector<Rational> p = evaluate(tensor_form(complex.patch(place.patch)), place.at);
-  return point_of(std::span<const Rational>(p)).value();
-}
-
 bool is_between(const Rational& low, const Rational& v, const Rational& high) {
   return low < v && v < high;
 }
 
-bool holds_m1(const PatchComplex& complex, const MeetingWitness& w) {
-  const Rational zero(0), one(1);
-  const auto& [a, b] = w.places;
-  for (const Rational& v : a.at)
-    if (!is_between(zero, v, one)) return false;
-  for (const Rational& v : b.at)
-    if (v < zero || one < v) return false;
-  if (complex.patch(b.patch).is_triangle() && b.at[0] == zero) return false;
-  return !(a == b);
+bool is_in_open_domain(const PatchPlace& place) {
+  return std::all_of(place.at.begin(), place.at.end(),
+                     [](const Rational& v) { return is_between(Rational(0), v, Rational(1)); });
+}
+bool is_in_domain(const PatchPlace& place) {
+  return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
+    return v.sign() != Sign::kNegative && !(Rational(1) < v);
+  });
 }
 
-bool has_short_numbers(const PatchPlace& place) {
-  return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
-    return v.numerator().bit_length() <= kMostBits && v.denominator().bit_length() <= kMostBits;
-  });
+// Reason (a): no gluing need be known.
+bool is_first_alone(const PatchComplex& complex, const MeetingWitness& w) {
+  const auto& [a, b] = w.places;
+  return is_in_open_domain(a) &&
+         !(complex.patch(b.patch).is_triangle() && b.at[0].sign() == Sign::kZero) && !(a == b);
+}
+bool holds_m1(const PatchComplex& complex, const MeetingWitness& w) {
+  const auto& [a, b] = w.places;
+  if (!is_in_domain(a) || !is_in_domain(b)) return false;
+  return is_first_alone(complex, w) || (is_glued(complex) && !are_one_point(complex, a, b));
 }
 
 // The barycentric coordinate `axis` of a triangle is fixed, and `part` of the rest belongs to the next corner.
@@ -111,16 +111,27 @@ class MeetingSearch {
 
 }  // namespace
 
+bool has_short_numbers(const PatchPlace& place) {
+  return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
+    return v.numerator().bit_length() <= kMostBits && v.denominator().bit_length() <= kMostBits;
+  });
+}
+
 std::optional<MeetingCondition> broken_condition(const PatchComplex& complex,
                                                  const MeetingWitness& witness) {
   if (!holds_m1(complex, witness)) return MeetingCondition::kM1;
-  if (image(complex, witness.places[0]) != image(complex, witness.places[1]))
+  if (point_of(complex, witness.places[0]) != point_of(complex, witness.places[1]))
     return MeetingCondition::kM2;
   return std::nullopt;
 }
 
+PatchPoint point_of(const PatchComplex& complex, const PatchPlace& place) {
+  const std::vector<Rational> p = evaluate(tensor_form(complex.patch(place.patch)), place.at);
+  return point_of(std::span<const Rational>(p)).value();
+}
+
 PatchPoint point_of(const PatchComplex& complex, const MeetingWitness& witness) {
-  return image(complex, witness.places[0]);
+  return point_of(complex, witness.places[0]);
 }
 
 MeetingWitness with_reversed(const PatchComplex& complex, const std::vector<bool>& is_reversed,

@@ -9,37 +9,36 @@
 #include <vector>
 
 #include "solids/patches/patch_complex.h"
+#include "verify/certify/patch_place.h"
 
 namespace veritope {
-
-/// A point of the tensor form of a patch (tensor_form in crossing_witness.h): (u, v), or (s, t) of a triangle.
-struct PatchPlace {
-  std::uint32_t patch = 0;
-  std::array<Rational, 2> at;
-  friend bool operator==(const PatchPlace&, const PatchPlace&) = default;
-};
 
 struct MeetingWitness {
   /// What made the search look here; the proof does not depend on it.
   enum class Cause {
     kRepeatedPatch,
     kDegeneratePatch,
-    kSingularLine
+    kSingularLine,
+    kContact
   } cause = Cause::kRepeatedPatch;
   std::array<PatchPlace, 2> places;
   friend bool operator==(const MeetingWitness&, const MeetingWitness&) = default;
 };
 
 enum class MeetingCondition {
-  kM1,  ///< the places are two points of the surface, the first in the open domain of its patch
+  kM1,  ///< the places are two points of the surface
   kM2,  ///< they have one image
 };
 /// The first condition that does not hold; nothing: the witness is a proof. Exact. REQUIRES patches of the complex and
-/// positive weights.
+/// positive weights. @cost  linear in the number of patches if the first place is on the border of its patch
 std::optional<MeetingCondition> broken_condition(const PatchComplex& complex,
                                                  const MeetingWitness& witness);
 
-/// The image of the first place. REQUIRES positive weights.
+/// Whether the numbers are short enough for a certificate.
+bool has_short_numbers(const PatchPlace& place);
+
+/// The image of a place, or of the first one. REQUIRES positive weights.
+PatchPoint point_of(const PatchComplex& complex, const PatchPlace& place);
 PatchPoint point_of(const PatchComplex& complex, const MeetingWitness& witness);
 
 /// The witness in the parameters of reversed(patch), for each patch whose flag is set.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "interval/upward.h"
 #include "solids/pieces/patch_volume.h"
@@ -55,6 +56,7 @@ class Decider {
     if (auto error = make_forest(options_.in_plain_frame ? PieceForest::FrameChoice::kPlain
                                                          : PieceForest::FrameChoice::kFitted))
       return open(std::move(*error));
+    if (const auto side = inner_pole()) return decide_with_inner_pole(*side);
     auto crossing = cover_or_cross(false);
     if (!crossing && may_need_frames()) {
       const std::optional<CoverQuestion> why = give_up_for_frames();
@@ -77,8 +79,12 @@ class Decider {
 
  private:
   // Degenerate and repeated patches are asked for last, so that they cost other models nothing.
+  const std::optional<MeetingWitness>& degenerate_patch() {
+    if (!std::exchange(has_sought_degenerate_, true)) degenerate_ = find_meeting(complex_);
+    return degenerate_;
+  }
   PatchDecision open(Finding why) {
-    if (auto meeting = find_meeting(complex_)) return refuted(std::move(*meeting));
+    if (const auto& meeting = degenerate_patch()) return refuted(*meeting);
     out_.open = std::move(why);
     return std::move(out_);
   }
@@ -89,6 +95,25 @@ class Decider {
   PatchDecision refuted(PatchRefutation refutation) {
     out_.refutation = std::move(refutation);
     return std::move(out_);
+  }
+
+  // A side inside of its entity's domain that is collapsed: P1 excludes it.
+  std::optional<PatchSide> inner_pole() const {
+    for (std::uint32_t p = 0; p < complex_.patches().size(); ++p)
+      for (std::uint32_t s = 0; s < complex_.patch(p).num_sides(); ++s)
+        if (complex_.is_collapsed({p, s}) && !is_outer(options_.outer, {p, s}))
+          return PatchSide{p, s};
+    return std::nullopt;
+  }
+  PatchDecision decide_with_inner_pole(PatchSide side) {
+    CrossingSearch search(*forest_);
+    if (auto crossing = search.among_patches()) return refuted(*crossing);
+    if (auto crossing = search.everywhere()) return refuted(*crossing);
+    Finding why = question(open_code::kNoSurface,
+                           "a line inside of a surface is mapped to one point: different places of "
+                           "the surface have one image");
+    why.place.patch = side.patch;
+    return open(std::move(why));
   }
 
   std::optional<Finding> make_forest(PieceForest::FrameChoice choice) {
@@ -112,18 +137,20 @@ class Decider {
     return cover_question(*forest_, out_.cover);
   }
 
-  // Returns a crossing that was found before the search for the cover, at a piece without a star box during it, or
-  // where it ended.
-  std::optional<CrossingWitness> cover_or_cross(bool with_frames) {
+  // Returns a crossing or a contact that was found before the search for the cover, at a piece without a star box
+  // during it, or where it ended.
+  std::optional<PatchRefutation> cover_or_cross(bool with_frames) {
     CrossingSearch search(*forest_);
     if (!with_frames)
-      if (auto crossing = search.among_patches()) return crossing;
-    std::optional<CrossingWitness> found;
+      if (auto crossing = search.among_patches()) return *crossing;
+    std::optional<PatchRefutation> found;
     std::size_t searches = 0;
     bool is_everywhere = false;
     const auto look_everywhere = [&] {
       if (std::exchange(is_everywhere, true)) return;
       found = search.everywhere();
+      if (!found) found = degenerate_patch();
+      if (!found) found = search.touching_everywhere();
       forest_->limit_memory(options_.cover.memory);
     };
     StarCoverOptions options = options_.cover;
@@ -155,7 +182,15 @@ class Decider {
          id = forest_->node(id).parent)
       if ((found = search.near(id))) return found;
     look_everywhere();
-    return found;
+    if (found) return found;
+    // Places in large pieces have the simplest parameters.
+    std::vector<PieceForest::Id> line;
+    for (PieceForest::Id id = out_.cover.uncovered.front().piece; id != PieceForest::kNone;
+         id = forest_->node(id).parent)
+      line.push_back(id);
+    for (; !line.empty(); line.pop_back())
+      if ((found = search.touching_near(line.back()))) return found;
+    return std::nullopt;
   }
 
   PatchDecision decide_sides() {
@@ -232,6 +267,8 @@ class Decider {
   const PatchDecisionOptions& options_;
   std::optional<PieceForest>& forest_;
   bool is_patient_ = false;  // boxes along the axes may be as many as the options say
+  bool has_sought_degenerate_ = false;
+  std::optional<MeetingWitness> degenerate_;
   PatchDecision out_;
 };
 

@@ -24,6 +24,7 @@ class Reasons {
   Reasons(const FilePatches& patches, std::size_t most)
       : complex_(*patches.complex),
         torn_(patches.torn),
+        outer_(outer_sides(patches.entities, complex_.patches().size())),
         parts_(complex_, patches.entities),
         most_(most) {}
 
@@ -31,6 +32,7 @@ class Reasons {
     for (const PatchFinding& f : complex_.findings())
       if (f.defect == PatchDefect::kRepeatedPatch) add(repeated(f));
     for (const PatchDegeneracy& d : find_degeneracies(complex_.patches())) add(degenerate(d));
+    put_inner_poles();
     for (const TornKnot& knot : torn_) add(torn_knot_finding(knot));
     if (complex_.count(PatchDefect::kOpenSide) != 0) put_sides();
     return std::move(out_);
@@ -81,6 +83,25 @@ class Reasons {
     out.message = "a line inside a patch of " + name + ", " + line_text(d, out.place.parts[0]) +
                   ", is mapped to one point: different places of the surface have one image";
     return out;
+  }
+  // Sides on breaks inside of a surface that are one point: each is a side of two patches, and named for the one of
+  // which it is the end.
+  void put_inner_poles() {
+    for (std::uint32_t p = 0; p < complex_.patches().size(); ++p)
+      for (const std::uint32_t s : {1u, 2u}) {
+        const PatchSide side{p, s};
+        if (complex_.patch(p).is_triangle() || is_outer(outer_, side) ||
+            !complex_.is_collapsed(side))
+          continue;
+        Finding out = about(p);
+        out.code = "singular-line";
+        out.place.parts = {parts_.of(side, {Rational(0), Rational(1)})};
+        out.place.near = finite(approx_point(complex_.patch(p).corner(s)));
+        out.message = "a line inside of " + entity_text(entity(p)) +
+                      ", on a knot, is mapped to one point: different places of the surface have "
+                      "one image; make two surfaces of it there";
+        add(std::move(out));
+      }
   }
   EntityPart line(const PatchDegeneracy& d) const {
     PatchPart part{d.patch, {}};
@@ -163,6 +184,7 @@ class Reasons {
 
   const PatchComplex& complex_;
   const std::vector<TornKnot>& torn_;
+  const OuterSides outer_;
   EntityParts parts_;
   std::size_t most_;
   std::vector<Finding> out_;

@@ -120,6 +120,7 @@ class FactFinder {
     switch (cause) {
       case MeetingWitness::Cause::kRepeatedPatch: return "patch-repeated";
       case MeetingWitness::Cause::kDegeneratePatch: return "patch-degenerate";
+      case MeetingWitness::Cause::kContact: return "patches-touching";
       case MeetingWitness::Cause::kSingularLine: break;
     }
     return "singular-line";
@@ -131,6 +132,8 @@ class FactFinder {
         return "a patch of " + second + " is one of " + first + " again";
       case MeetingWitness::Cause::kDegeneratePatch:
         return "a patch of " + first + " is a point or a curve";
+      case MeetingWitness::Cause::kContact:
+        return first == second ? first + " touches itself" : first + " and " + second + " touch";
       case MeetingWitness::Cause::kSingularLine: break;
     }
     return "a line inside a patch of " + first + " is mapped to one point";

@@ -10,7 +10,8 @@
 
 namespace veritope {
 
-/// Codes: "patches-crossing", "side-open", "side-direction", "side-overused", "shell-turned". The place has the parts
+/// Codes: "patches-crossing", "patches-touching", "side-open", "side-direction", "side-overused", "shell-turned",
+/// "patch-repeated", "patch-degenerate", "singular-line". The place has the parts
 /// of entities and a point near it; for a crossing, a box that contains the common point; for a reversed shell, its
 /// number. REQUIRES the entities of the complex in order.
 Finding finding_of(const PatchComplex& complex, const std::vector<StarBoxEntity>& entities,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "splines/bezier.h"
 
@@ -106,6 +107,16 @@ inline Tangents tangents(const BezierSurface<double>& map, const std::array<doub
     out.along[1][k] = (fv[k] - out.at[k] * fv[3]) / f[3];
   }
   return out;
+}
+
+// The step of the parameters along s and t that makes the difference perpendicular to both; nothing where they are
+// parallel, approximately.
+inline std::optional<std::array<double, 2>> foot_step(const Vector3& difference, const Vector3& s,
+                                                      const Vector3& t) {
+  const double ss = dot(s, s), st = dot(s, t), tt = dot(t, t), det = ss * tt - st * st;
+  if (!(det > 0x1p-30 * ss * tt)) return std::nullopt;
+  const double ds = dot(s, difference), dt = dot(t, difference);
+  return std::array<double, 2>{(ds * tt - dt * st) / det, (dt * ss - ds * st) / det};
 }
 
 }  // namespace veritope::internal

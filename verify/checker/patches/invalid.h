@@ -46,6 +46,17 @@ struct Sides {
   int64_t at;  // at / 2^k on the side of the first arc
 };
 
+struct Fraction {  // n / d, 0 <= n <= d, 1 <= d; not always in lowest terms
+  int64_t n, d;
+};
+inline bool are_equal(const Fraction& a, const Fraction& b) {
+  return u128(a.n) * u128(b.d) == u128(b.n) * u128(a.d);  // below 2^126
+}
+struct PatchPoint {  // a place of the page of version 2: a patch and parameters of it
+  uint64_t patch;
+  Fraction t[2];
+};
+
 // An outer side that is not collapsed, in its own direction of travel.
 struct OuterSide {
   uint64_t patch;
@@ -64,3 +75,5 @@ void check_crossing(const Crossing& x, const Patch& a, const Patch& b);  // X1 t
 // D1 to D4. outer: by patch and side; num_outer: their number, collapsed ones included.
 void check_sides(const Sides& s, const std::vector<OuterSide>& outer, uint64_t num_outer,
                  bool has_flags, uint64_t same, uint64_t opposite);
+// Reason (b) of M1, and B2 for the coefficients of all patches. bytes: of the model and the body.
+void check_points_of_x(const Cuts& cuts, const PatchPoint& a, const PatchPoint& b, uint64_t bytes);

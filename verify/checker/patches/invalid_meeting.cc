@@ -5,14 +5,6 @@
 
 namespace {
 
-struct Fraction {  // n / d, 0 <= n <= d, 1 <= d; not always in lowest terms
-  int64_t n, d;
-};
-struct PatchPoint {  // a place of the page: a patch and parameters of it
-  uint64_t patch;
-  Fraction t[2];
-};
-
 struct Reader : InvalidBytes {
   Reader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
       : InvalidBytes(entities, magic, true, bytes) {}
@@ -30,14 +22,12 @@ struct Reader : InvalidBytes {
   }
 };
 
-bool are_equal(const Fraction& a, const Fraction& b) {
-  return u128(a.n) * u128(b.d) == u128(b.n) * u128(a.d);  // below 2^126
-}
-void check_places(const PatchPoint& a, const PatchPoint& b, bool b_is_triangle) {
-  for (const Fraction& t : a.t) require(t.n > 0 && t.n < t.d, "M1", "A is not in the open domain");
-  require(!b_is_triangle || b.t[0].n > 0, "M1", "s of B is 0");
-  require(a.patch != b.patch || !are_equal(a.t[0], b.t[0]) || !are_equal(a.t[1], b.t[1]), "M1",
-          "A and B are one point");
+// Reason (a) of M1: A is in the open domain of its patch, and B is another point.
+bool is_inside_and_another(const PatchPoint& a, const PatchPoint& b, bool b_is_triangle) {
+  for (const Fraction& t : a.t)
+    if (t.n == 0 || t.n == t.d) return false;
+  if (b_is_triangle && b.t[0].n == 0) return false;
+  return a.patch != b.patch || !are_equal(a.t[0], b.t[0]) || !are_equal(a.t[1], b.t[1]);
 }
 
 // The value at t of a row of this many coefficients, each of the same number of numbers, times a positive factor.
@@ -69,7 +59,8 @@ std::string check_patch_invalid_2(const Statement& s, std::string model, const B
   check_kinds_and_knots(entities);
   const Patch of_a = cut_patch(r.cuts, a.patch), of_b = cut_patch(r.cuts, b.patch);
   check_numbers_of_patches(s, r.cuts);
-  check_places(a, b, of_b.shape.is_triangle);
+  if (!is_inside_and_another(a, b, of_b.shape.is_triangle))
+    check_points_of_x(r.cuts, a, b, s.number.at("subject_bytes") + bytes.left());
   const std::vector<Big> x = image(of_a, a), y = image(of_b, b);
   for (size_t k = 0; k < 3; ++k)
     require(x[k] * y[3] == y[k] * x[3], "M2", "A and B have different images, on axis", k);

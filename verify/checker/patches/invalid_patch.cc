@@ -55,11 +55,6 @@ void check_knots(const Entity& e) {
               "B2", "an inner knot occurs more often than the degree");
   }
 }
-bool is_outer(const Cuts& cuts, size_t entity, const Place& at, int e) {
-  if (at.entity->kind == Entity::kTriangle) return true;
-  const size_t axis = e % 2 == 0 ? 1 : 0, i = at.interval[axis];
-  return e == 0 || e == 3 ? i == 0 : i + 1 == cuts.intervals(entity, axis);
-}
 // The patches with an outer side, in order.
 std::vector<uint64_t> outer_patches(const Cuts& cuts) {
   std::vector<uint64_t> r;
@@ -73,17 +68,13 @@ std::vector<uint64_t> outer_patches(const Cuts& cuts) {
   }
   return r;
 }
-// Calls use(patch, number, place) for the patches with these numbers; tests B2 for their
-// coefficients.
+// Calls use(patch, number) for the patches with these numbers; tests B2 for their coefficients.
 template <class Use>
 void each_patch(const Cuts& cuts, const std::vector<uint64_t>& numbers, Use use) {
   std::vector<Place> places;
   for (uint64_t i : numbers) places.push_back(cuts.place(cuts.entity_of(i), i));
   size_t at = 0;
-  cut_patches(places, 0, cuts.breaks, [&](Patch&& p) {
-    use(std::move(p), numbers[at], places[at]);
-    ++at;
-  });
+  cut_patches(places, 0, cuts.breaks, [&](Patch&& p) { use(std::move(p), numbers[at++]); });
 }
 struct Outer {
   std::vector<OuterSide> sides;
@@ -91,14 +82,14 @@ struct Outer {
 };
 Outer outer_sides(const Cuts& cuts) {
   Outer r;
-  each_patch(cuts, outer_patches(cuts), [&](Patch&& p, uint64_t number, const Place& at) {
-    const size_t entity = cuts.entity_of(number);
+  each_patch(cuts, outer_patches(cuts), [&](Patch&& p, uint64_t number) {
     for (int e = 0; e < p.shape.sides(); ++e) {
-      if (!is_outer(cuts, entity, at, e)) continue;
+      if (!p.is_outer[e]) continue;
       ++r.number;
       const Curve c = side_curve(p, e, false);
       if (!is_point(c))
-        r.sides.push_back(OuterSide{number, e, cuts.reversed[entity], p.is_rational, c});
+        r.sides.push_back(
+            OuterSide{number, e, cuts.reversed[cuts.entity_of(number)], p.is_rational, c});
     }
   });
   return r;
@@ -112,7 +103,7 @@ void check_kinds_and_knots(const std::vector<Entity>& entities) {
 }
 Patch cut_patch(const Cuts& cuts, uint64_t number) {
   Patch r;
-  each_patch(cuts, {number}, [&](Patch&& p, uint64_t, const Place&) { r = std::move(p); });
+  each_patch(cuts, {number}, [&](Patch&& p, uint64_t) { r = std::move(p); });
   return r;
 }
 void check_numbers_of_patches(const Statement& s, const Cuts& cuts) {

@@ -55,6 +55,7 @@ struct Patch {
   bool is_flat;  // as the version of the body has it
   uint8_t roots[2];
   uint64_t first_root;
+  bool is_outer[4];      // for each side: on the border of the entity's domain, not inside of it
   std::vector<Big> net;  // shape.count() points (X, Y, Z, W), in units 2^E, no common factor
   int64_t bits;          // of the longest number of the net
   uint32_t pair[4];      // for each side; collapsed: kNoPair
@@ -147,7 +148,8 @@ void cut_patches(const std::vector<Place>& places, int64_t unit,
                  const std::function<void(Patch&&)>& use);
 
 struct Gluing {  // P1 and the numbers of X; fills the patches' fields of X
-  explicit Gluing(std::vector<Patch>* patches);
+  // id: the condition that fails where P1 does not hold.
+  explicit Gluing(std::vector<Patch>* patches, const char* id = "P1");
   uint64_t edges = 0, vertices = 0, genus = 0;
   uint32_t components = 0;
   std::vector<int64_t> chi;  // each component's

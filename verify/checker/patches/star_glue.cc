@@ -21,14 +21,18 @@ uint32_t end_of(const Patch& p, int e, bool last) {  // in the direction of trav
 typedef std::pair<std::string, uint32_t> Entry;  // a side 4 patch + e, by its curve
 
 // The sides that are more than a point, sorted by their curves and by their curves passed backwards.
-void list_sides(std::vector<Patch>* patches, std::vector<Entry>* forward,
+// Sides that are a point must not lie inside of an entity's domain.
+void list_sides(std::vector<Patch>* patches, const char* id, std::vector<Entry>* forward,
                 std::vector<Entry>* backward) {
   for (uint32_t i = 0; i < patches->size(); ++i) {
     Patch& p = (*patches)[i];
     std::fill(p.pair, p.pair + 4, kNoPair);
     for (int e = 0; e < p.shape.sides(); ++e) {
       const Curve c = side_curve(p, e, p.is_reversed);
-      if (is_point(c)) continue;
+      if (is_point(c)) {
+        require(p.is_outer[e], id, "a side inside of an entity is collapsed, of patch", i);
+        continue;
+      }
       const Curve key = canonical(c);
       forward->push_back(Entry(text(key, false), 4 * i + uint32_t(e)));
       backward->push_back(Entry(text(key, true), 4 * i + uint32_t(e)));
@@ -54,19 +58,19 @@ void unite_collapsed(const std::vector<Patch>& patches, std::vector<uint32_t>* c
 
 }  // namespace
 
-Gluing::Gluing(std::vector<Patch>* patches) {
+Gluing::Gluing(std::vector<Patch>* patches, const char* id) {
   require(patches->size() < kNoPair / 4, "B2", "over a limit of this checker: 2^30 patches");
   std::vector<Entry> forward, backward;
-  list_sides(patches, &forward, &backward);
+  list_sides(patches, id, &forward, &backward);
   std::vector<uint32_t> corner = singletons(4 * patches->size()),
                         whole = singletons(patches->size());
   for (size_t i = 0; i < forward.size(); ++i) {
     const uint32_t a = forward[i].second, b = backward[i].second;
-    require(i == 0 || forward[i - 1].first != forward[i].first, "P1",
+    require(i == 0 || forward[i - 1].first != forward[i].first, id,
             "two sides are the same curve, one of patch", a / 4);
-    require(forward[i].first == backward[i].first, "P1",
+    require(forward[i].first == backward[i].first, id,
             "a side has no opposite; it or another is of patch", a / 4);
-    require(a != b, "P1", "a side is its own opposite, of patch", a / 4);
+    require(a != b, id, "a side is its own opposite, of patch", a / 4);
     Patch &p = (*patches)[a / 4], &q = (*patches)[b / 4];
     p.pair[a % 4] = std::min(a, b);  // numbered by its first side
     p.is_second[a % 4] = a > b;
@@ -93,7 +97,7 @@ Gluing::Gluing(std::vector<Patch>* patches) {
     }
   }
   for (uint32_t i = 0; i < components; ++i) {
-    require(chi[i] % 2 == 0 && chi[i] <= 2, "P1", "chi is odd or over 2, of component", i);
+    require(chi[i] % 2 == 0 && chi[i] <= 2, id, "chi is odd or over 2, of component", i);
     genus += uint64_t(1 - chi[i] / 2);
   }
   chi.resize(components);

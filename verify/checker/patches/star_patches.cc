@@ -104,6 +104,7 @@ Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>
   r.is_rational = e.is_rational;
   r.shape = Shape{e.kind == Entity::kTriangle, int(e.degrees[0]), int(e.degrees.back())};
   if (r.shape.is_triangle) {
+    std::fill(r.is_outer, r.is_outer + 4, true);
     const size_t first[2] = {0, 0};
     r.net = window(e, first, 1, size_t(r.shape.count()), 0, unit);
     return r;
@@ -115,6 +116,8 @@ Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>
     if (known.count(at.interval[a]) == 0)
       known[at.interval[a]] = extraction(e.knots[a], size_t(e.degrees[a]), b[0], b[1]);
     part[a] = &known[at.interval[a]];
+    r.is_outer[a == 0 ? 3 : 0] = at.interval[a] == 0;
+    r.is_outer[a == 0 ? 1 : 2] = at.interval[a] + 2 == breaks[2 * at.surface + a].size();
   }
   r.net = extracted(e, *part[0], *part[1], unit);
   return r;
@@ -129,8 +132,8 @@ void cut_patches(const std::vector<Place>& places, int64_t unit,
   for (const Place& at : places) {
     Patch made = patch(at, unit, breaks, &cache);
     for (const Big& x : made.net) made.bits = std::max(made.bits, x.bits());
-    require(are_short(made.shape, made.bits), "B2", "the coefficients are too long for their degree, bits",
-            uint64_t(made.bits));
+    require(are_short(made.shape, made.bits), "B2",
+            "the coefficients are too long for their degree, bits", uint64_t(made.bits));
     use(std::move(made));
   }
 }

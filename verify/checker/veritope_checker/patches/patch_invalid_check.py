@@ -11,7 +11,8 @@ from ..common.errors import Reject
 from .star_box_check import MAX_DEGREE
 from .star_box_itd import read_subject
 from .star_box_nodes import extremes
-from .star_box_patches import axis_matrix, curve_key, halves, is_collapsed, surface_patch, triangle_patch
+from .star_box_patches import (axis_matrix, curve_key, halves, is_collapsed, outer_sides_of, surface_patch,
+                               triangle_patch)
 from .star_box_read import Body, read_entities
 
 MAX_BITS = 62                           # k of an interval
@@ -107,7 +108,8 @@ class Patches:
         if n not in self.made:
             e, u, v = self.place(n)
             entity, flag = self.entities[e], self.flags[e]
-            self.made[n] = (surface_patch(entity, flag, 0, self.matrix(e, 0, u), self.matrix(e, 1, v))
+            self.made[n] = (surface_patch(entity, flag, 0, self.matrix(e, 0, u), self.matrix(e, 1, v),
+                                          outer_sides_of(u, v, *self.sizes[e]))
                             if self.breaks[e] else triangle_patch(entity, flag, 0))
         return self.made[n]
 
@@ -116,9 +118,6 @@ class Patches:
         if key not in self.matrices:
             self.matrices[key] = axis_matrix(self.entities[e], axis, *self.breaks[e][axis][i:i + 2])
         return self.matrices[key]
-
-def outer_sides_of(u, v, m, n):
-    return [side for side, is_outer in enumerate((v == 0, u == m - 1, v == n - 1, u == 0)) if is_outer]
 
 
 # ---------------------------------------------------------------- polynomials in Bernstein form

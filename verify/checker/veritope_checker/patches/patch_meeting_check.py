@@ -10,7 +10,10 @@ from ..common.errors import Reject
 from .patch_invalid_check import FindingChecker, Patches, tensor_net, value_at
 from .star_box_2_read import read_entities
 from .star_box_itd import read_subject
+from .star_box_patches import glue
 from .star_box_read import Body
+
+BYTES_OF_PATCH = 3                      # of the model and the body, where all patches are cut; star-box.md, B1
 
 def check(claim, statement, body, model, skip):
     Checker(claim.magic, statement, body, read_subject(model, statement["subject_format"]), skip).run()
@@ -27,10 +30,34 @@ class Place:
     def __init__(self, body, patches):
         self.patch, self.at = patches.number(body.varint()), (read_number(body), read_number(body))
 
+def sides_at(patch, at):
+    """The sides on which the point with these parameters lies: pairs (side, parameter in its own direction)."""
+    if patch.is_tensor:
+        u, v = at
+        sides = (0, u, v), (1, v, 1 - u), (2, 1 - u, 1 - v), (3, 1 - v, u)
+        return [(side, t) for side, t, away in sides if away == 0]
+    s, t = at
+    weights = 1 - s, s * (1 - t), s * t                     # barycentric: a point of side e has weight 0 at corner e
+    return [(e, weights[(e + 2) % 3]) for e in range(3) if weights[e] == 0]
+
+def point_of_x(place, patch, vertex_of):
+    """The point of X at a place, as a tuple: equal tuples are one point.  patch: the place's, glued; vertex_of: as
+    glue() returns it."""
+    for side, t in sides_at(patch, place.at):
+        if patch.sides[side] is None:                       # collapsed: both its ends are one vertex
+            t = 0
+        if t in (0, 1):
+            return "vertex", vertex_of[4 * place.patch + patch.corner(side, int(t))]
+        edge, is_first = patch.sides[side]
+        is_reversed = bool(patch.flag) == is_first          # against the direction of travel of the edge's first side
+        return "edge", edge, 1 - t if is_reversed else t
+    return "open domain", place.patch, place.at
+
 class Checker(FindingChecker):
     def __init__(self, magic, statement, data, entities, skip):
         super().__init__(statement, entities, skip)
         body = Body(data)
+        self.most_patches = (statement["subject_bytes"] + len(data)) // BYTES_OF_PATCH
         self.flags, breaks = read_entities(body, magic, entities)
         self.patches = Patches(entities, self.flags, breaks)
         self.a, self.b = Place(body, self.patches), Place(body, self.patches)
@@ -45,13 +72,24 @@ class Checker(FindingChecker):
 
     def check_places(self):
         """Tests M1."""
+        if not self.has_reason_a() and "M1" not in self.skip:
+            self.check_reason_b()
+
+    def has_reason_a(self):
+        """Whether A is in the open domain of its patch, and B is another place, not the first corner of a triangle."""
         a, b = self.a, self.b
-        if not all(0 < t < 1 for t in a.at):
-            self.fail("M1", "A is not in the open domain of its patch")
-        if not self.patches[b.patch].is_tensor and b.at[0] == 0:
-            self.fail("M1", "B is the first corner of a triangle")
-        if (a.patch, a.at) == (b.patch, b.at):
-            self.fail("M1", "A and B are one place")
+        is_first_corner = not self.patches[b.patch].is_tensor and b.at[0] == 0
+        return all(0 < t < 1 for t in a.at) and not is_first_corner and (a.patch, a.at) != (b.patch, b.at)
+
+    def check_reason_b(self):
+        """P1 holds, and A and B are different points of X; tests B2 for the lengths of all patches, too."""
+        if self.patches.count > self.most_patches:
+            self.fail("M1", "too many patches for so few bytes: %d" % self.patches.count)
+        patches = [self.patches[n] for n in range(self.patches.count)]
+        _, _, _, vertex_of = glue(patches, lambda condition, why: self.fail("M1", "%s: %s" % (condition, why)))
+        point, other = [point_of_x(place, patches[place.patch], vertex_of) for place in (self.a, self.b)]
+        if point == other:
+            self.fail("M1", "A and B are one point of the surface: %s %d" % point[:2])
 
     def check_points(self):
         """Tests M2."""

@@ -134,12 +134,16 @@ def triangle_patch(entity, flag, unit):
     scale = Fraction(2) ** -unit
     return Patch(entity, flag, [[[p[0] * scale, p[1] * scale, p[2] * scale, p[3]] for p in row] for row in entity.rows])
 
-def surface_patch(entity, flag, unit, u, v):
-    """The patch of two intervals; u, v: results of axis_matrix."""
+def surface_patch(entity, flag, unit, u, v, outer):
+    """The patch of two intervals; u, v: results of axis_matrix; outer: of outer_sides_of."""
     scale, (p, q), (ku, mu), (kv, mv) = Fraction(2) ** -unit, entity.degrees, u, v
     rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]]
             for row in entity.rows[ku - p:ku + 1]]
-    return Patch(entity, flag, rows, (mu, mv))
+    return Patch(entity, flag, rows, (mu, mv), outer)
+
+def outer_sides_of(u, v, m, n):
+    """The sides of patch (u, v) of m times n that lie on the border of the entity's domain."""
+    return [side for side, is_outer in enumerate((v == 0, u == m - 1, v == n - 1, u == 0)) if is_outer]
 
 def patches_of(entity, breaks, flag, unit):
     """The patches of one entity, v fastest."""
@@ -147,14 +151,15 @@ def patches_of(entity, breaks, flag, unit):
         yield triangle_patch(entity, flag, unit)
         return
     us, vs = [[axis_matrix(entity, axis, lo, hi) for lo, hi in zip(b, b[1:])] for axis, b in enumerate(breaks)]
-    for u in us:
-        for v in vs:
-            yield surface_patch(entity, flag, unit, u, v)
+    for i, u in enumerate(us):
+        for j, v in enumerate(vs):
+            yield surface_patch(entity, flag, unit, u, v, outer_sides_of(i, j, len(us), len(vs)))
 
 class Patch:
-    """net: integers.  sides[s]: None collapsed, else (edge, first of the two?).  component: number."""
+    """net: integers.  sides[s]: None collapsed, else (edge, first of the two?).  component: number.
+    outer: the sides on the border of the entity's domain."""
 
-    def __init__(self, entity, flag, rows, matrices=None):
+    def __init__(self, entity, flag, rows, matrices=None, outer=(0, 1, 2)):
         self.is_tensor, self.flag, self.degrees = entity.kind == "surface", flag, entity.degrees
         self.is_flat = not self.is_tensor and self.degrees == (1,) and not entity.rational
         self.rational, self.num_sides = entity.rational, 4 if self.is_tensor else 3
@@ -173,7 +178,7 @@ class Patch:
         if self.num_g * self.bits > MAX_SIZE:
             raise Reject("B2", "the coefficients of a patch are too long for its degree")
         self.g, self.component, self.roots, self.index = None, None, (0, 0), 0
-        self.sides = [None] * self.num_sides
+        self.sides, self.outer = [None] * self.num_sides, outer
 
     def corner(self, s, end):
         """The corner where side s starts (end 0) or ends, in the patch's own direction."""
@@ -316,6 +321,8 @@ def glue(patches, fail):
             curve = patch.side(s)
             x, y = 4 * i + patch.corner(s, 0), 4 * i + patch.corner(s, 1)
             if is_collapsed(curve):
+                if s not in patch.outer:
+                    fail("P1", "side %d of patch %d is collapsed, and inside of its surface" % (s, i))
                 corners.unite(x, y)
             else:
                 curve = curve[::-1] if patch.flag else curve

@@ -65,20 +65,31 @@ struct Counter {
     i = (k + 1) % 3, j = (k + 2) % 3;
   }
 
-  // The curve of the side, in the node's own direction.
-  Curve curve(const Side& s) const {
+  // A control point of a side, from the first centre, along an axis, times its weight.
+  Big from_centre(const Side& s, int at, int axis) const {
     const Patch& p = *s.piece->patch;
     const Node& node = *s.piece->node;
     const int n = node.net.n;
+    return Big::of(node.coordinate(p, at, axis), n) -
+           Big::of(node.weight(p, at), n) * Big(b.c[0][axis]);
+  }
+  // The curve of the side, in the node's own direction; without x if y has one sign, so that the
+  // side crosses nothing.
+  Curve curve(const Side& s) const {
+    const Shape& shape = s.piece->patch->shape;
+    const int degree = shape.side_degree(s.e);
+    std::vector<Big> along;
     Curve c;
-    for (int m = 0; m <= p.shape.side_degree(s.e); ++m) {
-      const int at = p.shape.on_side(s.e, m);
-      const Big w = Big::of(node.weight(p, at), n);
-      Big q[3];
-      for (int a = 0; a < 3; ++a) q[a] = Big::of(node.coordinate(p, at, a), n) - w * Big(b.c[0][a]);
-      c.x.push_back(q[i] * Big(d[k]) - q[k] * Big(d[i]));
-      c.y.push_back(q[j] * Big(d[k]) - q[k] * Big(d[j]));
+    bool up = true, down = true;
+    for (int m = 0; m <= degree; ++m) {
+      const int at = shape.on_side(s.e, m);
+      along.push_back(from_centre(s, at, k));
+      c.y.push_back(from_centre(s, at, j) * Big(d[k]) - along.back() * Big(d[j]));
+      up = up && c.y.back().sign() >= 0, down = down && c.y.back().sign() < 0;
     }
+    for (int m = 0; m <= degree && !up && !down; ++m)
+      c.x.push_back(from_centre(s, shape.on_side(s.e, m), i) * Big(d[k]) -
+                    along[size_t(m)] * Big(d[i]));
     return c;
   }
   void halve(const std::vector<Big>& c, std::vector<Big>* lower, std::vector<Big>* upper) const {

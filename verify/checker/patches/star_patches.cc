@@ -40,6 +40,12 @@ Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a,
   from_a.push_back(b - a);
   const std::vector<Big> t = integers(from_a, kMostKnotBits);
   Extraction e = {k - p, {}};
+  // Between knots that are p-fold at both ends the coefficients are the control points.
+  if (t[0].sign() == 0 && t[p - 1].sign() == 0 && t[p] == t.back() && t[2 * p - 1] == t.back()) {
+    e.matrix.assign(p + 1, std::vector<Big>(p + 1));
+    for (size_t j = 0; j <= p; ++j) e.matrix[j][j] = 1;
+    return e;
+  }
   for (size_t j = 0; j <= p; ++j) {
     std::vector<std::vector<Big>> d(p + 1, std::vector<Big>(p + 1));
     for (size_t i = 0; i <= p; ++i) d[i][i] = 1;
@@ -84,13 +90,15 @@ std::vector<Big> extracted(const Entity& e, const Extraction& u, const Extractio
     for (size_t j = 0; j < q; ++j)
       for (size_t c = 0; c < 4; ++c)
         for (size_t k = 0; k < q; ++k) {
+          if (v.matrix[j][k].sign() == 0) continue;  // most are, where knots are multiple
           Big& to = half[(i * q + j) * 4 + c];
           to = to + v.matrix[j][k] * net[(i * q + k) * 4 + c];
         }
   for (size_t i = 0; i < p; ++i)
     for (size_t j = 0; j < 4 * q; ++j)
       for (size_t k = 0; k < p; ++k)
-        r[i * 4 * q + j] = r[i * 4 * q + j] + u.matrix[i][k] * half[k * 4 * q + j];
+        if (u.matrix[i][k].sign() != 0)
+          r[i * 4 * q + j] = r[i * 4 * q + j] + u.matrix[i][k] * half[k * 4 * q + j];
   Big common;
   for (size_t i = r.size(); i-- > 0 && !(common == Big(1));) common = gcd(common, r[i]);
   for (Big& x : r) x = divide(x, common, nullptr);

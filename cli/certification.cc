@@ -124,6 +124,7 @@ class Certification {
     end_phase();
     if (!certified) return refuse(finding_of(certified.error()));
     report_.facts = std::move(certified->facts);
+    if (certified->copy) set_copy(std::move(*certified->copy));
     if (certified->verdict == Verdict::kUndecided) {
       give_up(kExitUndecided, certified->findings.front());
       report_.reasons = std::move(certified->findings);
@@ -144,6 +145,12 @@ class Certification {
   void set_certificate(certificate::Bytes bytes) {
     bytes_ = std::move(bytes);
     report_.certificate = CertificateReport{{}, to_hex(sha256(bytes_)), bytes_.size(), false};
+  }
+
+  void set_copy(CertifiedCopy copy) {
+    stand_in_ = std::move(copy.bytes);
+    report_.copy = CopyReport{
+        {}, std::move(copy.sha256), stand_in_->size(), std::move(copy.what), copy.is_of_volumes};
   }
 
   // The cells are too many for the checker; the star boxes alone may not be.
@@ -167,9 +174,10 @@ class Certification {
     std::vector<int> inherited = {certificate->descriptor()};
     std::string model = report_.path;
     std::optional<ScratchFile> copy;
-    if (needs_copy()) {
-      Result<ScratchFile> made =
-          ScratchFile::with({reinterpret_cast<const char*>(copy_.data()), copy_.size()});
+    if (stand_in_ || needs_copy()) {
+      Result<ScratchFile> made = ScratchFile::with(
+          stand_in_ ? std::string_view(*stand_in_)
+                    : std::string_view(reinterpret_cast<const char*>(copy_.data()), copy_.size()));
       if (!made) return give_up(kExitUnreadable, finding_of(made.error()));
       copy.emplace(std::move(*made));
       inherited.push_back(copy->descriptor());
@@ -218,7 +226,7 @@ class Certification {
   }
 
   bool file_has_changed() const {
-    if (needs_copy()) return false;
+    if (stand_in_ || needs_copy()) return false;
     const Result<ModelBytes> now = load_model(report_.path, settings_.reading);
     return !now || to_hex(sha256({now->bytes.data(), now->bytes.size()})) != report_.sha256;
   }
@@ -227,9 +235,10 @@ class Certification {
     report_.verdict = verdict_;
     report_.exit = verdict_ == Verdict::kValid ? kExitValid : kExitInvalid;
     if (!keep_) return;
-    const Result<std::string> kept = keep_(as_text(bytes_));
+    const Result<KeptFiles> kept = keep_(as_text(bytes_), stand_in_);
     if (kept) {
-      report_.certificate->path = *kept;
+      report_.certificate->path = kept->certificate;
+      if (kept->copy) report_.copy->path = kept->copy;
       return;
     }
     report_.exit = first_of(report_.exit, kExitUnreadable);
@@ -240,7 +249,8 @@ class Certification {
     const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
     return "this is a bug of veritope, not of your file: please report it with the file, or with "
            "what this prints: veritope certify --no-check --certificate bug.cert " +
-           own_options() + name + "; veritope-check " + name + " bug.cert; veritope --version";
+           own_options() + name + "; veritope-check " + (stand_in_ ? "bug.vjson" : name) +
+           " bug.cert; veritope --version";
   }
 
   // The options of a command line that repeats this run.
@@ -264,7 +274,8 @@ class Certification {
   Stopwatch watch_;
   FileReport report_;
   ModelFile model_;
-  ByteBuffer copy_;  ///< if needs_copy(): the input, for the checker
+  ByteBuffer copy_;                      ///< if needs_copy(): the input, for the checker
+  std::optional<std::string> stand_in_;  ///< the model that was certified in the place of the file
   Verdict verdict_ = Verdict::kUndecided;
   certificate::Bytes bytes_, without_collar_;
   std::string claim_, picture_;

@@ -21,8 +21,14 @@ struct CertifySettings {
   bool with_picture = false;
 };
 
-/// Keeps the bytes of a certificate that was accepted and returns the name of the file. @error kCannotWrite
-using KeepCertificate = std::function<Result<std::string>(std::string_view bytes)>;
+struct KeptFiles {
+  std::string certificate;
+  std::optional<std::string> copy;
+};
+/// Keeps the bytes of a certificate that was accepted, and of the copy that was certified if there is one, and returns
+/// the names of the files. @error kCannotWrite; kBadArgument: the copy's file is another one of the run
+using KeepCertificate = std::function<Result<KeptFiles>(std::string_view certificate,
+                                                        std::optional<std::string_view> copy)>;
 
 struct CertifiedFile {
   report::FileReport report;

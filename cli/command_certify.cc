@@ -28,7 +28,7 @@ struct CertifyFilesOptions {
 };
 
 void declare(OptionSet& set, CertifyFilesOptions& o) {
-  declare_files(set, o.input, "meshes, VJSON, ITD; - is standard input (with --format)");
+  declare_files(set, o.input, "meshes, splines; - is standard input (with --format)");
   declare_json(set, o.json, "write the report");
   set.text("--certificate", o.certificate, "keep the certificate; of several files in folder F");
   set.text("--picture", o.picture, "write a coloured PLY that shows the defects");
@@ -51,16 +51,25 @@ std::string contradiction(const CertifyFilesOptions& o) {
   return "";
 }
 
-// Keeps certificate i where the plan says.
-KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
+// Keeps certificate i, and what was certified, where the plan says.
+KeepCertificate keeper(const CertifyFilesOptions& options, const OutputPlan& plan, std::size_t i,
+                       StandardOutput& out) {
   if (plan.certificates.empty()) return {};
-  return [&plan, i, &out](std::string_view bytes) -> Result<std::string> {
+  return [&options, &plan, i, &out](std::string_view bytes,
+                                    std::optional<std::string_view> copy) -> Result<KeptFiles> {
     // The folder is made for the first certificate, so that a refused run leaves none behind. If it could not be made,
     // writing the certificate fails.
     if (plan.new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
-    const Status status = write_output(plan.certificates[i], bytes, out);
-    if (!status) return status.error();
-    return plan.certificates[i];
+    KeptFiles kept{plan.certificates[i], {}};
+    if (copy) {
+      Result<std::string> path = copy_path(options.input.files, plan, i, options.json);
+      if (!path) return path.error();
+      if (const Status status = write_output(*path, *copy, out); !status) return status.error();
+      kept.copy = std::move(*path);
+    }
+    if (const Status status = write_output(kept.certificate, bytes, out); !status)
+      return status.error();
+    return kept;
   };
 }
 
@@ -126,7 +135,7 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < options.input.files.size(); ++i) {
     const CertifiedFile done =
-        certify_file(options.input.files[i], settings, keeper(plan, i, out), progress);
+        certify_file(options.input.files[i], settings, keeper(options, plan, i, out), progress);
     const FileReport& report = done.report;
     progress.clear();
     exit = first_of(exit, report.exit);

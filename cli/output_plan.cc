@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <map>
+#include <string_view>
 #include <system_error>
 
 #include "cli/output.h"
@@ -91,6 +92,21 @@ Status refuse_same(const std::vector<std::string>& inputs, const std::string& ou
     }
   }
   return ok_status();
+}
+
+Result<std::string> copy_path(const std::vector<std::string>& inputs, const OutputPlan& plan,
+                              std::size_t i, const std::optional<std::string>& json) {
+  constexpr std::string_view kEnding = ".cert";
+  std::string out = plan.certificates[i];
+  if (out.ends_with(kEnding)) out.resize(out.size() - kEnding.size());
+  out += ".vjson";
+  if (Status status = refuse_same(inputs, out); !status) return status.error();
+  const auto is_taken = [&](const std::string& other) { return same_target(out, other); };
+  if ((json && *json != "-" && is_taken(*json)) ||
+      std::any_of(plan.certificates.begin(), plan.certificates.end(), is_taken))
+    return bad_argument("the model that was certified would be written to " + out +
+                        ", which is another output");
+  return out;
 }
 
 Status check_output(const std::string& option, const std::string& path,

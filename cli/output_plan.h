@@ -30,6 +30,11 @@ Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,
                     const std::optional<std::string>& json);
 
+/// Where the copy that certificate number i speaks of goes: "part.g2.vjson" beside "part.g2.cert". @error kBadArgument:
+/// another file of the run has that name
+Result<std::string> copy_path(const std::vector<std::string>& inputs, const OutputPlan& plan,
+                              std::size_t i, const std::optional<std::string>& json);
+
 /// kBadArgument if `output` is one of the inputs.
 Status refuse_same(const std::vector<std::string>& inputs, const std::string& output);
 

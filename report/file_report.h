@@ -27,6 +27,15 @@ struct CertificateReport {
   bool is_checked = false;  ///< false: --no-check
 };
 
+/// A .vjson model that was certified in the place of the file.
+struct CopyReport {
+  std::optional<std::string> path;  ///< nothing: a temporary one
+  std::string sha256;
+  std::uint64_t bytes = 0;
+  std::string what;  ///< what of the file it has
+  bool is_of_volumes = false;
+};
+
 /// Wall-clock seconds of the phases that took place.
 struct PhaseSeconds {
   std::optional<double> read, decide, collar, certify, check;
@@ -57,6 +66,7 @@ struct FileReport {
   /// What stands in the way of a verdict, for an UNDECIDED model of patches; the first is `fault`.
   std::vector<Finding> reasons;
   std::optional<CertificateReport> certificate;
+  std::optional<CopyReport> copy;  ///< the model of which the certificate and the findings speak
   PhaseSeconds seconds;
   /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify,
   /// and "internal", "not-checked", "out-of-memory", "over-budget", "file-changed".

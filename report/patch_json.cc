@@ -89,7 +89,18 @@ Json counts_json(const FileReport& report, const PatchFacts& f) {
           {"boxes_tried", f.boxes_tried}};
 }
 
-void put_patch_source(const FileReport&, Json&) {}
+void put_patch_source(const FileReport& report, Json& out) {
+  if (!report.copy) {
+    out["copy"] = nullptr;
+    return;
+  }
+  const CopyReport& c = *report.copy;
+  out["copy"] = {{"path", optional_json(c.path)},
+                 {"sha256", c.sha256},
+                 {"bytes", c.bytes},
+                 {"what", c.what},
+                 {"of_volumes", c.is_of_volumes}};
+}
 
 void put_patch_facts(const FileReport& report, Json& out) {
   const PatchFacts& f = internal::facts_of(report);

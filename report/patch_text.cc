@@ -142,10 +142,12 @@ std::string collar_text(const CollarFacts& c) {
 namespace internal {
 
 std::string patch_summary(const FileReport& report) {
-  if (!report.defects.empty()) return report.defects.front().message;
+  const std::string about = report.copy && report.copy->is_of_volumes ? ", by boundary faces" : "";
+  if (!report.defects.empty()) return report.defects.front().message + about;
   const PatchFacts& f = facts_of(report);
   std::string text = counted(f.bodies, "body", "bodies") + ", genus " + std::to_string(f.genus);
-  return f.volume ? text + ", volume " + volume_words(*f.volume) : text;
+  if (f.volume) text += ", volume " + volume_words(*f.volume);
+  return text + about;
 }
 
 std::string patch_details(const FileReport& report, const TextOptions&) {

@@ -27,6 +27,17 @@ std::string certificate_text(const FileReport& report) {
   return detail_line("certificate", text);
 }
 
+std::string copy_text(const FileReport& report) {
+  if (!report.copy) return "";
+  const CopyReport& c = *report.copy;
+  std::string text = c.what + (c.is_of_volumes ? ", not their cells" : "") + ", as .vjson";
+  if (c.path)
+    text += " in " + harmless(*c.path);
+  else if (report.certificate)
+    text += " (--certificate F keeps it, too)";
+  return detail_line("certified", text);
+}
+
 }  // namespace
 
 std::string shown_path(const std::string& path) {
@@ -40,7 +51,7 @@ std::string verdict_line(const FileReport& report, const Style& style) {
 
 std::string details_text(const FileReport& report, const TextOptions& options) {
   const internal::ReportKind& kind = internal::kind_of(report);
-  return kind.details(report, options) + certificate_text(report) +
+  return kind.details(report, options) + certificate_text(report) + copy_text(report) +
          kind.last_details(report, options);
 }
 

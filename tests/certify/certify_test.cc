@@ -340,12 +340,56 @@ TEST(Certify, HalvesOfASurfaceAreNotReversedOneByOne) {
                    "pieces of entity 0 would have to be reversed one by one");
 }
 
-TEST(Certify, CertificatesSpeakOfTwoFormatsOnly) {
+// Law: the checkers accept the certificate with the copy, which has the surfaces of the file.
+TEST(Certify, OfOtherFormatsACopyIsCertified) {
   SplineFile file = Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0).file();
-  for (const SplineFormat format : {SplineFormat::kG2, SplineFormat::kMfem, SplineFormat::kGismo}) {
+  for (const SplineFormat format :
+       {SplineFormat::kJson, SplineFormat::kG2, SplineFormat::kMfem, SplineFormat::kGismo}) {
     file.format = format;
-    expect_undecided(certify(file).value(), "not-covered", "of .vjson and .itd files only");
+    const Certified c = certify(file).value();
+    EXPECT_EQ(c.verdict, Verdict::kValid);
+    ASSERT_EQ(c.copy.has_value(), format != SplineFormat::kJson);
+    if (!c.copy) continue;
+    EXPECT_EQ(c.copy->what, "its " + std::to_string(file.model.entities.size()) + " surfaces");
+    EXPECT_FALSE(c.copy->is_of_volumes);
+    expect_accepted(c.copy->bytes, c);
+    const ModelFile copy = read(c.copy->bytes, "copy.vjson");
+    EXPECT_EQ(sha256_of(copy), c.copy->sha256);
+    EXPECT_EQ(std::get<SplineFile>(copy).model, file.model);
   }
+}
+
+TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
+  std::string points;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k)
+        points += (points.empty() ? "[\"" : ", [\"") + std::to_string(i) + "\", \"" +
+                  std::to_string(j) + "\", \"" + std::to_string(2 * k) + "\"]";
+  const std::string axis = "[\"0\", \"0\", \"1\", \"1\"]";
+  const std::string volume =
+      "{\"kind\": \"volume\", \"group\": null, \"attributes\": [], \"shape\": {\"degrees\": "
+      "[1, 1, 1], \"periodic\": [false, false, false], \"knots\": [" +
+      axis + ", " + axis + ", " + axis +
+      "], \"rational\": false, \"components\": 3, \"points\": [" + points + "]}}";
+  const auto file = [](const std::string& entities) {
+    return read(
+        "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [" + entities + "]}",
+        "block.vjson");
+  };
+  const Certified c = certify(file(volume)).value();
+  EXPECT_EQ(c.verdict, Verdict::kValid);
+  EXPECT_EQ(patch_facts(c).patches, 6u);
+  ASSERT_TRUE(c.copy);
+  EXPECT_EQ(c.copy->what, "the 6 boundary faces of its 1 volume");
+  EXPECT_TRUE(c.copy->is_of_volumes);
+  expect_accepted(c.copy->bytes, c);
+  // Twice, each face is there twice. Beside a surface nothing says what bounds the solid.
+  EXPECT_EQ(certify(file(volume + ", " + volume)).value().verdict, Verdict::kInvalid);
+  const std::string faces = c.copy->bytes;
+  const std::string first = faces.substr(faces.find("{\"kind\""));
+  expect_undecided(certify(file(volume + ", " + first.substr(0, first.find("]]}}") + 4))).value(),
+                   "not-covered", "1 volume and other shapes");
 }
 
 TEST(Certify, ShapesThatAreNotReadAreNotCovered) {
@@ -353,7 +397,8 @@ TEST(Certify, ShapesThatAreNotReadAreNotCovered) {
   file.left_out.push_back({"matrices", "", false, 1});
   EXPECT_EQ(certify(file).value().verdict, Verdict::kValid);
   file.left_out.push_back({"polygons", "", true, 1});
-  expect_undecided(certify(file).value(), "not-covered", "shapes that are not read: polygons");
+  expect_undecided(certify(file).value(), "not-covered",
+                   "shapes of the file are not read: polygons (1)");
 }
 
 TEST(Certify, CurvesAreNotCovered) {
@@ -363,7 +408,7 @@ TEST(Certify, CurvesAreNotCovered) {
       "\"knots\": [[\"0\", \"0\", \"1\", \"1\"]], \"rational\": false, \"components\": 3, "
       "\"points\": [[\"0\", \"0\", \"0\"], [\"1\", \"0\", \"0\"]]}}]}";
   expect_undecided(certify(read(with_curve, "curve.vjson")).value(), "not-covered",
-                   "this file has entity 0, a curve");
+                   "the file has 1 curve: such shapes bound no solid");
 }
 
 // A knot with 700 decimals takes more than the 2048 bits of a certificate; a coordinate of 1,200 more than the default limits of readers.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """veritope certify on IRIT's .itd: models written by convert and by hand, both checkers, what is not covered, real files."""
+import hashlib
 import json
 import math
 import subprocess
@@ -14,6 +15,10 @@ from veritope_checker.patches import star_box_itd as itd, star_box_read as read 
 
 COVERED = {"irit__ai_b58", "irit__ai_wiggl", "irit__ih_alpha", "irit__il_dish", "irit__ir1eggs", "irit__ir2eggs", "irit__ir_b58", "irit__ir_eggs",
            "irit__ir_tpot1", "irit__ir_tpot3", "irit__ir_wiggl", "irit__pl_saddl"}   # surfaces only; all of them are open
+
+# by their boundary faces; those of two are cut differently on both sides of a wall
+VOLUMES = {"iritprim__ns_cone_rational": "VALID", "iritprim__ns_cylinder_rational": "VALID", "iritprim__ns_sphere_rational": "VALID",
+           "iritprim__ns_cylinder_poly": "INVALID", "iritprim__ns_sphere_poly": "INVALID"}
 
 
 def bezier(net):
@@ -99,16 +104,45 @@ class CertifyItd(Folder):
     def test_what_is_not_covered_is_named(self):
         cube = "".join(map(bezier, UNIT))
         for other, word in (("[POLYGON 3 [0 0 0] [1 0 0] [0 1 0]]", "polygons"), ("[CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]", "curve"),
-                            ("[TRIVAR BEZIER 2 2 2 E3 %s]" % ("[0 0 0]" * 8), "volume"), ("[OBJECT A [INSTANCE B]]", "instances"),
-                            ("[SURFACE BEZIER 2 2 E2 [0 0] [1 0] [0 1] [1 1]]", "2 coordinates")):
+                            ("[TRIVAR BEZIER 2 2 2 E3 %s]" % ("[0 0 0]" * 8), "1 volume and other shapes"), ("[OBJECT A [INSTANCE B]]", "instances"),
+                            ("[SURFACE BEZIER 2 2 E2 [0 0] [1 0] [0 1] [1 1]]", "1 patch of the plane")):
             one = self.certify(cube + other)
             self.assertEqual((one["verdict"], one["exit"], one["error"]["code"]), ("UNDECIDED", 3, "not-covered"), other)
             self.assertIn(word, one["error"]["message"])
-        g2 = self.folder / "model.g2"
-        (self.folder / "cube.itd").write_text(cube)
-        self.assertEqual(run("convert", self.folder / "cube.itd", g2).returncode, 0)
-        done = run("certify", g2)
-        self.assertEqual((done.returncode, ".itd" in done.stdout), (3, True), done)
+
+    def test_of_another_format_a_copy_is_certified_and_kept_beside_the_certificate(self):
+        g2, cube = self.folder / "model.g2", self.folder / "cube.itd"
+        cube.write_text("".join(map(bezier, UNIT)))
+        self.assertEqual(run("convert", cube, g2).returncode, 0)
+        (one,) = json.loads(run("certify", g2, "--json", "-", "--certificate", self.folder / "model.g2.cert").stdout)["files"]
+        copy = self.folder / "model.g2.vjson"
+        self.assertEqual((one["verdict"], one["format"], one["copy"]["what"], one["copy"]["of_volumes"]), ("VALID", "g2", "its 6 surfaces", False))
+        self.assertEqual((one["copy"]["path"], one["copy"]["bytes"]), (str(copy), copy.stat().st_size))
+        self.assertEqual(one["copy"]["sha256"], hashlib.sha256(copy.read_bytes()).hexdigest())
+        self.assertEqual(one["sha256"], hashlib.sha256(g2.read_bytes()).hexdigest())
+        for program in ([BIN / "veritope-check"], [sys.executable, CHECKER_PY]):
+            done = subprocess.run([*program, copy, self.folder / "model.g2.cert"], capture_output=True, text=True, timeout=300)
+            self.assertTrue(done.stdout.startswith("ACCEPT star-box-1"), done)
+        self.assertIn("certified    its 6 surfaces, as .vjson", run("certify", g2).stdout)
+
+    def test_a_copy_never_replaces_another_file_of_the_run(self):
+        cube, g2 = self.folder / "cube.itd", self.folder / "model.g2"
+        cube.write_text("".join(map(bezier, UNIT)))
+        self.assertEqual(run("convert", cube, g2).returncode, 0)
+        taken = self.folder / "model.g2.vjson"
+        self.assertEqual(run("convert", cube, taken).returncode, 0)
+        before = taken.read_bytes()
+        done = run("certify", taken, g2, "--certificate", self.folder)
+        self.assertEqual((done.returncode, done.stderr.count("is the input")), (4, 1), done)
+        self.assertEqual(taken.read_bytes(), before)
+        done = run("certify", g2, "--certificate", self.folder / "a.cert", "--json", self.folder / "a.vjson")
+        self.assertEqual((done.returncode, done.stderr.count("another output")), (4, 1), done)
+
+    def test_volumes_are_certified_by_their_boundary_faces(self):
+        net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        one = self.certify("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in net))
+        self.assertEqual((one["verdict"], one["copy"]["what"], one["copy"]["of_volumes"]), ("VALID", "the 6 boundary faces of its 1 volume", True))
+        self.assertIn("volume about 1, by boundary faces (checked)", run("certify", self.folder / "model.itd").stdout)
 
     def test_what_is_malformed_is_refused_with_its_line(self):
         cube = "\n".join(map(bezier, UNIT))
@@ -169,7 +203,8 @@ class RealFiles(Folder):
         for path in sorted((DATA / "cad").glob("*.itd")):
             done = run("certify", path, "--json", "-")
             (one,) = json.loads(done.stdout)["files"]
-            if path.stem in COVERED and one["verdict"] == "INVALID":
+            if one["verdict"] in ("VALID", "INVALID"):
+                self.assertEqual(one["verdict"], "INVALID" if path.stem in COVERED else VOLUMES[path.stem], path.name)
                 continue
             expected = "not-certified" if path.stem in COVERED else "bad-spline" if path.stem.startswith("bad__") else "not-covered"
             code = one["reasons"][-1]["code"] if one["verdict"] == "UNDECIDED" else one["error"]["code"]

@@ -246,19 +246,28 @@ class CertifyPatches(Folder):
         one = self.certify([surface(f) for f in faces], "--orient", "auto")
         self.assertEqual((one["verdict"], one["flipped"]), ("VALID", [0, 2, 3, 4, 5]))
 
-    def test_what_touches_is_undecided_with_its_place(self):
-        one = self.certify([surface(f) for f in UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))])
+    def test_what_touches_is_invalid_with_both_places(self):
+        """Face in face, edge in face, corner on corner, corner in edge; the point lies in both."""
+        for other in (block((1, 0.25, 0.25), (2, 0.75, 0.75)), block((1, 1, 1), (2, 2, 2)), block((1, 0.25, 1), (2, 0.75, 2))):
+            one = self.certify([surface(f) for f in UNIT + other])
+            self.assertEqual((one["verdict"], one["exit"], one["certificate"]["checked"]), ("INVALID", 1, True))
+            (defect,) = one["defects"]
+            self.assertEqual(defect["code"], "patches-touching")
+            self.assertEqual({part["entity"] < 6 for part in defect["parts"]}, {False, True})
+            self.assertEqual(defect["point"][0], 1)
+            self.assertTrue(all(0 <= x <= 2 for x in defect["point"]))
+
+    def test_what_touches_in_an_irrational_place_is_undecided_there(self):
+        one = self.certify(json.loads((ROOT / "tests/models/patches" / "not_certified_smallest.vjson").read_text())["entities"])
         self.assertEqual((one["verdict"], one["exit"]), ("UNDECIDED", 3))
         self.assertEqual((one["error"]["code"], one["defects"]), ("not-certified", []))
         self.assertIsNone(one["certificate"])
-        self.assertIsNotNone(one["place"])
+        self.assertAlmostEqual(one["place"]["lo"][0], 0.5 ** 0.5, places=3)
 
     def test_sheets_that_are_near_each_other_are_named_with_both_patches_and_their_distance(self):
-        def with_block_above(gap):
-            return self.certify([surface(f) for f in UNIT + block((0.25, 0.25, 1 + gap), (0.75, 0.75, 2))])
-
-        self.assertEqual(with_block_above(Fraction(1, 2 ** 70))["verdict"], "VALID")  # flat faces are taken whole
-        one = with_block_above(0)
+        above = block((0.25, 0.25, 1 + Fraction(1, 2 ** 70)), (0.75, 0.75, 2))
+        self.assertEqual(self.certify([surface(f) for f in UNIT + above])["verdict"], "VALID")  # flat faces are taken whole
+        one = self.certify(json.loads((ROOT / "tests/models/patches" / "not_certified_smallest.vjson").read_text())["entities"])
         self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-certified"))
         (reason,) = one["reasons"]
         self.assertEqual(reason["message"], one["error"]["message"])
@@ -266,9 +275,7 @@ class CertifyPatches(Folder):
         self.assertEqual({part["entity"] for part in reason["parts"]}, {5, 10})
         self.assertLess(reason["approximate_distance"], 1e-9)
         lid, floor = sorted(reason["parts"], key=lambda part: part["entity"])
-        for bounds in lid["parameters"]:  # u and v of the lid are x and y: under the upper box
-            self.assertGreaterEqual(bounds["hi"], 0.25)
-            self.assertLessEqual(bounds["lo"], 0.75)
+        self.assertAlmostEqual(lid["parameters"][0]["lo"], 0.5 ** 0.5, places=3)  # u of the lid is x
         shown = run("certify", self.folder / "model.vjson").stdout
         self.assertIn("entity 5: u in [", shown)
         self.assertIn("entity 10: u in [", shown)
@@ -374,7 +381,7 @@ class CertifyPatches(Folder):
                            "components": 3, "points": [["0", "0", "0"], ["1", "0", "0"]]}}
         one = self.certify([surface(UNIT[0]), curve])
         self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-covered"))
-        self.assertIn("entity 1", one["error"]["message"])
+        self.assertEqual(one["error"]["message"], "beside 1 surface the file has 1 curve, which are no part of a boundary")
         self.assertEqual(self.certify([])["error"]["code"], "empty")
 
 

@@ -50,6 +50,15 @@ struct CertifyOptions {
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.
 using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
+/// A .vjson model that was certified in the place of the file: the checkers do not read the file's format, or the file
+/// has volumes.
+struct CertifiedCopy {
+  std::string bytes;
+  std::string sha256;          ///< 64 lower-case hexadecimal digits
+  std::string what;            ///< what of the file it has: "its 7 surfaces"
+  bool is_of_volumes = false;  ///< their boundary faces; the verdict says nothing of their cells
+};
+
 struct Certified {
   Verdict verdict = Verdict::kUndecided;
   /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: the reasons, named ones first
@@ -59,14 +68,16 @@ struct Certified {
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
-  std::string claim;               ///< the claim that the certificate states; empty without a certificate
+  std::string claim;  ///< the claim that the certificate states; empty without a certificate
   /// If that claim is collar-1: the certificate of the star boxes alone, for checkers with too little memory for cells.
   certificate::Bytes without_collar;
+  /// If there is one, the certificate speaks of its bytes, and findings number its entities.
+  std::optional<CertifiedCopy> copy;
 };
 
 /// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes
-/// that were read (their SHA-256 and number are in `file`), so that checkers can read them again. No checker has
-/// confirmed the result.
+/// that were read (their SHA-256 and number are in `file`), so that checkers can read them again; or of those of
+/// `copy`. No checker has confirmed the result.
 /// @error kEmpty, kOverLimit, kBadArgument: the file was read, but holds no model of its kind (a spline file without
 /// any surface, a mesh without faces); kBadArgument: an option outside its range
 /// @cost  as decide_validity and make_mesh_certificate; as decide_patches. Throws InternalError for a bug of ours, and

@@ -11,6 +11,7 @@
 #include "verify/certify/file_patches.h"
 #include "verify/certify/patch_reasons.h"
 #include "verify/certify/refutation_finding.h"
+#include "verify/certify/stand_in.h"
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 
@@ -29,12 +30,7 @@ Finding not_covered(std::string message) { return why("not-covered", std::move(m
 
 // Content of the file that no certificate covers; tested before its patches are made.
 std::optional<Finding> uncovered_content(const SplineFile& file) {
-  if (file.format != SplineFormat::kJson && file.format != SplineFormat::kItd)
-    return not_covered(
-        "certificates speak of .vjson and .itd files only: veritope convert writes this model as "
-        "one");
-  for (const LeftOut& l : file.left_out)
-    if (l.is_geometry) return not_covered("the file has shapes that are not read: " + l.what);
+  if (auto reason = uncovered_shapes(file)) return not_covered(std::move(*reason));
   if (file.beyond_default_limits)
     return not_covered("the file has longer numbers than certificates may be about: " +
                        text_of(finding_of(*file.beyond_default_limits)));
@@ -237,7 +233,15 @@ class Certification {
 }  // namespace
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
-  return Certification(file, options).run();
+  Result<std::optional<StandIn>> made = stand_in_of(file);
+  if (!made) return made.error();
+  if (!*made) return Certification(file, options).run();
+  StandIn& stand_in = **made;
+  Result<Certified> out = Certification(stand_in.file, options).run();
+  if (out)
+    out->copy = {std::move(stand_in.bytes), stand_in.file.sha256, std::move(stand_in.what),
+                 stand_in.is_of_volumes};
+  return out;
 }
 
 CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest) {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/stand_in.h"
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "io/read_model.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/volume_faces.h"
+#include "io/splines/write_splines.h"
+
+namespace veritope {
+namespace {
+
+// How many entities of each kind a model has.
+struct Content {
+  std::uint64_t surfaces = 0, triangles = 0, volumes = 0;       // in space
+  std::uint64_t plane = 0, curves = 0, trimmed = 0, other = 0;  // plane: surfaces and triangles
+
+  explicit Content(const SplineModel& model) {
+    for (const SplineEntity& entity : model.entities)
+      std::visit([&](const auto& s) { add(s); }, entity.shape);
+  }
+  bool has_patches() const { return surfaces + triangles != 0; }
+  bool is_all_in_space() const { return plane + curves + trimmed + other == 0; }
+
+ private:
+  void add(const ExactCurve&) { ++curves; }
+  void add(const ExactSurface& s) { ++(s.dimension() == 3 ? surfaces : plane); }
+  void add(const ExactTriangle& t) { ++(t.dimension() == 3 ? triangles : plane); }
+  void add(const ExactVolume& v) { ++(v.dimension() == 3 ? volumes : other); }
+  void add(const TrimmedSurface&) { ++trimmed; }
+  void add(const SplineBrep& brep) { trimmed += brep.faces.size(); }
+};
+
+std::string counted(std::uint64_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+// "3 curves and 1 surface".
+std::string joined(const std::vector<std::string>& parts) {
+  std::string out;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return out;
+}
+
+bool has_left_out_shapes(const SplineFile& file) {
+  for (const LeftOut& l : file.left_out)
+    if (l.is_geometry) return true;
+  return false;
+}
+bool is_read_by_checkers(SplineFormat format) {
+  return format == SplineFormat::kJson || format == SplineFormat::kItd;
+}
+
+}  // namespace
+
+std::optional<std::string> uncovered_shapes(const SplineFile& file) {
+  std::vector<std::string> left_out;
+  for (const LeftOut& l : file.left_out)
+    if (l.is_geometry) left_out.push_back(l.what + " (" + std::to_string(l.count) + ")");
+  if (!left_out.empty())
+    return "shapes of the file are not read: " + joined(left_out) +
+           "; a verdict without them would be about another model";
+  const Content c(file.model);
+  if (c.trimmed != 0)
+    return "trimmed surfaces are not decided: the file has " + std::to_string(c.trimmed) +
+           " of them" + "; export its faces untrimmed, or as a mesh";
+  if (c.volumes != 0 && (c.has_patches() || !c.is_all_in_space()))
+    return "the file has " + counted(c.volumes, "volume") +
+           " and other shapes, and does not say which of them bound the solid: veritope convert "
+           "--faces --lossy FILE OUT.vjson writes the boundary faces of the volumes alone";
+  if (c.is_all_in_space()) return std::nullopt;
+  std::vector<std::string> parts;
+  if (c.curves != 0) parts.push_back(counted(c.curves, "curve"));
+  if (c.plane != 0)
+    parts.push_back(std::to_string(c.plane) + (c.plane == 1 ? " patch" : " patches") +
+                    " of the plane");
+  if (c.other != 0)
+    parts.push_back(std::to_string(c.other) + (c.other == 1 ? " volume" : " volumes") +
+                    " outside of space");
+  if (!c.has_patches()) return "the file has " + joined(parts) + ": such shapes bound no solid";
+  return "beside " + counted(c.surfaces + c.triangles, "surface") + " the file has " +
+         joined(parts) + ", which are no part of a boundary";
+}
+
+Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
+  const Content c(file.model);
+  const bool has_volumes = c.volumes != 0;
+  if (has_left_out_shapes(file) || uncovered_shapes(file) || file.model.entities.empty())
+    return std::optional<StandIn>();
+  if (!has_volumes && is_read_by_checkers(file.format)) return std::optional<StandIn>();
+  StandIn out;
+  out.is_of_volumes = has_volumes;
+  if (has_volumes) {
+    Result<VolumeFaces> faces = volume_faces(file.model);
+    if (!faces) return faces.error();
+    out.what = "the " + counted(faces->patches.size(), "boundary face") + " of its " +
+               counted(c.volumes, "volume");
+    out.bytes = spline_json_bytes(model_of(faces->patches));
+  } else {
+    out.what = "its " + counted(c.surfaces + c.triangles, "surface");
+    out.bytes = spline_json_bytes(file.model);
+  }
+  Result<SplineFile> read = read_spline_bytes(
+      {reinterpret_cast<const unsigned char*>(out.bytes.data()), out.bytes.size()}, "copy.vjson",
+      {});
+  if (!read) return read.error();
+  out.file = std::move(*read);
+  return std::optional<StandIn>(std::move(out));
+}
+
+}  // namespace veritope

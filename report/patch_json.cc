@@ -78,15 +78,22 @@ Json shells_json(const PatchFacts& facts) {
 Json counts_json(const FileReport& report, const PatchFacts& f) {
   const bool is_valid = report.verdict == Verdict::kValid;
   const auto if_valid = [&](std::uint64_t n) { return is_valid ? Json(n) : Json(nullptr); };
-  return {{"entities", std::get<SplineSource>(report.source).entities},
-          {"patches", f.patches},
-          {"edges", f.edges},
-          {"vertices", f.vertices},
-          {"shells", f.shells},
-          {"bodies", if_valid(f.bodies)},
-          {"genus", if_valid(f.genus)},
-          {"boxes", if_valid(f.boxes)},
-          {"boxes_tried", f.boxes_tried}};
+  return {
+      {"entities", std::get<SplineSource>(report.source).entities},
+      {"patches", f.patches},
+      {"edges", f.edges},
+      {"vertices", f.vertices},
+      {"shells", f.shells},
+      {"bodies", if_valid(f.bodies)},
+      {"genus", if_valid(f.genus)},
+      {"boxes", if_valid(f.boxes)},
+      {"boxes_tried", f.boxes_tried},
+      {"open_sides", f.open.sides},
+      {"borders", f.open.borders},
+      {"near_sides", f.open.near_sides},
+      {"near_distance", f.open.near_sides != 0 ? Json{{"least", number_json(f.open.least)},
+                                                      {"greatest", number_json(f.open.greatest)}}
+                                               : Json(nullptr)}};
 }
 
 void put_patch_source(const FileReport& report, Json& out) {

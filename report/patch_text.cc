@@ -126,6 +126,23 @@ std::string reasons_text(const std::vector<Finding>& reasons) {
   return out + detail_line("more", "veritope explain " + reasons.front().code);
 }
 
+// What is open, as a whole.
+std::string open_text(const OpenBorders& open) {
+  const std::string sides = counted(open.sides, "open side", "open sides") + " in " +
+                            counted(open.borders, "border", "borders");
+  if (open.near_sides == 0 && open.sheets != 0)
+    return (open.sheets == 1 ? "an open sheet: " : std::to_string(open.sheets) + " open sheets: ") +
+           sides + "; no solid has this boundary";
+  if (open.near_sides == 0) return sides;
+  const std::string distance =
+      (open.least < open.greatest ? short_decimal(open.least, 2) + " to " : "") +
+      short_decimal(open.greatest, 2);
+  if (open.near_sides == open.sides)
+    return sides + ", each " + distance + " from another one: cracks, not holes";
+  return sides + ", " + std::to_string(open.near_sides) + " of them " + distance +
+         " from another one";
+}
+
 }  // namespace
 
 std::string collar_text(const CollarFacts& c) {
@@ -143,8 +160,10 @@ namespace internal {
 
 std::string patch_summary(const FileReport& report) {
   const std::string about = report.copy && report.copy->is_of_volumes ? ", by boundary faces" : "";
-  if (!report.defects.empty()) return report.defects.front().message + about;
   const PatchFacts& f = facts_of(report);
+  if (!report.defects.empty() && report.defects.front().code == "side-open")
+    return open_text(f.open) + about;
+  if (!report.defects.empty()) return report.defects.front().message + about;
   std::string text = counted(f.bodies, "body", "bodies") + ", genus " + std::to_string(f.genus);
   if (f.volume) text += ", volume " + volume_words(*f.volume);
   return text + about;

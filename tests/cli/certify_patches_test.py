@@ -262,7 +262,7 @@ class CertifyPatches(Folder):
         self.assertEqual((one["verdict"], one["exit"]), ("UNDECIDED", 3))
         self.assertEqual((one["error"]["code"], one["defects"]), ("not-certified", []))
         self.assertIsNone(one["certificate"])
-        self.assertAlmostEqual(one["place"]["lo"][0], 0.5 ** 0.5, places=3)
+        self.assertAlmostEqual(one["place"]["min"][0], 0.5 ** 0.5, places=3)
 
     def test_sheets_that_are_near_each_other_are_named_with_both_patches_and_their_distance(self):
         above = block((0.25, 0.25, 1 + Fraction(1, 2 ** 70)), (0.75, 0.75, 2))

@@ -124,6 +124,7 @@ class Certification {
     facts_.edges = complex.num_edges();
     facts_.vertices = complex.num_vertices();
     facts_.shells = complex.shells().size();
+    facts_.open = open_borders(complex);
     facts_.reversed = patches_.reversed();
     if (patches_.mixed_entity)  // list only those before the mixed one
       std::erase_if(facts_.reversed, [&](std::uint64_t e) { return e >= *patches_.mixed_entity; });

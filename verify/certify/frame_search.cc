@@ -26,7 +26,7 @@ constexpr std::size_t kMostNear = 192, kMostSheets = 8;
 // in each sheet is only used if no other is found: a certificate with such boxes takes long to check. Beside a rim that
 // is not at right angles to its walls, a thin box in the frame of the rim takes thousands of small pieces of the walls,
 // and an oblique one few.
-constexpr std::size_t kFewPieces = 32, kMostPieces = 1024;
+constexpr std::size_t kFewPieces = 32, kMostPiecesOfProof = 1024;
 // The conditions of each piece in the first programs for centres.
 constexpr std::size_t kFirstConditions = 8;
 // The least depth of centres, in half sizes of the box.
@@ -34,7 +34,7 @@ constexpr double kLeastDepth = 1e-3;
 // Centres stay this far inside, in half sizes of the box.
 constexpr double kRoom = 0.9375;
 // A piece is flat if it leaves the plane of its normal by no more than this part of the box's least half size.
-constexpr double kFlat = 0x1p-8;
+constexpr double kFlatPart = 0x1p-8;
 // Heights of boxes that hold a curved piece, in heights of its hull: its tangent planes meet above and below it.
 constexpr double kHeights = 4;
 // The growth of tight boxes along the surface, and the size of the pieces that reach out of them, in half sizes.
@@ -72,7 +72,7 @@ Box3d FrameSearch::Region::box() const {
 bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
   if (proposals_.empty()) make_proposals();
   piece_ = id;
-  for (most_pieces_ = kFewPieces;; most_pieces_ = kMostPieces) {
+  for (most_pieces_ = kFewPieces;; most_pieces_ = kMostPiecesOfProof) {
     had_more_pieces_ = false;
     for (std::size_t i = 0; i < proposals_.size(); ++i) {
       const std::size_t number = (first_proposals_ + i) % proposals_.size();
@@ -80,7 +80,7 @@ bool FrameSearch::try_piece(Id id, bool with_one_sheet_only) {
       first_proposals_ = number;
       return true;
     }
-    if (!had_more_pieces_ || most_pieces_ == kMostPieces) return false;
+    if (!had_more_pieces_ || most_pieces_ == kMostPiecesOfProof) return false;
   }
 }
 
@@ -188,7 +188,7 @@ bool FrameSearch::is_small(Id id, const Box3d& hull, const Region& region) {
   // The hull of all of a flat piece may hide a gap that those of its parts do not.
   if (region.ends_at_opposite && dot(normal_of(id), normal_of(piece_)) < 0) return false;
   const double least = std::min({region.half[0], region.half[1], region.half[2]});
-  return num_long < 3 && approx_bend(forest_, id, *metric_) <= kFlat * least;
+  return num_long < 3 && approx_bend(forest_, id, *metric_) <= kFlatPart * least;
 }
 
 // Puts the small pieces that the region meets into near_.
@@ -293,7 +293,7 @@ bool FrameSearch::try_sheets(const Region& region, const Region& near,
                        &box_.sheets.sheets[i]))
       return false;
   if (sheets.size() > 1 && !separate(sheets, region)) return false;
-  const std::size_t most = std::min(most_pieces_ * sheets.size(), kMostPieces);
+  const std::size_t most = std::min(most_pieces_ * sheets.size(), kMostPiecesOfProof);
   if (!is_sheet_box(forest_, box_.sheets, most, &pieces_)) {
     had_more_pieces_ |= pieces_.num_visited > most;
     return false;

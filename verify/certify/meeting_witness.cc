@@ -14,7 +14,7 @@ namespace {
 using Cause = MeetingWitness::Cause;
 using Parameters = std::array<Rational, 2>;
 
-constexpr std::size_t kMostBits = 62;  // of the numbers of a certificate
+constexpr std::size_t kMostNumberBits = 62;  // of the numbers of a certificate
 
 Rational ratio(int n, int d) { return Rational(n) / Rational(d); }
 
@@ -113,7 +113,8 @@ class MeetingSearch {
 
 bool has_short_numbers(const PatchPlace& place) {
   return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
-    return v.numerator().bit_length() <= kMostBits && v.denominator().bit_length() <= kMostBits;
+    return v.numerator().bit_length() <= kMostNumberBits &&
+           v.denominator().bit_length() <= kMostNumberBits;
   });
 }
 

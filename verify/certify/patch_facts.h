@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interval/interval.h"
+#include "solids/patches/open_borders.h"
 #include "verify/certify/patch_collar.h"
 #include "verify/certify/patch_decision.h"
 
@@ -28,6 +29,7 @@ struct PatchFacts {
   std::vector<std::uint64_t>
       reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
   std::uint64_t boxes_tried = 0;
+  OpenBorders open;
   // Facts of a valid model; otherwise 0, or nothing.
   std::uint64_t bodies = 0, genus = 0, boxes = 0;
   std::vector<PatchShellFacts> shell_facts;

@@ -40,15 +40,15 @@ double farthest(const CoverBox& b, std::size_t k) {
   return std::max(std::abs(b.star.box.lo[k]), std::abs(b.star.box.hi[k]));
 }
 
-constexpr int kMostBits = 60;    // the C++ checker's 61, minus one for the sum of corner and size
-constexpr int kMostShift = 120;  // the C++ checker's limit for boxes in frames
+constexpr int kMostGridBits = 60;  // the C++ checker's 61, minus one for the sum of corner and size
+constexpr int kMostShift = 120;    // the C++ checker's limit for boxes in frames
 
 // Whether the C++ checker reads the box, which it holds in the box's own unit. 2^least is the certificate's unit.
 bool fits_checker(const FramedBox& b, int least) {
   if (std::ilogb(b.unit) - least > kMostShift) return false;
   const Box3d& box = b.sheets.box;
   for (std::size_t k = 0; k < 3; ++k)
-    if (std::max(std::abs(box.lo[k]), std::abs(box.hi[k])) > std::ldexp(b.unit, kMostBits))
+    if (std::max(std::abs(box.lo[k]), std::abs(box.hi[k])) > std::ldexp(b.unit, kMostGridBits))
       return false;
   return true;
 }
@@ -189,7 +189,7 @@ double least_unit_that_fits(const PieceForest& forest) {
     most = std::max(most, static_cast<int>(reach.numerator().bit_length()) -
                               static_cast<int>(reach.denominator().bit_length()) + 1);
   }
-  return std::ldexp(1.0, most - kMostBits + *std::max_element(scale.begin(), scale.end()));
+  return std::ldexp(1.0, most - kMostGridBits + *std::max_element(scale.begin(), scale.end()));
 }
 
 double least_unit_of_any(const PieceForest& forest) {
@@ -207,7 +207,8 @@ double least_unit_of_any(const PieceForest& forest) {
       }
     }
   const auto& scale = forest.frame().scale;
-  return most ? std::ldexp(1.0, *most - kMostBits + *std::max_element(scale.begin(), scale.end()))
+  return most ? std::ldexp(1.0,
+                           *most - kMostGridBits + *std::max_element(scale.begin(), scale.end()))
               : 0;
 }
 
@@ -226,7 +227,7 @@ bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
     for (const CoverBox& b : cover.boxes) most = std::max(most, farthest(b, k));
     const Rational reach = abs(forest.frame().shift[k]) +
                            Rational::from_double(most) * Rational::power_of_two(-scale[k]);
-    if (Rational::power_of_two(kMostBits) < reach * units) return false;
+    if (Rational::power_of_two(kMostGridBits) < reach * units) return false;
   }
   return true;
 }

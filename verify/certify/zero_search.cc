@@ -12,9 +12,9 @@ namespace {
 
 using Id = PieceForest::Id;
 
-constexpr std::size_t kMostPieces = 512;
+constexpr std::size_t kMostPiecesWithZeros = 512;
 // The least depth of centres in the half-spaces that can be met with a margin, in sizes of the box.
-constexpr double kLeastDepth = 1e-3;
+constexpr double kLeastDepthAtZeros = 1e-3;
 // Centres are rounded to units of boxes divided by these: coarse ones lie on planes of symmetry.
 constexpr double kFiner[] = {1, 0x1p-4, 0x1p-8};
 
@@ -29,7 +29,8 @@ bool ZeroSearch::try_piece(Id id) {
   // The piece alone decides cheaply where it bends too much.
   if (!solve({id})) return false;
   near_.clear(), held_.clear();
-  if (!find_pieces(forest_, box, 0.5 * extent(box), kMostPieces, &near_, &held_)) return false;
+  if (!find_pieces(forest_, box, 0.5 * extent(box), kMostPiecesWithZeros, &near_, &held_))
+    return false;
   if (!solve(near_) || !has_zeros_) return false;
   const double unit = box_.unit;
   for (const double finer : kFiner)
@@ -68,7 +69,7 @@ bool ZeroSearch::solve(const std::vector<Id>& pieces) {
                  return h.a[0] == 0 && h.a[1] == 0 && h.a[2] == 0;
                }) > 0;
   for (const bool is_outside : {false, true}) {
-    const auto deepest = deepest_point_or_zeros(half_spaces_, room, kLeastDepth);
+    const auto deepest = deepest_point_or_zeros(half_spaces_, room, kLeastDepthAtZeros);
     if (!deepest) return false;
     has_zeros_ = has_zeros_ || deepest->has_zeros;
     Point3d& c = is_outside ? outside_ : inside_;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/patches/open_borders.h: how open a complex is: its open sides, the borders that they form, and how near other
+// open sides lie to them.
+#pragma once
+#include <cstdint>
+
+#include "solids/patches/patch_complex.h"
+
+namespace veritope {
+
+struct OpenBorders {
+  std::uint64_t sides = 0;
+  std::uint64_t borders = 0;  ///< classes of open sides by common vertices of the surface
+  /// Open sides that differ from another one by less than 2^-16 of the largest coordinate (kNearMiss), as far as the
+  /// complex lists them; and the least and the greatest of these differences: each is the greatest one of two
+  /// coordinates of control points, rounded to nearest.
+  std::uint64_t near_sides = 0;
+  double least = 0, greatest = 0;
+  /// The number of shells, if all are open and nothing else is wrong with the complex: each is a sheet with borders.
+  std::uint64_t sheets = 0;
+};
+
+/// @cost  linear in the number of sides
+OpenBorders open_borders(const PatchComplex& complex);
+
+}  // namespace veritope

@@ -14,6 +14,7 @@
 #include "solids/interval_boxes/condition_sweep.h"
 #include "solids/star_box/star_box.h"
 #include "verify/certify/file_patches.h"
+#include "verify/certify/stand_in.h"
 
 namespace veritope::cli {
 
@@ -41,8 +42,7 @@ void declare(OptionSet& set, CoverOptions& o) {
   declare_file(set, "MODEL", o.input, "a file of patches (itd, g2, mfem, gismo, vjson)");
   set.option("-o,--output", "F", any_text(o.output),
              "the new file: .vtu, .obj, .ply, .off or .stl");
-  set.option("--what", "W", take_part,
-             "boxes; cells: collar (default); solids: outer, inner");
+  set.option("--what", "W", take_part, "boxes; cells: collar (default); solids: outer, inner");
   set.number(
       "--sweep", o.sweep, {0, kMaxSweep},
       "table which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nof boxes of size EPS, halved N "
@@ -110,8 +110,11 @@ class CoverRun {
     const Result<SplineFile> file =
         read_spline_file(options_.input.files[0], options_.input.reading);
     if (!file) return fail(kExitUnreadable, file.error());
-    Result<FilePatches> patches = file_patches(
-        file->model, options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
+    const Result<std::optional<StandIn>> stand_in = stand_in_of(*file);
+    if (!stand_in) return fail(kExitUnreadable, stand_in.error());
+    Result<FilePatches> patches =
+        file_patches(*stand_in ? (*stand_in)->file.model : file->model,
+                     options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
     if (!patches) return fail(kExitUnreadable, patches.error());
     if (patches->not_covered) return fail(kExitUndecided, patches->not_covered->message);
     sha256_ = file->sha256;
@@ -139,8 +142,7 @@ class CoverRun {
   ExitCode write_boxes(BoundaryModel& model, const SweepRow* row) {
     if (row == nullptr) return fail(kExitUndecided, "no boxes were made, and nothing is written");
     budget_.forgive();
-    const auto boxes =
-        make_surface_cover(model, row->eps, sweep_budgets(options_.limits).boxes);
+    const auto boxes = make_surface_cover(model, row->eps, sweep_budgets(options_.limits).boxes);
     if (!boxes) return fail(kExitUnreadable, boxes.error());
     return write(surface_boxes_picture(options_.output, *boxes));
   }

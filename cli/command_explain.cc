@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/did_you_mean.h"
 #include "cli/patch_explanations.h"
 #include "cli/reason_explanations.h"
 #include "cli/rule_pictures.h"
@@ -67,6 +70,14 @@ std::string reason_page(const ReasonText& text, const Style& style) {
          section("What helps", text.remedy);
 }
 
+std::vector<std::string> all_names() {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < kNumMeshRules; ++i) out.emplace_back(rule_text(rule_at(i)).id);
+  for (const PatchExplanation& e : patch_explanations()) out.emplace_back(e.text.id);
+  for (const ReasonText& r : reason_texts()) out.emplace_back(r.code);
+  return out;
+}
+
 std::string rule_list(const Style& style) {
   std::string out;
   for (std::size_t i = 0; i < kNumMeshRules; ++i) {
@@ -99,6 +110,11 @@ ExitCode run(const ExplainOptions& options, StandardOutput& out) {
   if (const ReasonText* const reason = reason_text(*options.rule)) {
     out.write(reason_page(*reason, style));
     return kExitValid;
+  }
+  if (const auto meant = nearest_name(*options.rule, all_names())) {
+    complain("there is no page about " + harmless(*options.rule) + "; did you mean " + *meant +
+             "?");
+    return kExitUsage;
   }
   complain("there is no page about " + harmless(*options.rule) +
            "; veritope explain lists the rules, answers and reasons that have one");

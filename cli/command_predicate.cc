@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/did_you_mean.h"
 #include "cli/line_reader.h"
 #include "named_predicates/case_reader.h"
 #include "named_predicates/named_predicate.h"
@@ -25,6 +26,8 @@ void declare(OptionSet& set, PredicateOptions& o) {
   const auto take_name = [&o](const std::string& name) -> std::string {
     o.predicate = predicate_from_name(name);
     if (o.predicate != nullptr || name == "any") return "";
+    if (const auto meant = nearest_name(name, names_of_list(predicate_names())))
+      return "there is no predicate " + name + "; did you mean " + *meant + "?";
     return "must be one of any, " + predicate_names() + ", not " + name;
   };
   set.operand(

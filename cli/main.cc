@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -66,7 +68,12 @@ int main_of(int argc, const char* const* argv) {
     runs.push_back(command.declare(line.add_command(command.name, command.summary)));
   const ParsedLine parsed = line.parse(argc, argv);
   if (!parsed.error.empty()) {
-    complain(harmless(parsed.error) + "\nveritope --help and veritope COMMAND --help say more");
+    const bool is_known =
+        argc > 1 && std::any_of(commands().begin(), commands().end(), [&](const Command& c) {
+          return std::string_view(c.name) == argv[1];
+        });
+    complain(harmless(parsed.error) + "\nveritope " + (is_known ? std::string(argv[1]) + " " : "") +
+             "--help says more");
     return kExitUsage;
   }
   StandardOutput out;

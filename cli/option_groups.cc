@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cli/did_you_mean.h"
 #include "io/formats.h"
 #include "robust/base/parallel.h"
 
@@ -43,7 +44,11 @@ void declare_file(OptionSet& set, const std::string& name, InputOptions& input,
 void declare_format(OptionSet& set, InputOptions& input) {
   const auto take = [&input](const std::string& name) -> std::string {
     const ModelFormat* const row = format_from_name(name);
-    if (row == nullptr) return "must be " + format_names("or") + ", not " + name;
+    if (row == nullptr) {
+      std::vector<std::string> names;
+      for (const ModelFormat& known : model_formats()) names.emplace_back(known.name);
+      return "must be " + format_names("or") + ", not " + name + did_you_mean(name, names);
+    }
     input.reading.format = row->id;
     return "";
   };

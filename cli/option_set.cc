@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <string_view>
+
+#include "cli/did_you_mean.h"
 
 namespace veritope::cli {
 namespace {
@@ -27,6 +30,22 @@ std::optional<Number> whole_text(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end) return std::nullopt;
   return value;
+}
+
+// CLI11 leaves an empty line where hidden options would be.
+std::string without_gap(std::string help) {
+  if (const auto at = help.find("\n\n\n"); at != help.npos) help.erase(at, 1);
+  return help;
+}
+
+// CLI11 says "--json: 1 required F missing".
+std::string missing_value(const std::string& said) {
+  constexpr std::string_view kMiddle = ": 1 required ", kEnd = " missing";
+  const std::size_t at = said.find(kMiddle);
+  if (at == said.npos || !said.ends_with(kEnd)) return said;
+  const std::size_t begin = at + kMiddle.size();
+  return said.substr(0, at) + " needs a value: " + said.substr(0, at) + " " +
+         said.substr(begin, said.size() - kEnd.size() - begin);
 }
 
 }  // namespace
@@ -109,7 +128,7 @@ std::string OptionSet::contradiction() const {
 CommandLine::CommandLine(const std::string& title, const std::string& version,
                          const std::string& footer)
     : version_(version), app_(std::make_unique<CLI::App>(title, "veritope")) {
-  app_->set_version_flag("--version", version);
+  app_->set_version_flag("-V,--version", version);
   app_->require_subcommand(1);
   app_->footer(footer);
   app_->get_formatter()->column_width(kHelpColumn);
@@ -122,11 +141,11 @@ OptionSet& CommandLine::add_command(const std::string& name, const std::string& 
 }
 
 ParsedLine CommandLine::parse(int argc, const char* const* argv) {
-  const auto is_named = [argv](const OptionSet& set) {
-    return set.command_->get_name() == argv[1];
-  };
-  if (argc > 1 && argv[1][0] != '-' && std::none_of(sets_.begin(), sets_.end(), is_named))
-    return {std::nullopt, "", std::string("unknown command: ") + argv[1]};
+  if (argc == 1) return {std::nullopt, help(), ""};
+  const std::string first = argv[1];
+  if (first == "help") return help_about(argc == 2 ? nullptr : argv[2]);
+  if (!first.starts_with('-') && find(first) == nullptr)
+    return {std::nullopt, "", "unknown command: " + first + did_you_mean(first, command_names())};
   try {
     app_->parse(argc, argv);
     return chosen();
@@ -134,9 +153,49 @@ ParsedLine CommandLine::parse(int argc, const char* const* argv) {
     return {std::nullopt, help(), ""};
   } catch (const CLI::CallForVersion&) {
     return {std::nullopt, version_ + "\n", ""};
+  } catch (const CLI::ArgumentMismatch& error) {
+    return {std::nullopt, "", missing_value(error.what())};
   } catch (const CLI::ParseError& error) {
-    return {std::nullopt, "", error.what()};
+    const std::string unknown = unknown_option();
+    return {std::nullopt, "", unknown.empty() ? error.what() : unknown};
   }
+}
+
+const CLI::App* CommandLine::find(const std::string& name) const {
+  const auto set = std::find_if(sets_.begin(), sets_.end(),
+                                [&](const OptionSet& s) { return s.command_->get_name() == name; });
+  return set == sets_.end() ? nullptr : set->command_;
+}
+
+std::vector<std::string> CommandLine::command_names() const {
+  std::vector<std::string> out{"help"};
+  for (const OptionSet& set : sets_) out.push_back(set.command_->get_name());
+  return out;
+}
+
+ParsedLine CommandLine::help_about(const char* name) const {
+  if (name == nullptr) return {std::nullopt, help(), ""};
+  const CLI::App* const command = find(name);
+  if (command != nullptr) return {std::nullopt, without_gap(command->help("veritope")), ""};
+  return {std::nullopt, "",
+          std::string("unknown command: ") + name + did_you_mean(name, command_names())};
+}
+
+// "certify has no option --quite; did you mean --quiet?"; empty if every argument that looks like an option is one.
+std::string CommandLine::unknown_option() const {
+  const auto named = app_->get_subcommands();
+  const CLI::App* const app = named.empty() ? app_.get() : named.front();
+  for (const std::string& argument : app->remaining()) {
+    if (argument.size() < 2 || argument[0] != '-') continue;
+    const std::string option = argument.substr(0, argument.find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* known : app->get_options()) {
+      for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : known->get_snames()) names.push_back("-" + name);
+    }
+    return app->get_name() + " has no option " + option + did_you_mean(option, names);
+  }
+  return "";
 }
 
 // REQUIRES that parsing succeeded: then exactly one command was named.
@@ -152,10 +211,7 @@ ParsedLine CommandLine::chosen() const {
 
 std::string CommandLine::help() const {
   const auto named = app_->get_subcommands();
-  std::string text = named.empty() ? app_->help() : named.front()->help("veritope");
-  // CLI11 leaves an empty line where hidden options would be.
-  if (const auto at = text.find("\n\n\n"); at != text.npos) text.erase(at, 1);
-  return text;
+  return without_gap(named.empty() ? app_->help() : named.front()->help("veritope"));
 }
 
 }  // namespace veritope::cli

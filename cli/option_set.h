@@ -117,6 +117,10 @@ class CommandLine {
  private:
   ParsedLine chosen() const;
   std::string help() const;
+  ParsedLine help_about(const char* name) const;  // null: the program
+  std::vector<std::string> command_names() const;
+  const CLI::App* find(const std::string& name) const;  // null: no command
+  std::string unknown_option() const;
 
   std::string version_;
   std::unique_ptr<CLI::App> app_;

@@ -42,7 +42,7 @@ def run_on_terminal(*arguments, environment=None):
 
 class Usage(unittest.TestCase):
     def test_wrong_usage_is_exit_2_with_a_word_on_standard_error_and_nothing_else(self):
-        wrong = [[], ["nonsense"], ["certify"], ["certify", "--jobs", "0", VALID], ["certify", "--jobs", "-1", VALID],
+        wrong = [["nonsense"], ["certify"], ["certify", "--jobs", "0", VALID], ["certify", "--jobs", "-1", VALID],
                  ["certify", "--jobs=-1", VALID], ["certify", "--jobs", "two", VALID], ["certify", "--jobs", "0x2", VALID],
                  ["certify", "--jobs", "", VALID], ["certify", "--jobs", "99999999999999999999", VALID],
                  ["certify", "--max-defects", "-1", VALID], ["certify", "--format", "step", VALID], ["certify", "-"],
@@ -61,8 +61,30 @@ class Usage(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertTrue(done.stderr.startswith("veritope: "), done.stderr)
 
-    def test_an_unknown_command_is_named(self):
-        self.assertIn("unknown command: certif\n", run("certif", VALID).stderr)
+    def test_no_argument_and_help_print_what_help_prints(self):
+        self.assertEqual(run().stdout, run("--help").stdout)
+        self.assertEqual(run("help").stdout, run("--help").stdout)
+        self.assertEqual(run("help", "certify").stdout, run("certify", "--help").stdout)
+        self.assertEqual(run("-V").stdout, run("--version").stdout)
+        self.assertEqual([run(*a).returncode for a in ([], ["help"], ["help", "info"], ["-V"])], [0] * 4)
+
+    def test_the_name_that_was_probably_meant_is_named(self):
+        for arguments, words in [(["certif", "x"], "unknown command: certif; did you mean certify?"),
+                                 (["help", "ifno"], "unknown command: ifno; did you mean info?"),
+                                 (["nonsense"], "unknown command: nonsense"),
+                                 (["--hlep"], "veritope has no option --hlep; did you mean --help?"),
+                                 (["certify", "--quite", "x"], "certify has no option --quite; did you mean --quiet?"),
+                                 (["certify", "--Jobs=2", "x"], "certify has no option --Jobs; did you mean --jobs?"),
+                                 (["certify", "--unknown", "x"], "certify has no option --unknown"),
+                                 (["certify", "--json"], "--json needs a value: --json F"),
+                                 (["certify", "--format", "stpl", "x"], "not stpl; did you mean stl?"),
+                                 (["predicate", "orient3", "x"], "there is no predicate orient3; did you mean orient3d?"),
+                                 (["explain", "side-opne"], "there is no page about side-opne; did you mean side-open?"),
+                                 (["explain", "m10"], "there is no page about m10; did you mean M1?")]:
+            with self.subTest(arguments):
+                done = run(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertTrue(done.stderr.splitlines()[0].endswith(words), done.stderr)
 
     def test_help_fits_on_one_screen_and_names_every_option(self):
         for command in [None, *COMMANDS]:
@@ -119,7 +141,7 @@ class Rooms(unittest.TestCase):
             with self.subTest(arguments):
                 done = run(*arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
-                self.assertEqual(done.stderr.splitlines(), ["veritope: " + words, "veritope --help and veritope COMMAND --help say more"])
+                self.assertEqual(done.stderr.splitlines(), ["veritope: " + words, f"veritope {arguments[0]} --help says more"])
 
 
 class ExitStatus(unittest.TestCase):

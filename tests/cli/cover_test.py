@@ -74,6 +74,15 @@ class Cover(Folder):
         vertices, faces, _ = map(int, counts.split())
         self.assertEqual((vertices % 8, faces * 8), (0, vertices * 12))
 
+    def test_volumes_are_covered_by_their_boundary_faces(self):
+        model = self.folder / "block.itd"
+        net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        model.write_text("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in net))
+        self.assertEqual(run("cover", model, "-o", self.folder / "a.vtu").returncode, 0)
+        self.assertEqual(run("cover", self.model(UNIT), "-o", self.folder / "b.vtu").returncode, 0)
+        counts = [len((self.folder / name).read_text().split()) for name in ("a.vtu", "b.vtu")]
+        self.assertEqual(counts[0], counts[1])
+
     def test_an_undecided_or_invalid_model_writes_nothing(self):
         out = self.folder / "x.vtu"
         touching = UNIT + block((1, 0.25, 0.25), (2, 0.75, 0.75))

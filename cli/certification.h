@@ -26,7 +26,7 @@ struct KeptFiles {
   std::optional<std::string> copy;
 };
 /// Keeps the bytes of a certificate that was accepted, and of the copy that was certified if there is one, and returns
-/// the names of the files. @error kCannotWrite; kBadArgument: the copy's file is another one of the run
+/// the names of the files; nothing for a copy that has no place. @error kCannotWrite
 using KeepCertificate = std::function<Result<KeptFiles>(std::string_view certificate,
                                                         std::optional<std::string_view> copy)>;
 

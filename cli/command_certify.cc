@@ -51,21 +51,25 @@ std::string contradiction(const CertifyFilesOptions& o) {
   return "";
 }
 
+bool is_file_or_new(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
+}
+
 // Keeps certificate i, and what was certified, where the plan says.
-KeepCertificate keeper(const CertifyFilesOptions& options, const OutputPlan& plan, std::size_t i,
-                       StandardOutput& out) {
+KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
   if (plan.certificates.empty()) return {};
-  return [&options, &plan, i, &out](std::string_view bytes,
-                                    std::optional<std::string_view> copy) -> Result<KeptFiles> {
+  return [&plan, i, &out](std::string_view bytes,
+                          std::optional<std::string_view> copy) -> Result<KeptFiles> {
     // The folder is made for the first certificate, so that a refused run leaves none behind. If it could not be made,
     // writing the certificate fails.
     if (plan.new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
     KeptFiles kept{plan.certificates[i], {}};
-    if (copy) {
-      Result<std::string> path = copy_path(options.input.files, plan, i, options.json);
-      if (!path) return path.error();
-      if (const Status status = write_output(*path, *copy, out); !status) return status.error();
-      kept.copy = std::move(*path);
+    // Beside a pipe or a device there is no place for it.
+    if (copy && is_file_or_new(kept.certificate)) {
+      kept.copy = copy_path(kept.certificate);
+      if (const Status status = write_output(*kept.copy, *copy, out); !status)
+        return status.error();
     }
     if (const Status status = write_output(kept.certificate, bytes, out); !status)
       return status.error();
@@ -135,7 +139,7 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < options.input.files.size(); ++i) {
     const CertifiedFile done =
-        certify_file(options.input.files[i], settings, keeper(options, plan, i, out), progress);
+        certify_file(options.input.files[i], settings, keeper(plan, i, out), progress);
     const FileReport& report = done.report;
     progress.clear();
     exit = first_of(exit, report.exit);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <map>
-#include <string_view>
 #include <system_error>
 
 #include "cli/output.h"
@@ -62,9 +61,10 @@ Status check_distinct(const std::vector<std::string>& inputs,
 Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& plan,
                      const std::optional<std::string>& json) {
   for (const std::string& path : plan.certificates) {
-    if (Status status = refuse_same(inputs, path); !status) return status;
-    if (json && *json != "-" && same_target(*json, path)) {
-      return bad_argument("--json and --certificate would both write " + path);
+    for (const std::string& output : {path, copy_path(path)}) {
+      if (Status status = refuse_same(inputs, output); !status) return status;
+      if (json && *json != "-" && same_target(*json, output))
+        return bad_argument("--json and --certificate would both write " + output);
     }
     if (plan.new_folder) continue;
     if (Status status = try_output(path); !status) return status;
@@ -94,20 +94,7 @@ Status refuse_same(const std::vector<std::string>& inputs, const std::string& ou
   return ok_status();
 }
 
-Result<std::string> copy_path(const std::vector<std::string>& inputs, const OutputPlan& plan,
-                              std::size_t i, const std::optional<std::string>& json) {
-  constexpr std::string_view kEnding = ".cert";
-  std::string out = plan.certificates[i];
-  if (out.ends_with(kEnding)) out.resize(out.size() - kEnding.size());
-  out += ".vjson";
-  if (Status status = refuse_same(inputs, out); !status) return status.error();
-  const auto is_taken = [&](const std::string& other) { return same_target(out, other); };
-  if ((json && *json != "-" && is_taken(*json)) ||
-      std::any_of(plan.certificates.begin(), plan.certificates.end(), is_taken))
-    return bad_argument("the model that was certified would be written to " + out +
-                        ", which is another output");
-  return out;
-}
+std::string copy_path(const std::string& certificate) { return certificate + ".vjson"; }
 
 Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,

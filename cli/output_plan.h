@@ -11,7 +11,8 @@
 namespace veritope::cli {
 
 struct OutputPlan {
-  /// One for each input: where its certificate goes. Empty: no certificates are kept.
+  /// One for each input: where its certificate goes. Empty: no certificates are kept. A copy of the model may go beside
+  /// each (copy_path).
   std::vector<std::string> certificates;
   std::optional<std::string> new_folder;  ///< for the certificates; does not exist yet
   bool json_in_new_folder = false;        ///< the report goes there, too
@@ -30,10 +31,8 @@ Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,
                     const std::optional<std::string>& json);
 
-/// Where the copy that certificate number i speaks of goes: "part.g2.vjson" beside "part.g2.cert". @error kBadArgument:
-/// another file of the run has that name
-Result<std::string> copy_path(const std::vector<std::string>& inputs, const OutputPlan& plan,
-                              std::size_t i, const std::optional<std::string>& json);
+/// Where the copy of which a certificate speaks goes: "part.cert.vjson" beside "part.cert".
+std::string copy_path(const std::string& certificate);
 
 /// kBadArgument if `output` is one of the inputs.
 Status refuse_same(const std::vector<std::string>& inputs, const std::string& output);

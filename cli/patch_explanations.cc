@@ -152,7 +152,8 @@ constexpr std::array<PatchExplanation, 13> kExplanations = {{
       "surface have one image, so the model bounds no solid. Only a whole side of a surface may be "
       "one "
       "point. Status 1, with a certificate that names two points of the line; status 3 where the "
-      "line's parameter is irrational or has a denominator over 20 bits, or is a knot.",
+      "line's parameter is irrational or has a denominator over 20 bits, or where the surface is "
+      "cut at it.",
       "A spindle torus, a cone that was continued through its apex, a profile that touches its "
       "axis "
       "of revolution.",

@@ -132,15 +132,14 @@ std::string open_text(const OpenBorders& open) {
                             counted(open.borders, "border", "borders");
   if (open.near_sides == 0 && open.sheets != 0)
     return (open.sheets == 1 ? "an open sheet: " : std::to_string(open.sheets) + " open sheets: ") +
-           sides + "; no solid has this boundary";
+           sides + "; " + (open.sheets == 1 ? "it bounds" : "they bound") + " no solid";
   if (open.near_sides == 0) return sides;
   const std::string distance =
       (open.least < open.greatest ? short_decimal(open.least, 2) + " to " : "") +
       short_decimal(open.greatest, 2);
-  if (open.near_sides == open.sides)
-    return sides + ", each " + distance + " from another one: cracks, not holes";
-  return sides + ", " + std::to_string(open.near_sides) + " of them " + distance +
-         " from another one";
+  return sides + ", " +
+         (open.near_sides == open.sides ? "each" : std::to_string(open.near_sides) + " of them") +
+         " " + distance + " from another one";
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace veritope {
 
 namespace {
 
-constexpr double kNearPart = 0x1p-16;
+constexpr double kNearPart = 0x1p-4;  // of the length of a side
 
 bool has_other_defects(const PatchComplex& complex) {
   for (std::size_t i = 0; i < kNumPatchDefects; ++i) {
@@ -25,13 +25,12 @@ bool has_other_defects(const PatchComplex& complex) {
   return false;
 }
 
-// The largest absolute value of a coordinate of a corner, approximately.
-double largest_coordinate(const PatchComplex& complex) {
-  double out = 0;
-  for (const Patch& patch : complex.patches())
-    for (std::uint32_t c = 0; c < patch.num_sides(); ++c)
-      for (const double v : approx_point(patch.corner(c))) out = std::max(out, std::abs(v));
-  return out;
+// The distance of its ends, approximately.
+double length_of_side(const PatchComplex& complex, PatchSide s) {
+  const Patch& patch = complex.patch(s.patch);
+  const auto a = approx_point(patch.corner(s.side)),
+             b = approx_point(patch.corner((s.side + 1) % patch.num_sides()));
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 }  // namespace
@@ -53,10 +52,12 @@ OpenBorders open_borders(const PatchComplex& complex) {
   std::sort(starts.begin(), starts.end());
   out.borders =
       static_cast<std::uint64_t>(std::unique(starts.begin(), starts.end()) - starts.begin());
-  const double reach = kNearPart * largest_coordinate(complex);
   std::set<PatchSide> near;
   for (const PatchFinding& f : complex.findings()) {
-    if (f.defect != PatchDefect::kNearMiss || !(f.distance <= reach)) continue;
+    if (f.defect != PatchDefect::kNearMiss) continue;
+    const double length =
+        std::min(length_of_side(complex, f.sides[0]), length_of_side(complex, f.sides[1]));
+    if (!(f.distance > 0 && f.distance <= kNearPart * length)) continue;
     out.least = near.empty() ? f.distance : std::min(out.least, f.distance);
     out.greatest = std::max(out.greatest, f.distance);
     near.insert(f.sides.begin(), f.sides.end());

@@ -11,16 +11,16 @@ namespace veritope {
 struct OpenBorders {
   std::uint64_t sides = 0;
   std::uint64_t borders = 0;  ///< classes of open sides by common vertices of the surface
-  /// Open sides that differ from another one by less than 2^-16 of the largest coordinate (kNearMiss), as far as the
-  /// complex lists them; and the least and the greatest of these differences: each is the greatest one of two
-  /// coordinates of control points, rounded to nearest.
+  /// Open sides that differ from another one (kNearMiss), as far as the complex lists them, by at most a sixteenth of
+  /// the distance of its ends; and the least and the greatest of these differences: each is the greatest one of two
+  /// coordinates of control points, rounded to nearest. Differences that round to 0 do not count.
   std::uint64_t near_sides = 0;
   double least = 0, greatest = 0;
   /// The number of shells, if all are open and nothing else is wrong with the complex: each is a sheet with borders.
   std::uint64_t sheets = 0;
 };
 
-/// @cost  linear in the number of sides
+/// @cost  O(n log n) for n open sides, and linear in the number of all
 OpenBorders open_borders(const PatchComplex& complex);
 
 }  // namespace veritope

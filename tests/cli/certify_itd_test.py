@@ -115,7 +115,7 @@ class CertifyItd(Folder):
         cube.write_text("".join(map(bezier, UNIT)))
         self.assertEqual(run("convert", cube, g2).returncode, 0)
         (one,) = json.loads(run("certify", g2, "--json", "-", "--certificate", self.folder / "model.g2.cert").stdout)["files"]
-        copy = self.folder / "model.g2.vjson"
+        copy = self.folder / "model.g2.cert.vjson"
         self.assertEqual((one["verdict"], one["format"], one["copy"]["what"], one["copy"]["of_volumes"]), ("VALID", "g2", "its 6 surfaces", False))
         self.assertEqual((one["copy"]["path"], one["copy"]["bytes"]), (str(copy), copy.stat().st_size))
         self.assertEqual(one["copy"]["sha256"], hashlib.sha256(copy.read_bytes()).hexdigest())
@@ -125,18 +125,19 @@ class CertifyItd(Folder):
             self.assertTrue(done.stdout.startswith("ACCEPT star-box-1"), done)
         self.assertIn("certified    its 6 surfaces, as .vjson", run("certify", g2).stdout)
 
-    def test_a_copy_never_replaces_another_file_of_the_run(self):
+    def test_a_copy_never_replaces_another_file_of_the_run_and_needs_a_place(self):
         cube, g2 = self.folder / "cube.itd", self.folder / "model.g2"
         cube.write_text("".join(map(bezier, UNIT)))
         self.assertEqual(run("convert", cube, g2).returncode, 0)
-        taken = self.folder / "model.g2.vjson"
+        taken = self.folder / "model.g2.cert.vjson"
         self.assertEqual(run("convert", cube, taken).returncode, 0)
         before = taken.read_bytes()
-        done = run("certify", taken, g2, "--certificate", self.folder)
-        self.assertEqual((done.returncode, done.stderr.count("is the input")), (4, 1), done)
+        for arguments in ((taken, g2, "--certificate", self.folder), (g2, "--certificate", self.folder / "a", "--json", self.folder / "a.vjson")):
+            done = run("certify", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done)
         self.assertEqual(taken.read_bytes(), before)
-        done = run("certify", g2, "--certificate", self.folder / "a.cert", "--json", self.folder / "a.vjson")
-        self.assertEqual((done.returncode, done.stderr.count("another output")), (4, 1), done)
+        (one,) = json.loads(run("certify", g2, "--certificate", "/dev/null", "--json", "-").stdout)["files"]
+        self.assertEqual((one["verdict"], one["exit"], one["copy"]["path"]), ("VALID", 0, None))
 
     def test_volumes_are_certified_by_their_boundary_faces(self):
         net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]

@@ -381,7 +381,7 @@ class CertifyPatches(Folder):
                            "components": 3, "points": [["0", "0", "0"], ["1", "0", "0"]]}}
         one = self.certify([surface(UNIT[0]), curve])
         self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-covered"))
-        self.assertEqual(one["error"]["message"], "beside 1 surface the file has 1 curve, which are no part of a boundary")
+        self.assertEqual(one["error"]["message"], "beside 1 surface the file has 1 curve: such shapes are no part of a boundary")
         self.assertEqual(self.certify([])["error"]["code"], "empty")
 
 

@@ -52,7 +52,14 @@ TEST(OpenBorders, NameTheDistancesOfCracks) {
     EXPECT_EQ(crack.near_sides, 4u);
     EXPECT_EQ(crack.least, std::ldexp(1.0, -bits));
     EXPECT_EQ(crack.greatest, std::ldexp(1.0, -bits));
+    // Far from the origin a gap of half a side is as wide as here.
+    const Patches far = patch_shapes::placed(box, 1, {1000000, 0, 0});
+    EXPECT_EQ(open_borders(complex_of(far)).greatest, std::ldexp(1.0, -bits));
   }
+  Patches lifted = unit_box();
+  lifted[5] = patch_shapes::placed({lifted[5]}, 1, {0, 0, Rational(1) / Rational(2)})[0];
+  EXPECT_EQ(open_borders(complex_of(patch_shapes::placed(lifted, 1, {1000000, 0, 0}))).near_sides,
+            0u);
   Patches box = unit_box();
   box[5] = with_coefficient(box[5], 2, 3, Rational(5) / Rational(4));
   EXPECT_EQ(open_borders(complex_of(box)).near_sides, 0u) << "a quarter is a hole";

@@ -18,6 +18,8 @@
 namespace veritope {
 namespace {
 
+// What checkers ask for each patch before they glue all of them.
+constexpr std::uint64_t kBytesOfGluedPatch = 3;
 constexpr std::size_t kMostReasons = 19;  // and one more: not-certified
 
 Finding why(const char* code, std::string message) {
@@ -133,6 +135,8 @@ class Certification {
   FileDecisionOptions decision_options() {
     FileDecisionOptions out;
     out.search.budget = &budget_;
+    out.search.with_contacts_on_borders =
+        kBytesOfGluedPatch * patches_.complex->patches().size() <= file_.bytes;
     if (options_.max_cells) out.search.cover.max_boxes = *options_.max_cells;
     if (options_.tolerance) out.search.tolerance = *options_.tolerance;
     if (options_.with_collar) out.frame = FrameWanted::kPlainIfCheap;
@@ -235,7 +239,12 @@ class Certification {
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
   Result<std::optional<StandIn>> made = stand_in_of(file);
-  if (!made) return made.error();
+  if (!made) {
+    Certified out;
+    out.facts.emplace<PatchFacts>();
+    out.findings = {not_covered(text_of(finding_of(made.error())))};
+    return out;
+  }
   if (!*made) return Certification(file, options).run();
   StandIn& stand_in = **made;
   Result<Certified> out = Certification(stand_in.file, options).run();

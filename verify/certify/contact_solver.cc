@@ -50,6 +50,21 @@ Rational simple_near(double t, double tolerance) {
   return simplest_between(middle - width, middle + width);
 }
 
+std::array<PatchPlace, 2> simple_places(const std::array<SheetPlace, 2>& at,
+                                        const std::array<bool, 4>& is_fixed, double tolerance) {
+  std::array<PatchPlace, 2> out;
+  for (std::size_t j = 0; j < 4; ++j) {
+    out[j / 2].patch = at[j / 2].patch;
+    const double t = parameter(at, j);
+    out[j / 2].at[j % 2] = is_fixed[j] ? Rational::from_double(t) : simple_near(t, tolerance);
+  }
+  return out;
+}
+
+// The first corner of a triangle has many parameters.
+bool has_own_parameters(const PatchComplex& complex, const PatchPlace& place) {
+  return !complex.patch(place.patch).is_triangle() || place.at[0].sign() != Sign::kZero;
+}
 bool is_inside(const PatchPlace& place) {
   return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
     return v.sign() == Sign::kPositive && v < Rational(1);
@@ -66,7 +81,7 @@ std::vector<Stance> stances(const SheetRange& range) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto& [lo, hi] = range.at[axis];
     // Where a parameter is not determined it stays: a short one.
-    const double grid = std::exp2(std::floor(std::log2(hi - lo)) - 1);
+    const double grid = std::exp2(std::floor(std::log2(std::max(hi - lo, 0x1p-60))) - 1);
     choices[axis].push_back({std::nearbyint(0.5 * (lo + hi) / grid) * grid, false});
     if (lo == 0) choices[axis].push_back({0, true});
     if (hi == 1) choices[axis].push_back({1, true});
@@ -269,17 +284,25 @@ std::optional<MeetingWitness> ContactSolver::solve_from(Places at, Fixed is_fixe
   };
   if (std::any_of(tested_.begin(), tested_.end(), is_near)) return std::nullopt;
   tested_.push_back(at);
+  if (is_one_point(simple_places(at, is_fixed, kSamePlace))) return std::nullopt;
   ++num_tested;
   return prove(at, is_fixed);
+}
+
+// Whether the surface glues the places to each other: most solutions lie where neighbours meet.
+bool ContactSolver::is_one_point(const std::array<PatchPlace, 2>& places) {
+  const PatchComplex& complex = maps_.forest().complex();
+  if (!is_glued_) is_glued_ = is_glued(complex);
+  return *is_glued_ && are_one_point(complex, places[0], places[1]);
 }
 
 std::optional<MeetingWitness> ContactSolver::prove(const Places& at, const Fixed& is_fixed) {
   const PatchComplex& complex = maps_.forest().complex();
   const auto proof = [&](PatchPlace a, PatchPlace b) -> std::optional<MeetingWitness> {
     if (!has_short_numbers(a) || !has_short_numbers(b)) return std::nullopt;
-    if (point_of(complex, a) != point_of(complex, b))
-      return std::nullopt;  // mostly; M1 takes longer
+    if (point_of(complex, a) != point_of(complex, b)) return std::nullopt;
     if (!is_inside(a)) std::swap(a, b);
+    if (!on_borders_ && !(is_inside(a) && has_own_parameters(complex, b))) return std::nullopt;
     MeetingWitness out{MeetingWitness::Cause::kContact, {std::move(a), std::move(b)}};
     if (broken_condition(complex, out)) return std::nullopt;
     return out;
@@ -295,12 +318,7 @@ std::optional<MeetingWitness> ContactSolver::prove(const Places& at, const Fixed
   };
   std::array<PatchPlace, 2> last;
   for (const double tolerance : kTolerances) {
-    std::array<PatchPlace, 2> simple;
-    for (std::size_t j = 0; j < 4; ++j) {
-      simple[j / 2].patch = at[j / 2].patch;
-      const double t = parameter(at, j);
-      simple[j / 2].at[j % 2] = is_fixed[j] ? Rational::from_double(t) : simple_near(t, tolerance);
-    }
+    const std::array<PatchPlace, 2> simple = simple_places(at, is_fixed, tolerance);
     if (simple == last) continue;
     last = simple;
     if (auto found = proof(simple[0], simple[1])) return found;

@@ -134,6 +134,7 @@ std::optional<CrossingWitness> CrossingSearch::near(Id piece) {
 }
 
 std::optional<MeetingWitness> CrossingSearch::touching_near(Id piece) {
+  contacts_.start_again();
   return contact_of(pairs_near(piece), kMostSolvedNear);
 }
 

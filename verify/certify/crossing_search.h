@@ -16,8 +16,9 @@ namespace veritope {
 /// Keeps a reference to the forest and adds nodes to it.
 class CrossingSearch {
  public:
-  explicit CrossingSearch(PieceForest& forest)
-      : forest_(forest), solver_(forest), contacts_(solver_.maps()) {}
+  /// @param on_borders  as for ContactSolver
+  explicit CrossingSearch(PieceForest& forest, bool on_borders = true)
+      : forest_(forest), solver_(forest), contacts_(solver_.maps(), on_borders) {}
 
   /// Searches the pairs of patches' pieces whose hulls meet and that are not neighbours. Pairs are split level by
   /// level; where the sizes of the hulls differ much, only the larger piece is split. In models of over 1,024 patches,
@@ -34,7 +35,7 @@ class CrossingSearch {
   std::optional<CrossingWitness> near(PieceForest::Id piece);
 
   /// Points at which sheets touch, in the same places as everywhere() and near(), but five levels deep only. @cost
-  /// ContactSolver's limits, in all calls
+  /// ContactSolver's limits, each time
   std::optional<MeetingWitness> touching_everywhere();
   std::optional<MeetingWitness> touching_near(PieceForest::Id piece);
 

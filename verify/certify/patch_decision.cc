@@ -140,7 +140,7 @@ class Decider {
   // Returns a crossing or a contact that was found before the search for the cover, at a piece without a star box
   // during it, or where it ended.
   std::optional<PatchRefutation> cover_or_cross(bool with_frames) {
-    CrossingSearch search(*forest_);
+    CrossingSearch search(*forest_, options_.with_contacts_on_borders);
     if (!with_frames)
       if (auto crossing = search.among_patches()) return *crossing;
     std::optional<PatchRefutation> found;

@@ -21,7 +21,10 @@ namespace veritope {
 
 struct PatchDecisionOptions {
   StarCoverOptions cover;
-  OuterSides outer;             ///< which sides may be named as open, or passed in a wrong way
+  OuterSides outer;  ///< which sides may be named as open, or passed in a wrong way
+  /// Whether a proof of a contact may name sides and corners: no, if the checkers would have to glue more patches than
+  /// they do for a file of this size (docs/certificates/patch-invalid-2.md, M1).
+  bool with_contacts_on_borders = true;
   double tolerance = 1e-5;      ///< the volume's: see shell_volumes
   bool in_plain_frame = false;  ///< as collars need it: see PieceForest::Frame
   /// Boxes in frames and with several sheets where boxes along the axes would be many. REQUIRES !in_plain_frame.

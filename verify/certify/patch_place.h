@@ -16,7 +16,8 @@ struct PatchPlace {
   friend bool operator==(const PatchPlace&, const PatchPlace&) = default;
 };
 
-/// Whether P1 holds: the complex is a closed oriented surface, and none of its sides is its own reverse.
+/// Whether P1 holds, apart from collapsed sides inside of entities, which a complex does not know: it is a closed
+/// oriented surface, and none of its sides is its own reverse.
 /// @cost  linear in the number of patches
 bool is_glued(const PatchComplex& complex);
 

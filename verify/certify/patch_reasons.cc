@@ -97,9 +97,10 @@ class Reasons {
         out.code = "singular-line";
         out.place.parts = {parts_.of(side, {Rational(0), Rational(1)})};
         out.place.near = finite(approx_point(complex_.patch(p).corner(s)));
-        out.message = "a line inside of " + entity_text(entity(p)) +
-                      ", on a knot, is mapped to one point: different places of the surface have "
-                      "one image; make two surfaces of it there";
+        out.message =
+            "a line inside of " + entity_text(entity(p)) +
+            ", where it is cut, is mapped to one point: different places of the surface have "
+            "one image; make two surfaces of it there";
         add(std::move(out));
       }
   }

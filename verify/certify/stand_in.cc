@@ -46,6 +46,16 @@ std::string joined(const std::vector<std::string>& parts) {
   return out;
 }
 
+constexpr std::uint32_t kMostDigits = 1'000'000;
+
+// "7 surfaces", "5 surfaces and 2 triangles".
+std::string patches_text(const Content& c) {
+  std::vector<std::string> parts;
+  if (c.surfaces != 0) parts.push_back(counted(c.surfaces, "surface"));
+  if (c.triangles != 0) parts.push_back(counted(c.triangles, "triangle"));
+  return joined(parts);
+}
+
 bool has_left_out_shapes(const SplineFile& file) {
   for (const LeftOut& l : file.left_out)
     if (l.is_geometry) return true;
@@ -82,8 +92,8 @@ std::optional<std::string> uncovered_shapes(const SplineFile& file) {
     parts.push_back(std::to_string(c.other) + (c.other == 1 ? " volume" : " volumes") +
                     " outside of space");
   if (!c.has_patches()) return "the file has " + joined(parts) + ": such shapes bound no solid";
-  return "beside " + counted(c.surfaces + c.triangles, "surface") + " the file has " +
-         joined(parts) + ", which are no part of a boundary";
+  return "beside " + patches_text(c) + " the file has " + joined(parts) +
+         ": such shapes are no part of a boundary";
 }
 
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
@@ -99,14 +109,18 @@ Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
     if (!faces) return faces.error();
     out.what = "the " + counted(faces->patches.size(), "boundary face") + " of its " +
                counted(c.volumes, "volume");
+    if (faces->num_flat != 0)
+      out.what += ", without " + counted(faces->num_flat, "face") + " that have no area";
     out.bytes = spline_json_bytes(model_of(faces->patches));
   } else {
-    out.what = "its " + counted(c.surfaces + c.triangles, "surface");
+    out.what = "its " + patches_text(c);
     out.bytes = spline_json_bytes(file.model);
   }
+  ModelReadOptions wide;  // numbers that certificates cannot speak of are found there, and named
+  wide.limits.max_digits = wide.limits.max_exponent = kMostDigits;
   Result<SplineFile> read = read_spline_bytes(
       {reinterpret_cast<const unsigned char*>(out.bytes.data()), out.bytes.size()}, "copy.vjson",
-      {});
+      wide);
   if (!read) return read.error();
   out.file = std::move(*read);
   return std::optional<StandIn>(std::move(out));

@@ -36,7 +36,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::optional<std::string> nearest_name(std::string_view word,
                                         const std::vector<std::string>& names) {
   if (word.size() < 2 || word.size() > kMostLetters) return std::nullopt;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 4) + 1;
   std::optional<std::string> out;
   for (const std::string& name : names) {
     if (name.size() > kMostLetters) continue;

@@ -334,8 +334,12 @@ class Failures(Folder):
         done = subprocess.run(["bash", "-c", f'"{BIN}/veritope" predicate orient2d - < "{MODELS}"'], capture_output=True, text=True)
         self.assertEqual(complaint(done), (4, "standard input: cannot be read: Is a directory"))
 
-    def test_an_unknown_name_is_wrong_usage_and_the_names_are_listed(self):
-        for name in ("orient4d", "", "ORIENT2D", "orient2d_filter"):
+    def test_an_unknown_name_is_wrong_usage_and_the_one_that_was_meant_or_all_are_listed(self):
+        for name in ("orient4d", "ORIENT2D"):
+            done = decide(name, "")
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(f"NAME: there is no predicate {name}; did you mean orient2d?\n", done.stderr)
+        for name in ("", "area", "orient2d_filter"):
             done = decide(name, "")
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(f"NAME: must be one of any, {', '.join([*NUM_OPERANDS, *IMPLICIT_OPERANDS])}, not {name}\n", done.stderr)

@@ -20,10 +20,13 @@ TEST(PatchShapesDiff, TessellationsOfSoundShapesAreValidWithTheirGenusAndBodies)
     EXPECT_EQ(report.counts.bodies, std::optional(static_cast<std::uint64_t>(shape.bodies)));
   }
 }
-// A tessellation of a tangent shape need not touch itself; those with four points per side do.
+// A tessellation of a tangent shape need not touch itself; those with four points per side do, but for the lid that is
+// tangent along an irrational line.
 TEST(PatchShapesDiff, TessellationsOfBrokenShapesAreNot) {
   for (const auto& shape : patch_shapes::broken_shapes())
-    EXPECT_FALSE(decide_validity(tessellated(shape.patches, 4), {}).is_valid) << shape.name;
+    EXPECT_EQ(decide_validity(tessellated(shape.patches, 4), {}).is_valid,
+              shape.name == "lid-touching-in-an-irrational-line")
+        << shape.name;
 }
 
 }  // namespace

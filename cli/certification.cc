@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/checker_process.h"
+#include "cli/output_plan.h"
 #include "cli/scratch_file.h"
 #include "io/formats.h"
 #include "render/defect_picture.h"
@@ -249,7 +250,7 @@ class Certification {
     const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
     return "this is a bug of veritope, not of your file: please report it with the file, or with "
            "what this prints: veritope certify --no-check --certificate bug.cert " +
-           own_options() + name + "; veritope-check " + (stand_in_ ? "bug.vjson" : name) +
+           own_options() + name + "; veritope-check " + (stand_in_ ? copy_path("bug.cert") : name) +
            " bug.cert; veritope --version";
   }
 

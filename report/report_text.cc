@@ -33,7 +33,7 @@ std::string copy_text(const FileReport& report) {
   std::string text = c.what + (c.is_of_volumes ? ", not their cells" : "") + ", as .vjson";
   if (c.path)
     text += " in " + harmless(*c.path);
-  else if (report.certificate)
+  else if (report.certificate && !report.certificate->path)
     text += " (--certificate F keeps it, too)";
   return detail_line("certified", text);
 }

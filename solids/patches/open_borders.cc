@@ -37,6 +37,7 @@ double length_of_side(const PatchComplex& complex, PatchSide s) {
 
 OpenBorders open_borders(const PatchComplex& complex) {
   OpenBorders out;
+  if (complex.count(PatchDefect::kOpenSide) == 0) return out;
   DisjointSets<> vertices(complex.num_vertices());
   std::vector<std::uint32_t> starts;
   for (std::uint32_t e = 0; e < complex.num_edges(); ++e) {

@@ -359,6 +359,20 @@ TEST(Certify, OfOtherFormatsACopyIsCertified) {
   }
 }
 
+// The checkers glue at most a patch for every three bytes: of a shorter file a contact of corners has no certificate.
+TEST(Certify, ContactsOfCornersNeedAFileThatIsLongEnough) {
+  const auto verdict_of = [](const Patches& patches, std::uint64_t bytes) {
+    ModelFile file = read(bytes_of(patches), "boxes.vjson");
+    std::get<SplineFile>(file).bytes = bytes;
+    return certify(file).value().verdict;
+  };
+  const Patches corners = broken_shape("boxes-touching-in-a-vertex").patches,
+                faces = broken_shape("boxes-touching-in-a-face").patches;
+  EXPECT_EQ(verdict_of(corners, 36), Verdict::kInvalid);
+  EXPECT_EQ(verdict_of(corners, 35), Verdict::kUndecided);
+  EXPECT_EQ(verdict_of(faces, 35), Verdict::kInvalid) << "a place inside of a face needs no gluing";
+}
+
 TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
   std::string points;
   for (int i = 0; i < 2; ++i)
@@ -384,6 +398,9 @@ TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
   EXPECT_EQ(c.copy->what, "the 6 boundary faces of its 1 volume");
   EXPECT_TRUE(c.copy->is_of_volumes);
   expect_accepted(c.copy->bytes, c);
+  std::string flat = volume;
+  for (std::size_t at; (at = flat.find("\"2\"]")) != flat.npos;) flat.replace(at, 4, "\"0\"]");
+  expect_undecided(certify(file(flat)).value(), "not-covered", "without area");
   // Twice, each face is there twice. Beside a surface nothing says what bounds the solid.
   EXPECT_EQ(certify(file(volume + ", " + volume)).value().verdict, Verdict::kInvalid);
   const std::string faces = c.copy->bytes;

@@ -95,7 +95,7 @@ TEST(ContactSolver, StopsAtItsLimits) {
   const SheetRange all{0, {{{0, 1}, {0, 1}}}}, other{1, {{{0, 1}, {0, 1}}}};
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(solver.solve(all, other));
   EXPECT_LE(solver.num_solved, ContactSolver::kMostSolved);
-  EXPECT_LE(solver.num_tested, ContactSolver::kMostTested);
+  EXPECT_EQ(solver.num_tested, 0u) << "neighbours meet where they are glued";
 }
 
 TEST(AffinePatch, InvertsWhatIsAffineAndNothingElse) {

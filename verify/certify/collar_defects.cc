@@ -67,8 +67,7 @@ class Splitter {
     forest_.limit_memory(PieceForest::kNetMemory);
     cover_.for_each_piece(cell, [&](PieceForest::Id id) {
       const std::uint32_t shell = forest_.complex().shell(forest_.node(id).patch);
-      out.add(
-          {with_facing && out.facing != 0 ? facing_.of_part(id, box) : out.facing, shell, shell});
+      out.add({with_facing && out.facing != 0 ? facing_.of_part(id, box) : out.facing, shell, shell});
     });
     return out;
   }
@@ -107,7 +106,8 @@ class Splitter {
     });
     if (chosen.size() <= kManyCells) return;
     const Box3d near = around(thickest(chosen));
-    for (const std::size_t i : chosen) which[i] = meets(cover_.root().box(cover_.key(i)), near);
+    for (const std::size_t i : chosen)
+      which[i] = meets(cover_.root().box(cover_.key(i)), near);
   }
   // Among the finest cells: where one place was chosen before, its cells are.
   std::size_t thickest(const std::vector<std::size_t>& chosen) const {
@@ -197,7 +197,8 @@ std::vector<BodyDefect> find_body_defects(
     if (sides[body].size() != 2) {
       complain(name + " have " + std::to_string(sides[body].size()) +
                " boundary components, not 2");
-      out.back().lacks_cavity = sides[body].size() == 1 && patches.shells()[shells[0]].euler() == 2;
+      out.back().lacks_cavity =
+          sides[body].size() == 1 && patches.shells()[shells[0]].euler() == 2;
       continue;
     }
     const std::int64_t euler = patches.shells()[shells[0]].euler();

@@ -65,12 +65,6 @@ std::array<PatchPlace, 2> simple_places(const std::array<SheetPlace, 2>& at,
 bool has_own_parameters(const PatchComplex& complex, const PatchPlace& place) {
   return !complex.patch(place.patch).is_triangle() || place.at[0].sign() != Sign::kZero;
 }
-bool is_inside(const PatchPlace& place) {
-  return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
-    return v.sign() == Sign::kPositive && v < Rational(1);
-  });
-}
-
 // Ways to look at a range: what is fixed, and where.
 struct Stance {
   std::array<double, 2> at;
@@ -301,8 +295,9 @@ std::optional<MeetingWitness> ContactSolver::prove(const Places& at, const Fixed
   const auto proof = [&](PatchPlace a, PatchPlace b) -> std::optional<MeetingWitness> {
     if (!has_short_numbers(a) || !has_short_numbers(b)) return std::nullopt;
     if (point_of(complex, a) != point_of(complex, b)) return std::nullopt;
-    if (!is_inside(a)) std::swap(a, b);
-    if (!on_borders_ && !(is_inside(a) && has_own_parameters(complex, b))) return std::nullopt;
+    if (!is_in_open_domain(a)) std::swap(a, b);
+    if (!on_borders_ && !(is_in_open_domain(a) && has_own_parameters(complex, b)))
+      return std::nullopt;
     MeetingWitness out{MeetingWitness::Cause::kContact, {std::move(a), std::move(b)}};
     if (broken_condition(complex, out)) return std::nullopt;
     return out;

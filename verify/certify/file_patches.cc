@@ -95,8 +95,9 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
   if (fitted.forest->frame().is_plain() && !fitted.decision.cover.needs_version_2()) return fitted;
   options.in_plain_frame = true;
   options.with_frames = false;
-  options.cover.max_boxes = std::min(
-      options.cover.max_boxes, kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
+  options.cover.max_boxes =
+      std::min(options.cover.max_boxes,
+               kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
   FileDecision plain = decide_in_frame(patches, options);
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
 }

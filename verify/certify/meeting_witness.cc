@@ -18,14 +18,6 @@ constexpr std::size_t kMostNumberBits = 62;  // of the numbers of a certificate
 
 Rational ratio(int n, int d) { return Rational(n) / Rational(d); }
 
-bool is_between(const Rational& low, const Rational& v, const Rational& high) {
-  return low < v && v < high;
-}
-
-bool is_in_open_domain(const PatchPlace& place) {
-  return std::all_of(place.at.begin(), place.at.end(),
-                     [](const Rational& v) { return is_between(Rational(0), v, Rational(1)); });
-}
 bool is_in_domain(const PatchPlace& place) {
   return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
     return v.sign() != Sign::kNegative && !(Rational(1) < v);

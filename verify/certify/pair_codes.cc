@@ -64,8 +64,7 @@ int side_of_plane_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3
   int side = 0;
   for (std::uint32_t v : u) {
     if (std::find(t.begin(), t.end(), v) != t.end()) continue;
-    const int s = to_int(orient3d(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]],
-                                  mesh.positions[v]));
+    const int s = to_int(orient3d(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], mesh.positions[v]));
     if (s == 0 || (side != 0 && s != side)) return 0;
     side = s;
   }
@@ -92,10 +91,8 @@ Pair<Integer> to_integers(const TriangleMesh& mesh, const Ids& ids) {
     const Binary64 s = split(v);
     Integer value(s.mantissa);
     if (s.mantissa != 0) {
-      if (s.exponent >= unit)
-        value.shift_left(static_cast<std::uint64_t>(s.exponent - unit));
-      else
-        value.shift_right(static_cast<std::uint64_t>(unit - s.exponent));
+      if (s.exponent >= unit) value.shift_left(static_cast<std::uint64_t>(s.exponent - unit));
+      else value.shift_right(static_cast<std::uint64_t>(unit - s.exponent));
     }
     (second ? out.b : out.a)[i][static_cast<std::size_t>(k)] = std::move(value);
   });
@@ -141,8 +138,7 @@ class ExactSearch {
   void rank_axes(const TriangleMesh& mesh) {
     Pair<double> p;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d &u = mesh.positions[ids_.a[i]], &v = mesh.positions[ids_.b[i]],
-                  &o = mesh.positions[ids_.a[0]];
+      const Vec3d &u = mesh.positions[ids_.a[i]], &v = mesh.positions[ids_.b[i]], &o = mesh.positions[ids_.a[0]];
       p.a[i] = {u.x - o.x, u.y - o.y, u.z - o.z};
       p.b[i] = {v.x - o.x, v.y - o.y, v.z - o.z};
     }
@@ -156,9 +152,7 @@ class ExactSearch {
         a_lo = std::min(a_lo, u), a_hi = std::max(a_hi, u);
         b_lo = std::min(b_lo, v), b_hi = std::max(b_hi, v);
       }
-      const auto rank = [&](double gap) {
-        return size > 0 && std::isfinite(gap) ? -gap / size : 0.0;
-      };
+      const auto rank = [&](double gap) { return size > 0 && std::isfinite(gap) ? -gap / size : 0.0; };
       gaps.emplace_back(rank(b_lo - a_hi), static_cast<std::uint8_t>(axis));
       gaps.emplace_back(rank(a_lo - b_hi), static_cast<std::uint8_t>(axis | kNegate));
     }
@@ -204,8 +198,7 @@ class ExactSearch {
       if ((s.b >> i & 1u) != 0) add(ids_.b[i], pair_.b[i]);
     }
     if (points.size() != 3) return points.size() < 3;
-    const Vec<Integer> n =
-        cross(*points[1].second - *points[0].second, *points[2].second - *points[0].second);
+    const Vec<Integer> n = cross(*points[1].second - *points[0].second, *points[2].second - *points[0].second);
     return !n[0].is_zero() || !n[1].is_zero() || !n[2].is_zero();
   }
 
@@ -218,8 +211,7 @@ class ExactSearch {
 
 // Codes 0 and 1: with d the normal of t, t lies in a plane d.x = c, and the corners of u that t does not have lie
 // strictly beyond it. The contact is spanned by corners of t, which are not collinear.
-std::vector<std::uint8_t> find_pair_codes(const TriangleMesh& mesh, std::uint32_t a,
-                                          std::uint32_t b) {
+std::vector<std::uint8_t> find_pair_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
   const Ids ids{mesh.faces[a], mesh.faces[b]};
   if (const int side = side_of_plane_of(mesh, ids.a, ids.b); side != 0)
     return {static_cast<std::uint8_t>(side > 0 ? 0 : kNegate)};

@@ -148,12 +148,13 @@ class Search {
       if (which[i] && octree_->key(i).level() >= options_.max_level)
         return fail(defects.front().message + "; cells of the least size come together here",
                     root_.box(octree_->key(i)));
-    const auto num_split = static_cast<std::size_t>(std::count(which.begin(), which.end(), true));
+    const auto num_split =
+        static_cast<std::size_t>(std::count(which.begin(), which.end(), true));
     // A surface meets approximately 4 of 8 children.
     if (is_narrow_ && which.size() + 3 * num_split > kFewCells)
       return end(open_code::kBudget,
-                 "sheets pass so near each other that more than " + std::to_string(max_cells_) +
-                     " cells may be needed" + reached(),
+                 "sheets pass so near each other that more than " +
+                     std::to_string(max_cells_) + " cells may be needed" + reached(),
                  cover_.boxes[gaps_.narrowest].star.box);
     const Box3d place =
         root_.box(complex.cells()[boundary_.bodies[defects.front().body].first_cell]);

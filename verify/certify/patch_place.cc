@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/patch_place.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -60,6 +61,12 @@ SurfacePoint surface_point(const PatchComplex& complex, const PatchPlace& place)
 }
 
 }  // namespace
+
+bool is_in_open_domain(const PatchPlace& place) {
+  return std::all_of(place.at.begin(), place.at.end(), [](const Rational& v) {
+    return v.sign() == Sign::kPositive && v < Rational(1);
+  });
+}
 
 bool is_glued(const PatchComplex& complex) {
   if (!complex.is_closed_oriented_surface()) return false;

@@ -16,6 +16,9 @@ struct PatchPlace {
   friend bool operator==(const PatchPlace&, const PatchPlace&) = default;
 };
 
+/// Whether both parameters lie strictly between 0 and 1.
+bool is_in_open_domain(const PatchPlace& place);
+
 /// Whether P1 holds, apart from collapsed sides inside of entities, which a complex does not know: it is a closed
 /// oriented surface, and none of its sides is its own reverse.
 /// @cost  linear in the number of patches

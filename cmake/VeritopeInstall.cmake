@@ -1,7 +1,8 @@
-# What an installation contains: the layers as static libraries with their public headers, the programs, the checker in
-# Python, the documents, a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc.
+# What an installation contains: the layers as static libraries with their headers, the programs, the checker in Python,
+# the documents, a CMake package (veritope::<layer>, veritope::veritope = all of them) and veritope.pc.
 # tests/install/ uses all of it.
 include(CMakePackageConfigHelpers)
+include(VeritopeHeaders)
 
 # veritope_programs: every executable of cli/ and verify/checker/, without the tests.
 set(veritope_executables "")
@@ -20,29 +21,41 @@ add_custom_target(veritope_programs DEPENDS ${veritope_executables})
 # installed.
 set(veritope_layers "")
 set(veritope_pc_libs "")
+# Headers that include other libraries belong to a target of their own, veritope::interop, which veritope::veritope does
+# not contain.
+set(veritope_header_folders interop)
 get_property(layers GLOBAL PROPERTY VERITOPE_LAYERS)
 foreach(layer IN LISTS layers)
   get_target_property(folder ${layer} VERITOPE_FOLDER)
-  if(folder MATCHES "^(cli|models|named_predicates|report)$")
+  if(folder MATCHES "^(cli|models|named_predicates|render|report)$")
     continue()
   endif()
   list(APPEND veritope_layers ${layer})
+  list(APPEND veritope_header_folders "${folder}")
   string(PREPEND veritope_pc_libs "-l${layer} ")
-  file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h"
-       "${PROJECT_SOURCE_DIR}/${folder}/generated/*.h")
-  foreach(header IN LISTS headers)
-    if(NOT header MATCHES "_internal\\.h$")
-      cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE relative)
-      cmake_path(GET relative PARENT_PATH place)
-      install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/${place}")
-    endif()
-  endforeach()
 endforeach()
 
-# Headers that include other libraries: a target of its own, veritope::interop, which veritope::veritope does not
-# contain.
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/interop/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/veritope/interop"
-        FILES_MATCHING PATTERN "*.h")
+# Headers. Their includes are rewritten when they are installed, so that no edit of a header asks for a new
+# configuration.
+set(veritope_table "${PROJECT_SOURCE_DIR}/cmake/public_headers.txt")
+set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${veritope_table}")
+veritope_read_public_headers("${veritope_table}" veritope_public_headers)
+foreach(header IN LISTS veritope_public_headers)
+  if(NOT EXISTS "${PROJECT_SOURCE_DIR}/${header}")
+    message(FATAL_ERROR "cmake/public_headers.txt names ${header}, which does not exist")
+  endif()
+endforeach()
+configure_file(cmake/version.h.in "${PROJECT_BINARY_DIR}/version.h" @ONLY)
+cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_INCLUDEDIR BASE_DIRECTORY "\${CMAKE_INSTALL_PREFIX}"
+           OUTPUT_VARIABLE veritope_include_dir)
+install(CODE "
+  set(VERITOPE_ROOT [==[${PROJECT_SOURCE_DIR}]==])
+  set(VERITOPE_TABLE [==[${veritope_table}]==])
+  set(VERITOPE_FOLDERS ${veritope_header_folders})
+  set(VERITOPE_VERSION_FILE [==[${PROJECT_BINARY_DIR}/version.h]==])
+  set(VERITOPE_STAGE [==[${PROJECT_BINARY_DIR}/installed_headers]==])
+  set(VERITOPE_DESTINATION \"${veritope_include_dir}/veritope\")")
+install(SCRIPT cmake/InstallHeaders.cmake)
 
 add_library(veritope_all INTERFACE)
 add_library(veritope::veritope ALIAS veritope_all)
@@ -79,3 +92,7 @@ install(FILES "${PROJECT_BINARY_DIR}/veritope.pc" DESTINATION "${veritope_pc_dir
 
 install(FILES README.md LICENSE.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY LICENSES docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# The models that the documents name. The programs of examples/ stay in the tree: their shapes are not installed.
+file(GLOB veritope_example_models CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.*")
+list(FILTER veritope_example_models EXCLUDE REGEX "/CMakeLists\\.txt$")
+install(FILES ${veritope_example_models} DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")

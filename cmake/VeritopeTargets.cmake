@@ -47,7 +47,7 @@ function(veritope_layer name folder)
   add_library(veritope::${name} ALIAS veritope_${name})
   veritope_batches(veritope_${name})
   target_include_directories(veritope_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/veritope>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(veritope_${name} PUBLIC cxx_std_20)
   target_link_libraries(veritope_${name} PRIVATE $<BUILD_INTERFACE:veritope_flags>)
   if(VERITOPE_ALSO_PRECOMPILED)

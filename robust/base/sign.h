@@ -21,6 +21,28 @@ constexpr Sign operator*(Sign a, Sign b) {
 }
 constexpr int to_int(Sign s) { return static_cast<int>(s); }
 
+namespace internal {
+void a_sign_can_be_compared_with_zero_only();  // neither constexpr nor defined: no constant calls it
+/// The number 0, known when compiling. No other number and no variable converts to it.
+struct LiteralZero {
+  consteval LiteralZero(int value) noexcept {
+    if (value != 0) a_sign_can_be_compared_with_zero_only();
+  }
+};
+}  // namespace internal
+
+/// A sign compares with 0 as its number does: orient2d(p, q, r) > 0. Both != and 0 == s follow from s == 0.
+/// Comparisons with other numbers do not compile, nor do those of a Sign3: an uncertain sign has no order.
+constexpr bool operator==(Sign s, internal::LiteralZero) { return s == Sign::kZero; }
+constexpr bool operator<(Sign s, internal::LiteralZero) { return s < Sign::kZero; }
+constexpr bool operator>(Sign s, internal::LiteralZero) { return s > Sign::kZero; }
+constexpr bool operator<=(Sign s, internal::LiteralZero) { return s <= Sign::kZero; }
+constexpr bool operator>=(Sign s, internal::LiteralZero) { return s >= Sign::kZero; }
+constexpr bool operator<(internal::LiteralZero, Sign s) { return Sign::kZero < s; }
+constexpr bool operator>(internal::LiteralZero, Sign s) { return Sign::kZero > s; }
+constexpr bool operator<=(internal::LiteralZero, Sign s) { return Sign::kZero <= s; }
+constexpr bool operator>=(internal::LiteralZero, Sign s) { return Sign::kZero >= s; }
+
 /// Sign of an integer that C++ can compare with zero. Without a branch, like the other signs of fixed width: signs are
 /// often as good as random, and a mispredicted branch costs more than a short determinant.
 template <typename T>

@@ -26,6 +26,7 @@ set_tests_properties(infra_headers_alone PROPERTIES PROCESSORS 2)
 veritope_infra_test(clang full clang_test.py "${PROJECT_BINARY_DIR}")
 set_tests_properties(infra_clang PROPERTIES PROCESSORS 2)
 veritope_infra_test(claims_table quick claims_table_test.py "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+veritope_infra_test(public_headers quick install/public_headers_test.py "${CMAKE_COMMAND}")
 if(NOT VERITOPE_SANITIZE AND NOT VERITOPE_COVERAGE)
   # An instrumented library would need the same flags in the consumer.
   veritope_infra_test(install standard install/install_test.py "${PROJECT_BINARY_DIR}" "${CMAKE_COMMAND}"

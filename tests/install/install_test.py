@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """An installation serves programs outside the tree: it is made, moved to another folder, and used through find_package, through
-pkg-config, and by its programs.
+pkg-config, and by its programs. Its headers are those of the tree with other includes, and no folder of a user's can come in
+between.
 
 usage: install_test.py BUILD_FOLDER CMAKE CXX_COMPILER
 """
@@ -15,13 +16,17 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "support"))
+sys.path[:0] = [str(ROOT / "tests" / "support"), str(ROOT / "tests" / "infra"), str(ROOT / "tests"), str(ROOT / "tests" / "install")]
 from every_claim import assert_every_claim  # noqa: E402
+from installed_headers import installed_name, installed_text, public_headers  # noqa: E402
+from layering_test import is_installed  # noqa: E402
+from tree import Layers, files  # noqa: E402
 
 CONSUMER = ROOT / "tests" / "install" / "consumer"
 EXAMPLES = ROOT / "examples"
 INTEROP_PAGE = ROOT / "docs" / "how-to" / "use-with-cgal-boost-eigen.md"
 INTEROP_FLAGS = ["-isystem", "/usr/include/eigen3", "-frounding-math"]  # where Debian puts Eigen; what CGAL asks for
+OLD_STANDARD = "Veritope needs C++20: compile with -std=c++20"
 
 
 def run(*command, env=None, cwd=None):
@@ -43,6 +48,15 @@ class Installation(unittest.TestCase):
         cls.prefix = cls.folder / "moved"
         (cls.folder / "first").rename(cls.prefix)
         cls.include = cls.prefix / "include" / "veritope"
+        cls.headers = sorted(str(path.relative_to(cls.include)) for path in cls.include.rglob("*") if path.is_file())
+        layers = Layers((ROOT / "docs" / "layers.txt").read_text())
+        cls.sources = [path for path in map(str, files(ROOT, {".h"})) if is_installed(path, layers)]
+        cls.table = public_headers()
+        cls.public = sorted(name for _, name, _ in cls.table)
+        cls.clashes = cls.folder / "clashes"  # of a user who has chosen our names
+        for source in cls.sources:
+            (cls.clashes / source).parent.mkdir(parents=True, exist_ok=True)
+            (cls.clashes / source).write_text("#error this header is not Veritope's\n")
         cls.pc_folder = next(cls.prefix.rglob("veritope.pc")).parent
 
     def succeed(self, *command, **keywords):
@@ -54,6 +68,13 @@ class Installation(unittest.TestCase):
         output = self.succeed("pkg-config", *options, "veritope", env={"PKG_CONFIG_LIBDIR": str(self.pc_folder), "PATH": "/usr/bin:/bin"})
         return output.split()
 
+    def check_syntax(self, name, text, *flags):
+        """What the compiler says of a program, after its status."""
+        source = self.folder / name
+        source.write_text(text)
+        status, _, said = run(self.COMPILER, "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *flags, source)
+        return status, said
+
     def assert_consumer_works(self, program):
         self.assertEqual(run(program, EXAMPLES / "sound_part.stl")[:2], (0, "orient3d: 1\nvalid, 112 faces\n"))
         self.assertEqual(run(program, EXAMPLES / "self_crossing.off")[:2], (1, "orient3d: 1\ninvalid, 60 faces\n"))
@@ -61,7 +82,7 @@ class Installation(unittest.TestCase):
     def test_find_package_gives_a_consumer_all_that_it_needs(self):
         build = self.folder / "cmake"
         self.succeed(self.CMAKE, "-S", CONSUMER, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}",
-                     f"-DCMAKE_CXX_COMPILER={self.COMPILER}")
+                     f"-DCMAKE_CXX_COMPILER={self.COMPILER}", f"-DCMAKE_CXX_FLAGS=-I{self.clashes}")
         self.succeed(self.CMAKE, "--build", build, "-j", 2)
         self.assert_consumer_works(build / "consumer")
         self.assert_consumer_works(build / "consumer_of_io")
@@ -75,29 +96,75 @@ class Installation(unittest.TestCase):
             self.succeed(self.prefix / "bin" / "veritope-check", EXAMPLES / name, certificate)
             checker = self.prefix / "share" / "veritope" / "veritope_check.py"
             self.succeed(sys.executable, "-I", checker, EXAMPLES / name, certificate)
+        volume, certificate = ROOT / "tests" / "models" / "splines" / "two_cubes.mesh", self.folder / "volume.cert"
+        self.assertEqual(self.succeed(program, volume, certificate).splitlines()[0], "VALID star-box-1")
+        self.succeed(self.prefix / "bin" / "veritope-check", f"{certificate}.vjson", certificate)
+        self.succeed(sys.executable, "-I", checker, f"{certificate}.vjson", certificate)
 
     def test_pkg_config_gives_a_consumer_all_that_it_needs(self):
         program = self.folder / "by_pkg_config"
         flags = self.pkg_config("--cflags"), self.pkg_config("--libs", "--static")
         self.assertIn("-ffp-contract=off", flags[0])
-        self.succeed(self.COMPILER, "-std=c++20", *flags[0], CONSUMER / "main.cc", "-o", program, *flags[1])
+        folders = [pathlib.Path(flag[2:]).resolve() for flag in flags[0] if flag.startswith("-I")]
+        self.assertEqual(folders, [self.prefix.resolve() / "include"])
+        self.succeed(self.COMPILER, "-std=c++20", f"-I{self.clashes}", *flags[0], CONSUMER / "main.cc", "-o", program, *flags[1])
         self.assert_consumer_works(program)
 
-    def test_the_installed_headers_compile_and_include_installed_headers_only(self):
-        """tests/install/headers_test.py compiles each header of the tree alone. An installed one then compiles alone, too,
-        if all that it includes is there."""
-        headers = sorted(path.relative_to(self.include) for path in self.include.rglob("*") if path.is_file())
-        self.assertIn(pathlib.Path("predicates/orient3d.h"), headers)
-        for header in headers:
-            for name in re.findall(r'(?m)^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', (self.include / header).read_text()):
-                self.assertIn(pathlib.Path(name), headers, str(header))
+    def test_the_public_headers_are_those_of_the_table_and_all_others_are_internal(self):
+        expected = [installed_name(source, self.table) for source in self.sources] + ["version.h"]
+        self.assertEqual(self.headers, sorted(expected))
+        self.assertEqual([name for name in self.headers if not name.startswith("internal/")], self.public)
+        self.assertLess(len(self.public), len(self.headers) / 2)
+
+    def test_an_installed_header_differs_from_that_of_the_tree_in_its_includes_only(self):
+        self.assertGreater(len(self.sources), 250)
+        for source in self.sources:
+            installed = (self.include / installed_name(source, self.table)).read_bytes()
+            self.assertTrue(installed == installed_text((ROOT / source).read_bytes(), self.table), source)
+
+    def test_installed_headers_include_by_the_name_veritope(self):
+        for header in self.headers:
+            text = (self.include / header).read_text()
+            self.assertEqual(re.findall(r'(?m)^[ \t]*#[ \t]*include[ \t]*"', text), [], header)
+            if header != "version.h":  # it names a file that must not exist
+                for name in re.findall(r"(?m)^[ \t]*#[ \t]*include[ \t]*<veritope/([^>]+)>", text):
+                    self.assertIn(name, self.headers, header)
+
+    def test_all_headers_compile_together_and_each_public_one_alone_before_folders_with_the_same_names(self):
+        """tests/install/headers_test.py compiles each header of the tree alone. An installed internal one then compiles
+        alone, too, if all that it includes is there."""
+        flags = ["-std=c++20", f"-I{self.clashes}", *self.pkg_config("--cflags")]
+
+        def compile_headers(place, headers):
+            more = INTEROP_FLAGS if headers[0].startswith("interop/") else []
+            text = "".join(f"#include <veritope/{header}>\n" for header in headers)
+            return headers, self.check_syntax(f"headers_{place}.cc", text, *flags, *more)
+
+        interop = [header for header in self.headers if header.startswith("interop/")]
+        jobs = [[header for header in self.headers if header not in interop], interop, *([header] for header in self.public)]
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for headers, (status, said) in pool.map(compile_headers, range(len(jobs)), jobs):
+                with self.subTest(headers=headers[:3]):
+                    self.assertEqual(status, 0, said)
+
+    def test_an_older_standard_is_reported_first_and_nothing_else_is(self):
         cflags = self.pkg_config("--cflags")
-        for place, more in (("", []), ("interop", INTEROP_FLAGS)):
-            source = self.folder / f"all_headers_{place}.cc"
-            wanted = [header for header in headers if header.is_relative_to("interop") == bool(place)]
-            source.write_text("".join(f'#include "{header}"\n' for header in wanted))
-            flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *cflags, *more]
-            self.succeed(self.COMPILER, *flags, source)
+        for standard in ("c++17", "c++11"):
+            for name in ("predicates/orient3d.h", "io/read_model.h", "internal/splines/ring.h", "version.h"):
+                status, said = self.check_syntax("old.cc", f"#include <veritope/{name}>\n", f"-std={standard}", *cflags)
+                errors = [line for line in said.splitlines() if "error:" in line]
+                self.assertNotEqual(status, 0)
+                self.assertEqual(len(errors), 2, said)
+                self.assertIn(OLD_STANDARD, errors[0])
+                self.assertIn("veritope/needs_c++20", errors[1])
+
+    def test_the_version_is_that_of_the_project(self):
+        version = re.search(r"project\(veritope VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
+        text = (self.include / "version.h").read_text()
+        macros = dict(re.findall(r"(?m)^#define VERITOPE_VERSION(_[A-Z]+|) (.*)", text))
+        self.assertEqual(macros[""], f'"{version}"')
+        self.assertEqual(".".join(macros[part] for part in ("_MAJOR", "_MINOR", "_PATCH")), version)
+        self.assertIn(version, self.succeed(self.prefix / "bin" / "veritope", "--version"))
 
     def test_the_programs_of_the_interop_page_print_what_it_shows(self):
         pairs = re.findall(r"(?ms)^```cpp\n(.*?)^```\n```text\n(.*?)^```", INTEROP_PAGE.read_text())
@@ -115,8 +182,7 @@ class Installation(unittest.TestCase):
                 self.assertEqual((status, output), (0, shown), text)
 
     def test_no_internal_header_and_nothing_of_the_checker_is_among_the_headers(self):
-        self.assertEqual([path.name for path in self.include.rglob("*_internal.h")], [])
-        self.assertFalse((self.include / "verify" / "checker").exists())
+        self.assertEqual([name for name in self.headers if name.endswith("_internal.h") or "checker" in name], [])
 
     def test_the_installed_programs_work_without_the_tree(self):
         model = self.folder / "part.stl"
@@ -136,7 +202,8 @@ class Installation(unittest.TestCase):
         self.assertEqual(there, here)
 
     def test_licences_and_documents_are_there(self):
-        for name in ("README.md", "LICENSE.md", "LICENSES/LGPL-3.0-or-later.txt", "docs/certificates/mesh.md"):
+        for name in ("README.md", "LICENSE.md", "LICENSES/LGPL-3.0-or-later.txt", "docs/certificates/mesh.md",
+                     "docs/library.md", "examples/sound_part.stl"):
             self.assertTrue((self.prefix / "share" / "doc" / "veritope" / name).is_file(), name)
 
 

@@ -72,5 +72,32 @@ TEST(Sign, MultipliesAndNegates) {
                 to_int(Sign::kNegative) == -1);
 }
 
+TEST(Sign, ComparesWithZeroAsTheNumberWhoseSignItIs) {
+  for (const int n : {-7, 0, 7}) {
+    const Sign s = sign_of(n);
+    EXPECT_EQ(s == 0, n == 0);
+    EXPECT_EQ(s != 0, n != 0);
+    EXPECT_EQ(s < 0, n < 0);
+    EXPECT_EQ(s > 0, n > 0);
+    EXPECT_EQ(s <= 0, n <= 0);
+    EXPECT_EQ(s >= 0, n >= 0);
+    EXPECT_EQ(0 == s, 0 == n);
+    EXPECT_EQ(0 != s, 0 != n);
+    EXPECT_EQ(0 < s, 0 < n);
+    EXPECT_EQ(0 > s, 0 > n);
+    EXPECT_EQ(0 <= s, 0 <= n);
+    EXPECT_EQ(0 >= s, 0 >= n);
+  }
+  static_assert(Sign::kPositive > 0 && 0 > Sign::kNegative && Sign::kZero == 0);
+  static_assert(Sign::kNegative < Sign::kZero && Sign::kZero != Sign::kPositive);  // as before
+}
+
+template <typename T>
+concept ComparesWithZero = requires(T value) { value > 0; };
+
+TEST(Sign, OnlyTheExactOneComparesWithZero) {
+  static_assert(ComparesWithZero<Sign> && !ComparesWithZero<Sign3>);
+}
+
 }  // namespace
 }  // namespace veritope

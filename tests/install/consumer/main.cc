@@ -2,9 +2,9 @@
 // A program outside the tree: tests/install/install_test.py builds it against an installed Veritope. README.md shows it.
 #include <iostream>
 
-#include "io/read_model.h"
-#include "predicates/orient3d.h"
-#include "solids/polyhedron/validity.h"
+#include <veritope/io/read_model.h>
+#include <veritope/predicates/orient3d.h>
+#include <veritope/solids/polyhedron/validity.h>
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

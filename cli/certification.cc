@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/certification.h"
 
+#include <algorithm>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -8,14 +9,15 @@
 #include <vector>
 
 #include "cli/checker_process.h"
+#include "cli/model_picture.h"
 #include "cli/output_plan.h"
 #include "cli/scratch_file.h"
 #include "io/formats.h"
-#include "render/defect_picture.h"
 #include "report/decimal_text.h"
 #include "report/text_style.h"
 #include "robust/base/check.h"
 #include "robust/base/stopwatch.h"
+#include "verify/certify/certify_file.h"
 #include "verify/format/sha256.h"
 #include "verify/format/star_box_certificate.h"
 
@@ -112,6 +114,7 @@ class Certification {
 
   bool certify() {
     CertifyOptions options = settings_.certify;
+    if (settings_.picture) options.max_findings = std::max(options.max_findings, kMostDrawn);
     std::optional<Phase> current;
     const auto end_phase = [&] {
       if (current) seconds_of(*current, report_.seconds) = watch_.lap();
@@ -136,10 +139,19 @@ class Certification {
     claim_ = std::move(certified->claim);
     set_certificate(std::move(certified->certificate));
     without_collar_ = std::move(certified->without_collar);
-    const auto* const mesh = std::get_if<MeshFile>(&model_);
-    if (settings_.with_picture && mesh != nullptr)
-      picture_ = defect_picture(mesh->mesh, report_.defects);
+    if (settings_.picture && !draw()) return false;
     model_ = {};  // memory for the checker
+    return true;
+  }
+
+  // Draws all defects that were listed for it, then drops those that nobody asked for.
+  bool draw() {
+    phase("drawing");
+    report_.verdict = verdict_;  // whoever gives up or refuses takes it back
+    Result<std::string> picture = picture_of(model_, stand_in_, report_, *settings_.picture);
+    if (!picture) return give_up(kExitUnreadable, finding_of(picture.error()));
+    picture_ = std::move(*picture);
+    keep_first(settings_.certify.max_findings, report_);
     return true;
   }
 

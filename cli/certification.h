@@ -14,11 +14,15 @@ namespace veritope::cli {
 
 using namespace report;
 
+enum class PictureKind { kPly, kPng };
+inline constexpr std::size_t kMostDrawn = 20'000;
+
 struct CertifySettings {
   ModelReadOptions reading;
   CertifyOptions certify;  ///< on_phase is set here
   std::string checker;     ///< the checker's program; empty: --no-check
-  bool with_picture = false;
+  /// Nothing: no picture. A picture shows up to kMostDrawn defects of each rule, whatever the number that is listed.
+  std::optional<PictureKind> picture;
 };
 
 struct KeptFiles {
@@ -32,7 +36,7 @@ using KeepCertificate = std::function<Result<KeptFiles>(std::string_view certifi
 
 struct CertifiedFile {
   report::FileReport report;
-  std::string picture;  ///< PLY; empty: not requested, no verdict, or not a mesh
+  std::string picture;  ///< its bytes; empty: not requested, or no verdict
 };
 
 /// @param path  a file, or "-" for standard input

@@ -2,13 +2,19 @@
 // veritope certify.
 #include <sys/stat.h>
 
+#include <algorithm>
+
 #include "cli/certification.h"
 #include "cli/checker_process.h"
 #include "cli/commands.h"
+#include "cli/model_files.h"
 #include "cli/model_input.h"
+#include "cli/model_picture.h"
 #include "cli/output_plan.h"
 #include "report/report_json.h"
 #include "report/report_text.h"
+#include "report/totals.h"
+#include "verify/certify/certify_file.h"
 
 namespace veritope::cli {
 namespace {
@@ -17,7 +23,7 @@ using namespace report;
 
 struct CertifyFilesOptions {
   InputOptions input;
-  std::optional<std::string> json, certificate, picture;
+  std::optional<std::string> json, certificate, picture, glob, tsv;
   std::optional<std::uint64_t>
       max_defects;  ///< nothing: 20, and pairs of faces are not listed one by one
   bool no_check = false, quiet = false;
@@ -28,17 +34,22 @@ struct CertifyFilesOptions {
 };
 
 void declare(OptionSet& set, CertifyFilesOptions& o) {
-  declare_files(set, o.input, "meshes, splines; - is standard input (with --format)");
+  declare_files(set, o.input, "meshes, splines, folders; - is standard input (--format)");
   declare_json(set, o.json, "write the report");
+  set.text("--tsv", o.tsv, "write a table; --glob PATTERN: files of folders");
+  set.text("--glob", o.glob, "files of folders whose names match", "PATTERN");
+  set.hide("--glob");  // the help line above names it
   set.text("--certificate", o.certificate, "keep the certificate; of several files in folder F");
-  set.text("--picture", o.picture, "write a coloured PLY that shows the defects");
-  set.number("--max-defects", o.max_defects, {0, kMost32}, "list at most N defects (20)");
+  set.text("--picture", o.picture, "show the defects: .png, .ply; --max-defects N: 20 listed");
+  set.number("--max-defects", o.max_defects, {0, kMost32},
+             "list at most N defects of each rule (20)");
+  set.hide("--max-defects");  // the help line above names it
   declare_jobs(set, o.input.reading.jobs);
   declare_orientation(set, o.orient_auto, "patches, shells");
   set.length("--tolerance", "EPS", o.tolerance, "of the volume of patches, in sizes cubed (1e-5)");
   set.flag("--collar", o.collar, "of patches: find a collar, certify it, too");
   set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");
-  set.flag("-q,--quiet", o.quiet, "the verdict lines only");
+  set.flag("-q,--quiet", o.quiet, "the verdict lines only, as a table");
   declare_format(set, o.input);
   declare_reading(set, o.input.reading);
   declare_limits(set, o.limits);
@@ -47,6 +58,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
 std::string contradiction(const CertifyFilesOptions& o) {
   if (o.picture == "-") return "--picture needs a file name, not -";
   if (o.picture && o.input.files.size() > 1) return "--picture shows one file, not several";
+  if (o.json == "-" && o.tsv == "-") return "--json and --tsv would both write standard output";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   return "";
 }
@@ -77,9 +89,15 @@ KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& ou
   };
 }
 
-void print(const FileReport& report, bool quiet, bool lists_pairs, StandardOutput& out) {
-  const TextOptions options{style_of_stdout(), lists_pairs};
-  out.write(verdict_line(report, options.style) + (quiet ? "" : details_text(report, options)));
+// Verdict lines alone are a table.
+TextOptions text_options(const CertifyFilesOptions& o) {
+  constexpr std::size_t kMostWide = 70;
+  TextOptions out = TextOptions::of_stdout();
+  out.lists_pairs = o.max_defects.has_value();
+  if (!o.quiet || o.input.files.size() < 2) return out;
+  for (const std::string& path : o.input.files)
+    out.path_width = std::max(out.path_width, std::min(shown_path(path).size(), kMostWide));
+  return out;
 }
 
 // Reports a fault beside a verdict: the certificate could not be kept.
@@ -88,10 +106,21 @@ void complain_beside_verdict(const FileReport& report) {
   complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
 }
 
-// kExitValid; or kExitUnreadable, after the reason was printed on standard error.
-ExitCode write_picture(const std::string& path, const std::string& bytes, StandardOutput& out) {
+// Writes the picture and names it in the report; complains if it cannot be written.
+void keep_picture(const std::string& path, const std::string& bytes, FileReport& report,
+                  StandardOutput& out) {
   const Status status = write_output(path, bytes, out);
-  if (status) return kExitValid;
+  if (status) {
+    report.picture = path;
+    return;
+  }
+  report.exit = first_of(report.exit, kExitUnreadable);
+  complain(harmless(to_string(status.error())));
+}
+
+ExitCode write_table(const std::string& path, const std::string& rows, StandardOutput& out) {
+  const Status status = write_output(path, tsv_head() + rows, out);
+  if (status || path == "-") return kExitValid;  // main looks at standard output
   complain(harmless(to_string(status.error())));
   return kExitUnreadable;
 }
@@ -115,48 +144,71 @@ CertifySettings settings_of(const CertifyFilesOptions& options) {
   out.certify.tolerance = options.tolerance;
   out.certify.max_cells = options.limits.max_cells;
   out.certify.max_memory = options.limits.max_memory();
-  out.with_picture = options.picture.has_value();
+  if (options.picture) out.picture = picture_kind(*options.picture);
   return out;
 }
 
-// Refuses a picture where it could not show anything, and where it would overwrite another file.
+// Refuses a picture of another format, one that could not show anything, and one that would overwrite another file.
 Status check_picture(const CertifyFilesOptions& options, const OutputPlan& plan) {
   if (!options.picture) return ok_status();
   const std::vector<std::string>& files = options.input.files;
-  const ModelKind kind = ModelInput(files.front(), options.input.reading).kind();
-  if (kind != ModelKind::kMesh)
-    return Error{
-        Code::kBadArgument,
-        {},
-        "--picture shows the defects of meshes; " + files.front() + " is " + title_of(kind)};
+  const std::optional<PictureKind> kind = picture_kind(*options.picture);
+  if (!kind) return bad_argument("--picture writes .png and .ply, not " + *options.picture);
+  const ModelKind model = ModelInput(files.front(), options.input.reading).kind();
+  if (kind == PictureKind::kPly && model != ModelKind::kMesh)
+    return bad_argument("a .ply shows the defects of meshes; " + files.front() + " is " +
+                        title_of(model) + ": use .png");
   return check_output("--picture", *options.picture, files, plan, options.json);
+}
+
+Status check_table(const CertifyFilesOptions& options, const OutputPlan& plan) {
+  if (!options.tsv || *options.tsv == "-") return ok_status();
+  if (options.picture && same_target(*options.tsv, *options.picture))
+    return bad_argument("--tsv and --picture would both write " + *options.tsv);
+  return check_output("--tsv", *options.tsv, options.input.files, plan, options.json);
 }
 
 ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
                      const CertifySettings& settings, StandardOutput& out) {
+  const std::size_t num_files = options.input.files.size();
+  const TextOptions text = text_options(options);
+  const bool has_text = options.json != "-" && options.tsv != "-";
   std::vector<std::string> json;
+  std::string table;
+  Totals totals;
   ExitCode exit = kExitValid;
   Progress progress(!options.quiet);
-  for (std::size_t i = 0; i < options.input.files.size(); ++i) {
-    const CertifiedFile done =
+  for (std::size_t i = 0; i < num_files; ++i) {
+    progress.file(i + 1, num_files);
+    CertifiedFile done =
         certify_file(options.input.files[i], settings, keeper(plan, i, out), progress);
-    const FileReport& report = done.report;
+    FileReport& report = done.report;
     progress.clear();
+    if (!done.picture.empty()) keep_picture(*options.picture, done.picture, report, out);
     exit = first_of(exit, report.exit);
+    totals.add(report);
     if (options.json) json.push_back(report_json(report));
-    if (options.json != "-") print(report, options.quiet, options.max_defects.has_value(), out);
+    if (options.tsv) table += tsv_row(report);
+    if (has_text)
+      out.write(verdict_line(report, text) + (options.quiet ? "" : details_text(report, text)));
     complain_beside_verdict(report);
-    if (!done.picture.empty())
-      exit = first_of(exit, write_picture(*options.picture, done.picture, out));
   }
+  if (has_text && num_files > 1) out.write(totals.text());
+  if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, out));
   return options.json ? first_of(exit, write_json(options, plan, json, out)) : exit;
 }
 
-ExitCode run(const CertifyFilesOptions& options, StandardOutput& out) {
+ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
+  Result<std::vector<std::string>> files = files_in_folders(options.input.files, options.glob);
+  if (!files) return fail(files.error());
+  options.input.files = std::move(*files);
+  if (const std::string words = contradiction(options); !words.empty())
+    return complain(words), kExitUsage;
   const Result<OutputPlan> plan =
       plan_outputs(options.input.files, options.certificate, options.json);
   if (!plan) return fail(plan.error());
   if (const Status status = check_picture(options, *plan); !status) return fail(status.error());
+  if (const Status status = check_table(options, *plan); !status) return fail(status.error());
   CertifySettings settings = settings_of(options);
   if (!options.no_check) {
     const Result<std::string> checker = find_checker();

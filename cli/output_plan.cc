@@ -11,6 +11,7 @@
 
 #include "cli/output.h"
 #include "io/base/atomic_file.h"
+#include "verify/certify/certify_file.h"
 
 namespace veritope::cli {
 namespace {
@@ -93,8 +94,6 @@ Status refuse_same(const std::vector<std::string>& inputs, const std::string& ou
   }
   return ok_status();
 }
-
-std::string copy_path(const std::string& certificate) { return certificate + ".vjson"; }
 
 Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,

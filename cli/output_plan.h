@@ -31,9 +31,6 @@ Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,
                     const std::optional<std::string>& json);
 
-/// Where the copy of which a certificate speaks goes: "part.cert.vjson" beside "part.cert".
-std::string copy_path(const std::string& certificate);
-
 /// kBadArgument if `output` is one of the inputs.
 Status refuse_same(const std::vector<std::string>& inputs, const std::string& output);
 

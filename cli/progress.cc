@@ -47,12 +47,16 @@ Progress::~Progress() {
   thread_.join();
 }
 
+void Progress::file(std::size_t number, std::size_t num_files) {
+  if (num_files > 1) part_ = std::to_string(number) + " of " + std::to_string(num_files) + ", ";
+}
+
 void Progress::phase(const std::string& file, const std::string& what) {
   if (!thread_.joinable()) return;
   const std::lock_guard lock(mutex_);
   since_ = now();
   if (line_.empty()) started_ = since_;
-  line_ = file + ": " + what;
+  line_ = part_ + file + ": " + what;
 }
 
 void Progress::clear() {

@@ -17,6 +17,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Lines begin with "3 of 58, " from now on, if there are several files.
+  void file(std::size_t number, std::size_t num_files);
   /// Sets what is being done from now on.
   void phase(const std::string& file, const std::string& what);
   /// Erases the line. Call it before anything is printed.
@@ -29,6 +31,7 @@ class Progress {
 
   std::mutex mutex_;
   std::condition_variable wake_;
+  std::string part_;  ///< "3 of 58, "
   std::string line_;  ///< empty: nothing is being done
   double since_ = 0,
          started_ = 0;  ///< steady seconds: of the phase, of the first phase after clear()

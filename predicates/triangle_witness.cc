@@ -35,19 +35,23 @@ Point between(const Point& a, const Point& b, const Rational& s) {
   return {a[0] + s * d[0], a[1] + s * d[1], a[2] + s * d[2]};
 }
 
-// Mean of the points, and the square of their greatest distance.
+// Mean of the points, two of them with the greatest distance, and its square.
 struct Extent {
   Point mean;
+  std::array<Point, 2> ends;
   Rational squared;
 };
 Extent extent(const std::vector<Point>& points) {
   Extent out;
+  out.ends = {points.front(), points.front()};
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < 3; ++k) out.mean[k] += points[i][k];
     for (std::size_t j = 0; j < i; ++j) {
       const Point d = points[i] - points[j];
       const Rational squared = dot(d, d);
-      if (squared > out.squared) out.squared = squared;
+      if (squared <= out.squared) continue;
+      out.squared = squared;
+      out.ends = {points[j], points[i]};
     }
   }
   for (Rational& c : out.mean) c /= Rational(points.size());
@@ -145,7 +149,7 @@ TriangleWitness triangle_witness(const IndexedTriangle& t, const IndexedTriangle
     meet = coplanar(a, b, u_view);
   }
   const Extent e = extent(meet);
-  return {weights(e.mean, a, t_view.axis), weights(e.mean, b, u_view.axis), e.mean, e.squared};
+  return {weights(e.mean, a, t_view.axis), weights(e.mean, b, u_view.axis), e.mean, e.ends, e.squared};
 }
 
 }  // namespace veritope

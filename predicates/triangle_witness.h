@@ -17,8 +17,9 @@ struct TriangleWitness {
   /// triangle are coprime.
   std::array<Integer, 3> t_weight, u_weight;
   std::array<Rational, 3> point;
-  /// The square of the greatest distance of two points of the intersection; 0 iff the triangles
-  /// only touch in one point.
+  /// Two points of the intersection with the greatest distance, and its square; 0 iff the triangles only touch in one
+  /// point.
+  std::array<std::array<Rational, 3>, 2> ends;
   Rational squared_extent;
 };
 

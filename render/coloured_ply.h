@@ -2,18 +2,13 @@
 // render/coloured_ply.h: a mesh to look at: binary PLY whose faces have colours, for viewers such as MeshLab and
 // Blender.
 #pragma once
-#include <cstdint>
 #include <span>
 #include <string>
 
+#include "render/colour.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
-
-struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
 
 /// Little-endian, coordinates in binary64. REQUIRES one colour a face, ids in range, fewer than 2^32 faces and
 /// vertices.

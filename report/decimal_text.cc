@@ -108,9 +108,22 @@ std::string short_decimal(const Rational& value, int digits) {
          exponent_text(d.exponent - 1);
 }
 
+bool is_short_decimal(const Rational& value, int digits) {
+  if (value.sign() == Sign::kZero) return true;
+  const Decimal d = to_decimal(value, digits);
+  const std::int64_t shift = d.exponent - digits;
+  const Rational shown(Integer::from_decimal(d.digits));
+  const Rational power(power_of_ten(shift < 0 ? -shift : shift));
+  return abs(value) == (shift < 0 ? shown / power : shown * power);
+}
+
 std::string short_decimal(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : (value < 0 ? "-inf" : "inf");
   return short_decimal(Rational::from_double(value), digits);
+}
+
+std::string point_text(const Point3d& p) {
+  return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) + ")";
 }
 
 std::string range_text(const Interval& a, int digits) {

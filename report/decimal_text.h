@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "interval/interval.h"
+#include "robust/base/box3d.h"
 #include "robust/rational.h"
 
 namespace veritope::report {
@@ -22,8 +23,14 @@ std::string scientific_text(const Rational& value, int digits = 17);
 /// "123.5", "-0.001", "1e+450". REQUIRES digits >= 2.
 std::string short_decimal(const Rational& value, int digits = 6);
 
+/// Whether short_decimal of these digits has the exact value.
+bool is_short_decimal(const Rational& value, int digits = 6);
+
 /// The double's exact value as short_decimal; "inf" for infinity.
 std::string short_decimal(double value, int digits = 6);
+
+/// "(1, 0.5, -2)", each as short_decimal.
+std::string point_text(const Point3d& p);
 
 /// Both bounds as short_decimal, for people: "1.5 to 1.75", or "1.5" if both have the same text. The bounds are rounded
 /// to nearest, so the text is not an enclosure.

@@ -53,6 +53,15 @@ Json counts_json(const FileReport& report) {
   put("unreferenced_vertices", r, &ReadReport::unreferenced_vertices);
   put("polygons_split", r, &ReadReport::polygons_split);
   put("strip_joints", r, &ReadReport::strip_joints);
+  const OpenEdges none, *open = nullptr;
+  if (decision != nullptr && decision->open_edges) open = &*decision->open_edges;
+  if (c != nullptr && c->boundary_edges == 0) open = &none;
+  put("borders", open, &OpenEdges::borders);
+  put("near_edges", open, &OpenEdges::near_edges);
+  out["near_distance"] = open != nullptr && open->near_edges != 0
+                             ? Json{{"least", number_json(open->least_gap)},
+                                    {"greatest", number_json(open->greatest_gap)}}
+                             : Json(nullptr);
   return out;
 }
 
@@ -83,6 +92,17 @@ Json shells_json(const FileReport& report) {
   return out;
 }
 
+Json ends_json(const std::optional<std::array<RationalPoint, 2>>& ends) {
+  if (!ends) return nullptr;
+  return Json::array({exact_point_json(ends->at(0)), exact_point_json(ends->at(1))});
+}
+
+Json gap_json(const Witness& witness) {
+  if (!witness.squared_gap) return nullptr;
+  return {{"squared", fraction_text(*witness.squared_gap)},
+          {"decimal", number_json(*witness.approx_distance)}};
+}
+
 Json mesh_defect_json(const Finding& d) {
   Json edges = Json::array();
   for (const auto& [a, b] : d.place.edges) edges.push_back(Json::array({a, b}));
@@ -91,7 +111,12 @@ Json mesh_defect_json(const Finding& d) {
           {"edges", edges},
           {"vertices", d.place.vertices},
           {"point", exact_point_json(d.witness.point.value())},
+          {"ends", ends_json(d.witness.ends)},
           {"size", number_json(d.place.size)},
+          {"near_edge", d.place.near_edge
+                            ? Json::array({d.place.near_edge->first, d.place.near_edge->second})
+                            : Json(nullptr)},
+          {"gap", gap_json(d.witness)},
           {"message", d.message},
           {"polygons", d.place.polygons}};
 }
@@ -166,7 +191,7 @@ const ValidityReport* decision_of(const FileReport& report) {
 }
 
 const ReportKind kMeshReports = {put_mesh_source, put_mesh_facts, false,
-                                 mesh_summary,    mesh_details,   mesh_last_details};
+                                 mesh_summary,    mesh_findings,  mesh_details};
 
 }  // namespace internal
 }  // namespace veritope::report

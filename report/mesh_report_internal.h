@@ -16,8 +16,8 @@ Json ignored_json(const ReadReport* reading);
 Json notices_json(const ReadReport* reading);
 
 std::string mesh_summary(const FileReport& report);
+std::string mesh_findings(const FileReport& report, const TextOptions& options);
 std::string mesh_details(const FileReport& report, const TextOptions& options);
-std::string mesh_last_details(const FileReport& report, const TextOptions& options);
 
 // Lines of text that veritope info has, too.
 std::string file_text(const ReadReport& reading);

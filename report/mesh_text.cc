@@ -29,11 +29,10 @@ constexpr std::array<Noun, kNumMeshRules> kNouns = {{
     {"wrongly nested shell", "wrongly nested shells"},
 }};
 
-constexpr std::size_t kExactSize = 28;  // characters of a fraction before it is cut
-
-std::string point_text(const Point3d& p) {
-  return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) + ")";
-}
+// Rules in the order in which repairs make sense: docs/rules/README.md.
+constexpr std::array<MeshRule, kNumMeshRules> kRepairOrder = {
+    MeshRule::kM1, MeshRule::kM2, MeshRule::kM4, MeshRule::kM6, MeshRule::kM3,
+    MeshRule::kM5, MeshRule::kM7, MeshRule::kM8, MeshRule::kM9};
 
 std::string valid_summary(const FileReport& report) {
   const MeshCounts& c = decision_of(report)->counts;
@@ -49,15 +48,13 @@ std::string in_places(const ValidityReport& decision) {
 }
 
 std::string invalid_summary(const FileReport& report) {
-  constexpr int kMost = 3;
   std::string text;
-  int shown = 0;
-  for (std::size_t i = 0; i < kNumMeshRules; ++i) {
-    const std::uint64_t count = decision_of(report)->rule_counts[i];
+  for (const MeshRule rule : kRepairOrder) {
+    const std::uint64_t count = decision_of(report)->rule_counts[rule_index(rule)];
     if (count == 0) continue;
-    if (++shown > kMost) return text + ", ...";
-    text += (shown == 1 ? "" : ", ") + counted(count, kNouns[i].one, kNouns[i].many);
-    if (rule_at(i) == MeshRule::kM7) text += in_places(*decision_of(report));
+    const Noun& noun = kNouns[rule_index(rule)];
+    text += (text.empty() ? "" : ", ") + counted(count, noun.one, noun.many);
+    if (rule == MeshRule::kM7) text += in_places(*decision_of(report));
   }
   return text;
 }
@@ -74,10 +71,15 @@ std::string counts_text(const FileReport& report) {
   return detail_line("mesh", text);
 }
 
+// Characters of an exact value that is printed beside its decimal; longer ones are in the JSON.
+constexpr std::size_t kExactSize = 28;
+
 std::string volume_text(const Rational& volume) {
-  const std::string exact = volume.to_string(), decimal = short_decimal(volume, 12);
+  std::string text = short_decimal(volume, 12);
+  if (is_short_decimal(volume, 12)) return detail_line("volume", text);
+  const std::string exact = volume.to_string();
   return detail_line("volume",
-                     exact == decimal ? exact : cut(exact, kExactSize) + ", about " + decimal);
+                     "about " + text + (exact.size() <= kExactSize ? ", exactly " + exact : ""));
 }
 
 std::string shells_text(const ValidityReport& decision) {
@@ -97,19 +99,38 @@ std::string shells_text(const ValidityReport& decision) {
   return text;
 }
 
-std::string place_text(const Finding& d) {
-  std::string decimal, exact;
-  bool differs = false;  // 1/3 and 0.333333; 1/2 and 0.5, too
-  for (const Rational& c : d.witness.point->at) {
-    const std::string fraction = c.to_string();
-    const std::string shown = short_decimal(c);
-    differs = differs || fraction != shown;
-    decimal += (decimal.empty() ? "" : ", ") + shown;
-    exact += (exact.empty() ? "" : ", ") + cut(fraction, kExactSize);
+std::string decimal_text(const RationalPoint& p) {
+  return "(" + short_decimal(p.at[0]) + ", " + short_decimal(p.at[1]) + ", " +
+         short_decimal(p.at[2]) + ")";
+}
+
+// Nothing if the decimals are exact, or if the fractions are long.
+std::string exact_text(const RationalPoint& p) {
+  std::string text;
+  bool is_exact = true;
+  for (const Rational& c : p.at) {
+    is_exact = is_exact && is_short_decimal(c);
+    text += (text.empty() ? "" : ", ") + c.to_string();
   }
-  std::string text = "at (" + exact + ")";
-  if (differs) text += ", about (" + decimal + ")";
-  if (d.place.size > 0) text += ", size " + short_decimal(d.place.size);
+  return is_exact || text.size() > kExactSize ? "" : ", exactly (" + text + ")";
+}
+
+// "; 1.1e-16 from edge 1-8"
+std::string near_text(const Finding& d) {
+  if (!d.place.near_edge) return "";
+  return "; " + short_decimal(*d.witness.approx_distance, 2) + " from edge " +
+         std::to_string(d.place.near_edge->first) + "-" + std::to_string(d.place.near_edge->second);
+}
+
+std::string place_text(const Finding& d) {
+  const MeshRule rule = rule_of(d);
+  const bool is_edge = rule == MeshRule::kM3 || rule == MeshRule::kM4 || rule == MeshRule::kM5;
+  if (d.witness.ends)
+    return "from " + decimal_text(d.witness.ends->at(0)) + " to " +
+           decimal_text(d.witness.ends->at(1)) + ", length " + short_decimal(d.place.size) +
+           near_text(d);
+  std::string text = "at " + decimal_text(*d.witness.point) + exact_text(*d.witness.point);
+  if (d.place.size > 0) text += (is_edge ? ", length " : ", size ") + short_decimal(d.place.size);
   return text;
 }
 
@@ -121,8 +142,7 @@ std::string defect_text(const Finding& d) {
   for (std::size_t i = 0; i < std::min(kMost, polygons.size()); ++i) {
     text += (i == 0 ? "; polygons " : ", ") + std::to_string(polygons[i]);
   }
-  text += polygons.size() > kMost ? ", ...\n" : "\n";
-  return text;
+  return text + (polygons.size() > kMost ? " and more\n" : "\n");
 }
 
 // The largest places first.
@@ -143,6 +163,28 @@ std::string places_text(const ValidityReport& decision) {
   return out;
 }
 
+// "1.1e-16 to 3e-05"
+std::string gaps_text(const OpenEdges& open) {
+  const std::string greatest = short_decimal(open.greatest_gap, 2);
+  const std::string least = short_decimal(open.least_gap, 2);
+  return least == greatest ? greatest : least + " to " + greatest;
+}
+
+// " in 3 borders, 2 of them holes; 4 edges are 1.1e-16 from another one: cracks"
+std::string open_text(const std::optional<OpenEdges>& open, std::uint64_t count) {
+  if (!open) return "";
+  std::string out = " in " + counted(open->borders, "border", "borders");
+  if (open->near_edges == 0) return out + ", no cracks";
+  if (open->holes != 0) out += ", " + std::to_string(open->holes) + " of them without cracks";
+  return out + "; " +
+         (open->near_edges == count ? std::string(count == 1 ? "it is " : "each is ")
+                                    : counted(open->near_edges, "edge is ", "edges are ")) +
+         gaps_text(*open) + " from another open edge: cracks" +
+         (open->unsearched_edges == 0 ? ""
+                                      : " (" + std::to_string(open->unsearched_edges) +
+                                            " edges were not searched to the end)");
+}
+
 std::string listed_text(const FileReport& report, MeshRule rule, std::uint64_t count) {
   std::string out;
   std::uint64_t listed = 0;
@@ -160,27 +202,27 @@ std::string rule_section(const FileReport& report, MeshRule rule, const TextOpti
   const std::uint64_t count = decision.rule_counts[rule_index(rule)];
   const bool is_in_places = rule == MeshRule::kM7;
   std::string out = "  " + options.style.bold(std::string(text.id) + " " + std::string(text.name)) +
-                    ": " + std::to_string(count) + (is_in_places ? in_places(decision) : "") + "\n";
+                    ": " + std::to_string(count) + (is_in_places ? in_places(decision) : "") +
+                    (rule == MeshRule::kM3 ? open_text(decision.open_edges, count) : "") + "\n";
   if (is_in_places) out += places_text(decision);
   if (!is_in_places || options.lists_pairs) out += listed_text(report, rule, count);
   return out;
 }
 
 std::string invalid_text(const FileReport& report, const TextOptions& options) {
+  const ValidityReport& decision = *decision_of(report);
   std::string out, first;
-  for (std::size_t i = 0; i < kNumMeshRules; ++i) {
-    if (decision_of(report)->rule_counts[i] == 0) continue;
-    out += rule_section(report, rule_at(i), options);
-    if (first.empty()) first = rule_text(rule_at(i)).id;
+  for (const MeshRule rule : kRepairOrder) {
+    if (decision.rule_counts[rule_index(rule)] == 0) continue;
+    out += rule_section(report, rule, options);
+    if (first.empty()) first = rule_text(rule).id;
   }
-  if (!decision_of(report)->nesting_decided) {
+  if (!decision.nesting_decided)
     out += options.style.dim("  M8 and M9 (which side is inside) are decided once M1 to M7 hold.") +
            "\n";
-  }
-  return out +
-         options.style.dim("  What it means and what helps: veritope explain " + first +
-                           ".  More defects: --max-defects N; for programs, with --json F.") +
-         "\n";
+  return out + detail_line("what helps", "veritope explain " + first +
+                                             "; --picture F shows all, --max-defects N lists "
+                                             "more, --json F has exact coordinates");
 }
 
 }  // namespace
@@ -226,6 +268,10 @@ std::string mesh_summary(const FileReport& report) {
   return report.verdict == Verdict::kValid ? valid_summary(report) : invalid_summary(report);
 }
 
+std::string mesh_findings(const FileReport& report, const TextOptions& options) {
+  return report.verdict == Verdict::kInvalid ? invalid_text(report, options) : "";
+}
+
 std::string mesh_details(const FileReport& report, const TextOptions&) {
   const ValidityReport* const d = decision_of(report);
   if (d == nullptr) return "";
@@ -236,10 +282,6 @@ std::string mesh_details(const FileReport& report, const TextOptions&) {
   out += box_text(d->box);
   if (d->volume && d->is_valid) out += volume_text(*d->volume);
   return out + shells_text(*d);
-}
-
-std::string mesh_last_details(const FileReport& report, const TextOptions& options) {
-  return report.verdict == Verdict::kInvalid ? invalid_text(report, options) : "";
 }
 
 }  // namespace internal

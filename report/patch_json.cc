@@ -96,6 +96,17 @@ Json counts_json(const FileReport& report, const PatchFacts& f) {
                                                : Json(nullptr)}};
 }
 
+Json open_sides_json(const PatchFacts& f) {
+  Json out = Json::array();
+  for (const OpenSideFacts& s : f.open_sides)
+    out.push_back({{"part", part_json(s.part)},
+                   {"ends", Json::array({point_json(s.side.ends[0]), point_json(s.side.ends[1])})},
+                   {"length", number_json(s.side.length)},
+                   {"near", s.near ? part_json(*s.near) : Json(nullptr)},
+                   {"distance", s.near ? number_json(s.side.distance) : Json(nullptr)}});
+  return out;
+}
+
 void put_patch_source(const FileReport& report, Json& out) {
   if (!report.copy) {
     out["copy"] = nullptr;
@@ -117,6 +128,7 @@ void put_patch_facts(const FileReport& report, Json& out) {
   for (const Finding& d : report.defects) out["defects"].push_back(patch_defect_json(d));
   out["reasons"] = Json::array();
   for (const Finding& r : report.reasons) out["reasons"].push_back(reason_json(r));
+  out["open_sides"] = open_sides_json(f);
   out["flipped"] = f.reversed;
   out["shells"] = shells_json(f);
   out["volume"] = bounds_json(f.volume);
@@ -134,7 +146,7 @@ const PatchFacts& facts_of(const FileReport& report) {
 }
 
 const ReportKind kPatchReports = {put_patch_source, put_patch_facts, true,
-                                  patch_summary,    patch_details,   patch_last_details};
+                                  patch_summary,    patch_findings,  patch_details};
 
 }  // namespace internal
 }  // namespace veritope::report

@@ -12,6 +12,6 @@ const PatchFacts& facts_of(const FileReport& report);
 
 std::string patch_summary(const FileReport& report);
 std::string patch_details(const FileReport& report, const TextOptions& options);
-std::string patch_last_details(const FileReport& report, const TextOptions& options);
+std::string patch_findings(const FileReport& report, const TextOptions& options);
 
 }  // namespace veritope::report::internal

@@ -59,11 +59,7 @@ std::string shells_text(const PatchFacts& r) {
 }
 
 std::string place_text(const Box3d& box) {
-  const auto corner = [](const Point3d& p) {
-    return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) +
-           ")";
-  };
-  return "in the box " + corner(box.lo) + " to " + corner(box.hi);
+  return "in the box " + point_text(box.lo) + " to " + point_text(box.hi);
 }
 
 std::string where_line(const Finding& finding) {
@@ -100,10 +96,30 @@ std::string valid_text(const PatchFacts& f) {
   return f.collar ? out + collar_text(*f.collar) : out;
 }
 
-std::string defects_text(const std::vector<Finding>& defects) {
+std::string side_name(const EntityPart& part) {
+  return "side " + std::to_string(*part.side) + " of entity " + std::to_string(part.entity);
+}
+
+std::string open_side_text(const OpenSideFacts& f) {
+  std::string out = "    " + parameters_text(f.part) + "\n      from " +
+                    point_text(f.side.ends[0]) + " to " + point_text(f.side.ends[1]);
+  if (f.near) out += "; " + short_decimal(f.side.distance, 2) + " from " + side_name(*f.near);
+  return out + "\n";
+}
+
+std::string open_sides_text(const PatchFacts& f) {
+  if (f.open_sides.empty()) return "";
+  std::string out = "  open sides: " + std::to_string(f.open.sides) + ", longest first\n";
+  for (const OpenSideFacts& side : f.open_sides) out += open_side_text(side);
+  const std::uint64_t more = f.open.sides - f.open_sides.size();
+  return more == 0 ? out : out + "    and " + std::to_string(more) + " more\n";
+}
+
+std::string defects_text(const FileReport& report) {
   std::string out;
-  for (const Finding& f : defects) out += defect_details(f);
-  return out + detail_line("more", "veritope explain " + defects.front().code);
+  for (const Finding& f : report.defects) out += defect_details(f);
+  return out + open_sides_text(internal::facts_of(report)) +
+         detail_line("what helps", "veritope explain " + report.defects.front().code);
 }
 
 std::string reason_parts(const Finding& f) {
@@ -123,7 +139,7 @@ std::string reasons_text(const std::vector<Finding>& reasons) {
   if (reasons.size() > internal::kMostShown)
     out += detail_line("...", std::to_string(reasons.size() - internal::kMostShown) +
                                   " more reasons (--json lists them)");
-  return out + detail_line("more", "veritope explain " + reasons.front().code);
+  return out + detail_line("what helps", "veritope explain " + reasons.front().code);
 }
 
 // What is open, as a whole.
@@ -168,15 +184,15 @@ std::string patch_summary(const FileReport& report) {
   return text + about;
 }
 
-std::string patch_details(const FileReport& report, const TextOptions&) {
-  const PatchFacts& f = facts_of(report);
-  std::string out = patch_file_text(report, f) + reversed_text(f.reversed);
-  if (report.verdict == Verdict::kValid) return out + valid_text(f);
-  if (!report.defects.empty()) return out + defects_text(report.defects);
-  return out + reasons_text(report.reasons);
+std::string patch_findings(const FileReport& report, const TextOptions&) {
+  return report.defects.empty() ? reasons_text(report.reasons) : defects_text(report);
 }
 
-std::string patch_last_details(const FileReport&, const TextOptions&) { return ""; }
+std::string patch_details(const FileReport& report, const TextOptions&) {
+  const PatchFacts& f = facts_of(report);
+  const std::string out = patch_file_text(report, f) + reversed_text(f.reversed);
+  return report.verdict == Verdict::kValid ? out + valid_text(f) : out;
+}
 
 }  // namespace internal
 }  // namespace veritope::report

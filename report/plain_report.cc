@@ -26,20 +26,21 @@ std::string plain_summary(const FileReport& report) {
   return report.defects.empty() ? "a solid" : harmless(report.defects.front().message);
 }
 
-std::string plain_details(const FileReport& report, const TextOptions&) {
-  const auto& source = std::get<PlainSource>(report.source);
-  std::string out =
-      detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes"));
+std::string plain_findings(const FileReport& report, const TextOptions&) {
+  std::string out;
   for (const Finding& d : report.defects)
     out += detail_line("defect", harmless(d.code + ": " + text_of(d)));
   return out;
 }
 
-std::string plain_last_details(const FileReport&, const TextOptions&) { return ""; }
+std::string plain_details(const FileReport& report, const TextOptions&) {
+  const auto& source = std::get<PlainSource>(report.source);
+  return detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes"));
+}
 
 }  // namespace
 
 const internal::ReportKind internal::kPlainReports = {
-    put_plain_source, put_plain_facts, false, plain_summary, plain_details, plain_last_details};
+    put_plain_source, put_plain_facts, false, plain_summary, plain_findings, plain_details};
 
 }  // namespace veritope::report

@@ -60,6 +60,7 @@ std::string report_json(const FileReport& report) {
   out["error"] = fault_json(report.fault);
   kind.put_facts(report, out);
   out["certificate"] = certificate_json(report.certificate);
+  out["picture"] = optional_json(report.picture);
   out["seconds"] = phases_json(report.seconds, kind.has_collar);
   return dump(out);
 }

@@ -20,9 +20,9 @@ struct ReportKind {
   bool has_collar;  ///< "seconds" has the key "collar"
   /// What follows the verdict and the path. REQUIRES has_verdict().
   std::string (*summary)(const FileReport& report);
-  /// The lines below them, in two parts: the certificate's line stands between these.
+  /// The lines below them, in this order: what is wrong and what helps; then what was read and measured.
+  std::string (*findings)(const FileReport& report, const TextOptions& options);
   std::string (*details)(const FileReport& report, const TextOptions& options);
-  std::string (*last_details)(const FileReport& report, const TextOptions& options);
 };
 
 extern const ReportKind

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/report_text.h"
 
+#include <algorithm>
+
+#include "report/decimal_text.h"
 #include "report/report_kinds_internal.h"
+#include "report/totals.h"
 
 namespace veritope::report {
 namespace {
@@ -13,15 +17,15 @@ std::string coloured(std::optional<Verdict> verdict, const Style& style) {
 }
 
 std::string checked_summary(const FileReport& report) {
-  if (!report.has_verdict()) return report.fault ? harmless(text_of(*report.fault)) : "";
+  if (!report.has_verdict()) return summary_text(report);
   const bool is_checked = report.certificate && report.certificate->is_checked;
-  return internal::kind_of(report).summary(report) + (is_checked ? " (checked)" : " (not checked)");
+  return summary_text(report) + (is_checked ? " (checked)" : " (not checked)");
 }
 
 std::string certificate_text(const FileReport& report) {
   if (!report.certificate) return "";
   const CertificateReport& c = *report.certificate;
-  std::string text = c.path ? harmless(*c.path) : "not kept (--certificate F keeps it)";
+  std::string text = c.path ? unbroken(harmless(*c.path)) : "not kept (--certificate F keeps it)";
   text += ", " + counted(c.bytes, "byte", "bytes");
   text += c.is_checked ? ", accepted by veritope-check" : ", not checked (--no-check)";
   return detail_line("certificate", text);
@@ -32,10 +36,28 @@ std::string copy_text(const FileReport& report) {
   const CopyReport& c = *report.copy;
   std::string text = c.what + (c.is_of_volumes ? ", not their cells" : "") + ", as .vjson";
   if (c.path)
-    text += " in " + harmless(*c.path);
+    text += " in " + unbroken(harmless(*c.path));
   else if (report.certificate && !report.certificate->path)
     text += " (--certificate F keeps it, too)";
   return detail_line("certified", text);
+}
+
+std::string picture_text(const FileReport& report) {
+  return report.picture ? detail_line("picture", unbroken(harmless(*report.picture))) : "";
+}
+
+constexpr std::size_t kVerdictWidth = 10;  // "UNREADABLE"
+
+std::string filler(std::size_t size, std::size_t width) {
+  return std::string(width - std::min(size, width), ' ');
+}
+
+// A run of more than a second, with the phase that took longest.
+std::string seconds_text(const PhaseSeconds& seconds) {
+  const auto [total, longest] = total_and_longest(seconds);
+  if (total < 1) return "";
+  return detail_line("time", short_decimal(total, 2) + " s, " + short_decimal(longest.seconds, 2) +
+                                 " of them " + longest.name);
 }
 
 }  // namespace
@@ -44,15 +66,37 @@ std::string shown_path(const std::string& path) {
   return path == "-" ? "standard input" : harmless(path);
 }
 
-std::string verdict_line(const FileReport& report, const Style& style) {
-  return coloured(report.verdict, style) + "  " + shown_path(report.path) + "  " +
-         checked_summary(report) + "\n";
+std::string summary_text(const FileReport& report) {
+  if (report.has_verdict()) return internal::kind_of(report).summary(report);
+  return report.fault ? harmless(text_of(*report.fault)) : "";
+}
+
+TextOptions TextOptions::of_stdout() {
+  TextOptions out;
+  out.style = style_of_stdout();
+  out.verdict_width = terminal_width();
+  out.width = std::min(out.width, out.verdict_width.value_or(out.width));
+  out.shows_seconds = out.verdict_width.has_value();
+  return out;
+}
+
+std::string verdict_line(const FileReport& report, const TextOptions& options) {
+  const std::string path = unbroken(shown_path(report.path));
+  const bool is_table = options.path_width != 0;
+  const std::size_t verdict_size = std::string_view(verdict_word(report.verdict)).size();
+  const std::string line = coloured(report.verdict, options.style) +
+                           unbroken(filler(verdict_size, is_table ? kVerdictWidth : 0)) + "  " +
+                           path + unbroken(filler(path.size(), options.path_width)) + "  " +
+                           checked_summary(report) + "\n";
+  return fold(line, options.verdict_width.value_or(line.size()));
 }
 
 std::string details_text(const FileReport& report, const TextOptions& options) {
   const internal::ReportKind& kind = internal::kind_of(report);
-  return kind.details(report, options) + certificate_text(report) + copy_text(report) +
-         kind.last_details(report, options);
+  return fold(kind.findings(report, options) + kind.details(report, options) +
+                  certificate_text(report) + copy_text(report) + picture_text(report) +
+                  (options.shows_seconds ? seconds_text(report.seconds) : ""),
+              options.width);
 }
 
 }  // namespace veritope::report

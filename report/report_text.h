@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // report/report_text.h: reports for people. The first line is the verdict; what programs read is report/report_json.h.
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "report/file_report.h"
@@ -8,17 +10,28 @@
 
 namespace veritope::report {
 
-/// How much of a report in text is shown.
+/// How a report is shown as text.
 struct TextOptions {
+  /// For standard output: verdict lines are broken only on a terminal, the lines below them at 100 columns at the most.
+  static TextOptions of_stdout();
+
   Style style;
+  std::optional<std::size_t> verdict_width;  ///< nothing: verdict lines are not broken
+  std::size_t width = 100;                   ///< of the lines below them
+  std::size_t path_width =
+      0;  ///< paths are filled up to it, and verdicts to one width, if it is not 0
+  bool shows_seconds = false;  ///< those of runs that took long
   /// List pairs of faces that intersect improperly one by one, not only the places where they do.
   bool lists_pairs = false;
 };
 
 /// "VALID  part.stl  1 body, genus 1, volume 123.5 (checked)\n"
-std::string verdict_line(const FileReport& report, const Style& style);
+std::string verdict_line(const FileReport& report, const TextOptions& options);
 
-/// What follows it: counts, each broken rule with its first defects, where to look next.
+/// "1 body, genus 1, volume 123.5", "4 boundary edges", or why there is no verdict.
+std::string summary_text(const FileReport& report);
+
+/// What follows the verdict line: what is wrong and what helps, counts and measures, the certificate.
 std::string details_text(const FileReport& report, const TextOptions& options);
 
 /// Lines of a report.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace veritope::report {
@@ -22,7 +23,82 @@ std::size_t printable_size(std::string_view text) {
   return lead == 0xc2 && at(1) < 0xa0 ? 0 : size;
 }
 
+constexpr char kUnbrokenSpace = '\x1f';  // harmless lets no control character into a text
+constexpr std::size_t kNameWidth = 13;   // of a detail line
+
+// The columns that a text takes: its characters, without the sequences that colour it.
+std::size_t columns(std::string_view text) {
+  std::size_t count = 0;
+  bool is_in_colour = false;
+  for (const char c : text) {
+    if (c == '\033') is_in_colour = true;
+    if (!is_in_colour && (static_cast<unsigned char>(c) & 0xc0) != 0x80) ++count;
+    if (c == 'm') is_in_colour = false;
+  }
+  return count;
+}
+
+// The column at which the rest of a broken line starts.
+std::size_t hanging_indent(std::string_view line) {
+  const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t gap = line.find("  ", start);
+  const std::size_t value = gap == line.npos ? gap : line.find_first_not_of(' ', gap);
+  if (start == 2 && value != line.npos && value <= start + kNameWidth + 4) return value;
+  return start == 2 + kNameWidth ? start : start + (start == 0 ? 4 : 2);
+}
+
+void append_folded(std::string_view line, std::size_t width, std::string& out) {
+  const std::size_t indent = hanging_indent(line);
+  std::size_t used = 0;
+  bool is_first = true;
+  while (!line.empty()) {
+    // The next word with the spaces in front of it.
+    const std::size_t word = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t end = std::min(line.find(' ', word), line.size());
+    const std::size_t size = columns(line.substr(0, end));
+    if (!is_first && used + size > width && word < line.size()) {
+      out += "\n" + std::string(indent, ' ');
+      used = indent;
+      line.remove_prefix(word);
+      is_first = true;
+      continue;
+    }
+    out += line.substr(0, end);
+    used += size;
+    line.remove_prefix(end);
+    is_first = false;
+  }
+}
+
 }  // namespace
+
+std::optional<std::size_t> terminal_width() {
+  constexpr std::size_t kLeast = 40;
+  struct winsize size {};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return std::max<std::size_t>(size.ws_col, kLeast);
+}
+
+std::string unbroken(std::string text) {
+  std::replace(text.begin(), text.end(), ' ', kUnbrokenSpace);
+  return text;
+}
+
+std::string fold(std::string_view text, std::size_t width) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    if (columns(line) <= width)
+      out += line;
+    else
+      append_folded(line, width, out);
+    if (end < text.size()) out += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  std::replace(out.begin(), out.end(), kUnbrokenSpace, ' ');
+  return out;
+}
 
 Style style_of_stdout() {
   const char* const no_color = ::getenv("NO_COLOR");
@@ -56,9 +132,8 @@ std::string counted(std::uint64_t count, std::string_view one, std::string_view 
 }
 
 std::string detail_line(std::string_view name, const std::string& value) {
-  constexpr std::size_t kWidth = 13;
-  return "  " + std::string(name) + std::string(kWidth - std::min(kWidth - 1, name.size()), ' ') +
-         value + "\n";
+  return "  " + std::string(name) +
+         std::string(kNameWidth - std::min(kNameWidth - 1, name.size()), ' ') + value + "\n";
 }
 
 }  // namespace veritope::report

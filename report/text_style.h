@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // report/text_style.h: what makes a text pleasant on a terminal and harmless anywhere.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,6 +32,17 @@ Style style_of_stdout();
 /// Names and messages from elsewhere: control characters and what is no UTF-8 become \xNN, so that no
 /// file can drive the terminal.
 std::string harmless(std::string_view text);
+
+/// The columns of the terminal that standard output is, at least 40; nothing: it is no terminal, or hides its size.
+std::optional<std::size_t> terminal_width();
+
+/// Marks the spaces of a text, for instance of a path, so that fold does not break it.
+std::string unbroken(std::string text);
+
+/// Breaks the lines that take more than `width` columns at spaces. A continuation starts below the value of
+/// detail_line, or two columns to the right of the line that it continues. A word without spaces stays whole however
+/// long it is. Colours take no columns.
+std::string fold(std::string_view text, std::size_t width);
 
 /// "1 face", "2 faces".
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many);

@@ -3,7 +3,8 @@
 """Keeps the arrows of docs/layers.txt: every #include and every CMake link of the tree.
 
 Also: an included file exists; an installed header (*.h of a layer, not *_internal.h) includes only installed headers, the
-standard library, intrinsics and GMP; verify/checker/ includes its own files and the standard library, nothing else.
+standard library, intrinsics and GMP; verify/checker/ includes its own files and the standard library, nothing else; only
+the programs of tests/install/consumer, which are built outside of the tree, include headers as they are installed.
 """
 import pathlib
 import re
@@ -24,10 +25,11 @@ cstdio cstdlib cstring ctime cuchar cwchar cwctype assert.h ctype.h errno.h fenv
 setjmp.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h""".split())
 OUTSIDE = [  # kind, headers; the first that fits
     ("stat", r"sys/stat\.h"),
-    ("posix", r"(unistd|malloc|fcntl|dirent|poll|pthread|spawn|termios)\.h|sys/.*\.h"),
+    ("posix", r"(unistd|malloc|fcntl|fnmatch|dirent|poll|pthread|spawn|termios)\.h|sys/.*\.h"),
     ("intrinsics", r"([a-z]*intrin|x86gprintrin|cpuid|arm_neon)\.h"),
     ("gmp", r"gmp\.h"),
     ("cli11", r"CLI/.*"),
+    ("zlib", r"zlib\.h"),
     ("json", r"nlohmann/.*"),
     ("gtest", r"(gtest|gmock)/.*"),
     ("rapidcheck", r"rapidcheck(/.*|\.h)"),
@@ -55,11 +57,11 @@ def is_checker(row):
 
 
 def is_installed(path, layers):
-    """Whether cmake/VeritopeInstall.cmake installs it: see veritope_layer in cmake/VeritopeTargets.cmake."""
+    """Whether it is installed, as a public header or below internal/: cmake/VeritopeHeaders.cmake."""
     row = layers.layer_of(path)
     if row and is_checker(row):
         return False
-    unlisted = {None, "cli", "python", "models", "named_predicates", "report",
+    unlisted = {None, "cli", "python", "models", "named_predicates", "render", "report",
                 "tools", "tests", "fuzz", "bench"}
     return path.endswith(".h") and not path.endswith("_internal.h") and row not in unlisted
 
@@ -95,6 +97,8 @@ def include_fault(root, layers, path, quoted, header):
     row, kind = layers.layer_of(path), outside_kind(header)
     if kind == "std" and not quoted:
         return None
+    if header.startswith("veritope/") and not quoted:  # the installed names: tests/install/public_headers_test.py
+        return None if path.startswith("tests/install/consumer/") else f"<{header}> is for programs outside of the tree"
     target = find_ours(root, path, header)
     if target is None and (quoted or kind is None):
         return f"{header} does not exist" if quoted else f"<{header}> is no header that docs/layers.txt knows"
@@ -213,7 +217,13 @@ class PlantedFaults(unittest.TestCase):
         self.assert_only_fault({"robust/lost.cc": '#include "robust/base/nowhere.h"\n'}, "does not exist")
 
     def test_an_unknown_library_is_found(self):
-        self.assert_only_fault({"robust/odd.cc": "#include <zlib.h>\n"}, "no header that docs/layers.txt knows")
+        self.assert_only_fault({"robust/odd.cc": "#include <bzlib.h>\n"}, "no header that docs/layers.txt knows")
+
+    def test_the_name_of_an_installed_header_in_the_tree_is_found(self):
+        include = "#include <veritope/robust/integer.h>\n"
+        self.assertEqual(self.faults({"tests/install/consumer/main.cc": include}), [])
+        self.assert_only_fault({"robust/odd.cc": include}, "is for programs outside of the tree")
+        self.assert_only_fault({"tests/robust/odd_test.cc": include}, "is for programs outside of the tree")
 
     def test_cgal_and_boost_in_a_layer_are_found(self):
         self.assert_only_fault({"predicates/peer.h": "#include <CGAL/Gmpq.h>\n"}, "(cgal)")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""README.md and the pages in docs/ show what happens: their transcripts are run and compared; the C++ of README.md is the
-program that the install test builds.
+"""README.md and the pages in docs/ show what happens: their transcripts are run and compared; their C++ is that
+of the programs that the install test builds.
 
 usage: readme_test.py BIN_FOLDER
 
@@ -9,7 +9,8 @@ A fenced block tagged `console` is a transcript: lines that begin with "$ " are 
 output and standard error. The commands of a block run in one bash, in a fresh folder where examples/, docs/, verify/ and tests/ are
 those of the tree and build/bin/ is BIN_FOLDER, so what they write is gone afterwards. Times compare as equal: a number with its
 unit (0.31 s, 12 ms), and all numbers of a JSON object "seconds". A line of three dots stands for any lines.
-A block tagged `cpp` must occur, apart from blank lines at its ends, in tests/install/consumer/main.cc.
+A block tagged `cpp` in README.md or docs/library.md must occur, apart from blank lines at its ends, in a program of
+tests/install/consumer.
 """
 import pathlib
 import re
@@ -88,9 +89,11 @@ class Readme(unittest.TestCase):
         return len(blocks)
 
     def test_the_cpp_examples_are_compiled_by_the_install_test(self):
-        consumer = (ROOT / "tests" / "install" / "consumer" / "main.cc").read_text()
-        for block in fenced_blocks(self.text, "cpp"):
-            self.assertIn(block.strip("\n"), consumer)
+        consumers = [path.read_text() for path in (ROOT / "tests" / "install" / "consumer").glob("*.cc")]
+        blocks = [block for page in ("README.md", "docs/library.md") for block in fenced_blocks((ROOT / page).read_text(), "cpp")]
+        self.assertGreater(len(blocks), 1)
+        for block in blocks:
+            self.assertTrue(any(block.strip("\n") in text for text in consumers), block)
 
     def test_the_two_commands_come_first(self):
         commands = re.findall(r"\./dev \w+", self.text)

@@ -36,6 +36,7 @@ struct ModelPlace {
   std::vector<std::uint32_t> faces;  ///< ascending, except M5 and M6: see SurfaceTopology
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< the edge of M3, M4, M5
   std::vector<std::uint32_t> vertices;  ///< the vertex of M6; the corners of M1 and M2
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> near_edge;  ///< M3: the open edge that is nearest to it
   /// The polygon of the file that each face was cut from; empty if all polygons are triangles.
   std::vector<std::uint32_t> polygons;
 
@@ -52,9 +53,14 @@ struct ModelPlace {
 /// What shows a finding. Only what is known is set; the certificate has the whole proof.
 struct Witness {
   std::optional<RationalPoint> point;  ///< an exact point of the defect
+  /// Meshes: the ends of the edge (M3, M4, M5), in the order of place.edges; two points of greatest distance in the
+  /// intersection of two faces (M7), if it is not a point.
+  std::optional<std::array<RationalPoint, 2>> ends;
   /// The winding number on the inner side of place.shell, which is not 1.
   std::optional<int> winding;
-  /// Between the two parts of the place; approximate.
+  /// M3: the square of the gap to place.near_edge; exact.
+  std::optional<Rational> squared_gap;
+  /// Between the two parts of the place, or the gap to place.near_edge; approximate.
   std::optional<double> approx_distance;
 };
 

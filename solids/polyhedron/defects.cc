@@ -83,8 +83,22 @@ RationalPoint witness_point(const TriangleMesh& mesh, std::uint32_t face) {
   return weighted({{2, &mesh.positions[t[0]]}, {1, &mesh.positions[t[1]]}, {1, &mesh.positions[t[2]]}});
 }
 
+template <typename Size>
+std::vector<std::size_t> DefectLister::largest(std::size_t count, Size size) const {
+  std::vector<double> sizes;
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < count; ++i) sizes.push_back(size(i)), out.push_back(i);
+  const auto precedes = [&](std::size_t i, std::size_t j) {
+    return sizes[i] != sizes[j] ? sizes[i] > sizes[j] : i < j;
+  };
+  const std::size_t kept = std::min(count, max_listed_);
+  std::partial_sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(kept), out.end(), precedes);
+  out.resize(kept);
+  return out;
+}
+
 void DefectLister::degenerate(const std::vector<std::uint32_t>& faces) {
-  for (std::size_t i = 0; i < std::min(faces.size(), max_listed_); ++i) {
+  for (const std::size_t i : largest(faces.size(), [&](std::size_t k) { return diameter(mesh_, faces[k]); })) {
     const auto& t = mesh_.faces[faces[i]];
     const bool repeated = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     Finding d = new_defect(MeshRule::kM1);
@@ -100,7 +114,9 @@ void DefectLister::degenerate(const std::vector<std::uint32_t>& faces) {
 }
 
 void DefectLister::duplicate(const DuplicateFaces& duplicates) {
-  for (const auto& [first, later] : duplicates.first) {
+  const auto size = [&](std::size_t k) { return diameter(mesh_, duplicates.first[k].second); };
+  for (const std::size_t i : largest(duplicates.first.size(), size)) {
+    const auto& [first, later] = duplicates.first[i];
     const auto& t = mesh_.faces[later];
     Finding d = new_defect(MeshRule::kM2);
     d.place.faces = {first, later};
@@ -112,15 +128,34 @@ void DefectLister::duplicate(const DuplicateFaces& duplicates) {
   }
 }
 
+Finding DefectLister::edge_defect(MeshRule rule, const EdgeDefect& e) const {
+  Finding d = new_defect(rule);
+  d.place.faces = first_of(e.faces);
+  d.place.edges = {{e.a, e.b}};
+  const Vec3d &a = mesh_.positions[e.a], &b = mesh_.positions[e.b];
+  d.witness.point = weighted({{1, &a}, {1, &b}});
+  d.witness.ends = {RationalPoint{exact(a)}, RationalPoint{exact(b)}};
+  d.place.size = distance(a, b);
+  d.message = edge_sentence(rule, e);
+  return d;
+}
+
 void DefectLister::add_edges(MeshRule rule, const std::vector<EdgeDefect>& edges) {
-  for (const EdgeDefect& e : edges) {
-    Finding d = new_defect(rule);
-    d.place.faces = first_of(e.faces);
-    d.place.edges = {{e.a, e.b}};
-    const Vec3d &a = mesh_.positions[e.a], &b = mesh_.positions[e.b];
-    d.witness.point = weighted({{1, &a}, {1, &b}});
-    d.place.size = distance(a, b);
-    d.message = edge_sentence(rule, e);
+  const auto size = [&](std::size_t k) { return distance(mesh_.positions[edges[k].a], mesh_.positions[edges[k].b]); };
+  for (const std::size_t i : largest(edges.size(), size)) defects_.push_back(edge_defect(rule, edges[i]));
+}
+
+void DefectLister::open_edges(std::span<const OpenEdge> edges, std::span<const NearestEdge> nearest) {
+  const auto size = [&](std::size_t k) { return distance(mesh_.positions[edges[k].a], mesh_.positions[edges[k].b]); };
+  for (const std::size_t i : largest(edges.size(), size)) {
+    const auto ids = [](const OpenEdge& e) { return std::minmax(e.a, e.b); };
+    Finding d = edge_defect(MeshRule::kM3, {ids(edges[i]).first, ids(edges[i]).second, {edges[i].face}});
+    if (nearest[i].edge != NearestEdge::kNone) {
+      const OpenEdge& other = edges[nearest[i].edge];
+      d.place.near_edge = {ids(other).first, ids(other).second};
+      d.witness.squared_gap = squared_gap(ends_of(mesh_, edges[i]), ends_of(mesh_, other));
+      d.witness.approx_distance = nearest_root(*d.witness.squared_gap);
+    }
     defects_.push_back(std::move(d));
   }
 }
@@ -129,7 +164,8 @@ void DefectLister::topology(const SurfaceTopology& topology) {
   add_edges(MeshRule::kM3, topology.boundary);
   add_edges(MeshRule::kM4, topology.nonmanifold);
   add_edges(MeshRule::kM5, topology.misoriented);
-  for (const VertexDefect& v : topology.pinched) {
+  for (std::size_t i = 0; i < std::min(topology.pinched.size(), max_listed_); ++i) {
+    const VertexDefect& v = topology.pinched[i];
     Finding d = new_defect(MeshRule::kM6);
     d.place.faces = first_of(v.faces);
     d.place.vertices = {v.vertex};
@@ -157,6 +193,8 @@ void DefectLister::improper(const ImproperPairs& pairs) {
     }
     TriangleWitness w = triangle_witness(indexed(f), indexed(g));
     d.place.size = rounded_root(w.squared_extent, 2);
+    if (w.squared_extent.sign() != Sign::kZero)
+      d.witness.ends = {RationalPoint{std::move(w.ends[0])}, RationalPoint{std::move(w.ends[1])}};
     d.witness.point = RationalPoint{std::move(w.point)};
     d.message = "faces " + std::to_string(f) + " and " + std::to_string(g) +
                 (w.squared_extent.sign() == Sign::kZero ? " touch in a point that is no common vertex"

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/polyhedron/defects.h: what was found wrong, as places, sizes and sentences for the report.
 #pragma once
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "solids/polyhedron/duplicates.h"
 #include "solids/polyhedron/improper_pairs.h"
+#include "solids/polyhedron/open_edges.h"
 #include "solids/polyhedron/validity.h"
 
 namespace veritope {
 
-/// Turns what was found wrong into Findings, whose codes are those of the rules, at most `max_listed` of each rule, in
-/// the order in which the functions are called.
+/// Turns what was found wrong into Findings, whose codes are those of the rules, in the order in which functions are
+/// called: at most `max_listed` of each rule, of the functions before `improper` the largest, largest first.
 class DefectLister {
  public:
   DefectLister(const TriangleMesh& mesh, std::size_t max_listed) : mesh_(mesh), max_listed_(max_listed) {}
 
   void degenerate(const std::vector<std::uint32_t>& faces);
   void duplicate(const DuplicateFaces& duplicates);
+  /// M3 with the nearest edges, for all open edges.
+  void open_edges(std::span<const OpenEdge> edges, std::span<const NearestEdge> nearest);
   void topology(const SurfaceTopology& topology);
   void improper(const ImproperPairs& pairs);
   /// REQUIRES depth, outward and volume of every shell.
@@ -25,7 +30,11 @@ class DefectLister {
   std::vector<Finding> take() { return std::move(defects_); }
 
  private:
+  Finding edge_defect(MeshRule rule, const EdgeDefect& e) const;
   void add_edges(MeshRule rule, const std::vector<EdgeDefect>& edges);
+  /// Numbers from 0 to count - 1: those of greatest size, at most max_listed_, largest first.
+  template <typename Size>
+  std::vector<std::size_t> largest(std::size_t count, Size size) const;
 
   const TriangleMesh& mesh_;
   std::size_t max_listed_;

@@ -58,14 +58,23 @@ class Decision {
  private:
   std::uint64_t& rule(MeshRule r) { return report_.rule_counts[rule_index(r)]; }
 
+  // Defects from which the largest are chosen.
+  std::size_t pool() const {
+    constexpr std::size_t kPool = 1 << 16;
+    return options_.max_defects == 0 ? 0 : std::max(options_.max_defects, kPool);
+  }
+
   void decide_topology() {
     const auto num_vertices = static_cast<std::uint32_t>(mesh_.positions.size());
     Incidence incidence = Incidence::build(mesh_.faces, num_vertices, options_.jobs);
     report_.seconds.incidence = watch_.lap();
     signs_ = facet_signs(mesh_, options_.jobs);
     report_.seconds.signs = watch_.lap();
-    topology_ = analyse_surface(mesh_.faces, incidence, options_.max_defects, options_.jobs);
-    duplicates_ = find_duplicate_faces(mesh_.faces, topology_, options_.max_defects);
+    topology_ = analyse_surface(mesh_.faces, incidence, pool(), options_.jobs);
+    if (options_.max_defects > 0 && topology_.boundary_edges <= kMostMeasuredEdges &&
+        topology_.boundary_edges > 0)
+      open_edges_ = list_open_edges(mesh_, incidence, options_.jobs);
+    duplicates_ = find_duplicate_faces(mesh_.faces, topology_, pool());
     report_.seconds.topology = watch_.lap();
     report_.stars = find_vertex_stars(mesh_, incidence, signs_, topology_.irregular, options_.jobs);
     report_.seconds.stars = watch_.lap();
@@ -158,10 +167,20 @@ class Decision {
     DefectLister lister(mesh_, options_.max_defects);
     lister.degenerate(signs_.degenerate);
     lister.duplicate(duplicates_);
+    measure_open_edges(lister);
     lister.topology(topology_);
     lister.improper(pairs_);
     if (report_.nesting_decided) lister.nesting(report_.shells);
     report_.defects = lister.take();
+  }
+
+  // Lists M3, if the open edges are known.
+  void measure_open_edges(DefectLister& lister) {
+    if (open_edges_.empty()) return;
+    report_.open_edges = analyse_open_edges(mesh_, open_edges_, options_.jobs);
+    lister.open_edges(open_edges_, report_.open_edges->nearest);
+    report_.open_edges->nearest = {};
+    topology_.boundary.clear();
   }
 
   const TriangleMesh& mesh_;
@@ -170,6 +189,7 @@ class Decision {
   Stopwatch watch_;
   FacetSigns signs_;
   SurfaceTopology topology_;
+  std::vector<OpenEdge> open_edges_;  // empty if they are not measured
   DuplicateFaces duplicates_;
   std::vector<std::uint32_t> facets_;  // those that are not degenerate, copies left out
   FaceCopies copies_;

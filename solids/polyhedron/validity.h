@@ -13,6 +13,7 @@
 #include "robust/rational.h"
 #include "solids/polyhedron/improper_places.h"
 #include "solids/polyhedron/nesting.h"
+#include "solids/polyhedron/open_edges.h"
 #include "solids/polyhedron/rules.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/vertex_star.h"
@@ -58,12 +59,20 @@ struct DecisionTimes {
   double incidence = 0, signs = 0, topology = 0, stars = 0, boxes = 0, pairs = 0, volume = 0, nesting = 0;
 };
 
+/// Gaps are measured in meshes with at most this number of open edges.
+inline constexpr std::uint64_t kMostMeasuredEdges = std::uint64_t{1} << 20;
+
 struct ValidityReport {
   bool is_valid = false;
   MeshCounts counts;
   std::array<std::uint64_t, kNumMeshRules> rule_counts{};  ///< exact, by rule_index; M8 and M9 are 0 unless M1-M7 hold
   bool nesting_decided = false;                            ///< M1-M7 hold, so M8 and M9 were decided
-  std::vector<Finding> defects;                            ///< by rule, then by place; at most max_defects of each rule
+  /// By rule, at most max_defects of each, the largest first; intersections (M7) by their faces instead. A rule with
+  /// more than 65,536 defects has the largest of the first ones.
+  std::vector<Finding> defects;
+  /// The open edges as a whole, without `nearest`; nothing if the mesh is closed, has more than kMostMeasuredEdges of
+  /// them, or if no defects are listed.
+  std::optional<OpenEdges> open_edges;
   std::vector<ImproperPlace> places;                       ///< where faces meet improperly (M7), all of them
   std::vector<ShellReport> shells;
   std::optional<Rational> volume;                          ///< sum over shells

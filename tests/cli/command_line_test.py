@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """The command line itself: usage, help, exit statuses and their order, standard input, limits, what is printed where."""
+import fcntl
+import fractions
 import os
 import pty
 import re
+import struct
 import subprocess
+import termios
 import unittest
 from pathlib import Path
 
@@ -29,15 +33,27 @@ def read_terminal(ours):
     return output.decode()
 
 
-def run_on_terminal(*arguments, environment=None):
+def run_on_terminal(*arguments, environment=None, columns=None):
     """Standard output of a program that believes it writes to a terminal."""
     ours, theirs = pty.openpty()
+    if columns:
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
     child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
                              env={**os.environ, "TERM": "xterm", **(environment or {})})
     os.close(theirs)
     output = read_terminal(ours)
     child.wait()
     return output
+
+
+def squared_distance(edge, other):
+    """The square of the greatest distance of an end of an edge from another edge."""
+    def of_point(p):
+        u = [b - a for a, b in zip(*other)]
+        w = [c - a for c, a in zip(p, other[0])]
+        t = min(max(sum(a * b for a, b in zip(u, w)) / sum(a * a for a in u), 0), 1)
+        return sum((a - t * b) ** 2 for a, b in zip(w, u))
+    return max(map(of_point, edge))
 
 
 class Usage(unittest.TestCase):
@@ -144,16 +160,113 @@ class Rooms(unittest.TestCase):
                 self.assertEqual(done.stderr.splitlines(), ["veritope: " + words, f"veritope {arguments[0]} --help says more"])
 
 
+class Folders(unittest.TestCase):
+    """certify DIR, the totals and the table."""
+
+    def setUp(self):
+        self.temporary = support.tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = Path(self.temporary.name)
+
+    def copy(self, source, name):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(Path(source).read_bytes())
+
+    def paths(self, done):
+        lines = done.stdout.splitlines()
+        return [str(Path(re.split("  +", line)[1]).relative_to(self.folder)) for line in lines[:-1]]
+
+    def test_a_folder_stands_for_the_models_in_it_sorted_by_their_paths(self):
+        for name in ("b.off", "a/z.OFF", "a/.hidden.off", ".git/x.off", "notes.txt", "a-c.off"):
+            self.copy(VALID, name)
+        os.symlink(self.folder, self.folder / "a" / "loop")
+        done = run("certify", "-q", self.folder)
+        self.assertEqual((done.returncode, self.paths(done)), (0, ["a-c.off", "a/z.OFF", "b.off"]))
+        self.assertEqual(done.stdout.splitlines()[-1], "3 files: 3 valid")
+        self.assertEqual(run("certify", "-q", f"{self.folder}/").returncode, 0)
+
+    def test_glob_selects_by_name_whatever_the_ending(self):
+        for name in ("part.off", "part.model", "other.model"):
+            self.copy(VALID, name)
+        done = run("certify", "-q", "--format", "off", "--glob", "p*.model", self.folder)
+        self.assertEqual([Path(re.split("  +", line)[1]).name for line in done.stdout.splitlines()], ["part.model"])
+
+    def test_a_folder_without_models_is_wrong_usage_and_says_what_it_looked_for(self):
+        for options, words in [([], "has the ending of a known format (stl, obj"), (["--glob", "*.zzz"], "has a name that matches *.zzz")]:
+            done = run("certify", *options, self.folder)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(words, done.stderr)
+
+    @unittest.skipIf(os.geteuid() == 0, "root reads every folder")
+    def test_a_subfolder_that_cannot_be_read_is_listed(self):
+        self.copy(VALID, "a.off")
+        (self.folder / "closed").mkdir(mode=0)
+        done = run("certify", "-q", self.folder)
+        self.assertEqual((done.returncode, self.paths(done)), (4, ["a.off", "closed"]))
+
+    def test_totals_count_the_verdicts_and_columns_are_aligned(self):
+        for source, name in [(VALID, "a.off"), (INVALID, "long_name.off"), (UNREADABLE, "u.off")]:
+            self.copy(source, name)
+        lines = run("certify", "-q", self.folder).stdout.splitlines()
+        self.assertEqual(lines[-1], "3 files: 1 valid, 1 invalid, 1 unreadable")
+        starts = {re.match(r"(\w+ +)(\S+ +)", line).span(2) for line in lines[:-1]}
+        self.assertEqual(len(starts), 1, lines)
+
+    def test_the_table_has_a_row_for_each_file_and_the_values_of_the_report(self):
+        for source, name in [(VALID, "a\tb.off"), (INVALID, "i.off"), (UNREADABLE, "u.off")]:
+            self.copy(source, name)
+        done = run("certify", "--tsv", "-", self.folder)
+        rows = [line.split("\t") for line in done.stdout.splitlines()]
+        self.assertEqual({len(row) for row in rows}, {12})
+        table = [dict(zip(rows[0], row)) for row in rows[1:]]
+        self.assertEqual([row["verdict"] for row in table], ["VALID", "INVALID", "UNREADABLE"])
+        self.assertEqual([row["codes"] for row in table][:2], ["", "M3:3"])
+        self.assertEqual([row["checked"] for row in table], ["yes", "yes", "no"])
+        self.assertTrue(table[0]["file"].endswith("a\\x09b.off"))
+        self.assertEqual((table[0]["bodies"], table[0]["genus"]), ("1", "0"))
+
+    def test_a_table_never_overwrites_an_input_or_another_output(self):
+        self.copy(VALID, "a.off")
+        path, out = self.folder / "a.off", self.folder / "out"
+        for arguments in (["--tsv", path, path], ["--tsv", out, "--json", out, path], ["--tsv", out, "--certificate", out, path],
+                          ["--tsv", out, "--picture", out, path], ["--tsv", "-", "--json", "-", path]):
+            done = run("certify", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
+        self.assertFalse(out.exists())
+        self.assertEqual(path.read_bytes(), Path(VALID).read_bytes())
+
+
+class Widths(unittest.TestCase):
+    """Reports keep to the width of the terminal, and to 100 columns elsewhere."""
+
+    def reports(self):
+        models = support.ROOT / "tests" / "models"
+        return sorted(models.glob("m*_smallest.*")) + sorted((models / "patches").glob("*_smallest.*"))
+
+    def test_lines_fit_the_terminal(self):
+        for columns in (80, 120):
+            output = run_on_terminal("certify", "--max-defects", "3", *self.reports(), environment={"NO_COLOR": "1"}, columns=columns)
+            for line in output.replace("\r\n", "\n").splitlines():
+                if "/models/" not in line:
+                    self.assertLessEqual(len(line.split("\r\033[K")[-1]), columns, line)
+
+    def test_details_elsewhere_have_at_most_100_columns(self):
+        for line in run("certify", *self.reports()).stdout.splitlines():
+            if line.startswith(" "):
+                self.assertLessEqual(len(line), 100, line)
+
+
 class ExitStatus(unittest.TestCase):
     def test_of_several_files_the_first_of_5_1_4_3_0_decides(self):
         for files, status in [([VALID], 0), ([INVALID], 1), ([UNREADABLE], 4), ([VALID, UNREADABLE], 4), ([UNREADABLE, INVALID], 1),
                               ([INVALID, UNREADABLE, VALID], 1), ([VALID, VALID], 0)]:
             done = run("certify", "-q", *files)
             self.assertEqual(done.returncode, status, files)
-            self.assertEqual(len(done.stdout.splitlines()), len(files))
+            self.assertEqual(len(done.stdout.splitlines()), len(files) + (len(files) > 1))  # and the totals
 
     def test_what_is_no_file_is_exit_4_with_its_name(self):
-        for path, word in [("/nonexistent/a.stl", "No such file"), (MODELS, "directory"), ("/dev/null", "device")]:
+        for path, word in [("/nonexistent/a.stl", "No such file"), ("/dev/null", "device")]:
             done = run("certify", path)
             self.assertEqual(done.returncode, 4)
             self.assertRegex(done.stdout, rf"^UNREADABLE  {path}  .*{word}")
@@ -271,12 +384,36 @@ class Limits(Folder):
 
     def test_max_defects_lists_so_many_and_counts_all(self):
         model = MODELS / "m2_copied_face.off"  # one M2, three M4, one M7
-        for most, listed in [(0, []), (1, ["M2"]), (2, ["M2", "M4"]), (3, ["M2", "M4", "M7"]), (4, ["M2", "M4", "M4", "M7"]),
-                             (100, ["M2", "M4", "M4", "M4", "M7"])]:
+        for most, listed in [(0, []), (1, ["M2", "M4", "M7"]), (2, ["M2", "M4", "M4", "M7"]), (100, ["M2", "M4", "M4", "M4", "M7"])]:
             file = support.only_file("--max-defects", most, model)
             self.assertEqual([defect["rule"] for defect in file["defects"]], listed)
             self.assertEqual((file["defects_total"], file["certificate"]["checked"]), (5, True))
-        self.assertIn("... 2 more", run("certify", "--max-defects", 3, model).stdout)
+        self.assertIn("... 2 more", run("certify", "--max-defects", 1, model).stdout)
+
+    def test_the_largest_defects_are_listed_first(self):
+        file = support.only_file("--max-defects", 2, MODELS / "m3_crack.stl")
+        every = support.only_file("--max-defects", 9, MODELS / "m3_crack.stl")["defects"]
+        sizes = [defect["size"] for defect in every]
+        self.assertEqual(sizes, sorted(sizes, reverse=True))
+        self.assertEqual(file["defects"], every[:2])
+
+    def test_an_open_edge_has_its_ends_and_the_gap_to_the_nearest_one(self):
+        defects = support.only_file(MODELS / "m3_crack.stl")["defects"]
+        ends = {tuple(d["edges"][0]): [[fractions.Fraction(c) for c in end["exact"]] for end in d["ends"]] for d in defects}
+        for defect in defects:
+            mine, other = ends[tuple(defect["edges"][0])], ends[tuple(defect["near_edge"])]
+            gap = min(squared_distance(mine, other), squared_distance(other, mine))
+            self.assertEqual(fractions.Fraction(defect["gap"]["squared"]), gap)
+            self.assertLess(abs(fractions.Fraction(defect["gap"]["decimal"]) ** 2 / gap - 1), 2 ** -50)
+            self.assertEqual([(a + b) / 2 for a, b in zip(*mine)], [fractions.Fraction(c) for c in defect["point"]["exact"]])
+        counts = support.only_file(MODELS / "m3_crack.stl")["counts"]
+        self.assertEqual((counts["borders"], counts["near_edges"]), (1, 4))
+        gaps = [d["gap"]["decimal"] for d in defects]
+        self.assertEqual(counts["near_distance"], {"least": min(gaps), "greatest": max(gaps)})
+        hole = support.only_file(MODELS / "m3_missing_face.off")["counts"]
+        self.assertEqual((hole["borders"], hole["near_edges"], hole["near_distance"]), (1, 0, None))
+        closed = support.only_file(VALID)["counts"]
+        self.assertEqual((closed["borders"], closed["near_edges"], closed["near_distance"]), (0, 0, None))
 
 
 class Terminal(Folder):

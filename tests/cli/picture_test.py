@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""certify --picture: the model in grey, defects in the colours that the manual lists, an octahedron around each."""
+"""certify --picture: the model in grey, defects in the colours that the manual lists: in a PLY an octahedron around each, in a PNG lines
+and discs that are large enough to be seen."""
+import math
+import os
 import struct
 import unittest
+import zlib
 
 import support
 from support import INVALID, MODELS, UNREADABLE, VALID, Folder, run
@@ -97,11 +101,115 @@ class Picture(Folder):
         done = run("certify", VALID, "--picture", self.folder / "new" / "p.ply")
         self.assertEqual((done.returncode, done.stdout), (4, ""))
 
+    def test_other_endings_and_plys_of_splines_are_refused(self):
+        for name, model, words in [("p.jpg", VALID, "--picture writes .png and .ply"), ("png", VALID, "--picture writes .png and .ply"),
+                                   ("p.ply", MODELS / "patches" / "cube.itd", "use .png")]:
+            done = run("certify", "--picture", self.folder / name, model)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(words, done.stderr)
+        self.assertEqual(self.listing(), [])
+
     def test_a_picture_that_cannot_be_written_does_not_take_the_verdict_back(self):
-        done = run("certify", VALID, "--picture", "/dev/full")
+        os.symlink("/dev/full", self.path)
+        done = self.certify(VALID)
         self.assertEqual(done.returncode, 4)
         self.assertTrue(done.stdout.startswith("VALID"))
-        self.assertIn("/dev/full", done.stderr)
+        self.assertIn(str(self.path), done.stderr)
+
+
+def read_png(path):
+    """(width, height, rows of bytes), decoded independently of the encoder."""
+    data, at, body = path.read_bytes(), 8, b""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        chunk = data[at + 8:at + 8 + size]
+        assert struct.unpack_from(">I", data, at + 8 + size)[0] == zlib.crc32(kind + chunk)
+        if kind == b"IHDR":
+            width, height, depth, colours = struct.unpack_from(">IIBB", chunk)
+            assert (depth, colours) == (8, 2)
+        body += chunk if kind == b"IDAT" else b""
+        at += 12 + size
+    raw, rows, stride = zlib.decompress(body), [], 3 * width
+    above = bytearray(stride)
+    for y in range(height):
+        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for x in range(stride) if kind else ():
+            left, up, corner = (row[x - 3] if x >= 3 else 0), above[x], (above[x - 3] if x >= 3 else 0)
+            p = left + up - corner
+            paeth = min((left, up, corner), key=lambda v: abs(p - v))
+            row[x] = (row[x] + (0, left, up, (left + up) // 2, paeth)[kind]) % 256
+        rows.append(row)
+        above = row
+    return width, height, rows
+
+
+def count_colour(rows, colour, least_row, last_row):
+    want = bytes(colour)
+    return sum(row[x:x + 3] == want for row in map(bytes, rows[least_row:last_row]) for x in range(0, len(row), 3))
+
+
+def sphere_off(turns, rings, edit=None):
+    """A sphere of triangles as OFF; `edit` may change vertices and faces."""
+    points = [(0, 0, 1)] + [(math.sin(math.pi * r / rings) * math.cos(2 * math.pi * t / turns), math.sin(math.pi * r / rings) *
+                             math.sin(2 * math.pi * t / turns), math.cos(math.pi * r / rings)) for r in range(1, rings) for t in range(turns)]
+    points.append((0, 0, -1))
+    ring = lambda r, t: 1 + (r - 1) * turns + t % turns
+    faces = [(0, ring(1, t), ring(1, t + 1)) for t in range(turns)]
+    for r in range(1, rings - 1):
+        for t in range(turns):
+            faces += [(ring(r, t), ring(r + 1, t), ring(r + 1, t + 1)), (ring(r, t), ring(r + 1, t + 1), ring(r, t + 1))]
+    faces += [(ring(rings - 1, t), len(points) - 1, ring(rings - 1, t + 1)) for t in range(turns)]
+    if edit:
+        edit(points, faces)
+    text = f"OFF {len(points)} {len(faces)} 0\n" + "".join("%r %r %r\n" % tuple(map(float, p)) for p in points)
+    return text + "".join("3 %d %d %d\n" % f for f in faces)
+
+
+def crack(points, faces):
+    """One corner of one face moves by a few ulps."""
+    a, b, c = faces[500]
+    points.append((points[a][0] + 2.0 ** -50, points[a][1], points[a][2]))
+    faces[500] = (len(points) - 1, b, c)
+
+
+class Png(Folder):
+    LEGEND = 830  # the legend stands below this row
+
+    def marked(self, model, colour, status=1):
+        """Pixels of this colour above the legend."""
+        path = self.folder / "p.png"
+        done = run("certify", "-q", "--picture", path, model)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        width, height, rows = read_png(path)
+        self.assertEqual((width, height), (1200, 900))
+        return count_colour(rows, colour, 50, self.LEGEND)
+
+    def test_a_crack_of_a_few_ulps_covers_the_pixels_of_a_square_of_12_in_its_colour(self):
+        model = self.folder / "model.off"
+        model.write_text(sphere_off(40, 30, crack))
+        self.assertGreaterEqual(self.marked(model, OF_RULE["M3"]), 144)
+
+    def test_a_sound_model_has_no_marks_and_the_picture_is_named(self):
+        path = self.folder / "p.png"
+        done = run("certify", "--picture", path, MODELS / "patches" / "cube.itd")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(f"  picture      {path}\n", done.stdout)
+        rows = read_png(path)[2]
+        self.assertEqual([count_colour(rows, colour, 50, 900) for rule, colour in OF_RULE.items() if rule != "M1"], [0] * 8)
+        self.assertEqual(support.only_file("--picture", path, VALID)["picture"], str(path))
+        self.assertIsNone(support.only_file(VALID)["picture"])
+
+    def test_a_volume_is_drawn_by_its_boundary_faces(self):
+        path = self.folder / "p.PNG"
+        self.assertEqual(run("certify", "--picture", path, MODELS / "splines" / "two_cubes.mesh").returncode, 0)
+        self.assertGreater(len(path.read_bytes()), 2000)
+
+    def test_the_bytes_do_not_depend_on_the_number_of_threads(self):
+        a, b = self.folder / "a.png", self.folder / "b.png"
+        run("certify", "-q", "-j", 1, "--picture", a, INVALID)
+        run("certify", "-q", "-j", 4, "--picture", b, INVALID)
+        self.assertEqual(a.read_bytes(), b.read_bytes())
 
 
 if __name__ == "__main__":

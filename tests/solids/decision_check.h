@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "solids/polyhedron/validity.h"
 #include "tests/support/brute_force.h"
@@ -66,10 +71,54 @@ inline bool is_in_face(const TriangleMesh& mesh, std::uint32_t f, const Rational
   return true;
 }
 
-/// The listed defects are the first of their rules and point at what is wrong.
+/// The size of a face or an edge, to within a few roundings.
+inline double approx_size(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids) {
+  double out = 0;
+  for (const std::uint32_t i : ids)
+    for (const std::uint32_t j : ids) {
+      const Vec3d &a = mesh.positions[i], &b = mesh.positions[j];
+      out = std::max(out, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
+    }
+  return out;
+}
+
+/// What a rule forbids, as the oracle lists it, against the listed defects: those of greatest size, largest first.
+template <typename Id>
+class LargestOf {
+ public:
+  void add(Id id, double size) { sizes_[std::move(id)] = size; }
+  void take(const Id& id, double size) {
+    const auto found = sizes_.find(id);
+    ASSERT_NE(found, sizes_.end()) << "no such defect, or listed twice";
+    EXPECT_NEAR(found->second, size, 1e-12 * size);
+    EXPECT_LE(size, last_) << "the largest come first";
+    last_ = size;
+    sizes_.erase(found);
+  }
+  /// REQUIRES that all listed ones were taken.
+  void expect_smaller_rest() const {
+    for (const auto& [id, size] : sizes_) EXPECT_LE(size, last_ * (1 + 1e-12));
+  }
+
+ private:
+  std::map<Id, double> sizes_;
+  double last_ = std::numeric_limits<double>::infinity();
+};
+
+/// The listed defects are the largest of their rules, or for M6 and M7 the first, and point at what is wrong.
 inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport& r, const oracle::BruteDecision& b, std::size_t max_defects) {
   std::array<std::size_t, kNumMeshRules> listed{};
   std::size_t last_rule = 0;
+  std::array<LargestOf<std::vector<std::uint32_t>>, 5> largest;  // M1 to M5
+  const auto corners = [&](std::uint32_t f) { return std::vector(mesh.faces[f].begin(), mesh.faces[f].end()); };
+  const auto add_edge = [&](MeshRule rule, const oracle::Edge& e) {
+    largest[rule_index(rule)].add({e.first, e.second}, approx_size(mesh, {e.first, e.second}));
+  };
+  for (const std::uint32_t f : b.degenerate) largest[0].add({f}, approx_size(mesh, corners(f)));
+  for (const auto& [f, g] : b.topology.duplicate_pairs) largest[1].add({f, g}, approx_size(mesh, corners(g)));
+  for (const oracle::Edge& e : b.topology.boundary) add_edge(MeshRule::kM3, e);
+  for (const oracle::Edge& e : b.topology.nonmanifold) add_edge(MeshRule::kM4, e);
+  for (const auto& m : b.topology.misoriented) add_edge(MeshRule::kM5, m.second);
   for (const Finding& d : r.defects) {
     const std::size_t rule = rule_index(rule_of(d));
     EXPECT_GE(rule, last_rule) << "defects are ordered by rule";
@@ -79,11 +128,17 @@ inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport&
     EXPECT_GE(d.place.size, 0);
     const auto& t = b.topology;
     switch (rule_of(d)) {
-      case MeshRule::kM1: EXPECT_EQ(d.place.faces, (std::vector<std::uint32_t>{b.degenerate[i]})); break;
-      case MeshRule::kM2: EXPECT_EQ(d.place.faces, (std::vector<std::uint32_t>{t.duplicate_pairs[i].first, t.duplicate_pairs[i].second})); break;
-      case MeshRule::kM3: EXPECT_EQ(d.place.edges, (std::vector<oracle::Edge>{t.boundary[i]})); break;
-      case MeshRule::kM4: EXPECT_EQ(d.place.edges, (std::vector<oracle::Edge>{t.nonmanifold[i]})); break;
-      case MeshRule::kM5: EXPECT_EQ(d.place.edges, (std::vector<oracle::Edge>{t.misoriented[i].second})); break;
+      case MeshRule::kM1:
+      case MeshRule::kM2: largest[rule].take(d.place.faces, d.place.size); break;
+      case MeshRule::kM3:
+      case MeshRule::kM4:
+      case MeshRule::kM5: {
+        const auto& [v, w] = d.place.edges.at(0);
+        largest[rule].take({v, w}, d.place.size);
+        EXPECT_EQ(d.witness.ends->at(0).at[0], Rational::from_double(mesh.positions[v].x));
+        EXPECT_EQ(d.witness.ends->at(1).at[2], Rational::from_double(mesh.positions[w].z));
+        break;
+      }
       case MeshRule::kM6: EXPECT_EQ(d.place.vertices, (std::vector<std::uint32_t>{t.pinched[i]})); break;
       case MeshRule::kM7:
         EXPECT_EQ(d.place.faces, (std::vector<std::uint32_t>{b.improper[i].first, b.improper[i].second}));
@@ -93,6 +148,8 @@ inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport&
       case MeshRule::kM9: EXPECT_TRUE(is_in_face(mesh, d.place.faces[0], *d.witness.point)); break;
     }
   }
+  if (max_defects > 0)
+    for (const auto& rest : largest) rest.expect_smaller_rest();
   for (std::size_t k = 0; k < kNumMeshRules; ++k) EXPECT_EQ(listed[k], std::min<std::uint64_t>(max_defects, r.rule_counts[k])) << "M" << k + 1;
 }
 

@@ -44,7 +44,14 @@ inline std::string full_text(const ValidityReport& r) {
     for (std::uint32_t v : d.place.vertices) out += " " + std::to_string(v);
     out += " at";
     for (const Rational& c : d.witness.point->at) out += " " + c.to_string();
-    out += " size" + number(d.place.size) + " " + d.message;
+    if (d.witness.ends)
+      for (const RationalPoint& end : *d.witness.ends)
+        for (const Rational& c : end.at) out += " " + c.to_string();
+    out += " size" + number(d.place.size);
+    if (d.place.near_edge)
+      out += " near " + std::to_string(d.place.near_edge->first) + "-" + std::to_string(d.place.near_edge->second) + " " +
+             d.witness.squared_gap->to_string() + number(*d.witness.approx_distance);
+    out += " " + d.message;
   }
   out += "\nstars";
   for (std::uint8_t c : r.stars.code) out += " " + std::to_string(c);

@@ -29,7 +29,7 @@ struct CertifyOptions {
   /// Named in the certificate's statement: at most 200 bytes of printable ASCII without " and \.
   std::string tool = tool_name();
   unsigned jobs = 1;  ///< threads, of meshes; the result is the same for every number, and 0 is 1
-  /// How many findings of a mesh are listed, shared out among the broken rules; all are counted.
+  /// How many findings of a mesh are listed for each broken rule, and how many open sides of patches; all are counted.
   std::size_t max_findings = 20;
   std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one
 
@@ -61,10 +61,10 @@ struct CertifiedCopy {
 
 struct Certified {
   Verdict verdict = Verdict::kUndecided;
-  /// VALID: empty. INVALID: what is proved wrong, at most max_findings. UNDECIDED: the reasons, named ones first
-  /// ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong), "cell-limit" or
-  /// "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can speak of such a
-  /// file).
+  /// VALID: empty. INVALID: what is proved wrong; of meshes at most max_findings for each rule. UNDECIDED: the reasons,
+  /// named ones first ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong),
+  /// "cell-limit" or "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can
+  /// speak of such a file).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // certify for meshes: every mesh is decided and has a certificate.
 #include <algorithm>
-#include <array>
-#include <numeric>
 #include <utility>
 
 #include "io/mesh/reading_rule.h"
@@ -23,31 +21,14 @@ certificate::Subject subject_of(const MeshFile& file, const CertifyOptions& opti
   return out;
 }
 
-// The first `most` of the defects, shared among the rules: one of each broken rule, then a second of each, and so on;
-// sorted by rule as before.
-std::vector<Finding> share_out(std::vector<Finding> defects, std::size_t most) {
-  if (defects.size() <= most) return defects;
-  // turn[i]: the number of findings of the same rule before i. The chosen ones have the least
-  // (turn, rule).
-  std::array<std::size_t, kNumMeshRules> seen{};
-  std::vector<std::size_t> turn, order(defects.size());
-  for (const Finding& d : defects) turn.push_back(seen[rule_index(rule_of(d))]++);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return turn[a] < turn[b]; });
-  order.resize(most);
-  std::sort(order.begin(), order.end());
-  std::vector<Finding> chosen;
-  for (const std::size_t i : order) chosen.push_back(std::move(defects[i]));
-  return chosen;
-}
-
+// The defects with the polygons that their faces were cut from; none if `most` is 0, for then one was listed for the
+// certificate.
 std::vector<Finding> listed(std::vector<Finding> defects, const MeshFile& file, std::size_t most) {
-  std::vector<Finding> out = share_out(std::move(defects), most);
-  if (file.polygon_of_face.empty()) return out;
-  for (Finding& d : out)
+  if (most == 0) return {};
+  if (file.polygon_of_face.empty()) return defects;
+  for (Finding& d : defects)
     for (const std::uint32_t f : d.place.faces) d.place.polygons.push_back(file.polygon_of_face[f]);
-  return out;
+  return defects;
 }
 
 }  // namespace

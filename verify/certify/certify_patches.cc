@@ -126,10 +126,21 @@ class Certification {
     facts_.edges = complex.num_edges();
     facts_.vertices = complex.num_vertices();
     facts_.shells = complex.shells().size();
-    facts_.open = open_borders(complex);
+    list_open_sides();
     facts_.reversed = patches_.reversed();
     if (patches_.mixed_entity)  // list only those before the mixed one
       std::erase_if(facts_.reversed, [&](std::uint64_t e) { return e >= *patches_.mixed_entity; });
+  }
+
+  void list_open_sides() {
+    facts_.open = open_borders(*patches_.complex, options_.max_findings);
+    const EntityParts parts(*patches_.complex, patches_.entities);
+    const auto whole = [&](PatchSide side) { return parts.of(side, {Rational(0), Rational(1)}); };
+    for (const OpenSide& side : facts_.open.longest) {
+      OpenSideFacts facts{whole(side.side), side, {}};
+      if (side.near) facts.near = whole(*side.near);
+      facts_.open_sides.push_back(std::move(facts));
+    }
   }
 
   FileDecisionOptions decision_options() {

@@ -24,12 +24,20 @@ struct CollarFacts {
 /// REQUIRES the forest that was searched.
 CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest);
 
+/// An open side of the complex as a part of its entity: see OpenSide.
+struct OpenSideFacts {
+  EntityPart part;
+  OpenSide side;
+  std::optional<EntityPart> near;
+};
+
 struct PatchFacts {
   std::uint64_t patches = 0, edges = 0, vertices = 0, shells = 0;  ///< 0 patches: none were made
   std::vector<std::uint64_t>
       reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
   std::uint64_t boxes_tried = 0;
   OpenBorders open;
+  std::vector<OpenSideFacts> open_sides;  ///< the longest, at most CertifyOptions::max_findings
   // Facts of a valid model; otherwise 0, or nothing.
   std::uint64_t bodies = 0, genus = 0, boxes = 0;
   std::vector<PatchShellFacts> shell_facts;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/model_files.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "io/formats.h"
+
+namespace veritope::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_wanted(const std::string& name, const std::optional<std::string>& glob) {
+  return glob ? ::fnmatch(glob->c_str(), name.c_str(), 0) == 0 : format_from_path(name) != nullptr;
+}
+
+// Appends what is in the folder, unsorted; the folder itself if it cannot be read, so that its report says why.
+void walk(const std::string& folder, const std::optional<std::string>& glob,
+          std::vector<std::string>& out) {
+  std::error_code why;
+  fs::directory_iterator entries(folder, why);
+  for (; !why && entries != fs::directory_iterator(); entries.increment(why)) {
+    const std::string name = entries->path().filename().string();
+    if (name.starts_with('.')) continue;
+    const std::string path = folder + (folder.ends_with('/') ? "" : "/") + name;
+    std::error_code unknown;
+    if (fs::is_directory(entries->symlink_status(unknown))) {
+      walk(path, glob, out);
+    } else if (is_wanted(name, glob) && !fs::is_directory(path, unknown)) {
+      out.push_back(path);
+    }
+  }
+  if (why) out.push_back(folder);
+}
+
+std::string why_empty(const std::string& folder, const std::optional<std::string>& glob) {
+  if (glob) return "no file in the folder " + folder + " has a name that matches " + *glob;
+  return "no file in the folder " + folder + " has the ending of a known format (" +
+         format_names("or") + "); --glob '*.ext' certifies others";
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> files_in_folders(const std::vector<std::string>& paths,
+                                                  const std::optional<std::string>& glob) {
+  std::vector<std::string> out;
+  for (const std::string& path : paths) {
+    std::error_code none;
+    if (path == "-" || !fs::is_directory(path, none)) {
+      out.push_back(path);
+      continue;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    walk(path, glob, out);
+    if (out.size() == static_cast<std::size_t>(first)) return bad_argument(why_empty(path, glob));
+    std::sort(out.begin() + first, out.end());
+  }
+  return out;
+}
+
+}  // namespace veritope::cli

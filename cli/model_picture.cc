@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/model_picture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "io/read_model.h"
+#include "render/defect_picture.h"
+#include "render/defect_scene.h"
+#include "render/draw_scene.h"
+#include "render/png.h"
+#include "report/report_text.h"
+
+namespace veritope::cli {
+namespace {
+
+Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
+  std::vector<EntityPart> sides;
+  std::uint64_t num_sides = 0;
+  std::vector<Finding> findings = report.defects;
+  if (const auto* facts = std::get_if<PatchFacts>(&report.facts)) {
+    for (const OpenSideFacts& side : facts->open_sides) sides.push_back(side.part);
+    num_sides = facts->open.sides;
+  }
+  return defect_scene(file.model, findings, sides, num_sides);
+}
+
+Result<Scene> scene_of(const ModelFile& model, const FileReport& report) {
+  if (const auto* mesh = std::get_if<MeshFile>(&model))
+    return defect_scene(mesh->mesh, report.defects,
+                        std::get<MeshFacts>(report.facts).decision.rule_counts);
+  if (const auto* splines = std::get_if<SplineFile>(&model)) return scene_of(*splines, report);
+  return bad_argument("models of this kind have no picture");
+}
+
+// The copy was written by us, and is read as the checkers read it.
+Result<ModelFile> read_copy(const std::string& bytes) {
+  return read_model_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
+                          "copy.vjson", {});
+}
+
+}  // namespace
+
+std::optional<PictureKind> picture_kind(const std::string& path) {
+  std::string ending = path.substr(path.size() - std::min<std::size_t>(path.size(), 4));
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".png") return PictureKind::kPng;
+  if (ending == ".ply") return PictureKind::kPly;
+  return std::nullopt;
+}
+
+Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
+                               const FileReport& report, PictureKind kind) {
+  if (kind == PictureKind::kPly)
+    return defect_picture(std::get<MeshFile>(model).mesh, report.defects);
+  std::optional<Result<ModelFile>> read;
+  if (copy) read = read_copy(*copy);
+  if (read && !*read) return read->error();
+  Result<Scene> scene = scene_of(read ? **read : model, report);
+  if (!scene) return scene.error();
+  const std::string& path = report.path;
+  scene->title = {harmless(path == "-" ? "standard input" : path.substr(path.rfind('/') + 1)),
+                  std::string(verdict_word(report.verdict)) + "  " + summary_text(report)};
+  const Result<Image> image = draw_scene(*scene, {});
+  if (!image) return image.error();
+  return png_bytes(*image);
+}
+
+void keep_first(std::size_t most, FileReport& report) {
+  std::map<std::string, std::size_t> seen;
+  std::erase_if(report.defects, [&](const Finding& f) { return seen[f.code]++ >= most; });
+  auto* const facts = std::get_if<PatchFacts>(&report.facts);
+  if (facts != nullptr && facts->open_sides.size() > most) facts->open_sides.resize(most);
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/model_picture.h: the picture of a model that certify --picture writes.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "cli/certification.h"
+#include "io/model_file.h"
+#include "report/file_report.h"
+#include "robust/base/result.h"
+
+namespace veritope::cli {
+
+/// ".png" or ".ply", in any case. Nothing for other endings.
+std::optional<PictureKind> picture_kind(const std::string& path);
+
+/// The model with what the report says is wrong with it. `copy` has the bytes of the model that was certified in the
+/// place of the file, if there is one: findings number its entities.
+/// REQUIRES a report with a verdict, and a mesh for kPly.
+/// @error  kEmpty, kNotFinite, kOverLimit, kBadArgument: the model cannot be drawn
+Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
+                               const report::FileReport& report, PictureKind kind);
+
+/// Drops all but the first `most` defects of each code, and all but the first `most` open sides.
+void keep_first(std::size_t most, report::FileReport& report);
+
+}  // namespace veritope::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// render/defect_scene.h: scenes that show where a model is wrong. draw_scene makes pictures of them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/splines/spline_model.h"
+#include "render/scene.h"
+#include "robust/base/result.h"
+#include "solids/base/finding.h"
+#include "solids/polyhedron/rules.h"
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope {
+
+/// Grey; half transparent if there is something to be seen through it.
+Paint model_paint(bool is_sound);
+
+/// The mesh half transparent, the faces of each defect tinted with the colour of its rule, and in that colour the
+/// defect itself: the edges of M3, M4 and M5 and the segments of M7 as lines, points as markers. Lines that are
+/// connected and all of which lie within a tenth of the model's size have a marker, too, so that nothing is too
+/// small to be seen. The legend has the rules that are broken, with their counts.
+/// REQUIRES defects of this mesh, as decide_validity lists them; a positive count for each rule that they break.
+/// @cost O(faces + n log n) for n defects
+Scene defect_scene(const TriangleMesh& mesh, std::span<const Finding> defects,
+                   const std::array<std::uint64_t, kNumMeshRules>& rule_counts);
+
+/// The tessellated model half transparent, open sides as lines, and a marker at the point of each finding. The legend
+/// has the codes of the findings, and the number of open sides if there is one.
+/// REQUIRES findings and sides of this model: their entities, sides and parameters.
+/// @error  as tessellate
+Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> findings,
+                           std::span<const EntityPart> open_sides, std::uint64_t num_open_sides);
+
+}  // namespace veritope

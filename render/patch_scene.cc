@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Scenes of spline models with what is wrong with them.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/defect_picture.h"
+#include "render/defect_scene.h"
+#include "render/spline_view.h"
+#include "splines/bezier_triangle.h"
+#include "splines/de_boor.h"
+
+namespace veritope {
+namespace {
+
+constexpr int kSteps = 64;  // of a line along a side
+
+// Codes have the colours of the rules of meshes that they resemble.
+Colour colour_of_code(std::string_view code) {
+  if (code == "side-open") return colour_of(MeshRule::kM3);
+  if (code == "side-overused") return colour_of(MeshRule::kM4);
+  if (code == "side-direction") return colour_of(MeshRule::kM5);
+  if (code == "shell-turned") return colour_of(MeshRule::kM9);
+  if (code.starts_with("patch-") || code == "singular-line") return colour_of(MeshRule::kM2);
+  return colour_of(MeshRule::kM7);
+}
+
+std::optional<Point3d> rounded(const Result<std::vector<Rational>>& p) {
+  if (!p || p->size() != 3) return std::nullopt;
+  const Point3d out = {nearest_double((*p)[0]), nearest_double((*p)[1]), nearest_double((*p)[2])};
+  if (!std::isfinite(out[0]) || !std::isfinite(out[1]) || !std::isfinite(out[2]))
+    return std::nullopt;
+  return out;
+}
+
+// The point of a surface's side at i / kSteps between the bounds of its parameters, which were rounded outward.
+std::optional<Point3d> point_at(const ExactSurface& surface, const EntityPart& part, int i) {
+  std::array<Rational, 2> at;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational begin = surface.axis(k).domain_begin(), end = surface.axis(k).domain_end();
+    const Rational lo = Rational::from_double(part.parameters[k][0]),
+                   hi = Rational::from_double(part.parameters[k][1]);
+    at[k] = std::clamp(lo + Rational(i) / Rational(kSteps) * (hi - lo), begin, end);
+  }
+  return rounded(point(surface, at));
+}
+std::optional<Point3d> point_at(const ExactTriangle& triangle, const Barycentric<Rational>& at) {
+  std::vector<Rational> values = evaluate(triangle, at);
+  if (!triangle.is_rational()) return rounded(std::move(values));
+  const Rational weight = values.back();
+  values.pop_back();
+  for (Rational& v : values) v /= weight;
+  return rounded(std::move(values));
+}
+
+// Side s of a triangle runs from corner s to corner s + 1.
+std::optional<Point3d> point_at(const ExactTriangle& triangle, const EntityPart& part, int i) {
+  Barycentric<Rational> at = {Rational(0), Rational(0), Rational(0)};
+  const Rational t = Rational(i) / Rational(kSteps);
+  at[*part.side % 3] = Rational(1) - t;
+  at[(*part.side + 1) % 3] = t;
+  return point_at(triangle, at);
+}
+
+template <typename Shape>
+void add_side(const Shape& shape, const EntityPart& part, Scene& scene) {
+  SceneLine line;
+  line.colour = colour_of(MeshRule::kM3);
+  for (int i = 0; i <= kSteps; ++i)
+    if (const auto p = point_at(shape, part, i)) line.points.push_back(*p);
+  if (!line.points.empty()) scene.lines.push_back(std::move(line));
+}
+
+void add_side(const SplineModel& model, const EntityPart& part, Scene& scene) {
+  if (part.entity >= model.entities.size() || !part.side) return;
+  const auto& shape = model.entities[part.entity].shape;
+  if (const auto* surface = std::get_if<ExactSurface>(&shape)) add_side(*surface, part, scene);
+  if (const auto* triangle = std::get_if<ExactTriangle>(&shape)) add_side(*triangle, part, scene);
+}
+
+// The middle of a part of a surface or a triangle.
+std::optional<Point3d> middle_of(const SplineModel& model, const EntityPart& part) {
+  if (part.entity >= model.entities.size()) return std::nullopt;
+  const auto& shape = model.entities[part.entity].shape;
+  if (const auto* surface = std::get_if<ExactSurface>(&shape);
+      surface && part.parameters.size() == 2)
+    return point_at(*surface, part, kSteps / 2);
+  const auto* const triangle = std::get_if<ExactTriangle>(&shape);
+  if (triangle == nullptr) return std::nullopt;
+  const Rational third = Rational(1) / Rational(3);
+  return point_at(*triangle, {third, third, third});
+}
+
+// Where the finding is, as far as it says so.
+std::optional<Point3d> place_of(const SplineModel& model, const Finding& f) {
+  if (f.place.near) return f.place.near;
+  if (f.place.box) {
+    Point3d out{};
+    for (std::size_t k = 0; k < 3; ++k)
+      out[k] = f.place.box->lo[k] + (f.place.box->hi[k] - f.place.box->lo[k]) / 2;
+    return out;
+  }
+  return f.place.parts.empty() ? std::nullopt : middle_of(model, f.place.parts.front());
+}
+
+void add_to_legend(const std::string& code, Scene& scene) {
+  const auto is_it = [&](const LegendEntry& e) { return e.text == code; };
+  if (std::none_of(scene.legend.begin(), scene.legend.end(), is_it))
+    scene.legend.push_back({colour_of_code(code), code});
+}
+
+}  // namespace
+
+Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> findings,
+                           std::span<const EntityPart> open_sides, std::uint64_t num_open_sides) {
+  Result<std::vector<Tessellation>> pieces = tessellate(model, {});
+  if (!pieces) return pieces.error();
+  Scene out;
+  const bool is_sound = findings.empty() && open_sides.empty();
+  for (Tessellation& piece : *pieces)
+    out.surfaces.push_back(
+        {std::move(piece.points), std::move(piece.triangles), {model_paint(is_sound)}});
+  for (const EntityPart& side : open_sides) add_side(model, side, out);
+  for (const Finding& f : findings) {
+    const std::optional<Point3d> at = place_of(model, f);
+    if (!at || !std::isfinite((*at)[0]) || !std::isfinite((*at)[1]) || !std::isfinite((*at)[2]))
+      continue;
+    out.markers.push_back({*at, colour_of_code(f.code), SceneMarker().radius});
+    if (f.code != "side-open") add_to_legend(f.code, out);
+  }
+  if (num_open_sides != 0)
+    out.legend.push_back(
+        {colour_of(MeshRule::kM3), "side-open (" + std::to_string(num_open_sides) + ")"});
+  return out;
+}
+
+}  // namespace veritope

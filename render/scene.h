@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// render/scene.h: what a picture shows: surfaces, and marks on them that are never hidden.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+#include "robust/base/box3d.h"
+
+namespace veritope {
+
+/// How a triangle looks. Its colour is shaded by the angle at which the triangle is seen.
+struct Paint {
+  Colour colour;
+  std::uint8_t opacity = 255;  ///< 0: invisible; 255: hides what lies behind
+};
+
+/// Triangles, seen from both sides. Where triangles coincide, the one that is listed first is in front.
+struct SceneSurface {
+  std::vector<Point3d> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Paint> paints;  ///< one for each triangle, or a single one for all
+};
+
+/// A mark: a polyline in space, of constant width in the picture. One point is a line, too, and shows as a dot.
+struct SceneLine {
+  std::vector<Point3d> points;
+  Colour colour;
+  double width = 4;  ///< in pixels; from 3 on, the pixels in exactly its colour are connected
+};
+
+/// A mark: a disc around a point.
+struct SceneMarker {
+  Point3d at{};
+  Colour colour;
+  double radius = 9;  ///< in pixels; 9 covers a square of 12 x 12 pixels in exactly its colour
+};
+
+struct LegendEntry {
+  Colour colour;
+  std::string text;
+};
+
+/// Marks show in front of all surfaces, with a thin rim that sets them off from any background, and hide each other as
+/// they would in space. All coordinates are finite.
+struct Scene {
+  std::vector<SceneSurface> surfaces;
+  std::vector<SceneLine> lines;
+  std::vector<SceneMarker> markers;
+  std::vector<std::string> title;  ///< lines above the picture
+  std::vector<LegendEntry> legend;
+};
+
+}  // namespace veritope

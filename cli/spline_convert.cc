@@ -50,6 +50,25 @@ std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
   return out;
 }
 
+// What a picture shows as something else: trimmed surfaces whole, with their trimming curves as lines.
+std::vector<std::string> drawn_whole(const SplineModel& model) {
+  std::uint64_t surfaces = 0;
+  for (const SplineEntity& e : model.entities) {
+    if (std::holds_alternative<TrimmedSurface>(e.shape)) ++surfaces;
+    if (const auto* brep = std::get_if<SplineBrep>(&e.shape)) surfaces += brep->faces.size();
+  }
+  if (surfaces == 0) return {};
+  return {"the trimming of " + counted(surfaces, "surface", "surfaces") + ", shown whole"};
+}
+
+// A picture that lacks a shape, or shows one that is not there, is refused like any other file.
+ExitCode refuse_loss(const ConvertOptions& o, const std::vector<std::string>& lost,
+                     const std::string& hint) {
+  complain(harmless(o.output) + ": not written, it would lose something: " + joined(lost) +
+           ". --lossy writes it all the same" + hint);
+  return kExitInvalid;
+}
+
 // Replaces the volumes by their faces. Everything else is lost; what was done to the volumes is listed with what is
 // dropped.
 Status take_faces(SplineFile& file, const std::string& path, std::vector<std::string>& lost,
@@ -152,14 +171,18 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
     if (const Status status = rejoin(*file, options, *target, joints); !status)
       return fail(status.error());
   if (view != nullptr) {
+    const std::vector<std::string> whole = drawn_whole(file->model);
+    lost.insert(lost.end(), whole.begin(), whole.end());
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());
-    if (bytes->empty()) {
+    if (bytes->empty() || file->model.entities.empty()) {
       Error error{Code::kEmpty, {}, "not written, there is nothing to show"};
       error.place.file = options.output;
+      if (!lost.empty()) error.message += " but what is not read: " + joined(lost);
       return fail(error);
     }
-    return finish(options, *file, *bytes, "", joined(lost), true, joints, out);
+    if (!lost.empty() && !options.lossy) return refuse_loss(options, lost, "");
+    return finish(options, *file, *bytes, joined(lost), joined(dropped), true, joints, out);
   }
   const SplineFormat format = std::get<SplineFormat>(*target);
   const ReadLimits& limits = options.input.reading.limits;
@@ -174,12 +197,9 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
   }
   lost.insert(lost.end(), loss.shapes.begin(), loss.shapes.end());
   dropped.insert(dropped.end(), loss.dropped.begin(), loss.dropped.end());
-  if (!lost.empty() && !options.lossy) {
-    complain(harmless(options.output) + ": not written, it would lose something: " + joined(lost) +
-             ". --lossy writes it all the same" +
-             (loss.shapes.empty() ? "" : "; --to vjson keeps every spline"));
-    return kExitInvalid;
-  }
+  if (!lost.empty() && !options.lossy)
+    return refuse_loss(options, lost,
+                       loss.shapes.empty() ? "" : "; --to vjson keeps every spline");
   return finish(options, *file, bytes, joined(lost), joined(dropped), false, joints, out);
 }
 

@@ -213,7 +213,7 @@ class Convert(Folder):
         for sample in SAMPLES:
             for kind in ("vtu", "obj", "gltf"):
                 target = self.folder / f"p.{kind}"
-                done = run("convert", sample, target)
+                done = run("convert", "--lossy", sample, target)
                 self.assertEqual(done.returncode, 0, done.stderr)
             piece = xml.etree.ElementTree.parse(self.folder / "p.vtu").find(".//Piece")
             arrays = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
@@ -243,10 +243,34 @@ class Convert(Folder):
                     ids = struct.unpack_from(f"<{index['count']}I", data, view["byteOffset"])
                     self.assertLess(max(ids), position["count"])
 
+    def test_a_picture_that_would_lack_or_falsify_a_shape_is_refused_unless_that_is_wanted(self):
+        for sample, words in [("objects.g2", "1 cylinders"), ("trimmed.itd", "the trimming of 2 surfaces, shown whole"),
+                              ("groups.itd", "1 polygons")]:
+            for kind in ("vtu", "obj", "gltf"):
+                target = self.folder / f"p.{kind}"
+                done = run("convert", SPLINES / sample, target)
+                self.assertEqual((done.returncode, done.stdout, target.exists()), (1, "", False), sample)
+                self.assertIn(words, done.stderr)
+                done = run("convert", "--lossy", SPLINES / sample, target)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn(f"lossy: {words}", done.stdout)
+                target.unlink()
+
+    def test_a_picture_of_nothing_is_an_error(self):
+        sample = self.folder / "cylinder.g2"
+        lines = (SPLINES / "objects.g2").read_text().split("\n")
+        start, end = (next(i for i, line in enumerate(lines) if line.startswith(kind)) for kind in ("260 ", "210 "))
+        sample.write_text("\n".join(lines[start:end]) + "\n")  # a cylinder alone
+        for kind in ("vtu", "obj", "gltf"):
+            for options in ([], ["--lossy"]):
+                done = run("convert", *options, sample, self.folder / f"p.{kind}")
+                self.assertEqual((done.returncode, done.stdout), (4, ""), done.stderr)
+                self.assertFalse((self.folder / f"p.{kind}").exists())
+
     def test_a_smaller_chord_gives_more_points(self):
         sizes = []
         for chord in ("1", "0.01", "0.0001"):
-            run("convert", "--chord", chord, SPLINES / "groups.itd", self.folder / "p.obj")
+            run("convert", "--lossy", "--chord", chord, SPLINES / "groups.itd", self.folder / "p.obj")
             sizes.append((self.folder / "p.obj").stat().st_size)
         self.assertTrue(sizes[0] < sizes[1] < sizes[2], sizes)
 

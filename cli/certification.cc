@@ -73,7 +73,7 @@ class Certification {
     } catch (const std::bad_alloc&) {
       give_up(kExitUndecided, fault_of("out-of-memory", "not enough memory for this file"));
     }
-    return {std::move(report_), std::move(picture_)};
+    return {std::move(report_), std::move(picture_), std::move(picture_fault_)};
   }
 
  private:
@@ -82,6 +82,7 @@ class Certification {
   // Drops the verdict: no other program confirmed it. Returns false.
   bool give_up(ExitCode exit, Finding fault) {
     picture_.clear();
+    picture_fault_.reset();
     return report::give_up(report_, exit, std::move(fault)), false;
   }
 
@@ -139,20 +140,31 @@ class Certification {
     claim_ = std::move(certified->claim);
     set_certificate(std::move(certified->certificate));
     without_collar_ = std::move(certified->without_collar);
-    if (settings_.picture && !draw()) return false;
+    if (settings_.picture) draw();
     model_ = {};  // memory for the checker
     return true;
   }
 
-  // Draws all defects that were listed for it, then drops those that nobody asked for.
-  bool draw() {
+  // Draws all defects that were listed for it, then drops those that nobody asked for. A picture that cannot be drawn
+  // does not take the verdict back.
+  void draw() {
     phase("drawing");
     report_.verdict = verdict_;  // whoever gives up or refuses takes it back
-    Result<std::string> picture = picture_of(model_, stand_in_, report_, *settings_.picture);
-    if (!picture) return give_up(kExitUnreadable, finding_of(picture.error()));
-    picture_ = std::move(*picture);
+    try {
+      const unsigned jobs = static_cast<unsigned>(settings_.reading.jobs);
+      Result<std::string> picture =
+          picture_of(model_, stand_in_, report_, *settings_.picture, jobs);
+      if (picture)
+        picture_ = std::move(*picture);
+      else
+        picture_fault_ = finding_of(picture.error());
+    } catch (const InternalError& error) {
+      picture_fault_ = fault_of("internal", std::string(error.what()) + "; " + how_to_report());
+    } catch (const std::bad_alloc&) {
+      picture_fault_ = fault_of("out-of-memory", "not enough memory for the picture");
+    }
     keep_first(settings_.certify.max_findings, report_);
-    return true;
+    report_.seconds.draw = watch_.lap();
   }
 
   void set_certificate(certificate::Bytes bytes) {
@@ -292,6 +304,7 @@ class Certification {
   Verdict verdict_ = Verdict::kUndecided;
   certificate::Bytes bytes_, without_collar_;
   std::string claim_, picture_;
+  std::optional<Finding> picture_fault_;
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ using KeepCertificate = std::function<Result<KeptFiles>(std::string_view certifi
 
 struct CertifiedFile {
   report::FileReport report;
-  std::string picture;  ///< its bytes; empty: not requested, or no verdict
+  std::string picture;  ///< its bytes; empty: not requested, no verdict, or it could not be drawn
+  std::optional<Finding> picture_fault;  ///< why it could not be drawn
 };
 
 /// @param path  a file, or "-" for standard input

@@ -57,7 +57,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
 
 std::string contradiction(const CertifyFilesOptions& o) {
   if (o.picture == "-") return "--picture needs a file name, not -";
-  if (o.picture && o.input.files.size() > 1) return "--picture shows one file, not several";
+  if (o.picture && o.input.files.size() > 1) return "--picture takes exactly one input";
   if (o.json == "-" && o.tsv == "-") return "--json and --tsv would both write standard output";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   return "";
@@ -91,12 +91,12 @@ KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& ou
 
 // Verdict lines alone are a table.
 TextOptions text_options(const CertifyFilesOptions& o) {
-  constexpr std::size_t kMostWide = 70;
   TextOptions out = TextOptions::of_stdout();
+  const std::size_t most_wide = out.verdict_width ? *out.verdict_width / 2 : 70;
   out.lists_pairs = o.max_defects.has_value();
   if (!o.quiet || o.input.files.size() < 2) return out;
   for (const std::string& path : o.input.files)
-    out.path_width = std::max(out.path_width, std::min(shown_path(path).size(), kMostWide));
+    out.path_width = std::max(out.path_width, std::min(columns(shown_path(path)), most_wide));
   return out;
 }
 
@@ -106,9 +106,17 @@ void complain_beside_verdict(const FileReport& report) {
   complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
 }
 
+// Reports beside a verdict that its picture could not be drawn.
+void complain_about_picture(const std::string& path, const Finding& fault, FileReport& report) {
+  const bool is_bug = fault.code == "internal";
+  report.exit = first_of(report.exit, is_bug ? kExitBug : kExitUnreadable);
+  complain(harmless(path + ": not drawn: " + text_of(fault)));
+}
+
 // Writes the picture and names it in the report; complains if it cannot be written.
-void keep_picture(const std::string& path, const std::string& bytes, FileReport& report,
-                  StandardOutput& out) {
+void keep_picture(const std::string& path, const std::string& bytes, const OutputPlan& plan,
+                  FileReport& report, StandardOutput& out) {
+  if (is_in_new(plan, path)) ::mkdir(plan.new_folder->c_str(), 0777);
   const Status status = write_output(path, bytes, out);
   if (status) {
     report.picture = path;
@@ -118,7 +126,9 @@ void keep_picture(const std::string& path, const std::string& bytes, FileReport&
   complain(harmless(to_string(status.error())));
 }
 
-ExitCode write_table(const std::string& path, const std::string& rows, StandardOutput& out) {
+ExitCode write_table(const std::string& path, const std::string& rows, const OutputPlan& plan,
+                     StandardOutput& out) {
+  if (is_in_new(plan, path)) ::mkdir(plan.new_folder->c_str(), 0777);
   const Status status = write_output(path, tsv_head() + rows, out);
   if (status || path == "-") return kExitValid;  // main looks at standard output
   complain(harmless(to_string(status.error())));
@@ -156,14 +166,16 @@ Status check_picture(const CertifyFilesOptions& options, const OutputPlan& plan)
   if (!kind) return bad_argument("--picture writes .png and .ply, not " + *options.picture);
   const ModelKind model = ModelInput(files.front(), options.input.reading).kind();
   if (kind == PictureKind::kPly && model != ModelKind::kMesh)
-    return bad_argument("a .ply shows the defects of meshes; " + files.front() + " is " +
+    return bad_argument("pictures as .ply are for meshes; " + files.front() + " is " +
                         title_of(model) + ": use .png");
   return check_output("--picture", *options.picture, files, plan, options.json);
 }
 
 Status check_table(const CertifyFilesOptions& options, const OutputPlan& plan) {
   if (!options.tsv || *options.tsv == "-") return ok_status();
-  if (options.picture && same_target(*options.tsv, *options.picture))
+  if (options.picture &&
+      (*options.tsv == *options.picture ||
+       (!is_in_new(plan, *options.tsv) && same_target(*options.tsv, *options.picture))))
     return bad_argument("--tsv and --picture would both write " + *options.tsv);
   return check_output("--tsv", *options.tsv, options.input.files, plan, options.json);
 }
@@ -184,7 +196,8 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
         certify_file(options.input.files[i], settings, keeper(plan, i, out), progress);
     FileReport& report = done.report;
     progress.clear();
-    if (!done.picture.empty()) keep_picture(*options.picture, done.picture, report, out);
+    if (done.picture_fault) complain_about_picture(*options.picture, *done.picture_fault, report);
+    if (!done.picture.empty()) keep_picture(*options.picture, done.picture, plan, report, out);
     exit = first_of(exit, report.exit);
     totals.add(report);
     if (options.json) json.push_back(report_json(report));
@@ -194,18 +207,22 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
     complain_beside_verdict(report);
   }
   if (has_text && num_files > 1) out.write(totals.text());
-  if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, out));
+  if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, plan, out));
   return options.json ? first_of(exit, write_json(options, plan, json, out)) : exit;
 }
 
 ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
+  const bool has_folder = std::any_of(options.input.files.begin(), options.input.files.end(),
+                                      [](const std::string& f) { return is_folder_of_models(f); });
+  if (options.glob && !has_folder)
+    return complain("--glob selects files of folders, and no folder is given"), kExitUsage;
+  if (options.picture && has_folder)
+    return complain("--picture takes exactly one input, not a folder"), kExitUsage;
   Result<std::vector<std::string>> files = files_in_folders(options.input.files, options.glob);
   if (!files) return fail(files.error());
   options.input.files = std::move(*files);
-  if (const std::string words = contradiction(options); !words.empty())
-    return complain(words), kExitUsage;
   const Result<OutputPlan> plan =
-      plan_outputs(options.input.files, options.certificate, options.json);
+      plan_outputs(options.input.files, options.certificate, options.json, has_folder);
   if (!plan) return fail(plan.error());
   if (const Status status = check_picture(options, *plan); !status) return fail(status.error());
   if (const Status status = check_table(options, *plan); !status) return fail(status.error());

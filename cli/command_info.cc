@@ -13,6 +13,7 @@
 #include "report/info_report.h"
 #include "report/report_json.h"
 #include "report/spline_report.h"
+#include "report/text_style.h"
 
 namespace veritope::cli {
 
@@ -119,7 +120,7 @@ ExitCode run(const InfoOptions& options, StandardOutput& out) {
     FileText file = describe(path, options, style);
     exit = first_of(exit, file.exit);
     if (options.json) json.push_back(std::move(file.json));
-    if (options.json != "-") out.write(file.text);
+    if (options.json != "-") out.write(fold(file.text, verdict_width()));
   }
   if (!options.json) return exit;
   const Status status = write_output(*options.json, document_json("veritope-info-1", json), out);

@@ -86,7 +86,7 @@ ExitCode print(const IntersectionReport& report, const IntersectOptions& options
     const Status status = write_output(path, text, out);
     if (!status && path != "-") exit = first_of(exit, fail(status.error()));
   };
-  if (options.json != "-") out.write(intersection_text(report));
+  if (options.json != "-") out.write(fold(intersection_text(report), verdict_width()));
   if (options.curves)
     write(*options.curves,
           options.curves->ends_with(".vtu") ? curves_vtu(report) : curves_json(report));

@@ -124,7 +124,7 @@ Result<ProjectionReport> project_on(std::vector<Rational> point, const SplineMod
 }
 
 ExitCode print(const ProjectionReport& report, const ProjectOptions& options, StandardOutput& out) {
-  if (options.json != "-") out.write(projection_text(report));
+  if (options.json != "-") out.write(fold(projection_text(report), verdict_width()));
   if (!options.json) return report.exit;
   const Status status = write_output(*options.json, projection_json(report), out);
   if (status || *options.json == "-") return report.exit;

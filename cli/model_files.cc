@@ -28,7 +28,10 @@ void walk(const std::string& folder, const std::optional<std::string>& glob,
     if (name.starts_with('.')) continue;
     const std::string path = folder + (folder.ends_with('/') ? "" : "/") + name;
     std::error_code unknown;
-    if (fs::is_directory(entries->symlink_status(unknown))) {
+    const fs::file_status status = entries->symlink_status(unknown);
+    if (unknown) {
+      out.push_back(path);
+    } else if (fs::is_directory(status)) {
       walk(path, glob, out);
     } else if (is_wanted(name, glob) && !fs::is_directory(path, unknown)) {
       out.push_back(path);
@@ -39,18 +42,22 @@ void walk(const std::string& folder, const std::optional<std::string>& glob,
 
 std::string why_empty(const std::string& folder, const std::optional<std::string>& glob) {
   if (glob) return "no file in the folder " + folder + " has a name that matches " + *glob;
-  return "no file in the folder " + folder + " has the ending of a known format (" +
-         format_names("or") + "); --glob '*.ext' certifies others";
+  return "no file in the folder " + folder + " has a known extension (" + format_names("or") +
+         "); use --glob '*.ext' to select others";
 }
 
 }  // namespace
+
+bool is_folder_of_models(const std::string& path) {
+  std::error_code none;
+  return path != "-" && fs::is_directory(path, none);
+}
 
 Result<std::vector<std::string>> files_in_folders(const std::vector<std::string>& paths,
                                                   const std::optional<std::string>& glob) {
   std::vector<std::string> out;
   for (const std::string& path : paths) {
-    std::error_code none;
-    if (path == "-" || !fs::is_directory(path, none)) {
+    if (!is_folder_of_models(path)) {
       out.push_back(path);
       continue;
     }

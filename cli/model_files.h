@@ -9,6 +9,9 @@
 
 namespace veritope::cli {
 
+/// Whether files_in_folders looks for models in it.
+bool is_folder_of_models(const std::string& path);
+
 /// Replaces each folder by the files in it and in its subfolders: those whose names match `glob`, as a shell matches
 /// them, or else those whose endings are those of known formats. Files of a folder are sorted by their paths, byte by
 /// byte. Files and folders whose names begin with a dot are left out, and links to folders are not followed. A folder

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,8 @@
 
 namespace veritope::cli {
 namespace {
+
+constexpr std::size_t kTitleColumns = 90;  // of 1200 pixels
 
 Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
   std::vector<EntityPart> sides;
@@ -54,7 +57,7 @@ std::optional<PictureKind> picture_kind(const std::string& path) {
 }
 
 Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
-                               const FileReport& report, PictureKind kind) {
+                               const FileReport& report, PictureKind kind, unsigned jobs) {
   if (kind == PictureKind::kPly)
     return defect_picture(std::get<MeshFile>(model).mesh, report.defects);
   std::optional<Result<ModelFile>> read;
@@ -63,16 +66,21 @@ Result<std::string> picture_of(const ModelFile& model, const std::optional<std::
   Result<Scene> scene = scene_of(read ? **read : model, report);
   if (!scene) return scene.error();
   const std::string& path = report.path;
-  scene->title = {harmless(path == "-" ? "standard input" : path.substr(path.rfind('/') + 1)),
-                  std::string(verdict_word(report.verdict)) + "  " + summary_text(report)};
-  const Result<Image> image = draw_scene(*scene, {});
+  scene->title = {harmless(path == "-" ? "standard input" : path.substr(path.rfind('/') + 1))};
+  std::istringstream lines(
+      fold(std::string(verdict_word(report.verdict)) + "  " + summary_text(report), kTitleColumns));
+  for (std::string line; std::getline(lines, line);) scene->title.push_back(line);
+  PictureOptions options;
+  options.jobs = jobs;
+  const Result<Image> image = draw_scene(*scene, options);
   if (!image) return image.error();
   return png_bytes(*image);
 }
 
 void keep_first(std::size_t most, FileReport& report) {
   std::map<std::string, std::size_t> seen;
-  std::erase_if(report.defects, [&](const Finding& f) { return seen[f.code]++ >= most; });
+  if (std::holds_alternative<MeshFacts>(report.facts))
+    std::erase_if(report.defects, [&](const Finding& f) { return seen[f.code]++ >= most; });
   auto* const facts = std::get_if<PatchFacts>(&report.facts);
   if (facts != nullptr && facts->open_sides.size() > most) facts->open_sides.resize(most);
 }

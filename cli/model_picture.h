@@ -20,9 +20,9 @@ std::optional<PictureKind> picture_kind(const std::string& path);
 /// REQUIRES a report with a verdict, and a mesh for kPly.
 /// @error  kEmpty, kNotFinite, kOverLimit, kBadArgument: the model cannot be drawn
 Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
-                               const report::FileReport& report, PictureKind kind);
+                               const report::FileReport& report, PictureKind kind, unsigned jobs);
 
-/// Drops all but the first `most` defects of each code, and all but the first `most` open sides.
+/// Drops all but the first `most` defects of each rule of a mesh, and all but the first `most` open sides.
 void keep_first(std::size_t most, report::FileReport& report);
 
 }  // namespace veritope::cli

@@ -99,27 +99,37 @@ Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,
                     const std::optional<std::string>& json) {
   if (Status status = refuse_same(inputs, path); !status) return status;
-  const auto is_taken = [&](const std::string& other) { return same_target(path, other); };
+  const bool is_in_new_folder = is_in_new(plan, path);
+  const auto is_taken = [&](const std::string& other) {
+    return is_in_new_folder ? path == other : same_target(path, other);
+  };
   if (json && *json != "-" && is_taken(*json))
     return bad_argument(option + " and --json would both write " + path);
-  if (std::any_of(plan.certificates.begin(), plan.certificates.end(), is_taken))
-    return bad_argument(option + " and --certificate would both write " + path);
-  return try_output(path);
+  for (const std::string& certificate : plan.certificates)
+    if (is_taken(certificate) || is_taken(copy_path(certificate)))
+      return bad_argument(option + " and --certificate would both write " + path);
+  if (plan.new_folder && without_slashes(path) == *plan.new_folder)
+    return bad_argument(option + " and --certificate would both make " + path);
+  return is_in_new_folder ? ok_status() : try_output(path);
+}
+
+bool is_in_new(const OutputPlan& plan, const std::string& path) {
+  return plan.new_folder && folder_text(path) == *plan.new_folder;
 }
 
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
                                 const std::optional<std::string>& certificate,
-                                const std::optional<std::string>& json) {
+                                const std::optional<std::string>& json, bool needs_folder) {
   OutputPlan plan;
-  if (certificate &&
-      (inputs.size() > 1 || certificate->ends_with('/') || is_folder(*certificate))) {
+  if (certificate && (needs_folder || inputs.size() > 1 || certificate->ends_with('/') ||
+                      is_folder(*certificate))) {
     const std::string folder = without_slashes(*certificate);
     if (exists(folder) && !is_folder(folder)) {
       return bad_argument("--certificate " + folder + " is a file; several inputs need a folder");
     }
     if (!exists(folder)) {
       plan.new_folder = folder;
-      plan.json_in_new_folder = json && folder_text(*json) == folder;
+      plan.json_in_new_folder = json && is_in_new(plan, *json);
       if (Status status = check_new_folder(folder); !status) return status.error();
     }
     for (const std::string& input : inputs)

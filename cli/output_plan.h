@@ -19,17 +19,21 @@ struct OutputPlan {
 };
 
 /// `certificate`: a file for one input, a folder (possibly new) for several; for one input a folder, too, if it exists
-/// or the name ends in "/". Files in the folder have the names of the inputs followed by ".cert".
+/// or the name ends in "/", or if `needs_folder`. Files in the folder have the names of the inputs followed by ".cert".
 /// @error kBadArgument: two outputs, or an output and an input, are one file; a file where a folder is needed.
 ///        kCannotWrite: an output could not be written
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
                                 const std::optional<std::string>& certificate,
-                                const std::optional<std::string>& json);
+                                const std::optional<std::string>& json,
+                                bool needs_folder = false);
 
 /// Checks one more output, named by `option`, against those of the plan. @error as plan_outputs
 Status check_output(const std::string& option, const std::string& path,
                     const std::vector<std::string>& inputs, const OutputPlan& plan,
                     const std::optional<std::string>& json);
+
+/// Whether the path is that of a file in the folder that will be made for the certificates.
+bool is_in_new(const OutputPlan& plan, const std::string& path);
 
 /// kBadArgument if `output` is one of the inputs.
 Status refuse_same(const std::vector<std::string>& inputs, const std::string& output);

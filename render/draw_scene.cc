@@ -38,7 +38,7 @@ Status check_scene_size(const Scene& scene) {
 }
 
 // Six minutes of one processor, approximately.
-constexpr double kMostSamples = 0x1p37;
+constexpr double kMostSamples = 0x1p33;
 
 }  // namespace
 

@@ -53,6 +53,7 @@ class LineGroups {
     lines_.push_back({number_of(ends[0]), number_of(ends[1])});
   }
   std::vector<Point3d> middles_of_small_groups(double size) const {
+    if (!std::isfinite(size)) return {};
     DisjointSets<> groups(points_.size());
     for (const auto& [a, b] : lines_) groups.join(a, b);
     std::map<std::uint32_t, Box3d> boxes;
@@ -72,7 +73,7 @@ class LineGroups {
  private:
   static Point3d middle(const Box3d& box) {
     Point3d out;
-    for (std::size_t k = 0; k < 3; ++k) out[k] = box.lo[k] + (box.hi[k] - box.lo[k]) / 2;
+    for (std::size_t k = 0; k < 3; ++k) out[k] = box.lo[k] / 2 + box.hi[k] / 2;
     return out;
   }
   std::uint32_t number_of(const Point3d& p) {

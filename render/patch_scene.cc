@@ -13,7 +13,13 @@
 namespace veritope {
 namespace {
 
-constexpr int kSteps = 64;  // of a line along a side
+// Steps of a line along a side, of which all sides together take a limited number: points are exact first.
+constexpr int kMostSteps = 64, kLeastSteps = 4;
+constexpr std::size_t kMostStepsInAll = 10'000;
+int steps_of_each(std::size_t num_sides) {
+  const std::size_t share = kMostStepsInAll / std::max<std::size_t>(num_sides, 1);
+  return static_cast<int>(std::clamp<std::size_t>(share, kLeastSteps, kMostSteps));
+}
 
 // Codes have the colours of the rules of meshes that they resemble.
 Colour colour_of_code(std::string_view code) {
@@ -33,14 +39,16 @@ std::optional<Point3d> rounded(const Result<std::vector<Rational>>& p) {
   return out;
 }
 
-// The point of a surface's side at i / kSteps between the bounds of its parameters, which were rounded outward.
-std::optional<Point3d> point_at(const ExactSurface& surface, const EntityPart& part, int i) {
+// The point of a surface's side at the part t between the bounds of its parameters, which are rounded outward.
+std::optional<Point3d> point_at(const ExactSurface& surface, const EntityPart& part,
+                                const Rational& t) {
   std::array<Rational, 2> at;
   for (std::size_t k = 0; k < 2; ++k) {
     const Rational begin = surface.axis(k).domain_begin(), end = surface.axis(k).domain_end();
-    const Rational lo = Rational::from_double(part.parameters[k][0]),
-                   hi = Rational::from_double(part.parameters[k][1]);
-    at[k] = std::clamp(lo + Rational(i) / Rational(kSteps) * (hi - lo), begin, end);
+    const auto [least, greatest] = part.parameters[k];
+    const Rational lo = std::isfinite(least) ? Rational::from_double(least) : begin,
+                   hi = std::isfinite(greatest) ? Rational::from_double(greatest) : end;
+    at[k] = std::clamp(lo + t * (hi - lo), begin, end);
   }
   return rounded(point(surface, at));
 }
@@ -54,28 +62,31 @@ std::optional<Point3d> point_at(const ExactTriangle& triangle, const Barycentric
 }
 
 // Side s of a triangle runs from corner s to corner s + 1.
-std::optional<Point3d> point_at(const ExactTriangle& triangle, const EntityPart& part, int i) {
+std::optional<Point3d> point_at(const ExactTriangle& triangle, const EntityPart& part,
+                                const Rational& t) {
   Barycentric<Rational> at = {Rational(0), Rational(0), Rational(0)};
-  const Rational t = Rational(i) / Rational(kSteps);
   at[*part.side % 3] = Rational(1) - t;
   at[(*part.side + 1) % 3] = t;
   return point_at(triangle, at);
 }
 
 template <typename Shape>
-void add_side(const Shape& shape, const EntityPart& part, Scene& scene) {
+void add_side(const Shape& shape, const EntityPart& part, int steps, Scene& scene) {
   SceneLine line;
   line.colour = colour_of(MeshRule::kM3);
-  for (int i = 0; i <= kSteps; ++i)
-    if (const auto p = point_at(shape, part, i)) line.points.push_back(*p);
+  for (int i = 0; i <= steps; ++i)
+    if (const auto p = point_at(shape, part, Rational(i) / Rational(steps)))
+      line.points.push_back(*p);
   if (!line.points.empty()) scene.lines.push_back(std::move(line));
 }
 
-void add_side(const SplineModel& model, const EntityPart& part, Scene& scene) {
+void add_side(const SplineModel& model, const EntityPart& part, int steps, Scene& scene) {
   if (part.entity >= model.entities.size() || !part.side) return;
   const auto& shape = model.entities[part.entity].shape;
-  if (const auto* surface = std::get_if<ExactSurface>(&shape)) add_side(*surface, part, scene);
-  if (const auto* triangle = std::get_if<ExactTriangle>(&shape)) add_side(*triangle, part, scene);
+  if (const auto* surface = std::get_if<ExactSurface>(&shape))
+    add_side(*surface, part, steps, scene);
+  if (const auto* triangle = std::get_if<ExactTriangle>(&shape))
+    add_side(*triangle, part, steps, scene);
 }
 
 // The middle of a part of a surface or a triangle.
@@ -84,7 +95,7 @@ std::optional<Point3d> middle_of(const SplineModel& model, const EntityPart& par
   const auto& shape = model.entities[part.entity].shape;
   if (const auto* surface = std::get_if<ExactSurface>(&shape);
       surface && part.parameters.size() == 2)
-    return point_at(*surface, part, kSteps / 2);
+    return point_at(*surface, part, Rational(1) / Rational(2));
   const auto* const triangle = std::get_if<ExactTriangle>(&shape);
   if (triangle == nullptr) return std::nullopt;
   const Rational third = Rational(1) / Rational(3);
@@ -96,8 +107,7 @@ std::optional<Point3d> place_of(const SplineModel& model, const Finding& f) {
   if (f.place.near) return f.place.near;
   if (f.place.box) {
     Point3d out{};
-    for (std::size_t k = 0; k < 3; ++k)
-      out[k] = f.place.box->lo[k] + (f.place.box->hi[k] - f.place.box->lo[k]) / 2;
+    for (std::size_t k = 0; k < 3; ++k) out[k] = f.place.box->lo[k] / 2 + f.place.box->hi[k] / 2;
     return out;
   }
   return f.place.parts.empty() ? std::nullopt : middle_of(model, f.place.parts.front());
@@ -120,7 +130,8 @@ Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> fi
   for (Tessellation& piece : *pieces)
     out.surfaces.push_back(
         {std::move(piece.points), std::move(piece.triangles), {model_paint(is_sound)}});
-  for (const EntityPart& side : open_sides) add_side(model, side, out);
+  for (const EntityPart& side : open_sides)
+    add_side(model, side, steps_of_each(open_sides.size()), out);
   for (const Finding& f : findings) {
     const std::optional<Point3d> at = place_of(model, f);
     if (!at || !std::isfinite((*at)[0]) || !std::isfinite((*at)[1]) || !std::isfinite((*at)[2]))

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "report/text_style.h"
+
 namespace veritope::report {
 namespace {
 
@@ -123,7 +125,8 @@ std::string short_decimal(double value, int digits) {
 }
 
 std::string point_text(const Point3d& p) {
-  return "(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " + short_decimal(p[2]) + ")";
+  return unbroken("(" + short_decimal(p[0]) + ", " + short_decimal(p[1]) + ", " +
+                  short_decimal(p[2]) + ")");
 }
 
 std::string range_text(const Interval& a, int digits) {

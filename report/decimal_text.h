@@ -29,7 +29,7 @@ bool is_short_decimal(const Rational& value, int digits = 6);
 /// The double's exact value as short_decimal; "inf" for infinity.
 std::string short_decimal(double value, int digits = 6);
 
-/// "(1, 0.5, -2)", each as short_decimal.
+/// "(1, 0.5, -2)", each as short_decimal; fold does not break it.
 std::string point_text(const Point3d& p);
 
 /// Both bounds as short_decimal, for people: "1.5 to 1.75", or "1.5" if both have the same text. The bounds are rounded

@@ -38,7 +38,7 @@ struct CopyReport {
 
 /// Wall-clock seconds of the phases that took place.
 struct PhaseSeconds {
-  std::optional<double> read, decide, collar, certify, check;
+  std::optional<double> read, decide, collar, certify, draw, check;
 };
 
 /// What was read of a spline file.

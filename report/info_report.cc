@@ -24,7 +24,7 @@ std::string plain_json(const InfoReport& report, const ModelFile& file) {
 
 std::string plain_text(const InfoReport& report, const ModelFile& file, const Style& style) {
   const std::string format = model_format(format_of(file)).name;
-  return style.bold(shown_path(report.path)) + "\n" +
+  return style.bold(unbroken(shown_path(report.path))) + "\n" +
          detail_line("file", format + ", " + counted(num_bytes(file), "byte", "bytes")) +
          detail_line("sha256", sha256_of(file)) + detail_line("model", title_of(kind_of(file))) +
          style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
@@ -68,7 +68,7 @@ std::string info_json(const InfoReport& report) {
 
 std::string info_text(const InfoReport& report, const Style& style) {
   if (report.other) return plain_text(report, *report.other, style);
-  const std::string path = style.bold(shown_path(report.path));
+  const std::string path = style.bold(unbroken(shown_path(report.path)));
   if (!report.file) {
     return style.yellow(verdict_word(std::nullopt)) + "  " + path + "  " +
            (report.fault ? harmless(text_of(*report.fault)) : "") + "\n";

@@ -40,7 +40,7 @@ std::string intersection_text(const IntersectionReport& report) {
     others += p.found.overlaps.size() + p.found.tangencies.size();
   }
   std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
-                    harmless(report.paths[0]) + " and " + harmless(report.paths[1]) + "  " +
+                    unbroken(harmless(report.paths[0])) + " and " + unbroken(harmless(report.paths[1])) + "  " +
                     std::to_string(loops) + " loops, " + std::to_string(arcs) + " arcs, " +
                     std::to_string(others) + " tangencies and overlaps\n";
   if (report.ignores_trimming)

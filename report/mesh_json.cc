@@ -58,6 +58,7 @@ Json counts_json(const FileReport& report) {
   if (c != nullptr && c->boundary_edges == 0) open = &none;
   put("borders", open, &OpenEdges::borders);
   put("near_edges", open, &OpenEdges::near_edges);
+  put("unsearched_edges", open, &OpenEdges::unsearched_edges);
   out["near_distance"] = open != nullptr && open->near_edges != 0
                              ? Json{{"least", number_json(open->least_gap)},
                                     {"greatest", number_json(open->greatest_gap)}}

@@ -2,6 +2,7 @@
 // What reports say about meshes, for people.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "report/decimal_text.h"
@@ -100,8 +101,8 @@ std::string shells_text(const ValidityReport& decision) {
 }
 
 std::string decimal_text(const RationalPoint& p) {
-  return "(" + short_decimal(p.at[0]) + ", " + short_decimal(p.at[1]) + ", " +
-         short_decimal(p.at[2]) + ")";
+  return unbroken("(" + short_decimal(p.at[0]) + ", " + short_decimal(p.at[1]) + ", " +
+                  short_decimal(p.at[2]) + ")");
 }
 
 // Nothing if the decimals are exact, or if the fractions are long.
@@ -122,15 +123,19 @@ std::string near_text(const Finding& d) {
          std::to_string(d.place.near_edge->first) + "-" + std::to_string(d.place.near_edge->second);
 }
 
+std::string size_text(double size) {
+  return std::isfinite(size) ? short_decimal(size) : "beyond binary64";
+}
+
 std::string place_text(const Finding& d) {
   const MeshRule rule = rule_of(d);
   const bool is_edge = rule == MeshRule::kM3 || rule == MeshRule::kM4 || rule == MeshRule::kM5;
   if (d.witness.ends)
     return "from " + decimal_text(d.witness.ends->at(0)) + " to " +
-           decimal_text(d.witness.ends->at(1)) + ", length " + short_decimal(d.place.size) +
+           decimal_text(d.witness.ends->at(1)) + ", length " + size_text(d.place.size) +
            near_text(d);
   std::string text = "at " + decimal_text(*d.witness.point) + exact_text(*d.witness.point);
-  if (d.place.size > 0) text += (is_edge ? ", length " : ", size ") + short_decimal(d.place.size);
+  if (d.place.size > 0) text += (is_edge ? ", length " : ", size ") + size_text(d.place.size);
   return text;
 }
 
@@ -170,19 +175,29 @@ std::string gaps_text(const OpenEdges& open) {
   return least == greatest ? greatest : least + " to " + greatest;
 }
 
-// " in 3 borders, 2 of them holes; 4 edges are 1.1e-16 from another one: cracks"
+// "; 4 edges lie within 1.1e-16 of another open edge: cracks", or what is known of them.
+std::string cracks_text(const OpenEdges& open, std::uint64_t count) {
+  if (open.near_edges == 0) return open.unsearched_edges == 0 ? ", no cracks" : ", no cracks found";
+  const bool are_all = open.near_edges == count;
+  const bool is_one = open.near_edges == 1;
+  const std::string edges =
+      are_all ? (is_one ? "it lies" : "each lies")
+              : counted(open.near_edges, "edge", "edges") + (is_one ? " lies" : " lie");
+  if (open.greatest_gap == 0) return "; " + edges + " on another open edge: cracks without a gap";
+  return "; " + edges + " within " + gaps_text(open) + " of another open edge: cracks";
+}
+
+// " in 3 borders (2 without cracks); ..."
 std::string open_text(const std::optional<OpenEdges>& open, std::uint64_t count) {
   if (!open) return "";
   std::string out = " in " + counted(open->borders, "border", "borders");
-  if (open->near_edges == 0) return out + ", no cracks";
-  if (open->holes != 0) out += ", " + std::to_string(open->holes) + " of them without cracks";
-  return out + "; " +
-         (open->near_edges == count ? std::string(count == 1 ? "it is " : "each is ")
-                                    : counted(open->near_edges, "edge is ", "edges are ")) +
-         gaps_text(*open) + " from another open edge: cracks" +
-         (open->unsearched_edges == 0 ? ""
-                                      : " (" + std::to_string(open->unsearched_edges) +
-                                            " edges were not searched to the end)");
+  if (open->near_edges != 0 && open->holes != 0)
+    out += " (" + std::to_string(open->holes) + " without cracks)";
+  out += cracks_text(*open, count);
+  if (open->unsearched_edges != 0)
+    out +=
+        " (the search was given up for " + counted(open->unsearched_edges, "edge", "edges") + ")";
+  return out;
 }
 
 std::string listed_text(const FileReport& report, MeshRule rule, std::uint64_t count) {
@@ -221,7 +236,7 @@ std::string invalid_text(const FileReport& report, const TextOptions& options) {
     out += options.style.dim("  M8 and M9 (which side is inside) are decided once M1 to M7 hold.") +
            "\n";
   return out + detail_line("what helps", "veritope explain " + first +
-                                             "; --picture F shows all, --max-defects N lists "
+                                             "; --picture F draws them, --max-defects N lists "
                                              "more, --json F has exact coordinates");
 }
 

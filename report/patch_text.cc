@@ -109,7 +109,7 @@ std::string open_side_text(const OpenSideFacts& f) {
 
 std::string open_sides_text(const PatchFacts& f) {
   if (f.open_sides.empty()) return "";
-  std::string out = "  open sides: " + std::to_string(f.open.sides) + ", longest first\n";
+  std::string out = "  " + counted(f.open.sides, "open side", "open sides") + ", longest first\n";
   for (const OpenSideFacts& side : f.open_sides) out += open_side_text(side);
   const std::uint64_t more = f.open.sides - f.open_sides.size();
   return more == 0 ? out : out + "    and " + std::to_string(more) + " more\n";
@@ -155,7 +155,7 @@ std::string open_text(const OpenBorders& open) {
       short_decimal(open.greatest, 2);
   return sides + ", " +
          (open.near_sides == open.sides ? "each" : std::to_string(open.near_sides) + " of them") +
-         " " + distance + " from another one";
+         " within " + distance + " of another one";
 }
 
 }  // namespace

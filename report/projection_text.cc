@@ -34,7 +34,7 @@ std::string text_of(const Projection<N>& p) {
 std::string projection_text(const ProjectionReport& report) {
   const auto nearest = report.nearest();
   std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
-                    harmless(report.path) + "  distance " + range_text(report.distance()) +
+                    unbroken(harmless(report.path)) + "  distance " + range_text(report.distance()) +
                     (nearest ? "" : "  nearest point not decided") + "\n";
   if (report.skipped_triangles != 0)
     out += "  Not looked at: " +

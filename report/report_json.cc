@@ -34,6 +34,7 @@ Json phases_json(const PhaseSeconds& s, bool has_collar) {
   Json out = {{"read", seconds_json(s.read)},
               {"decide", seconds_json(s.decide)},
               {"certify", seconds_json(s.certify)},
+              {"draw", seconds_json(s.draw)},
               {"check", seconds_json(s.check)}};
   if (has_collar) out["collar"] = seconds_json(s.collar);
   return out;

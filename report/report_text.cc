@@ -56,8 +56,8 @@ std::string filler(std::size_t size, std::size_t width) {
 std::string seconds_text(const PhaseSeconds& seconds) {
   const auto [total, longest] = total_and_longest(seconds);
   if (total < 1) return "";
-  return detail_line("time", short_decimal(total, 2) + " s, " + short_decimal(longest.seconds, 2) +
-                                 " of them " + longest.name);
+  return detail_line("time", short_decimal(total, 2) + " s, of which " +
+                                 short_decimal(longest.seconds, 2) + " s " + longest.name);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ TextOptions TextOptions::of_stdout() {
   TextOptions out;
   out.style = style_of_stdout();
   out.verdict_width = terminal_width();
-  out.width = std::min(out.width, out.verdict_width.value_or(out.width));
+  out.width = report_width();
   out.shows_seconds = out.verdict_width.has_value();
   return out;
 }
@@ -86,7 +86,7 @@ std::string verdict_line(const FileReport& report, const TextOptions& options) {
   const std::size_t verdict_size = std::string_view(verdict_word(report.verdict)).size();
   const std::string line = coloured(report.verdict, options.style) +
                            unbroken(filler(verdict_size, is_table ? kVerdictWidth : 0)) + "  " +
-                           path + unbroken(filler(path.size(), options.path_width)) + "  " +
+                           path + unbroken(filler(columns(path), options.path_width)) + "  " +
                            checked_summary(report) + "\n";
   return fold(line, options.verdict_width.value_or(line.size()));
 }

@@ -80,7 +80,7 @@ std::string name_text(const SplineModel& model, const SplineEntity& e) {
 
 std::string spline_text(const SplineReport& report, const Style& style) {
   const std::string path =
-      style.bold(report.path == "-" ? "standard input" : harmless(report.path));
+      style.bold(report.path == "-" ? "standard input" : unbroken(harmless(report.path)));
   if (!report.file)
     return style.yellow(verdict_word(std::nullopt)) + "  " + path + "  " +
            (report.fault ? harmless(text_of(*report.fault)) : "") + "\n";

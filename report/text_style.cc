@@ -2,6 +2,7 @@
 #include "report/text_style.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <stdlib.h>
 #include <sys/ioctl.h>
@@ -25,18 +26,6 @@ std::size_t printable_size(std::string_view text) {
 
 constexpr char kUnbrokenSpace = '\x1f';  // harmless lets no control character into a text
 constexpr std::size_t kNameWidth = 13;   // of a detail line
-
-// The columns that a text takes: its characters, without the sequences that colour it.
-std::size_t columns(std::string_view text) {
-  std::size_t count = 0;
-  bool is_in_colour = false;
-  for (const char c : text) {
-    if (c == '\033') is_in_colour = true;
-    if (!is_in_colour && (static_cast<unsigned char>(c) & 0xc0) != 0x80) ++count;
-    if (c == 'm') is_in_colour = false;
-  }
-  return count;
-}
 
 // The column at which the rest of a broken line starts.
 std::size_t hanging_indent(std::string_view line) {
@@ -77,6 +66,26 @@ std::optional<std::size_t> terminal_width() {
   struct winsize size {};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
   return std::max<std::size_t>(size.ws_col, kLeast);
+}
+
+std::size_t report_width() {
+  constexpr std::size_t kMost = 100;
+  return std::min(kMost, terminal_width().value_or(kMost));
+}
+
+std::size_t verdict_width() {
+  return terminal_width().value_or(std::numeric_limits<std::size_t>::max());
+}
+
+std::size_t columns(std::string_view text) {
+  std::size_t count = 0;
+  bool is_in_colour = false;
+  for (const char c : text) {
+    if (c == '\033') is_in_colour = true;
+    if (!is_in_colour && (static_cast<unsigned char>(c) & 0xc0) != 0x80) ++count;
+    if (c == 'm') is_in_colour = false;
+  }
+  return count;
 }
 
 std::string unbroken(std::string text) {

@@ -36,6 +36,15 @@ std::string harmless(std::string_view text);
 /// The columns of the terminal that standard output is, at least 40; nothing: it is no terminal, or hides its size.
 std::optional<std::size_t> terminal_width();
 
+/// The columns of reports on standard output: 100, or those of a terminal that has fewer.
+std::size_t report_width();
+
+/// The columns of lines that other programs read: those of a terminal, elsewhere no limit.
+std::size_t verdict_width();
+
+/// The columns that a text takes: its characters, without the sequences that colour it. (Wide characters count as one.)
+std::size_t columns(std::string_view text);
+
 /// Marks the spaces of a text, for instance of a path, so that fold does not break it.
 std::string unbroken(std::string text);
 

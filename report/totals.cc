@@ -28,6 +28,13 @@ std::string number_text(const std::optional<T>& value) {
   return value ? std::to_string(*value) : "";
 }
 
+// harmless, and each backslash of the name as \\x5c: the bytes of the name can be found again.
+std::string reversible(const std::string& path) {
+  std::string out;
+  for (const char c : path) out += c == '\\' ? std::string("\\x5c") : std::string(1, c);
+  return harmless(out);
+}
+
 // Bodies, genus, volume, and "M3:4 M7:2" or "side-open".
 struct Facets {
   std::string bodies, genus, volume, codes;
@@ -53,7 +60,7 @@ Facets facets_of(const PatchFacts& facts, const FileReport& report) {
   if (report.verdict != Verdict::kValid) return out;
   out.bodies = std::to_string(facts.bodies);
   out.genus = std::to_string(facts.genus);
-  if (facts.volume) out.volume = short_decimal(mid(*facts.volume), 17);
+  if (facts.volume) out.volume = short_decimal(mid(*facts.volume));
   return out;
 }
 
@@ -85,6 +92,7 @@ std::pair<double, PhaseTime> total_and_longest(const PhaseSeconds& seconds) {
                                    {"deciding", seconds.decide},
                                    {"looking for a collar", seconds.collar},
                                    {"certifying", seconds.certify},
+                                   {"drawing", seconds.draw},
                                    {"checking", seconds.check}}) {
     total += part.value_or(0);
     if (part.value_or(0) > longest.seconds) longest = {name, *part};
@@ -121,7 +129,7 @@ std::string tsv_row(const FileReport& report) {
   const bool is_checked = report.certificate && report.certificate->is_checked;
   const std::string codes =
       report.has_verdict() || !report.fault ? facets.codes : report.fault->code;
-  return joined({harmless(report.path), verdict_word(report.verdict),
+  return joined({reversible(report.path), verdict_word(report.verdict),
                  std::to_string(static_cast<int>(report.exit)), is_checked ? "yes" : "no",
                  format_of(report.source), bytes_of(report.source),
                  short_decimal(total_and_longest(report.seconds).first, 6), facets.bodies,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // robust/base/sign.h: the sign of an exact quantity, and the answer of a tier that may not know it.
 #pragma once
+#include <concepts>
 
 namespace veritope {
 
@@ -22,11 +23,12 @@ constexpr Sign operator*(Sign a, Sign b) {
 constexpr int to_int(Sign s) { return static_cast<int>(s); }
 
 namespace internal {
-void a_sign_can_be_compared_with_zero_only();  // neither constexpr nor defined: no constant calls it
-/// The number 0, known when compiling. No other number and no variable converts to it.
+void a_sign_can_only_be_compared_with_zero();  // neither constexpr nor defined: no constant calls it
+/// The int 0 as a constant. No other number, no number of another type and no variable converts to it.
 struct LiteralZero {
-  consteval LiteralZero(int value) noexcept {
-    if (value != 0) a_sign_can_be_compared_with_zero_only();
+  template <std::same_as<int> Int>
+  consteval LiteralZero(Int value) noexcept {
+    if (value != 0) a_sign_can_only_be_compared_with_zero();
   }
 };
 }  // namespace internal

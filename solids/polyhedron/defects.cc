@@ -27,7 +27,12 @@ RationalPoint weighted(std::initializer_list<std::pair<int, const Vec3d*>> terms
   return out;
 }
 
-double distance(const Vec3d& a, const Vec3d& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+// Infinite if it is beyond binary64, but never NaN.
+double distance(const Vec3d& a, const Vec3d& b) {
+  const double out = std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  if (std::isfinite(out)) return out;  // differences overflowed, maybe
+  return 2 * std::hypot(a.x / 2 - b.x / 2, a.y / 2 - b.y / 2, a.z / 2 - b.z / 2);
+}
 
 double diameter(const TriangleMesh& mesh, std::uint32_t face) {
   const auto& t = mesh.faces[face];

@@ -103,9 +103,9 @@ std::vector<OpenEdge> list_open_edges(const TriangleMesh& mesh, const Incidence&
 }
 
 std::uint32_t search_steps(std::size_t num_edges) {
-  constexpr std::size_t kLeast = 256, kMostInAll = std::size_t{1} << 27;
+  constexpr std::size_t kLeast = 256, kMost = 1 << 20, kMostInAll = 1 << 25;
   const std::size_t share = kMostInAll / std::max<std::size_t>(num_edges, 1);
-  return static_cast<std::uint32_t>(std::clamp<std::size_t>(share, kLeast, kMostSearchSteps));
+  return static_cast<std::uint32_t>(std::clamp(share, kLeast, kMost));
 }
 
 OpenEdges analyse_open_edges(const TriangleMesh& mesh, std::span<const OpenEdge> edges,

@@ -42,8 +42,8 @@ struct OpenEdges {
   double least_gap = 0, greatest_gap = 0;
 };
 
-/// The most steps of each search among so many edges: kMostSearchSteps, but of more than 32,768 edges fewer, and never
-/// fewer than 256, so that all searches together take some seconds.
+/// The most steps of each search among so many edges: the fewer edges, the more, from 2^20 for some tens of edges to
+/// 256 for 131,072 and more, so that all searches together take some seconds at the most.
 std::uint32_t search_steps(std::size_t num_edges);
 
 /// Edges of length 0 (two vertices at one point) are parts of borders, but are not near any edge. The result does not

@@ -29,8 +29,7 @@ constexpr std::array<RuleText, kNumMeshRules> kTexts = {{
      "An edge that exactly one face has. The surface is open there and encloses no volume.",
      "A missing face, a crack (two vertices that should be equal differ in the last digit), "
      "a T-junction, a sheet that was never meant to be a solid.",
-     "Weld the two sides of a crack, fill a hole. The distance to the nearest open edge, which the "
-     "report has, tells them apart.",
+     "Weld cracks; fill holes. The reported distance to the nearest open edge tells them apart.",
      "CGAL is_closed, border halfedge; val3dity 302; trimesh is_watertight; admesh \"facets with "
      "1 edge disconnected\"; Parasolid: sheet body, laminar edge"},
     {"M4", "edge with more than two faces",

@@ -58,10 +58,10 @@ class Decision {
  private:
   std::uint64_t& rule(MeshRule r) { return report_.rule_counts[rule_index(r)]; }
 
-  // Defects from which the largest are chosen.
+  // Defects from which the largest are chosen: whatever max_defects is, so that the first one does not depend on it.
   std::size_t pool() const {
     constexpr std::size_t kPool = 1 << 16;
-    return options_.max_defects == 0 ? 0 : std::max(options_.max_defects, kPool);
+    return options_.max_defects == 0 ? 0 : kPool;
   }
 
   void decide_topology() {

@@ -144,7 +144,7 @@ class Rooms(unittest.TestCase):
                                  (["certify", "", "x.off"], "a file name must not be empty"),
                                  (["certify", "--picture", "-", ""], "a file name must not be empty"),
                                  (["certify", "--picture", "-", "x.off"], "--picture needs a file name, not -"),
-                                 (["certify", "--picture", "p", "x.off", "y.off"], "--picture shows one file, not several"),
+                                 (["certify", "--picture", "p", "x.off", "y.off"], "--picture takes exactly one input"),
                                  (["certify", "--certificate", "-", "x.off"], "--certificate needs a file name, not -"),
                                  (["convert", "x.off", "-"], "- is standard output and needs --to"),
                                  (["cover", "x.itd"], "-o,--output is required"),
@@ -193,7 +193,7 @@ class Folders(unittest.TestCase):
         self.assertEqual([Path(re.split("  +", line)[1]).name for line in done.stdout.splitlines()], ["part.model"])
 
     def test_a_folder_without_models_is_wrong_usage_and_says_what_it_looked_for(self):
-        for options, words in [([], "has the ending of a known format (stl, obj"), (["--glob", "*.zzz"], "has a name that matches *.zzz")]:
+        for options, words in [([], "has a known extension (stl, obj"), (["--glob", "*.zzz"], "has a name that matches *.zzz")]:
             done = run("certify", *options, self.folder)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(words, done.stderr)
@@ -233,8 +233,27 @@ class Folders(unittest.TestCase):
                           ["--tsv", out, "--picture", out, path], ["--tsv", "-", "--json", "-", path]):
             done = run("certify", *arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
-        self.assertFalse(out.exists())
+        volume, kept = MODELS / "splines" / "two_cubes.mesh", self.folder / "v.cert"
+        self.assertEqual(run("certify", "--certificate", kept, "--tsv", f"{kept}.vjson", volume).returncode, 2)
+        self.assertFalse(out.exists() or kept.exists())
         self.assertEqual(path.read_bytes(), Path(VALID).read_bytes())
+
+    def test_a_table_may_lie_in_the_new_folder_of_the_certificates(self):
+        self.copy(VALID, "in/a.off")
+        new = self.folder / "new"
+        self.assertEqual(run("certify", "--certificate", new, "--tsv", new / "t.tsv", self.folder / "in").returncode, 0)
+        self.assertEqual(sorted(os.listdir(new)), ["a.off.cert", "t.tsv"])
+        taken = self.folder / "taken"
+        done = run("certify", "--certificate", taken, "--tsv", taken / "a.off.cert", self.folder / "in")
+        self.assertEqual((done.returncode, taken.exists()), (2, False))
+
+    def test_what_needs_a_folder_or_a_file_says_so(self):
+        self.copy(VALID, "a.off")
+        for arguments, words in [(["--glob", "*.off", self.folder / "a.off"], "no folder is given"),
+                                 (["--picture", self.folder / "p.png", self.folder], "--picture takes exactly one input, not a folder")]:
+            done = run("certify", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(words, done.stderr)
 
 
 class Widths(unittest.TestCase):

@@ -200,6 +200,29 @@ class Png(Folder):
         self.assertEqual(support.only_file("--picture", path, VALID)["picture"], str(path))
         self.assertIsNone(support.only_file(VALID)["picture"])
 
+    def test_a_picture_does_not_change_what_the_report_says(self):
+        path = self.folder / "p.png"
+        for model in (INVALID, MODELS / "patches" / "side_open_smallest.itd", MODELS / "patches" / "patches_crossing_smallest.itd"):
+            for options in ([], ["--max-defects", 0], ["--max-defects", 2]):
+                with_it, without = run("certify", *options, "--picture", path, model), run("certify", *options, model)
+                self.assertEqual(with_it.stdout.replace(f"  picture      {path}\n", ""), without.stdout)
+
+    def test_a_picture_that_cannot_be_drawn_does_not_take_the_verdict_back(self):
+        model = self.folder / "huge.off"
+        model.write_text("OFF 3 1 0\n0 0 0\n1.7e308 0 0\n0 -1.7e308 1.7e308\n3 0 1 2\n")
+        done = run("certify", "-q", "--picture", self.folder / "p.png", model)
+        self.assertTrue(done.stdout.startswith("INVALID"), done.stdout)
+        self.assertIn(done.returncode, (1, 4))
+        plates = self.folder / "plates.off"
+        count = 20000
+        points = "".join(f"0 0 {i}\n9e6 0 {i}\n0 9e6 {i}\n" for i in range(count))
+        plates.write_text(f"OFF {3 * count} {count} 0\n{points}" + "".join(f"3 {3 * i} {3 * i + 1} {3 * i + 2}\n" for i in range(count)))
+        done = run("certify", "-q", "--picture", self.folder / "q.png", plates, timeout=600)
+        self.assertTrue(done.stdout.startswith("INVALID"), done.stdout)
+        if not (self.folder / "q.png").exists():
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("not drawn", done.stderr)
+
     def test_a_volume_is_drawn_by_its_boundary_faces(self):
         path = self.folder / "p.PNG"
         self.assertEqual(run("certify", "--picture", path, MODELS / "splines" / "two_cubes.mesh").returncode, 0)

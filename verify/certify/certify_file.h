@@ -21,7 +21,7 @@ struct CertifyFileOptions {
 /// @error  as read_model_file, with the place in the file, and as certify
 Result<Certified> certify_file(const std::string& path, const CertifyFileOptions& options = {});
 
-/// Writes the certificate to a file and, if there is a copy of which it speaks, that one beside it, as
+/// Writes the certificate to a file and, if it refers to a copy of the model, that copy beside it, as
 /// copy_path(path). Each file appears complete or not at all.
 /// @error  kBadArgument: there is no certificate, because the verdict is UNDECIDED; kCannotWrite
 Status write_certificate(const Certified& certified, const std::string& path);

@@ -99,10 +99,19 @@ class Certification {
     return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
   }
 
+  // A pattern for which the shell found no file is still a pattern.
+  Finding unread(const Error& error) const {
+    Finding out = finding_of(error);
+    const bool is_pattern = report_.path.find_first_of("*?[") != report_.path.npos;
+    if (error.code == Code::kCannotOpen && is_pattern)
+      out.message += " (no file matches this pattern?)";
+    return out;
+  }
+
   bool read() {
     phase("reading");
     Result<ModelBytes> bytes = load_model(report_.path, settings_.reading);
-    if (!bytes) return refuse(finding_of(bytes.error()));
+    if (!bytes) return refuse(unread(bytes.error()));
     Result<ModelFile> model = read_model(*bytes, settings_.reading);
     report_.seconds.read = watch_.lap();
     if (!model) return refuse(finding_of(model.error()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope explain.
 #include <algorithm>
+#include <cctype>
 #include <memory>
 #include <optional>
 #include <string>
@@ -93,22 +94,63 @@ std::string rule_list(const Style& style) {
   return out + "Why there is no answer, or no file. More: veritope explain undecided\n";
 }
 
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+// The page with this name in any case; empty: there is no such page.
+std::string page_of(const std::string& name, const Style& style) {
+  if (const std::optional<MeshRule> rule = rule_from_id(name))
+    return rule_page(rule_text(*rule), rule_picture(*rule), style);
+  if (const PatchExplanation* const patches = patch_explanation(lower(name)))
+    return rule_page(patches->text, patches->picture, style);
+  if (const ReasonText* const reason = reason_text(lower(name))) return reason_page(*reason, style);
+  return "";
+}
+
+struct PageName {
+  std::string_view id, name;
+};
+
+// Pages whose titles have the word, such as "boundary".
+std::vector<PageName> pages_about(const std::string& word) {
+  std::vector<PageName> out;
+  const auto consider = [&](std::string_view id, std::string_view name) {
+    if (lower(name).find(lower(word)) != std::string::npos) out.push_back({id, name});
+  };
+  for (std::size_t i = 0; i < kNumMeshRules; ++i)
+    consider(rule_text(rule_at(i)).id, rule_text(rule_at(i)).name);
+  for (const PatchExplanation& e : patch_explanations()) consider(e.text.id, e.text.name);
+  for (const ReasonText& r : reason_texts()) consider(r.code, r.name);
+  return out;
+}
+
+// The one page about a word, or the names of several.
+std::string pages_text(const std::vector<PageName>& pages, const Style& style) {
+  if (pages.size() == 1) return page_of(std::string(pages.front().id), style);
+  std::string out;
+  for (const PageName& p : pages) out += style.bold(p.id) + "  " + std::string(p.name) + "\n";
+  return out;
+}
+
 ExitCode run(const ExplainOptions& options, StandardOutput& out) {
   const Style style = style_of_stdout();
-  if (!options.rule) {
+  const bool is_of_all =
+      !options.rule || lower(*options.rule) == "valid" || lower(*options.rule) == "invalid";
+  if (is_of_all) {
     out.write(rule_list(style));
     return kExitValid;
   }
-  if (const std::optional<MeshRule> rule = rule_from_id(*options.rule)) {
-    out.write(rule_page(rule_text(*rule), rule_picture(*rule), style));
+  if (const std::string page = page_of(*options.rule, style); !page.empty()) {
+    out.write(page);
     return kExitValid;
   }
-  if (const PatchExplanation* const patches = patch_explanation(*options.rule)) {
-    out.write(rule_page(patches->text, patches->picture, style));
-    return kExitValid;
-  }
-  if (const ReasonText* const reason = reason_text(*options.rule)) {
-    out.write(reason_page(*reason, style));
+  constexpr std::size_t kLeastWord = 4;  // characters
+  const std::vector<PageName> pages = pages_about(*options.rule);
+  if (options.rule->size() >= kLeastWord && !pages.empty()) {
+    out.write(pages_text(pages, style));
     return kExitValid;
   }
   if (const auto meant = nearest_name(*options.rule, all_names())) {
@@ -125,7 +167,7 @@ ExitCode run(const ExplainOptions& options, StandardOutput& out) {
 
 RunCommand declare_explain(OptionSet& set) {
   const auto o = std::make_shared<ExplainOptions>();
-  set.optional_operand("RULE", any_text(o->rule), "M1 to M9, side-open, ...");
+  set.optional_operand("RULE", any_text(o->rule), "M1 to M9, side-open, ..., or a word: boundary");
   return [o](StandardOutput& out) { return run(*o, out); };
 }
 

@@ -59,7 +59,8 @@ Result<std::vector<Rational>> point_from_text(const std::string& text) {
         fault != DecimalFault::kNone)
       return Error{Code::kBadArgument,
                    {},
-                   "POINT has the coordinate '" + token + "', " + sentence(fault, token)};
+                   "POINT has the coordinate '" + token + "', " + sentence(fault, token) +
+                       "; write x,y,z"};
     out.push_back(std::move(value));
     begin = end + 1;
   }

@@ -12,6 +12,16 @@ bool names_no_finite_number(std::string_view token) {
          is_word(token, "1.#qnan");
 }
 
+// "1,5": digits on both sides of one comma.
+bool has_decimal_comma(std::string_view token) {
+  constexpr std::string_view kDigits = "0123456789";
+  if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+  const std::size_t comma = token.find(',');
+  if (comma == token.npos || comma == 0 || comma + 1 == token.size()) return false;
+  return token.find_first_not_of(kDigits) == comma &&
+         token.find_first_not_of(kDigits, comma + 1) == token.npos;
+}
+
 }  // namespace
 
 bool TextReader::fail(const char* at, Code code, std::string message) {
@@ -69,7 +79,9 @@ bool TextReader::read_decimal_slowly(const char*& p, double& value) {
   if (names_no_finite_number(token)) {
     return fail(p, Code::kNotFinite, "the coordinate " + quoted(token) + " is not finite");
   }
-  return fail(p, Code::kSyntax, "a decimal number expected, but there is " + quoted(token));
+  return fail(p, Code::kSyntax,
+              "a decimal number expected, but there is " + quoted(token) +
+                  (has_decimal_comma(token) ? " (a decimal comma?)" : ""));
 }
 
 }  // namespace veritope

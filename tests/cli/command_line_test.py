@@ -102,6 +102,24 @@ class Usage(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertTrue(done.stderr.splitlines()[0].endswith(words), done.stderr)
 
+    def test_explain_takes_verdicts_words_and_names_in_any_case(self):
+        self.assertEqual(run("explain", "VALID").stdout, run("explain").stdout)
+        self.assertEqual(run("explain", "UNDECIDED").stdout, run("explain", "undecided").stdout)
+        self.assertEqual(run("explain", "Boundary").stdout, run("explain", "M3").stdout)
+        self.assertEqual(run("explain", "Side-Open").stdout, run("explain", "side-open").stdout)
+        several = run("explain", "face")
+        self.assertEqual(several.returncode, 0)
+        self.assertIn("M1  degenerate face\n", several.stdout)
+        self.assertIn("M2  duplicate face\n", several.stdout)
+
+    def test_frequent_slips_are_named(self):
+        with support.tempfile.TemporaryDirectory() as folder:
+            comma = Path(folder) / "comma.obj"
+            comma.write_text("v 0,5 1 2\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+            self.assertIn("'0,5' (a decimal comma?)", run("certify", "-q", comma).stdout)
+            self.assertIn("no file matches this pattern?", run("certify", "-q", Path(folder) / "*.nothing").stdout)
+        self.assertIn("write x,y,z", run("project", "0 0 0", VALID).stderr)
+
     def test_help_fits_on_one_screen_and_names_every_option(self):
         for command in [None, *COMMANDS]:
             with self.subTest(command):

@@ -96,11 +96,17 @@ Json counts_json(const FileReport& report, const PatchFacts& f) {
                                                : Json(nullptr)}};
 }
 
+// Null: it has a coordinate beyond binary64.
+Json end_json(const Point3d& p) {
+  const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  return is_finite ? point_json(p) : Json(nullptr);
+}
+
 Json open_sides_json(const PatchFacts& f) {
   Json out = Json::array();
   for (const OpenSideFacts& s : f.open_sides)
     out.push_back({{"part", part_json(s.part)},
-                   {"ends", Json::array({point_json(s.side.ends[0]), point_json(s.side.ends[1])})},
+                   {"ends", Json::array({end_json(s.side.ends[0]), end_json(s.side.ends[1])})},
                    {"length", number_json(s.side.length)},
                    {"near", s.near ? part_json(*s.near) : Json(nullptr)},
                    {"distance", s.near ? number_json(s.side.distance) : Json(nullptr)}});

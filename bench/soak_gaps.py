@@ -18,6 +18,9 @@ import subprocess
 import sys
 from fractions import Fraction
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests" / "support"))
+from edge_gaps import squared_distance  # noqa: E402
+
 
 def sphere(turns, rings):
     """(points, faces)."""
@@ -42,16 +45,6 @@ def report(program, points, faces):
     options = ["--format", "off", "--as-indexed", "--json", "-", "--no-check"]
     done = subprocess.run([program, "certify", *options, "-"], input=text, capture_output=True, text=True)
     return json.loads(done.stdout)["files"][0]
-
-
-def squared_distance(edge, other):
-    """The square of the greatest distance of an end of an edge from another edge."""
-    def of_point(p):
-        u = [b - a for a, b in zip(*other)]
-        w = [c - a for c, a in zip(p, other[0])]
-        t = min(max(sum(a * b for a, b in zip(u, w)) / sum(a * a for a in u), 0), 1)
-        return sum((a - t * b) ** 2 for a, b in zip(w, u))
-    return max(map(of_point, edge))
 
 
 def plant_crack(rng, points, faces):

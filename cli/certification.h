@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/model_picture.h"
 #include "cli/progress.h"
 #include "io/read_model.h"
 #include "report/file_report.h"
@@ -13,9 +14,6 @@
 namespace veritope::cli {
 
 using namespace report;
-
-enum class PictureKind { kPly, kPng };
-inline constexpr std::size_t kMostDrawn = 20'000;
 
 struct CertifySettings {
   ModelReadOptions reading;

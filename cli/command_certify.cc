@@ -106,6 +106,11 @@ void complain_beside_verdict(const FileReport& report) {
   complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
 }
 
+// Makes the new folder of the certificates, if this output goes there, too.
+void make_folder_of(const std::string& path, const OutputPlan& plan) {
+  if (is_in_new(plan, path)) ::mkdir(plan.new_folder->c_str(), 0777);
+}
+
 // Reports beside a verdict that its picture could not be drawn.
 void complain_about_picture(const std::string& path, const Finding& fault, FileReport& report) {
   const bool is_bug = fault.code == "internal";
@@ -116,7 +121,7 @@ void complain_about_picture(const std::string& path, const Finding& fault, FileR
 // Writes the picture and names it in the report; complains if it cannot be written.
 void keep_picture(const std::string& path, const std::string& bytes, const OutputPlan& plan,
                   FileReport& report, StandardOutput& out) {
-  if (is_in_new(plan, path)) ::mkdir(plan.new_folder->c_str(), 0777);
+  make_folder_of(path, plan);
   const Status status = write_output(path, bytes, out);
   if (status) {
     report.picture = path;
@@ -128,7 +133,7 @@ void keep_picture(const std::string& path, const std::string& bytes, const Outpu
 
 ExitCode write_table(const std::string& path, const std::string& rows, const OutputPlan& plan,
                      StandardOutput& out) {
-  if (is_in_new(plan, path)) ::mkdir(plan.new_folder->c_str(), 0777);
+  make_folder_of(path, plan);
   const Status status = write_output(path, tsv_head() + rows, out);
   if (status || path == "-") return kExitValid;  // main looks at standard output
   complain(harmless(to_string(status.error())));
@@ -137,7 +142,7 @@ ExitCode write_table(const std::string& path, const std::string& rows, const Out
 
 ExitCode write_json(const CertifyFilesOptions& options, const OutputPlan& plan,
                     const std::vector<std::string>& files, StandardOutput& out) {
-  if (plan.json_in_new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
+  make_folder_of(*options.json, plan);
   const Status status = write_output(*options.json, document_json("veritope-report-1", files), out);
   if (status || *options.json == "-") return kExitValid;  // main looks at standard output
   complain(harmless(to_string(status.error())));

@@ -16,6 +16,8 @@
 #include "report/report_text.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 constexpr std::size_t kTitleColumns = 90;  // of 1200 pixels

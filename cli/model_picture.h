@@ -5,12 +5,16 @@
 #include <optional>
 #include <string>
 
-#include "cli/certification.h"
 #include "io/model_file.h"
 #include "report/file_report.h"
 #include "robust/base/result.h"
 
 namespace veritope::cli {
+
+enum class PictureKind { kPly, kPng };
+
+/// The most defects of each rule that a picture shows, and the most open sides.
+inline constexpr std::size_t kMostDrawn = 20'000;
 
 /// ".png" or ".ply", in any case. Nothing for other endings.
 std::optional<PictureKind> picture_kind(const std::string& path);

@@ -75,7 +75,7 @@ Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& p
     return bad_argument("--json and --certificate would both make " + *json);
   }
   if (Status status = refuse_same(inputs, *json); !status) return status;
-  return plan.json_in_new_folder ? ok_status() : try_output(*json);
+  return is_in_new(plan, *json) ? ok_status() : try_output(*json);
 }
 
 // The text before the last slash.
@@ -129,7 +129,6 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
     }
     if (!exists(folder)) {
       plan.new_folder = folder;
-      plan.json_in_new_folder = json && is_in_new(plan, *json);
       if (Status status = check_new_folder(folder); !status) return status.error();
     }
     for (const std::string& input : inputs)

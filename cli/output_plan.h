@@ -15,7 +15,6 @@ struct OutputPlan {
   /// each (copy_path).
   std::vector<std::string> certificates;
   std::optional<std::string> new_folder;  ///< for the certificates; does not exist yet
-  bool json_in_new_folder = false;        ///< the report goes there, too
 };
 
 /// `certificate`: a file for one input, a folder (possibly new) for several; for one input a folder, too, if it exists

@@ -58,24 +58,16 @@ class LineGroups {
     for (const auto& [a, b] : lines_) groups.join(a, b);
     std::map<std::uint32_t, Box3d> boxes;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      const auto [at, is_new] = boxes.try_emplace(groups.find(i), Box3d{points_[i], points_[i]});
-      for (std::size_t k = 0; k < 3; ++k) {
-        at->second.lo[k] = std::min(at->second.lo[k], points_[i][k]);
-        at->second.hi[k] = std::max(at->second.hi[k], points_[i][k]);
-      }
+      const auto [at, is_new] = boxes.try_emplace(groups.find(i), empty_box());
+      veritope::add(points_[i], &at->second);
     }
     std::vector<Point3d> out;
     for (const auto& [group, box] : boxes)
-      if (extent(box) <= kSmallPart * size) out.push_back(middle(box));
+      if (extent(box) <= kSmallPart * size) out.push_back(approx_centre(box));
     return out;
   }
 
  private:
-  static Point3d middle(const Box3d& box) {
-    Point3d out;
-    for (std::size_t k = 0; k < 3; ++k) out[k] = box.lo[k] / 2 + box.hi[k] / 2;
-    return out;
-  }
   std::uint32_t number_of(const Point3d& p) {
     const auto [at, is_new] = numbers_.try_emplace(p, static_cast<std::uint32_t>(points_.size()));
     if (is_new) points_.push_back(p);

@@ -105,11 +105,7 @@ std::optional<Point3d> middle_of(const SplineModel& model, const EntityPart& par
 // Where the finding is, as far as it says so.
 std::optional<Point3d> place_of(const SplineModel& model, const Finding& f) {
   if (f.place.near) return f.place.near;
-  if (f.place.box) {
-    Point3d out{};
-    for (std::size_t k = 0; k < 3; ++k) out[k] = f.place.box->lo[k] / 2 + f.place.box->hi[k] / 2;
-    return out;
-  }
+  if (f.place.box) return approx_centre(*f.place.box);
   return f.place.parts.empty() ? std::nullopt : middle_of(model, f.place.parts.front());
 }
 

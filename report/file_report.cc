@@ -41,6 +41,22 @@ Source source_of(const ModelFile& file) {
       file);
 }
 
+std::optional<std::uint64_t> num_bytes(const FileReport& report) {
+  if (const auto* mesh = std::get_if<ReadReport>(&report.source)) return mesh->bytes;
+  if (const auto* splines = std::get_if<SplineSource>(&report.source)) return splines->bytes;
+  if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->bytes;
+  return std::nullopt;
+}
+
+std::optional<std::string> format_name(const FileReport& report) {
+  if (const auto* mesh = std::get_if<ReadReport>(&report.source))
+    return mesh_format_name(mesh->format);
+  if (const auto* splines = std::get_if<SplineSource>(&report.source))
+    return spline_format_name(splines->format);
+  if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->format;
+  return std::nullopt;
+}
+
 void give_up(FileReport& report, ExitCode exit, Finding fault) {
   report.certificate.reset();
   report.defects.clear();

@@ -77,6 +77,11 @@ struct FileReport {
   bool has_verdict() const { return verdict && *verdict != Verdict::kUndecided; }
 };
 
+/// The size of the file that was read; nothing if it could not be read.
+std::optional<std::uint64_t> num_bytes(const FileReport& report);
+/// The name of its format, "stl"; nothing likewise.
+std::optional<std::string> format_name(const FileReport& report);
+
 /// Drops the verdict with its counts, defects and certificate: no checker confirmed it.
 void give_up(FileReport& report, ExitCode exit, Finding fault);
 /// A file that cannot be read.

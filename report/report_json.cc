@@ -6,22 +6,6 @@
 namespace veritope::report {
 namespace {
 
-std::optional<std::uint64_t> bytes_of(const FileReport& report) {
-  if (const auto* mesh = std::get_if<ReadReport>(&report.source)) return mesh->bytes;
-  if (const auto* splines = std::get_if<SplineSource>(&report.source)) return splines->bytes;
-  if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->bytes;
-  return std::nullopt;
-}
-
-std::optional<std::string> format_name(const FileReport& report) {
-  if (const auto* mesh = std::get_if<ReadReport>(&report.source))
-    return mesh_format_name(mesh->format);
-  if (const auto* splines = std::get_if<SplineSource>(&report.source))
-    return spline_format_name(splines->format);
-  if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->format;
-  return std::nullopt;
-}
-
 Json certificate_json(const std::optional<CertificateReport>& certificate) {
   if (!certificate) return nullptr;
   return {{"path", optional_json(certificate->path)},
@@ -53,7 +37,7 @@ std::string report_json(const FileReport& report) {
   Json out;
   out["path"] = report.path;
   out["sha256"] = text_json(report.sha256);
-  out["bytes"] = optional_json(bytes_of(report));
+  out["bytes"] = optional_json(num_bytes(report));
   out["format"] = optional_json(format_name(report));
   kind.put_source(report, out);
   out["verdict"] = verdict_word(report.verdict);

@@ -66,23 +66,6 @@ Facets facets_of(const PatchFacts& facts, const FileReport& report) {
 
 Facets facets_of(const std::monostate&, const FileReport&) { return {}; }
 
-std::string format_of(const Source& source) {
-  if (const auto* mesh = std::get_if<ReadReport>(&source)) return mesh_format_name(mesh->format);
-  if (const auto* spline = std::get_if<SplineSource>(&source))
-    return std::string(spline_format_name(spline->format));
-  const auto* plain = std::get_if<PlainSource>(&source);
-  return plain != nullptr ? plain->format : "";
-}
-
-std::string bytes_of(const Source& source) {
-  return std::visit(
-      [](const auto& s) -> std::string {
-        if constexpr (requires { s.bytes; }) return std::to_string(s.bytes);
-        return "";
-      },
-      source);
-}
-
 }  // namespace
 
 std::pair<double, PhaseTime> total_and_longest(const PhaseSeconds& seconds) {
@@ -131,7 +114,7 @@ std::string tsv_row(const FileReport& report) {
       report.has_verdict() || !report.fault ? facets.codes : report.fault->code;
   return joined({reversible(report.path), verdict_word(report.verdict),
                  std::to_string(static_cast<int>(report.exit)), is_checked ? "yes" : "no",
-                 format_of(report.source), bytes_of(report.source),
+                 format_name(report).value_or(""), number_text(num_bytes(report)),
                  short_decimal(total_and_longest(report.seconds).first, 6), facets.bodies,
                  facets.genus, facets.volume, codes, summary_text(report)});
 }

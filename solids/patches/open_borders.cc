@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -32,6 +33,8 @@ OpenSide open_side(const PatchComplex& complex, PatchSide s) {
              b = approx_point(patch.corner((s.side + 1) % patch.num_sides()));
   out.ends = {Point3d{a[0], a[1], a[2]}, Point3d{b[0], b[1], b[2]}};
   out.length = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  // Two ends beyond binary64 have no difference. A length that is not a number would have no place in an order.
+  if (std::isnan(out.length)) out.length = std::numeric_limits<double>::infinity();
   return out;
 }
 

@@ -146,7 +146,9 @@ class CertifyPatches(Folder):
         self.assertEqual((one["verdict"], one["volume"]["hi"]), ("VALID", None))
         self.assertIn("volume at least 1.7", run("certify", "-q", self.folder / "model.vjson").stdout)
         beyond = [surface([[c * Fraction(10) ** 400 for c in p] for p in f]) for f in UNIT]
-        message = self.certify(beyond[1:])["defects"][0]["message"]
+        one = self.certify(beyond[1:])
+        message = one["defects"][0]["message"]
+        self.assertEqual([side["length"] for side in one["open_sides"]], [None] * 4)
         self.assertIn("is an open border", message)
         self.assertNotIn("inf", message)
         steep = [surface([p + [1] for p in elevated(f)], (3, 3), True) for f in UNIT]

@@ -8,11 +8,14 @@ import pty
 import re
 import struct
 import subprocess
+import sys
 import termios
 import unittest
 from pathlib import Path
 
 import support
+sys.path.insert(0, str(support.ROOT / "tests" / "support"))
+from edge_gaps import squared_distance  # noqa: E402
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 
 COMMANDS = ["certify", "info", "convert", "intersect", "project", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
@@ -44,16 +47,6 @@ def run_on_terminal(*arguments, environment=None, columns=None):
     output = read_terminal(ours)
     child.wait()
     return output
-
-
-def squared_distance(edge, other):
-    """The square of the greatest distance of an end of an edge from another edge."""
-    def of_point(p):
-        u = [b - a for a, b in zip(*other)]
-        w = [c - a for c, a in zip(p, other[0])]
-        t = min(max(sum(a * b for a, b in zip(u, w)) / sum(a * a for a in u), 0), 1)
-        return sum((a - t * b) ** 2 for a, b in zip(w, u))
-    return max(map(of_point, edge))
 
 
 class Usage(unittest.TestCase):

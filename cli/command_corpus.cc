@@ -14,7 +14,7 @@ ExitCode run_corpus(const HardCaseOptions& options, StandardOutput& out) {
   constexpr std::size_t kFull = std::size_t{1} << 16;
   std::string text = "# veritope corpus --cases " + std::to_string(options.num_cases) + " --seed " +
                      std::to_string(options.seed) +
-                     "\n# predicate, operands, exact sign: docs/cli.md\n";
+                     "\n# predicate, operands, exact sign\n";
   HardCases cases(options.seed);
   for (std::uint64_t i = 0; i < options.num_cases; ++i) {
     const HardCase c = cases.next();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The program veritope. Documented in docs/cli.md.
+// The program veritope. Documented in docs/cli/README.md.
 #include <fcntl.h>
 #include <unistd.h>
 

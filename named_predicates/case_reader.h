@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// named_predicates/case_reader.h: a line of `veritope predicate`. The format: docs/cli.md.
+// named_predicates/case_reader.h: a line of `veritope predicate`. The format: docs/cli/predicate.md.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// report/exit_code.h: what the exit status says. Documented in docs/cli.md.
+// report/exit_code.h: what the exit status says. Documented in docs/cli/README.md.
 #pragma once
 #include <initializer_list>
 

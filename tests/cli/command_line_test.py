@@ -132,11 +132,22 @@ class Usage(unittest.TestCase):
         self.assertRegex(done.stdout, r"^veritope \d+\.\d+\.\d+\n$")
         self.assertEqual(support.report(VALID)["tool"] + "\n", done.stdout)
 
-    def test_the_page_of_the_command_line_names_every_option(self):
-        page = (support.ROOT / "docs" / "cli.md").read_text()
+    def test_the_page_of_a_command_names_each_of_its_options_in_a_table(self):
+        def named_on(name):
+            lines = (support.ROOT / "docs" / "cli" / f"{name}.md").read_text().splitlines()
+            return set(re.findall(r"--[a-z-]+", " ".join(line.split(" | ")[0] for line in lines if line.startswith("| "))))
+
+        limits = {option for option in named_on("README") if option.startswith("--max-")} - {"--max-"}
         for command in COMMANDS:
-            for option in re.findall(r"--[a-z-]+", run(command, "--help").stdout.split("Options:")[1]):
-                self.assertTrue(option == "--help" or f"`{option}" in page, f"{command} {option}")
+            named = named_on(command)
+            if "--max-" in named:  # `--max-...`: all limits
+                named |= limits
+            found = set(re.findall(r"--[a-z-]+", run(command, "--help").stdout.split("Options:")[1]))
+            self.assertLessEqual(found - {"--help"}, named, command)
+
+    def test_the_overview_names_every_command_and_its_page(self):
+        page = (support.ROOT / "docs" / "cli" / "README.md").read_text()
+        self.assertEqual(re.findall(r"(?m)^\| \[`veritope ([\w-]+)[^`]*`\]\(\1\.md\)", page), COMMANDS)
 
 
 class Rooms(unittest.TestCase):

@@ -10,7 +10,7 @@ NUM_OPERANDS = {"orient2d": 6, "orient3d": 12, "in_circle": 8, "in_sphere": 15, 
                 "side_of_bisector2d": 6, "side_of_bisector3d": 9, "compare_lengths2d": 8, "compare_lengths3d": 12,
                 "order_along_line2d": 8, "order_along_line3d": 12, "order_on_circle": 8}
 
-# Predicates on implicit points: the kinds of their points (docs/cli.md), e, s, t, l, p in space and E, S, X in the plane.
+# Predicates on implicit points: the kinds of their points (docs/cli/predicate.md), e, s, t, l, p in space and E, S, X in the plane.
 IMPLICIT = {"orient2d_ssi": "EEX", "orient2d_segment": "SSS", "in_circle_ssi": "EEEX", "in_circle_segment": "SSSS",
             "compare_lexicographic_ssi": "XX", "orient3d_lpi": "eeel", "orient3d_tpi": "eeep", "orient3d_lpi4": "llll",
             "orient3d_mixed": "stlp", "in_sphere_lpi": "eeeel", "in_sphere_mixed": "estls", "compare_lexicographic_lpi": "ll",

@@ -10,7 +10,8 @@
 
 namespace {
 
-const char kMeshes[] = "stl,obj,ply,off", kSplines[] = "vjson,itd";
+const char kMeshes[] = "stl,obj,ply,off";
+const char kSplines[] = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
 const char kStarText[] = " body_sha256 certificate claim subject_format subject_sha256 tool";
 
 void add_keys(const std::string& names, const char* kind,

@@ -16,7 +16,9 @@ namespace {
 
 using internal::ByteReader;
 
-constexpr std::string_view kMeshes = "stl,obj,ply,off", kSplines = "vjson,itd";
+constexpr std::string_view kMeshes = "stl,obj,ply,off";
+constexpr std::string_view kSplines =
+    "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
 constexpr std::string_view kStarNumbers =
     "bodies boxes edges flipped genus patches shells vertices";
 

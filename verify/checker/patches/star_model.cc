@@ -115,6 +115,8 @@ void check_entity(const Entity& e, const std::vector<bool>& periodic, uint64_t c
 std::vector<Entity> read_spline_model(const std::string& file, const std::string& format) {
   size_t at = file.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
   try {
+    if (format != "itd" && format != "vjson")
+      throw Refused{"models in the format " + format + " are not read yet"};
     return format == "itd" ? read_itd_model(file, &at) : read_json_model(file, &at);
   } catch (const Refused& r) {
     throw Refused{"byte " + std::to_string(at) + ": " + r.why};

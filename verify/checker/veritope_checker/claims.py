@@ -9,7 +9,8 @@ from .common.statement import keys_of
 # check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds.
 Claim = namedtuple("Claim", "name magic formats keys module")
 
-MESHES, SPLINES = ("stl", "obj", "ply", "off"), ("vjson", "itd")
+MESHES = ("stl", "obj", "ply", "off")
+SPLINES = ("vjson", "itd", "g2", "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces")
 OF_MESHES = {"reading_rule": r".*", "as_indexed": bool}
 OF_PATCHES = {"patches": int, "flipped": int}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}

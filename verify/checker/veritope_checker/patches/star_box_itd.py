@@ -22,6 +22,8 @@ COUNT = re.compile(rb"[-+]?[0-9]+")
 
 def read_subject(data, subject_format):
     """The entities of a model in the format that the statement names."""
+    if subject_format not in ("vjson", "itd"):
+        raise Refused("models in the format %s are not read yet" % subject_format)
     return Reader(data).model() if subject_format == "itd" else read_model(data)
 
 class Reader:

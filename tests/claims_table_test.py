@@ -21,6 +21,7 @@ import every_claim  # noqa: E402
 import invalid_liars  # noqa: E402
 import meeting_liars  # noqa: E402
 import patch_liars  # noqa: E402
+import reversed_liars  # noqa: E402
 import sheet_liars  # noqa: E402
 
 BIN = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 and pathlib.Path(sys.argv[1]).is_dir() else ROOT / "build" / "bin"
@@ -44,6 +45,7 @@ def turned_shells(rng):
 LIARS = {
     "mesh-valid-1": of_mesh(attacks.false_valid_attacks),
     "mesh-invalid-1": of_mesh(attacks.false_invalid_attacks),
+    "mesh-reversed-1": of_mesh(reversed_liars.reversed_attacks),
     "star-box-1": of_patches(patch_liars.star_attacks),
     "star-box-turned-1": turned_shells,
     "star-box-2": of_patches(sheet_liars.thin_attacks),

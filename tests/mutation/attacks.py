@@ -28,6 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import forge                                              # noqa: E402
 import solids                                             # noqa: E402
+import time_limit                                         # noqa: E402
 
 CHECKER_PY = HERE.parent.parent / "verify" / "checker" / "veritope_check.py"
 CONDITIONS = ["V%d" % i for i in range(1, 12)] + ["I%d" % i for i in range(1, 11)]
@@ -74,6 +75,7 @@ class Native:
         flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
         actions = [(os.POSIX_SPAWN_OPEN, 1, self.files[2], flags, 0o600), (os.POSIX_SPAWN_DUP2, 1, 2)]
         pid = os.posix_spawn(self.path, [self.path, self.files[0], self.files[1]], {}, file_actions=actions)
+        time_limit.limit_process(pid)
         status = os.waitpid(pid, 0)[1]
         with open(self.files[2], "rb") as f:
             return os.waitstatus_to_exitcode(status), f.read().decode("latin-1").strip()
@@ -617,8 +619,11 @@ class Run:
         self.failures = []
         self.honest = collections.Counter()
 
+    def in_python(self, model, cert):
+        return time_limit.within_limit(self.py.check, model, cert)
+
     def both(self, case, cert, seed, name):
-        code, message = self.py.check(case.bytes, cert)
+        code, message = self.in_python(case.bytes, cert)
         found = condition_of(code, message)
         if code not in (0, 1):
             self.fail("python checker: " + message, case.bytes, cert, seed, name)

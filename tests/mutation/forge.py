@@ -545,6 +545,8 @@ class Plan:
     (A, B: lists of triangles; k: how often step 3 was reached); extra_*: appended at the end.
     """
 
+    claim = "mesh-valid-1"
+
     def __init__(self, mesh, rng, honest_stars=0.7):
         self.mesh, self.rng = mesh, rng
         self.order = kd_order(mesh)
@@ -667,7 +669,7 @@ class Plan:
         return out
 
     def certificate(self, model_bytes, model):
-        return certificate(model_bytes, model, "mesh-valid-1", self.body(), self.quantities())
+        return certificate(model_bytes, model, self.claim, self.body(), self.quantities())
 
     def unproved(self):
         """Leaf pairs of the walk for which no chain of codes exists."""
@@ -676,6 +678,32 @@ class Plan:
         self.walk()
         del self.pair
         return bad
+
+
+# ---------------------------------------------------------------- mesh-reversed-1
+
+class ReversedPlan(Plan):
+    """flips: the numbers of the triangles that the body reverses.  mesh: as the file has it; self.mesh is what the flips make of it."""
+    claim = "mesh-reversed-1"
+
+    def __init__(self, mesh, flips, rng, honest_stars=0.7):
+        super().__init__(Mesh(mesh.floats, [(a, c, b) if f in flips else (a, b, c) for f, (a, b, c) in enumerate(mesh.tris)]), rng, honest_stars)
+        self.flips = set(flips)
+
+    def body(self):
+        return reversed_body(super().body(), self.flips, len(self.mesh.tris))
+
+    def quantities(self):
+        return {**super().quantities(), **reversed_counts(self), **self.values}
+
+
+def reversed_body(body, flips, n):
+    """The body of mesh-reversed-1 that a body of mesh-valid-1 about n triangles becomes."""
+    return b"VTMR" + body[4:12] + sum(1 << f for f in flips).to_bytes((n + 7) // 8, "little") + body[12:]
+
+
+def reversed_counts(plan):
+    return {"reversed": len(plan.flips), "reversed_shells": sum(plan.flips.issuperset(shell) for shell in plan.shells)}
 
 
 # ---------------------------------------------------------------- mesh-invalid-1

@@ -7,14 +7,17 @@ VERITOPE_CHECK names the C++ checker; if unset it is built from verify/checker i
 import os
 import pathlib
 import random
+import signal
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import attacks                                            # noqa: E402
 import differential                                       # noqa: E402
+import time_limit                                         # noqa: E402
 
 # Found by a greedy cover: with these every condition is needed by at least two attacks.
 SEEDS = (87, 94, 106, 115, 123, 134, 150, 183, 197, 215, 225, 247, 250, 252, 261, 320, 345, 352, 390, 431, 433)
@@ -84,6 +87,23 @@ class MutationTest(WithBothCheckers):
             run.attack(name, case, cert, SEEDS[0])
         run.native.close()
         self.assertTrue(run.failures and all("FALSE CLAIM ACCEPTED" in f for f in run.failures))
+
+    def test_the_harness_notices_a_checker_that_does_not_end(self):
+        def busy(*_):
+            while True:
+                pass
+        self.run_.py, py = unittest.mock.Mock(check=busy), self.run_.py
+        try:
+            with unittest.mock.patch.object(time_limit, "SECONDS", .05):
+                code, message = self.run_.in_python(b"", b"")
+        finally:
+            self.run_.py = py
+        self.assertEqual((code, message), (time_limit.TOO_SLOW, "takes more than 0.05 s of processor time"))
+
+    def test_a_process_that_does_not_end_is_ended(self):
+        process = subprocess.Popen([sys.executable, "-c", "while True: pass"])
+        time_limit.limit_process(process.pid, 1)
+        self.assertEqual(process.wait(600), -signal.SIGXCPU)
 
 
 if __name__ == "__main__":

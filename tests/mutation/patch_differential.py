@@ -240,7 +240,7 @@ class Run(attacks.Run):
 
     def attack(self, name, case, cert, seed):
         """case: the model's bytes."""
-        code, message = self.py.check(case, cert)
+        code, message = self.in_python(case, cert)
         found = attacks.condition_of(code, message)
         if code not in (0, 1, 4):
             self.fail("python checker: " + message, case, cert, seed, name)

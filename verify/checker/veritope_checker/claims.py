@@ -12,15 +12,16 @@ Claim = namedtuple("Claim", "name magic formats keys module")
 MESHES = ("stl", "obj", "ply", "off")
 SPLINES = ("vjson", "itd", "g2", "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces")
 OF_MESHES = {"reading_rule": r".*", "as_indexed": bool}
+OF_SOLIDS = {**OF_MESHES, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int, "genus": int,
+             "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"}      # lowest terms: V11
 OF_PATCHES = {"patches": int, "flipped": int}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (
-    Claim("mesh-valid-1", b"VTMV", MESHES,
-          {**OF_MESHES, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int, "genus": int,
-           "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"},       # lowest terms: V11
-          "mesh.mesh_valid"),
+    Claim("mesh-valid-1", b"VTMV", MESHES, OF_SOLIDS, "mesh.mesh_valid"),
     Claim("mesh-invalid-1", b"VTMI", MESHES, {**OF_MESHES, "rules": r"M[1-9]( M[1-9])*"}, "mesh.mesh_invalid"),
+    Claim("mesh-reversed-1", b"VTMR", MESHES, {**OF_SOLIDS, "reversed": int, "reversed_shells": int},
+          "mesh.mesh_reversed"),
     Claim("star-box-1", b"VTSB", SPLINES, OF_STARS, "patches.star_box_check"),
     Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
     Claim("star-box-2", b"VTS2", SPLINES, OF_STARS, "patches.star_box_2_check"),

@@ -9,7 +9,7 @@ INVALID_FIELDS = {1: "f", 2: "ff", 3: "vv", 4: "vv", 5: "vv", 6: "v", 7: "ffnnnn
 def check(claim, statement, body, model, skip):
     mesh, body = read_mesh(statement, model), Body(body)
     witnesses, last = [], 0
-    body.header(claim.magic, mesh)
+    body.header(claim.magic, mesh.points, mesh.triangles)
     count = body.u32()
     if not 1 <= count <= len(body.data):
         raise Reject("B1", "no witness, or a count larger than the body")

@@ -59,10 +59,10 @@ class Body:
             raise Reject("B1", "a separator component is too large")
         return z
 
-    def header(self, magic, mesh):
+    def header(self, magic, points, triangles):
         if self.bytes(4) != magic:
             raise Reject("B1", "magic")
-        if self.u32() != len(mesh.triangles) or self.u32() != len(mesh.points):
+        if self.u32() != len(triangles) or self.u32() != len(points):
             raise Reject("B1", "F or V differs from the model's")
 
     def work(self, mesh):

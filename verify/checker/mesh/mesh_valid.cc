@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// mesh_valid.cc: the claim mesh-valid-1; conditions B1 and V1 to V11 of docs/certificates/mesh.md.
+// mesh_valid.cc: the claims mesh-valid-1 and mesh-reversed-1; V1 to V11 of docs/certificates/mesh.md, and R1 of
+// docs/certificates/mesh-reversed.md.
 #include <array>
 
-#include "geometry.h"
+#include "mesh_body.h"
 #include "mesh_claims.h"
 
 namespace {
@@ -10,15 +11,6 @@ namespace {
 const int kStars[13][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
                            {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
                            {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
-
-Vec<1> direction(int64_t x, int64_t y, int64_t z) {
-  return Vec<1>{{fixed<1>(x), fixed<1>(y), fixed<1>(z)}};
-}
-
-struct Separator {
-  uint64_t gap;
-  Vec<1> d;
-};
 
 struct Ids {  // a set of vertices; four mean that there may be more
   uint32_t id[4];
@@ -30,32 +22,23 @@ struct Ids {  // a set of vertices; four mean that there may be more
 
 enum Outcome { kFails, kHolds, kOpen };
 
-uint64_t varint(Body* body) {
-  uint64_t v = 0, b = 128;
-  for (int shift = 0; b >= 128; shift += 7) {
-    b = body->natural(1);
-    require((shift == 0 || b != 0) && (shift < 63 || b <= 1), "B1",
-            "a varint is not in its shortest form or not below 2^64");
-    v |= (b & 127) << shift;
-  }
-  return v;
-}
-
 template <int C>
 class ValidCheck {
  public:
-  ValidCheck(const Statement& statement, const Model& model, const Body& body)
+  ValidCheck(const Statement& statement, const Model& model, const ValidBody& body,
+             const Work& allowed)
       : statement_(statement),
         model_(model),
         body_(body),
         surface_(model),
-        allowed_(model, body),
-        work_(allowed_) {}
+        allowed_(allowed),
+        work_(allowed) {}
 
   std::string result() {
-    read_body();
+    check_nesting_codes(body_.nesting, surface_.shells);
+    require(body_.reversed.empty() || body_.num_reversed() > 0, "R1", "no triangle is reversed");
     std::vector<bool> seen(model_.faces());
-    for (uint32_t f : order_) {
+    for (uint32_t f : body_.order) {
       require(f < seen.size() && !seen[f], "V1", "out of range or twice in the order: triangle", f);
       seen[f] = true;
     }
@@ -69,50 +52,13 @@ class ValidCheck {
     for (int i = 0; i < 3; ++i)
       require(surface_.bad[i] == kNone, ids[i], "fails at vertex", surface_.bad[i]);
     check_stars();
-    const Tree tree(model_, order_, star_);
+    const Tree tree(model_, body_.order, body_.star);
     tree_ = &tree;
     check_pairs();
-    return check_quantities(check_nesting(model_, surface_, tree, nesting_, allowed_));
+    return check_quantities(check_nesting(model_, surface_, tree, body_.nesting, allowed_));
   }
 
  private:
-  void read_body() {
-    const uint32_t faces = model_.faces(), vertices = model_.vertices();
-    require(body_.begins_with(statement_.claim->magic), "B1", "the body does not start with VTMV");
-    require(body_.natural(4) == faces, "B1", "the model's number of triangles is", faces);
-    require(body_.natural(4) == vertices, "B1", "the model's number of vertices is", vertices);
-    for (uint32_t i = 0; i < faces; ++i) order_.push_back(uint32_t(body_.natural(4)));
-    for (uint32_t v = 0; v < vertices; ++v) {
-      star_.push_back(uint8_t(body_.natural(1)));
-      require(star_[v] <= 14, "B1", "unknown star code at vertex", v);
-    }
-    const uint64_t vectors = body_.count(12);
-    require(vectors == uint64_t(std::count(star_.begin(), star_.end(), 14)), "B1",
-            "not one star vector for each code 14, but", vectors);
-    for (uint64_t i = 0; i < vectors; ++i) {
-      int32_t d[3];
-      for (int32_t& x : d) x = int32_t(body_.natural(4));
-      vector_.push_back(direction(d[0], d[1], d[2]));
-    }
-    const uint64_t separators = body_.count(4);
-    for (uint64_t i = 0; i < separators; ++i) {
-      const uint64_t gap = varint(&body_);
-      int64_t d[3];
-      for (int64_t& x : d) {
-        const uint64_t z = varint(&body_);
-        require(z < 0xffffffff, "B1", "a component is not below 2^31: separator", i);
-        x = z % 2 == 0 ? int64_t(z / 2) : -int64_t(z / 2) - 1;
-      }
-      separator_.push_back(Separator{gap, direction(d[0], d[1], d[2])});
-    }
-    const uint64_t codes = body_.count(1);
-    code_.assign(body_.p, body_.p + codes);
-    nesting_.assign(body_.p + codes, body_.end);
-    require(nesting_.size() == (surface_.shells > 1 ? surface_.shells : 0), "B1",
-            "not one byte a shell behind the axis codes, but", nesting_.size());
-    for (uint8_t code : nesting_) require(code <= 5, "B1", "unknown nesting code", code);
-  }
-
   void check_positions() {  // V2; merged vertices differ
     const int low = Lattice(model_).low;
     point_.resize(model_.vertices());
@@ -134,11 +80,12 @@ class ValidCheck {
 
   void check_stars() const {  // V7
     size_t used = 0;
-    for (uint32_t v = 0; v < star_.size(); ++v) {
-      if (star_[v] == 0) continue;
-      const int* const d = kStars[(star_[v] - 1) % 13];
-      require(star_holds(v, star_[v] == 14 ? vector_[used++] : direction(d[0], d[1], d[2])), "V7",
-              "the star code does not hold at vertex", v);
+    for (uint32_t v = 0; v < body_.star.size(); ++v) {
+      if (body_.star[v] == 0) continue;
+      const int* const d = kStars[(body_.star[v] - 1) % 13];
+      require(
+          star_holds(v, body_.star[v] == 14 ? body_.vector[used++] : direction(d[0], d[1], d[2])),
+          "V7", "the star code does not hold at vertex", v);
     }
   }
   bool star_holds(uint32_t v, const Vec<1>& d) const {
@@ -162,11 +109,12 @@ class ValidCheck {
   }
 
   void check_pairs() {  // V8 and V9
-    steps_left_ = separator_.empty() ? 0 : separator_[0].gap;
+    steps_left_ = body_.separator.empty() ? 0 : body_.separator[0].gap;
     self(tree_->root());
-    require(used_separators_ == separator_.size(), "V8", "not used: separator", used_separators_);
+    require(used_separators_ == body_.separator.size(), "V8", "not used: separator",
+            used_separators_);
     require(bad_leaf_ == kNone, "V9", "the codes do not hold for a pair with triangle", bad_leaf_);
-    require(used_codes_ == code_.size(), "V9", "not used: code", used_codes_);
+    require(used_codes_ == body_.code.size(), "V9", "not used: code", used_codes_);
   }
   void self(const Range& r) {
     if (r.size() == 1) return;
@@ -182,16 +130,17 @@ class ValidCheck {
     if (n.has(m.common[0]) || n.has(m.common[1]) || n.has(m.common[2])) return;
     const uint32_t* const p = &tree_->corners[3 * size_t(a.lo)];
     const uint32_t* const q = &tree_->corners[3 * size_t(b.lo)];
-    if (used_separators_ < separator_.size() && steps_left_-- == 0) {
+    if (used_separators_ < body_.separator.size() && steps_left_-- == 0) {
       work_.add(uint64_t(a.size()) + b.size());
       Ids unused[2];
-      const Vec<1>& d = separator_[used_separators_].d;
+      const Vec<1>& d = body_.separator[used_separators_].d;
       require(test(d, 1, p, 3 * size_t(a.size()), q, 3 * size_t(b.size()), unused) == kHolds, "V8",
               "does not hold: separator", used_separators_);
-      if (++used_separators_ < separator_.size()) steps_left_ = separator_[used_separators_].gap;
+      if (++used_separators_ < body_.separator.size())
+        steps_left_ = body_.separator[used_separators_].gap;
     } else if (a.size() == 1 && b.size() == 1) {
       // A later failure of V8 is named before this failure of V9, so the search for one goes on.
-      if (bad_leaf_ == kNone && !leaves_apart(p, q)) bad_leaf_ = order_[a.lo];
+      if (bad_leaf_ == kNone && !leaves_apart(p, q)) bad_leaf_ = body_.order[a.lo];
     } else if (a.size() >= b.size()) {
       cross_nodes(a.left(), b);
       cross_nodes(a.right(), b);
@@ -232,8 +181,9 @@ class ValidCheck {
   }
   bool leaves_apart(const uint32_t* a, const uint32_t* b) {
     Ids pq[2] = {{{a[0], a[1], a[2], 0}, 3}, {{b[0], b[1], b[2], 0}, 3}};
-    for (int byte = 0; byte < 4 && used_codes_ < code_.size(); ++byte) {
-      const int code = code_[used_codes_++], axis = code & 31, sense = (code & 32) != 0 ? -1 : 1;
+    for (int byte = 0; byte < 4 && used_codes_ < body_.code.size(); ++byte) {
+      const int code = body_.code[used_codes_++], axis = code & 31,
+                sense = (code & 32) != 0 ? -1 : 1;
       if (code >= 128 || axis > 16) return false;
       const uint32_t* const t = axis == 0 || (axis >= 11 && axis <= 13) ? a : b;
       const Vec<2 * C> d = axis < 2 || axis > 10
@@ -247,6 +197,13 @@ class ValidCheck {
     return false;
   }
 
+  uint64_t reversed_shells() const {  // those of which all triangles are reversed
+    std::vector<bool> is_kept(surface_.shells);
+    for (size_t f = 0; f < surface_.shell.size(); ++f)
+      if (body_.reversed.empty() || !body_.reversed[f]) is_kept[surface_.shell[f]] = true;
+    return uint64_t(std::count(is_kept.begin(), is_kept.end(), false));
+  }
+
   std::string check_quantities(const Nesting& nesting) const {  // V11
     const uint64_t v = surface_.vertices, e = surface_.edges, f = model_.faces(),
                    s = surface_.shells;
@@ -255,9 +212,12 @@ class ValidCheck {
                                                         {"faces", f},
                                                         {"shells", s},
                                                         {"bodies", nesting.bodies},
-                                                        {"genus", (2 * s + e - v - f) / 2}};
+                                                        {"genus", (2 * s + e - v - f) / 2},
+                                                        {"reversed", body_.num_reversed()},
+                                                        {"reversed_shells", reversed_shells()}};
     std::string all;
     for (const auto& n : numbers) {
+      if (statement_.number.count(n.first) == 0) continue;  // reversed: in mesh-reversed-1 only
       require(statement_.number.at(n.first) == n.second, "V11", n.first, n.second);
       all += std::to_string(n.second) + ' ' + n.first + ", ";
     }
@@ -268,14 +228,10 @@ class ValidCheck {
 
   const Statement& statement_;
   const Model& model_;
-  Body body_;
+  const ValidBody& body_;
   const Surface surface_;
   const Work allowed_;
   Work work_;
-  std::vector<uint32_t> order_;
-  std::vector<uint8_t> star_, code_, nesting_;
-  std::vector<Vec<1>> vector_;
-  std::vector<Separator> separator_;
   std::vector<Vec<C>> point_;  // the referenced vertices, as integers
   const Tree* tree_ = nullptr;
   size_t used_separators_ = 0, used_codes_ = 0;
@@ -293,8 +249,10 @@ void check_volume(const Statement& statement) {
           "S1", "volume is not p/q");
 }
 
-std::string check_mesh_valid(const Statement& statement, std::string file, const Body& body) {
-  const Model model = read_model(std::move(file), statement.text.at("subject_format"),
-                                 statement.flag.at("as_indexed"));
-  return with_limbs<ValidCheck, std::string>(Lattice(model).bits, statement, model, body);
+std::string check_mesh_valid(const Statement& statement, std::string file, const Body& bytes) {
+  Model model = read_model(std::move(file), statement.text.at("subject_format"),
+                           statement.flag.at("as_indexed"));
+  const ValidBody body = read_valid_body(statement, bytes, &model);
+  return with_limbs<ValidCheck, std::string>(Lattice(model).bits, statement, model, body,
+                                             Work(model, bytes));
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "models/patch_shapes.h"
 #include "tests/certify/crossing_planes.h"
 #include "tests/certify/planted_crossings.h"
 #include "verify/certify/sheet_tangents_internal.h"
@@ -161,6 +162,29 @@ TEST(SheetTangents, LengthsAreRightWhereSquaresLeaveTheRangeOfDoubles) {
     const auto at = [&](double v) { return std::ldexp(v, scale); };
     EXPECT_DOUBLE_EQ(internal::length_of({at(3), -at(4), at(12)}), at(13)) << scale;
   }
+}
+
+// A point of a bent patch is the foot of its own perpendicular.
+TEST(CrossingSolver, RefinesNoPlaceThatMeetsOnlyItself) {
+  const PatchComplex complex = complex_of(patch_shapes::pn_torus(12, 8));
+  const PieceForest forest = PieceForest::make(complex).value();
+  CrossingSolver solver(forest);
+  for (std::uint32_t p = 0; p < complex.patches().size(); ++p)
+    for (const double away : {0.125, 0.0625, 0x1p-8})
+      EXPECT_FALSE(solver.prove_close({{{p, {0.5, 0.5}}, {p, {0.5 + away, 0.5 - away}}}}, 4));
+  EXPECT_EQ(solver.num_refined, 0u);
+}
+
+// One bent sheet occurs twice: every place of it is close to the other one, and none is a crossing.
+TEST(CrossingSolver, RefinesOnlySomePlacesOfSheetsThatCoincide) {
+  const Patch sheet = patch_shapes::sphere().front();
+  const PatchComplex complex = complex_of({sheet, sheet});
+  const PieceForest forest = PieceForest::make(complex).value();
+  CrossingSolver solver(forest);
+  for (int i = 1; i < 64; ++i)
+    for (int k = 1; k < 64; ++k)
+      EXPECT_FALSE(solver.prove_close({{{0, {i / 64.0, k / 64.0}}, {1, {i / 64.0, k / 64.0}}}}, 1));
+  EXPECT_EQ(solver.num_refined, CrossingSolver::kMostRefinedInAll);
 }
 
 }  // namespace

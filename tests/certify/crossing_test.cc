@@ -296,6 +296,20 @@ TEST(CrossingSearch, FindsCrossingsOfSheetsThatNearlyCoincide) {
   }
 }
 
+// 3,000 parallel sheets, one just above the other: the hulls of all of them meet, 4.5 million pairs.
+TEST(CrossingSearch, SplitsABoundedNumberOfPairs) {
+  std::vector<Patch> sheets;
+  for (int i = 0; i < 3000; ++i)
+    sheets.push_back(flat({0, 0, ratio(i, 1 << 20)}, {1, 0, 1}, {0, 1, 0}));
+  const PatchComplex complex = complex_of(std::move(sheets));
+  PieceForest forest = PieceForest::make(complex).value();
+  CrossingSearch search(forest);
+  EXPECT_FALSE(search.among_patches());
+  constexpr std::size_t kLevels = 3, kRootsVisited = 2 * 64 * 3000 + 3000;
+  EXPECT_LE(search.num_pairs, kRootsVisited + kLevels * 16 * CrossingSearch::kMostSplit);
+  EXPECT_GT(search.num_pairs, CrossingSearch::kMostSplit);
+}
+
 TEST(PieceNeighbours, AreThoseWithACommonPointOfTheSurface) {
   const PatchComplex complex = complex_of(patch_shapes::octant_sphere());
   PieceForest forest = PieceForest::make(complex).value();

@@ -30,10 +30,15 @@ constexpr double kLongRow = 0x1p60;
 constexpr int kShortestBox = 52;  // half widths are at least 2^-52
 // The bits of half widths that are tried, relative to those that the condition suggests.
 constexpr std::array<int, 5> kTried = {-2, 0, 2, 4, 6};
-// Sheets that coincide in a region, or touch along a curve, have places without a crossing everywhere.
-constexpr std::size_t kMostRefinedInAll = 128;
+constexpr double kOnePlace = 0x1p-20;  // a difference of parameters
 
 bool is_in_unit(double t) { return t >= 0 && t <= 1; }
+
+// Between two parts of one bent patch the foot of the perpendicular may run to the point itself.
+bool are_one_place(const std::array<SheetPlace, 2>& x) {
+  return x[0].patch == x[1].patch && std::abs(x[0].at[0] - x[1].at[0]) < kOnePlace &&
+         std::abs(x[0].at[1] - x[1].at[1]) < kOnePlace;
+}
 
 }  // namespace
 
@@ -78,7 +83,7 @@ std::optional<CrossingWitness> CrossingSolver::prove_close(const std::array<Shee
                                                            double reach) {
   std::array<SheetPlace, 2> x = guess;
   for (int step = 0; step < kMostSteps; ++step) {
-    if (!drop_foot(&x, false)) return std::nullopt;
+    if (!drop_foot(&x, false) || are_one_place(x)) return std::nullopt;
     const Approach to(linearised(x));
     if (!to.is_close()) return std::nullopt;
     const double length = std::abs(to.distance) / std::sqrt(to.steepness());

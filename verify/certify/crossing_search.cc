@@ -12,8 +12,6 @@ namespace veritope {
 namespace {
 
 constexpr std::size_t kFewRoots = 64, kManyRoots = 1024;
-constexpr std::size_t kMostSplit = std::size_t{1}
-                                   << 17;  // pairs at a level: a million nodes at most
 constexpr std::size_t kMostSolvedNear = 32, kMostContacts = 256;
 constexpr std::size_t kMostPiecesNear = 400;
 constexpr double kGrowth = 1.75,

@@ -39,6 +39,8 @@ class CrossingSearch {
   std::optional<MeetingWitness> touching_everywhere();
   std::optional<MeetingWitness> touching_near(PieceForest::Id piece);
 
+  /// Pairs of a level that are split: a million nodes at most.
+  static constexpr std::size_t kMostSplit = std::size_t{1} << 17;
   std::size_t num_pairs = 0;  ///< pairs whose hulls were compared
   const CrossingSolver& solver() const { return solver_; }
 

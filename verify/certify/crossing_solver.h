@@ -37,6 +37,9 @@ class CrossingSolver {
   SheetMaps& maps() { return maps_; }
 
   static constexpr std::size_t kMostExactInAll = 1024;
+  /// Places that prove_close refines: sheets that coincide in a region, or touch along a curve, have places without a
+  /// crossing everywhere.
+  static constexpr std::size_t kMostRefinedInAll = 128;
   std::size_t num_solved = 0, num_exact = 0;  ///< calls of solve, exact tests
   std::size_t num_refined = 0;                ///< places that prove_close has refined in rationals
 

@@ -7,7 +7,7 @@ from collections import Counter
 
 from ..common.errors import Reject
 from ..patches import star_box_check
-from ..patches.star_box_itd import read_subject
+from ..patches.model_subject import read_subject
 from ..patches.star_box_nodes import root_nodes
 from ..patches.star_box_read import MAX_DEPTH, Certificate
 from .collar_complex import FULL, LEVELS, MAX_CELLS, Cells, Complex

@@ -9,7 +9,7 @@ from math import comb, lcm
 
 from ..common.errors import Reject
 from .star_box_check import MAX_DEGREE
-from .star_box_itd import read_subject
+from .model_subject import read_subject
 from .star_box_nodes import extremes
 from .star_box_patches import (axis_matrix, curve_key, halves, is_collapsed, outer_sides_of, surface_patch,
                                triangle_patch)

@@ -9,7 +9,7 @@ from fractions import Fraction
 from ..common.errors import Reject
 from .patch_invalid_check import FindingChecker, Patches, tensor_net, value_at
 from .star_box_2_read import read_entities
-from .star_box_itd import read_subject
+from .model_subject import read_subject
 from .star_box_patches import glue
 from .star_box_read import Body
 

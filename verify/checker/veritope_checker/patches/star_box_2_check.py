@@ -9,7 +9,7 @@ from .star_box_2_flat import polygon_of
 from .star_box_2_read import Certificate2
 from .star_box_2_sheets import Signs
 from .star_box_crossing import Crossing
-from .star_box_itd import read_subject
+from .model_subject import read_subject
 from .star_box_nodes import misses_box
 from .star_box_triangles import Flat
 

@@ -8,7 +8,7 @@ from ..common.errors import Reject
 from ..common.vectors import cross, sub
 from . import star_box_work as work_of
 from .star_box_crossing import Crossing
-from .star_box_itd import read_subject
+from .model_subject import read_subject
 from .star_box_nodes import Forest, in_frame, misses_box, misses_segment, root_nodes
 from .star_box_patches import glue, patches_of
 from .star_box_read import Certificate

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Models in IRIT's .itd (docs/certificates/reading-rule-itd.md, section by section), and the choice of a reader."""
+"""Models in IRIT's .itd: docs/certificates/reading-rule-itd.md, section by section."""
 import re
 from fractions import Fraction
-from math import comb, lcm
+from itertools import product
+from math import lcm, prod
 
 from ..common.errors import Refused
-from .star_box_read import MAX_DIGITS, Entity, axis_size, number, read_model
+from .model_maps import map_of, sizes_of
+from .model_powers import bernstein, factor_of
+from .model_tokens import decimal
+from .star_box_read import axis_size
 
 PASSED_OVER = {b"NUMBER", b"STRING", b"POINT", b"VECTOR", b"PLANE", b"MATRIX", b"CTLPT"}
-REFUSED = {b"CURVE", b"TRIVAR", b"TRIMSRF", b"MODEL", b"POLYGON", b"POLYLINE", b"POINTLIST", b"POLYSTRIP",
+REFUSED = {b"CURVE", b"SURFACE", b"TRIVAR", b"TRIMSRF", b"MODEL", b"POLYGON", b"POLYLINE", b"POINTLIST", b"POLYSTRIP",
            b"TRISRF", b"INSTANCE"}
 NO_ATTRIBUTE = {b"KV", b"KVP", b"SURFACE", b"CURVE", b"TRIMCRV"}
 MAX_ORDER = 64
@@ -17,18 +21,14 @@ BLANKS = re.compile(rb"[ \t\v\f\n\r]*")
 WORD = re.compile(rb'[^ \t\v\f\n\r\[\]"]*')
 STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 MARK = re.compile(rb'[\[\]"]')
-DECIMAL = re.compile(r"[-+]?([0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 COUNT = re.compile(rb"[-+]?[0-9]+")
 
-def read_subject(data, subject_format):
-    """The entities of a model in the format that the statement names."""
-    if subject_format not in ("vjson", "itd"):
-        raise Refused("models in the format %s are not read yet" % subject_format)
-    return Reader(data).model() if subject_format == "itd" else read_model(data)
-
 class Reader:
-    def __init__(self, data):
+    """num_axes: 2 for a model of surfaces, 3 for one of volumes (section 4)."""
+
+    def __init__(self, data, num_axes=2):
         self.data, self.pos = data, 3 if data[:3] == b"\xef\xbb\xbf" else 0
+        self.num_axes, self.keyword = num_axes, {2: b"SURFACE", 3: b"TRIVAR"}[num_axes]
 
     # -- section 1
 
@@ -77,11 +77,8 @@ class Reader:
         return int(digits)
 
     def decimal(self):
-        word = self.word().decode("latin-1")
-        m = DECIMAL.fullmatch(word)
-        if not m or len(m[1].replace(".", "")) > MAX_DIGITS:
-            raise Refused("byte %d: %r is no decimal, or has too many digits" % (self.pos, word[:40]))
-        return number(word)
+        word = self.word()
+        return decimal(word, self.pos - len(word))
 
     # -- section 2
 
@@ -110,12 +107,13 @@ class Reader:
         return entities
 
     def item(self, keyword, entities, named):
-        if keyword in REFUSED:
-            raise Refused("byte %d: geometry other than surfaces: %s" % (self.pos, keyword.decode()))
-        if keyword == b"OBJECT":
+        if keyword in (self.keyword, b"MULTIVAR"):
+            entities.append(self.entity(keyword == b"MULTIVAR"))
+        elif keyword in REFUSED:
+            raise Refused("byte %d: geometry other than %s: %s" %
+                          (self.pos, {2: "surfaces", 3: "volumes"}[self.num_axes], keyword.decode()))
+        elif keyword == b"OBJECT":
             named.append(False)
-        elif keyword in (b"SURFACE", b"MULTIVAR"):
-            entities.append(self.surface(keyword == b"MULTIVAR"))
         elif named or keyword in PASSED_OVER:
             self.group()
         else:
@@ -123,7 +121,7 @@ class Reader:
 
     # -- section 3
 
-    def surface(self, is_multivariate):
+    def entity(self, is_multivariate):
         basis = self.word()
         if basis not in (b"BEZIER", b"BSPLINE", b"POWER"):
             raise Refused("byte %d: %r is no basis" % (self.pos, basis[:40]))
@@ -132,31 +130,35 @@ class Reader:
             if self.word() in NO_ATTRIBUTE:
                 raise Refused("byte %d: no attribute" % self.pos)
             self.group()
-        if is_multivariate and self.count() != 2:
+        if is_multivariate and self.count() != self.num_axes:
             raise Refused("byte %d: a multivariate of another number of parameters" % self.pos)
-        given = [self.count(), self.count()]
-        orders = [self.count(), self.count()] if basis == b"BSPLINE" else given
+        given = [self.count() for _ in range(self.num_axes)]
+        orders = [self.count() for _ in given] if basis == b"BSPLINE" else given
         kind = self.word()
-        if any(not 2 <= k <= min(n, MAX_ORDER) for k, n in zip(orders, given)) or kind not in (b"E3", b"P3"):
-            raise Refused("byte %d: an order is out of range, or no E3 or P3" % self.pos)
-        entity = Entity("surface")
-        entity.degrees, entity.rational, entity.dimension = tuple(k - 1 for k in orders), kind == b"P3", 3
+        if kind not in (b"E3", b"P3"):
+            raise Refused("byte %d: %r where E3 or P3 belongs" % (self.pos, kind[:40].decode("latin-1")))
+        for k, n in zip(orders, given):
+            if not 2 <= k <= min(n, MAX_ORDER):
+                raise Refused("byte %d: an order of %d with %d control points" % (self.pos, k, n))
         if basis == b"BSPLINE":
-            entity.knots = [self.knots(n, k) for n, k in zip(given, orders)]
+            knots = [self.knots(n, k) for n, k in zip(given, orders)]
         else:
-            entity.knots = [[Fraction(0)] * k + [Fraction(1)] * k for k in orders]
-        sizes = [axis_size(p, t) for p, t in zip(entity.degrees, entity.knots)]
-        if given[0] * given[1] > len(self.data):
+            knots = [[Fraction(0)] * k + [Fraction(1)] * k for k in orders]
+        degrees, rational = [k - 1 for k in orders], kind == b"P3"
+        for p, t in zip(degrees, knots):
+            axis_size(p, t)
+        if prod(given) > len(self.data):
             raise Refused("more control points than the file can hold")
-        columns = [[self.point(entity.rational) for _ in range(given[0])] for _ in range(given[1])]
+        points = [self.point(rational) for _ in range(prod(given))]
         self.take(b"]")
-        rows = list(zip(*columns))                  # rows[i][j]: i along u
-        rows = bernstein_net(rows) if basis == b"POWER" else rows
-        weight = [] if entity.rational else [Fraction(1)]
-        entity.rows = [[rows[i % given[0]][j % given[1]] + weight for j in range(sizes[1])] for i in range(sizes[0])]
-        if any(point[3] <= 0 for row in entity.rows for point in row):
+        if basis == b"POWER":
+            points = bernstein_net(points, given)
+        points = repeated(points, given, sizes_of(degrees, knots))
+        if not rational:
+            points = [point + [Fraction(1)] for point in points]
+        if any(point[3] <= 0 for point in points):
             raise Refused("a weight is not positive")
-        return entity
+        return map_of(degrees, knots, rational, 3, points)
 
     def knots(self, num_points, order):
         self.take(b"[")
@@ -173,24 +175,24 @@ class Reader:
         self.take(b"]")
         return numbers[1:] + numbers[:1] if rational else numbers
 
-def bernstein(a):
-    """Integers: the Bernstein coefficients of sum a_r t^r over [0, 1], times factor_of(their degree)."""
-    d = len(a) - 1
-    b = [factor_of(d) // comb(d, r) * x for r, x in enumerate(a)]
-    for r in range(1, d + 1):                               # adds one to the i of C(i, r)
-        b[r:] = [x + y for x, y in zip(b[r - 1:], b[r:])]
-    return b
+def repeated(points, given, sizes):
+    """All control points, the first axis fastest: those of KVP come again after the given ones."""
+    if given == sizes:
+        return points
+    strides = [prod(given[:axis]) for axis in range(len(given))]
+    rows = product(*[[i % n * stride for i in range(size)] for n, size, stride in zip(given, sizes, strides)][::-1])
+    return [points[sum(row)] for row in rows]
 
-def factor_of(d):
-    return lcm(*[comb(d, r) for r in range(d + 1)])
-
-def bernstein_net(rows):
-    """The Bernstein net of rows of points along both axes, in integers, since sums of long fractions are slow."""
+def bernstein_net(points, sizes):
+    """The Bernstein net of points along all axes, in integers, since sums of long fractions are slow."""
     components = []
-    for net in [[[point[c] for point in row] for row in rows] for c in range(len(rows[0][0]))]:
-        common = lcm(*[x.denominator for row in net for x in row])
-        net = [bernstein([x.numerator * (common // x.denominator) for x in row]) for row in net]
-        columns = [bernstein(column) for column in zip(*net)]
-        common *= factor_of(len(net) - 1) * factor_of(len(columns) - 1)
-        components.append([[Fraction(x, common) for x in row] for row in zip(*columns)])
-    return [[list(point) for point in zip(*row)] for row in zip(*components)]
+    for values in zip(*points):
+        common = lcm(*[x.denominator for x in values])
+        net, stride = [x.numerator * (common // x.denominator) for x in values], 1
+        for n in sizes:
+            for start in range(0, len(net), n * stride):
+                for first in range(start, start + stride):
+                    net[first:start + n * stride:stride] = bernstein(net[first:start + n * stride:stride])
+            common, stride = common * factor_of(n - 1), n * stride
+        components.append([Fraction(x, common) for x in net])
+    return [list(point) for point in zip(*components)]

@@ -4,7 +4,7 @@
 import json
 import re
 from fractions import Fraction
-from math import gcd
+from math import gcd, prod
 
 from ..common.errors import Refused, Reject
 
@@ -13,6 +13,7 @@ MAX_LONG, MAX_SHIFT = 256, 4096         # bytes of a long rational's numerator; 
 MAX_FILE_DEGREE = 63                    # of the file format
 MAX_NESTED = 100                        # of a shape that is not looked into
 MAX_DIGITS, MAX_EXPONENT = 1000, 4096   # of a number of the model
+OTHER_KINDS = frozenset(("curve", "volume", "trimmed", "model"))    # star-box certificates do not cover them
 
 
 # ---------------------------------------------------------------- spline-json.md: the model
@@ -67,8 +68,10 @@ def members(value, *keys):
         raise Refused("keys missing or unknown: %s" % sorted(set(value) ^ set(keys))[:4])
     return [value[key] for key in keys]
 
-def read_model(data):
-    """The entities: an Entity each, or None for a kind that star-box certificates do not cover."""
+def read_model(data, readers=None, others=OTHER_KINDS):
+    """The entities: what the reader of its kind makes of each, None for the other kinds."""
+    readers = readers or {"surface": read_surface, "triangle": read_triangle}
+
     def unique(pairs):
         if len(dict(pairs)) != len(pairs):
             raise Refused("a key twice")
@@ -95,7 +98,7 @@ def read_model(data):
         texts([name, *typed(attributes, list)])
         if parent is not None:
             whole(parent, 0, i - 1)
-    return [read_entity(entity, len(groups)) for entity in typed(entities, list)]
+    return [read_entity(entity, len(groups), readers, others) for entity in typed(entities, list)]
 
 def texts(values):
     try:
@@ -115,18 +118,18 @@ def not_looked_into(shape):
     if level:
         raise Refused("nested too deep")
 
-def read_entity(entity, num_groups):
+def read_entity(entity, num_groups, readers, others):
     kind, group, attributes, shape = members(entity, "kind", "group", "attributes", "shape")
     texts(typed(attributes, list))
     if group is not None:
         whole(group, 0, num_groups - 1)
     if list(entity).index("kind") > list(entity).index("shape"):
         raise Refused("kind behind shape")
-    if kind in ("curve", "volume", "trimmed", "model"):
+    if typed(kind, str) in others:
         return not_looked_into(shape)
-    if kind not in ("surface", "triangle"):
-        raise Refused("unknown kind %r" % str(kind)[:40])
-    return read_surface(shape) if kind == "surface" else read_triangle(shape)
+    if kind not in readers:
+        raise Refused("an entity of the kind %r" % kind[:40])
+    return readers[kind](shape)
 
 def read_points(entity, points, components, rational, num_points):
     """Reads homogeneous points; their number is tested before they are read."""
@@ -158,16 +161,20 @@ def axis_size(p, t):
         raise Refused("the knots are too few, decrease, are too often the same or have no domain")
     return n
 
-def read_surface(shape):
+def read_map(shape, kind, num_axes):
+    """(entity without control points, periodic axes, sizes, control points with the last axis fastest)"""
     degrees, periodic, knots, rational, components, points = members(
         shape, "degrees", "periodic", "knots", "rational", "components", "points")
-    if not len(typed(degrees, list)) == len(typed(periodic, list)) == len(typed(knots, list)) == 2:
-        raise Refused("a surface has two axes")
-    entity = Entity("surface")
+    if not len(typed(degrees, list)) == len(typed(periodic, list)) == len(typed(knots, list)) == num_axes:
+        raise Refused("a %s has %d axes" % (kind, num_axes))
+    entity = Entity(kind)
     entity.degrees = tuple(whole(p, 1, MAX_FILE_DEGREE) for p in degrees)
     entity.knots = [[number(t) for t in typed(axis, list)] for axis in knots]
     sizes = [axis_size(p, t) for p, t in zip(entity.degrees, entity.knots)]
-    flat = read_points(entity, points, components, rational, sizes[0] * sizes[1])
+    return entity, periodic, sizes, read_points(entity, points, components, rational, prod(sizes))
+
+def read_surface(shape):
+    entity, periodic, sizes, flat = read_map(shape, "surface", 2)
     entity.rows = [flat[i * sizes[1]:(i + 1) * sizes[1]] for i in range(sizes[0])]
     for axis, is_periodic in enumerate(periodic):
         p, t, n = entity.degrees[axis], entity.knots[axis], sizes[axis]

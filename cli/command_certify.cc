@@ -3,6 +3,9 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
 
 #include "cli/certification.h"
 #include "cli/checker_process.h"
@@ -11,6 +14,7 @@
 #include "cli/model_input.h"
 #include "cli/model_picture.h"
 #include "cli/output_plan.h"
+#include "io/base/atomic_file.h"
 #include "report/report_json.h"
 #include "report/report_text.h"
 #include "report/totals.h"
@@ -36,7 +40,7 @@ struct CertifyFilesOptions {
 void declare(OptionSet& set, CertifyFilesOptions& o) {
   declare_files(set, o.input, "meshes, splines, folders; - is standard input (--format)");
   declare_json(set, o.json, "write the report");
-  set.text("--tsv", o.tsv, "write a table; --glob PATTERN: files of folders");
+  set.output("--tsv", o.tsv, "write a table; --glob PATTERN: files of folders");
   set.text("--glob", o.glob, "files of folders whose names match", "PATTERN");
   set.hide("--glob");  // the help line above names it
   set.text("--certificate", o.certificate, "keep the certificate; of several files in folder F");
@@ -68,23 +72,28 @@ bool is_file_or_new(const std::string& path) {
   return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
+// Folders are made for the first certificate in them, so that a refused run leaves none behind. If one cannot be made,
+// writing the certificate fails.
+void make_folders_of_certificate(const OutputPlan& plan, std::size_t i) {
+  if (!plan.has_folder) return;
+  std::error_code none;
+  std::filesystem::create_directories(std::filesystem::path(plan.certificates[i]).parent_path(),
+                                      none);
+}
+
 // Keeps certificate i, and what was certified, where the plan says.
 KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
   if (plan.certificates.empty()) return {};
   return [&plan, i, &out](std::string_view bytes,
                           std::optional<std::string_view> copy) -> Result<KeptFiles> {
-    // The folder is made for the first certificate, so that a refused run leaves none behind. If it could not be made,
-    // writing the certificate fails.
-    if (plan.new_folder) ::mkdir(plan.new_folder->c_str(), 0777);
+    make_folders_of_certificate(plan, i);
     KeptFiles kept{plan.certificates[i], {}};
     // Beside a pipe or a device there is no place for it.
-    if (copy && is_file_or_new(kept.certificate)) {
-      kept.copy = copy_path(kept.certificate);
-      if (const Status status = write_output(*kept.copy, *copy, out); !status)
-        return status.error();
-    }
-    if (const Status status = write_output(kept.certificate, bytes, out); !status)
-      return status.error();
+    if (copy && is_file_or_new(kept.certificate)) kept.copy = copy_path(kept.certificate);
+    const Status status = kept.copy ? write_files(std::array{WholeFile{*kept.copy, *copy},
+                                                             WholeFile{kept.certificate, bytes}})
+                                    : write_output(kept.certificate, bytes, out);
+    if (!status) return status.error();
     return kept;
   };
 }
@@ -92,7 +101,7 @@ KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& ou
 // Verdict lines alone are a table.
 TextOptions text_options(const CertifyFilesOptions& o) {
   TextOptions out = TextOptions::of_stdout();
-  const std::size_t most_wide = out.verdict_width ? *out.verdict_width / 2 : 70;
+  const std::size_t most_wide = out.verdict_width == kNoWidth ? 70 : out.verdict_width / 2;
   out.lists_pairs = o.max_defects.has_value();
   if (!o.quiet || o.input.files.size() < 2) return out;
   for (const std::string& path : o.input.files)

@@ -8,6 +8,8 @@
 
 #include "cli/commands.h"
 #include "cli/convert_options.h"
+#include "cli/did_you_mean.h"
+#include "cli/model_files.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
 #include "io/formats.h"
@@ -38,8 +40,7 @@ Result<WriteOptions> target_of(const ConvertOptions& o) {
   } else if (const ModelFormat* const row = format_from_path(o.output, ModelKind::kMesh)) {
     name = row->name;
   } else {
-    return bad_argument("the name " + o.output + " does not end in " +
-                        format_names("or", ModelKind::kMesh) + ": use --to");
+    return bad_argument(no_target_text(o.output, "a mesh", format_names("or", ModelKind::kMesh)));
   }
   for (const auto& [target, variant] : kTargets) {
     if (target != name) continue;
@@ -54,8 +55,11 @@ Result<WriteOptions> target_of(const ConvertOptions& o) {
   if (const auto options = write_options_from_name(name); options && !o.single_precision) {
     return *options;  // the names that `info` prints
   }
-  return bad_argument("--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " +
-                      name);
+  std::vector<std::string> names;
+  for (const auto& [known, variant] : kTargets) names.emplace_back(known);
+  return bad_argument(
+      "for a mesh, --to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not " + name +
+      did_you_mean(name, names));
 }
 
 std::string displacement_text(const LossReport& loss) {
@@ -125,7 +129,7 @@ Status write_model(const std::string& path, const TriangleMesh& mesh, const Writ
 // Standard output may be the model itself.
 void report(const ConvertOptions& o, const MeshFile& file, const std::string& loss,
             const WriteOptions& target, StandardOutput& out) {
-  std::string text = "wrote  " + harmless(o.output) + "  " +
+  std::string text = "wrote  " + unbroken(harmless(o.output)) + "  " +
                      counted(file.mesh.faces.size(), "face", "faces") +
                      (loss.empty() ? ", nothing lost" : ", lossy: " + loss) + "\n";
   const std::string dropped = dropped_text(file.report, target);
@@ -134,12 +138,14 @@ void report(const ConvertOptions& o, const MeshFile& file, const std::string& lo
     text +=
         "  " + counted(file.report.polygons_split, "polygon", "polygons") + " cut into triangles\n";
   }
-  if (o.output != "-") out.write(text);
+  if (o.output != "-") out.write(fold(text, verdict_width()));
   if (o.output == "-" && !loss.empty()) complain("lossy: " + loss);
   if (o.output == "-" && !dropped.empty()) complain("not part of the model, dropped: " + dropped);
 }
 
 ExitCode run(const ConvertOptions& options, StandardOutput& out) {
+  if (is_folder_of_models(options.output))
+    return fail(bad_argument("OUT names the new file, and " + options.output + " is a folder"));
   ModelInput input(options.input.files[0], options.input.reading);
   const ModelKind kind = input.kind();
   if (kind == ModelKind::kSplines) return convert_splines(input, options, out);
@@ -173,7 +179,11 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
 
 void declare(OptionSet& set, ConvertOptions& o) {
   declare_file(set, "IN", o.input, "a mesh or splines; - is standard input (with --format)");
-  set.operand("OUT", any_text(o.output), "the new file; - is standard output (with --to)");
+  const auto take_output = [&o](const std::string& path) -> std::string {
+    o.output = output_name(path);
+    return "";
+  };
+  set.operand("OUT", take_output, "the new file; - is standard output (with --to)");
   set.text("--to", o.to,
            "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
            "look at: vtu, obj, gltf",

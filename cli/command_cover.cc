@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/cover_picture.h"
+#include "cli/did_you_mean.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "io/read_model.h"
@@ -35,7 +36,9 @@ struct CoverOptions {
 void declare(OptionSet& set, CoverOptions& o) {
   const auto take_part = [&o](const std::string& name) -> std::string {
     const auto part = cover_part_from_name(name);
-    if (!part) return "must be boxes, collar, outer or inner, not " + name;
+    if (!part)
+      return "must be boxes, collar, outer or inner, not " + name +
+             did_you_mean(name, {"boxes", "collar", "outer", "inner"});
     o.part = *part;
     return "";
   };
@@ -100,7 +103,7 @@ class CoverRun {
     const ExitCode exit = look();
     progress_.clear();
     if (!words_.empty()) complain(harmless(words_));
-    if (!said_.empty() && !options_.quiet) out_.write(said_);
+    if (!said_.empty() && !options_.quiet) out_.write(fold(said_, verdict_width()));
     return exit;
   }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,7 @@ struct ExplainOptions {
 };
 
 constexpr std::size_t kWidth = 78;
+constexpr std::size_t kLeastWord = 4;  // characters: a shorter one is no word of a title
 
 // Words in lines of at most kWidth characters, each line indented.
 std::string wrapped(std::string_view text, std::string_view indent) {
@@ -71,11 +73,20 @@ std::string reason_page(const ReasonText& text, const Style& style) {
          section("What helps", text.remedy);
 }
 
+// The names of the pages, then the words of their titles.
 std::vector<std::string> all_names() {
-  std::vector<std::string> out;
-  for (std::size_t i = 0; i < kNumMeshRules; ++i) out.emplace_back(rule_text(rule_at(i)).id);
-  for (const PatchExplanation& e : patch_explanations()) out.emplace_back(e.text.id);
-  for (const ReasonText& r : reason_texts()) out.emplace_back(r.code);
+  std::vector<std::string> out, words;
+  const auto add = [&](std::string_view id, std::string_view name) {
+    out.emplace_back(id);
+    std::istringstream title{std::string(name)};
+    for (std::string word; title >> word;)
+      if (word.size() >= kLeastWord) words.push_back(word);
+  };
+  for (std::size_t i = 0; i < kNumMeshRules; ++i)
+    add(rule_text(rule_at(i)).id, rule_text(rule_at(i)).name);
+  for (const PatchExplanation& e : patch_explanations()) add(e.text.id, e.text.name);
+  for (const ReasonText& r : reason_texts()) add(r.code, r.name);
+  out.insert(out.end(), words.begin(), words.end());
   return out;
 }
 
@@ -98,6 +109,12 @@ std::string lower(std::string_view text) {
   std::string out(text);
   for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return out;
+}
+
+// "m10"
+bool is_number_of_rule(const std::string& name) {
+  return name.size() > 1 && lower(name)[0] == 'm' &&
+         name.find_first_not_of("0123456789", 1) == name.npos;
 }
 
 // The page with this name in any case; empty: there is no such page.
@@ -147,11 +164,15 @@ ExitCode run(const ExplainOptions& options, StandardOutput& out) {
     out.write(page);
     return kExitValid;
   }
-  constexpr std::size_t kLeastWord = 4;  // characters
   const std::vector<PageName> pages = pages_about(*options.rule);
   if (options.rule->size() >= kLeastWord && !pages.empty()) {
     out.write(pages_text(pages, style));
     return kExitValid;
+  }
+  if (is_number_of_rule(*options.rule)) {
+    complain("there is no rule " + *options.rule + "; the rules are M1 to M" +
+             std::to_string(kNumMeshRules));
+    return kExitUsage;
   }
   if (const auto meant = nearest_name(*options.rule, all_names())) {
     complain("there is no page about " + harmless(*options.rule) + "; did you mean " + *meant +
@@ -168,6 +189,7 @@ ExitCode run(const ExplainOptions& options, StandardOutput& out) {
 RunCommand declare_explain(OptionSet& set) {
   const auto o = std::make_shared<ExplainOptions>();
   set.optional_operand("RULE", any_text(o->rule), "M1 to M9, side-open, ..., or a word: boundary");
+  set.rule([o] { return o->rule == "" ? "RULE must not be empty" : ""; });
   return [o](StandardOutput& out) { return run(*o, out); };
 }
 

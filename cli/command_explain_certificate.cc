@@ -33,14 +33,14 @@ ExitCode run(const ExplainCertificateOptions& options, StandardOutput& out) {
   std::optional<std::string> text = certificate::explain_certificate(file, options.max_items, why);
   if (!text) {
     complain(harmless(options.file +
-                      ": not a certificate (those that certify --certificate writes are): " + why));
+                      ": not a certificate, as certify --certificate F writes it: " + why));
     return kExitUnreadable;
   }
   // A certificate may come from anywhere: its strings must not drive the terminal.
   for (char& c : *text) {
     if (static_cast<unsigned char>(c) < 32 && c != '\n') c = '?';
   }
-  out.write(*text);
+  out.write(fold(*text, verdict_width()));
   return kExitValid;
 }
 

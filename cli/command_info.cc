@@ -4,6 +4,7 @@
 #include <new>
 
 #include "cli/commands.h"
+#include "cli/model_files.h"
 #include "cli/model_input.h"
 #include "cli/output_plan.h"
 #include "io/formats.h"
@@ -54,6 +55,7 @@ InfoReport info_of(const std::string& path, ModelInput& input) {
       return report;
     }
     report.fault = finding_of(model.error());
+    if (is_folder_of_models(path)) report.fault->message += "; certify takes folders, info files";
   } catch (const std::bad_alloc&) {
     report.fault = fault_of("out-of-memory", "not enough memory for this file");
     report.exit = kExitUndecided;

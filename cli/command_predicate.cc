@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope predicate.
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/did_you_mean.h"
@@ -26,9 +28,13 @@ void declare(OptionSet& set, PredicateOptions& o) {
   const auto take_name = [&o](const std::string& name) -> std::string {
     o.predicate = predicate_from_name(name);
     if (o.predicate != nullptr || name == "any") return "";
+    if (name.empty()) return "must not be empty";
+    std::error_code none;
+    if (std::filesystem::exists(name, none))
+      return "comes before FILE; " + name + " is a file: veritope predicate NAME " + name;
     if (const auto meant = nearest_name(name, names_of_list(predicate_names())))
       return "there is no predicate " + name + "; did you mean " + *meant + "?";
-    return "must be one of any, " + predicate_names() + ", not " + name;
+    return "there is no predicate " + name + "; veritope selftest --verbose lists all";
   };
   set.operand(
       "NAME", take_name,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope project.
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "cli/commands.h"
@@ -24,6 +26,13 @@ struct ProjectOptions {
   std::uint64_t max_boxes = 100000;  ///< for each curve and surface
 };
 
+// A file where the point should be.
+std::string wrong_order(const ProjectOptions& o) {
+  std::error_code none;
+  if (!std::filesystem::exists(o.point, none)) return "";
+  return "POINT comes first, and " + o.point + " is a file: veritope project x,y,z " + o.point;
+}
+
 void declare(OptionSet& set, ProjectOptions& o) {
   set.operand("POINT", any_text(o.point),
               "x,y,z: decimals, fractions or hexadecimal numbers, exact");
@@ -32,6 +41,7 @@ void declare(OptionSet& set, ProjectOptions& o) {
   set.number("--max-boxes", o.max_boxes, {1, kMost64},
              "of each curve and surface: parameter boxes to look at\n(100000)");
   declare_format(set, o.input);
+  set.rule([&o] { return wrong_order(o); });
 }
 
 // Why a coordinate is refused.
@@ -60,7 +70,7 @@ Result<std::vector<Rational>> point_from_text(const std::string& text) {
       return Error{Code::kBadArgument,
                    {},
                    "POINT has the coordinate '" + token + "', " + sentence(fault, token) +
-                       "; write x,y,z"};
+                       "; write x,y,z without spaces"};
     out.push_back(std::move(value));
     begin = end + 1;
   }
@@ -96,6 +106,13 @@ class Targets {
   template <std::size_t N>
   Status add(std::uint64_t entity, std::optional<std::uint64_t> face, const std::string& kind,
              const BSpline<Rational, N>& map) {
+    const std::size_t size = report_.point.size(),
+                      dimension = static_cast<std::size_t>(map.dimension());
+    if (size != dimension)
+      return bad_argument("POINT has " + counted(size, "coordinate", "coordinates") +
+                          ", and entity " + std::to_string(entity) + " has " +
+                          std::to_string(dimension) +
+                          (size > dimension ? " (decimal commas?)" : ""));
     auto projection = project_point<N>(report_.point, map, options_);
     if (!projection) {
       Error error = projection.error();

@@ -9,9 +9,12 @@
 #include "cli/commands.h"
 #include "named_predicates/hard_cases.h"
 #include "named_predicates/named_predicate.h"
+#include "report/text_style.h"
 #include "robust/base/fp_guard.h"
 
 namespace veritope::cli {
+
+using namespace report;
 namespace {
 
 constexpr std::uint64_t kMostShown = 20;
@@ -53,10 +56,18 @@ std::string summary(const NamedPredicate& predicate, const Tally& tally) {
          tiers_text(tally.tiers) + "\n";
 }
 
-ExitCode run_selftest(const HardCaseOptions& options, StandardOutput& out) {
+struct SelfTestOptions {
+  HardCaseOptions cases;
+  bool verbose = false;
+};
+
+ExitCode run_selftest(const SelfTestOptions& o, StandardOutput& out) {
+  const HardCaseOptions& options = o.cases;
   const Status environment = check_fp();
-  out.write(environment ? "floating point is as the filters need it\n"
-                        : environment.error().message + "; integers decide\n");
+  if (!environment)
+    out.write(environment.error().message + "; integers decide\n");
+  else if (o.verbose)
+    out.write("floating point is as the filters need it\n");
   HardCases cases(options.seed);
   const std::size_t num_tested = cases.predicates().size();
   std::vector<Tally> tallies(num_tested);
@@ -66,7 +77,7 @@ ExitCode run_selftest(const HardCaseOptions& options, StandardOutput& out) {
   std::uint64_t num_disagreements = 0;
   for (std::size_t i = 0; i < num_tested; ++i) {
     num_disagreements += tallies[i].num_disagreements;
-    out.write(summary(*cases.predicates()[i], tallies[i]));
+    if (o.verbose) out.write(fold(summary(*cases.predicates()[i], tallies[i]), verdict_width()));
   }
   out.write(std::to_string(options.num_cases) + " cases, " + std::to_string(num_disagreements) +
             " disagreements; seed " + std::to_string(options.seed) + "\n");
@@ -76,8 +87,9 @@ ExitCode run_selftest(const HardCaseOptions& options, StandardOutput& out) {
 }  // namespace
 
 RunCommand declare_selftest(OptionSet& set) {
-  const auto o = std::make_shared<HardCaseOptions>();
-  declare_hard_cases(set, *o);
+  const auto o = std::make_shared<SelfTestOptions>();
+  declare_hard_cases(set, o->cases);
+  set.flag("--verbose", o->verbose, "for each predicate, which tiers decided");
   return [o](StandardOutput& out) { return run_selftest(*o, out); };
 }
 

@@ -18,4 +18,11 @@ struct ConvertOptions {
   std::optional<double> chord;  ///< for splines written as obj or gltf
 };
 
+/// Why the name of the new file chooses none of the formats in which `what`, "a mesh" or "splines", can be written.
+inline std::string no_target_text(const std::string& output, const std::string& what,
+                                  const std::string& names) {
+  return "the name " + output + " does not end in " + names + ", the formats for " + what +
+         "; --to chooses one of them whatever the name";
+}
+
 }  // namespace veritope::cli

@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::size_t kMostLetters = 64;
 
+std::size_t num_hyphens(std::string_view word) {
+  return std::min(word.find_first_not_of('-'), word.size());
+}
+
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // The optimal string alignment distance.
@@ -31,19 +35,33 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+// The only name that begins with the word.
+std::optional<std::string> completed(std::string_view word, const std::vector<std::string>& names) {
+  constexpr std::size_t kLeastPart = 4;
+  if (word.size() - num_hyphens(word) < kLeastPart) return std::nullopt;
+  const auto begins = [word](const std::string& name) {
+    return name.size() > word.size() && distance(word, name.substr(0, word.size())) == 0;
+  };
+  const auto first = std::find_if(names.begin(), names.end(), begins);
+  if (first == names.end() || std::any_of(first + 1, names.end(), begins)) return std::nullopt;
+  return *first;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_name(std::string_view word,
                                         const std::vector<std::string>& names) {
-  if (word.size() < 2 || word.size() > kMostLetters) return std::nullopt;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 4) + 1;
+  const std::size_t letters = word.size() - num_hyphens(word);
+  if (word.size() > kMostLetters || letters == 0) return std::nullopt;
+  // One letter is near to itself in the other case only.
+  std::size_t least = letters == 1 ? 1 : std::max<std::size_t>(1, word.size() / 4) + 1;
   std::optional<std::string> out;
   for (const std::string& name : names) {
     if (name.size() > kMostLetters) continue;
     const std::size_t d = distance(word, name);
     if (d < least) least = d, out = name;
   }
-  return out;
+  return out ? out : completed(word, names);
 }
 
 std::vector<std::string> names_of_list(std::string_view list) {

@@ -10,7 +10,8 @@ namespace veritope::cli {
 
 /// The name that is reached from the word by the fewest insertions, deletions, replacements and exchanges of
 /// neighbours, the first of several: if these are at most a quarter of the word's length, and one for two letters and
-/// more; upper case counts as lower case. Nothing if no name is so near.
+/// more; upper case counts as lower case. Otherwise the only name that begins with the word, if that has four letters.
+/// Hyphens in front are not letters. Nothing if there is no such name.
 /// @cost  the product of the lengths, for each name; words of over 64 letters have no such name
 std::optional<std::string> nearest_name(std::string_view word,
                                         const std::vector<std::string>& names);

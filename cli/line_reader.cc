@@ -17,7 +17,8 @@ constexpr std::size_t kPiece = std::size_t{1} << 16;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 std::string cannot_read(int number) {
-  return "cannot be read: " + std::generic_category().message(number);
+  return "cannot be read: " + (number == EISDIR ? std::string("it is a directory")
+                                                : std::generic_category().message(number));
 }
 
 }  // namespace

@@ -75,12 +75,13 @@ void declare_jobs(OptionSet& set, int& jobs) {
 }
 
 void declare_json(OptionSet& set, std::optional<std::string>& json, const std::string& what) {
-  set.text("--json", json, what + " as JSON; - is standard output");
+  set.output("--json", json, what + " as JSON; - is standard output");
 }
 
 void declare_orientation(OptionSet& set, bool& is_auto, const std::string& what_is_reversed) {
   const auto take = [&is_auto](const std::string& how) -> std::string {
-    if (how != "auto" && how != "keep") return "must be auto or keep, not " + how;
+    if (how != "auto" && how != "keep")
+      return "must be auto or keep, not " + how + did_you_mean(how, {"auto", "keep"});
     is_auto = how == "auto";
     return "";
   };

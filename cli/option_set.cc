@@ -4,14 +4,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "cli/did_you_mean.h"
+#include "cli/output.h"
 
 namespace veritope::cli {
 namespace {
 
 constexpr std::size_t kHelpColumn = 23;
+// CLI11 says "Could not convert: --quiet = maybe".
+constexpr std::string_view kConversion = "Could not convert: ";
 
 // Error messages call the option `shown`.
 CLI::Option* add(CLI::App* command, const std::string& name, const std::string& shown,
@@ -32,10 +37,16 @@ std::optional<Number> whole_text(const std::string& text) {
   return value;
 }
 
+bool has_comma(const std::string& text) { return text.find(',') != text.npos; }
+
 // CLI11 leaves an empty line where hidden options would be.
 std::string without_gap(std::string help) {
   if (const auto at = help.find("\n\n\n"); at != help.npos) help.erase(at, 1);
   return help;
+}
+
+std::string needs_value(const std::string& name, const std::string& type) {
+  return name + " needs a value: " + name + " " + type;
 }
 
 // CLI11 says "--json: 1 required F missing".
@@ -44,8 +55,40 @@ std::string missing_value(const std::string& said) {
   const std::size_t at = said.find(kMiddle);
   if (at == said.npos || !said.ends_with(kEnd)) return said;
   const std::size_t begin = at + kMiddle.size();
-  return said.substr(0, at) + " needs a value: " + said.substr(0, at) + " " +
-         said.substr(begin, said.size() - kEnd.size() - begin);
+  return needs_value(said.substr(0, at), said.substr(begin, said.size() - kEnd.size() - begin));
+}
+
+// What is wrong with "--json=": CLI11 would take the next argument for the value. `command` may be null.
+std::string empty_value(const CLI::App* command, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (command == nullptr || word == "--") return "";
+    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
+    const std::string name = word.substr(0, word.size() - 1);
+    const CLI::Option* const option = command->get_option_no_throw(name);
+    if (option != nullptr && option->get_items_expected_max() > 0)
+      return needs_value(name, option->get_type_name());
+  }
+  return "";
+}
+
+// "veritope convert IN OUT"
+std::string syntax_of(const CLI::App& command) {
+  std::string out = "veritope " + command.get_name();
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) continue;
+    const std::string name = option->get_name();
+    const bool has_many = option->get_items_expected_max() > 2;
+    out += option->get_required() ? " " + name + (has_many ? "..." : "") : " [" + name + "]";
+  }
+  return out;
+}
+
+// "a, b and c"; REQUIRES a name.
+std::string and_list(const std::vector<std::string>& names) {
+  std::string out = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i)
+    out += (i + 1 < names.size() ? ", " : " and ") + names[i];
+  return out;
 }
 
 }  // namespace
@@ -56,12 +99,22 @@ void OptionSet::flag(const std::string& name, bool& target, const std::string& h
 
 void OptionSet::text(const std::string& name, std::optional<std::string>& target,
                      const std::string& help, const std::string& type) {
-  const auto take = [&target](const std::string& text) -> std::string {
-    if (text.empty()) return "needs a name";
+  const auto take = [&target, type](const std::string& text) -> std::string {
+    if (text.empty()) return type == "F" ? "needs a name" : "needs a " + type;
     target = text;
     return "";
   };
   option(name, type, take, help);
+}
+
+void OptionSet::output(const std::string& name, std::optional<std::string>& target,
+                       const std::string& help) {
+  const auto take = [&target](const std::string& text) -> std::string {
+    if (text.empty()) return "needs a name";
+    target = output_name(text);
+    return "";
+  };
+  option(name, "F", take, help);
 }
 
 void OptionSet::add_number(const std::string& name, NumberRange range, const std::string& help,
@@ -70,7 +123,8 @@ void OptionSet::add_number(const std::string& name, NumberRange range, const std
     const auto value = whole_text<std::uint64_t>(text);
     if (!value || *value < range.least || *value > range.most)
       return "must be a number from " + std::to_string(range.least) + " to " +
-             std::to_string(range.most) + ", not " + text;
+             (range.most == kMost64 ? "2^64 - 1" : std::to_string(range.most)) + ", not " + text +
+             (has_comma(text) ? " (digits only)" : "");
     store(*value);
     return "";
   };
@@ -83,7 +137,8 @@ void OptionSet::add_length(const std::string& name, const std::string& type,
   const auto take = [store = std::move(store)](const std::string& text) -> std::string {
     const auto value = whole_text<double>(text);
     if (!value || !(*value >= 1e-300 && *value <= 1e300))
-      return "must be a length from 1e-300 to 1e300, not " + text;
+      return "must be a length from 1e-300 to 1e300, not " + text +
+             (has_comma(text) ? " (a decimal comma?)" : "");
     store(*value);
     return "";
   };
@@ -141,11 +196,14 @@ OptionSet& CommandLine::add_command(const std::string& name, const std::string& 
 }
 
 ParsedLine CommandLine::parse(int argc, const char* const* argv) {
-  if (argc == 1) return {std::nullopt, help(), ""};
-  const std::string first = argv[1];
-  if (first == "help") return help_about(argc == 2 ? nullptr : argv[2]);
-  if (!first.starts_with('-') && find(first) == nullptr)
-    return {std::nullopt, "", "unknown command: " + first + did_you_mean(first, command_names())};
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty()) return {std::nullopt, help(), ""};
+  if (words.front() == "help") return help_about({words.begin() + 1, words.end()});
+  const CLI::App* const command = find(words.front());
+  if (command == nullptr && !words.front().starts_with('-'))
+    return {std::nullopt, "", unknown_command(words.front())};
+  if (std::string wrong = empty_value(command, words); !wrong.empty())
+    return {std::nullopt, "", std::move(wrong)};
   try {
     app_->parse(argc, argv);
     return chosen();
@@ -154,10 +212,11 @@ ParsedLine CommandLine::parse(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     return {std::nullopt, version_ + "\n", ""};
   } catch (const CLI::ArgumentMismatch& error) {
-    return {std::nullopt, "", missing_value(error.what())};
+    return {std::nullopt, "", wrong_count(error.what())};
+  } catch (const CLI::ExtrasError& error) {
+    return {std::nullopt, "", wrong_arguments(error.what(), true)};
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = unknown_option();
-    return {std::nullopt, "", unknown.empty() ? error.what() : unknown};
+    return {std::nullopt, "", wrong_arguments(error.what(), false)};
   }
 }
 
@@ -173,29 +232,80 @@ std::vector<std::string> CommandLine::command_names() const {
   return out;
 }
 
-ParsedLine CommandLine::help_about(const char* name) const {
-  if (name == nullptr) return {std::nullopt, help(), ""};
-  const CLI::App* const command = find(name);
-  if (command != nullptr) return {std::nullopt, without_gap(command->help("veritope")), ""};
-  return {std::nullopt, "",
-          std::string("unknown command: ") + name + did_you_mean(name, command_names())};
+std::vector<std::string> CommandLine::commands_with(const std::string& option) const {
+  std::vector<std::string> out;
+  for (const OptionSet& set : sets_)
+    if (set.command_->get_option_no_throw(option) != nullptr)
+      out.push_back(set.command_->get_name());
+  return out;
+}
+
+const CLI::App& CommandLine::named() const {
+  const auto commands = app_->get_subcommands();
+  return commands.empty() ? *app_ : *commands.front();
+}
+
+ParsedLine CommandLine::help_about(const std::vector<std::string>& commands) const {
+  if (commands.empty()) return {std::nullopt, help(), ""};
+  if (commands.size() > 1)
+    return {std::nullopt, "", "help takes one command: veritope help " + commands.front()};
+  const CLI::App* const command = find(commands.front());
+  if (command == nullptr) return {std::nullopt, "", unknown_command(commands.front())};
+  return {std::nullopt, without_gap(command->help("veritope")), ""};
+}
+
+std::string CommandLine::unknown_command(const std::string& word) const {
+  std::error_code none;
+  const std::string meant = did_you_mean(word, command_names());
+  if (meant.empty() && std::filesystem::exists(word, none))
+    return "unknown command: " + word + "; to decide about this file: veritope certify " + word;
+  return "unknown command: " + word + meant;
 }
 
 // "certify has no option --quite; did you mean --quiet?"; empty if every argument that looks like an option is one.
 std::string CommandLine::unknown_option() const {
-  const auto named = app_->get_subcommands();
-  const CLI::App* const app = named.empty() ? app_.get() : named.front();
-  for (const std::string& argument : app->remaining()) {
-    if (argument.size() < 2 || argument[0] != '-') continue;
+  for (const std::string& argument : named().remaining()) {
+    if (argument.size() < 2 || argument[0] != '-' || argument == "--") continue;
     const std::string option = argument.substr(0, argument.find('='));
+    const std::string said = named().get_name() + " has no option " + option;
+    if (const auto others = commands_with(option); !others.empty())
+      return said + "; it is one of " + and_list(others);
     std::vector<std::string> names;
-    for (const CLI::Option* known : app->get_options()) {
+    for (const CLI::Option* known : named().get_options()) {
       for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
       for (const std::string& name : known->get_snames()) names.push_back("-" + name);
     }
-    return app->get_name() + " has no option " + option + did_you_mean(option, names);
+    return said + did_you_mean(option, names);
   }
   return "";
+}
+
+// Replaces what CLI11 says about an option without its value, one that is given twice, or too few files.
+std::string CommandLine::wrong_count(const std::string& said) const {
+  for (const CLI::Option* option : named().get_options()) {
+    const std::size_t count = option->count();
+    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
+    const auto least = static_cast<std::size_t>(option->get_items_expected_min());
+    if (count == 0 || (count >= least && count <= most)) continue;
+    if (!option->get_positional())
+      return option->get_name() + " is given " + std::to_string(count) + " times";
+    return syntax_of(named()) + " takes " + std::to_string(least) + " files, and there " +
+           (count == 1 ? "is 1" : "are " + std::to_string(count));
+  }
+  return missing_value(said);
+}
+
+std::string CommandLine::wrong_arguments(const std::string& said, bool has_extras) const {
+  if (std::string unknown = unknown_option(); !unknown.empty()) return unknown;
+  if (&named() == app_.get()) return "a command is needed: veritope certify FILE";
+  if (has_extras)
+    return "the argument " + named().remaining().front() +
+           " is one too many: " + syntax_of(named());
+  if (said.starts_with(kConversion)) {
+    const std::size_t begin = kConversion.size();
+    return said.substr(begin, said.find(" = ") - begin) + " takes no value";
+  }
+  return said.ends_with(" is required") ? said + ": " + syntax_of(named()) : said;
 }
 
 // REQUIRES that parsing succeeded: then exactly one command was named.
@@ -210,8 +320,7 @@ ParsedLine CommandLine::chosen() const {
 }
 
 std::string CommandLine::help() const {
-  const auto named = app_->get_subcommands();
-  return without_gap(named.empty() ? app_->help() : named.front()->help("veritope"));
+  return without_gap(&named() == app_.get() ? app_->help() : named().help("veritope"));
 }
 
 }  // namespace veritope::cli

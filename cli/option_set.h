@@ -51,6 +51,8 @@ class OptionSet {
   /// Accepts any text that is not empty.
   void text(const std::string& name, std::optional<std::string>& target, const std::string& help,
             const std::string& type = "F");
+  /// A file to write, "-" for standard output, also under its names /dev/stdout and the like.
+  void output(const std::string& name, std::optional<std::string>& target, const std::string& help);
   /// Accepts decimal digits only.
   template <typename T>
   void number(const std::string& name, T& target, NumberRange range, const std::string& help) {
@@ -117,10 +119,15 @@ class CommandLine {
  private:
   ParsedLine chosen() const;
   std::string help() const;
-  ParsedLine help_about(const char* name) const;  // null: the program
+  ParsedLine help_about(const std::vector<std::string>& commands) const;
   std::vector<std::string> command_names() const;
+  std::vector<std::string> commands_with(const std::string& option) const;
   const CLI::App* find(const std::string& name) const;  // null: no command
+  const CLI::App& named() const;                        // the program itself before a command
+  std::string unknown_command(const std::string& word) const;
   std::string unknown_option() const;
+  std::string wrong_count(const std::string& said) const;
+  std::string wrong_arguments(const std::string& said, bool has_extras) const;
 
   std::string version_;
   std::unique_ptr<CLI::App> app_;

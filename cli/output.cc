@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <optional>
 #include <system_error>
 
 #include "io/base/atomic_file.h"
@@ -34,11 +36,28 @@ Error cannot_write(const std::string& path, int number) {
   return error;
 }
 
+// The number of the open stream of this process that a path such as /dev/stdout or /dev/fd/3 names; nothing for other
+// paths. Opened again, a redirected stream would be written from its start.
+std::optional<int> own_descriptor(std::string_view path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    int number = -1;
+    const std::string_view digits = path.substr(folder.size());
+    const auto [stop, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error == std::errc() && stop == digits.data() + digits.size()) return number;
+  }
+  return std::nullopt;
+}
+
 Status write_through(const std::string& path, std::string_view bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  const std::optional<int> own = own_descriptor(path);
+  const int descriptor = own ? *own : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   if (descriptor < 0) return cannot_write(path, errno);
   const int error = write_all(descriptor, bytes);
-  ::close(descriptor);
+  if (!own) ::close(descriptor);
   if (error != 0) return cannot_write(path, error);
   return ok_status();
 }
@@ -51,8 +70,12 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
+std::string output_name(const std::string& path) {
+  return own_descriptor(path) == STDOUT_FILENO ? "-" : path;
+}
+
 bool is_stream(const std::string& path) {
-  if (path == "-") return true;
+  if (path == "-" || own_descriptor(path)) return true;
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 &&
          (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode));
@@ -69,7 +92,8 @@ void StandardOutput::write(std::string_view text) {
 void complain(std::string_view text) {
   // Nothing can be done if standard error takes no bytes.
   [[maybe_unused]] const int error =
-      write_all(STDERR_FILENO, "veritope: " + std::string(text) + "\n");
+      write_all(STDERR_FILENO,
+                report::fold("veritope: " + std::string(text), report::message_width()) + "\n");
 }
 
 report::ExitCode fail(const Error& error) {
@@ -87,6 +111,8 @@ Status write_output(const std::string& path, std::string_view bytes, StandardOut
 }
 
 Status try_output(const std::string& path) {
+  if (const auto own = own_descriptor(path); own && ::fcntl(*own, F_GETFL) < 0)
+    return cannot_write(path, errno);
   if (is_stream(path)) return ok_status();
   const Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();

@@ -22,18 +22,22 @@ class StandardOutput {
   bool is_closed_ = false;
 };
 
-/// "veritope: <text>" on standard error.
+/// "veritope: <text>" on standard error, in lines that fit a terminal.
 void complain(std::string_view text);
 
 /// Complains about an error of a file or an argument: kExitUsage for kBadArgument, else kExitUnreadable.
 report::ExitCode fail(const Error& error);
 
-/// Replaces the file at `path` in one step, or writes to it if it is a device or a pipe; "-" is standard output.
+/// "-" for the names that the system has for standard output (/dev/stdout, /dev/fd/1, /proc/self/fd/1), else the path.
+std::string output_name(const std::string& path);
+
+/// Replaces the file at `path` in one step, or writes to it if it is a device, a pipe or the name of an open stream of
+/// this process (/dev/stderr, /dev/fd/N); "-" is standard output.
 /// @error kCannotWrite
 Status write_output(const std::string& path, std::string_view bytes, StandardOutput& out);
 
-/// Whether the path is "-", a device or a pipe: bytes are written through it, and no file is
-/// replaced.
+/// Whether the path is "-", a device, a pipe or the name of an open stream of this process: bytes are written through
+/// it, and no file is replaced.
 bool is_stream(const std::string& path);
 
 /// Tests by trying whether write_output could write there now; leaves nothing behind. @error kCannotWrite

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <map>
+#include <set>
 #include <system_error>
 
 #include "cli/output.h"
@@ -15,6 +17,8 @@
 
 namespace veritope::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool is_folder(const std::string& path) {
   struct stat status {};
@@ -47,6 +51,34 @@ Status check_new_folder(const std::string& folder) {
   return error;
 }
 
+// The folder below which all of the paths lie.
+fs::path common_folder(const std::vector<fs::path>& paths) {
+  fs::path out = paths.front().parent_path();
+  for (const fs::path& path : paths) {
+    const auto leaves = [&] { return *path.lexically_relative(out).begin() == ".."; };
+    while (leaves()) out = out.parent_path();
+  }
+  return out;
+}
+
+// Where certificates go below their folder: the names of the inputs; if two are equal, their paths below the folder
+// that all of them share.
+std::vector<std::string> names_below(const std::vector<std::string>& inputs) {
+  std::vector<std::string> names;
+  std::vector<fs::path> paths;
+  for (const std::string& input : inputs) {
+    names.push_back(name_of(input));
+    std::error_code none;
+    if (input != "-") paths.push_back(fs::absolute(input, none).lexically_normal());
+  }
+  const std::set<std::string> different(names.begin(), names.end());
+  if (different.size() == names.size()) return names;
+  const fs::path common = common_folder(paths);
+  for (std::size_t i = 0, next = 0; i < names.size(); ++i)
+    if (inputs[i] != "-") names[i] = paths[next++].lexically_relative(common).string() + ".cert";
+  return names;
+}
+
 Status check_distinct(const std::vector<std::string>& inputs,
                       const std::vector<std::string>& certificates) {
   std::map<std::string, std::string> taken;
@@ -59,6 +91,14 @@ Status check_distinct(const std::vector<std::string>& inputs,
   return ok_status();
 }
 
+// A subfolder that does not exist will be made.
+Status try_certificate(const std::string& path, const OutputPlan& plan) {
+  fs::path folder = fs::path(path).parent_path();
+  if (!plan.has_folder || exists(folder)) return try_output(path);
+  while (!exists(folder.parent_path())) folder = folder.parent_path();
+  return check_new_folder(folder);
+}
+
 Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& plan,
                      const std::optional<std::string>& json) {
   for (const std::string& path : plan.certificates) {
@@ -68,7 +108,7 @@ Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& p
         return bad_argument("--json and --certificate would both write " + output);
     }
     if (plan.new_folder) continue;
-    if (Status status = try_output(path); !status) return status;
+    if (Status status = try_certificate(path, plan); !status) return status;
   }
   if (!json || *json == "-") return ok_status();
   if (plan.new_folder && same_target(*json, *plan.new_folder)) {
@@ -131,8 +171,9 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
       plan.new_folder = folder;
       if (Status status = check_new_folder(folder); !status) return status.error();
     }
-    for (const std::string& input : inputs)
-      plan.certificates.push_back(folder + "/" + name_of(input));
+    plan.has_folder = true;
+    for (const std::string& name : names_below(inputs))
+      plan.certificates.push_back(folder + "/" + name);
   } else if (certificate) {
     plan.certificates = {*certificate};
   }

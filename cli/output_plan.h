@@ -15,10 +15,13 @@ struct OutputPlan {
   /// each (copy_path).
   std::vector<std::string> certificates;
   std::optional<std::string> new_folder;  ///< for the certificates; does not exist yet
+  bool has_folder =
+      false;  ///< certificates go into a folder, maybe into subfolders that do not exist yet
 };
 
 /// `certificate`: a file for one input, a folder (possibly new) for several; for one input a folder, too, if it exists
 /// or the name ends in "/", or if `needs_folder`. Files in the folder have the names of the inputs followed by ".cert".
+/// If two inputs have one name, the folder gets the subfolders that tell them apart: a/part.stl.cert, b/part.stl.cert.
 /// @error kBadArgument: two outputs, or an output and an input, are one file; a file where a folder is needed.
 ///        kCannotWrite: an output could not be written
 Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,

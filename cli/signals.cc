@@ -25,12 +25,12 @@ void write_error(const char* text) {
 
 // Async-signal-safe functions only.
 extern "C" void end_by_signal(int number) {
-  remove_unfinished_files();
+  const bool has_removed = remove_unfinished_files();
   const pid_t child = running_child.load();
   if (child > 0) ::kill(child, SIGKILL);
   if (progress_shown.load()) write_error("\r\033[K");
   write_error(number == SIGINT ? "veritope: interrupted (SIGINT)" : "veritope: ended by a signal");
-  write_error("; unfinished output was removed\n");
+  write_error(has_removed ? "; unfinished output was removed\n" : "\n");
   ::signal(number, SIG_DFL);
   ::raise(number);  // takes effect when the handler returns
 }

@@ -31,8 +31,8 @@ Result<Target> target_of(const ConvertOptions& o) {
     if (known.kind() == ModelKind::kSplines && known.write != nullptr)
       names += std::string(known.name) + ", ";
   names += "vtu, obj or gltf";
-  if (o.to) return bad_argument("of splines --to must be " + names + ", not " + name);
-  return bad_argument("the name " + o.output + " does not end in " + names + ": use --to");
+  if (o.to) return bad_argument("for splines, --to must be " + names + ", not " + name);
+  return bad_argument(no_target_text(o.output, "splines", names));
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -133,12 +133,12 @@ ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::stri
   if (!written && o.output != "-") return fail(written.error());
   const std::string what = is_view ? ", a picture" : lost.empty() ? ", nothing lost" : "";
   const std::string text =
-      "wrote  " + harmless(o.output) + "  " +
+      "wrote  " + unbroken(harmless(o.output)) + "  " +
       counted(file.model.entities.size(), "entity", "entities") + what +
       (lost.empty() ? "" : ", lossy: " + lost) + "\n" +
       (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n") + joints;
   if (o.output != "-") {
-    out.write(text);
+    out.write(fold(text, verdict_width()));
   } else {
     if (!lost.empty()) complain("lossy: " + lost);
     if (!dropped.empty()) complain("not part of the geometry, dropped: " + dropped);

@@ -123,4 +123,11 @@ bool looks_like_utf16(const Source& source) {
          (p[0] == 0) == (p[2] == 0);
 }
 
+std::string binary_guess(const Source& source) {
+  constexpr std::size_t kHead = 4096;
+  const std::size_t zero = all_of(source).substr(0, kHead).find('\0');
+  if (zero == std::string_view::npos) return "";
+  return "it looks like binary data: byte " + std::to_string(zero) + " is 0";
+}
+
 }  // namespace veritope

@@ -20,4 +20,7 @@ std::string unread_format(const Source& source);
 /// A guess for messages, never for decisions: text of two bytes a character without a mark.
 bool looks_like_utf16(const Source& source);
 
+/// "it looks like binary data: byte 7 is 0", for a file that a reader of text refused; empty for what may be text.
+std::string binary_guess(const Source& source);
+
 }  // namespace veritope

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/base/scan.h"
+#include "io/foreign_content.h"
 #include "io/mesh/sniff.h"
 #include "io/mesh/write_mesh.h"
 #include "io/splines/spline_sniff.h"
@@ -56,7 +57,7 @@ ModelFormat splines(std::vector<std::string_view> endings, LooksLike looks_like)
           std::move(endings),
           looks_like,
           read_with<kFormat, read_splines>,
-          nullptr,
+          binary_guess,
           can_write(kFormat) ? write<kFormat> : nullptr};
 }
 
@@ -64,9 +65,9 @@ ModelFormat splines(std::vector<std::string_view> endings, LooksLike looks_like)
 const std::vector<ModelFormat>& rows() {
   static const std::vector<ModelFormat> table = {
       mesh<MeshFormat::kStl>({"stl"}, looks_like_stl, size_as_binary_stl),
-      mesh<MeshFormat::kObj>({"obj"}, looks_like_obj),
+      mesh<MeshFormat::kObj>({"obj"}, looks_like_obj, binary_guess),
       mesh<MeshFormat::kPly>({"ply"}, looks_like_ply),
-      mesh<MeshFormat::kOff>({"off"}, looks_like_off),
+      mesh<MeshFormat::kOff>({"off"}, looks_like_off, binary_guess),
       splines<SplineFormat::kItd>({"itd"}, looks_like_itd),
       splines<SplineFormat::kG2>({"g2"}, looks_like_g2),
       splines<SplineFormat::kMfem>({"mfem", "mesh"}, looks_like_mfem),

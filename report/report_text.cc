@@ -74,9 +74,9 @@ std::string summary_text(const FileReport& report) {
 TextOptions TextOptions::of_stdout() {
   TextOptions out;
   out.style = style_of_stdout();
-  out.verdict_width = terminal_width();
+  out.verdict_width = report::verdict_width();
   out.width = report_width();
-  out.shows_seconds = out.verdict_width.has_value();
+  out.shows_seconds = out.verdict_width != kNoWidth;
   return out;
 }
 
@@ -88,7 +88,7 @@ std::string verdict_line(const FileReport& report, const TextOptions& options) {
                            unbroken(filler(verdict_size, is_table ? kVerdictWidth : 0)) + "  " +
                            path + unbroken(filler(columns(path), options.path_width)) + "  " +
                            checked_summary(report) + "\n";
-  return fold(line, options.verdict_width.value_or(line.size()));
+  return fold(line, options.verdict_width);
 }
 
 std::string details_text(const FileReport& report, const TextOptions& options) {

@@ -2,7 +2,6 @@
 // report/report_text.h: reports for people. The first line is the verdict; what programs read is report/report_json.h.
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <string>
 
 #include "report/file_report.h"
@@ -16,8 +15,8 @@ struct TextOptions {
   static TextOptions of_stdout();
 
   Style style;
-  std::optional<std::size_t> verdict_width;  ///< nothing: verdict lines are not broken
-  std::size_t width = 100;                   ///< of the lines below them
+  std::size_t verdict_width = kNoWidth;  ///< of verdict lines
+  std::size_t width = 100;               ///< of the lines below them
   std::size_t path_width =
       0;  ///< paths are filled up to it, and verdicts to one width, if it is not 0
   bool shows_seconds = false;  ///< those of runs that took long

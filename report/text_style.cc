@@ -2,7 +2,6 @@
 #include "report/text_style.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <stdlib.h>
 #include <sys/ioctl.h>
@@ -61,21 +60,21 @@ void append_folded(std::string_view line, std::size_t width, std::string& out) {
 
 }  // namespace
 
-std::optional<std::size_t> terminal_width() {
+std::optional<std::size_t> terminal_width(int descriptor) {
   constexpr std::size_t kLeast = 40;
   struct winsize size {};
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  if (::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
   return std::max<std::size_t>(size.ws_col, kLeast);
 }
 
 std::size_t report_width() {
   constexpr std::size_t kMost = 100;
-  return std::min(kMost, terminal_width().value_or(kMost));
+  return std::min(kMost, terminal_width(STDOUT_FILENO).value_or(kMost));
 }
 
-std::size_t verdict_width() {
-  return terminal_width().value_or(std::numeric_limits<std::size_t>::max());
-}
+std::size_t verdict_width() { return terminal_width(STDOUT_FILENO).value_or(kNoWidth); }
+
+std::size_t message_width() { return terminal_width(STDERR_FILENO).value_or(kNoWidth); }
 
 std::size_t columns(std::string_view text) {
   std::size_t count = 0;

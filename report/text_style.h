@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,14 +34,19 @@ Style style_of_stdout();
 /// file can drive the terminal.
 std::string harmless(std::string_view text);
 
-/// The columns of the terminal that standard output is, at least 40; nothing: it is no terminal, or hides its size.
-std::optional<std::size_t> terminal_width();
+/// The columns of the terminal that a stream is, at least 40; nothing: it is no terminal, or hides its size.
+std::optional<std::size_t> terminal_width(int descriptor);
 
 /// The columns of reports on standard output: 100, or those of a terminal that has fewer.
 std::size_t report_width();
 
-/// The columns of lines that other programs read: those of a terminal, elsewhere no limit.
+constexpr std::size_t kNoWidth = std::numeric_limits<std::size_t>::max();  ///< lines are not broken
+
+/// The columns of lines on standard output that other programs read: those of a terminal, elsewhere kNoWidth.
 std::size_t verdict_width();
+
+/// The columns of messages on standard error, likewise.
+std::size_t message_width();
 
 /// The columns that a text takes: its characters, without the sequences that colour it. (Wide characters count as one.)
 std::size_t columns(std::string_view text);

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "io/base/system_reason_internal.h"
 
@@ -154,16 +155,24 @@ Status AtomicFile::write(std::string_view bytes) {
   return ok_status();
 }
 
-Status AtomicFile::commit() {
+Error AtomicFile::give_up() {
+  const Error failure = error(reason(errno));
+  discard();
+  return failure;
+}
+
+Status AtomicFile::finish() {
   if (descriptor_ < 0) return error("the file is closed");
-  const auto fail = [&] {
-    const Error failure = error(reason(errno));
-    discard();
-    return failure;
-  };
-  if (::fsync(descriptor_) != 0) return fail();
-  if (::close(std::exchange(descriptor_, -1)) != 0) return fail();
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) return fail();
+  if (::fsync(descriptor_) != 0) return give_up();
+  if (::close(std::exchange(descriptor_, -1)) != 0) return give_up();
+  return ok_status();
+}
+
+Status AtomicFile::commit() {
+  if (slot_ < 0) return error("the file is closed");
+  if (descriptor_ >= 0)
+    if (Status status = finish(); !status) return status;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) return give_up();
   disarm_slot(std::exchange(slot_, -1));
   sync_folder(folder_of(target_));
   return ok_status();
@@ -176,12 +185,28 @@ void AtomicFile::discard() {
   disarm_slot(std::exchange(slot_, -1));
 }
 
-void remove_unfinished_files() noexcept {
+Status write_files(std::span<const WholeFile> files) {
+  std::vector<AtomicFile> unnamed;
+  for (const WholeFile& file : files) {
+    Result<AtomicFile> next = AtomicFile::create(file.path);
+    if (!next) return next.error();
+    unnamed.push_back(std::move(*next));
+    if (Status status = unnamed.back().write(file.bytes); !status) return status;
+    if (Status status = unnamed.back().finish(); !status) return status;
+  }
+  for (AtomicFile& file : unnamed)
+    if (Status status = file.commit(); !status) return status;
+  return ok_status();
+}
+
+bool remove_unfinished_files() noexcept {
   const int saved = errno;
+  bool has_removed = false;
   for (Slot& slot : slots) {
-    if (slot.state.load() == kArmed) ::unlink(slot.path);
+    if (slot.state.load() == kArmed && ::unlink(slot.path) == 0) has_removed = true;
   }
   errno = saved;
+  return has_removed;
 }
 
 bool same_file(const std::string& a, const std::string& b) {

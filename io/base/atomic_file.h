@@ -2,6 +2,7 @@
 // io/base/atomic_file.h: an output file that appears complete or not at all.
 #pragma once
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,12 +25,17 @@ class AtomicFile {
   /// fails, too
   Status write(std::string_view bytes);
 
-  /// fsync, rename, fsync of the folder. Afterwards write() and commit() fail. @error kCannotWrite
+  /// fsync. Afterwards write() fails. @error kCannotWrite; then commit() fails, too
+  Status finish();
+
+  /// finish() unless that was done, rename, fsync of the folder. Afterwards write() and commit() fail. @error
+  /// kCannotWrite
   Status commit();
 
  private:
   AtomicFile(std::string path, std::string target, std::string temporary, int slot, int descriptor);
   Error error(const std::string& why) const;
+  Error give_up();  // for the reason in errno
   void discard();
 
   std::string path_;    ///< as given: for errors
@@ -39,9 +45,18 @@ class AtomicFile {
   int descriptor_;  ///< -1: closed
 };
 
-/// Unlinks the temporaries of all uncommitted AtomicFiles. Async-signal-safe: for handlers of SIGINT and SIGTERM,
-/// which must end the process afterwards.
-void remove_unfinished_files() noexcept;
+struct WholeFile {
+  std::string path;
+  std::string_view bytes;
+};
+
+/// Writes files as AtomicFile does. No name appears before the bytes of all of them are on the disk.
+/// @error kCannotWrite
+Status write_files(std::span<const WholeFile> files);
+
+/// Unlinks the temporaries of all uncommitted AtomicFiles, and returns whether there were any. Async-signal-safe: for
+/// handlers of SIGINT and SIGTERM, which must end the process afterwards.
+bool remove_unfinished_files() noexcept;
 
 /// Whether both exist and are one file (same device and inode), whatever their names. To detect an output that is an
 /// input.

@@ -59,7 +59,7 @@ bool looks_like_ply(const Source& source) { return first_word(source) == "ply"; 
 bool looks_like_off(const Source& source) { return is_off_word(first_word(source)); }
 
 std::string size_as_binary_stl(const Source& source) {
-  if (!looks_like_binary_stl(source)) return "";
+  if (is_stl_binary(source) || !looks_like_binary_stl(source)) return "";
   const std::uint64_t size = stl_binary_size(source);
   return "if it is a binary STL: its header announces " +
          std::to_string((size - kStlHeader) / kStlFacet) + " facets, " + std::to_string(size) +

@@ -14,7 +14,8 @@ bool looks_like_obj(const Source& source);
 bool looks_like_ply(const Source& source);
 bool looks_like_off(const Source& source);
 
-/// For messages: the size that the file would have as the binary STL that its bytes may mean; empty for a text.
+/// For messages about a file that was read as ASCII STL: the size that it would have as the binary STL that its bytes
+/// may mean. Empty for a text, and for a file that was read as binary: its own message says this.
 std::string size_as_binary_stl(const Source& source);
 
 }  // namespace veritope

@@ -45,7 +45,10 @@ Status check_size(const Source& source, const ReadLimits& limits) {
                              std::to_string((source.size() - kStlHeader) / kStlFacet));
   }
   const char* const count = source.begin + kStlHeader - 4;
-  if (num == 0) return error_at_byte(source, count, Code::kEmpty, "there is no facet");
+  if (num == 0)
+    return error_at_byte(
+        source, count, Code::kEmpty,
+        source.size() == kStlHeader ? "there is no facet" : "the header announces no facet");
   if (num > std::min(limits.max_faces, kMaxVertices / 3)) {
     return error_at_byte(source, count, Code::kOverLimit,
                          over_limit("faces", "--max-faces", limits.max_faces));

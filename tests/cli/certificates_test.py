@@ -35,6 +35,37 @@ class Outputs(Folder):
         run("certify", VALID, "--certificate", f"{self.folder}/new/")
         self.assertEqual(self.listing(), [f"{VALID.name}.cert", "new", f"new/{VALID.name}.cert"])
 
+    def test_inputs_of_one_name_keep_the_folders_that_tell_them_apart(self):
+        for name in ("in/x/a.off", "in/y/a.off", "in/y/b.off", "elsewhere/a.off"):
+            path = self.folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            support.shutil.copy(VALID, path)
+        for inputs, kept in [(["in"], ["x/a.off", "y/a.off", "y/b.off"]), (["in/x/../y/a.off", "in/x/a.off"], ["x/a.off", "y/a.off"]),
+                             (["in/x/a.off", "./elsewhere/a.off"], ["elsewhere/a.off", "in/x/a.off"]),
+                             (["in/x/a.off", "in/y/b.off"], ["a.off", "b.off"])]:
+            for again in (False, True):  # the second time the folders exist
+                done = run("certify", "-q", *inputs, "--certificate", "kept", cwd=self.folder)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                found = sorted(str(path.relative_to(self.folder / "kept")) for path in (self.folder / "kept").rglob("*") if path.is_file())
+                self.assertEqual(found, [f"{name}.cert" for name in kept])
+            for name in found:
+                self.assertEqual(run(VALID, self.folder / "kept" / name, program=BIN / "veritope-check").returncode, 0)
+            support.shutil.rmtree(self.folder / "kept")
+
+    def test_the_names_of_open_streams_are_written_through_and_nothing_is_replaced(self):
+        out = self.folder / "out"
+        for redirection, path in [(">>", "/dev/stdout"), (">>", "/dev/fd/1"), ("3>>", "/dev/fd/3"), ("2>>", "/dev/stderr"), (">>", "-")]:
+            for option in ("--json", "--tsv"):
+                out.write_text("old\n")
+                number = out.stat().st_ino
+                done = support.subprocess.run(["sh", "-c", f'"{BIN}/veritope" certify -q "{VALID}" {option} {path} {redirection}out'],
+                                              cwd=self.folder, capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual((out.stat().st_ino, out.read_text()[:4]), (number, "old\n"))
+                said = out.read_text()[4:]
+                self.assertTrue(said.startswith('{"schema"' if option == "--json" else "file\tverdict"), said)
+        self.assertEqual(run("certify", VALID, "--json", "/dev/fd/77").returncode, 4)
+
     def test_an_existing_certificate_is_replaced_and_a_link_is_followed(self):
         target, link = self.folder / "target", self.folder / "link"
         target.write_text("old")
@@ -93,12 +124,18 @@ class Refusals(Folder):
     def test_a_report_where_the_folder_of_certificates_goes_is_refused(self):
         self.assert_refused(VALID, INVALID, "--json", self.folder / "x", "--certificate", self.folder / "x/", word="both make")
 
-    def test_names_that_collide_in_the_folder_are_refused(self):
-        (self.folder / "sub").mkdir()
-        a, b = self.copy("a.off"), self.copy("sub/a.off")
-        self.assert_refused(a, b, "--certificate", self.folder / "certificates", word="would have one certificate")
+    def test_one_file_given_twice_would_have_one_certificate(self):
+        a = self.copy("a.off")
         self.assert_refused(a, a, "--certificate", self.folder / "certificates", word="would have one certificate")
         self.assertFalse((self.folder / "certificates").exists())
+
+    def test_a_file_where_a_subfolder_of_certificates_goes_is_refused(self):
+        for name in ("x", "y"):
+            (self.folder / name).mkdir()
+        a, b = self.copy("x/a.off"), self.copy("y/a.off")
+        (self.folder / "kept").mkdir()
+        (self.folder / "kept" / "x").write_text("old")
+        self.assert_refused(a, b, "--certificate", self.folder / "kept", status=4, word="cannot be written")
 
     def test_an_input_that_lies_where_a_certificate_goes_is_refused(self):
         a = self.copy("a.off")

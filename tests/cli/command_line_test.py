@@ -89,7 +89,7 @@ class Usage(unittest.TestCase):
                                  (["certify", "--format", "stpl", "x"], "not stpl; did you mean stl?"),
                                  (["predicate", "orient3", "x"], "there is no predicate orient3; did you mean orient3d?"),
                                  (["explain", "side-opne"], "there is no page about side-opne; did you mean side-open?"),
-                                 (["explain", "m10"], "there is no page about m10; did you mean M1?")]:
+                                 (["explain", "m10"], "there is no rule m10; the rules are M1 to M9")]:
             with self.subTest(arguments):
                 done = run(*arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))

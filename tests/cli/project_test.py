@@ -92,7 +92,7 @@ class Project(Folder):
             self.assertIn(f"'{coordinate}'", done.stderr)
         done = run("project", "1,2", bowl)
         self.assertEqual(4, done.returncode)
-        self.assertIn("dimension", done.stderr)
+        self.assertIn("POINT has 2 coordinates, and entity 0 has 3", done.stderr)
         cut = self.folder / "cut.g2"
         cut.write_text(BOWL[:60])
         self.assertEqual(4, run("project", "1,2,3", cut).returncode)

@@ -29,7 +29,7 @@ class SelfTest(Folder):
     def test_a_right_build_agrees_on_hard_cases_of_every_tier(self):
         share = 1000
         total = share * len(NAMES)
-        done = run("selftest", "--cases", total)
+        done = run("selftest", "--verbose", "--cases", total)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         lines = done.stdout.splitlines()
         self.assertEqual(lines[0], "floating point is as the filters need it")
@@ -47,14 +47,18 @@ class SelfTest(Folder):
                 self.assertGreaterEqual(min(tiers[2:]), 5, name)
 
     def test_the_cases_depend_on_the_seed_and_on_nothing_else(self):
-        first, second, other = (run("selftest", "--cases", 400, "--seed", seed).stdout for seed in (7, 7, 18446744073709551615))
+        first, second, other = (run("selftest", "--verbose", "--cases", 400, "--seed", seed).stdout for seed in (7, 7, 18446744073709551615))
         self.assertEqual(first, second)
         self.assertNotEqual(rows(first), rows(other))
         self.assertTrue(other.endswith("400 cases, 0 disagreements; seed 18446744073709551615\n"), other)
 
     def test_the_cases_are_dealt_out_to_all(self):
         for cases, shares in [(1, [1] + [0] * (len(NAMES) - 1)), (len(NAMES) + 3, [2] * 3 + [1] * (len(NAMES) - 3))]:
-            self.assertEqual([row[0] for row in rows(run("selftest", "--cases", cases).stdout).values()], shares)
+            self.assertEqual([row[0] for row in rows(run("selftest", "--verbose", "--cases", cases).stdout).values()], shares)
+
+    def test_without_verbose_a_right_build_prints_one_line(self):
+        done = run("selftest", "--cases", 300)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "300 cases, 0 disagreements; seed 1\n", ""))
 
     def test_output_that_cannot_be_written_is_exit_4(self):
         with open("/dev/full", "w") as full:
@@ -85,7 +89,7 @@ class HostileProcess(Folder):
 
     def test_where_small_numbers_are_flushed_integers_decide_and_are_right(self):
         self.assertIsNotNone(COMPILER)
-        done = self.hostile("selftest", "--cases", 25000, "--seed", 3)
+        done = self.hostile("selftest", "--verbose", "--cases", 25000, "--seed", 3)
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stdout, r"^floating point is not as the filters need it: flush-to-zero .*denormals-are-zero .*; integers decide\n")
         self.assertEqual(WRONG.findall(done.stdout), [])
@@ -95,7 +99,7 @@ class HostileProcess(Folder):
     @unittest.skipUnless(platform.machine() == "x86_64", "sets the control word of SSE")
     def test_wrong_signs_are_found_and_shown(self):
         """They take a control word that changes after the first decision, unknown to the thread."""
-        done = self.hostile("selftest", "--cases", 50000, "--seed", 3, source=LATE)
+        done = self.hostile("selftest", "--verbose", "--cases", 50000, "--seed", 3, source=LATE)
         if os.environ.get("VERITOPE_AUDIT") == "ON":  # the predicates notice it themselves
             self.assertEqual(done.returncode, -signal.SIGABRT)
             self.assertRegex(done.stderr, r"^audit: two tiers of a cascade contradict each other, please report: filter says -?[01], \w+ says -?[01]\n")

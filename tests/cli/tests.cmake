@@ -9,6 +9,7 @@ endfunction()
 
 veritope_cli_test(models quick)
 veritope_cli_test(command_line quick)
+veritope_cli_test(wrong_usage quick)
 veritope_cli_test(json standard)
 veritope_cli_test(reason_codes quick)
 veritope_cli_test(certificates quick)

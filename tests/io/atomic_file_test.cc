@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <array>
 #include <csignal>
 
 #include "tests/io/io_test_util.h"
@@ -113,8 +114,8 @@ TEST(AtomicFile, ASignalHandlerCanRemoveTheTemporaries) {
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(SIGTERM, [](int) {
-      remove_unfinished_files();
-      ::_exit(7);
+      const bool has_removed = remove_unfinished_files();
+      ::_exit(has_removed && !remove_unfinished_files() ? 7 : 8);
     });
     AtomicFile first = create(folder / "a"), second = create(folder / "b");
     AtomicFile third = create(folder / "c");
@@ -127,6 +128,31 @@ TEST(AtomicFile, ASignalHandlerCanRemoveTheTemporaries) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 7);
   EXPECT_EQ(slurp(folder / "a"), "old");
   EXPECT_EQ(folder.list(), "a c ");
+}
+
+TEST(AtomicFile, AFinishedFileTakesNoMoreBytesAndCanStillBeCommitted) {
+  const TempFolder folder;
+  AtomicFile file = create(folder / "a");
+  EXPECT_TRUE(file.write("all"));
+  EXPECT_TRUE(file.finish());
+  EXPECT_FALSE(file.write("late"));
+  EXPECT_FALSE(file.finish()) << "once";
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+  EXPECT_TRUE(file.commit());
+  EXPECT_EQ(slurp(folder / "a"), "all");
+}
+
+TEST(WriteFiles, NoneAppearsUnlessAllCanBeWritten) {
+  const TempFolder folder;
+  folder.write("old", "old");
+  const std::string first = folder / "first", old = folder / "old";
+  EXPECT_FALSE(write_files(std::array{WholeFile{first, "1"}, WholeFile{folder / "none/x", "2"}}));
+  EXPECT_FALSE(write_files(std::array{WholeFile{old, "1"}, WholeFile{folder / "none/x", "2"}}));
+  EXPECT_EQ(folder.list(), "old ");
+  EXPECT_EQ(slurp(old), "old");
+  EXPECT_TRUE(write_files(std::array{WholeFile{first, "1"}, WholeFile{old, "2"}}));
+  EXPECT_EQ(slurp(first) + slurp(old), "12");
+  EXPECT_EQ(folder.list(), "first old ");
 }
 
 TEST(AtomicFile, ManyMayBeOpenAtOnceAndThenNoMore) {

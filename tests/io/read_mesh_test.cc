@@ -150,6 +150,13 @@ TEST(ReadMesh, ARefusalSaysWhatTheContentLooksLike) {
                 .find("its header announces 2 facets, 184 bytes, but it has 135"),
             std::string::npos)
       << message(MeshFormat::kStl, stl);
+  // A file that was read as binary has this number in its own message.
+  stl.replace(0, 5, "plain");
+  EXPECT_EQ(message(MeshFormat::kStl, stl).find("its header announces"), std::string::npos);
+  for (const MeshFormat text : {MeshFormat::kObj, MeshFormat::kOff})
+    EXPECT_NE(message(text, std::string("\x7F" "ELF\1\0\0\0", 8))
+                  .find("it looks like binary data: byte 5 is 0"),
+              std::string::npos);
 }
 
 TEST(ReadMesh, ErrorsNameTheFile) {

@@ -22,7 +22,7 @@ struct CertifyFileOptions {
 Result<Certified> certify_file(const std::string& path, const CertifyFileOptions& options = {});
 
 /// Writes the certificate to a file and, if it refers to a copy of the model, that copy beside it, as
-/// copy_path(path). Each file appears complete or not at all.
+/// copy_path(path). Each file appears complete or not at all, and neither before the bytes of both are on the disk.
 /// @error  kBadArgument: there is no certificate, because the verdict is UNDECIDED; kCannotWrite
 Status write_certificate(const Certified& certified, const std::string& path);
 

@@ -159,7 +159,7 @@ std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned ch
   if (out.claim == nullptr) {
     const auto fits = [&](const Claim& c) { return begins_with(body, c.magic); };
     const auto at = std::find_if(kClaims.begin(), kClaims.end(), fits);
-    why = "its claim is none that this program knows, nor are the first bytes of its body";
+    why = "neither its claim nor the first bytes of its body are known";
     if (at == kClaims.end()) return std::nullopt;
     out.claim = &*at;
   }

@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What people type by mistake. Each row is answered by status 2 or 4 and one or two lines, which name what was meant or what is wrong, once;
+no file is made or changed."""
+import re
+import shutil
+import unittest
+
+import support
+from support import MODELS, VALID, Folder, run
+
+# Arguments, status, words of the answer. Status 2: the command line is wrong. Status 4: a file is not what it should be.
+COMMANDS = [
+    ("certfy a.off", 2, "unknown command: certfy; did you mean certify?"),
+    ("Certify a.off", 2, "did you mean certify?"),
+    ("explain-cert c", 2, "did you mean explain-certificate?"),
+    ("frobnicate", 2, "unknown command: frobnicate\n"),
+    ("a.off", 2, "unknown command: a.off; to decide about this file: veritope certify a.off"),
+    ("help certfy", 2, "did you mean certify?"),
+    ("help certify info", 2, "help takes one command: veritope help certify"),
+    ("--hlep", 2, "veritope has no option --hlep; did you mean --help?"),
+    ("-v", 2, "veritope has no option -v; did you mean -V?"),
+    ("--tsv -", 2, "veritope has no option --tsv; it is one of certify"),
+    ("--", 2, "a command is needed: veritope certify FILE"),
+]
+OPTIONS = [
+    ("certify --quite a.off", 2, "certify has no option --quite; did you mean --quiet?"),
+    ("certify --cert c a.off", 2, "did you mean --certificate?"),
+    ("certify -x a.off", 2, "certify has no option -x\n"),
+    ("certify --to stl a.off", 2, "certify has no option --to; it is one of convert"),
+    ("info -q a.off", 2, "info has no option -q; it is one of certify and cover"),
+    ("convert --what a.off out.stl", 2, "it is one of cover"),
+    ("corpus --onyl orient2d", 2, "corpus has no option --onyl"),
+    ("certify --json", 2, "--json needs a value: --json F"),
+    ("certify --certificate= a.off", 2, "--certificate needs a value: --certificate F"),
+    ("certify a.off --json ''", 2, "--json: needs a name"),
+    ("certify models --glob ''", 2, "--glob: needs a PATTERN"),
+    ("certify a.off --json r --json s", 2, "--json is given 2 times"),
+    ("certify a.off --no-check=maybe", 2, "--no-check takes no value"),
+    ("certify --glob *.off a.off", 2, "no folder is given"),
+    ("certify --picture p.png a.off b.off", 2, "--picture takes exactly one input"),
+    ("certify --picture p.png models", 2, "not a folder"),
+    ("certify --json - --tsv - a.off", 2, "--json and --tsv would both write standard output"),
+    ("cover cube.itd --eps 1 -o o.vtu", 2, "--eps requires --sweep"),
+    ("cover cube.itd --sweep 1 --what boxes", 2, "--what excludes --sweep"),
+    ("convert --chord 1 a.off out.stl", 2, "--chord is for splines"),
+    ("convert --float a.off out.obj", 2, "--float is for binary PLY"),
+]
+VALUES = [
+    ("certify --format stpl a.off", 2, "did you mean stl?"),
+    ("certify --max-faces 1,000 a.off", 2, "not 1,000 (digits only)"),
+    ("certify --max-faces -1 a.off", 2, "--max-faces: must be a number from 0 to 1073741823, not -1"),
+    ("certify --max-faces 99999999999999999999 a.off", 2, "not 99999999999999999999\n"),
+    ("certify --jobs a.off", 2, "--jobs: must be a number from 1 to 1024, not a.off"),
+    ("certify --tolerance 0,1 cube.itd", 2, "not 0,1 (a decimal comma?)"),
+    ("certify --tolerance nan cube.itd", 2, "must be a length from 1e-300 to 1e300, not nan"),
+    ("certify --orient keap cube.itd", 2, "must be auto or keep, not keap; did you mean keep?"),
+    ("certify --picture p.jpg a.off", 2, "--picture writes .png and .ply, not p.jpg"),
+    ("cover cube.itd --what coller -o o.vtu", 2, "did you mean collar?"),
+    ("cover cube.itd -o o.xyz", 2, "the name must end in .vtu, .obj, .ply, .off or .stl"),
+    ("cover cube.itd --sweep two", 2, "--sweep: must be a number from 0 to 20, not two"),
+    ("convert --to objj a.off o", 2, "did you mean obj?"),
+    ("convert --to step a.off o", 2, "--to must be stl, stl-ascii, obj, ply, ply-ascii, ply-be or off, not step"),
+    ("convert a.off o.itd", 2, "the name o.itd does not end in stl, obj, ply or off, the formats for a mesh; --to chooses"),
+    ("convert cube.itd o.stl", 2, "the name o.stl does not end in itd, g2, vjson, vtu, obj or gltf, the formats for splines"),
+    ("intersect cube.itd cube.itd -o c.txt", 2, "the name must end in .json or .vtu"),
+    ("intersect --gap 1mm cube.itd cube.itd", 2, "not 1mm"),
+    ("project '0 0 0' cube.itd", 2, "POINT has the coordinate '0 0 0', not a decimal, fraction or hexadecimal number; write x,y,z"),
+    ("project 0,0,x cube.itd", 2, "POINT has the coordinate 'x'"),
+    ("project 1/0,0,0 cube.itd", 2, "which is not finite"),
+    ("project cube.itd 0,0,0", 2, "POINT comes first, and cube.itd is a file: veritope project x,y,z cube.itd"),
+    ("project 0,0 cube.itd", 4, "POINT has 2 coordinates, and entity 0 has 3"),
+    ("project 1,5,2,5,0 cube.itd", 4, "POINT has 5 coordinates, and entity 0 has 3 (decimal commas?)"),
+    ("explain M10", 2, "there is no rule M10; the rules are M1 to M9"),
+    ("explain side-opne", 2, "did you mean side-open?"),
+    ("explain bondary", 2, "did you mean boundary?"),
+    ("explain ''", 2, "RULE must not be empty"),
+    ("predicate orient3 cases", 2, "there is no predicate orient3; did you mean orient3d?"),
+    ("predicate turnaround cases", 2, "there is no predicate turnaround; veritope selftest --verbose lists all"),
+    ("predicate cases orient2d", 2, "comes before FILE; cases is a file: veritope predicate NAME cases"),
+    ("selftest --cases 1e3", 2, "--cases: must be a number from 1 to 2^64 - 1, not 1e3"),
+]
+COUNTS = [
+    ("certify", 2, "FILE is required: veritope certify FILE..."),
+    ("convert a.off", 2, "OUT is required: veritope convert IN OUT"),
+    ("convert a.off b.stl c.stl", 2, "the argument c.stl is one too many: veritope convert IN OUT"),
+    ("intersect cube.itd", 2, "veritope intersect A B takes 2 files, and there is 1"),
+    ("intersect cube.itd cube.itd cube.itd", 2, "and there are 3"),
+    ("project 0,0,0", 2, "SURFACE is required: veritope project POINT SURFACE"),
+    ("explain M1 M2", 2, "the argument M2 is one too many: veritope explain [RULE]"),
+    ("selftest all", 2, "the argument all is one too many: veritope selftest"),
+    ("certify -", 2, "- is standard input and needs --format"),
+    ("certify --format off - -", 2, "standard input can be read once only"),
+    ("certify ''", 2, "a file name must not be empty"),
+    ("convert a.off -", 2, "- is standard output and needs --to"),
+]
+OUTPUTS = [
+    ("certify --json a.off a.off", 2, "the output a.off is the input a.off"),
+    ("convert a.off a.off", 2, "the output a.off is the input a.off"),
+    ("certify --json r --certificate r a.off", 2, "--json and --certificate would both write r"),
+    ("certify --certificate b.off a.off models", 2, "--certificate b.off is a file; several inputs need a folder"),
+    ("certify --certificate - a.off", 2, "--certificate needs a file name, not -"),
+    ("certify --json nowhere/r a.off", 4, "nowhere/r: cannot be written: No such file or directory"),
+    ("certify --tsv empty a.off", 4, "empty: cannot be written: it is a directory"),
+    ("convert a.off empty", 2, "OUT names the new file, and empty is a folder"),
+    ("cover cube.itd -o nowhere/o.vtu", 4, "nowhere/o.vtu: cannot be written"),
+    ("certify -q --json /dev/full a.off", 4, "/dev/full: cannot be written: No space left on device"),
+    ("certify -q --certificate /dev/full a.off", 4, "/dev/full: cannot be written: No space left on device"),
+    ("convert --to stl a.off /dev/full", 4, "/dev/full: cannot be written: No space left on device"),
+]
+INPUTS = [
+    ("certify nothing.off", 4, "nothing.off  cannot be read: No such file or directory"),
+    ("certify *.nothing", 4, "(no file matches this pattern?)"),
+    ("certify empty", 2, "no file in the folder empty has a known extension"),
+    ("certify --glob *.zzz models", 2, "no file in the folder models has a name that matches *.zzz"),
+    ("info models", 4, "it is a directory; certify takes folders, info files"),
+    ("convert models o.stl", 4, "models: cannot be read: it is a directory"),
+    ("predicate orient2d models", 4, "models: cannot be read: it is a directory"),
+    ("explain-certificate a.off", 4, "a.off: not a certificate, as certify --certificate F writes it"),
+    ("project 0,0,0 a.off", 4, "this is a mesh (off); needed is a file of splines"),
+    ("certify part.step", 4, "this is a STEP file: not read yet"),
+    ("certify note.txt", 4, "neither the ending of the name nor the content says"),
+    ("certify junk.obj", 4, "it looks like binary data: byte 7 is 0"),
+    ("info junk.itd", 4, "it looks like binary data: byte 7 is 0"),
+    ("certify junk.stl", 4, "facets announced, but there is room for 1"),
+    ("certify zero.stl", 4, "the header announces no facet"),
+    ("certify comma.obj", 4, "'0,5' (a decimal comma?)"),
+    ("certify count.off", 4, "'99999999999999999999' vertices and '4' faces announced"),
+    ("certify void.stl", 4, "the file is empty"),
+    ("certify --format itd a.off", 4, "it looks like off (--format off)"),
+    ("certify /dev/zero", 4, "it is a character device (use - for standard input)"),
+    ("predicate orient2d cases", 4, "cases:1: column 6: a number expected, but there is 'x'"),
+]
+JUNK = b"\x7fELF\x02\x01\x01\x00" + bytes((37 * i + 11) % 251 for i in range(160))
+
+
+def split(line):
+    """The words of a line; '' and quoted words as in a shell, but patterns stay as they are."""
+    return [word.strip("'") for word in re.findall(r"'[^']*'|\S+", line)]
+
+
+class WrongUsage(Folder):
+    def setUp(self):
+        super().setUp()
+        for name in ("a.off", "b.off"):
+            shutil.copy(VALID, self.folder / name)
+        (self.folder / "models").mkdir()
+        shutil.copy(VALID, self.folder / "models" / "m.off")
+        (self.folder / "empty").mkdir()
+        shutil.copy(MODELS / "patches" / "cube.itd", self.folder)
+        for ending in ("obj", "itd", "stl"):
+            (self.folder / f"junk.{ending}").write_bytes(JUNK)
+        for name, text in [("cases", "0 0 1 0 0 x\n"), ("part.step", "ISO-10303-21;\nHEADER;\n"), ("note.txt", "hello\n"), ("void.stl", ""),
+                           ("comma.obj", "v 0,5 1 2\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), ("count.off", "OFF\n99999999999999999999 4 0\n"),
+                           ("zero.stl", "\0" * 1000)]:
+            (self.folder / name).write_text(text)
+
+    def contents(self):
+        return {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
+
+    def assert_answered(self, line, status, words):
+        before = self.listing(), self.contents()
+        done = run(*split(line), cwd=self.folder, env=self.environment)
+        self.assertEqual(done.returncode, status, done)
+        self.assertEqual((self.listing(), self.contents()), before)
+        answer = done.stderr if status == 2 else done.stdout + done.stderr
+        if status == 2:
+            self.assertEqual(done.stdout, "")
+            self.assertTrue(done.stderr.startswith("veritope: "), done.stderr)
+        if "/dev/full" in line:
+            answer = done.stderr  # beside the verdict
+        self.assertIn(len(answer.splitlines()), (1, 2), answer)
+        self.assertIn(words, answer)
+        said = answer.replace(line.split()[-1], "") if status == 4 else answer.splitlines()[0]
+        for number in re.findall(r"\d{4,}", said):
+            self.assertEqual(said.count(number), 1, answer)
+        self.assertNotRegex(answer, r"terminate|what\(\)|At Most|Could not convert|not expected")
+
+    def check(self, rows):
+        for line, status, words in rows:
+            with self.subTest(line):
+                self.assert_answered(line, status, words)
+
+    def test_misspelt_commands(self):
+        self.check(COMMANDS)
+
+    def test_options_that_are_unknown_or_contradict_one_another(self):
+        self.check(OPTIONS)
+
+    def test_values_that_an_option_or_an_argument_does_not_take(self):
+        self.check(VALUES)
+
+    def test_arguments_that_are_missing_or_too_many(self):
+        self.check(COUNTS)
+
+    def test_outputs_that_cannot_be_written(self):
+        self.check(OUTPUTS)
+
+    def test_files_that_are_not_what_they_should_be(self):
+        self.check(INPUTS)
+
+    def test_the_table_is_as_long_as_it_should_be_and_has_every_command(self):
+        rows = COMMANDS + OPTIONS + VALUES + COUNTS + OUTPUTS + INPUTS
+        self.assertGreaterEqual(len({line for line, _, _ in rows}), 60)
+        listed = re.findall(r"(?m)^  ([a-z-]+) {2,}", run("--help").stdout.split("Subcommands:")[1])
+        self.assertEqual(set(listed) - {split(line)[0] for line, _, _ in rows}, set())
+
+
+if __name__ == "__main__":
+    support.main()

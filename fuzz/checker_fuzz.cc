@@ -12,6 +12,7 @@
 #include "fuzz/certificate_input.h"
 #include "fuzz/decision_laws.h"
 #include "io/read_model.h"
+#include "solids/polyhedron/reversal.h"
 #include "tests/support/checker_call.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
@@ -40,9 +41,21 @@ void check(const Input& in) {
   }
   const TriangleMesh& mesh = file.value().mesh;
   if (mesh.faces.size() > 400) return;
-  const ValidityReport report = decide_validity(mesh, {1, 1});
+  ValidityReport report = decide_validity(mesh, {1, 1});
   check_decision(mesh, report);
-  const bool claims_valid = get(statement, "claim") == "mesh-valid-1";
+  const auto number = [&](const char* key, std::uint64_t want) {
+    if (get(statement, key) != std::to_string(want))
+      fail(std::string(key) + " is " + std::to_string(want) + "\n" + statement, mesh);
+  };
+  const bool claims_reversed = get(statement, "claim") == "mesh-reversed-1";
+  if (claims_reversed) {
+    if (!is_valid_once_reversed(report)) fail(answer + "\nbut " + summary(report), mesh);
+    ReversedSolid solid = reverse_to_solid(mesh, std::move(report), 1);
+    number("reversed", solid.reversal.faces);
+    number("reversed_shells", solid.reversal.whole_shells);
+    report = std::move(solid.report);
+  }
+  const bool claims_valid = claims_reversed || get(statement, "claim") == "mesh-valid-1";
   if (claims_valid != report.is_valid) fail(answer + "\nbut " + summary(report), mesh);
   if (!claims_valid) {
     // A witness of M8 or M9 proves INVALID, but not which of the two rules is broken.
@@ -52,10 +65,6 @@ void check(const Input& in) {
         fail(answer + "\nbut " + summary(report), mesh);
     return;
   }
-  const auto number = [&](const char* key, std::uint64_t want) {
-    if (get(statement, key) != std::to_string(want))
-      fail(std::string(key) + " is " + std::to_string(want) + "\n" + statement, mesh);
-  };
   number("vertices", report.counts.referenced_vertices);
   number("edges", report.counts.edges);
   number("faces", report.counts.faces);

@@ -4,11 +4,13 @@ import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-EXAMPLES, PATCHES = ROOT / "examples", ROOT / "tests" / "models" / "patches"
+EXAMPLES, MODELS = ROOT / "examples", ROOT / "tests" / "models"
+PATCHES = MODELS / "patches"
 # claim: the arguments of certify
 COMMANDS = {
     "mesh-valid-1": (EXAMPLES / "sound_part.stl",),
     "mesh-invalid-1": (EXAMPLES / "self_crossing.off",),
+    "mesh-reversed-1": (MODELS / "m9_inside_out.off", "--orient", "auto"),
     "star-box-1": (EXAMPLES / "quarter_pipe.itd",),
     "star-box-turned-1": (PATCHES / "shell_turned_smallest.itd", "--orient", "keep"),
     "star-box-2": (PATCHES / "shell_turned_thin_nearest_valid.itd",),

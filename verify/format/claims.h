@@ -18,8 +18,8 @@
 namespace veritope::certificate {
 
 /// The body of a certificate as plain data.
-using AnyBody = std::variant<ValidBody, InvalidBody, StarBoxBody, CollarBody, PatchInvalidBody,
-                             PatchMeetingBody>;
+using AnyBody = std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody,
+                             PatchInvalidBody, PatchMeetingBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

@@ -41,9 +41,13 @@ std::string pair_code_text(std::uint8_t code) {
   return text + ((code & 64) != 0 ? ", then" : "");
 }
 
-std::string explain_valid(const ValidBody& b, std::size_t max_items) {
-  std::string out = "body: mesh-valid-1, " + std::to_string(b.order.size()) + " triangles, " +
-                    std::to_string(b.num_vertex_ids) + " vertex ids\n";
+std::string counts_text(const ValidBody& b, std::string_view claim) {
+  return "body: " + std::string(claim) + ", " + std::to_string(b.order.size()) + " triangles, " +
+         std::to_string(b.num_vertex_ids) + " vertex ids\n";
+}
+
+std::string proof_text(const ValidBody& b, std::size_t max_items) {
+  std::string out;
   append_list(out, "order (triangle at each leaf)", b.order.size(), max_items,
               [&](std::size_t i) { return std::to_string(b.order[i]); });
   std::vector<std::size_t> by_code(256);
@@ -101,7 +105,17 @@ std::string witness_text(const Witness& w) {
 }  // namespace
 
 std::string explain(const ValidBody& body, std::string_view, std::size_t max_items) {
-  return explain_valid(body, max_items);
+  return counts_text(body, kValidClaim) + proof_text(body, max_items);
+}
+
+std::string explain(const ReversedBody& body, std::string_view, std::size_t max_items) {
+  std::vector<std::size_t> reversed;
+  for (std::size_t f = 0; f < 8 * body.reversed.size(); ++f)
+    if ((body.reversed[f / 8] >> (f % 8) & 1) != 0) reversed.push_back(f);
+  std::string out = counts_text(body.solid, kReversedClaim);
+  append_list(out, "reversed triangles", reversed.size(), max_items,
+              [&](std::size_t i) { return std::to_string(reversed[i]); });
+  return out + proof_text(body.solid, max_items);
 }
 
 std::string explain(const InvalidBody& body, std::string_view, std::size_t max_items) {
@@ -115,6 +129,7 @@ std::string explain(const Certificate& c, std::size_t max_items) {
   std::string out = statement_text(c.statement) + "\n";
   if (c.valid) out += explain(*c.valid, kValidClaim, max_items);
   if (c.invalid) out += explain(*c.invalid, kInvalidClaim, max_items);
+  if (c.reversed) out += explain(*c.reversed, kReversedClaim, max_items);
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include "verify/format/mesh_certificate.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "verify/format/byte_stream.h"
@@ -67,14 +68,17 @@ Witness read_witness(ByteReader& r) {
   return x;
 }
 
-}  // namespace
-
-std::optional<ValidBody> internal::read_valid(ByteReader r) {
-  ValidBody b;
+// The numbers of triangles and vertices, which follow the magic.
+std::uint32_t read_counts(ByteReader& r, ValidBody& b) {
   r.raw(4);
   const std::uint32_t faces = r.count(4);
   b.num_vertex_ids = r.u32();
-  if (!r.ok() || faces > r.left() / 4) return std::nullopt;
+  return faces;
+}
+
+// What follows the numbers, up to the end.
+void read_proof(ByteReader& r, std::uint32_t faces, ValidBody& b) {
+  if (!r.ok() || faces > r.left() / 4) return r.fail();
   for (std::uint32_t i = 0; i < faces; ++i) b.order.push_back(r.u32());
   const auto stars = r.raw(b.num_vertex_ids);
   b.stars.assign(stars.begin(), stars.end());
@@ -98,6 +102,61 @@ std::optional<ValidBody> internal::read_valid(ByteReader r) {
   b.codes.assign(codes.begin(), codes.end());
   const auto nesting = r.raw(r.left());
   b.nesting.assign(nesting.begin(), nesting.end());
+}
+
+void write_proof(ByteWriter& w, const ValidBody& b) {
+  for (std::uint32_t f : b.order) w.u32(f);
+  w.raw(b.stars);
+  w.u32(static_cast<std::uint32_t>(b.star_vectors.size()));
+  for (const auto& d : b.star_vectors)
+    for (std::int32_t c : d) w.i32(c);
+  w.u32(static_cast<std::uint32_t>(b.separators.size()));
+  std::uint64_t next = 0;
+  for (const Separator& s : b.separators) {
+    w.varint(s.index - next);
+    next = s.index + 1;
+    for (std::int32_t c : s.direction) w.zigzag(c);
+  }
+  w.u32(static_cast<std::uint32_t>(b.codes.size()));
+  w.raw(b.codes);
+  w.raw(b.nesting);
+}
+
+void state_quantities(StatementWriter& w, const Quantities& q) {
+  w.number("vertices", q.vertices);
+  w.number("edges", q.edges);
+  w.number("faces", q.faces);
+  w.number("shells", q.shells);
+  w.number("bodies", q.bodies);
+  w.number("genus", q.genus);
+  w.text("volume", q.volume);
+}
+
+void write_counts(ByteWriter& w, std::string_view magic, const ValidBody& b) {
+  w.reserve(64 + 4 * b.order.size() + b.order.size() / 8 + b.stars.size() +
+            12 * b.separators.size() + b.codes.size());
+  w.text(magic);
+  w.u32(static_cast<std::uint32_t>(b.order.size()));
+  w.u32(b.num_vertex_ids);
+}
+
+}  // namespace
+
+std::optional<ValidBody> internal::read_valid(ByteReader r) {
+  ValidBody b;
+  const std::uint32_t faces = read_counts(r, b);
+  read_proof(r, faces, b);
+  if (!r.ok()) return std::nullopt;
+  return b;
+}
+
+std::optional<ReversedBody> internal::read_reversed(ByteReader r) {
+  ReversedBody b;
+  const std::uint32_t faces = read_counts(r, b.solid);
+  const auto bits = r.raw(faces / 8 + (faces % 8 != 0));
+  b.reversed.assign(bits.begin(), bits.end());
+  if (faces % 8 != 0 && r.ok() && b.reversed.back() >> (faces % 8) != 0) return std::nullopt;
+  read_proof(r, faces, b.solid);
   if (!r.ok()) return std::nullopt;
   return b;
 }
@@ -115,25 +174,16 @@ std::optional<InvalidBody> internal::read_invalid(ByteReader r) {
 
 Bytes encode(const ValidBody& b) {
   ByteWriter w;
-  w.reserve(64 + 4 * b.order.size() + b.stars.size() + 12 * b.separators.size() + b.codes.size());
-  w.text(kValidMagic);
-  w.u32(static_cast<std::uint32_t>(b.order.size()));
-  w.u32(b.num_vertex_ids);
-  for (std::uint32_t f : b.order) w.u32(f);
-  w.raw(b.stars);
-  w.u32(static_cast<std::uint32_t>(b.star_vectors.size()));
-  for (const auto& d : b.star_vectors)
-    for (std::int32_t c : d) w.i32(c);
-  w.u32(static_cast<std::uint32_t>(b.separators.size()));
-  std::uint64_t next = 0;
-  for (const Separator& s : b.separators) {
-    w.varint(s.index - next);
-    next = s.index + 1;
-    for (std::int32_t c : s.direction) w.zigzag(c);
-  }
-  w.u32(static_cast<std::uint32_t>(b.codes.size()));
-  w.raw(b.codes);
-  w.raw(b.nesting);
+  write_counts(w, kValidMagic, b);
+  write_proof(w, b);
+  return w.take();
+}
+
+Bytes encode(const ReversedBody& b) {
+  ByteWriter w;
+  write_counts(w, kReversedMagic, b.solid);
+  w.raw(b.reversed);
+  write_proof(w, b.solid);
   return w.take();
 }
 
@@ -151,13 +201,21 @@ Bytes encode(const Subject& subject, const Quantities& q, const ValidBody& body)
   const Bytes bytes = encode(body);
   StatementWriter w;
   state_mesh(w, subject, kValidClaim, bytes);
-  w.number("vertices", q.vertices);
-  w.number("edges", q.edges);
-  w.number("faces", q.faces);
-  w.number("shells", q.shells);
-  w.number("bodies", q.bodies);
-  w.number("genus", q.genus);
-  w.text("volume", q.volume);
+  state_quantities(w, q);
+  return join(w.take(), bytes);
+}
+
+Bytes encode(const Subject& subject, const Quantities& q, const ReversedBody& body,
+             std::uint64_t reversed_shells) {
+  const Bytes bytes = encode(body);
+  std::uint64_t reversed = 0;
+  for (const unsigned char byte : body.reversed)
+    reversed += static_cast<unsigned>(std::popcount(byte));
+  StatementWriter w;
+  state_mesh(w, subject, kReversedClaim, bytes);
+  state_quantities(w, q);
+  w.number("reversed", reversed);
+  w.number("reversed_shells", reversed_shells);
   return join(w.take(), bytes);
 }
 
@@ -180,10 +238,11 @@ std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::str
   };
   if (has_magic(kValidMagic)) out.valid = internal::read_valid(ByteReader(body));
   if (has_magic(kInvalidMagic)) out.invalid = internal::read_invalid(ByteReader(body));
-  if (!out.valid && !out.invalid) {
-    why = has_magic(kValidMagic) || has_magic(kInvalidMagic)
+  if (has_magic(kReversedMagic)) out.reversed = internal::read_reversed(ByteReader(body));
+  if (!out.valid && !out.invalid && !out.reversed) {
+    why = has_magic(kValidMagic) || has_magic(kInvalidMagic) || has_magic(kReversedMagic)
               ? "the body ends too early, is too long, or holds a malformed number"
-              : "the body starts neither with VTMV nor with VTMI";
+              : "the body starts with none of VTMV, VTMI and VTMR";
     return std::nullopt;
   }
   return out;

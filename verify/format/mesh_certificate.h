@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/mesh_certificate.h: the mesh certificate, version 1, as plain data; its encoding and a text dump.
-// The page: docs/certificates/mesh.md. Integers and bytes only; nothing here decides anything.
+// verify/format/mesh_certificate.h: the certificates about meshes, version 1, as plain data; their encoding and a text
+// dump. The pages: docs/certificates/mesh.md, mesh-reversed.md. Integers and bytes only; nothing here decides anything.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,7 +18,9 @@ using Bytes = std::vector<unsigned char>;
 inline constexpr std::string_view kFormatName = "veritope-certificate-1";
 inline constexpr std::string_view kValidClaim = "mesh-valid-1";
 inline constexpr std::string_view kInvalidClaim = "mesh-invalid-1";
-inline constexpr std::string_view kValidMagic = "VTMV", kInvalidMagic = "VTMI";
+inline constexpr std::string_view kReversedClaim = "mesh-reversed-1";
+inline constexpr std::string_view kValidMagic = "VTMV", kInvalidMagic = "VTMI",
+                                  kReversedMagic = "VTMR";
 
 /// The file that a certificate speaks about, and how it was read.
 struct Subject {
@@ -53,6 +55,13 @@ struct ValidBody {
   std::vector<std::uint8_t> nesting;
 };
 
+/// The body of mesh-reversed-1: which triangles are reversed, and what shows that the others and these bound a solid.
+struct ReversedBody {
+  Bytes
+      reversed;  ///< bit f mod 8 of byte f / 8: triangle f is reversed; as many bytes as the triangles need
+  ValidBody solid;
+};
+
 /// A natural number, least significant byte first, last byte not zero.
 using Natural = std::vector<unsigned char>;
 
@@ -72,16 +81,22 @@ struct InvalidBody {
 
 Bytes encode(const ValidBody& body);
 Bytes encode(const InvalidBody& body);
+/// REQUIRES body.reversed to have a bit for each triangle of body.solid.order.
+Bytes encode(const ReversedBody& body);
 
 /// A whole certificate: statement, line feed, body.
 Bytes encode(const Subject& subject, const Quantities& quantities, const ValidBody& body);
 Bytes encode(const Subject& subject, const InvalidBody& body);
+/// @param reversed_shells  shells all of whose triangles are reversed
+Bytes encode(const Subject& subject, const Quantities& quantities, const ReversedBody& body,
+             std::uint64_t reversed_shells);
 
 /// A decoded certificate: exactly one of the bodies.
 struct Certificate {
   std::string statement;  ///< the line of JSON
-  std::optional<ValidBody> valid;
-  std::optional<InvalidBody> invalid;
+  std::optional<ValidBody> valid{};
+  std::optional<InvalidBody> invalid{};
+  std::optional<ReversedBody> reversed{};
 };
 
 /// Decodes the layout alone: neither the statement's values nor the claim are examined. Counts are compared with the
@@ -93,12 +108,14 @@ std::optional<Certificate> decode(std::span<const unsigned char> bytes, std::str
 std::string explain(const Certificate& certificate, std::size_t max_items);
 std::string explain(const ValidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const InvalidBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const ReversedBody& body, std::string_view claim, std::size_t max_items);
 
 namespace internal {
 class ByteReader;
 /// A whole body, with its magic.
 std::optional<ValidBody> read_valid(ByteReader body);
 std::optional<InvalidBody> read_invalid(ByteReader body);
+std::optional<ReversedBody> read_reversed(ByteReader body);
 }  // namespace internal
 
 }  // namespace veritope::certificate

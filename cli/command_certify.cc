@@ -49,7 +49,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
              "list at most N defects of each rule (20)");
   set.hide("--max-defects");  // the help line above names it
   declare_jobs(set, o.input.reading.jobs);
-  declare_orientation(set, o.orient_auto, "patches, shells");
+  declare_orientation(set, o.orient_auto, "patches, faces");
   set.length("--tolerance", "EPS", o.tolerance, "of the volume of patches, in sizes cubed (1e-5)");
   set.flag("--collar", o.collar, "of patches: find a collar, certify it, too");
   set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");

@@ -39,7 +39,7 @@ void declare_jobs(OptionSet& set, int& jobs);
 
 /// --json. `what` begins the help: "write the report".
 void declare_json(OptionSet& set, std::optional<std::string>& json, const std::string& what);
-/// --orient; `is_auto` becomes true if patches that do not fit are to be reversed.
+/// --orient; `is_auto` becomes true if what does not fit is to be reversed.
 void declare_orientation(OptionSet& set, bool& is_auto, const std::string& what_is_reversed);
 
 /// Bounds on what a search may take; nothing: its own.

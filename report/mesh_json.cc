@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What reports say about meshes, as JSON.
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -82,15 +83,24 @@ Json shells_json(const FileReport& report) {
   Json out = Json::array();
   const ValidityReport* const d = decision_of(report);
   if (d == nullptr) return out;
-  for (const ShellReport& s : d->shells) {
-    if (out.size() == internal::kMostListed) break;
+  const Reversal* const reversal = internal::reversal_of(report);
+  for (std::size_t i = 0; i < std::min(d->shells.size(), internal::kMostListed); ++i) {
+    const ShellReport& s = d->shells[i];
     out.push_back({{"genus", optional_json(s.genus)},
                    {"euler", s.euler},
                    {"outward", optional_json(s.outward)},
                    {"depth", optional_json(s.depth)},
-                   {"volume", volume_json(s.volume)}});
+                   {"volume", volume_json(s.volume)},
+                   {"reversed_faces", reversal != nullptr ? reversal->shells[i].reversed : 0}});
   }
   return out;
+}
+
+Json reversed_json(const Reversal* reversal) {
+  if (reversal == nullptr) return nullptr;
+  return {{"faces", reversal->faces},
+          {"whole_shells", reversal->whole_shells},
+          {"mixed_shells", reversal->mixed_shells}};
 }
 
 Json ends_json(const std::optional<std::array<RationalPoint, 2>>& ends) {
@@ -152,6 +162,9 @@ void put_mesh_facts(const FileReport& report, Json& out) {
   out["counts"] = counts_json(report);
   out["rules"] = rules_json(report);
   out["shells"] = shells_json(report);
+  out["reversed"] = reversed_json(internal::reversal_of(report));
+  out["valid_once_reversed"] =
+      decision != nullptr ? Json(is_valid_once_reversed(*decision)) : Json(nullptr);
   out["volume"] = decision != nullptr ? volume_json(decision->volume) : Json(nullptr);
   out["bbox"] = decision != nullptr ? box_json(decision->box) : Json(nullptr);
   out["ignored"] = internal::ignored_json(reading_of(report));
@@ -189,6 +202,11 @@ const ReadReport* reading_of(const FileReport& report) {
 const ValidityReport* decision_of(const FileReport& report) {
   const auto* const facts = std::get_if<MeshFacts>(&report.facts);
   return facts != nullptr ? &facts->decision : nullptr;
+}
+
+const Reversal* reversal_of(const FileReport& report) {
+  const auto* const facts = std::get_if<MeshFacts>(&report.facts);
+  return facts != nullptr && facts->reversal ? &*facts->reversal : nullptr;
 }
 
 const ReportKind kMeshReports = {put_mesh_source, put_mesh_facts, false,

@@ -13,6 +13,7 @@ namespace {
 
 using internal::decision_of;
 using internal::reading_of;
+using internal::reversal_of;
 
 // Singular and plural of what the rules count.
 struct Noun {
@@ -41,6 +42,12 @@ std::string valid_summary(const FileReport& report) {
   if (c.genus) text += ", genus " + std::to_string(*c.genus);
   if (decision_of(report)->volume)
     text += ", volume " + short_decimal(*decision_of(report)->volume);
+  if (const Reversal* const reversal = reversal_of(report)) {
+    const std::string what = reversal->mixed_shells != 0
+                                 ? counted(reversal->faces, "face is", "faces are")
+                                 : counted(reversal->whole_shells, "shell is", "shells are");
+    text += ", once " + what + " reversed";
+  }
   return text;
 }
 
@@ -83,7 +90,28 @@ std::string volume_text(const Rational& volume) {
                      "about " + text + (exact.size() <= kExactSize ? ", exactly " + exact : ""));
 }
 
-std::string shells_text(const ValidityReport& decision) {
+// "2 shells of 3 were inside out, and faces of 1 shell disagreed; 25 faces are taken reversed"
+std::string reversed_text(const Reversal& r) {
+  std::string text;
+  if (r.whole_shells != 0)
+    text = counted(r.whole_shells, "shell", "shells") + " of " + std::to_string(r.shells.size()) +
+           (r.whole_shells == 1 ? " was" : " were") + " inside out";
+  if (r.mixed_shells != 0)
+    text += (text.empty() ? "" : ", and ") +
+            ("faces of " + counted(r.mixed_shells, "shell", "shells") + " disagreed");
+  return detail_line("reversed",
+                     text + "; " + counted(r.faces, "face is", "faces are") + " taken reversed");
+}
+
+// How much of a shell is reversed, if anything is.
+std::string reversed_part(const Reversal* reversal, std::size_t shell) {
+  if (reversal == nullptr || reversal->shells[shell].reversed == 0) return "";
+  const auto& [faces, reversed] = reversal->shells[shell];
+  return reversed == faces ? ", taken reversed"
+                           : ", " + counted(reversed, "face", "faces") + " taken reversed";
+}
+
+std::string shells_text(const ValidityReport& decision, const Reversal* reversal) {
   if (!decision.nesting_decided || decision.shells.size() < 2) return "";
   std::string text;
   for (std::size_t i = 0; i < std::min(decision.shells.size(), internal::kMostShown); ++i) {
@@ -91,7 +119,7 @@ std::string shells_text(const ValidityReport& decision) {
     text += detail_line("shell " + std::to_string(i),
                         std::string(*s.outward ? "outward" : "inward") + ", depth " +
                             std::to_string(*s.depth) + ", genus " + std::to_string(*s.genus) +
-                            ", volume " + short_decimal(*s.volume));
+                            ", volume " + short_decimal(*s.volume) + reversed_part(reversal, i));
   }
   if (decision.shells.size() > internal::kMostShown) {
     text += detail_line("...", std::to_string(decision.shells.size() - internal::kMostShown) +
@@ -235,7 +263,11 @@ std::string invalid_text(const FileReport& report, const TextOptions& options) {
   if (!decision.nesting_decided)
     out += options.style.dim("  M8 and M9 (which side is inside) are decided once M1 to M7 hold.") +
            "\n";
-  return out + detail_line("what helps", "veritope explain " + first +
+  const std::string reversing =
+      is_valid_once_reversed(decision)
+          ? "veritope certify --orient auto FILE reverses faces, and the mesh is VALID; "
+          : "";
+  return out + detail_line("what helps", reversing + "veritope explain " + first +
                                              "; --picture F draws them, --max-defects N lists "
                                              "more, --json F has exact coordinates");
 }
@@ -296,7 +328,9 @@ std::string mesh_details(const FileReport& report, const TextOptions&) {
   out += notices_text(*reading_of(report));
   out += box_text(d->box);
   if (d->volume && d->is_valid) out += volume_text(*d->volume);
-  return out + shells_text(*d);
+  const Reversal* const reversal = reversal_of(report);
+  if (reversal != nullptr) out += reversed_text(*reversal);
+  return out + shells_text(*d, reversal);
 }
 
 }  // namespace internal

@@ -43,7 +43,8 @@ constexpr std::array<RuleText, kNumMeshRules> kTexts = {{
      "on opposite sides of the surface.",
      "Faces turned over by a mirror, a modeller that ignores orientation, a one-sided surface "
      "(Moebius strip, Klein bottle), which no orientation can cure.",
-     "Reverse the vertex order of the faces that disagree, shell by shell.",
+     "veritope certify --orient auto reverses the faces that disagree, if nothing else is wrong, "
+     "and certifies the file so; or reverse their vertex order in the file, shell by shell.",
      "CGAL orient_polygon_soup; val3dity 307; trimesh is_winding_consistent; admesh \"facets "
      "reversed\"; Parasolid: inconsistent face normals"},
     {"M6", "vertex with several fans",
@@ -67,7 +68,8 @@ constexpr std::array<RuleText, kNumMeshRules> kTexts = {{
      "signed volume is negative. Decided if M1 to M7 hold.",
      "A mirrored model, the other convention for the order of vertices, a cavity whose outer "
      "shell is missing.",
-     "Reverse all faces of the shell.",
+     "veritope certify --orient auto reverses the shell, if nothing else is wrong, and certifies "
+     "the file so; or reverse all faces of the shell in the file.",
      "CGAL is_outward_oriented; val3dity 405; trimesh volume < 0; admesh reverses it silently; "
      "Parasolid: inside-out body"},
     {"M9", "shell nested with the wrong side",
@@ -75,7 +77,8 @@ constexpr std::array<RuleText, kNumMeshRules> kTexts = {{
      "inward, outward with depth. Decided if M1 to M7 hold.",
      "A cavity with the normals of a solid, a part put inside another one without subtracting "
      "it, left-over inner shells.",
-     "A cavity: reverse its faces. A part that is buried: delete it.",
+     "A cavity: reverse its faces, or let veritope certify --orient auto do so. A part that is "
+     "buried: delete it.",
      "CGAL does_bound_a_volume; val3dity 405; trimesh, admesh do not look; "
      "Parasolid: region with bad shells"},
 }};

@@ -77,6 +77,45 @@ TEST(Certify, AMeshIsValidOrInvalidAndItsCertificateIsAccepted) {
   EXPECT_FALSE(invalid.certificate.empty());
 }
 
+TEST(Certify, AMeshWhoseFacesRunTheWrongWayIsValidOnceTheyAreReversed) {
+  TriangleMesh mixed = shapes::nested_boxes(2);
+  std::swap(mixed.faces[3][1], mixed.faces[3][2]);
+  CertifyOptions options;
+  for (const TriangleMesh& mesh : {shapes::reversed(shapes::nested_boxes(3)), mixed}) {
+    const std::string file = bytes_of(mesh);
+    options.orientation = PatchOrientation::kKeep;
+    EXPECT_EQ(certify(read(file, "a.ply"), options).value().claim, "mesh-invalid-1");
+    options.orientation = PatchOrientation::kAuto;
+    const Certified c = certify(read(file, "a.ply"), options).value();
+    EXPECT_EQ(c.verdict, Verdict::kValid);
+    EXPECT_EQ(c.claim, "mesh-reversed-1");
+    EXPECT_TRUE(c.findings.empty());
+    const MeshFacts& facts = std::get<MeshFacts>(c.facts);
+    EXPECT_TRUE(facts.decision.is_valid);
+    ASSERT_TRUE(facts.reversal);
+    EXPECT_EQ(facts.reversal->faces, facts.reversal->whole_shells == 0 ? 1u : 36u);
+    expect_accepted(file, c);
+    options.jobs = 4;
+    EXPECT_EQ(certify(read(file, "a.ply"), options).value().certificate, c.certificate);
+    options.jobs = 1;
+  }
+}
+
+TEST(Certify, MeshesThatReversingDoesNotHelpAreTakenAsTheyAre) {
+  TriangleMesh open = shapes::reversed(shapes::box({0, 0, 0}, {1, 2, 3}));
+  open.faces.pop_back();
+  for (const TriangleMesh& mesh : {shapes::box({0, 0, 0}, {1, 2, 3}), open}) {
+    const std::string file = bytes_of(mesh);
+    CertifyOptions options;
+    const Certified as_is = certify(read(file, "a.ply"), options).value();
+    options.orientation = PatchOrientation::kAuto;
+    const Certified c = certify(read(file, "a.ply"), options).value();
+    EXPECT_EQ(c.certificate, as_is.certificate);
+    EXPECT_EQ(c.findings.size(), as_is.findings.size());
+    EXPECT_FALSE(std::get<MeshFacts>(c.facts).reversal);
+  }
+}
+
 TEST(Certify, FindingsOfMeshesAreListedForEachRuleAndTheCertificateDoesNotDependOnThem) {
   TriangleMesh mesh = shapes::box({0, 0, 0}, {1, 1, 1});
   mesh.faces.push_back(mesh.faces[0]);

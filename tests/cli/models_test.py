@@ -72,6 +72,45 @@ class Models(unittest.TestCase):
                             status = check_in_python(["veritope_check.py", *pair])
                         self.assertEqual((status, said.getvalue()[:len(claim)]), (0, claim), said.getvalue())
 
+    def test_orient_auto_makes_valid_what_only_faces_the_wrong_way_and_nothing_else(self):
+        rows = [row for row in readable() if row["options"] == "-"]
+        models = [MODELS / row["file"] for row in rows]
+        as_is, reversed_ = (support.report("--orient", how, *models)["files"] for how in ("keep", "auto"))
+        helped = 0
+        for row, before, after in zip(rows, as_is, reversed_, strict=True):
+            with self.subTest(row["file"]):
+                broken = {rule for rule, count in before["rules"].items() if count}
+                helps = bool(broken) and broken <= {"M5", "M8", "M9"}
+                self.assertEqual(before["valid_once_reversed"], helps)
+                self.assertIsNone(before["reversed"])
+                if not helps:
+                    self.assertEqual({**after, "seconds": None}, {**before, "seconds": None})
+                    continue
+                helped += 1
+                self.assertEqual((after["verdict"], after["certificate"]["checked"], after["exit"]), ("VALID", True, 0))
+                self.assertEqual({rule for rule, count in after["rules"].items() if count}, set())
+                faces = [shell["reversed_faces"] for shell in after["shells"]]
+                self.assertEqual((sum(faces), after["valid_once_reversed"]), (after["reversed"]["faces"], False))
+                self.assertEqual(sum(map(bool, faces)), after["reversed"]["whole_shells"] + after["reversed"]["mixed_shells"])
+                wrong = before["rules"]["M8"], before["rules"]["M9"]
+                if "M5" not in broken:
+                    self.assertEqual((after["reversed"]["whole_shells"], after["reversed"]["mixed_shells"]), (sum(wrong), 0))
+        self.assertGreaterEqual(helped, 5)
+
+    def test_reports_say_where_orient_auto_helps_and_what_it_reversed(self):
+        text = run("certify", MODELS / "m9_inside_out.off").stdout
+        self.assertIn("veritope certify --orient auto FILE", text)
+        self.assertNotIn("--orient", run("certify", MODELS / "m5_one_sided.off").stdout)
+        text = run("certify", "--orient", "auto", MODELS / "m9_inside_out.off").stdout
+        self.assertIn(", once 2 shells are reversed (checked)", text)
+        self.assertIn("2 shells of 2 were inside out; 8 faces are taken reversed", text)
+        self.assertIn("shell 1      inward, depth 1, genus 0, volume -0.166667, taken reversed", text)
+        text = run("certify", "--orient", "auto", MODELS / "m5_smallest.off").stdout
+        self.assertIn(", once 1 face is reversed (checked)", text)
+        self.assertIn("faces of 1 shell disagreed; 1 face is taken reversed", text)
+        for rule in ("M5", "M8", "M9"):
+            self.assertIn("veritope certify --orient auto", " ".join(run("explain", rule).stdout.split()))
+
     def test_reports_and_certificates_do_not_depend_on_the_number_of_jobs(self):
         models = [MODELS / row["file"] for row in readable() if row["options"] == "-"]
         with tempfile.TemporaryDirectory() as folder:

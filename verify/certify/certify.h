@@ -33,9 +33,11 @@ struct CertifyOptions {
   std::size_t max_findings = 20;
   std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one
 
-  // Models of patches; the other kinds ignore them.
-  /// kAuto also reverses shells that are wrongly oriented as a whole.
+  /// Patches: kAuto also reverses shells that are wrongly oriented as a whole. Meshes: kAuto reverses faces if that
+  /// alone makes the mesh valid, and the certificate (mesh-reversed-1) says which; otherwise nothing is reversed.
   PatchOrientation orientation = PatchOrientation::kKeep;
+
+  // Models of patches; the other kinds ignore them.
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1
   /// The most boxes that are tried, and the most octree cells of a collar. Nothing: those of StarCoverOptions and
   /// CollarSearchOptions.

@@ -31,26 +31,44 @@ std::vector<Finding> listed(std::vector<Finding> defects, const MeshFile& file, 
   return defects;
 }
 
+ValidityReport without_defects(ValidityReport report) {
+  report.defects.clear();
+  report.stars = {};
+  return report;
+}
+
+Certified certified_reversed(const MeshFile& file, ValidityReport decision,
+                             const CertifyOptions& options) {
+  ReversedSolid solid = reverse_to_solid(file.mesh, std::move(decision), options.jobs);
+  internal::enter(Phase::kCertifying, options);
+  Certified out;
+  out.verdict = Verdict::kValid;
+  out.claim = certificate::kReversedClaim;
+  out.certificate = make_mesh_certificate(solid, subject_of(file, options), options.jobs);
+  out.facts = MeshFacts{without_defects(std::move(solid.report)), std::move(solid.reversal)};
+  return out;
+}
+
 }  // namespace
 
 Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOptions& options) {
   if (file.mesh.faces.empty()) return Error{Code::kEmpty, {}, "there is no face in this mesh"};
-  Certified out;
-  MeshFacts& facts = out.facts.emplace<MeshFacts>();
   enter(Phase::kDeciding, options);
   ValidityOptions how;
   how.jobs = options.jobs;
   how.max_defects =
       std::max<std::size_t>(options.max_findings, 1);  // the certificate needs one of each rule
-  ValidityReport& decision = facts.decision = decide_validity(file.mesh, how);
+  ValidityReport decision = decide_validity(file.mesh, how);
+  if (options.orientation == PatchOrientation::kAuto && is_valid_once_reversed(decision))
+    return certified_reversed(file, std::move(decision), options);
   enter(Phase::kCertifying, options);
+  Certified out;
   out.certificate =
       make_mesh_certificate(file.mesh, decision, subject_of(file, options), options.jobs);
   out.verdict = decision.is_valid ? Verdict::kValid : Verdict::kInvalid;
   out.claim = decision.is_valid ? certificate::kValidClaim : certificate::kInvalidClaim;
   out.findings = listed(std::move(decision.defects), file, options.max_findings);
-  decision.defects.clear();
-  decision.stars = {};
+  out.facts = MeshFacts{without_defects(std::move(decision)), std::nullopt};
   return out;
 }
 

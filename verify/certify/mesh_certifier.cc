@@ -22,6 +22,7 @@ namespace {
 
 using certificate::InvalidBody;
 using certificate::Natural;
+using certificate::ReversedBody;
 using certificate::Separator;
 using certificate::ValidBody;
 using certificate::Witness;
@@ -97,6 +98,14 @@ ValidBody valid_body(const TriangleMesh& mesh, const ValidityReport& report, uns
   add_walk(mesh, report, jobs, body);
   if (report.shells.size() > 1) body.nesting = report.nesting.axis_code;
   return body;
+}
+
+// Bit f mod 8 of byte f / 8.
+certificate::Bytes bits_of(const std::vector<bool>& flags) {
+  certificate::Bytes out(flags.size() / 8 + (flags.size() % 8 != 0));
+  for (std::size_t f = 0; f < flags.size(); ++f)
+    if (flags[f]) out[f / 8] = static_cast<unsigned char>(out[f / 8] | 1u << (f % 8));
+  return out;
 }
 
 certificate::Quantities quantities(const ValidityReport& report) {
@@ -193,6 +202,15 @@ certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const Validit
   if (report.is_valid)
     return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
   return certificate::encode(subject, invalid_body(mesh, report));
+}
+
+certificate::Bytes make_mesh_certificate(const ReversedSolid& solid,
+                                         const certificate::Subject& subject, unsigned jobs) {
+  const WorkerScope workers(std::max(1u, jobs));
+  VT_CHECK(solid.report.is_valid, "a reversal does not make the mesh valid");
+  const ReversedBody body{bits_of(solid.reversal.is_reversed),
+                          valid_body(solid.mesh, solid.report, jobs)};
+  return certificate::encode(subject, quantities(solid.report), body, solid.reversal.whole_shells);
 }
 
 }  // namespace veritope

@@ -2,6 +2,7 @@
 // verify/certify/mesh_certifier.h: from a decided mesh to its certificate. All searching is done here; the checkers do
 // not search.
 #pragma once
+#include "solids/polyhedron/reversal.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/validity.h"
 #include "verify/format/mesh_certificate.h"
@@ -14,6 +15,10 @@ namespace veritope {
 /// @cost approximately that of the decision. Throws InternalError if a proper pair has no code: a bug, never a property
 /// of the model.
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
+                                         const certificate::Subject& subject, unsigned jobs);
+
+/// The certificate mesh-reversed-1 of a file whose triangles, with those of the reversal reversed, are `solid.mesh`.
+certificate::Bytes make_mesh_certificate(const ReversedSolid& solid,
                                          const certificate::Subject& subject, unsigned jobs);
 
 }  // namespace veritope

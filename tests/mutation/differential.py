@@ -22,6 +22,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import attacks                                            # noqa: E402
 import forge                                              # noqa: E402
+import reversed_liars                                     # noqa: E402
 import solids                                             # noqa: E402
 
 attacks.load_checker()
@@ -196,6 +197,9 @@ def damaged_model(rng):
 
 
 def damaged_certificate(rng):
+    if rng.random() < .25:
+        yield from damaged_reversal(rng)
+        return
     case = attacks.valid_case(rng) if rng.random() < .5 else attacks.false_case(rng)[0]
     true = forge.true_witnesses(case.truth, rng)
     if true and rng.random() < .8:
@@ -208,6 +212,13 @@ def damaged_certificate(rng):
         cert = case.certificate(plan)
     for _ in range(12):
         yield "certificate", case.bytes, damage_certificate(cert, rng), case.broken
+
+
+def damaged_reversal(rng):
+    """A certificate that reverses triangles, honest or not; nothing is known about what a damaged one claims."""
+    _, case, cert = next(iter((reversed_liars.honest if rng.random() < .6 else reversed_liars.reversed_attacks)(rng)))
+    for _ in range(12):
+        yield "reversed", case.bytes, damage_certificate(cert, rng), None
 
 
 def is_false(cert, broken):

@@ -150,7 +150,7 @@ def main(argv):
     table, alone, honest_found, failures = attacks.run_all(options, Run)
     attacks.print_table(table, alone, CONDITIONS)
     return attacks.report(failures, figures(table, honest_found, failures, options, time.monotonic() - start),
-                          missing_conditions(alone) if options.count >= 5000 else ())
+                          missing_conditions(alone) if options.count >= 20000 else ())
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ def boundary_faces(volumes):
     for n, volume in enumerate(volumes):
         check_volume(n, volume)
         exact = [integers(n, point) for point in volume.points]
-        faces += faces_of(volume, hand_of(n, volume, exact))
+        faces += faces_of(volume, hand_of(volume, exact))
     surfaces = left_over(faces)
     if not surfaces:
         raise Refused("the volumes have no boundary face that is not a wall between two and has an area")
@@ -48,8 +48,8 @@ def integers(n, point):
 
 # ---------------------------------------------------------------- section 2: the hand
 
-def hand_of(n, volume, exact):
-    """1 or -1."""
+def hand_of(volume, exact):
+    """1 or -1; 1 if all determinants are 0."""
     strides = volume.strides()
     for ends in product((0, 1), repeat=3):
         ends, sign, at = ends[::-1], 1, 0

@@ -11,7 +11,7 @@ from ..common.errors import Reject
 from .star_box_check import MAX_DEGREE
 from .model_subject import read_subject
 from .star_box_nodes import extremes
-from .star_box_patches import (axis_matrix, curve_key, halves, is_collapsed, outer_sides_of, surface_patch,
+from .star_box_patches import (along_u, axis_matrix, curve_key, halves, is_collapsed, outer_sides_of, surface_patch,
                                triangle_patch)
 from .star_box_read import Body, read_entities
 
@@ -69,7 +69,8 @@ class Patches:
     """The patches by number, made on demand: a body of n breaks may define n^2 of them."""
 
     def __init__(self, entities, flags, breaks):
-        self.entities, self.flags, self.breaks, self.made, self.matrices = entities, flags, breaks, {}, {}
+        self.entities, self.flags, self.breaks, self.made = entities, flags, breaks, {}
+        self.matrices, self.columns = {}, {}
         self.sizes = [(len(b[0]) - 1, len(b[1]) - 1) if b else (1, 1) if e else (0, 0)
                       for e, b in zip(entities, breaks)]
         self.first = [0]                                    # number of the first patch of each entity
@@ -108,10 +109,17 @@ class Patches:
         if n not in self.made:
             e, u, v = self.place(n)
             entity, flag = self.entities[e], self.flags[e]
-            self.made[n] = (surface_patch(entity, flag, 0, self.matrix(e, 0, u), self.matrix(e, 1, v),
-                                          outer_sides_of(u, v, *self.sizes[e]))
-                            if self.breaks[e] else triangle_patch(entity, flag, 0))
+            self.made[n] = self.cut(e, u, v) if self.breaks[e] else triangle_patch(entity, flag, 0)
         return self.made[n]
+
+    def cut(self, e, u, v):
+        """The patch of two intervals between breaks of a surface."""
+        along_v = self.matrix(e, 1, v)
+        key = e, u, along_v[0]
+        if key not in self.columns:
+            self.columns[key] = along_u(self.entities[e], 0, self.matrix(e, 0, u), along_v[0])
+        return surface_patch(self.entities[e], self.flags[e], self.columns[key], along_v,
+                             outer_sides_of(u, v, *self.sizes[e]))
 
     def matrix(self, e, axis, i):
         key = e, axis, i

@@ -9,8 +9,9 @@ Nets are multiplied by, or divided by, common factors > 0 so that all their coef
 from bisect import bisect_right
 from fractions import Fraction
 from functools import lru_cache
+from itertools import islice
 from math import comb, gcd, lcm
-from operator import add
+from operator import add, mul
 
 from ..common.errors import Reject
 
@@ -122,7 +123,8 @@ def bezier_matrix(knots, p, k, a, b):
     return [[x // common for x in row] for row in matrix]
 
 def apply(matrix, rows):
-    return [[sum(m * x for m, x in zip(line, column)) for column in zip(*rows)] for line in matrix]
+    columns = list(zip(*rows))
+    return [[sum(map(mul, line, column)) for column in columns] for line in matrix]
 
 def axis_matrix(entity, axis, lo, hi):
     """(least control point, matrix) of the Bezier coefficients between two breaks without a knot between them."""
@@ -130,16 +132,30 @@ def axis_matrix(entity, axis, lo, hi):
     k = bisect_right(knots, lo, p, len(knots) - p) - 1
     return k, bezier_matrix(knots, p, k, lo, hi)
 
-def triangle_patch(entity, flag, unit):
+def net_of(rows, unit):
+    """The arrays of the points in units of 2^E, times one factor that makes them integers."""
     scale = Fraction(2) ** -unit
-    return Patch(entity, flag, [[[p[0] * scale, p[1] * scale, p[2] * scale, p[3]] for p in row] for row in entity.rows])
+    flat = integers([c for row in rows for x, y, z, w in row for c in (x * scale, y * scale, z * scale, w)],
+                    MAX_BITS, "control points")
+    points = zip(*[iter(flat)] * 4)
+    net = [list(islice(points, len(row))) for row in rows]
+    return [[[point[c] for point in row] for row in net] for c in range(4)]
 
-def surface_patch(entity, flag, unit, u, v, outer):
-    """The patch of two intervals; u, v: results of axis_matrix; outer: of outer_sides_of."""
-    scale, (p, q), (ku, mu), (kv, mv) = Fraction(2) ** -unit, entity.degrees, u, v
-    rows = [[[c[0] * scale, c[1] * scale, c[2] * scale, c[3]] for c in row[kv - q:kv + 1]]
-            for row in entity.rows[ku - p:ku + 1]]
-    return Patch(entity, flag, rows, (mu, mv), outer)
+def triangle_patch(entity, flag, unit):
+    return Patch(entity, flag, net_of(entity.rows, unit))
+
+def along_u(entity, unit, u, kv):
+    """The arrays whose rows are Bezier coefficients in u, and whose columns are the control points kv - q to kv. u: a
+    result of axis_matrix."""
+    (p, q), (ku, mu) = entity.degrees, u
+    net = net_of([row[kv - q:kv + 1] for row in entity.rows[ku - p:ku + 1]], unit)
+    return [transposed(apply(mu, a)) for a in net]
+
+def surface_patch(entity, flag, columns, v, outer):
+    """The patch of two intervals; columns: of along_u; v: a result of axis_matrix; outer: of outer_sides_of."""
+    net = [transposed(apply(v[1], a)) for a in columns]
+    common = gcd(*[c for a in net for row in a for c in row])
+    return Patch(entity, flag, [[[c // common for c in row] for row in a] for a in net], outer)
 
 def outer_sides_of(u, v, m, n):
     """The sides of patch (u, v) of m times n that lie on the border of the entity's domain."""
@@ -152,26 +168,23 @@ def patches_of(entity, breaks, flag, unit):
         return
     us, vs = [[axis_matrix(entity, axis, lo, hi) for lo, hi in zip(b, b[1:])] for axis, b in enumerate(breaks)]
     for i, u in enumerate(us):
+        made = {}                                           # of along_u, for each interval of knots of v
         for j, v in enumerate(vs):
-            yield surface_patch(entity, flag, unit, u, v, outer_sides_of(i, j, len(us), len(vs)))
+            if v[0] not in made:
+                made[v[0]] = along_u(entity, unit, u, v[0])
+            yield surface_patch(entity, flag, made[v[0]], v, outer_sides_of(i, j, len(us), len(vs)))
 
 class Patch:
     """net: integers.  sides[s]: None collapsed, else (edge, first of the two?).  component: number.
     outer: the sides on the border of the entity's domain."""
 
-    def __init__(self, entity, flag, rows, matrices=None, outer=(0, 1, 2)):
+    def __init__(self, entity, flag, net, outer=(0, 1, 2)):
         self.is_tensor, self.flag, self.degrees = entity.kind == "surface", flag, entity.degrees
         self.is_flat = not self.is_tensor and self.degrees == (1,) and not entity.rational
         self.rational, self.num_sides = entity.rational, 4 if self.is_tensor else 3
         self.quarters = quarters_of_tensor if self.is_tensor else quarters_of_triangle
         self.side_of = side_of_tensor if self.is_tensor else side_of_triangle
-        flat = iter(integers([c for row in rows for point in row for c in point], MAX_BITS, "control points"))
-        points = [[[next(flat) for _ in point] for point in row] for row in rows]
-        self.net = [[[point[c] for point in row] for row in points] for c in range(4)]
-        if matrices:
-            self.net = [transposed(apply(matrices[1], transposed(apply(matrices[0], a)))) for a in self.net]
-            common = gcd(*[c for a in self.net for row in a for c in row])
-            self.net = [[[c // common for c in row] for row in a] for a in self.net]
+        self.net = net
         p, q = self.degrees * (1 if self.is_tensor else 2)
         self.num_g = 9 * p * q if self.is_tensor else 3 * p * (3 * p - 1) // 2
         self.both_degrees, self.bits = (p, q), longest(self.net)

@@ -68,10 +68,10 @@ std::string difference(const ExactSurface& a, const ::Entity& b) {
   }
   const auto c = static_cast<std::size_t>(b.components);
   const std::size_t count = a.axis(0).num_control() * a.axis(1).num_control();
-  if (count * c != b.points.size()) return "number of points";
+  if (count != b.places.size()) return "number of points";
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = 0; k < c; ++k)
-      if (a.component(static_cast<int>(k))[i] != rational_of(b.points[i * c + k]))
+      if (a.component(static_cast<int>(k))[i] != rational_of(b.number(i, k)))
         return "point " + std::to_string(i);
   return "";
 }

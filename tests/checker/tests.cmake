@@ -18,3 +18,18 @@ endforeach()
 add_test(NAME checker_input_kinds COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/checker/input_kinds_test.py")
 set_tests_properties(checker_input_kinds PROPERTIES LABELS quick TIMEOUT 600 ENVIRONMENT
                      "PYTHONDONTWRITEBYTECODE=1;VERITOPE_CHECK=$<TARGET_FILE:veritope-check>")
+
+# The readers of spline models alone, so that tests can compare what they find, not only what is accepted.
+file(GLOB readers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/verify/checker/patches/*_reader.cc"
+     "${PROJECT_SOURCE_DIR}/verify/checker/patches/volume_*.cc")
+list(APPEND readers "${PROJECT_SOURCE_DIR}/verify/checker/patches/star_model.cc"
+     "${PROJECT_SOURCE_DIR}/verify/checker/patches/mfem_topology.cc")
+add_executable(print_model "${CMAKE_CURRENT_SOURCE_DIR}/checker/print_model.cc" ${readers})
+target_include_directories(print_model PRIVATE "${PROJECT_SOURCE_DIR}")
+set_target_properties(print_model PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+
+foreach(part IN ITEMS g2 mfem faces)
+  veritope_judges_test(model_${part} model_${part} standard)
+  veritope_judges_test(${part}_cpp ${part}_cpp standard)
+  set_property(TEST checker_cpp_${part}_cpp APPEND PROPERTY ENVIRONMENT "VERITOPE_PRINT_MODEL=$<TARGET_FILE:print_model>")
+endforeach()

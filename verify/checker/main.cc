@@ -12,8 +12,10 @@ namespace {
 
 const char kUsage[] =
     "usage: veritope-check MODEL CERT\n"
-    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson or itd). Prints\n"
-    "ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and exits "
+    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2 or "
+    "MFEM).\n"
+    "Prints ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and "
+    "exits "
     "with\n"
     "1. Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the reading rule "
     "refuses\n"

@@ -6,14 +6,12 @@ namespace {
 
 typedef std::vector<std::string> Words;
 const Words kPassedOver = {"NUMBER", "STRING", "POINT", "VECTOR", "PLANE", "MATRIX", "CTLPT"};
-const Words kRefused = {"CURVE",    "TRIVAR",    "TRIMSRF",   "MODEL",  "POLYGON",
-                        "POLYLINE", "POINTLIST", "POLYSTRIP", "TRISRF", "INSTANCE"};
+const Words kRefused = {
+    "CURVE",    "SURFACE",   "TRIVAR",    "TRIMSRF", "MODEL",   "POLYGON",
+    "POLYLINE", "POINTLIST", "POLYSTRIP", "TRISRF",  "INSTANCE"};  // entities are excepted
 const Words kNoAttribute = {"KV", "KVP", "SURFACE", "CURVE", "TRIMCRV"};
 const Words kBases = {"BEZIER", "BSPLINE", "POWER"};
 const uint64_t kMostOrder = 64;
-// 5^27, and the odd primes below 64.
-const int64_t kPrimes[] = {
-    7450580596923828125, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61};
 
 bool is_in(const Words& words, const std::string& w) {
   return std::find(words.begin(), words.end(), w) != words.end();
@@ -39,29 +37,11 @@ struct Binomials {
       for (size_t i = c.size(); i-- > k;) at(i) = at(i) + at(i - 1);
   }
 };
-// n / d in lowest terms. REQUIRES that d has no prime factor over 61 (powers of ten, and binomials of a degree below
-// 64, have none): Euclid's algorithm would take a step for each other bit.
-Ratio shortened(Big n, Big d) {
-  const int64_t twos = std::min(n.zeros(), d.zeros());
-  n = shifted(n, -twos), d = shifted(d, -twos);
-  const auto divides = [&](int64_t q) {
-    Big rest;
-    const Big to = divide(n, Big(q), &rest);
-    if (rest.sign() != 0) return false;
-    const Big of = divide(d, Big(q), &rest);
-    if (rest.sign() != 0) return false;
-    n = to, d = of;
-    return true;
-  };
-  for (const int64_t q : kPrimes)
-    while (divides(q)) {
-    }
-  return Ratio(n, d);
-}
-// Converts the net of a surface, u fastest, from the power basis to Bernstein's, each component in integers, because
+// Converts control points, first axis fastest, from the power basis to Bernstein's, each component in integers, because
 // sums of long fractions are slow.
 void to_bernstein(std::vector<Ratio>* net, size_t components, const std::vector<int64_t>& degrees) {
-  const Binomials u(degrees[0]), v(degrees[1]);
+  std::vector<Binomials> axes;
+  for (int64_t d : degrees) axes.push_back(Binomials(d));
   for (size_t j = 0; j < components; ++j) {
     Big common = 1;
     for (size_t i = j; i < net->size(); i += components)
@@ -69,9 +49,13 @@ void to_bernstein(std::vector<Ratio>* net, size_t components, const std::vector<
     std::vector<Big> a;
     for (size_t i = j; i < net->size(); i += components)
       a.push_back((*net)[i].n * divide(common, (*net)[i].d, nullptr));
-    for (size_t k = 0; k < v.c.size(); ++k) u.transform(&a, k * u.c.size(), 1);
-    for (size_t i = 0; i < u.c.size(); ++i) v.transform(&a, i, u.c.size());
-    common = common * u.common * v.common;
+    size_t step = 1;
+    for (const Binomials& axis : axes) {
+      for (size_t i = 0; i < a.size(); ++i)  // where a row along the axis begins
+        if (i / step % axis.c.size() == 0) axis.transform(&a, i, step);
+      step *= axis.c.size();
+      common = common * axis.common;
+    }
     for (size_t i = 0; i < a.size(); ++i) (*net)[j + i * components] = shortened(a[i], common);
   }
 }
@@ -79,6 +63,7 @@ void to_bernstein(std::vector<Ratio>* net, size_t components, const std::vector<
 struct Reader {
   const std::string& text;
   size_t& at;
+  const bool has_volumes;
 
   // Section 1.
   void skip() { at = std::min(text.find_first_not_of(" \t\v\f\n\r", at), text.size()); }
@@ -121,79 +106,70 @@ struct Reader {
     expect(v > 0 && w[0] != '-', "a count is less than 1");
     return v;
   }
-  Ratio decimal() {
-    const std::string w = word();
-    size_t i = !w.empty() && (w[0] == '+' || w[0] == '-'), digits = 0;
-    for (bool point = false; i < w.size() && (isdigit(uint8_t(w[i])) || (w[i] == '.' && !point));
-         ++i)
-      w[i] == '.' ? point = true : ++digits;
-    expect(digits > 0 && digits <= kMostDigits, "expected a decimal of at most 1000 digits");
-    expect(i == w.size() || w[i] == 'e' || w[i] == 'E', "expected a decimal");
-    return read_number(w);  // tests the exponent
-  }
 
-  // Section 3.
-  // Reads two groups; an axis of KVP has more control points than the file lists.
-  void knots(const uint64_t* given, uint64_t* stored, Entity* e) {
-    for (size_t a = 0; a < 2; ++a) {
+  // Sections 3 and 4.
+  // Reads a group for each axis; an axis of KVP has more control points than the file lists.
+  void knots(const std::vector<uint64_t>& given, std::vector<uint64_t>* stored, Entity* e) {
+    for (size_t a = 0; a < given.size(); ++a) {
       expect(take_if('['), "expected a group of knots");
       const std::string w = word();
       expect(w == "KV" || w == "KVP", "expected KV or KVP");
       const uint64_t order = uint64_t(e->degrees[a]) + 1;
-      stored[a] = given[a] + (w == "KVP" ? order - 1 : 0);
-      for (uint64_t i = 0; i < stored[a] + order; ++i) e->knots[a].push_back(decimal());
+      (*stored)[a] = given[a] + (w == "KVP" ? order - 1 : 0);
+      std::vector<Ratio> t;
+      for (uint64_t i = 0; i < (*stored)[a] + order; ++i) t.push_back(read_decimal(word()));
       expect(take_if(']'), "more knots than belong there");
+      e->knots.push_back(std::move(t));
     }
   }
   std::vector<Ratio> points(uint64_t number, size_t components, bool is_rational) {
     std::vector<Ratio> flat;
     for (uint64_t i = 0; i < number; ++i) {
       expect(take_if('['), "expected a control point");
-      for (size_t k = 0; k < components; ++k) flat.push_back(decimal());
+      for (size_t k = 0; k < components; ++k) flat.push_back(read_decimal(word()));
       if (is_rational) std::rotate(flat.end() - 4, flat.end() - 3, flat.end());
       expect(take_if(']'), "more numbers than a point has");
     }
     expect(take_if(']'), "more control points than belong there");
     return flat;
   }
-  Entity surface(bool is_multivariate) {  // starts after its keyword
+  Entity entity(bool is_multivariate) {  // starts after its keyword
+    const size_t axes = has_volumes ? 3 : 2;
     const std::string basis = word();
     expect(is_in(kBases, basis), "expected BEZIER, BSPLINE or POWER");
     while (take_if('[')) {
       expect(!is_in(kNoAttribute, word()), "expected an attribute");
       group();
     }
-    expect(!is_multivariate || count() == 2, "a multivariate of another number of parameters");
+    expect(!is_multivariate || count() == axes, "a multivariate of another number of parameters");
     Entity e;
-    e.kind = Entity::kSurface;
-    const uint64_t given[2] = {count(), count()};  // m before n
-    uint64_t order[2] = {given[0], given[1]}, stored[2] = {given[0], given[1]};
+    e.kind = has_volumes ? Entity::kOther : Entity::kSurface;
+    std::vector<uint64_t> given;
+    for (size_t a = 0; a < axes; ++a) given.push_back(count());
+    std::vector<uint64_t> order = given, stored = given;
     for (uint64_t& k : order) k = basis == "BSPLINE" ? count() : k;
-    for (size_t a = 0; a < 2; ++a) {
+    uint64_t number = 1;
+    for (size_t a = 0; a < axes; ++a) {
       expect(order[a] <= std::min(given[a], kMostOrder), "an order is too large");
       e.degrees.push_back(int64_t(order[a]) - 1);
+      expect(number <= text.size() / given[a], "more control points than the file can hold");
+      number *= given[a];
     }
-    expect(given[0] <= text.size() / given[1], "more control points than the file can hold");
     const std::string type = word();
     expect(type == "E3" || type == "P3", "expected E3 or P3");
     e.is_rational = type == "P3";
     e.components = e.is_rational ? 4 : 3;
-    e.knots.resize(2);
-    if (basis == "BSPLINE") knots(given, stored, &e);
-    for (size_t a = 0; a < 2 && basis != "BSPLINE"; ++a) {
-      e.knots[a].assign(2 * order[a], Ratio());
-      std::fill(e.knots[a].begin() + int64_t(order[a]), e.knots[a].end(), Ratio(Big(1)));
+    if (basis == "BSPLINE") knots(given, &stored, &e);
+    for (size_t a = 0; a < axes && basis != "BSPLINE"; ++a) {
+      std::vector<Ratio> t(2 * order[a]);
+      std::fill(t.begin() + int64_t(order[a]), t.end(), Ratio(Big(1)));
+      e.knots.push_back(std::move(t));
     }
-    const size_t c = size_t(e.components);
-    std::vector<Ratio> flat = points(given[0] * given[1], c, e.is_rational);
-    const size_t row = size_t(given[0]) * c;  // numbers with one index along v
-    if (basis == "POWER") to_bernstein(&flat, c, e.degrees);
-    for (uint64_t i = 0; i < stored[0]; ++i)
-      for (uint64_t k = 0; k < stored[1]; ++k) {
-        const auto from = flat.begin() + int64_t(k % given[1] * row + i % given[0] * c);
-        e.points.insert(e.points.end(), from, from + int64_t(c));
-      }
-    check_entity(e, {false, false}, stored[0] * stored[1]);
+    std::vector<Ratio> flat = points(number, size_t(e.components), e.is_rational);
+    if (basis == "POWER") to_bernstein(&flat, size_t(e.components), e.degrees);
+    e.numbers = std::move(flat);
+    e.places = first_axis_fastest(stored, given);
+    check_entity(e, std::vector<bool>(axes));
     return e;
   }
 
@@ -219,15 +195,16 @@ struct Reader {
       } else {
         is_empty = false;
         const std::string w = word();
-        expect(!is_in(kRefused, w), "geometry other than surfaces");
         const bool is_object = w == "OBJECT", is_multivariate = w == "MULTIVAR";
-        expect(is_object || is_multivariate || w == "SURFACE" || !has_name.empty() ||
-                   is_in(kPassedOver, w),
+        const bool is_entity = is_multivariate || w == (has_volumes ? "TRIVAR" : "SURFACE");
+        expect(is_entity || !is_in(kRefused, w),
+               has_volumes ? "geometry other than volumes" : "geometry other than surfaces");
+        expect(is_object || is_entity || !has_name.empty() || is_in(kPassedOver, w),
                "neither an object nor data");
         if (is_object)
           has_name.push_back(false);
-        else if (is_multivariate || w == "SURFACE")
-          entities.push_back(surface(is_multivariate));
+        else if (is_entity)
+          entities.push_back(entity(is_multivariate));
         else
           group();
       }
@@ -239,6 +216,6 @@ struct Reader {
 
 }  // namespace
 
-std::vector<Entity> read_itd_model(const std::string& file, size_t* at) {
-  return Reader{file, *at}.model();
+std::vector<Entity> read_itd_model(const std::string& file, bool has_volumes, size_t* at) {
+  return Reader{file, *at, has_volumes}.model();
 }

@@ -18,16 +18,38 @@ const int kMostDegree = 15, kMostUnit = 4096;  // limits of a patch; of |E| and 
 const int64_t kMostBits = 8192, kMostKnotBits = 2048, kMostSize = 1 << 20;  // section 3
 const uint64_t kFreeUnits = 1 << 23, kUnitsOfByte = 96;                     // of work
 
-// A surface or triangle of the model.
+// Numbers that several entities may share: a short file can name the same long ones many times.
+class Numbers {
+ public:
+  Numbers() : Numbers(std::vector<Ratio>()) {}
+  Numbers(std::vector<Ratio> v) : list_(std::make_shared<const std::vector<Ratio>>(std::move(v))) {}
+  operator const std::vector<Ratio>&() const { return *list_; }
+  const Ratio& operator[](size_t i) const { return (*list_)[i]; }
+  size_t size() const { return list_->size(); }
+
+ private:
+  std::shared_ptr<const std::vector<Ratio>> list_;
+};
+
+// A surface or triangle of the model, or a volume, which is of another kind for the claims.
 struct Entity {
   enum Kind { kOther, kSurface, kTriangle } kind = kOther;
   bool is_rational = false;
   int64_t components = 0;
-  std::vector<int64_t> degrees;           // one for a triangle, two for a surface
-  std::vector<std::vector<Ratio>> knots;  // two axes for a surface
-  std::vector<Ratio> points;              // `components` numbers each, v fastest
+  std::vector<int64_t> degrees;  // one for a triangle, two for a surface, three for a volume
+  std::vector<Numbers> knots;    // an axis each; of a triangle: none
+  Numbers numbers;               // of control points, `components` each
+  std::vector<uint64_t> places;  // of the control points in the list of numbers, last axis fastest
+
+  bool is_volume() const { return kind == kOther && degrees.size() == 3; }
+  uint64_t points_along(size_t axis) const {
+    return knots[axis].size() - uint64_t(degrees[axis]) - 1;
+  }
+  const Ratio& number(uint64_t point, size_t component) const {
+    return numbers[size_t(places[point] * uint64_t(components)) + component];
+  }
 };
-// format: "vjson", docs/formats/spline-json.md; "itd", docs/certificates/reading-rule-itd.md
+// format: one of those of docs/certificates/star-box.md
 std::vector<Entity> read_spline_model(const std::string& file, const std::string& format);
 
 // Control points or Bernstein coefficients: of a tensor product of degrees p, q, v fastest; or of a

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_model.cc: numbers and checks of spline models, docs/formats/spline-json.md; the two formats.
+// star_model.cc: numbers and checks of spline models, docs/formats/spline-json.md; the table of formats.
 #include "star_model.h"
 
 namespace {
 
-const int kMostSplineDegree = 63;
+// 5^27, and the odd primes below 64.
+const int64_t kPrimes[] = {
+    7450580596923828125, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61};
 
 Big power(uint64_t base, uint64_t exponent) {
   Big r = 1, b = int64_t(base);
@@ -65,12 +67,36 @@ Ratio read_number(std::string s) {
   return lowest(r);
 }
 
-namespace {
+Ratio read_decimal(const std::string& w) {
+  size_t i = !w.empty() && (w[0] == '+' || w[0] == '-'), digits = 0;
+  for (bool point = false; i < w.size() && (isdigit(uint8_t(w[i])) || (w[i] == '.' && !point)); ++i)
+    w[i] == '.' ? point = true : ++digits;
+  expect(digits > 0 && digits <= kMostDigits, "expected a decimal of at most 1000 digits");
+  expect(i == w.size() || w[i] == 'e' || w[i] == 'E', "expected a decimal");
+  return read_number(w);  // tests the exponent
+}
 
-// The number of control points along an axis.
-uint64_t axis(const Entity& e, size_t a, bool is_periodic) {
-  const std::vector<Ratio>& t = e.knots[a];
-  const size_t p = size_t(e.degrees[a]);
+Ratio shortened(Big n, Big d) {
+  const int64_t twos = std::min(n.zeros(), d.zeros());
+  n = shifted(n, -twos), d = shifted(d, -twos);
+  const auto divides = [&](int64_t q) {
+    Big rest;
+    const Big to = divide(n, Big(q), &rest);
+    if (rest.sign() != 0) return false;
+    const Big of = divide(d, Big(q), &rest);
+    if (rest.sign() != 0) return false;
+    n = to, d = of;
+    return true;
+  };
+  for (const int64_t q : kPrimes)
+    while (divides(q)) {
+    }
+  return Ratio(n, d);
+}
+
+uint64_t check_knots(const std::vector<Ratio>& t, int64_t degree, bool is_periodic) {
+  expect(degree >= 1 && degree <= kMostSplineDegree, "a degree is out of range");
+  const size_t p = size_t(degree);
   expect(t.size() >= 2 * (p + 1), "too few knots");
   for (size_t i = 1; i < t.size(); ++i) {
     expect(compare(t[i - 1], t[i]) <= 0, "a knot is less than the one before it");
@@ -83,42 +109,64 @@ uint64_t axis(const Entity& e, size_t a, bool is_periodic) {
   return n;
 }
 
-}  // namespace
-
-void check_entity(const Entity& e, const std::vector<bool>& periodic, uint64_t count) {
-  const std::vector<Ratio>& flat = e.points;
-  for (int64_t d : e.degrees) expect(d >= 1 && d <= kMostSplineDegree, "a degree is out of range");
-  expect(e.components > e.is_rational && e.components <= 1001 &&
-             flat.size() == count * uint64_t(e.components),
+void check_entity(const Entity& e, const std::vector<bool>& periodic) {
+  const uint64_t count = e.places.size();
+  expect(e.components > e.is_rational && e.components <= 1001,
          "a point has another number of components");
   const size_t c = size_t(e.components);
-  uint64_t size[2] = {1, 1};
-  if (e.kind == Entity::kSurface) {
-    expect(e.degrees.size() == 2 && periodic.size() == 2 && e.knots.size() == 2, "no two axes");
-    for (size_t a = 0; a < 2; ++a) size[a] = axis(e, a, periodic[a]);
+  std::vector<uint64_t> size;  // the number of control points along each axis
+  if (e.kind == Entity::kTriangle) {
+    expect(e.degrees[0] >= 1 && e.degrees[0] <= kMostSplineDegree, "a degree is out of range");
+    size.push_back(uint64_t((e.degrees[0] + 1) * (e.degrees[0] + 2) / 2));
   } else {
-    size[1] = uint64_t((e.degrees[0] + 1) * (e.degrees[0] + 2) / 2);
+    const size_t axes = e.kind == Entity::kSurface ? 2 : 3;
+    expect(e.degrees.size() == axes && periodic.size() == axes && e.knots.size() == axes,
+           "another number of axes");
+    for (size_t a = 0; a < axes; ++a)
+      size.push_back(check_knots(e.knots[a], e.degrees[a], periodic[a]));
   }
-  expect(count % size[1] == 0 && count / size[1] == size[0], "another number of control points");
+  uint64_t rest = count;
+  for (uint64_t n : size) rest = rest % n == 0 ? rest / n : 0;
+  expect(rest == 1, "another number of control points");
   for (uint64_t i = 0; e.is_rational && i < count; ++i)
-    expect(flat[i * c + c - 1].n.sign() > 0, "a weight is not positive");
-  for (size_t a = 0; a < 2; ++a)
+    expect(e.number(i, c - 1).n.sign() > 0, "a weight is not positive");
+  uint64_t step = count;
+  for (size_t a = 0; a < size.size(); ++a) {
+    step /= size[a];
     for (uint64_t i = 0; periodic[a] && i < count; ++i) {
-      const uint64_t step = a == 0 ? size[1] : 1, k = i / step % size[a];
-      const uint64_t turn = (size[a] - uint64_t(e.degrees[a])) * step;
+      const uint64_t k = i / step % size[a], turn = (size[a] - uint64_t(e.degrees[a])) * step;
       for (size_t j = 0; k < uint64_t(e.degrees[a]) && j < c; ++j)
-        expect(compare(flat[i * c + j], flat[(i + turn) * c + j]) == 0,
+        expect(compare(e.number(i, j), e.number(i + turn, j)) == 0,
                "the control points of a periodic axis do not repeat");
     }
+  }
+}
+
+std::vector<uint64_t> first_axis_fastest(const std::vector<uint64_t>& stored,
+                                         const std::vector<uint64_t>& given) {
+  std::vector<uint64_t> places(1, 0), next;
+  uint64_t step = 1;
+  for (size_t a = 0; a < given.size(); step *= given[a++], places.swap(next), next.clear())
+    for (uint64_t at : places)
+      for (uint64_t k = 0; k < stored[a]; ++k) next.push_back(at + k % given[a] * step);
+  return places;
 }
 
 std::vector<Entity> read_spline_model(const std::string& file, const std::string& format) {
+  const size_t end = std::min(format.find("-faces"), format.size());
+  const bool has_volumes = end < format.size();
+  const std::string of_file = format.substr(0, end);
   size_t at = file.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+  std::vector<Entity> entities;
   try {
-    if (format != "itd" && format != "vjson")
-      throw Refused{"models in the format " + format + " are not read yet"};
-    return format == "itd" ? read_itd_model(file, &at) : read_json_model(file, &at);
+    entities = of_file == "itd"    ? read_itd_model(file, has_volumes, &at)
+               : of_file == "g2"   ? read_g2_model(file, &at)
+               : of_file == "mfem" ? read_mfem_model(file, &at)
+                                   : read_json_model(file, has_volumes, &at);
   } catch (const Refused& r) {
-    throw Refused{"byte " + std::to_string(at) + ": " + r.why};
+    if (of_file == "vjson" || of_file == "itd")
+      throw Refused{"byte " + std::to_string(at) + ": " + r.why};
+    throw Refused{line_and_token(file, at) + r.why};
   }
+  return has_volumes ? boundary_faces(entities) : entities;
 }

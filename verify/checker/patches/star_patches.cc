@@ -75,8 +75,10 @@ std::vector<Big> window(const Entity& e, const size_t* first, size_t p, size_t q
   for (size_t i = 0; i < p; ++i)
     for (size_t j = 0; j < q; ++j)
       for (size_t c = 0; c < 4; ++c) {
-        const size_t at = ((first[0] + i) * row + first[1] + j) * components + c;
-        r.push_back(c < 3 ? scaled(e.points[at], -unit) : c < components ? e.points[at] : Ratio(1));
+        const uint64_t at = (first[0] + i) * row + first[1] + j;
+        r.push_back(c < 3            ? scaled(e.number(at, c), -unit)
+                    : c < components ? e.number(at, c)
+                                     : Ratio(1));
       }
   return integers(r, kMostBits);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// star_reader.cc: spline models, docs/formats/spline-json.md. Shapes of entities that are neither
-// surfaces nor triangles are read as JSON only: no claim is made about a model that has one.
+// star_reader.cc: spline models, docs/formats/spline-json.md. Where no claim is made about a model that has entities of
+// other kinds than those asked for, their shapes are read as JSON only.
 #include "star_model.h"
 
 namespace {
@@ -28,9 +28,11 @@ bool is_utf8(const std::string& s) {
 struct Reader {
   const std::string& text;
   size_t& at;
+  const bool has_volumes;
   uint64_t groups = 0;
 
-  Reader(const std::string& file, size_t* begin) : text(file), at(*begin) {}
+  Reader(const std::string& file, bool volumes, size_t* begin)
+      : text(file), at(*begin), has_volumes(volumes) {}
   char next() {
     for (; at < text.size(); ++at)
       if (text[at] != ' ' && text[at] != '\n' && text[at] != '\t' && text[at] != '\r')
@@ -178,15 +180,15 @@ struct Reader {
       expect(flat->size() - before == each, "points have different numbers of components");
     });
   }
-  Entity shape(Entity::Kind kind) {
+  Entity shape(Entity::Kind kind) {  // kOther: of a volume
     Entity e;
     e.kind = kind;
-    std::vector<bool> periodic(2);
+    std::vector<bool> periodic;
+    std::vector<Ratio> flat;
     uint64_t count = 0;
-    if (kind == Entity::kSurface) {
-      periodic.clear();
+    if (kind != Entity::kTriangle) {
       object({"points", "rational", "components", "degrees", "periodic", "knots"}, [&](size_t key) {
-        if (key == 0) points(&e.points, &count);
+        if (key == 0) points(&flat, &count);
         if (key == 1) e.is_rational = boolean();
         if (key == 2) e.components = integer();
         if (key == 3) list([&] { e.degrees.push_back(integer()); });
@@ -200,13 +202,18 @@ struct Reader {
       });
     } else {
       object({"points", "rational", "components", "degree"}, [&](size_t key) {
-        if (key == 0) points(&e.points, &count);
+        if (key == 0) points(&flat, &count);
         if (key == 1) e.is_rational = boolean();
         if (key == 2) e.components = integer();
         if (key == 3) e.degrees.assign(1, integer());
       });
+      periodic.push_back(false);
     }
-    check_entity(e, periodic, count);
+    expect(e.components >= 0 && flat.size() == count * uint64_t(e.components),
+           "a point has another number of components");
+    e.numbers = std::move(flat);
+    for (uint64_t i = 0; i < count; ++i) e.places.push_back(i);
+    check_entity(e, periodic);
     return e;
   }
 
@@ -220,9 +227,11 @@ struct Reader {
       if (key == 2) list([&] { string(); });
       if (key != 3) return;
       expect(known, "the shape stands before its kind");
+      expect(!has_volumes || kind == "volume", "an entity is no volume");
       if (kind == "surface") e = shape(Entity::kSurface);
       if (kind == "triangle") e = shape(Entity::kTriangle);
-      if (kind == "surface" || kind == "triangle") return;
+      if (has_volumes) e = shape(Entity::kOther);
+      if (kind == "surface" || kind == "triangle" || has_volumes) return;
       expect(kind == "curve" || kind == "volume" || kind == "trimmed" || kind == "model",
              "unknown kind");
       expect(next() == '{', "a shape is no object");
@@ -247,7 +256,7 @@ struct Reader {
 
 }  // namespace
 
-std::vector<Entity> read_json_model(const std::string& file, size_t* at) {
+std::vector<Entity> read_json_model(const std::string& file, bool has_volumes, size_t* at) {
   expect(is_utf8(file), "the file is not UTF-8");
-  return Reader(file, at).model();
+  return Reader(file, has_volumes, at).model();
 }

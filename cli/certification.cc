@@ -30,6 +30,13 @@ std::string_view as_text(const certificate::Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+// Starting the threads of one certification takes 1.5 ms of processor time; 4,000 faces take 15 ms in all.
+bool is_small(const ModelFile& model) {
+  constexpr std::size_t kWorthThreads = 4000;
+  const auto* const file = std::get_if<MeshFile>(&model);
+  return file != nullptr && file->mesh.faces.size() < kWorthThreads;
+}
+
 // A name, quoted for a shell.
 std::string shell_word(const std::string& name) {
   constexpr std::string_view kPlain =
@@ -124,6 +131,7 @@ class Certification {
 
   bool certify() {
     CertifyOptions options = settings_.certify;
+    if (settings_.spares_threads && is_small(model_)) options.jobs = 1;
     if (settings_.picture) options.max_findings = std::max(options.max_findings, kMostDrawn);
     std::optional<Phase> current;
     const auto end_phase = [&] {

@@ -31,6 +31,7 @@ struct CertifyFilesOptions {
   std::optional<std::uint64_t>
       max_defects;  ///< nothing: 20, and pairs of faces are not listed one by one
   bool no_check = false, quiet = false;
+  std::optional<int> jobs;  ///< nothing: all of the machine, one for small meshes
   // spline files
   bool orient_auto = false, collar = false;
   std::optional<double> tolerance;
@@ -48,7 +49,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
   set.number("--max-defects", o.max_defects, {0, kMost32},
              "list at most N defects of each rule (20)");
   set.hide("--max-defects");  // the help line above names it
-  declare_jobs(set, o.input.reading.jobs);
+  declare_jobs(set, o.jobs);
   declare_orientation(set, o.orient_auto, "patches, faces");
   set.length("--tolerance", "EPS", o.tolerance, "of the volume of patches, in sizes cubed (1e-5)");
   set.flag("--collar", o.collar, "of patches: find a collar, certify it, too");
@@ -161,7 +162,9 @@ ExitCode write_json(const CertifyFilesOptions& options, const OutputPlan& plan,
 CertifySettings settings_of(const CertifyFilesOptions& options) {
   CertifySettings out;
   out.reading = options.input.reading;
-  out.certify.jobs = static_cast<unsigned>(options.input.reading.jobs);
+  out.reading.jobs = options.jobs.value_or(default_jobs());
+  out.certify.jobs = static_cast<unsigned>(out.reading.jobs);
+  out.spares_threads = !options.jobs;
   if (options.max_defects) out.certify.max_findings = *options.max_defects;
   if (options.orient_auto) out.certify.orientation = PatchOrientation::kAuto;
   out.certify.with_collar = options.collar;

@@ -11,6 +11,7 @@ namespace veritope::cli {
 namespace {
 
 constexpr unsigned kMostJobs = 1024;
+constexpr char kJobsHelp[] = "threads (default: all of the machine)";
 constexpr std::uint64_t kMostMebibytes = std::uint64_t{1} << 40;
 constexpr std::uint64_t kMostFaces = (std::uint64_t{1} << 30) - 1;  // the limit of decide_validity
 
@@ -71,7 +72,11 @@ void declare_reading(OptionSet& set, ModelReadOptions& reading) {
 }
 
 void declare_jobs(OptionSet& set, int& jobs) {
-  set.number("-j,--jobs", jobs, {1, kMostJobs}, "threads (default: all of the machine)");
+  set.number("-j,--jobs", jobs, {1, kMostJobs}, kJobsHelp);
+}
+
+void declare_jobs(OptionSet& set, std::optional<int>& jobs) {
+  set.number("-j,--jobs", jobs, {1, kMostJobs}, kJobsHelp);
 }
 
 void declare_json(OptionSet& set, std::optional<std::string>& json, const std::string& what) {

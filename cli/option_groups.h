@@ -36,6 +36,7 @@ void declare_format(OptionSet& set, InputOptions& input);
 void declare_reading(OptionSet& set, ModelReadOptions& reading);
 /// -j,--jobs
 void declare_jobs(OptionSet& set, int& jobs);
+void declare_jobs(OptionSet& set, std::optional<int>& jobs);  ///< nothing: not given
 
 /// --json. `what` begins the help: "write the report".
 void declare_json(OptionSet& set, std::optional<std::string>& json, const std::string& what);

@@ -103,6 +103,8 @@ class Targets {
   }
 
  private:
+  static constexpr std::size_t kMostCoordinates = 3;  // of the points that people project
+
   template <std::size_t N>
   Status add(std::uint64_t entity, std::optional<std::uint64_t> face, const std::string& kind,
              const BSpline<Rational, N>& map) {
@@ -112,7 +114,7 @@ class Targets {
       return bad_argument("POINT has " + counted(size, "coordinate", "coordinates") +
                           ", and entity " + std::to_string(entity) + " has " +
                           std::to_string(dimension) +
-                          (size > dimension ? " (decimal commas?)" : ""));
+                          (size > kMostCoordinates ? " (decimal commas?)" : ""));
     auto projection = project_point<N>(report_.point, map, options_);
     if (!projection) {
       Error error = projection.error();

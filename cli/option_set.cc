@@ -286,7 +286,8 @@ std::string CommandLine::wrong_count(const std::string& said) const {
     const std::size_t count = option->count();
     const auto most = static_cast<std::size_t>(option->get_items_expected_max());
     const auto least = static_cast<std::size_t>(option->get_items_expected_min());
-    if (count == 0 || (count >= least && count <= most)) continue;
+    const bool is_flag = most == 0;
+    if (is_flag || count == 0 || (count >= least && count <= most)) continue;
     if (!option->get_positional())
       return option->get_name() + " is given " + std::to_string(count) + " times";
     return syntax_of(named()) + " takes " + std::to_string(least) + " files, and there " +

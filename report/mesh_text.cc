@@ -212,7 +212,10 @@ std::string cracks_text(const OpenEdges& open, std::uint64_t count) {
       are_all ? (is_one ? "it lies" : "each lies")
               : counted(open.near_edges, "edge", "edges") + (is_one ? " lies" : " lie");
   if (open.greatest_gap == 0) return "; " + edges + " on another open edge: cracks without a gap";
-  return "; " + edges + " within " + gaps_text(open) + " of another open edge: cracks";
+  return "; " + edges + " within " + gaps_text(open) + " of another open edge: cracks" +
+         (open.touching_edges == 0
+              ? ""
+              : ", " + std::to_string(open.touching_edges) + " of these edges without a gap");
 }
 
 // " in 3 borders (2 without cracks); ..."

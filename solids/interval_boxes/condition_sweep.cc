@@ -147,27 +147,27 @@ Result<std::vector<SweepRow>> sweep_conditions(BoundaryModel& model, double eps,
 }
 
 std::string to_table(const std::vector<SweepRow>& rows) {
-  std::string out = "         eps    face    edge  vertex";
+  std::string out = "        eps   face   edge vertex";  // rows have 79 columns
   char text[160];
   for (std::size_t c = 0; c < kNumPaperConditions; ++c) {
-    std::snprintf(text, sizeof text, " %4s", name_of(static_cast<PaperCondition>(c)));
+    std::snprintf(text, sizeof text, " %3s", name_of(static_cast<PaperCondition>(c)));
     out += text;
   }
-  out += "    cells   K1   K2   K3\n";
+  out += "  cells  K1  K2  K3\n";
   for (const SweepRow& r : rows) {
-    std::snprintf(text, sizeof text, "%12.6g %7llu %7llu %7llu", r.eps,
+    std::snprintf(text, sizeof text, "%11.6g %6llu %6llu %6llu", r.eps,
                   static_cast<unsigned long long>(r.face_boxes),
                   static_cast<unsigned long long>(r.edge_boxes),
                   static_cast<unsigned long long>(r.vertex_boxes));
     out += text;
     for (const ConditionResult& c : r.conditions) {
-      std::snprintf(text, sizeof text, " %4s", mark(c.answer));
+      std::snprintf(text, sizeof text, " %3s", mark(c.answer));
       out += text;
     }
-    std::snprintf(text, sizeof text, " %8llu", static_cast<unsigned long long>(r.cells));
+    std::snprintf(text, sizeof text, " %6llu", static_cast<unsigned long long>(r.cells));
     out += text;
     for (const Answer a : r.collar) {
-      std::snprintf(text, sizeof text, " %4s", mark(a));
+      std::snprintf(text, sizeof text, " %3s", mark(a));
       out += text;
     }
     out += (r.why_not.empty() ? "" : "  " + r.why_not) + "\n";

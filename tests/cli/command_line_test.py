@@ -457,6 +457,22 @@ class Limits(Folder):
         self.assertEqual((closed["borders"], closed["near_edges"], closed["near_distance"]), (0, 0, None))
 
 
+class Cracks(Folder):
+    def test_edges_of_cracks_without_a_gap_are_counted(self):
+        touching = [[(0, 0), (2, 0), (1, 1)], [(1, 0), (0, 0), (0, -1)], [(2, 0), (1, 0), (2, -1)]]  # two edges on one
+        apart = [[(10, 0), (12, 0), (11, 1)], [(12, -1e-9), (10, -1e-9), (11, -1)]]
+        for faces, words in [(touching, "3 edges lie on another open edge: cracks without a gap"),
+                             (apart, "2 edges lie within 1e-09 of another open edge: cracks\n"),
+                             (touching + apart, "5 edges lie within 0 to 1e-09 of another open edge: cracks, 3 of these edges without a gap\n")]:
+            model = self.folder / "m.off"
+            points = [point for face in faces for point in face]
+            model.write_text(f"OFF\n{len(points)} {len(faces)} 0\n" + "".join(f"{x} {y} 0\n" for x, y in points) +
+                             "".join(f"3 {3 * i} {3 * i + 1} {3 * i + 2}\n" for i in range(len(faces))))
+            text = re.sub(r"\n +", " ", run("certify", model).stdout.replace("\n    ", " ", 1))
+            self.assertIn(words.rstrip("\n"), text)
+            self.assertEqual("without a gap" in text, "without a gap" in words)
+
+
 class Terminal(Folder):
     def test_colours_only_on_a_terminal_and_unless_no_color(self):
         self.assertNotIn("\033", run("certify", VALID).stdout)

@@ -69,6 +69,35 @@ class Schema(Folder):
             seen.add(document["schema"])
         self.assertEqual(seen, set(schema.kinds()))
 
+    def assert_obeyed(self, *arguments):
+        done = run(*arguments, "--json", "-", timeout=900)
+        self.assertIn(done.returncode, (0, 1, 3, 4), done.stderr)
+        document = json.loads(done.stdout)
+        self.assertEqual([], schema.faults(document), arguments)
+        return document
+
+    def test_the_documents_of_the_bundled_examples_obey_the_schema(self):
+        examples = [path for path in sorted((support.ROOT / "examples").iterdir()) if path.suffix in (".stl", ".off", ".itd")]
+        self.assertGreaterEqual(len(examples), 4)
+        self.assert_obeyed("certify", *examples)
+        self.assert_obeyed("info", *examples)
+        pipe = support.ROOT / "examples" / "quarter_pipe.itd"
+        self.assert_obeyed("cover", pipe, "--sweep", 0)
+        self.assert_obeyed("project", "1/3,0x1p-1,2", pipe)
+        self.assert_obeyed("intersect", pipe, MODELS / "patches" / "cube.itd")
+
+    @unittest.skipUnless(support.DATA.is_dir(), "needs VERITOPE_DATA")
+    def test_the_documents_of_real_models_obey_the_schema(self):
+        for folder in ("cad", "mesh"):
+            self.assert_obeyed("certify", "--no-check", "--max-cells", 2000, support.DATA / folder)
+            files = [path for path in sorted((support.DATA / folder).rglob("*")) if path.is_file()]
+            self.assertGreater(len(self.assert_obeyed("info", *files)["files"]), 50)
+        splines = sorted((support.DATA / "cad").glob("irit__*.itd"))[:6] + sorted((support.DATA / "thin").glob("k_*.vjson"))[:3]
+        for path in splines:
+            done = run("project", "1,2,3", path, "--json", "-", "--max-boxes", 200, timeout=900)
+            if done.stdout:  # plane ones are refused
+                self.assertEqual([], schema.faults(json.loads(done.stdout)), path)
+
     def test_every_command_that_writes_json_has_its_document_here(self):
         """A new --json needs a definition in the schema and a document above."""
         commands = re.findall(r"(?m)^  ([a-z-]+) {2,}", run("--help").stdout.split("Subcommands:")[1])

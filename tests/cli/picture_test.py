@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """certify --picture: the model in grey, defects in the colours that the manual lists: in a PLY an octahedron around each, in a PNG lines
 and discs that are large enough to be seen."""
+import json
 import math
 import os
+import shutil
 import struct
+import subprocess
 import unittest
 import zlib
 
@@ -233,6 +236,27 @@ class Png(Folder):
         run("certify", "-q", "-j", 1, "--picture", a, INVALID)
         run("certify", "-q", "-j", 4, "--picture", b, INVALID)
         self.assertEqual(a.read_bytes(), b.read_bytes())
+
+
+@unittest.skipIf(os.environ.get("VERITOPE_SANITIZE"), "sanitizers want to be loaded first")
+class BugOfOurs(Folder):
+    """A process in which zlib fails in a way that it never may: the program meets an internal error while it draws."""
+
+    def test_an_internal_error_of_the_picture_is_status_5_beside_the_verdict(self):
+        code, library, path = (self.folder / name for name in ("bug.c", "bug.so", "p.png"))
+        code.write_text("int compress2(void* to, unsigned long* size, const void* from, unsigned long n, int level) { return -2; }\n")
+        compiler = next(name for name in ("cc", "gcc", "clang") if shutil.which(name))
+        subprocess.run([compiler, "-shared", "-fPIC", code, "-o", library], check=True)
+        for model, verdict in ((VALID, "VALID"), (INVALID, "INVALID")):
+            json_file = self.folder / "r.json"
+            done = run("certify", "-q", "--picture", path, "--json", json_file, "--certificate", self.folder / "c", model,
+                       env={**self.environment, "LD_PRELOAD": str(library)})
+            self.assertEqual((done.returncode, path.exists()), (5, False), done)
+            self.assertTrue(done.stdout.startswith(f"{verdict}  "), done.stdout)
+            self.assertRegex(done.stderr, r"^veritope: \S+/p\.png: not drawn: .*please report it")
+            file = json.loads(json_file.read_text())["files"][0]
+            self.assertEqual((file["verdict"], file["exit"], file["picture"]), (verdict, 5, None))
+            self.assertEqual(run(model, self.folder / "c", program=support.BIN / "veritope-check").returncode, 0)
 
 
 if __name__ == "__main__":

@@ -32,6 +32,7 @@ OPTIONS = [
     ("convert --what a.off out.stl", 2, "it is one of cover"),
     ("corpus --onyl orient2d", 2, "corpus has no option --onyl"),
     ("certify --json", 2, "--json needs a value: --json F"),
+    ("certify a.off -q -q --json", 2, "--json needs a value: --json F"),
     ("certify --certificate= a.off", 2, "--certificate needs a value: --certificate F"),
     ("certify a.off --json ''", 2, "--json: needs a name"),
     ("certify models --glob ''", 2, "--glob: needs a PATTERN"),

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What every command prints on a terminal of 80 and of 120 columns: no line is longer, and the text is that of widths_80.txt and widths_120.txt.
+
+    widths_test.py --update    writes these files: after a change that is meant to change the output
+"""
+import difflib
+import fcntl
+import os
+import pathlib
+import pty
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import unittest
+
+import support
+from support import BIN, DATA, ROOT
+
+HERE = pathlib.Path(__file__).resolve().parent
+WIDTHS = (80, 120)
+EXAMPLES = ["part_with_hole.stl", "quarter_pipe.itd", "self_crossing.off", "sound_part.stl"]
+MESHES = ["m3_crack.stl", "m7_flat.off", "m8_smallest.off", "valid_nested_three.off", "valid_quads_crlf.obj", "unreadable_index.off"]
+SPLINES = ["groups.itd", "objects.g2", "patches.mesh", "surface.xml", "trimmed.itd", "two_cubes.mesh"]
+PATCHES = ["cube.itd", "patches_crossing_smallest.itd", "side_open_crack.itd", "side_parametrization_smallest.vjson", "not_certified_smallest.vjson"]
+COMMANDS = ["certify", "info", "convert", "intersect", "project", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
+# Real models, with what they are in the name: long numbers, many defects, long messages.
+REAL = ["mesh/*/admesh__*.stl", "mesh/*/*bunny*", "cad/gotools-data__nut_*.g2", "cad/irit__*.itd", "cad/*.step", "thin/k_*.vjson"]
+
+
+def screen(shown):
+    """The lines that stay on a terminal: progress is erased."""
+    return re.sub(r"[^\n]*\r\x1b\[K", "", shown.replace("\r\n", "\n"))
+
+
+def on_terminal(columns, *arguments, folder):
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+    child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs, cwd=folder,
+                             env={**os.environ, "TERM": "xterm", "NO_COLOR": "1"})
+    os.close(theirs)
+    output = b""
+    while True:
+        try:
+            piece = os.read(ours, 65536)
+        except OSError:
+            break
+        if not piece:
+            break
+        output += piece
+    os.close(ours)
+    child.wait()
+    return screen(output.decode())
+
+
+def command_lines():
+    """What the golden files show, in a folder with links to examples and tests."""
+    models = [f"examples/{name}" for name in EXAMPLES] + [f"tests/models/{name}" for name in MESHES]
+    splines = [f"tests/models/splines/{name}" for name in SPLINES] + [f"tests/models/patches/{name}" for name in PATCHES]
+    cube = "tests/models/patches/cube.itd"
+    for name in COMMANDS:
+        yield [name, "--help"]
+    for path in models + splines:
+        yield ["info", path]
+        yield ["certify", "--no-check", "--max-defects", "3", path]
+    yield ["certify", "-q", "--no-check", *models, *splines]
+    yield ["certify", "--glob", "*.off", "-q", "examples"]
+    yield ["convert", models[0], "o.obj"]
+    yield ["convert", "tests/models/valid_quads_crlf.obj", "o.stl"]
+    yield ["convert", cube, "o.g2"]
+    yield ["convert", "tests/models/splines/trimmed.itd", "o.vtu"]
+    yield ["intersect", cube, cube]
+    yield ["project", "1,2,3", cube]
+    yield ["project", "1/3,2,3", "tests/models/splines/objects.g2"]
+    yield ["cover", cube, "-o", "o.vtu"]
+    yield ["cover", cube, "--sweep", "1"]
+    for page in ([], ["M3"], ["side-open"], ["undecided"], ["face"]):
+        yield ["explain", *page]
+    yield ["certify", "-q", cube, "--certificate", "c"]
+    yield ["explain-certificate", "c"]
+    yield ["selftest", "--cases", "100"]
+    yield ["selftest", "--verbose", "--cases", "100"]
+    yield ["certify", "--format", "stpl", "x"]
+    yield ["convert", cube, "o.stl"]
+    yield ["predicate", "nothing", "x"]
+
+
+COMMAND_LINES = list(command_lines())
+
+
+def golden(columns):
+    text = ""
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("examples", "tests"):
+            os.symlink(ROOT / name, pathlib.Path(folder) / name)
+        for line in COMMAND_LINES:
+            shown = on_terminal(columns, *line, folder=folder)
+            shown = re.sub(r"(?m)^  time  .*\n(   .*\n)*", "", shown)  # of runs that took over a second
+            text += f"$ veritope {' '.join(line)}\n{shown}\n"
+    return text
+
+
+def golden_file(columns):
+    return HERE / f"widths_{columns}.txt"
+
+
+class Goldens(unittest.TestCase):
+    def check(self, columns):
+        found = golden(columns)
+        for line in found.splitlines():
+            self.assertTrue(len(line) <= columns or line.startswith("$ "), f"{len(line)} columns: {line}")
+        want = golden_file(columns).read_text()
+        unlike = "\n".join(difflib.unified_diff(want.splitlines(), found.splitlines(), "golden", "found", lineterm="", n=2))
+        self.assertEqual(unlike, "", "if the output was meant to change: widths_test.py --update")
+
+    def test_80_columns(self):
+        self.check(80)
+
+    def test_120_columns(self):
+        self.check(120)
+
+    def test_every_command_is_shown(self):
+        listed = re.findall(r"(?m)^  ([a-z-]+) {2,}", support.run("--help").stdout.split("Subcommands:")[1])
+        shown = {line[0] for line in COMMAND_LINES if "--help" not in line}
+        self.assertEqual(set(listed), set(COMMANDS))
+        self.assertEqual(set(listed) - shown, {"corpus"})  # its lines are for programs
+
+
+@unittest.skipUnless(DATA.is_dir(), "needs VERITOPE_DATA")
+class RealModels(unittest.TestCase):
+    def test_no_line_but_a_path_is_longer_than_the_terminal(self):
+        paths = [path for pattern in REAL for path in sorted(DATA.glob(pattern))[:4]]
+        self.assertGreater(len(paths), 8)
+        for columns in WIDTHS:
+            for command in (["info"], ["certify", "--no-check", "--max-cells", "2000"]):
+                shown = "".join(on_terminal(columns, *command, path.name, folder=path.parent) for path in paths)
+                for line in shown.splitlines():
+                    is_path = any(path.name in line for path in paths)
+                    self.assertTrue(len(line) <= columns or is_path, f"{columns} columns: {line}")
+
+
+def main():
+    if "--update" in sys.argv:
+        for columns in WIDTHS:
+            golden_file(columns).write_text(golden(columns))
+        return
+    support.main()
+
+
+if __name__ == "__main__":
+    main()

@@ -68,7 +68,7 @@ ExitCode run_selftest(const SelfTestOptions& o, StandardOutput& out) {
     out.write(environment.error().message + "; integers decide\n");
   else if (o.verbose)
     out.write("floating point is as the filters need it\n");
-  HardCases cases(options.seed);
+  HardCases cases = options.cases();
   const std::size_t num_tested = cases.predicates().size();
   std::vector<Tally> tallies(num_tested);
   SelfTest test(out);

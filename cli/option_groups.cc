@@ -25,6 +25,29 @@ std::string wrong_files(const InputOptions& input) {
   return "";
 }
 
+// The predicates of a list "a,b", in the order of all; or what is wrong with the list.
+std::string take_predicates(const std::string& list, std::vector<const NamedPredicate*>& chosen) {
+  const std::vector<const NamedPredicate*> all = hard_case_predicates();
+  std::vector<std::string> known;
+  for (const NamedPredicate* p : all) known.emplace_back(p->name);
+  std::vector<bool> is_chosen(all.size(), false);
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    const std::string name = list.substr(at, end - at);
+    const auto place = std::find(known.begin(), known.end(), name);
+    if (place == known.end()) {
+      return "must be names of predicates with commas between them, not " +
+             (name.empty() ? "an empty name" : name) + did_you_mean(name, known);
+    }
+    is_chosen[static_cast<std::size_t>(place - known.begin())] = true;
+    at = end + 1;
+  }
+  chosen.clear();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (is_chosen[i]) chosen.push_back(all[i]);
+  return "";
+}
+
 }  // namespace
 
 int default_jobs() { return static_cast<int>(std::clamp(hardware_jobs(), 1u, kMostJobs)); }
@@ -116,7 +139,13 @@ void declare_plain_file(OptionSet& set, const std::string& name, std::string& fi
 
 void declare_hard_cases(OptionSet& set, HardCaseOptions& cases) {
   set.number("--cases", cases.num_cases, {1, kMost64}, "cases in all (100000)");
-  set.number("--seed", cases.seed, {0, kMost64}, "of the random numbers (1)");
+  set.number("--seed", cases.seed, {0, kMost64}, "other cases (1)");
+  const auto take = [&cases](const std::string& list) { return take_predicates(list, cases.only); };
+  set.option("--only", "NAME,...", take, "cases of these predicates only");
+}
+
+HardCases HardCaseOptions::cases() const {
+  return only.empty() ? HardCases(seed) : HardCases(seed, only);
 }
 
 }  // namespace veritope::cli

@@ -8,6 +8,7 @@
 
 #include "cli/option_set.h"
 #include "io/model_file.h"
+#include "named_predicates/hard_cases.h"
 #include "report/exit_code.h"
 
 namespace veritope::cli {
@@ -59,7 +60,12 @@ void declare_plain_file(OptionSet& set, const std::string& name, std::string& fi
 struct HardCaseOptions {
   std::uint64_t num_cases = 100000;
   std::uint64_t seed = 1;
+  /// These predicates only, each once, in the order of hard_case_predicates(); empty: all.
+  std::vector<const NamedPredicate*> only;
+
+  HardCases cases() const;
 };
+/// --cases, --seed, --only
 void declare_hard_cases(OptionSet& set, HardCaseOptions& cases);
 
 }  // namespace veritope::cli

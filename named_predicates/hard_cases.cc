@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "named_predicates/hard_explicit_operands.h"
 #include "named_predicates/hard_implicit_points.h"
 #include "named_predicates/implicit_names.h"
+#include "robust/base/check.h"
 
 namespace veritope {
 namespace {
@@ -27,9 +29,16 @@ Operands implicit_operands(const NamedPredicate& predicate, Random& random) {
 
 }  // namespace
 
-HardCases::HardCases(std::uint64_t seed) : random_(seed) {
-  for (const NamedPredicate& p : named_predicates()) predicates_.push_back(&p);
-  for (const NamedPredicate& p : implicit_predicates()) predicates_.push_back(&p);
+std::vector<const NamedPredicate*> hard_case_predicates() {
+  std::vector<const NamedPredicate*> all;
+  for (const NamedPredicate& p : named_predicates()) all.push_back(&p);
+  for (const NamedPredicate& p : implicit_predicates()) all.push_back(&p);
+  return all;
+}
+
+HardCases::HardCases(std::uint64_t seed, std::vector<const NamedPredicate*> predicates)
+    : random_(seed), predicates_(std::move(predicates)) {
+  VT_CHECK(!predicates_.empty(), "hard cases of no predicate");
 }
 
 HardCase HardCases::next() {

@@ -16,11 +16,16 @@ struct HardCase {
   Operands operands;
 };
 
+/// The predicates that have hard cases, on explicit points and on implicit ones.
+std::vector<const NamedPredicate*> hard_case_predicates();
+
 /// The predicates on points, in turn. At least a third of the cases are exactly zero, others differ from zero by some
 /// units in the last place; exponents reach both ends of binary64. All points exist.
 class HardCases {
  public:
-  explicit HardCases(std::uint64_t seed);
+  explicit HardCases(std::uint64_t seed) : HardCases(seed, hard_case_predicates()) {}
+  /// These predicates only, in turn. REQUIRES some of hard_case_predicates().
+  HardCases(std::uint64_t seed, std::vector<const NamedPredicate*> predicates);
   HardCase next();
   const std::vector<const NamedPredicate*>& predicates() const { return predicates_; }
 

@@ -13,7 +13,7 @@ from infra import comments
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify/format",
-           "verify/certify", "verify/checker", "render", "named_predicates", "cli", "interop")
+           "verify/certify", "verify/checker", "render", "named_predicates", "hard_models", "cli", "interop")
 
 # Names of std:: by the header that the standard puts them in.
 NAMES = {

@@ -61,7 +61,7 @@ def is_installed(path, layers):
     row = layers.layer_of(path)
     if row and is_checker(row):
         return False
-    unlisted = {None, "cli", "python", "models", "named_predicates", "render", "report",
+    unlisted = {None, "cli", "python", "models", "hard_models", "named_predicates", "render", "report",
                 "tools", "tests", "fuzz", "bench"}
     return path.endswith(".h") and not path.endswith("_internal.h") and row not in unlisted
 

@@ -28,6 +28,7 @@ veritope_cli_test(limits quick)
 veritope_cli_test(predicate quick)
 veritope_cli_test(selftest standard)
 veritope_cli_test(corpus quick)
+veritope_cli_test(hard_models standard)
 veritope_cli_test(manifest full)
 # All of the corpus, and its checksum.
 add_test(NAME cli_corpus_full COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/corpus_test.py")
@@ -35,5 +36,11 @@ veritope_tier(full cli_corpus_full)
 set_property(TEST cli_corpus_full APPEND PROPERTY LABELS cli)
 set_tests_properties(cli_corpus_full PROPERTIES ENVIRONMENT
   "PYTHONDONTWRITEBYTECODE=1;CORPUS_CASES=0;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+# All certificates of the hard models by the Python checker, too.
+add_test(NAME cli_hard_models_full COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/cli/hard_models_test.py")
+veritope_tier(full cli_hard_models_full)
+set_property(TEST cli_hard_models_full APPEND PROPERTY LABELS cli)
+set_tests_properties(cli_hard_models_full PROPERTIES ENVIRONMENT
+  "PYTHONDONTWRITEBYTECODE=1;HARD_MODELS_ALL=1;VERITOPE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 # The headers of predicates/ in programs of others.
 veritope_hostile_flags_test(cli_hostile_flags tests/cli/hostile_predicates_main.cc named_predicates/hard_cases.cc named_predicates/implicit_names.cc named_predicates/named_predicate.cc)

@@ -8,6 +8,7 @@ endfunction()
 
 veritope_infra_test(layering quick layering_test.py)
 veritope_infra_test(doc_links quick doc_links_test.py)
+veritope_infra_test(installed_docs quick installed_docs_test.py)
 veritope_infra_test(wording quick wording_test.py)
 veritope_infra_test(claims quick claims_test.py)
 veritope_infra_test(licence quick licence_test.py)

@@ -14,7 +14,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify", "render",
-           "named_predicates", "report", "cli", "interop", "fuzz", "tests")
+           "named_predicates", "hard_models", "report", "cli", "interop", "fuzz", "tests")
 FLAGS = ["-fsyntax-only", "-Wall", "-Wextra", "-Wno-unused-parameter", "-Werror", "-ffp-contract=off", f"-I{ROOT}"]
 INTEROP_FLAGS = ["-isystem", "/usr/include/eigen3", "-frounding-math"]  # where Debian puts Eigen; what CGAL asks for
 COMPILER = "c++"

@@ -25,6 +25,7 @@ from tree import Layers, files  # noqa: E402
 CONSUMER = ROOT / "tests" / "install" / "consumer"
 EXAMPLES = ROOT / "examples"
 INTEROP_PAGE = ROOT / "docs" / "how-to" / "use-with-cgal-boost-eigen.md"
+FUZZING_PAGE = ROOT / "docs" / "how-to" / "fuzz-your-own-kernel.md"
 INTEROP_FLAGS = ["-isystem", "/usr/include/eigen3", "-frounding-math"]  # where Debian puts Eigen; what CGAL asks for
 OLD_STANDARD = "Veritope needs C++20: compile with -std=c++20"
 
@@ -181,6 +182,70 @@ class Installation(unittest.TestCase):
             for (_, shown), (status, output, text) in zip(pairs, pool.map(output_of, range(3))):
                 self.assertEqual((status, output), (0, shown), text)
 
+    def listings(self, language):
+        return re.findall(rf"(?ms)^```{language}\n(.*?)^```\n", FUZZING_PAGE.read_text())
+
+    def with_the_program(self, *command, **keywords):
+        """The output of a command for which `veritope` is the installed program."""
+        return self.succeed(*command, cwd=self.folder, env={"PATH": f"{self.prefix / 'bin'}:/usr/bin:/bin"}, **keywords)
+
+    def test_the_listings_about_signs_find_the_wrong_signs_of_rounded_arithmetic(self):
+        (c,), (python, _) = self.listings("c"), self.listings("python")
+        (self.folder / "mine.c").write_text(c)
+        (self.folder / "signs.py").write_text(python)
+        self.succeed("cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", self.folder / "mine.c", "-o", self.folder / "mine")
+        (command,) = re.findall(r"(?m)^    (veritope corpus .* --expect -)$", FUZZING_PAGE.read_text())
+        said = self.with_the_program("bash", "-c", f"{command}; test $? = 1")
+        cases, wrong = map(int, re.search(r"(\d+) cases, (\d+) disagreements\n\Z", said).groups())
+        self.assertEqual(cases, 10000)
+        self.assertGreater(wrong, 100)
+        self.assertEqual(self.with_the_program(sys.executable, "signs.py"), f"{wrong} of 10000 signs are wrong\n")
+
+    def test_the_listing_about_models_names_those_that_a_validator_gets_wrong(self):
+        _, python = self.listings("python")
+        (self.folder / "models.py").write_text(python)
+        said = self.with_the_program(sys.executable, "models.py", "veritope", "certify", "-q")
+        self.assertRegex(said, r"\Awrote  hard_meshes  \d+ models: .*\n\Z")
+        shutil.rmtree(self.folder / "hard_meshes")
+        _, *index = self.with_the_program(sys.executable, "models.py", "true").splitlines()
+        self.assertGreater(len(index), 100)
+        self.assertTrue(all("\tis\tINVALID\t" in line for line in index))
+
+    def test_the_target_for_libfuzzer_accepts_a_right_operation_and_stops_at_a_wrong_one(self):
+        (cpp,) = self.listings("cpp")
+        right = "p = {p.z, p.x, p.y};"
+        self.assertIn(right, cpp)
+        main = """
+#include <cstdio>
+#include <vector>
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    std::vector<std::uint8_t> bytes(1 << 20);
+    std::FILE* const file = std::fopen(argv[i], "rb");
+    bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
+    std::fclose(file);
+    LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+  }
+}
+"""
+        cflags, libs = self.pkg_config("--cflags"), self.pkg_config("--libs", "--static")
+        folder = self.folder / "seeds"
+        self.with_the_program("veritope", "corpus", "--meshes", folder)
+        for name, text, runs in (("right", cpp, True), ("wrong", cpp.replace(right, "p = {p.y, p.x, p.z};"), False)):
+            source, program = self.folder / f"{name}_target.cc", self.folder / f"{name}_target"
+            source.write_text(text + main)
+            self.succeed(self.COMPILER, "-std=c++20", *cflags, source, "-o", program, *libs)
+            self.assertEqual(run(program, *sorted(folder.glob("*.off")))[0] == 0, runs)
+            fuzzer = shutil.which("clang++") or shutil.which("clang++-14")
+            if fuzzer is None:
+                continue  # the same target without libFuzzer ran above
+            source.write_text(text)
+            self.succeed(fuzzer, "-std=c++20", "-g", "-O1", "-fsanitize=fuzzer", *cflags, source, "-o", program, *libs)
+            done = run(program, "-runs=2000", "-seed=1", f"-artifact_prefix={self.folder}/", folder)
+            self.assertEqual(done[0] == 0, runs, done[2])
+            if not runs:
+                self.assertIn("deadly signal", done[2])
+
     def test_no_internal_header_and_nothing_of_the_checker_is_among_the_headers(self):
         self.assertEqual([name for name in self.headers if name.endswith("_internal.h") or "checker" in name], [])
 
@@ -202,8 +267,8 @@ class Installation(unittest.TestCase):
         self.assertEqual(there, here)
 
     def test_licences_and_documents_are_there(self):
-        for name in ("README.md", "LICENSE.md", "LICENSES/LGPL-3.0-or-later.txt", "docs/certificates/mesh.md",
-                     "docs/library.md", "examples/sound_part.stl"):
+        for name in ("docs/README.md", "docs/cli/certify.md", "docs/certificates/mesh.md", "docs/library.md", "LICENSE.md",
+                     "LICENSES/LGPL-3.0-or-later.txt", "examples/sound_part.stl", "tests/models/m3_crack.stl"):
             self.assertTrue((self.prefix / "share" / "doc" / "veritope" / name).is_file(), name)
 
 

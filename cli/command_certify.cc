@@ -51,8 +51,9 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
   set.hide("--max-defects");  // the help line above names it
   declare_jobs(set, o.jobs);
   declare_orientation(set, o.orient_auto, "patches, faces");
-  set.length("--tolerance", "EPS", o.tolerance, "of the volume of patches, in sizes cubed (1e-5)");
-  set.flag("--collar", o.collar, "of patches: find a collar, certify it, too");
+  set.length("--tolerance", "EPS", o.tolerance,
+             "patches: relative width of the volume's interval (1e-5)");
+  set.flag("--collar", o.collar, "patches: find a collar, and certify it, too");
   set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   set.flag("-q,--quiet", o.quiet, "the verdict lines only, as a table");
   declare_format(set, o.input);

@@ -188,11 +188,11 @@ void declare(OptionSet& set, ConvertOptions& o) {
            "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
            "look at: vtu, obj, gltf",
            "V");
-  set.length("--chord", "H", o.chord, "of splines in obj, gltf: distance of chords aimed at");
+  set.length("--chord", "H", o.chord, "splines in obj, gltf: the distance of chords to aim at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
-  set.flag("--faces", o.faces, "of spline volumes: their boundary, as surfaces");
-  set.flag("--rejoin", o.rejoin, "of splines: cut sides at T-junctions, exactly");
-  set.flag("--lossy", o.lossy, "round or renumber if need be, and say how much");
+  set.flag("--faces", o.faces, "write the boundary of spline volumes as surfaces");
+  set.flag("--rejoin", o.rejoin, "cut sides of splines at T-junctions, exactly");
+  set.flag("--lossy", o.lossy, "round or renumber where necessary, and say how much");
   declare_jobs(set, o.input.reading.jobs);
   declare_format(set, o.input);
   declare_reading(set, o.input.reading);

@@ -46,12 +46,11 @@ void declare(OptionSet& set, CoverOptions& o) {
   set.option("-o,--output", "F", any_text(o.output),
              "the new file: .vtu, .obj, .ply, .off or .stl");
   set.option("--what", "W", take_part, "boxes; cells: collar (default); solids: outer, inner");
-  set.number(
-      "--sweep", o.sweep, {0, kMaxSweep},
-      "table which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nof boxes of size EPS, halved N "
-      "times; -o: the last");
+  set.number("--sweep", o.sweep, {0, kMaxSweep},
+             "say which of A, B1, B2, C1, C2, C3, C3*, K1-K3 hold\nfor boxes of size EPS, halved N "
+             "times; -o: the last");
   set.excludes("--sweep", "--what");
-  set.length("--eps", "EPS", o.eps, "the first size (a quarter of the model or less)");
+  set.length("--eps", "EPS", o.eps, "the first EPS (a quarter of the model or less)");
   set.needs("--eps", "--sweep");
   declare_json(set, o.json, "the table");
   set.needs("--json", "--sweep");

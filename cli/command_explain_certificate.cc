@@ -49,7 +49,7 @@ ExitCode run(const ExplainCertificateOptions& options, StandardOutput& out) {
 RunCommand declare_explain_certificate(OptionSet& set) {
   const auto o = std::make_shared<ExplainCertificateOptions>();
   declare_plain_file(set, "F", o->file, "a certificate file");
-  set.number("--max-items", o->max_items, {0, kMost32}, "items of each list that are shown (20)");
+  set.number("--max-items", o->max_items, {0, kMost32}, "show at most N items of each list (20)");
   return [o](StandardOutput& out) { return run(*o, out); };
 }
 

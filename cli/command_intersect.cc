@@ -27,9 +27,9 @@ void declare(OptionSet& set, IntersectOptions& o) {
                2);
   set.text("-o,--output", o.curves, "write the curves; F ends in .json or .vtu");
   declare_json(set, o.json, "write the report");
-  set.length(
-      "--gap", "D", o.gap,
-      "wanted between the images of a curve in both surfaces\n(2^-24 of the first one's extent)");
+  set.length("--gap", "D", o.gap,
+             "the gap to aim at between the images of a curve in both\nsurfaces (2^-24 of the "
+             "first one's extent)");
   set.number("--max-pairs", o.max_pairs, {1, kMost64}, "rectangles to compare at most (200000000)");
   declare_format(set, o.input);
 }

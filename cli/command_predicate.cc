@@ -45,7 +45,7 @@ void declare(OptionSet& set, PredicateOptions& o) {
       "one case a line: the coordinates as decimals or\nas 0x1.8p-3; # comments; - is "
       "standard input");
   set.flag("--expect", o.expect,
-           "behind the coordinates stands the sign expected:\nreport disagreements");
+           "the last column is the sign that is expected:\nreport disagreements");
   set.flag("--tiers", o.tiers, "say on standard error which tiers decided");
 }
 

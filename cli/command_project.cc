@@ -39,7 +39,7 @@ void declare(OptionSet& set, ProjectOptions& o) {
   declare_file(set, "SURFACE", o.input, "a file of splines; - is standard input (with --format)");
   declare_json(set, o.json, "write the report");
   set.number("--max-boxes", o.max_boxes, {1, kMost64},
-             "of each curve and surface: parameter boxes to look at\n(100000)");
+             "examine at most N boxes of parameters of each curve\nand surface (100000)");
   declare_format(set, o.input);
   set.rule([&o] { return wrong_order(o); });
 }

@@ -89,7 +89,7 @@ ExitCode run_selftest(const SelfTestOptions& o, StandardOutput& out) {
 RunCommand declare_selftest(OptionSet& set) {
   const auto o = std::make_shared<SelfTestOptions>();
   declare_hard_cases(set, o->cases);
-  set.flag("--verbose", o->verbose, "for each predicate, which tiers decided");
+  set.flag("--verbose", o->verbose, "say for each predicate which tiers decided");
   return [o](StandardOutput& out) { return run_selftest(*o, out); };
 }
 

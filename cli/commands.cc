@@ -8,18 +8,18 @@ namespace {
 
 constexpr std::array<Command, 11> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
-    {"info", "what is in mesh and spline files", declare_info},
+    {"info", "list what is in mesh and spline files", declare_info},
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
-    {"intersect", "where the surfaces of two files meet, certified", declare_intersect},
+    {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},
     {"project",
-     "all critical points of the distance from a point\nto curves and surfaces, certified",
+     "find all critical points of the distance from a point\nto curves and surfaces, and prove it",
      declare_project},
-    {"cover", "the boxes and cells of a proof, to look at", declare_cover},
-    {"explain", "what a rule or an answer means; without RULE: the list", declare_explain},
-    {"explain-certificate", "a certificate as text", declare_explain_certificate},
-    {"predicate", "exact signs of geometric predicates", declare_predicate},
-    {"selftest", "hard signs, decided in two ways, compared", declare_selftest, false},
-    {"corpus", "hard cases with their exact signs, as text", declare_corpus},
+    {"cover", "write the boxes and cells of a proof, to look at", declare_cover},
+    {"explain", "explain a rule or an answer; without RULE list them", declare_explain},
+    {"explain-certificate", "print a certificate as text", declare_explain_certificate},
+    {"predicate", "print exact signs of geometric predicates", declare_predicate},
+    {"selftest", "decide hard signs in two ways, and compare them", declare_selftest, false},
+    {"corpus", "write hard cases and models with their exact answers", declare_corpus},
 }};
 
 }  // namespace

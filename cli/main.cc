@@ -26,7 +26,7 @@ namespace {
 constexpr char kTitle[] = "veritope: solid models that come with proofs";
 constexpr char kFooter[] =
     "Exit: 0 valid or done, 1 invalid, 2 wrong usage, 3 undecided, 4 unreadable, over\n"
-    "a limit or cannot write, 5 our bug; of several files the first of 5, 1, 4, 3, 0";
+    "a limit or cannot write, 5 our bug; several files: the first of 5, 1, 4, 3, 0";
 
 // Prevents a file that is opened later from getting the number of a standard stream that was closed. Writing to that
 // stream then fails, and is not lost silently.

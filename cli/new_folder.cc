@@ -51,6 +51,8 @@ std::optional<std::string> occupied(const std::string& path) {
   const bool is_empty = fs::is_empty(path, error);
   if (error) return error.message();
   if (!is_empty) return "the folder is not empty: name a new one";
+  // It would be replaced below the feet of the shell that is in it.
+  if (same_file(path, ".")) return "it is the current folder: name a new one";
   return std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// hard_models/hard_mesh.h: meshes that are hard to decide, whose answers are known by construction. tests/cli/
-// hard_models_test.py decides each of them a second time, in Python's fractions.
+// hard_models/hard_mesh.h: meshes that are hard to decide, whose answers are known by construction.
+// tests/cli/hard_models_test.py decides each of them a second time, in Python's fractions.
 #pragma once
 #include <array>
 #include <cstdint>

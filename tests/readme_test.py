@@ -9,11 +9,14 @@ A fenced block tagged `console` is a transcript: lines that begin with "$ " are 
 output and standard error. The commands of a block run in one bash, in a fresh folder where examples/, docs/, verify/ and tests/ are
 those of the tree and build/bin/ is BIN_FOLDER, so what they write is gone afterwards. Times compare as equal: a number with its
 unit (0.31 s, 12 ms), and all numbers of a JSON object "seconds". A line of three dots stands for any lines.
+The recipes of docs/cli/README.md, blocks tagged `sh`, run in the same way and succeed.
 A block tagged `cpp` in README.md or docs/library.md must occur, apart from blank lines at its ends, in a program of
 tests/install/consumer.
 """
+import gzip
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -98,6 +101,56 @@ class Readme(unittest.TestCase):
     def test_the_two_commands_come_first(self):
         commands = re.findall(r"\./dev \w+", self.text)
         self.assertEqual(commands[:2], ["./dev demo", "./dev test"])
+
+
+class Recipes(unittest.TestCase):
+    """The recipes of docs/cli/README.md, with models under the names that they use."""
+
+    MODELS = {"part.stl": "examples/sound_part.stl", "pipe.itd": "examples/quarter_pipe.itd",
+              "block.mesh": "tests/models/splines/two_cubes.mesh", "parts/part.stl": "examples/sound_part.stl"}
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "parts").mkdir()
+        for name, model in self.MODELS.items():
+            shutil.copy(ROOT / model, self.folder / name)
+        (self.folder / "part.stl.gz").write_bytes(gzip.compress((self.folder / "part.stl").read_bytes()))
+        for name, points in (("level", "[0 0 0] [4 0 0] [0 4 0] [4 4 0]"), ("upright", "[1 1 -1] [3 2 -1] [1 1 1] [3 2 1]")):
+            (self.folder / f"{name}.itd").write_text(f"[OBJECT A\n [SURFACE BEZIER 2 2 E3\n  {points}]]\n")
+        programs = self.folder / "programs"
+        programs.mkdir()
+        (programs / "your_program").write_text("#!/bin/sh\necho 0 0 0 1 0 0 0 1 0 0 0 1 1\n")
+        (programs / "your_program").chmod(0o755)
+        self.path = f"{Readme.BIN_FOLDER}:{programs}:/usr/bin:/bin"
+
+    def run_recipe(self, block):
+        """The status of a block, whose commands run one after the other until one fails, and its output."""
+        if shutil.which("jq", path=self.path) is None:
+            block = re.sub(r"(?m)^jq .*$", "true", block)
+        block = block.replace("veritope corpus >", "veritope corpus --cases 1000 >")
+        done = subprocess.run(["bash", "-ec", block], cwd=self.folder, env={"PATH": self.path, "PYTHONDONTWRITEBYTECODE": "1"},
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        return done.returncode, done.stdout
+
+    def blocks(self):
+        text = (ROOT / "docs" / "cli" / "README.md").read_text()
+        return fenced_blocks(text[text.index("## Recipes"):text.index("## Models and formats")], "sh")
+
+    def test_they_run(self):
+        self.assertGreater(len(self.blocks()), 4)
+        for block in self.blocks():
+            status, output = self.run_recipe(block)
+            self.assertEqual(status, 0, block + output)
+
+    def test_the_job_fails_if_a_model_is_invalid(self):
+        (job,) = [block for block in self.blocks() if "report.json" in block]
+        shutil.copy(ROOT / "examples" / "part_with_hole.stl", self.folder / "parts")
+        status, output = self.run_recipe(job)
+        self.assertEqual(status, 1, output)
+        if shutil.which("jq", path=self.path) is not None:
+            self.assertRegex(output, r"(?m)^parts/part_with_hole.stl\tM3\tedge ")
 
 
 class TheComparison(unittest.TestCase):

@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Keeps lines short and comments plain.
+"""Keeps lines short, and comments and pages plain.
 
-Two rules, each with an allowance a folder for what was there before the rule (tests/wording_allowance.txt, which only shrinks):
+Pages (*.md but changes/ and docs/design/, which tell history) have no sentence that opens with one of BANNED or has one of its
+constructions. Each sentence of the pages for users, README first, has one of the verbs of VERBS: a sentence without any is probably
+a fragment; if not, its verb is missing in the list. Lists, tables and headings may be fragments.
+
+Two rules for code, each with an allowance a folder for what was there before the rule (tests/wording_allowance.txt, which only shrinks):
   line length  C++, CMake and Python outside of tests/ and of generated code: at most 120 columns;
   wording      comments of C++, CMake and Python: no sentence that opens with a bare genitive or another of BANNED.
 `wording_test.py --list [FOLDER]` prints the places, `wording_test.py --lower` lowers the allowances to what is left.
@@ -36,6 +40,16 @@ BANNED = [(name, re.compile(pattern), better) for name, pattern, better in (
                      r"signs?|decimals?|products?|members?|parameters?|facts?|defects?)\b", "'is not a number'"),
     ("one behind the other", r"\bone behind (?:the other|another)\b", "'one after the other'"),
 )]
+# The verbs of the pages for users, as stems: with or without s, es, ed. A noun such as "report" counts as the verb.
+VERBS = re.compile(r"\b(?:am|is|are|was|were|be|has|have|had|can|cannot|could|do|does|did|may|must|should|will|would|"
+                   r"made|makes?|found|finds?|read|reads|written|writes?|wrote|got|gets?|gives?|given|took|takes?|tells?|says?|said|"
+                   r"(?:accept|answer|appear|apply|applie|ask|begin|bound|bring|call|certifi|certify|check|come|compare|compile|compute|"
+                   r"consist|convert|copie|copy|correspond|count|cut|decide|declare|define|differ|draw|drop|end|ends|enforce|erase|exist|"
+                   r"explain|face|fail|follow|form|gain|help|hold|identifie|ignore|include|intersect|keep|let|lie|lies|list|look|mean|measure|mirror|move|"
+                   r"name|need|number|omit|open|point|print|prove|provide|put|reach|refuse|reject|remove|report|return|reverse|round|run|search|see|"
+                   r"share|show|start|state|stop|support|test|trap|tr(?:y|ie)|turn|use|walk|want|work)(?:s|es|d|ed)?)\b")
+HISTORY = ("changes/", "docs/design/")
+FOR_USERS = ("README.md", "docs/README.md", "docs/library.md", "docs/cli/", "docs/how-to/fuzz-your-own-kernel.md")
 CODE = {".h", ".cc", ".inc", ".py", ".cmake"}
 
 
@@ -60,6 +74,36 @@ def sentences(path, text):
             start = words.find(sentence, at)
             at = start + len(sentence)
             yield first + words.count("\n", 0, start + len(sentence) - len(sentence.lstrip())), " ".join(sentence.split())
+
+
+def blocks_of_prose(text):
+    """(line, paragraph or list item, whether it is a paragraph) of a page, without code, tables, headings and pictures."""
+    text = re.sub(r"(?ms)^```.*?^```[ \t]*$", lambda code: "\n" * code[0].count("\n"), text)
+    text = re.sub(r"(?m)^(?:\||#|!\[|    ).*$", "", text)
+    line = 1
+    for part in re.split(r"(\n[ \t]*\n|\n(?=[ \t]*(?:[-*]|\d+\.) ))", text):
+        if part.strip():
+            yield line + len(part[:len(part) - len(part.lstrip())].splitlines()), part.strip(), not re.match(r"(?:[-*]|\d+\.) ", part.strip())
+        line += part.count("\n")
+
+
+def sentences_of_page(text):
+    """(line of the paragraph, sentence, whether it is one of a paragraph and not of a list)."""
+    for line, block, is_paragraph in blocks_of_prose(text):
+        words = re.sub(r"\[([^\]]*)\]\([^)\s]*\)", r"\1", " ".join(block.split()))
+        for sentence in re.split(r"(?<=[.!?])\s+(?=[A-Z`*])", re.sub(r"^(?:[-*]|\d+\.) ", "", words)):
+            yield line, sentence, is_paragraph
+
+
+def faults_of_page(path, text):
+    """One line a fault."""
+    for line, sentence, is_paragraph in sentences_of_page(text):
+        for name, pattern, better in BANNED:
+            if pattern.search(sentence):
+                yield f"{path}:{line}: {name} (better: {better}): {sentence[:90]}"
+        is_title = re.fullmatch(r"\*\*[^*]*\*\*\.?", sentence)
+        if is_paragraph and path.startswith(FOR_USERS) and not is_title and not VERBS.search(re.sub(r"`[^`]*`", "", sentence)):
+            yield f"{path}:{line}: no verb: {sentence[:90]}"
 
 
 def folder_of(path):
@@ -110,6 +154,34 @@ class WordingOfTheTree(unittest.TestCase):
     def test_no_folder_has_more_long_lines_or_banned_sentences_than_it_may_have(self):
         out = faults(ROOT, read_allowances((ROOT / ALLOWANCES).read_text()))
         self.assertFalse(out, "\n" + "\n".join(out))
+
+
+class WordingOfThePages(unittest.TestCase):
+    def test_pages_have_no_banned_sentence_and_those_for_users_no_sentence_without_a_verb(self):
+        pages = [str(path) for path in files(ROOT, {".md"}) if not str(path).startswith(HISTORY)]
+        self.assertIn("README.md", pages)
+        out = [fault for page in pages for fault in faults_of_page(page, (ROOT / page).read_text())]
+        self.assertFalse(out, "\n" + "\n".join(out))
+
+
+class PlantedFaultsOfPages(unittest.TestCase):
+    SOUND = "# Of a title\n\nA program reads files. It\nreports them.\n\n- a list item. Of course.\n\n| of | a table |\n\n```\nOf code. None.\n```\n"
+
+    def test_a_sound_page_has_none(self):
+        self.assertEqual(list(faults_of_page("README.md", self.SOUND)), [])
+
+    def test_each_banned_construction_is_found_with_its_line(self):
+        for sentence in ("Of two files the second is read.", "None of them is read.", "The same is true.", "About a tenth is read.",
+                         "The program is told so.", "A sum that is no number is read."):
+            for text in (self.SOUND + "\n" + sentence + "\n", self.SOUND + "\n- It is read. " + sentence + "\n"):
+                (fault,) = faults_of_page("docs/rules/M1.md", text)
+                self.assertIn("docs/rules/M1.md:14: ", fault)
+
+    def test_a_sentence_without_a_verb_is_found_on_pages_for_users_only(self):
+        for fragment in ("Bytes of a file, exact.", "A prism of `is` and triangles."):
+            (fault,) = faults_of_page("docs/cli/info.md", f"It reads files. {fragment}\n")
+            self.assertIn("no verb: " + fragment, fault)
+            self.assertEqual(list(faults_of_page("docs/rules/M1.md", f"It reads files. {fragment}\n")), [])
 
 
 class PlantedFaults(unittest.TestCase):

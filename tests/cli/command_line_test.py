@@ -14,7 +14,8 @@ import unittest
 from pathlib import Path
 
 import support
-sys.path.insert(0, str(support.ROOT / "tests" / "support"))
+sys.path[:0] = [str(support.ROOT / "tests" / "support"), str(support.ROOT / "tests")]
+import wording_test  # noqa: E402
 from edge_gaps import squared_distance  # noqa: E402
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 
@@ -125,6 +126,17 @@ class Usage(unittest.TestCase):
                        "--max-faces", "--max-digits", "--max-exponent", "--max-cells", "--max-memory", "--quiet"):
             self.assertIn(option, run("certify", "--help").stdout)
         self.assertEqual(re.findall(r"(?m)^  (\w[\w-]*)", run("--help").stdout), COMMANDS)
+
+    def test_help_is_plain(self):
+        """A summary is an imperative; no explanation opens as tests/wording_test.py forbids, or with a preposition that has no subject."""
+        for command in COMMANDS:
+            with self.subTest(command):
+                summary, options = run(command, "--help").stdout.split("Usage:", 1)
+                self.assertRegex(summary, r"^(decide|list|write|find|explain|print) ")
+                for text in re.findall(r"(?m)^(?:  -.*?  +|  -.*\n +)(\S.*)$", options):
+                    self.assertNotRegex(text, r"(?i)^(of|about|as many|none|back|behind|wanted)\b")
+                    for name, pattern, better in wording_test.BANNED:
+                        self.assertIsNone(pattern.search(text), f"{name}: {better}: {text}")
 
     def test_the_version_is_one_line(self):
         done = run("--version")

@@ -243,6 +243,11 @@ class Folders(Folder):
         self.assert_refused("", 2, "--meshes")
         self.assert_refused(self.folder / "link", 2, "link: it is a link to nowhere")
 
+    def test_the_current_folder_is_not_replaced(self):
+        done = run("corpus", "--meshes", ".", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (2, "veritope: .: it is the current folder: name a new one\n"))
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_an_empty_folder_is_filled_and_keeps_its_permissions(self):
         empty = self.folder / "empty"
         empty.mkdir()

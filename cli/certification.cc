@@ -18,6 +18,7 @@
 #include "robust/base/check.h"
 #include "robust/base/stopwatch.h"
 #include "verify/certify/certify_file.h"
+#include "verify/format/collar_certificate.h"
 #include "verify/format/sha256.h"
 #include "verify/format/star_box_certificate.h"
 
@@ -198,7 +199,8 @@ class Certification {
   // The cells are too many for the checker; the star boxes alone may not be.
   void drop_collar(const std::string& words) {
     set_certificate(std::exchange(without_collar_, {}));
-    claim_ = certificate::kStarBoxClaim;
+    claim_ = claim_ == certificate::kCollar2Claim ? certificate::kStarBox2Claim
+                                                  : certificate::kStarBoxClaim;
     CollarFacts& facts = *std::get<PatchFacts>(report_.facts).collar;
     Finding why = fault_of("over-budget", "one of " + std::to_string(facts.cells) +
                                               " cells was found, but the checker has too little "

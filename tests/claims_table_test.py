@@ -53,6 +53,7 @@ LIARS = {
     "patch-invalid-1": of_patches(invalid_liars.invalid_attacks),
     "patch-invalid-2": of_patches(meeting_liars.meeting_attacks),
     "collar-1": of_patches(collar_liars.lies_about_a_collar),
+    "collar-2": of_patches(collar_liars.lies_about_a_collar_2),
 }
 
 

@@ -16,6 +16,7 @@
 #include "io/splines/write_splines.h"
 #include "models/patch_shapes.h"
 #include "solids/patches/patch_transform.h"
+#include "tests/certify/zero_shapes.h"
 #include "tests/support/checker_call.h"
 #include "tests/support/shapes.h"
 #include "verify/certify/file_patches.h"
@@ -213,6 +214,27 @@ TEST(Certify, ACollarIsPartOfTheClaimIfOneIsFound) {
   EXPECT_EQ(without.claim, "star-box-1");
   ASSERT_TRUE(patch_facts(without).collar && patch_facts(without).collar->open);
   EXPECT_EQ(patch_facts(without).collar->open->code, "no-collar");
+}
+
+// Where normals are zero at corners, the star boxes need version 2, and so does the collar. Beside thin walls, which boxes
+// with several sheets hold, none is sought.
+TEST(Certify, CollarsHaveTheVersionOfTheirStarBoxes) {
+  CertifyOptions options;
+  options.with_collar = true;
+  const std::string section = bytes_of(zero_shapes::round_prism());
+  const Certified c = certify(read(section, "section.vjson"), options).value();
+  EXPECT_EQ(c.claim, "collar-2");
+  ASSERT_TRUE(patch_facts(c).collar && !patch_facts(c).collar->open);
+  expect_accepted(section, c);
+  EXPECT_FALSE(c.without_collar.empty());
+
+  const AffineMap turn{3, 3, {2, -1, 2, 2, 2, -1, -1, 2, 2}, {0, 0, 0}};
+  const Certified thin = certify_patches(
+      affine_image(patch_shapes::box({0, 0, 0}, {1, 1, Rational::power_of_two(-20)}), turn).value(),
+      options);
+  EXPECT_EQ(thin.verdict, Verdict::kValid);
+  ASSERT_TRUE(patch_facts(thin).collar && patch_facts(thin).collar->open);
+  EXPECT_EQ(patch_facts(thin).collar->open->code, "no-collar");
 }
 
 // A model whose fitted frame is another than the plain one still gets a collar where the plain frame costs little more.

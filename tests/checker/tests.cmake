@@ -11,7 +11,7 @@ veritope_judges_test(mesh_reading mesh_reading standard)
 veritope_judges_test(mesh_reversed mesh_reversed standard)
 veritope_judges_test(mesh_reversed_cpp mesh_reversed_cpp standard)
 veritope_judges_test(real_models mesh_real_models standard)
-foreach(kind IN ITEMS star_box star_box_turned star_box_2 star_box_2_cpp patch_invalid patch_invalid_2 collar)
+foreach(kind IN ITEMS star_box star_box_turned star_box_2 star_box_2_cpp patch_invalid patch_invalid_2 collar collar_2)
   veritope_judges_test(${kind} ${kind} full)
 endforeach()
 

@@ -39,6 +39,15 @@ def encoded(tree):
     return b"\1" if tree == 1 else b"\0" + b"".join(map(encoded, tree))
 
 
+def in_version_2(plan, star):
+    """The certificate of version 2 with what `plan` says of the collar after the star boxes of `star`, a plan of version 2."""
+    bare, result = copy.copy(plan), copy.copy(star)
+    bare.tail = b""
+    result.tail = bare.body()[len(forge.Plan.body(bare)):] + plan.tail
+    result.values = dict(star.values, claim="collar-2", cells=plan.values["cells"])
+    return result
+
+
 class Collar:
     """A collar of a model that a star-box Prover has proved. The root is [corner, corner + 2^shift]^3 in units of the model."""
 
@@ -107,6 +116,10 @@ class Collar:
             seen.add(body)
         return sides
 
+    def ends_at(self, box):
+        """c- and c+ of a box at which shores may end."""
+        return forge.check_box(box).c if box.kind == 0 else ()
+
     def shore(self, component):
         step = 1 << self.plan.shift
         start = [(a + b) * step for a, b in zip(self.plan.least, self.complex.least_vertex(component))]
@@ -116,8 +129,7 @@ class Collar:
             if self.prover.is_free(star_nodes.misses_segment(start, ray, True)):
                 return [], end
         for number, box in enumerate(self.plan.boxes):
-            for sign in (0, 1) if box.kind == 0 else ():
-                to = forge.check_box(box).c[sign]
+            for sign, to in enumerate(self.ends_at(box)):
                 if self.prover.is_free(star_nodes.misses_segment(start, star_triangles.sub(to, start), False)):
                     return [], (number, sign)
         raise ValueError("no shore found")

@@ -169,6 +169,10 @@ std::map<std::string, Example, std::less<>> examples() {
   all["star-box-2"] = {encode(subject, q, star_2()), {star_2()}, {}};
   all["star-box-turned-2"] = {encode(subject, q, star_2(), -3), {star_2()}, {}};
   all["collar-1"] = {encode(subject, q, collar()), {collar()}, mixed};
+  CollarBody collar_2 = collar();
+  collar_2.star = star_2();
+  collar_2.leaves.assign(internal::leaf_levels(collar_2.star).size(), 1);
+  all["collar-2"] = {encode(subject, q, collar_2), {collar_2}, {}};
   all["patch-invalid-1"] = {
       encode(subject, 5, invalid(true)), {invalid(true), invalid(false)}, {{true, false}}};
   all["patch-invalid-2"] = {encode(subject, 5, meeting()), {meeting()}, {}};

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Liars for the claim collar-1: cells that are no collar, or not of this surface, with the best collapse, sides and shores that there are."""
+"""Liars for the claims collar-1 and collar-2: cells that are no collar, or not of this surface, with the best collapse, sides and shores that there are."""
 import copy
 from fractions import Fraction as Q
 
 import patch_solids as ps                                 # and the way to the forges
 import collar_forge as forge
 import collar_models as solids
+import star_box_2_forge as forge2
 import star_box_test as known
 
 STAR, COMPLEXES = ps.forge, forge.complexes
@@ -201,7 +202,7 @@ def with_codes(new, plan, codes):
 def collar_attacks(rng):
     make, = rng.choices([m for m, _ in FALSE], [w for _, w in FALSE])
     if rng.random() < .06:
-        yield from lies_about_a_collar(rng)
+        yield from rng.choice((lies_about_a_collar, lies_about_a_collar_2))(rng)
         return
     made = make(rng)
     for name, plan in bent(made, rng):
@@ -225,6 +226,24 @@ def lies_about_a_collar(rng):
         other = copy.copy(plan)
         other.values = dict(plan.values, **{key: plan.values[key] + 1})
         yield "collar/numbers", made.model, other.certificate(made.model)
+
+
+def lies_about_a_collar_2(rng):
+    """What lies_about_a_collar says, about the star boxes of the brick in the form of version 2."""
+    made = collar(brick(2, 10), WALL)
+    star = forge2.to_version_2(made.plan)
+    for name, model, certificate in lies_about_a_collar(rng):
+        yield name + "-2", model, in_version_2(made, certificate, star)
+
+
+def in_version_2(made, certificate, star):
+    """The certificate of version 2 with the collar of one of version 1 that has the same star boxes."""
+    statement, body = certificate.split(b"\n", 1)
+    plan = copy.copy(star)
+    plan.tail = body[len(STAR.Plan.body(made.prover.plan)):]
+    plan.values = {k: v for k, v in STAR.json.loads(statement).items() if k in made.plan.values}
+    plan.values["claim"] = "collar-2"
+    return plan.certificate(made.model)
 
 
 def honest(rng):

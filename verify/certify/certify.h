@@ -38,7 +38,7 @@ struct CertifyOptions {
   PatchOrientation orientation = PatchOrientation::kKeep;
 
   // Models of patches; the other kinds ignore them.
-  bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1
+  bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1 or collar-2
   /// The most boxes that are tried, and the most octree cells of a collar. Nothing: those of StarCoverOptions and
   /// CollarSearchOptions.
   std::optional<std::uint64_t> max_cells;
@@ -71,7 +71,8 @@ struct Certified {
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
   std::string claim;  ///< the claim that the certificate states; empty without a certificate
-  /// If that claim is collar-1: the certificate of the star boxes alone, for checkers with too little memory for cells.
+  /// If that claim is collar-1 or collar-2: the certificate of the star boxes alone, for checkers with too little memory
+  /// for cells.
   certificate::Bytes without_collar;
   /// If there is one, the certificate speaks of its bytes, and findings number its entities.
   std::optional<CertifiedCopy> copy;

@@ -66,7 +66,8 @@ bool is_limit(const std::string& code) {
 
 std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
   const bool is_2 = decision.cover.needs_version_2();
-  if (!decision.refutation && has_collar) return certificate::kCollarClaim;
+  if (!decision.refutation && has_collar)
+    return is_2 ? certificate::kCollar2Claim : certificate::kCollarClaim;
   if (!decision.refutation) return is_2 ? certificate::kStarBox2Claim : certificate::kStarBoxClaim;
   if (std::holds_alternative<MeetingWitness>(*decision.refutation))
     return certificate::kPatchInvalid2Claim;
@@ -198,11 +199,10 @@ class Certification {
 
   void seek_collar() {
     internal::enter(Phase::kSeekingCollar, options_);
-    if (decision().cover.needs_version_2())
+    if (decision().cover.has_several_sheets())
       collar_.open = why("no-collar",
-                         "the star boxes need version 2 of their certificate, and collars have "
-                         "version 1: walls are "
-                         "thin, or normals are zero somewhere");
+                         "star boxes hold several sheets, because walls are thin: cells as small "
+                         "as their thickness would be very many");
     else if (decided_.forest->frame().is_plain())
       collar_ = find_collar_or_fail();
     else
@@ -217,7 +217,14 @@ class Certification {
     CollarSearchOptions limits;
     if (options_.max_cells) limits.max_cells = *options_.max_cells;
     try {
-      return find_patch_collar(*decided_.forest, decision().cover, limits);
+      PatchCollarSearch out = find_patch_collar(*decided_.forest, decision().cover, limits);
+      if (!out.collar || fits_certificate(*decided_.forest, decision().cover, *out.collar))
+        return out;
+      out.collar.reset();
+      out.open = why("no-collar",
+                     "one was found, but the star boxes have units so short that checkers cannot "
+                     "hold the collar's coordinates in them");
+      return out;
     } catch (const std::bad_alloc&) {
       PatchCollarSearch out;
       out.open = why(open_code::kMemory, "the system has no more memory");

@@ -75,6 +75,15 @@ class CollarBodyWriter {
 
 }  // namespace
 
+bool fits_certificate(const PieceForest& forest, const StarCover& cover,
+                      const PatchCollar& collar) {
+  const double unit = least_unit_of_boxes(forest, cover, collar.root.unit);
+  const double most = std::ldexp(unit, 60);  // the C++ checker's 2^61, minus one bit for sums
+  for (const double corner : collar.root.corner)
+    if (!(std::abs(corner) < most && std::abs(corner + collar.root.edge()) < most)) return false;
+  return true;
+}
+
 certificate::Bytes make_collar_certificate(const PieceForest& forest, const StarCover& cover,
                                            const ShellWalks& walks, const PatchCollar& collar,
                                            const std::vector<StarBoxEntity>& entities,

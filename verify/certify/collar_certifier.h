@@ -9,7 +9,12 @@
 
 namespace veritope {
 
-/// REQUIRES as make_star_box_certificate, and the collar of the same forest and cover.
+/// Whether the checkers can hold the corners of the collar's root in the least unit of the boxes. REQUIRES the collar
+/// of the same forest and cover.
+bool fits_certificate(const PieceForest& forest, const StarCover& cover, const PatchCollar& collar);
+
+/// The claim "collar-1", or "collar-2" if the cover needs version 2. REQUIRES as make_star_box_certificate, the collar
+/// of the same forest and cover, and that it fits_certificate.
 certificate::Bytes make_collar_certificate(const PieceForest& forest, const StarCover& cover,
                                            const ShellWalks& walks, const PatchCollar& collar,
                                            const std::vector<StarBoxEntity>& entities,

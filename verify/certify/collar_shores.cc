@@ -59,7 +59,7 @@ class ShoreSearch {
   bool to_box(const Point3d& from, double size, Shore* shore) {
     for (const std::uint32_t box : boxes_near(from, size))
       for (const bool outside : {true, false}) {
-        if (cover_.boxes[box].is_mesh) continue;
+        if (!cover_.boxes[box].has_one_sheet()) continue;
         const StarBox& star = cover_.boxes[box].star;
         if (!is_free_segment(forest_, from, outside ? star.outside : star.inside)) continue;
         shore->direction = 6, shore->end_box = box, shore->ends_outside = outside;

@@ -92,7 +92,8 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
   if (wanted.frame != FrameWanted::kPlainIfCheap || !fitted.decision.is_valid ||
       !may_have_octree(*patches.complex))
     return fitted;
-  if (fitted.forest->frame().is_plain() && !fitted.decision.cover.needs_version_2()) return fitted;
+  if (fitted.forest->frame().is_plain() && !fitted.decision.cover.has_several_sheets())
+    return fitted;
   options.in_plain_frame = true;
   options.with_frames = false;
   options.cover.max_boxes =

@@ -212,6 +212,12 @@ double least_unit_of_any(const PieceForest& forest) {
               : 0;
 }
 
+double least_unit_of_boxes(const PieceForest& forest, const StarCover& cover, double most) {
+  int least = std::ilogb(most);
+  for (const CoverBox& b : cover.boxes) least = std::min(least, grid_exponent(forest, b));
+  return std::ldexp(1.0, least);
+}
+
 bool fits_certificate(const PieceForest& forest, const StarCover& cover) {
   const auto& scale = forest.frame().scale;
   constexpr int kMostExponent = 4096 - 64;  // a collar's unit may be less than that of all boxes

@@ -27,6 +27,10 @@ double least_unit_that_fits(const PieceForest& forest);
 /// of points at the origin. REQUIRES positive weights.
 double least_unit_of_any(const PieceForest& forest);
 
+/// The unit in which a certificate gives the coordinates of the boxes, at most `most`: a power of two, in the
+/// coordinates of the forest.
+double least_unit_of_boxes(const PieceForest& forest, const StarCover& cover, double most);
+
 /// Whether the coordinates of the boxes, in units of the least one, have few enough bits for a certificate, and whether
 /// the certificate can hold that unit.
 bool fits_certificate(const PieceForest& forest, const StarCover& cover);

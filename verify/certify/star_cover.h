@@ -74,6 +74,11 @@ struct StarCover {
   static constexpr std::size_t kBytesOfBox = 2 * sizeof(CoverBox) + 384;
   bool has_room_for_box() { return make_room(boxes, 1, *memory, kBytesOfBox); }
   bool is_complete() const { return uncovered.empty(); }
+  /// Whether some box has several sheets, as beside thin walls.
+  bool has_several_sheets() const {
+    return std::any_of(boxes.begin(), boxes.end(),
+                       [](const CoverBox& b) { return !b.is_mesh && !b.has_one_sheet(); });
+  }
   /// Whether a certificate of it needs version 2.
   bool needs_version_2() const {
     return std::any_of(boxes.begin(), boxes.end(),

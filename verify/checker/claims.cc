@@ -59,6 +59,9 @@ const std::vector<Claim>& all_claims() {
       {"collar-1", "VTSB", kSplines, kStarText,
        " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
        check_collar},
+      {"collar-2", "VTS2", kSplines, kStarText,
+       " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
+       check_collar},
   };
   return claims;
 }

@@ -111,6 +111,9 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kCollarClaim, kStarBoxMagic, "collar.md", kSplines, "",
      "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
      decode_patches<CollarBody>, explain_as<CollarBody>},
+    {kCollar2Claim, kStarBox2Magic, "collar-2.md", kSplines, "",
+     "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
+     decode_whole<internal::read_collar_2>, explain_as<CollarBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

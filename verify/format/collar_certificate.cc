@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "verify/format/byte_stream.h"
+#include "verify/format/entities_of_body_internal.h"
 #include "verify/format/preorder_internal.h"
 #include "verify/format/star_box_statement.h"
 
@@ -29,8 +30,8 @@ Bytes encode(const CollarBody& body) {
 
 Bytes encode(const Subject& subject, const StarBoxQuantities& q, const CollarBody& body) {
   const Bytes bytes = encode(body);
-  internal::StatementWriter w =
-      internal::state_star_boxes(subject, kCollarClaim, q, body.star, bytes);
+  const std::string_view claim = body.star.version == 2 ? kCollar2Claim : kCollarClaim;
+  internal::StatementWriter w = internal::state_star_boxes(subject, claim, q, body.star, bytes);
   w.number("cells", body.cells.size());
   return internal::join(w.take(), bytes);
 }
@@ -61,6 +62,15 @@ void internal::read(ByteReader& r, std::uint64_t patches, CollarBody& out) {
   for (const std::uint8_t level : leaf_levels(out.star))
     if (!r.ok() || !each_node(level, is_leaf, [&] { return r.ok(); })) return r.fail();
   for (std::size_t i = 0; i < out.sides.size() && r.ok(); ++i) out.shores.push_back(read_path(r));
+}
+
+std::optional<CollarBody> internal::read_collar_2(ByteReader r) {
+  CollarBody out;
+  out.star.version = 2;
+  r.raw(kStarBox2Magic.size());
+  if (!read_with_kinds(r, out.star.entities)) return std::nullopt;
+  read(r, num_patches(out.star.entities), out);
+  return r.at_end() ? std::optional(std::move(out)) : std::nullopt;
 }
 
 }  // namespace veritope::certificate

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// verify/format/collar_certificate.h: the collar certificate, version 1, as plain data, and its encoding.
-// The page: docs/certificates/collar.md. Integers and bytes only; nothing here decides anything.
+// verify/format/collar_certificate.h: the collar certificate, versions 1 and 2, as plain data, and its encoding.
+// The pages: docs/certificates/collar.md and collar-2.md. Integers and bytes only; nothing here decides anything.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,9 +13,10 @@
 namespace veritope::certificate {
 
 inline constexpr std::string_view kCollarClaim = "collar-1";
+inline constexpr std::string_view kCollar2Claim = "collar-2";
 
 struct CollarBody {
-  StarBoxBody star;
+  StarBoxBody star;  ///< of either version, which is that of the collar
   /// The least corner of the root, in units of 2^(star.exponent + shift); its edge is 2^20 of them.
   std::uint64_t shift = 0;
   std::array<std::int64_t, 3> corner{};
@@ -27,12 +29,14 @@ struct CollarBody {
 };
 
 Bytes encode(const CollarBody& body);
-/// The whole certificate. REQUIRES collapses.size() == cells.size().
+/// The whole certificate, of kCollarClaim or kCollar2Claim. REQUIRES collapses.size() == cells.size().
 Bytes encode(const Subject& subject, const StarBoxQuantities& quantities, const CollarBody& body);
 
 namespace internal {
 /// Reads what follows the entities in a body with this many patches.
 void read(ByteReader& r, std::uint64_t patches, CollarBody& out);
+/// A whole body of version 2, which needs neither its statement nor its model.
+std::optional<CollarBody> read_collar_2(ByteReader r);
 }  // namespace internal
 
 }  // namespace veritope::certificate

@@ -19,7 +19,7 @@ inline constexpr std::string_view kReversedShellClaim = "star-box-turned-1";
 inline constexpr std::string_view kStarBoxMagic = "VTSB";  ///< of collar-1, too
 inline constexpr std::string_view kStarBox2Claim = "star-box-2";
 inline constexpr std::string_view kReversedShell2Claim = "star-box-turned-2";
-inline constexpr std::string_view kStarBox2Magic = "VTS2";
+inline constexpr std::string_view kStarBox2Magic = "VTS2";  ///< of collar-2, too
 
 /// The rows of the matrix A of boxes {x : l <= A x <= h}. Frame 0 of a body is the unit matrix and is not stored.
 struct StarFrame {
@@ -70,7 +70,7 @@ struct StarWalk {
 };
 
 struct StarBoxBody {
-  int version = 1;  ///< 1 or 2; that of a collar certificate is 1
+  int version = 1;  ///< 1 or 2
   std::vector<PatchEntity> entities;
   std::vector<std::array<std::uint8_t, 2>> roots;  ///< a, b of each patch
   std::int64_t exponent = 0;

@@ -109,8 +109,11 @@ void check_shores(const StarBody& star, const CollarBody& body, const Complex& k
   std::vector<int64_t> w;
   for (uint32_t i = 0; i < body.shores.size(); ++i) {
     const Walk& walk = body.shores[i];
-    require(walk.end < 6 || !star.boxes[walk.end_box].is_mesh, "I4",
-            "a mesh box is at the end of shore", i);
+    const std::vector<Sheet>* const at_end =
+        walk.end < 6 ? nullptr : &star.boxes[walk.end_box].sheets;
+    require(at_end == nullptr || !at_end->empty(), "I4", "a mesh box is at the end of shore", i);
+    require(at_end == nullptr || at_end->size() == 1, "I4",
+            "a box with several sheets is at the end of shore", i);
     uint32_t x[3];
     point_of(k.faces[shores.least[i]].key / 3, x);
     int64_t first[3];

@@ -30,6 +30,7 @@ CLAIMS = {claim.name: claim for claim in (
           "patches.patch_invalid_check"),
     Claim("patch-invalid-2", b"VTI2", SPLINES, {**OF_PATCHES, "finding": "meeting"}, "patches.patch_meeting_check"),
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
+    Claim("collar-2", b"VTS2", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
 )}
 
 def lines():

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The claim collar-1: check() is called when the statement and the hashes are right.
+"""The claims collar-1 and collar-2: check() is called when the statement and the hashes are right.
 
-Written from docs/certificates/collar.md alone (and star-box.md, where it is quoted).  Integers only.
+Written from docs/certificates/collar.md and collar-2.md alone (and star-box.md, where it is quoted).  Integers only.
 """
 from collections import Counter
 
 from ..common.errors import Reject
-from ..patches import star_box_check
+from ..patches import star_box_2_check, star_box_check
 from ..patches.model_subject import read_subject
+from ..patches.star_box_2_read import Certificate2
 from ..patches.star_box_nodes import root_nodes
 from ..patches.star_box_read import MAX_DEPTH, Certificate
 from .collar_complex import FULL, LEVELS, MAX_CELLS, Cells, Complex
@@ -15,10 +16,11 @@ from .collar_complex import FULL, LEVELS, MAX_CELLS, Cells, Complex
 UNITS = 2000                            # of work for each leaf and cell
 
 def check(claim, statement, body, model, skip):
-    Checker(claim.magic, statement, body, read_subject(model, statement["subject_format"]), skip).run()
+    checker = Checker2 if claim.name == "collar-2" else Checker
+    checker(claim.magic, statement, body, read_subject(model, statement["subject_format"]), skip).run()
 
-class CollarCertificate(Certificate):
-    """Reads the body: section 2."""
+class CollarBody:
+    """Reads what follows the walks: section 2."""
 
     def read_rest(self, body):
         shift = body.shift()
@@ -62,8 +64,14 @@ class CollarCertificate(Certificate):
                     below += [level + 1] * 4
         return result
 
-class Checker(star_box_check.Checker):
-    certificate = CollarCertificate
+class CollarCertificate(CollarBody, Certificate):
+    pass
+
+class CollarCertificate2(CollarBody, Certificate2):
+    pass
+
+class CollarConditions:
+    """K0 to K3 and I1 to I4, after the conditions of star boxes."""
 
     def run(self):
         super().run()
@@ -161,8 +169,8 @@ class Checker(star_box_check.Checker):
     def check_shores(self, complex_):
         cert, values = self.cert, [[] for _ in range(complex_.num_bodies)]
         for component, (points, end, direction) in enumerate(cert.shores):
-            if end and cert.boxes[end[0]].kind:
-                raise Reject("I4", "shore %d ends at a mesh box" % component)
+            if end and not self.may_walk(cert.boxes[end[0]]):
+                raise Reject("I4", "shore %d ends at a %s" % (component, self.no_walks))
             start = [a + b * cert.step for a, b in zip(cert.least, complex_.least_vertex(component))]
             self.follow(start, points, end, direction, "I4")
             w = self.inner[cert.boxes[end[0]].component] - end[1] if end else 0
@@ -170,3 +178,9 @@ class Checker(star_box_check.Checker):
         for body, of in enumerate(values):
             if sorted(of) != [0, 1]:
                 self.fail("I4", "w is %s on the boundary components of component %d of K" % (sorted(of), body))
+
+class Checker(CollarConditions, star_box_check.Checker):
+    certificate = CollarCertificate
+
+class Checker2(CollarConditions, star_box_2_check.Checker2):
+    certificate = CollarCertificate2

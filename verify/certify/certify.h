@@ -71,8 +71,8 @@ struct Certified {
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided
   std::string claim;  ///< the claim that the certificate states; empty without a certificate
-  /// If that claim is collar-1 or collar-2: the certificate of the star boxes alone, for checkers with too little memory
-  /// for cells.
+  /// If that claim is collar-1 or collar-2: the certificate of the star boxes alone, for checkers with too little
+  /// memory for cells.
   certificate::Bytes without_collar;
   /// If there is one, the certificate speaks of its bytes, and findings number its entities.
   std::optional<CertifiedCopy> copy;

@@ -186,7 +186,7 @@ void DefectLister::improper(const ImproperPairs& pairs) {
     const auto& t = mesh_.faces[f];
     return IndexedTriangle{{mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]}, {t[0], t[1], t[2]}};
   };
-  for (const auto& [f, g] : pairs.first) {
+  for (const auto& [f, g] : pairs.largest) {
     Finding d = new_defect(MeshRule::kM7);
     d.place.faces = {f, g};
     if (same_vertices(mesh_.faces[f], mesh_.faces[g])) {

@@ -13,7 +13,7 @@
 namespace veritope {
 
 /// Turns what was found wrong into Findings, whose codes are those of the rules, in the order in which functions are
-/// called: at most `max_listed` of each rule, of the functions before `improper` the largest, largest first.
+/// called: at most `max_listed` of each rule, of the functions before `nesting` the largest, largest first.
 class DefectLister {
  public:
   DefectLister(const TriangleMesh& mesh, std::size_t max_listed) : mesh_(mesh), max_listed_(max_listed) {}

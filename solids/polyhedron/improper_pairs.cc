@@ -7,6 +7,7 @@
 
 #include "predicates/triangle_triangle.h"
 #include "robust/base/parallel.h"
+#include "solids/polyhedron/approx_overlap.h"
 #include "solids/polyhedron/box_tree.h"
 #include "solids/polyhedron/separator.h"
 
@@ -37,7 +38,21 @@ void for_each_pair(std::span<const std::uint32_t> a, std::span<const std::uint32
   }
 }
 
-// The pairs that one task found: all counted, grouped into places, the least kept.
+// A pair with its place in the list. Copies cover each other, and M2 lists them: they come last, so that the first of
+// the list, a certificate's witness of M7, is another pair if there is one.
+struct ListedPair {
+  FacetPair pair;
+  double size = 0;  // approximate; for the order alone
+  bool is_of_copies = false;
+
+  bool precedes(const ListedPair& other) const {
+    if (is_of_copies != other.is_of_copies) return other.is_of_copies;
+    return size != other.size ? size > other.size : pair < other.pair;
+  }
+};
+constexpr auto kPrecedes = [](const ListedPair& a, const ListedPair& b) { return a.precedes(b); };
+
+// The pairs that one task found: all counted, grouped into places, the largest kept.
 class Finds {
  public:
   Finds() = default;
@@ -50,33 +65,43 @@ class Finds {
       const std::span<const std::uint32_t> all = copies_->of(face);
       return all.empty() ? std::span(&face, 1) : all;
     };
-    add(group(f), group(g), copies_->count(f) * copies_->count(g));
+    add(group(f), group(g), copies_->count(f) * copies_->count(g), false);
   }
   // The pairs of one group among themselves.
   void add_copies(const FaceCopies::Group& group) {
-    add(group, group, std::uint64_t{group.size()} * (group.size() - 1) / 2);
+    add(group, group, std::uint64_t{group.size()} * (group.size() - 1) / 2, true);
     for (const std::uint32_t face : group) places_->add_face(face);
   }
   std::uint64_t count() const { return count_; }
-  const std::vector<FacetPair>& least() const { return least_; }
+  const std::vector<ListedPair>& largest() const { return largest_; }
   const std::optional<ImproperPlaces>& places() const { return places_; }
 
  private:
-  void add(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, std::uint64_t pairs) {
+  void add(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, std::uint64_t pairs,
+           bool are_copies) {
     count_ += pairs;
     if (!places_) places_.emplace(*mesh_);
-    places_->add(a.front(), b.size() > 1 && a.data() == b.data() ? b[1] : b.front(), pairs);
-    for_each_pair(a, b, [&](const FacetPair& pair) { return keep(pair); });
+    const std::uint32_t f = a.front(), g = are_copies ? b[1] : b.front();
+    places_->add(f, g, pairs);
+    if (max_listed_ == 0) return;
+    ListedPair listed{{}, approx_size(std::min(f, g), std::max(f, g)), are_copies};
+    for_each_pair(a, b, [&](const FacetPair& pair) {
+      listed.pair = pair;
+      return keep(listed);
+    });
   }
-  // Whether a greater pair may be kept after this one.
-  bool keep(const FacetPair& pair) {
-    if (least_.size() < max_listed_) {
-      least_.push_back(pair);
-      std::push_heap(least_.begin(), least_.end());
-    } else if (max_listed_ > 0 && pair < least_.front()) {
-      std::pop_heap(least_.begin(), least_.end());
-      least_.back() = pair;
-      std::push_heap(least_.begin(), least_.end());
+  double approx_size(std::uint32_t f, std::uint32_t g) const {
+    return approx_common_extent(indexed(*mesh_, f).point, indexed(*mesh_, g).point);
+  }
+  // Whether a greater pair of the same size may be kept after this one.
+  bool keep(const ListedPair& pair) {
+    if (largest_.size() < max_listed_) {
+      largest_.push_back(pair);
+      std::push_heap(largest_.begin(), largest_.end(), kPrecedes);
+    } else if (pair.precedes(largest_.front())) {
+      std::pop_heap(largest_.begin(), largest_.end(), kPrecedes);
+      largest_.back() = pair;
+      std::push_heap(largest_.begin(), largest_.end(), kPrecedes);
     } else {
       return false;
     }
@@ -87,7 +112,7 @@ class Finds {
   const FaceCopies* copies_ = nullptr;
   std::size_t max_listed_ = 0;
   std::uint64_t count_ = 0;
-  std::vector<FacetPair> least_;  // a heap, greatest first
+  std::vector<ListedPair> largest_;  // a heap; the last one of the list is in front
   std::optional<ImproperPlaces> places_;
 };
 
@@ -139,14 +164,16 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
   finds.push_back(none);
   for (const FaceCopies::Group& group : copies.groups()) finds.back().add_copies(group);
   ImproperPlaces places(mesh);
+  std::vector<ListedPair> largest;
   for (const Finds& part : finds) {
     if (part.places()) places.add(*part.places());
     out.count += part.count();
-    out.first.insert(out.first.end(), part.least().begin(), part.least().end());
+    largest.insert(largest.end(), part.largest().begin(), part.largest().end());
   }
   out.places = places.take();
-  std::sort(out.first.begin(), out.first.end());
-  if (out.first.size() > max_listed) out.first.resize(max_listed);
+  std::sort(largest.begin(), largest.end(), kPrecedes);
+  if (largest.size() > max_listed) largest.resize(max_listed);
+  for (const ListedPair& listed : largest) out.largest.push_back(listed.pair);
   return out;
 }
 

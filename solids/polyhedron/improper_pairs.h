@@ -13,7 +13,9 @@ namespace veritope {
 struct ImproperPairs {
   std::uint64_t count = 0;        ///< exact
   std::vector<ImproperPlace> places;  ///< of all pairs
-  std::vector<FacetPair> first;   ///< the `max_listed` least, each with first < second, ascending
+  /// The `max_listed` largest, each with first < second: by approx_common_extent, and ascending where that is equal.
+  /// Pairs of copies come last. A longer list begins with a shorter one.
+  std::vector<FacetPair> largest;
   bool long_thin = false;         ///< the box groups gave up and the separator walk decided
 };
 

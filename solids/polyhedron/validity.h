@@ -67,8 +67,9 @@ struct ValidityReport {
   MeshCounts counts;
   std::array<std::uint64_t, kNumMeshRules> rule_counts{};  ///< exact, by rule_index; M8 and M9 are 0 unless M1-M7 hold
   bool nesting_decided = false;                            ///< M1-M7 hold, so M8 and M9 were decided
-  /// By rule, at most max_defects of each, the largest first; intersections (M7) by their faces instead. Only
-  /// the first 65,536 defects of M2, M4, M5 and M6, and of M3 without open_edges, are considered.
+  /// By rule, at most max_defects of each, the largest first; intersections (M7) by their approximate size, those of
+  /// faces with the same vertices last. Only the first 65,536 defects of M2, M4, M5 and M6, and of M3 without
+  /// open_edges, are considered.
   std::vector<Finding> defects;
   /// The open edges as a whole, without `nearest`; nothing if the mesh is closed, has more than kMostMeasuredEdges of
   /// them, or if no defects are listed.

@@ -24,6 +24,18 @@ class Outputs(Folder):
         self.assertEqual({**kept, "path": None}, temporary)
         self.assertEqual(self.listing(), ["c"])
 
+    def test_it_does_not_depend_on_the_number_of_listed_defects(self):
+        # The pair of copies has the least numbers; the witness of M7 must be another pair, and is the larger one.
+        model = self.folder / "copies.off"
+        model.write_text("OFF 11 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n.2 .2 -1\n.2 .2 1\n.4 .3 1\n5 5 5\n.5 .1 -1\n.5 .1 .01\n.51 .1 .01\n"
+                         "3 0 1 2\n3 0 1 2\n3 8 9 10\n3 4 5 6\n3 0 1 3\n3 0 2 3\n")
+        certificates = set()
+        for most in (0, 1, 2, 3, 20, 100000):
+            kept = self.folder / "a.cert"
+            self.assertEqual(run("certify", "-q", "--max-defects", most, "--certificate", kept, model).returncode, 1)
+            certificates.add(kept.read_bytes())
+        self.assertEqual(len(certificates), 1)
+
     def test_several_inputs_need_a_folder_which_may_be_new(self):
         for folder in ("new", "new", "other/"):  # the second time it exists
             done = run("certify", "-q", VALID, INVALID, UNREADABLE, "--certificate", f"{self.folder}/{folder}")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/spline_convert.h"
 
+#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -50,15 +51,30 @@ std::array<std::vector<std::string>, 2> left_out(const SplineFile& file) {
   return out;
 }
 
-// What a picture shows as something else: trimmed surfaces whole, with their trimming curves as lines.
-std::vector<std::string> drawn_whole(const SplineModel& model) {
-  std::uint64_t surfaces = 0;
+int dimension_of(const SplineEntity& entity) {
+  if (const auto* triangle = std::get_if<ExactTriangle>(&entity.shape))
+    return triangle->dimension();
+  int most = 0;
+  for_each_spline(entity, [&](const auto& spline) { most = std::max(most, spline.dimension()); });
+  return most;
+}
+
+// What a picture shows as something else: trimmed surfaces whole, with their trimming curves as lines; points of more
+// than three coordinates without those.
+std::vector<std::string> shown_otherwise(const SplineModel& model) {
+  std::uint64_t trimmed = 0, beyond_space = 0;
   for (const SplineEntity& e : model.entities) {
-    if (std::holds_alternative<TrimmedSurface>(e.shape)) ++surfaces;
-    if (const auto* brep = std::get_if<SplineBrep>(&e.shape)) surfaces += brep->faces.size();
+    if (std::holds_alternative<TrimmedSurface>(e.shape)) ++trimmed;
+    if (const auto* brep = std::get_if<SplineBrep>(&e.shape)) trimmed += brep->faces.size();
+    if (dimension_of(e) > 3) ++beyond_space;
   }
-  if (surfaces == 0) return {};
-  return {"the trimming of " + counted(surfaces, "surface", "surfaces") + ", shown whole"};
+  std::vector<std::string> out;
+  if (trimmed != 0)
+    out.push_back("the trimming of " + counted(trimmed, "surface", "surfaces") + ", shown whole");
+  if (beyond_space != 0)
+    out.push_back("the coordinates beyond the third of " +
+                  counted(beyond_space, "entity", "entities"));
+  return out;
 }
 
 // A picture that lacks a shape, or shows one that is not there, is refused like any other file.
@@ -171,8 +187,8 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
     if (const Status status = rejoin(*file, options, *target, joints); !status)
       return fail(status.error());
   if (view != nullptr) {
-    const std::vector<std::string> whole = drawn_whole(file->model);
-    lost.insert(lost.end(), whole.begin(), whole.end());
+    const std::vector<std::string> otherwise = shown_otherwise(file->model);
+    lost.insert(lost.end(), otherwise.begin(), otherwise.end());
     const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());
     if (bytes->empty() || file->model.entities.empty()) {

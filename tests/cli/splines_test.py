@@ -256,6 +256,32 @@ class Convert(Folder):
                 self.assertIn(f"lossy: {words}", done.stdout)
                 target.unlink()
 
+    def test_coordinates_beyond_the_third_are_not_dropped_in_silence(self):
+        sample = self.folder / "four.itd"
+        sample.write_text("[OBJECT O [SURFACE BEZIER 2 2 E4 [0 0 0 1] [1 0 0 1] [0 1 0 2] [1 1 0 3]]]\n"
+                          "[OBJECT P [CURVE BEZIER 2 E5 [0 0 0 1 1] [1 0 0 1 1]]]\n")
+        for kind in ("vtu", "obj", "gltf"):
+            target = self.folder / f"p.{kind}"
+            done = run("convert", sample, target)
+            self.assertEqual((done.returncode, target.exists()), (1, False), done.stderr)
+            self.assertIn("the coordinates beyond the third of 2 entities", done.stderr)
+            self.assertEqual(run("convert", "--lossy", sample, target).returncode, 0)
+
+    def test_curves_beside_surfaces_and_in_the_plane_are_drawn(self):
+        sample = self.folder / "both.itd"
+        sample.write_text("[OBJECT O [SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1 0] [1 1 0]]]\n"
+                          "[OBJECT P [CURVE BEZIER 3 E2 [0 0] [1 1] [2 0]]]\n")
+        for kind in ("vtu", "obj", "gltf"):
+            done = run("convert", sample, self.folder / f"p.{kind}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("lossy", done.stdout)
+        lines = (self.folder / "p.obj").read_text().splitlines()
+        self.assertTrue({"l", "f"} <= {line.split()[0] for line in lines})
+        types = xml.etree.ElementTree.parse(self.folder / "p.vtu").find(".//DataArray[@Name='types']").text.split()
+        self.assertEqual(sorted(types), ["75", "77"])
+        modes = {p["mode"] for m in json.loads((self.folder / "p.gltf").read_text())["meshes"] for p in m["primitives"]}
+        self.assertEqual(modes, {3, 4})
+
     def test_a_picture_of_nothing_is_an_error(self):
         sample = self.folder / "cylinder.g2"
         lines = (SPLINES / "objects.g2").read_text().split("\n")

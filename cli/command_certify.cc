@@ -45,7 +45,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
   set.text("--glob", o.glob, "files of folders whose names match", "PATTERN");
   set.hide("--glob");  // the help line above names it
   set.text("--certificate", o.certificate, "keep the certificate; of several files in folder F");
-  set.text("--picture", o.picture, "show the defects: .png, .ply; --max-defects N: 20 listed");
+  set.text("--picture", o.picture, "draw: .png, .ply, .vtu, .gltf; --max-defects N: 20 listed");
   set.number("--max-defects", o.max_defects, {0, kMost32},
              "list at most N defects of each rule (20)");
   set.hide("--max-defects");  // the help line above names it
@@ -81,6 +81,11 @@ void make_folders_of_certificate(const OutputPlan& plan, std::size_t i) {
   std::error_code none;
   std::filesystem::create_directories(std::filesystem::path(plan.certificates[i]).parent_path(),
                                       none);
+}
+
+bool is_file(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
 // Keeps certificate i, and what was certified, where the plan says.
@@ -176,16 +181,20 @@ CertifySettings settings_of(const CertifyFilesOptions& options) {
   return out;
 }
 
-// Refuses a picture of another format, one that could not show anything, and one that would overwrite another file.
+// Refuses a picture of another format, one of a model that has none, and one that would overwrite another file.
 Status check_picture(const CertifyFilesOptions& options, const OutputPlan& plan) {
   if (!options.picture) return ok_status();
   const std::vector<std::string>& files = options.input.files;
   const std::optional<PictureKind> kind = picture_kind(*options.picture);
-  if (!kind) return bad_argument("--picture writes .png and .ply, not " + *options.picture);
-  const ModelKind model = ModelInput(files.front(), options.input.reading).kind();
-  if (kind == PictureKind::kPly && model != ModelKind::kMesh)
-    return bad_argument("pictures as .ply are for meshes; " + files.front() + " is " +
-                        title_of(model) + ": use .png");
+  if (!kind)
+    return bad_argument("--picture writes .png, .ply, .vtu and .gltf, not " + *options.picture);
+  // A pipe can be read once only.
+  if (is_file(files.front())) {
+    const ModelKind model = ModelInput(files.front(), options.input.reading).kind();
+    if (!has_pictures(model))
+      return bad_argument("pictures are of meshes and splines; " + files.front() + " is " +
+                          title_of(model));
+  }
   return check_output("--picture", *options.picture, files, plan, options.json);
 }
 

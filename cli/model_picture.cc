@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/model_picture.h"
 
-#include <algorithm>
-#include <cctype>
 #include <map>
 #include <sstream>
 #include <utility>
 #include <vector>
 
+#include "io/base/scan.h"
 #include "io/read_model.h"
-#include "render/defect_picture.h"
 #include "render/defect_scene.h"
 #include "render/draw_scene.h"
 #include "render/png.h"
+#include "render/scene_files.h"
 #include "report/report_text.h"
 
 namespace veritope::cli {
@@ -47,36 +46,50 @@ Result<ModelFile> read_copy(const std::string& bytes) {
                           "copy.vjson", {});
 }
 
+Result<std::string> drawn(Scene scene, const FileReport& report, unsigned jobs) {
+  const std::string& path = report.path;
+  scene.title = {harmless(path == "-" ? "standard input" : path.substr(path.rfind('/') + 1))};
+  std::istringstream lines(
+      fold(std::string(verdict_word(report.verdict)) + "  " + summary_text(report), kTitleColumns));
+  for (std::string line; std::getline(lines, line);) scene.title.push_back(line);
+  PictureOptions options;
+  options.jobs = jobs;
+  const Result<Image> image = draw_scene(scene, options);
+  if (!image) return image.error();
+  return png_bytes(*image);
+}
+
 }  // namespace
 
 std::optional<PictureKind> picture_kind(const std::string& path) {
-  std::string ending = path.substr(path.size() - std::min<std::size_t>(path.size(), 4));
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".png") return PictureKind::kPng;
-  if (ending == ".ply") return PictureKind::kPly;
+  const std::size_t dot = path.rfind('.');
+  if (dot == path.npos) return std::nullopt;
+  const std::string ending = path.substr(dot + 1);
+  if (is_word(ending, "png")) return PictureKind::kPng;
+  if (is_word(ending, "ply")) return PictureKind::kPly;
+  if (is_word(ending, "vtu")) return PictureKind::kVtu;
+  if (is_word(ending, "gltf")) return PictureKind::kGltf;
   return std::nullopt;
+}
+
+bool has_pictures(ModelKind kind) {
+  return kind == ModelKind::kMesh || kind == ModelKind::kSplines;
 }
 
 Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
                                const FileReport& report, PictureKind kind, unsigned jobs) {
-  if (kind == PictureKind::kPly)
-    return defect_picture(std::get<MeshFile>(model).mesh, report.defects);
   std::optional<Result<ModelFile>> read;
   if (copy) read = read_copy(*copy);
   if (read && !*read) return read->error();
   Result<Scene> scene = scene_of(read ? **read : model, report);
   if (!scene) return scene.error();
-  const std::string& path = report.path;
-  scene->title = {harmless(path == "-" ? "standard input" : path.substr(path.rfind('/') + 1))};
-  std::istringstream lines(
-      fold(std::string(verdict_word(report.verdict)) + "  " + summary_text(report), kTitleColumns));
-  for (std::string line; std::getline(lines, line);) scene->title.push_back(line);
-  PictureOptions options;
-  options.jobs = jobs;
-  const Result<Image> image = draw_scene(*scene, options);
-  if (!image) return image.error();
-  return png_bytes(*image);
+  switch (kind) {
+    case PictureKind::kPng: return drawn(std::move(*scene), report, jobs);
+    case PictureKind::kPly: return scene_ply(std::move(*scene));
+    case PictureKind::kVtu: return scene_vtu(std::move(*scene));
+    case PictureKind::kGltf: return scene_gltf(std::move(*scene));
+  }
+  return bad_argument("no kind of picture");
 }
 
 void keep_first(std::size_t most, FileReport& report) {

@@ -11,17 +11,20 @@
 
 namespace veritope::cli {
 
-enum class PictureKind { kPly, kPng };
+enum class PictureKind { kPng, kPly, kVtu, kGltf };
 
 /// The most defects of each rule that a picture shows, and the most open sides.
 inline constexpr std::size_t kMostDrawn = 20'000;
 
-/// ".png" or ".ply", in any case. Nothing for other endings.
+/// ".png", ".ply", ".vtu" or ".gltf", in any case. Nothing for other endings.
 std::optional<PictureKind> picture_kind(const std::string& path);
+
+/// Whether models of this kind have pictures.
+bool has_pictures(ModelKind kind);
 
 /// The model with what the report says is wrong with it. `copy` has the bytes of the model that was certified in the
 /// place of the file, if there is one: findings number its entities.
-/// REQUIRES a report with a verdict, and a mesh for kPly.
+/// REQUIRES a report with a verdict.
 /// @error  kEmpty, kNotFinite, kOverLimit, kBadArgument: the model cannot be drawn
 Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
                                const report::FileReport& report, PictureKind kind, unsigned jobs);

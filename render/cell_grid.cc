@@ -22,6 +22,29 @@ void open_array(std::string& out, const char* type, const std::string& name, int
 }
 constexpr const char* kCloseArray = "</DataArray>\n";
 
+// VTK writes texts as numbers of their bytes, each text with a 0 at its end.
+void append_texts(std::string& out, const CellGrid& grid) {
+  const auto& [name, texts] = grid.texts;
+  if (texts.empty()) return;
+  out += "<FieldData>\n<DataArray type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"" +
+         std::to_string(texts.size()) + "\" format=\"ascii\">\n";
+  for (const std::string& text : texts) {
+    for (const char c : text) out += std::to_string(static_cast<unsigned char>(c)) + ' ';
+    out += "0\n";
+  }
+  out += std::string(kCloseArray) + "</FieldData>\n";
+}
+
+void append_colours(std::string& out, const CellGrid& grid) {
+  if (grid.colours.empty()) return;
+  VT_CHECK(grid.colours.size() == grid.num_cells(), "one colour for each cell");
+  open_array(out, "UInt8", "colour", 4);
+  for (const auto& [red, green, blue, opacity] : grid.colours)
+    out += std::to_string(red) + ' ' + std::to_string(green) + ' ' + std::to_string(blue) + ' ' +
+           std::to_string(opacity) + '\n';
+  out += kCloseArray;
+}
+
 void append_cells(std::string& out, const CellGrid& grid) {
   const std::size_t n = grid.corners_per_cell();
   out += "<Cells>\n";
@@ -76,9 +99,12 @@ std::string vtu_bytes(const CellGrid& grid) {
   std::string out =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-      std::to_string(grid.points.size()) + "\" NumberOfCells=\"" +
-      std::to_string(grid.num_cells()) + "\">\n<CellData>\n";
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+  append_texts(out, grid);
+  out += "<Piece NumberOfPoints=\"" + std::to_string(grid.points.size()) + "\" NumberOfCells=\"" +
+         std::to_string(grid.num_cells()) + "\">\n<CellData" +
+         (grid.colours.empty() ? "" : " Scalars=\"colour\"") + ">\n";
+  append_colours(out, grid);
   for (const auto& [name, values] : grid.values) {
     VT_CHECK(values.size() == grid.num_cells(), "one value for each cell");
     open_array(out, "Int64", name, 1);

@@ -19,6 +19,10 @@ struct CellGrid {
   std::vector<std::uint32_t> corners;  ///< 8 or 3 a cell, in VTK's order
   /// Names (letters, digits, _) and one value a cell.
   std::vector<std::pair<std::string, std::vector<std::int64_t>>> values;
+  /// Red, green, blue and opacity, one a cell, or none; ParaView and VTK show them as they are.
+  std::vector<std::array<std::uint8_t, 4>> colours;
+  /// A list of texts beside the cells, under a name (letters, digits, _); none: no list.
+  std::pair<std::string, std::vector<std::string>> texts;
 
   std::size_t corners_per_cell() const { return kind == Kind::kHexahedra ? 8 : 3; }
   std::size_t num_cells() const { return corners.size() / corners_per_cell(); }

@@ -6,14 +6,17 @@
 
 namespace veritope {
 
-std::string coloured_ply(const TriangleMesh& mesh, std::span<const Colour> colours) {
+std::string coloured_ply(const TriangleMesh& mesh, std::span<const Colour> colours,
+                         const std::vector<std::string>& comments) {
   VT_CHECK(colours.size() == mesh.faces.size(), "one colour a face");
   std::string bytes;
   ChunkedOutput out([&bytes](std::string_view piece) {
     bytes.append(piece);
     return ok_status();
   });
-  out.text("ply\nformat binary_little_endian 1.0\nelement vertex ");
+  out.text("ply\nformat binary_little_endian 1.0\n");
+  for (const std::string& line : comments) out.text("comment " + line + "\n");
+  out.text("element vertex ");
   out.number(mesh.positions.size());
   for (const char axis : {'x', 'y', 'z'}) out.text(std::string("\nproperty double ") + axis);
   out.text("\nelement face ");

@@ -4,6 +4,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/colour.h"
 #include "solids/polyhedron/triangle_mesh.h"
@@ -11,7 +12,8 @@
 namespace veritope {
 
 /// Little-endian, coordinates in binary64. REQUIRES one colour a face, ids in range, fewer than 2^32 faces and
-/// vertices.
-std::string coloured_ply(const TriangleMesh& mesh, std::span<const Colour> colours);
+/// vertices; comments of one line each, in ASCII.
+std::string coloured_ply(const TriangleMesh& mesh, std::span<const Colour> colours,
+                         const std::vector<std::string>& comments = {});
 
 }  // namespace veritope

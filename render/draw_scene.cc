@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "render/mark_widths_internal.h"
 #include "render/picture_bands_internal.h"
 #include "render/picture_caption_internal.h"
 
@@ -46,7 +47,8 @@ Result<Image> draw_scene(const Scene& scene, const PictureOptions& options) {
   if (Status status = check_picture_options(options); !status) return status.error();
   if (Status status = check_scene_size(scene); !status) return status.error();
   const internal::CaptionLayout captions(scene, options.width, options.height);
-  const internal::FlatScene flat = internal::flatten(scene, options.view, captions.room());
+  internal::FlatScene flat = internal::flatten(scene, options.view, captions.room());
+  internal::widen_hidden_marks(options.width, options.height, &flat);
   if (internal::num_drawn_samples(flat) > kMostSamples)
     return Error{
         Code::kOverLimit, {}, "too much lies on top of each other; a smaller picture may do"};

@@ -22,20 +22,6 @@ void for_each_used_point(const SceneSurface& surface, Visit visit) {
     }
 }
 
-Box3d box_of(const Scene& scene) {
-  Box3d box = empty_box();
-  const auto grow = [&box](const Point3d& p) {
-    for (const double x : p) VT_CHECK(std::isfinite(x), "a scene has finite coordinates");
-    add(p, &box);
-  };
-  for (const SceneSurface& surface : scene.surfaces)
-    for_each_used_point(surface, [&](std::uint32_t i) { grow(surface.points[i]); });
-  for (const SceneLine& line : scene.lines)
-    for (const Point3d& p : line.points) grow(p);
-  for (const SceneMarker& marker : scene.markers) grow(marker.at);
-  return box;
-}
-
 double widest_mark(const Scene& scene) {
   double radius = 0;
   for (const SceneLine& line : scene.lines) radius = std::max(radius, line.width / 2);
@@ -66,6 +52,8 @@ class Flattener {
     for (const SceneLine& line : scene_.lines) add(line);
     for (const SceneMarker& marker : scene_.markers) add(marker);
     fit(fit_into(shrunk(room, widest_mark(scene_)), bounds_));
+    std::stable_sort(out_.marks.begin(), out_.marks.end(),
+                     [](const FlatMark& a, const FlatMark& b) { return a.layer < b.layer; });
     return std::move(out_);
   }
 
@@ -95,14 +83,14 @@ class Flattener {
     std::vector<PicturePoint> points;
     for (const Point3d& p : line.points) points.push_back(projected(camera_.in_frame(p)));
     const double radius = line.width / 2;
-    if (points.size() == 1) add_mark({points[0], points[0], radius, line.colour});
+    if (points.size() == 1) add_mark({points[0], points[0], radius, line.colour, line.layer});
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      add_mark({points[i], points[i + 1], radius, line.colour});
+      add_mark({points[i], points[i + 1], radius, line.colour, line.layer});
   }
   void add(const SceneMarker& marker) {
     const PicturePoint p = projected(camera_.in_frame(marker.at));
     ++num_markers_;
-    add_mark({p, p, marker.radius, marker.colour});
+    add_mark({p, p, marker.radius, marker.colour, marker.layer});
   }
   void add_mark(const FlatMark& mark) {
     VT_CHECK(0.5 <= mark.radius && mark.radius <= 64, "a mark is 1 to 128 pixels wide");

@@ -30,6 +30,7 @@ struct FlatMark {
   PicturePoint a, b;
   double radius = 0;
   Colour colour;
+  unsigned layer = 0;
 };
 
 /// The width of the rim around a mark, in pixels.
@@ -39,7 +40,7 @@ inline constexpr double kRim = 2;
 struct FlatScene {
   std::vector<PicturePoint> corners;
   std::vector<FlatTriangle> triangles;
-  std::vector<FlatMark> marks;
+  std::vector<FlatMark> marks;  ///< by layer; lines before markers in each
 };
 
 /// The scene as large as it fits into the room, marks with their rims included; in a room that is less than ten times

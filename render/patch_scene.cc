@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "render/defect_picture.h"
+#include "render/crossing_curves.h"
 #include "render/defect_scene.h"
+#include "render/rule_colour.h"
 #include "render/spline_view.h"
 #include "splines/bezier_triangle.h"
 #include "splines/de_boor.h"
@@ -20,6 +21,9 @@ int steps_of_each(std::size_t num_sides) {
   const std::size_t share = kMostStepsInAll / std::max<std::size_t>(num_sides, 1);
   return static_cast<int>(std::clamp<std::size_t>(share, kLeastSteps, kMostSteps));
 }
+
+// Points are in front of lines.
+constexpr unsigned kLinesLayer = 1;
 
 // Codes have the colours of the rules of meshes that they resemble.
 Colour colour_of_code(std::string_view code) {
@@ -73,7 +77,7 @@ std::optional<Point3d> point_at(const ExactTriangle& triangle, const EntityPart&
 template <typename Shape>
 void add_side(const Shape& shape, const EntityPart& part, int steps, Scene& scene) {
   SceneLine line;
-  line.colour = colour_of(MeshRule::kM3);
+  line.colour = colour_of(MeshRule::kM3), line.layer = kLinesLayer;
   for (int i = 0; i <= steps; ++i)
     if (const auto p = point_at(shape, part, Rational(i) / Rational(steps)))
       line.points.push_back(*p);
@@ -112,7 +116,21 @@ std::optional<Point3d> place_of(const SplineModel& model, const Finding& f) {
 void add_to_legend(const std::string& code, Scene& scene) {
   const auto is_it = [&](const LegendEntry& e) { return e.text == code; };
   if (std::none_of(scene.legend.begin(), scene.legend.end(), is_it))
-    scene.legend.push_back({colour_of_code(code), code});
+    scene.legend.push_back({colour_of_code(code), code, tinted_paint(colour_of_code(code))});
+}
+
+// The finding's entities, whose surfaces the scene has in their order.
+void tint_entities(const Finding& f, Scene& scene) {
+  for (const EntityPart& part : f.place.parts)
+    if (part.entity < scene.surfaces.size())
+      scene.surfaces[part.entity].paints = {tinted_paint(colour_of_code(f.code))};
+}
+void add_crossing(const Finding& f, Scene& scene) {
+  if (f.code != "patches-crossing" || f.place.parts.size() != 2) return;
+  const std::uint64_t a = f.place.parts[0].entity, b = f.place.parts[1].entity;
+  if (a == b || std::max(a, b) >= scene.surfaces.size()) return;
+  for (const auto& [from, to] : approx_crossing(scene.surfaces[a], scene.surfaces[b]))
+    scene.lines.push_back({{from, to}, colour_of_code(f.code), SceneLine().width, kLinesLayer});
 }
 
 }  // namespace
@@ -123,17 +141,25 @@ Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> fi
   if (!pieces) return pieces.error();
   Scene out;
   const bool is_sound = findings.empty() && open_sides.empty();
-  for (Tessellation& piece : *pieces)
-    out.surfaces.push_back(
-        {std::move(piece.points), std::move(piece.triangles), {model_paint(is_sound)}});
+  for (std::size_t i = 0; i < pieces->size(); ++i) {
+    Tessellation& piece = (*pieces)[i];
+    out.surfaces.push_back({std::move(piece.points),
+                            std::move(piece.triangles),
+                            {model_paint(is_sound)},
+                            "entity " + std::to_string(i)});
+  }
   for (const EntityPart& side : open_sides)
     add_side(model, side, steps_of_each(open_sides.size()), out);
   for (const Finding& f : findings) {
     const std::optional<Point3d> at = place_of(model, f);
     if (!at || !std::isfinite((*at)[0]) || !std::isfinite((*at)[1]) || !std::isfinite((*at)[2]))
       continue;
-    out.markers.push_back({*at, colour_of_code(f.code), SceneMarker().radius});
-    if (f.code != "side-open") add_to_legend(f.code, out);
+    out.markers.push_back({*at, colour_of_code(f.code), SceneMarker().radius,
+                           kLinesLayer + 1 + static_cast<unsigned>(out.legend.size())});
+    if (f.code == "side-open") continue;
+    add_to_legend(f.code, out);
+    tint_entities(f, out);
+    add_crossing(f, out);
   }
   if (num_open_sides != 0)
     out.legend.push_back(

@@ -51,14 +51,26 @@ RowRanges row_ranges(const FlatScene& scene, std::size_t num_rows) {
   return out;
 }
 
+// Adds the triangles or marks [first, last) that meet the rows.
 template <typename Samples>
-void add_meeting(const std::vector<RowRange>& ranges, const SampleRows& rows, Samples* samples) {
-  for (std::uint32_t i = 0; i < ranges.size(); ++i)
-    if (ranges[i].meets(rows)) samples->add(i);
+void add_meeting(const std::vector<RowRange>& ranges, std::size_t first, std::size_t last,
+                 const SampleRows& rows, Samples* samples) {
+  for (std::size_t i = first; i < last; ++i)
+    if (ranges[i].meets(rows)) samples->add(static_cast<std::uint32_t>(i));
 }
-bool is_any_meeting(const std::vector<RowRange>& ranges, const SampleRows& rows) {
-  return std::any_of(ranges.begin(), ranges.end(),
-                     [&](const RowRange& r) { return r.meets(rows); });
+bool is_any_meeting(const std::vector<RowRange>& ranges, std::size_t first, std::size_t last,
+                    const SampleRows& rows) {
+  const auto at = [&](std::size_t i) { return ranges.begin() + static_cast<std::ptrdiff_t>(i); };
+  return std::any_of(at(first), at(last), [&](const RowRange& r) { return r.meets(rows); });
+}
+
+// Where each layer of marks begins, and the end of the last one.
+std::vector<std::size_t> layer_bounds(const std::vector<FlatMark>& marks) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (i == 0 || marks[i].layer != marks[i - 1].layer) out.push_back(i);
+  out.push_back(marks.size());
+  return out;
 }
 
 // The mean of the samples of a pixel, rounded. Equal samples give their colour exactly.
@@ -83,7 +95,8 @@ class BandPainter {
         with_outlines_(with_outlines),
         image_(*image),
         num_rows_(image->height * kSamples),
-        ranges_(row_ranges(scene, num_rows_)) {}
+        ranges_(row_ranges(scene, num_rows_)),
+        layers_(layer_bounds(scene.marks)) {}
 
   // The rows [first, last) of pixels.
   void draw(std::size_t first, std::size_t last) {
@@ -99,19 +112,22 @@ class BandPainter {
  private:
   void draw_surfaces(const SampleRows& rows, std::span<Colour> colours) const {
     constexpr std::size_t kReach = SurfaceSamples::kReach;
-    if (!is_any_meeting(ranges_.triangles, rows)) return;
+    const std::size_t num_triangles = ranges_.triangles.size();
+    if (!is_any_meeting(ranges_.triangles, 0, num_triangles, rows)) return;
     const std::size_t first = rows.first - std::min(rows.first, kReach),
                       last = std::min(rows.end() + kReach, num_rows_);
     const SampleRows wider{rows.width, first, last - first};
     SurfaceSamples samples(wider, scene_);
-    add_meeting(ranges_.triangles, wider, &samples);
+    add_meeting(ranges_.triangles, 0, num_triangles, wider, &samples);
     samples.draw_over(rows, with_outlines_, colours);
   }
   void draw_marks(const SampleRows& rows, std::span<Colour> colours) const {
-    if (!is_any_meeting(ranges_.marks, rows)) return;
-    MarkSamples samples(rows, scene_);
-    add_meeting(ranges_.marks, rows, &samples);
-    samples.draw_over(colours);
+    for (std::size_t k = 0; k + 1 < layers_.size(); ++k) {
+      if (!is_any_meeting(ranges_.marks, layers_[k], layers_[k + 1], rows)) continue;
+      MarkSamples samples(rows, scene_);
+      add_meeting(ranges_.marks, layers_[k], layers_[k + 1], rows, &samples);
+      samples.draw_over(colours);
+    }
   }
 
   const FlatScene& scene_;
@@ -119,6 +135,7 @@ class BandPainter {
   Image& image_;
   std::size_t num_rows_;  // of samples
   RowRanges ranges_;
+  std::vector<std::size_t> layers_;
 };
 
 }  // namespace

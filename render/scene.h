@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace veritope {
 struct Paint {
   Colour colour;
   std::uint8_t opacity = 255;  ///< 0: invisible; 255: hides what lies behind
+  friend bool operator==(const Paint&, const Paint&) = default;
 };
 
 /// Triangles, seen from both sides. Where triangles coincide, the one that is listed first is in front.
@@ -22,6 +24,7 @@ struct SceneSurface {
   std::vector<Point3d> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Paint> paints;  ///< one for each triangle, or a single one for all
+  std::string name = {};      ///< of its part in files for viewers
 };
 
 /// A mark: a polyline in space, of constant width in the picture. One point is a line, too, and shows as a dot.
@@ -29,6 +32,7 @@ struct SceneLine {
   std::vector<Point3d> points;
   Colour colour;
   double width = 4;  ///< in pixels; from 3 on, the pixels in exactly its colour are connected
+  unsigned layer = 0;
 };
 
 /// A mark: a disc around a point.
@@ -36,15 +40,19 @@ struct SceneMarker {
   Point3d at{};
   Colour colour;
   double radius = 9;  ///< in pixels; 9 covers a square of 12 x 12 pixels in exactly its colour
+  unsigned layer = 0;
 };
 
 struct LegendEntry {
   Colour colour;
   std::string text;
+  std::optional<Paint> faces = {};  ///< of the triangles that belong to it
 };
 
-/// Marks show in front of all surfaces, with a thin rim that sets them off from any background, and hide each other as
-/// they would in space. All coordinates are finite.
+/// Marks show in front of all surfaces, with a thin rim that sets them off from any background. In one layer they hide
+/// each other as they would in space; marks of higher layers are in front. Those of layer 0 are drawn as they are. In
+/// higher layers a mark that others would hide becomes so wide that it shows around them, and every colour covers at
+/// least 144 pixels. All coordinates are finite.
 struct Scene {
   std::vector<SceneSurface> surfaces;
   std::vector<SceneLine> lines;
@@ -52,5 +60,8 @@ struct Scene {
   std::vector<std::string> title;  ///< lines above the picture
   std::vector<LegendEntry> legend;
 };
+
+/// The box of all points that triangles use and of all marks. REQUIRES ids in range and finite coordinates.
+Box3d box_of(const Scene& scene);
 
 }  // namespace veritope

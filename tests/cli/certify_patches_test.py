@@ -338,11 +338,6 @@ class CertifyPatches(Folder):
         one = self.certify([surface(f) for f in faces])
         self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "side-t-junction"))
 
-    def test_a_picture_is_refused(self):
-        done = run("certify", self.file([surface(f) for f in UNIT]), "--picture", self.folder / "p.ply")
-        self.assertEqual(done.returncode, 2)
-        self.assertFalse((self.folder / "p.ply").exists())
-
     def test_orient_auto_reverses_what_does_not_fit_and_lists_it(self):
         faces = [list(f) for f in UNIT]
         faces[2] = [faces[2][0], faces[2][2], faces[2][1], faces[2][3]]

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""certify --picture: the model in grey, defects in the colours that the manual lists: in a PLY an octahedron around each, in a PNG lines
-and discs that are large enough to be seen."""
+"""certify --picture: the model in grey, defects in the colours that the manual lists: in files for viewers tubes and octahedra, in a
+PNG lines and discs that are large enough to be seen."""
+import base64
 import json
 import math
 import os
@@ -9,6 +10,7 @@ import shutil
 import struct
 import subprocess
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 import support
@@ -29,6 +31,48 @@ def read_picture(path):
     return points, [row[1:4] for row in rows], [row[4:] for row in rows]
 
 
+def tint(colour):
+    return tuple((3 * grey + 2 * c) // 5 for grey, c in zip(GREY, colour))
+
+
+def components(faces):
+    """For each face the least vertex that is connected to it."""
+    parent = {}
+
+    def find(v):
+        while parent.setdefault(v, v) != v:
+            parent[v] = v = parent[parent[v]]
+        return v
+    for f in faces:
+        for v in f[1:]:
+            a, b = sorted((find(f[0]), find(v)))
+            parent[b] = a
+    return [find(f[0]) for f in faces]
+
+
+def face_colours(defects, faces):
+    """Those of the faces of defects, the first one's if there are several; whole shells of M8 and M9."""
+    out, shells = {}, components(faces)
+    for defect in defects:
+        for f in defect["faces"]:
+            out.setdefault(f, tint(OF_RULE[defect["rule"]]))
+            if defect["rule"] in ("M8", "M9"):
+                out.update((g, tint(OF_RULE[defect["rule"]])) for g in range(len(faces)) if shells[g] == shells[f])
+    return [out.get(f, GREY) for f in range(len(faces))]
+
+
+def solids(points, faces, colours):
+    """(colour, middle of the box, lower corner, upper corner) of each connected part."""
+    parts = {}
+    for name, face, colour in zip(components(faces), faces, colours):
+        parts.setdefault((name, colour), []).extend(points[v] for v in face)
+    out = []
+    for (_, colour), corners in parts.items():
+        lo, hi = ([f(p[k] for p in corners) for k in range(3)] for f in (min, max))
+        out.append((colour, [(a + b) / 2 for a, b in zip(lo, hi)], lo, hi))
+    return out
+
+
 def six_volumes(points, faces):
     def det(a, b, c):
         return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
@@ -43,42 +87,42 @@ class Picture(Folder):
     def certify(self, *arguments):
         return run("certify", "--picture", self.path, *arguments, env=self.environment)
 
-    def test_every_rule_has_its_colour_at_the_faces_and_points_that_the_report_lists(self):
+    def test_every_rule_has_its_colour_at_the_faces_and_places_that_the_report_lists(self):
         seen = set()
         for row in support.expectations():
             if row["verdict"] != "INVALID":
                 continue
             options = row["options"].split() if row["options"] != "-" else []
             with self.subTest(row["file"]):
-                done = self.certify("--json", "-", *options, MODELS / row["file"])
-                file = support.json.loads(done.stdout)["files"][0]
+                done = self.certify("--json", "-", "--max-defects", "20000", *options, MODELS / row["file"])
+                file = json.loads(done.stdout)["files"][0]
                 points, faces, colours = read_picture(self.path)
-                num, last = file["counts"]["faces"], len(faces)
-                expected = {}
+                num = file["counts"]["faces"]
+                self.assertEqual(colours[:num], face_colours(file["defects"], faces[:num]))
+                size = max(max(p[k] for f in faces[:num] for p in [points[v] for v in f]) -
+                           min(p[k] for f in faces[:num] for p in [points[v] for v in f]) for k in range(3)) or 1
+                marks = solids(points, faces[num:], colours[num:])
                 for defect in file["defects"]:
-                    for f in defect["faces"]:
-                        expected.setdefault(f, OF_RULE[defect["rule"]])
-                self.assertEqual(colours[:num], [expected.get(f, GREY) for f in range(num)])
-                self.assertEqual(last, num + 8 * len(file["defects"]))
-                for i, defect in enumerate(file["defects"]):
-                    mine = range(num + 8 * i, num + 8 * i + 8)
-                    self.assertEqual({colours[f] for f in mine}, {OF_RULE[defect["rule"]]})
-                    corners = [points[v] for v in sorted({v for f in mine for v in faces[f]})]
-                    self.assertEqual(len(corners), 6)
-                    size = max(abs(a) for p in points for a in p)
-                    for k, at in enumerate(defect["point"]["decimal"]):
-                        self.assertAlmostEqual(sum(p[k] for p in corners) / 6 / size, at / size, places=12)
+                    ends = [end["decimal"] for end in defect["ends"] or [defect["point"]]]
+                    middle = [sum(e[k] for e in ends) / len(ends) for k in range(3)]
+                    near = [m for m in marks if m[0] == OF_RULE[defect["rule"]] and
+                            all(abs(m[1][k] - middle[k]) <= 1e-9 * size + abs(middle[k]) * 1e-12 for k in range(3))]
+                    self.assertTrue(near, defect["message"])
+                    reach = max(abs(p - e[k]) for m in near for e in ends for k in range(3) for p in (m[2][k], m[3][k]))
+                    self.assertGreaterEqual(reach, size / 400 * (1 - 1e-9))
                     seen.add(defect["rule"])
+                self.assertEqual({m[0] for m in marks}, {OF_RULE[d["rule"]] for d in file["defects"]})
         self.assertEqual(seen, set(OF_RULE))
 
-    def test_markers_are_closed_and_outward(self):
+    def test_marks_are_closed_and_outward(self):
         self.certify(INVALID)
-        points, faces, colours = read_picture(self.path)
-        marker = faces[-8:]
-        edges = [(f[i], f[(i + 1) % 3]) for f in marker for i in range(3)]
+        points, faces, _ = read_picture(self.path)
+        marks = faces[support.only_file(INVALID)["counts"]["faces"]:]
+        self.assertTrue(marks)
+        edges = [(f[i], f[(i + 1) % 3]) for f in marks for i in range(3)]
         self.assertEqual(sorted(edges), sorted((b, a) for a, b in edges))
-        self.assertEqual(len(set(edges)), 24)
-        self.assertGreater(six_volumes(points, marker), 0)
+        self.assertEqual(len(set(edges)), len(edges))
+        self.assertGreater(six_volumes(points, marks), 0)
 
     def test_a_valid_model_is_grey_and_reads_back_as_itself(self):
         self.assertEqual(self.certify("-q", VALID).returncode, 0)
@@ -104,13 +148,18 @@ class Picture(Folder):
         done = run("certify", VALID, "--picture", self.folder / "new" / "p.ply")
         self.assertEqual((done.returncode, done.stdout), (4, ""))
 
-    def test_other_endings_and_plys_of_splines_are_refused(self):
-        for name, model, words in [("p.jpg", VALID, "--picture writes .png and .ply"), ("png", VALID, "--picture writes .png and .ply"),
-                                   ("p.ply", MODELS / "patches" / "cube.itd", "use .png")]:
-            done = run("certify", "--picture", self.folder / name, model)
+    def test_other_endings_are_refused(self):
+        for name in ("p.jpg", "png", "p.obj", "p.gltf.gz", "p."):
+            done = run("certify", "--picture", self.folder / name, VALID)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertIn(words, done.stderr)
+            self.assertIn("--picture writes .png, .ply, .vtu and .gltf, not", done.stderr)
         self.assertEqual(self.listing(), [])
+
+    def test_standard_input_is_drawn_too(self):
+        with open(INVALID) as file:
+            done = run("certify", "--format", "off", "--picture", self.path, "-", stdin=file)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertGreater(len(read_picture(self.path)[1]), 0)
 
     def test_a_picture_that_cannot_be_written_does_not_take_the_verdict_back(self):
         os.symlink("/dev/full", self.path)
@@ -257,6 +306,104 @@ class BugOfOurs(Folder):
             file = json.loads(json_file.read_text())["files"][0]
             self.assertEqual((file["verdict"], file["exit"], file["picture"]), (verdict, 5, None))
             self.assertEqual(run(model, self.folder / "c", program=support.BIN / "veritope-check").returncode, 0)
+
+
+def read_vtu(path):
+    """(points, triangles, colours, names of the parts, part of each triangle)."""
+    grid = xml.etree.ElementTree.parse(path).find("UnstructuredGrid")
+    arrays = {a.get("Name"): [float(x) if a.get("type") == "Float64" else int(x) for x in a.text.split()] for a in grid.iter("DataArray")}
+    rows = lambda name, n: [tuple(arrays[name][i:i + n]) for i in range(0, len(arrays[name]), n)]
+    names = bytes(arrays["parts"]).split(b"\0")[:-1]
+    assert set(arrays["types"]) == {5} and arrays["offsets"] == list(range(3, 3 * len(arrays["types"]) + 1, 3))
+    return rows("Points", 3), rows("connectivity", 3), rows("colour", 4), [n.decode() for n in names], arrays["part"]
+
+
+def read_gltf(path):
+    """(points in space, triangles, sRGB colours and opacities, names of the nodes, node of each triangle)."""
+    gltf = json.loads(path.read_text())
+    data = base64.b64decode(gltf["buffers"][0]["uri"].split(",")[1], validate=True)
+    assert len(data) == gltf["buffers"][0]["byteLength"]
+
+    def values(number, letter, n):
+        accessor = gltf["accessors"][number]
+        view = gltf["bufferViews"][accessor["bufferView"]]
+        assert view["byteOffset"] % 4 == 0 and view["byteLength"] == 4 * n * accessor["count"]
+        flat = struct.unpack_from(f"<{n * accessor['count']}{letter}", data, view["byteOffset"])
+        return [flat[i:i + n] for i in range(0, len(flat), n)]
+    root = gltf["nodes"][gltf["scenes"][gltf["scene"]]["nodes"][0]]
+    points, faces, colours, names, parts = [], [], [], [], []
+    for number, child in enumerate(root["children"]):
+        node = gltf["nodes"][child]
+        names.append(node["name"])
+        [primitive] = gltf["meshes"][node["mesh"]]["primitives"]
+        material = gltf["materials"][primitive["material"]]
+        assert primitive["mode"] == 4 and material["name"] == node["name"] and material["doubleSided"]
+        *linear, opacity = material["pbrMetallicRoughness"]["baseColorFactor"]
+        assert (material.get("alphaMode") == "BLEND") == (opacity < 1)
+        srgb = tuple(round(255 * (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055)) for c in linear)
+        corners = values(primitive["attributes"]["POSITION"], "f", 3)
+        box = gltf["accessors"][primitive["attributes"]["POSITION"]]
+        assert (box["min"], box["max"]) == ([min(c) for c in zip(*corners)], [max(c) for c in zip(*corners)])
+        faces += [index + len(points) for (index,) in values(primitive["indices"], "I", 1)]
+        points += [tuple(a + b for a, b in zip(p, root["translation"])) for p in corners]
+        count = gltf["accessors"][primitive["indices"]]["count"] // 3
+        colours += [(*srgb, round(255 * opacity))] * count
+        parts += [number] * count
+    return points, [tuple(faces[i:i + 3]) for i in range(0, len(faces), 3)], colours, names, parts
+
+
+class Viewers(Folder):
+    """The three files for viewers have one content."""
+
+    def corners(self, points, faces, colours):
+        """The coloured triangles."""
+        return [(colour[:3], *(x for v in face for x in points[v])) for face, colour in zip(faces, colours)]
+
+    def test_they_show_the_same_triangles_and_name_the_parts_by_the_legend(self):
+        for model in (INVALID, MODELS / "m2_smallest.off", MODELS / "patches" / "side_open_crack.itd",
+                      MODELS / "patches" / "patches_crossing_smallest.itd", VALID, MODELS / "splines" / "two_cubes.mesh"):
+            paths = [self.folder / f"p.{kind}" for kind in ("ply", "vtu", "gltf")]
+            for path in paths:
+                done = run("certify", "--picture", path, model)
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                self.assertIn(f"  picture      {path}\n", done.stdout)
+            ply, vtu, gltf = read_picture(paths[0]), read_vtu(paths[1]), read_gltf(paths[2])
+            self.assertEqual(sorted(self.corners(*ply)), sorted(self.corners(*vtu[:3])), model)
+            size = max(abs(x) for p in vtu[0] for x in p)
+            for exact, rounded in zip(self.corners(*vtu[:3]), self.corners(*gltf[:3])):
+                self.assertEqual(exact[0], rounded[0])
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(exact[1:], rounded[1:])), size * 2.0 ** -22, model)
+            self.assertEqual(len(vtu[1]), len(gltf[1]))
+            self.assertEqual((vtu[3], vtu[4]), (gltf[3], gltf[4]))
+            self.assertEqual(vtu[2], gltf[2])
+            is_broken = done.returncode == 1
+            self.assertEqual({c[3] for c in vtu[2]}, {170, 255} if is_broken else {255})
+            legend = [line.split(b": ", 1)[1].decode() for line in paths[0].read_bytes().split(b"end_header")[0].split(b"\n")
+                      if line.startswith(b"comment colour")]
+            self.assertEqual(is_broken, bool(legend))
+            self.assertEqual([name for name in vtu[3] if name in legend], legend)
+            self.assertTrue(all(name.startswith(("model", "entity ")) for name in vtu[3] if name not in legend), vtu[3])
+
+    def test_their_bytes_do_not_depend_on_the_number_of_threads(self):
+        for kind in ("ply", "vtu", "gltf"):
+            a, b = self.folder / f"a.{kind}", self.folder / f"b.{kind}"
+            for jobs, path in ((1, a), (4, b)):
+                run("certify", "-q", "-j", jobs, "--picture", path, INVALID)
+            self.assertEqual(a.read_bytes(), b.read_bytes())
+
+    def test_trimmed_models_have_no_verdict_and_so_no_picture(self):
+        for kind in ("png", "ply", "vtu", "gltf"):
+            done = run("certify", "--picture", self.folder / f"p.{kind}", MODELS / "splines" / "trimmed.itd", env=self.environment)
+            self.assertEqual(done.returncode, 3, done.stdout)
+            self.assertEqual(self.listing(), [])
+
+    def test_what_binary32_cannot_hold_is_refused_as_gltf_beside_the_verdict(self):
+        model = self.folder / "huge.off"
+        model.write_text("OFF 4 4 0\n0 0 0\n1e40 0 0\n0 1e40 0\n0 0 1e40\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        done = run("certify", "-q", "--picture", self.folder / "p.gltf", model)
+        self.assertEqual((done.returncode, done.stdout[:5]), (4, "VALID"))
+        self.assertIn("too large for binary32", done.stderr)
+        self.assertEqual(run("certify", "-q", "--picture", self.folder / "p.vtu", model).returncode, 0)
 
 
 if __name__ == "__main__":

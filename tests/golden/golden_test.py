@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Reports and certificates of fixed models have the hashes in hashes.txt, whatever the compiler and its -O level.
+"""Reports, certificates and pictures of fixed models have the hashes in hashes.txt, whatever the compiler and its -O level.
 
     golden_test.py --program FILE                the hashes that one build of hash_main.cc prints
     golden_test.py --cmake CMAKE --build FOLDER --map FILE
@@ -21,6 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 GOLDEN = HERE / "hashes.txt"
 HEAD = """# Written by tests/golden/golden_test.py --update: model, SHA-256 of the report's exact text, SHA-256 of its certificate.
+# Pictures: SHA-256 of the PNG, SHA-256 of PLY, VTU and glTF one after the other.
 """
 COMPILERS = ["g++", "clang++-14"]
 LEVELS = ["-O0", "-O2"]
@@ -69,7 +70,7 @@ def build(cmake, folder, objects, compiler, level):
             f"-DCMAKE_CXX_FLAGS={level}", "-DVERITOPE_TESTS=ON", "-DVERITOPE_FUZZ=OFF", "-DVERITOPE_BENCH=OFF", "-DVERITOPE_WERROR=OFF")
     succeed(what, cmake, "--build", folder, "-j", "2", "--target", *objects)
     program = folder / "golden_hash"
-    succeed(what, compiler, level, *(folder / name for name in objects), "-o", program, "-lmpfr", "-lgmp", "-pthread")
+    succeed(what, compiler, level, *(folder / name for name in objects), "-o", program, "-lmpfr", "-lgmp", "-lz", "-pthread")
     return program
 
 

@@ -1,6 +1,6 @@
 # Every compiler, optimization level and number of threads gives the same bytes: golden_test.py builds this program four more times.
 add_executable(golden_hash "${CMAKE_CURRENT_LIST_DIR}/hash_main.cc")
-target_link_libraries(golden_hash PRIVATE veritope_flags veritope_test_support veritope::certify)
+target_link_libraries(golden_hash PRIVATE veritope_flags veritope_test_support veritope::certify veritope::render)
 target_link_options(golden_hash PRIVATE "LINKER:-Map,${PROJECT_BINARY_DIR}/tests/golden_hash.map")
 set_target_properties(golden_hash PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
 add_test(NAME golden_hashes_here COMMAND Python3::Interpreter "${CMAKE_CURRENT_LIST_DIR}/golden_test.py" --program "$<TARGET_FILE:golden_hash>")

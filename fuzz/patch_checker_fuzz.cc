@@ -2,7 +2,7 @@
 // fuzz/patch_checker_fuzz.cc: gives any spline model and any certificate of a claim about patches to the C++ checker,
 // which must not crash or hang, and must not accept two claims about one model that contradict each other. What it
 // accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers and the
-// body, and then corrects sizes and hashes.
+// body, and then corrects sizes and hashes. Another format of the statement is another model.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -62,7 +62,7 @@ void check(const Input& in) {
                           bytes.subspan(statement.size() + 1)))
     fail(answer + "\nbut what is decoded is encoded otherwise");
   static std::map<std::string, unsigned>* const known = new std::map<std::string, unsigned>;
-  unsigned& all = (*known)[hash(in.model)];
+  unsigned& all = (*known)[get(statement, "subject_format") + hash(in.model)];
   all |= facts(statement);
   if (contradict(all))
     fail(answer + "\nbut of this model a claim was accepted that contradicts it");
@@ -129,11 +129,14 @@ class Mutator {
     static const char* const kNumbers[] = {"patches", "edges", "vertices", "shells",
                                            "bodies",  "genus", "boxes",    "flipped",
                                            "winding", "cells", "same",     "opposite"};
+    static const char* const kFormats[] = {"vjson",       "itd",       "g2",       "mfem",
+                                           "vjson-faces", "itd-faces", "g2-faces", "mfem-faces"};
     const std::span<const certificate::Claim> claims = certificate::all_claims();
-    switch (pick(4)) {
+    switch (pick(5)) {
       case 0: set(statement_, "claim", std::string(claims[pick(claims.size())].name)); break;
       case 1: set(statement_, "finding", pick(2) == 0 ? "side" : "crossing"); break;
       case 2: change_byte(statement_); break;
+      case 3: set(statement_, "subject_format", kFormats[pick(std::size(kFormats))]); break;
       default: set(statement_, kNumbers[pick(12)], std::to_string(pick(30)));
     }
   }

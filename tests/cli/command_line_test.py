@@ -6,6 +6,7 @@ import fractions
 import os
 import pty
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -467,6 +468,36 @@ class Limits(Folder):
         self.assertEqual((hole["borders"], hole["near_edges"], hole["near_distance"]), (1, 0, None))
         closed = support.only_file(VALID)["counts"]
         self.assertEqual((closed["borders"], closed["near_edges"], closed["near_distance"]), (0, 0, None))
+
+
+@unittest.skipIf(os.environ.get("VERITOPE_SANITIZE"), "sanitizers want to be loaded first")
+@unittest.skipIf((os.cpu_count() or 1) < 2, "needs two processors")
+class Threads(Folder):
+    COUNTING = """#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <pthread.h>
+#include <unistd.h>
+int pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*start)(void*), void* argument) {
+  if (write(2, "t", 1) != 1) _exit(9);
+  int (*create)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*) = dlsym(RTLD_NEXT, "pthread_create");
+  return create(thread, how, start, argument);
+}
+"""
+
+    def test_a_small_mesh_takes_one_thread_unless_more_are_asked_for(self):
+        code, library = self.folder / "count.c", self.folder / "count.so"
+        code.write_text(self.COUNTING)
+        compiler = next(name for name in ("cc", "gcc", "clang") if shutil.which(name))
+        subprocess.run([compiler, "-shared", "-fPIC", code, "-o", library, "-ldl"], check=True)
+        small = support.write_off(self.folder / "small.off", *support.grid(10))
+        large = support.write_off(self.folder / "large.off", *support.grid(40))
+        for model, jobs, are_started in [(small, [], False), (small, ["-j", 2], True), (large, [], True), (large, ["-j", 1], False)]:
+            kept = self.folder / "c"
+            done = run("certify", "-q", *jobs, "--certificate", kept, model, env={**os.environ, "LD_PRELOAD": str(library)})
+            self.assertEqual((done.returncode, bool(done.stderr)), (0, are_started), (model, jobs, done))
+            with_jobs = kept.read_bytes()
+            run("certify", "-q", "-j", 3, "--certificate", kept, model)
+            self.assertEqual(kept.read_bytes(), with_jobs)
 
 
 class Cracks(Folder):

@@ -65,6 +65,18 @@ class FacesTest(unittest.TestCase):
         self.assertTrue(found is None or len(found) == len(wanted) and all(map(texts.same, found, wanted)))
         if count is not None:
             self.assertEqual(len(found or ()), count)
+        if wanted:
+            self.assert_entities(wanted, texts.WRITERS[subject_format](maps), subject_format + "-faces")
+
+    def assert_entities(self, faces, data, subject_format):
+        """A body about these faces passes B1, which compares their number and their knots; one box holds no proof."""
+        plan = forge.Plan([f.entity() for f in faces])
+        patches = sum(texts.prod(len(axis) - 1 for axis in axes) for axes in plan.breaks)
+        plan.roots, plan.trees, plan.boxes = [[0, 0]] * patches, [[0]] * patches, [forge.Box(1, [-1 << 40] * 3, [1 << 41] * 3)]
+        plan.values["subject_format"] = subject_format
+        code, line = vc.check(data, plan.certificate(data))
+        self.assertEqual(code, 1, line)
+        self.assertNotIn(line[:9], ("REJECT B1", "REJECT S1"), line)
 
 
 class Hands(FacesTest):

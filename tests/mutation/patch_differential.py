@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Do both checkers read every odd spline model, and judge every damaged certificate about one, alike?
 
-Models: the numbers of a sound model are written in other ways that mean the same, so that its certificate must still be accepted; or
-the text is damaged.  Certificates of all claims: bodies and statements are damaged, hashes set right again.
+Models of all formats, of surfaces and of volumes: the numbers of a sound model are written in other ways that mean the same, so that
+its certificate must still be accepted; or the text is damaged.  Certificates of all claims: bodies and statements are damaged, hashes set
+right again.  --only formats: models in .g2 and MFEM's format, and models of volumes; --only certificates, --only sheets: those.
 
     python3 tests/mutation/patch_differential.py --count 50000 --seed 1 --checker PATH_TO_veritope-check
 """
@@ -16,8 +17,13 @@ import time
 from fractions import Fraction as Q
 
 import attacks
+import collar_liars
 import differential
+import format_cases as formats
+import invalid_liars
+import meeting_liars
 import patch_attacks
+import patch_liars
 import patch_solids as ps
 import sheet_liars
 import star_box_itd_test as itd
@@ -136,27 +142,42 @@ def moved_number(data, rng):
     return data[:at] + part + data[at:]
 
 
-def model_case(rng):
-    """(name, model, certificate)."""
+TOKENS = {"vjson": (JSON_TOKEN, WORDS), "itd": (ITD_TOKEN, ITD), "g2": (formats.WORD, formats.G2), "mfem": (formats.WORD, formats.MFEM)}
+
+
+def sound_model(rng, only=""):
+    """(subject format, text, plan): a certificate of the plan is accepted for this text."""
+    if rng.random() < (.6 if only == "formats" else .25):
+        return formats.volume_model(rng)
     entities, plan = small_model(rng)
-    name, is_itd = rng.choice((("same", False), ("vjson", False), ("vjson", False), ("itd", True), ("itd", True)))
     try:
-        text = "x\n[OBJECT [a 1] N\n" + itd.itd_text(entities) + "]\n" if is_itd else ""
+        chosen = rng.choice(("g2", "mfem") if only == "formats" else ("vjson", "vjson", "vjson", "itd", "itd", "g2", "mfem"))
+        if chosen == "itd":
+            return chosen, ("x\n[OBJECT [a 1] N\n" + itd.itd_text(entities) + "]\n").encode(), plan
+        if chosen != "vjson":
+            return chosen, formats.surfaces(entities, chosen, rng), plan
     except (KeyError, ValueError):                        # a triangle, or a number that is not a decimal
-        name, is_itd = "vjson", False
-    if is_itd:
-        data = text.encode()
-    else:
-        data = put_text(rewritten(entities, rng) if rng.random() < .8 else entities, rng, name != "same")
+        pass
+    return "vjson", put_text(entities if rng.random() < .3 else rewritten(entities, rng), rng, rng.random() < .2), plan
+
+
+def model_case(rng, only=""):
+    """(name, model, certificate)."""
+    subject_format, data, plan = sound_model(rng, only)
+    name = "same" if rng.random() < .2 and OTHER["kind"].encode() not in data else subject_format
+    kind = subject_format.split("-")[0]
     for _ in range(0 if name == "same" else rng.choice((1, 1, 1, 2, 3))):
-        if not is_itd and rng.random() < .08:
+        r = rng.random()
+        if kind == "vjson" and r < .08:
             data = moved_number(data, rng)
+        elif kind in ("g2", "mfem") and r < .5:
+            data = rng.choice((formats.exchanged, formats.another_number, formats.another_number))(data, rng)
         else:
-            data = damaged_text(data, ITD_TOKEN if is_itd else JSON_TOKEN, ITD if is_itd else WORDS, rng)
+            data = damaged_text(data, *TOKENS[kind], rng)
     if rng.random() < .5 and name != "same":
-        return name, data, itd.hollow(data, "itd" if is_itd else "vjson")
+        return name, data, itd.hollow(data, subject_format)
     values = dict(plan.values)
-    plan.values = dict(values, subject_format="itd" if is_itd else "vjson")
+    plan.values = dict(values, subject_format=subject_format)
     cert = plan.certificate(data)
     plan.values = values
     return name, data, cert
@@ -187,10 +208,11 @@ def sheet_cases(rng):
 
 
 def certificate_cases(rng):
-    if rng.random() < .4:
+    if rng.random() < .3:
         yield from sheet_cases(rng)
         return
-    kind = patch_attacks.honest if rng.random() < .6 else patch_attacks.draw(rng)
+    kinds = [patch_attacks.honest] * 5 + [patch_liars.star_attacks, invalid_liars.invalid_attacks, meeting_liars.meeting_attacks]
+    kind = collar_liars.collar_attacks if rng.random() < .02 else rng.choice(kinds)
     found = list(kind(rng))
     for name, model, cert in rng.sample(found, min(1, len(found))):
         for _ in range(12):
@@ -234,9 +256,12 @@ def cases(rng):
         yield from certificate_cases(rng)
 
 
+ONLY = {"": cases, "sheets": sheet_cases, "formats": lambda rng: [model_case(rng, "formats")], "certificates": certificate_cases}
+
+
 class Run(attacks.Run):
     def attacks(self, rng):
-        return sheet_cases(rng) if self.options.only == "sheets" else cases(rng)
+        return ONLY[self.options.only](rng)
 
     def attack(self, name, case, cert, seed):
         """case: the model's bytes."""

@@ -91,9 +91,13 @@ class PatchMutationTest(mutation_test.WithBothCheckers):
         for seed in range(150):
             for name, model, cert in patch_differential.cases(random.Random(seed)):
                 run.attack(name, model, cert, seed)
+        for seed in range(60):
+            run.attack(*patch_differential.model_case(random.Random(seed), "formats"), seed)
         run.native.close()
         self.assertEqual(run.failures, [])
-        self.assertGreater(run.table["same", "ACCEPT"], 15)
+        self.assertGreater(run.table["same", "ACCEPT"], 30)
+        formats = {name for name, _ in run.table}
+        self.assertLessEqual({"vjson", "itd", "g2", "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces"}, formats)
 
     def test_the_harness_notices_a_checker_that_accepts_everything(self):
         run = patch_attacks.Run(attacks.parse(["--save", self.options.save]))

@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kEnough = 144;  // pixels: a square of 12 x 12
 constexpr double kStep = 6;           // the rim of the mark in front takes kRim of it
 constexpr double kWidest = 64;        // radius
+// Marks of larger layers are everywhere. They are not widened, which would take long and hide the model.
+constexpr std::size_t kMostInLayer = 2000;
 constexpr double kBorder =
     0.75;  // pixels nearer to the border of a mark are not in exactly its colour
 
@@ -83,13 +85,17 @@ class Coverage {
   std::vector<std::uint32_t> shown_;
 };
 
-// Until it is seen around the marks in front of it.
+// Until it is seen around the marks in front of it. A mark among so many that this does not help stays as it is.
 void widen_if_hidden(const Coverage& coverage, FlatMark* mark) {
   const Coverage::Count at_first = coverage.count(*mark, mark->radius);
   const std::size_t wanted = std::min(kEnough, at_first.all / 2);
-  for (std::size_t seen = at_first.seen; seen < wanted && mark->radius + kStep <= kWidest;
-       seen = coverage.count(*mark, mark->radius).seen)
-    mark->radius += kStep;
+  std::size_t seen = at_first.seen;
+  double radius = mark->radius;
+  while (seen < wanted && radius + kStep <= kWidest) {
+    radius += kStep;
+    seen = coverage.count(*mark, radius).seen;
+  }
+  if (seen >= wanted) mark->radius = radius;
 }
 
 // The first mark of each colour in [first, last) that covers too little.
@@ -115,7 +121,8 @@ void widen_hidden_marks(std::size_t width, std::size_t height, FlatScene* scene)
   for (std::size_t last = marks.size(); last > 0 && marks[last - 1].layer > 0;) {
     std::size_t first = last;
     while (first > 0 && marks[first - 1].layer == marks[last - 1].layer) --first;
-    for (std::size_t m = first; m < last; ++m) widen_if_hidden(coverage, &marks[m]);
+    for (std::size_t m = first; m < last && last - first <= kMostInLayer; ++m)
+      widen_if_hidden(coverage, &marks[m]);
     Coverage with_layer = coverage;
     with_layer.add(marks, first, last);
     widen_if_tiny(with_layer, coverage, first, last, &marks);

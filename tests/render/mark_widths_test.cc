@@ -67,6 +67,15 @@ TEST(MarkWidths, OfTheOnlyTinyLineOfAColourGrow) {
             2);  // its disc is seen
 }
 
+TEST(MarkWidths, OfMarksThatStayHiddenOrAreEverywhereDoNotChange) {
+  FlatMark wall = dot(200, 150, kBlue, 2, 64);
+  EXPECT_EQ(widened({dot(200, 150, kRed, 1), wall, dot(100, 150, kRed, 3)})[0], 9);
+  std::vector<FlatMark> many(3000, dot(50, 50, kRed, 1));
+  many.push_back(dot(50, 50, kBlue, 2));
+  many.push_back(dot(150, 50, kRed, 3));
+  EXPECT_EQ(widened(many)[0], 9);
+}
+
 TEST(MarkWidths, NeverExceedTheMost) {
   std::vector<FlatMark> marks;
   for (unsigned i = 0; i < 40; ++i)

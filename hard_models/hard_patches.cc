@@ -179,7 +179,6 @@ void add_contacts_of_patches(PatchList& list) {
                "patches-touching");
   list.invalid("poles_crossing", "two spheres overlap at their poles by 1e-12",
                pole_to_pole(-kTrillionth), "patches-crossing");
-  list.undecided("not-certified");
   list.invalid("torus_without_hole", "a torus whose hole is one point", shapes::torus(1, 1),
                "patches-touching");
   list.valid("torus_small_hole", "a torus whose hole has the radius 1e-12",

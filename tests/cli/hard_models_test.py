@@ -93,7 +93,8 @@ class Written(unittest.TestCase):
         for row in self.index:
             pair = [str(self.models / row["file"]), str(self.certificates / (row["file"] + ".cert"))]
             if row["exit"] == "3":
-                self.assertFalse(pathlib.Path(pair[1]).exists())
+                with self.subTest(row["file"]):
+                    self.assertFalse(pathlib.Path(pair[1]).exists())
                 continue
             with self.subTest(row["file"]):
                 done = run(*pair, program=BIN / "veritope-check")

@@ -56,7 +56,7 @@ VALUES = [
     ("certify --tolerance 0,1 cube.itd", 2, "not 0,1 (a decimal comma?)"),
     ("certify --tolerance nan cube.itd", 2, "must be a length from 1e-300 to 1e300, not nan"),
     ("certify --orient keap cube.itd", 2, "must be auto or keep, not keap; did you mean keep?"),
-    ("certify --picture p.jpg a.off", 2, "--picture writes .png and .ply, not p.jpg"),
+    ("certify --picture p.jpg a.off", 2, "--picture writes .png, .ply, .vtu and .gltf, not p.jpg"),
     ("cover cube.itd --what coller -o o.vtu", 2, "did you mean collar?"),
     ("cover cube.itd -o o.xyz", 2, "the name must end in .vtu, .obj, .ply, .off or .stl"),
     ("cover cube.itd --sweep two", 2, "--sweep: must be a number from 0 to 20, not two"),

@@ -148,6 +148,7 @@ class Certification {
     if (!certified) return refuse(finding_of(certified.error()));
     report_.facts = std::move(certified->facts);
     if (certified->copy) set_copy(std::move(*certified->copy));
+    report_.boundary_faces = std::move(certified->boundary_faces);
     if (certified->verdict == Verdict::kUndecided) {
       give_up(kExitUndecided, certified->findings.front());
       report_.reasons = std::move(certified->findings);

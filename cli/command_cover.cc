@@ -112,11 +112,12 @@ class CoverRun {
     const Result<SplineFile> file =
         read_spline_file(options_.input.files[0], options_.input.reading);
     if (!file) return fail(kExitUnreadable, file.error());
-    const Result<std::optional<StandIn>> stand_in = stand_in_of(*file);
+    const PatchOrientation orientation =
+        options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep;
+    const Result<std::optional<StandIn>> stand_in = stand_in_of(*file, orientation);
     if (!stand_in) return fail(kExitUnreadable, stand_in.error());
     Result<FilePatches> patches =
-        file_patches(*stand_in ? (*stand_in)->file.model : file->model,
-                     options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep);
+        file_patches(*stand_in ? (*stand_in)->file.model : file->model, orientation);
     if (!patches) return fail(kExitUnreadable, patches.error());
     if (patches->not_covered) return fail(kExitUndecided, patches->not_covered->message);
     sha256_ = file->sha256;

@@ -8,6 +8,7 @@
 
 #include "io/base/scan.h"
 #include "io/read_model.h"
+#include "io/splines/boundary_faces.h"
 #include "render/defect_scene.h"
 #include "render/draw_scene.h"
 #include "render/png.h"
@@ -29,7 +30,11 @@ Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
     for (const OpenSideFacts& side : facts->open_sides) sides.push_back(side.part);
     num_sides = facts->open.sides;
   }
-  return defect_scene(file.model, findings, sides, num_sides);
+  if (!report.boundary_faces || report.copy)
+    return defect_scene(file.model, findings, sides, num_sides);
+  const Result<BoundaryFaces> faces = boundary_faces(file.model);
+  if (!faces) return faces.error();
+  return defect_scene(file.model, findings, sides, num_sides, &*faces);
 }
 
 Result<Scene> scene_of(const ModelFile& model, const FileReport& report) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/splines/boundary_faces.h"
 #include "io/splines/spline_model.h"
 #include "render/scene.h"
 #include "robust/base/result.h"
@@ -35,8 +36,10 @@ Scene defect_scene(const TriangleMesh& mesh, std::span<const Finding> defects,
 /// the point of each finding. The approximate curves in which two surfaces cross are lines, too, unless the surfaces
 /// have a common point. The legend has the codes of the findings, and the number of open sides if there is one.
 /// REQUIRES findings and sides of this model: their entities, sides and parameters.
+/// @param  shown  drawn in the place of the model's volumes: their boundary faces, without walls
 /// @error  as tessellate
 Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> findings,
-                           std::span<const EntityPart> open_sides, std::uint64_t num_open_sides);
+                           std::span<const EntityPart> open_sides, std::uint64_t num_open_sides,
+                           const BoundaryFaces* shown = nullptr);
 
 }  // namespace veritope

@@ -43,18 +43,19 @@ std::optional<Point3d> rounded(const Result<std::vector<Rational>>& p) {
   return out;
 }
 
-// The point of a surface's side at the part t between the bounds of its parameters, which are rounded outward.
-std::optional<Point3d> point_at(const ExactSurface& surface, const EntityPart& part,
+// The point at the part t between the bounds of a surface's or volume's parameters, which are rounded outward.
+template <std::size_t N>
+std::optional<Point3d> point_at(const BSpline<Rational, N>& map, const EntityPart& part,
                                 const Rational& t) {
-  std::array<Rational, 2> at;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Rational begin = surface.axis(k).domain_begin(), end = surface.axis(k).domain_end();
+  std::array<Rational, N> at;
+  for (std::size_t k = 0; k < N; ++k) {
+    const Rational begin = map.axis(k).domain_begin(), end = map.axis(k).domain_end();
     const auto [least, greatest] = part.parameters[k];
     const Rational lo = std::isfinite(least) ? Rational::from_double(least) : begin,
                    hi = std::isfinite(greatest) ? Rational::from_double(greatest) : end;
     at[k] = std::clamp(lo + t * (hi - lo), begin, end);
   }
-  return rounded(point(surface, at));
+  return rounded(point(map, at));
 }
 std::optional<Point3d> point_at(const ExactTriangle& triangle, const Barycentric<Rational>& at) {
   std::vector<Rational> values = evaluate(triangle, at);
@@ -85,21 +86,26 @@ void add_side(const Shape& shape, const EntityPart& part, int steps, Scene& scen
 }
 
 void add_side(const SplineModel& model, const EntityPart& part, int steps, Scene& scene) {
-  if (part.entity >= model.entities.size() || !part.side) return;
+  if (part.entity >= model.entities.size()) return;
   const auto& shape = model.entities[part.entity].shape;
+  const auto* const volume = std::get_if<ExactVolume>(&shape);
+  if (volume != nullptr && part.face) add_side(*volume, part, steps, scene);
+  if (!part.side) return;
   if (const auto* surface = std::get_if<ExactSurface>(&shape))
     add_side(*surface, part, steps, scene);
   if (const auto* triangle = std::get_if<ExactTriangle>(&shape))
     add_side(*triangle, part, steps, scene);
 }
 
-// The middle of a part of a surface or a triangle.
+// The middle of a part of a surface, a volume or a triangle.
 std::optional<Point3d> middle_of(const SplineModel& model, const EntityPart& part) {
   if (part.entity >= model.entities.size()) return std::nullopt;
   const auto& shape = model.entities[part.entity].shape;
   if (const auto* surface = std::get_if<ExactSurface>(&shape);
       surface && part.parameters.size() == 2)
     return point_at(*surface, part, Rational(1) / Rational(2));
+  if (const auto* volume = std::get_if<ExactVolume>(&shape); volume && part.parameters.size() == 3)
+    return point_at(*volume, part, Rational(1) / Rational(2));
   const auto* const triangle = std::get_if<ExactTriangle>(&shape);
   if (triangle == nullptr) return std::nullopt;
   const Rational third = Rational(1) / Rational(3);
@@ -119,25 +125,47 @@ void add_to_legend(const std::string& code, Scene& scene) {
     scene.legend.push_back({colour_of_code(code), code, tinted_paint(colour_of_code(code))});
 }
 
-// The finding's entities, whose surfaces the scene has in their order.
-void tint_entities(const Finding& f, Scene& scene) {
-  for (const EntityPart& part : f.place.parts)
-    if (part.entity < scene.surfaces.size())
-      scene.surfaces[part.entity].paints = {tinted_paint(colour_of_code(f.code))};
+// Which surface of the scene a part lies on: those of entities, or of the boundary faces that are shown in their place.
+std::optional<std::size_t> surface_of(const EntityPart& part, const BoundaryFaces* shown,
+                                      const Scene& scene) {
+  if (shown == nullptr) {
+    if (part.entity < scene.surfaces.size()) return part.entity;
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < shown->faces.size() && part.face; ++i)
+    if (const VolumeFace& face = shown->faces[i];
+        face.volume == part.entity && 2 * face.axis + face.end == *part.face)
+      return i;
+  return std::nullopt;
 }
-void add_crossing(const Finding& f, Scene& scene) {
+void tint_entities(const Finding& f, const BoundaryFaces* shown, Scene& scene) {
+  for (const EntityPart& part : f.place.parts)
+    if (const auto i = surface_of(part, shown, scene))
+      scene.surfaces[*i].paints = {tinted_paint(colour_of_code(f.code))};
+}
+void add_crossing(const Finding& f, const BoundaryFaces* shown, Scene& scene) {
   if (f.code != "patches-crossing" || f.place.parts.size() != 2) return;
-  const std::uint64_t a = f.place.parts[0].entity, b = f.place.parts[1].entity;
-  if (a == b || std::max(a, b) >= scene.surfaces.size()) return;
-  for (const auto& [from, to] : approx_crossing(scene.surfaces[a], scene.surfaces[b]))
+  const auto a = surface_of(f.place.parts[0], shown, scene),
+             b = surface_of(f.place.parts[1], shown, scene);
+  if (!a || !b || *a == *b) return;
+  for (const auto& [from, to] : approx_crossing(scene.surfaces[*a], scene.surfaces[*b]))
     scene.lines.push_back({{from, to}, colour_of_code(f.code), SceneLine().width, kLinesLayer});
+}
+
+std::string name_of(std::size_t surface, const BoundaryFaces* shown) {
+  if (shown == nullptr) return "entity " + std::to_string(surface);
+  const VolumeFace& face = shown->faces[surface];
+  return "entity " + std::to_string(face.volume) + ", face " +
+         std::to_string(2 * face.axis + face.end);
 }
 
 }  // namespace
 
 Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> findings,
-                           std::span<const EntityPart> open_sides, std::uint64_t num_open_sides) {
-  Result<std::vector<Tessellation>> pieces = tessellate(model, {});
+                           std::span<const EntityPart> open_sides, std::uint64_t num_open_sides,
+                           const BoundaryFaces* shown) {
+  Result<std::vector<Tessellation>> pieces =
+      tessellate(shown != nullptr ? shown->model : model, {});
   if (!pieces) return pieces.error();
   Scene out;
   const bool is_sound = findings.empty() && open_sides.empty();
@@ -146,7 +174,7 @@ Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> fi
     out.surfaces.push_back({std::move(piece.points),
                             std::move(piece.triangles),
                             {model_paint(is_sound)},
-                            "entity " + std::to_string(i)});
+                            name_of(i, shown)});
   }
   for (const EntityPart& side : open_sides)
     add_side(model, side, steps_of_each(open_sides.size()), out);
@@ -158,8 +186,8 @@ Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> fi
                            kLinesLayer + 1 + static_cast<unsigned>(out.legend.size())});
     if (f.code == "side-open") continue;
     add_to_legend(f.code, out);
-    tint_entities(f, out);
-    add_crossing(f, out);
+    tint_entities(f, shown, out);
+    add_crossing(f, shown, out);
   }
   if (num_open_sides != 0)
     out.legend.push_back(

@@ -17,6 +17,7 @@ Json part_json(const EntityPart& part) {
   for (const auto& [lo, hi] : part.parameters)
     parameters.push_back({{"lo", number_json(lo)}, {"hi", number_json(hi)}});
   return {{"entity", part.entity},
+          {"face", optional_json(part.face)},
           {"side", optional_json(part.side)},
           {"parameters", std::move(parameters)}};
 }
@@ -114,6 +115,7 @@ Json open_sides_json(const PatchFacts& f) {
 }
 
 void put_patch_source(const FileReport& report, Json& out) {
+  out["by_boundary_faces"] = report.boundary_faces.has_value();
   if (!report.copy) {
     out["copy"] = nullptr;
     return;

@@ -12,10 +12,10 @@ namespace veritope::report {
 namespace {
 
 std::string parameters_text(const EntityPart& part) {
-  const bool is_triangle = part.parameters.size() == 3;
+  const bool is_triangle = part.parameters.size() == 3 && !part.face;
   std::string out = "entity " + std::to_string(part.entity);
   if (part.side) out += ", side " + std::to_string(*part.side);
-  constexpr const char* kNames[] = {"u", "v"};
+  constexpr const char* kNames[] = {"u", "v", "w"};
   for (std::size_t i = 0; i < part.parameters.size(); ++i) {
     const auto& [lo, hi] = part.parameters[i];
     out += std::string(i == 0 ? ": " : ", ") +
@@ -97,6 +97,7 @@ std::string valid_text(const PatchFacts& f) {
 }
 
 std::string side_name(const EntityPart& part) {
+  if (part.face) return parameters_text(part);
   return "side " + std::to_string(*part.side) + " of entity " + std::to_string(part.entity);
 }
 
@@ -174,7 +175,7 @@ std::string collar_text(const CollarFacts& c) {
 namespace internal {
 
 std::string patch_summary(const FileReport& report) {
-  const std::string about = report.copy && report.copy->is_of_volumes ? ", by boundary faces" : "";
+  const std::string about = report.boundary_faces ? ", by boundary faces" : "";
   const PatchFacts& f = facts_of(report);
   if (!report.defects.empty() && report.defects.front().code == "side-open")
     return open_text(f.open) + about;

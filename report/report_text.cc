@@ -31,8 +31,12 @@ std::string certificate_text(const FileReport& report) {
   return detail_line("certificate", text);
 }
 
-std::string copy_text(const FileReport& report) {
-  if (!report.copy) return "";
+// What was certified, if not the file as it stands.
+std::string certified_text(const FileReport& report) {
+  if (!report.copy)
+    return report.boundary_faces
+               ? detail_line("certified", *report.boundary_faces + ", not their cells")
+               : "";
   const CopyReport& c = *report.copy;
   std::string text = c.what + (c.is_of_volumes ? ", not their cells" : "") + ", as .vjson";
   if (c.path)
@@ -94,7 +98,7 @@ std::string verdict_line(const FileReport& report, const TextOptions& options) {
 std::string details_text(const FileReport& report, const TextOptions& options) {
   const internal::ReportKind& kind = internal::kind_of(report);
   return fold(kind.findings(report, options) + kind.details(report, options) +
-                  certificate_text(report) + copy_text(report) + picture_text(report) +
+                  certificate_text(report) + certified_text(report) + picture_text(report) +
                   (options.shows_seconds ? seconds_text(report.seconds) : ""),
               options.width);
 }

@@ -90,6 +90,8 @@ bool G2Reader::keep(G2Shape<Spline> shape, std::int64_t type, SplineEntity& enti
                     bool& is_known) {
   is_known = shape.spline.has_value();
   if (is_known) {
+    has_converted_shapes_ =
+        has_converted_shapes_ || (type != kSplineCurve && type != kSplineSurface);
     entity.shape = std::move(*shape.spline);
   } else {
     leave_out(std::string(g2_class_name(type)) + "s", shape.reason, true);

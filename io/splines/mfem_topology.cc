@@ -48,6 +48,14 @@ int quad_orientation(const std::array<std::uint64_t, 4>& base,
   while (i < 3 && test[static_cast<std::size_t>(i)] != base[0]) ++i;
   return test[static_cast<std::size_t>(i + 1) % 4] == base[1] ? 2 * i : 2 * i + 1;
 }
+// Whether `test` is `base`, read as the orientation says.
+bool fits(const std::array<std::uint64_t, 4>& base, const std::array<std::uint64_t, 4>& test,
+          int orientation) {
+  const auto first = static_cast<std::size_t>(orientation / 2);
+  for (std::size_t k = 0; k < 4; ++k)
+    if (test[(orientation % 2 == 0 ? first + k : first + 4 - k) % 4] != base[k]) return false;
+  return true;
+}
 
 }  // namespace
 
@@ -100,6 +108,12 @@ bool MfemNumbering::find_edges() {
       }
       patches_[p].edges.push_back(found->second);
     }
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const auto again = static_cast<std::ptrdiff_t>(i) + 1;
+      if (std::find(v.begin() + again, v.end(), v[i]) == v.end()) continue;
+      fault_ = "patch " + std::to_string(p) + " names vertex " + std::to_string(v[i]) + " twice";
+      return false;
+    }
     for (std::size_t i = 0; i < locals.size(); ++i) {
       const std::uint64_t k = topology_.edges[patches_[p].edges[i]].knot_vector;
       if (k == knot_vector(p, axis_of_edge(static_cast<int>(i)))) continue;
@@ -122,7 +136,10 @@ void MfemNumbering::number_faces() {
       const auto [at, is_new] = known.emplace(key, faces_.size());
       patches_[p].faces[f] = at->second;
       if (!is_new) {
-        patches_[p].orientations[f] = quad_orientation(faces_[at->second].vertices, vertices);
+        const int orientation = quad_orientation(faces_[at->second].vertices, vertices);
+        patches_[p].orientations[f] = orientation;
+        if (!fits(faces_[at->second].vertices, vertices, orientation))
+          fault_ = "patch " + std::to_string(p) + " has the vertices of a face in another cycle";
         continue;
       }
       const auto inner = [&](std::size_t a, std::size_t b) {

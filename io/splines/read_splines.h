@@ -33,6 +33,8 @@ struct SplineFile {
   double seconds_parse = 0;       ///< memory to splines
   double seconds_hash = 0;        ///< SHA-256; with jobs >= 2 at the same time as parsing
   std::vector<LeftOut> left_out;  ///< in the order of their first occurrence
+  /// Some entity is no spline in the file but was made into one: a line, plane or extrusion of .g2.
+  bool has_converted_shapes = false;
   /// The refusal of the first number that is beyond the default ReadLimits, if wider limits let it in. Certificates are
   /// about numbers within the default limits only.
   std::optional<Error> beyond_default_limits;

@@ -36,6 +36,7 @@ class SplineTextReader {
     SplineFile file;
     file.model = std::move(model_);
     file.left_out = std::move(left_out_);
+    file.has_converted_shapes = has_converted_shapes_;
     file.beyond_default_limits = std::move(beyond_default_limits_);
     return file;
   }
@@ -109,6 +110,7 @@ class SplineTextReader {
   std::optional<std::uint64_t> entity_;  ///< the entity that is being read
   SplineModel model_;
   std::vector<LeftOut> left_out_;
+  bool has_converted_shapes_ = false;
   NumberBudget budget_;
 
  private:

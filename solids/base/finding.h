@@ -20,12 +20,14 @@ struct RationalPoint {
 };
 
 /// A part of an entity of a spline file: bounds of its parameters, rounded outward. A surface has two parameters, u and
-/// v; a triangle has three, its barycentric coordinates.
+/// v; a triangle has three, its barycentric coordinates; a volume has three, u, v and w.
 struct EntityPart {
   std::uint64_t entity = 0;
-  /// The side of the entity, in the entity's own direction, if the part lies in a side.
+  /// The side of the entity, in the entity's own direction, if the part lies in a side. Nothing for a volume.
   std::optional<std::uint8_t> side;
   std::vector<std::array<double, 2>> parameters;
+  /// The boundary face of a volume on which the part lies, 2 axis + end; nothing for other entities.
+  std::optional<std::uint8_t> face = std::nullopt;
 };
 
 /// Where in a model. Only what is known is set. All numbers count from 0; lengths are in the model's units.

@@ -401,16 +401,24 @@ TEST(Certify, HalvesOfASurfaceAreNotReversedOneByOne) {
                    "pieces of entity 0 would have to be reversed one by one");
 }
 
+std::string format_of_certificate(const Certified& c) {
+  const std::string text(c.certificate.begin(), c.certificate.end());
+  const std::string key = "\"subject_format\":\"";
+  const std::size_t at = text.find(key) + key.size();
+  return text.substr(at, text.find('"', at) - at);
+}
+
 // Law: the checkers accept the certificate with the copy, which has the surfaces of the file.
-TEST(Certify, OfOtherFormatsACopyIsCertified) {
+TEST(Certify, OfShapesThatTheCheckersDoNotReadACopyIsCertified) {
   SplineFile file = Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0).file();
-  for (const SplineFormat format :
-       {SplineFormat::kJson, SplineFormat::kG2, SplineFormat::kMfem, SplineFormat::kGismo}) {
+  for (const SplineFormat format : {SplineFormat::kG2, SplineFormat::kGismo}) {
     file.format = format;
+    file.has_converted_shapes = format == SplineFormat::kG2;
     const Certified c = certify(file).value();
     EXPECT_EQ(c.verdict, Verdict::kValid);
-    ASSERT_EQ(c.copy.has_value(), format != SplineFormat::kJson);
-    if (!c.copy) continue;
+    ASSERT_TRUE(c.copy);
+    EXPECT_FALSE(c.boundary_faces);
+    EXPECT_EQ(format_of_certificate(c), "vjson");
     EXPECT_EQ(c.copy->what, "its " + std::to_string(file.model.entities.size()) + " surfaces");
     EXPECT_FALSE(c.copy->is_of_volumes);
     expect_accepted(c.copy->bytes, c);
@@ -434,6 +442,48 @@ TEST(Certify, ContactsOfCornersNeedAFileThatIsLongEnough) {
   EXPECT_EQ(verdict_of(faces, 35), Verdict::kInvalid) << "a place inside of a face needs no gluing";
 }
 
+// A cube of planes that the reader makes into surfaces, and the same cube as splines.
+TEST(Certify, SurfacesOfG2AreCertifiedAsTheyStandUnlessTheyAreConverted) {
+  const auto corner = [](int i) {
+    return std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " + std::to_string(i >> 2);
+  };
+  std::string splines;
+  for (const std::array<int, 4>& f : {std::array{0, 2, 1, 3},
+                                      {4, 5, 6, 7},
+                                      {0, 1, 4, 5},
+                                      {2, 6, 3, 7},
+                                      {0, 4, 2, 6},
+                                      {1, 3, 5, 7}}) {
+    splines += "200 1 0 0 3 0 2 2 0 0 1 1 2 2 0 0 1 1";
+    for (const int c : f) splines += " " + corner(c);
+    splines += "\n";
+  }
+  const Certified own = certify(read(splines, "cube.g2")).value();
+  EXPECT_EQ(own.verdict, Verdict::kValid);
+  EXPECT_FALSE(own.copy);
+  EXPECT_EQ(format_of_certificate(own), "g2");
+  expect_accepted(splines, own);
+  const std::string plane = "250 1 0 0 3 0 0 1 0 0 1 1 0 0 1 0 1 0 1 0\n";  // z = 1
+  const std::size_t lid = splines.find("200 1", 1);
+  const std::string mixed =
+      splines.substr(0, lid) + plane + splines.substr(splines.find("200 1", lid + 1));
+  const Certified copied = certify(read(mixed, "cube.g2")).value();
+  EXPECT_EQ(copied.verdict, Verdict::kValid);
+  ASSERT_TRUE(copied.copy);
+  EXPECT_EQ(format_of_certificate(copied), "vjson");
+  expect_accepted(copied.copy->bytes, copied);
+}
+
+void expect_copy(const Certified& c) {
+  EXPECT_EQ(c.verdict, Verdict::kValid);
+  EXPECT_EQ(c.boundary_faces, "the 6 boundary faces of its 1 volume");
+  ASSERT_TRUE(c.copy);
+  EXPECT_EQ(c.copy->what, c.boundary_faces);
+  EXPECT_TRUE(c.copy->is_of_volumes);
+  EXPECT_EQ(format_of_certificate(c), "vjson");
+  expect_accepted(c.copy->bytes, c);
+}
+
 TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
   std::string points;
   for (int i = 0; i < 2; ++i)
@@ -447,27 +497,100 @@ TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
       "[1, 1, 1], \"periodic\": [false, false, false], \"knots\": [" +
       axis + ", " + axis + ", " + axis +
       "], \"rational\": false, \"components\": 3, \"points\": [" + points + "]}}";
-  const auto file = [](const std::string& entities) {
-    return read(
-        "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [" + entities + "]}",
-        "block.vjson");
+  const auto text = [](const std::string& entities) {
+    return "{\"format\": \"veritope-spline-1\", \"groups\": [], \"entities\": [" + entities + "]}";
   };
-  const Certified c = certify(file(volume)).value();
-  EXPECT_EQ(c.verdict, Verdict::kValid);
-  EXPECT_EQ(patch_facts(c).patches, 6u);
-  ASSERT_TRUE(c.copy);
-  EXPECT_EQ(c.copy->what, "the 6 boundary faces of its 1 volume");
-  EXPECT_TRUE(c.copy->is_of_volumes);
-  expect_accepted(c.copy->bytes, c);
+  const auto file = [&](const std::string& entities) {
+    return read(text(entities), "block.vjson");
+  };
+  const Certified own = certify(file(volume)).value();
+  EXPECT_EQ(own.verdict, Verdict::kValid);
+  EXPECT_EQ(patch_facts(own).patches, 6u);
+  EXPECT_FALSE(own.copy);
+  EXPECT_EQ(own.boundary_faces, "the 6 boundary faces of its 1 volume");
+  EXPECT_EQ(format_of_certificate(own), "vjson-faces");
+  expect_accepted(text(volume), own);
+  // With ends of an axis that are not clamped, and where faces may be reversed, a copy is certified.
+  std::string loose = volume;
+  loose.replace(loose.find(axis), axis.size(), "[\"-1\", \"0\", \"1\", \"3/2\"]");
+  CertifyOptions turning;
+  turning.orientation = PatchOrientation::kAuto;
+  expect_copy(certify(file(volume), turning).value());
+  const Certified c = certify(file(loose)).value();
+  expect_copy(c);
   std::string flat = volume;
   for (std::size_t at; (at = flat.find("\"2\"]")) != flat.npos;) flat.replace(at, 4, "\"0\"]");
   expect_undecided(certify(file(flat)).value(), "not-covered", "without area");
   // Twice, each face is there twice. Beside a surface nothing says what bounds the solid.
-  EXPECT_EQ(certify(file(volume + ", " + volume)).value().verdict, Verdict::kInvalid);
+  const Certified twice = certify(file(volume + ", " + volume)).value();
+  EXPECT_EQ(twice.verdict, Verdict::kInvalid);
+  EXPECT_EQ(format_of_certificate(twice), "vjson-faces");
+  expect_accepted(text(volume + ", " + volume), twice);
   const std::string faces = c.copy->bytes;
   const std::string first = faces.substr(faces.find("{\"kind\""));
   expect_undecided(certify(file(volume + ", " + first.substr(0, first.find("]]}}") + 4))).value(),
                    "not-covered", "1 volume and other shapes");
+}
+
+// A bar beside two halves of a bar, which cut their wall in two: the rule keeps these faces, and pieces of them are walls.
+TEST(Certify, VolumesThatCutAWallDifferentlyAreCertifiedByACopy) {
+  const std::string bar =
+      "[TRIVAR BSPLINE 2 3 2 2 2 2 E3 [KV 0 0 1 1] [KV 0 0 1 2 2] [KV 0 0 1 1] [1 0 0][2 0 0]"
+      "[1 1 0][2 1 0][1 2 0][2 2 0] [1 0 1][2 0 1][1 1 1][2 1 1][1 2 1][2 2 1]]\n";
+  const auto half = [](const std::string& y, const std::string& z) {
+    return "[TRIVAR BEZIER 2 2 2 E3 [0 " + y + " 0] [1 " + y + " 0] [0 " + z + " 0] [1 " + z +
+           " 0] [0 " + y + " 1] [1 " + y + " 1] [0 " + z + " 1] [1 " + z + " 1]]\n";
+  };
+  const Certified c = certify(read(bar + half("0", "1") + half("1", "2"), "bars.itd")).value();
+  EXPECT_EQ(c.verdict, Verdict::kValid);
+  ASSERT_TRUE(c.copy);
+  expect_accepted(c.copy->bytes, c);
+}
+
+// Findings number the volumes and name faces and edges by the volume's parameters.
+TEST(Certify, FindingsAboutVolumesNameTheirFaces) {
+  const auto box = [](const std::string& x, const std::string& y, const std::string& z) {
+    return "[TRIVAR BEZIER 2 2 2 E3 [" + x + " 0 0] [" + y + " 0 0] [" + x + " 1 0] [" + y +
+           " 1 0] [" + x + " 0 " + z + "] [" + y + " 0 " + z + "] [" + x + " 1 " + z + "] [" + y +
+           " 1 " + z + "]]\n";
+  };
+  const std::string crossing = box("0", "2", "1") +
+                               "[TRIVAR BEZIER 2 2 2 E3 [.5 .5 .5] [1 .5 .5] "
+                               "[.5 .75 .5] [1 .75 .5] [.5 .5 3] [1 .5 3] [.5 .75 3] [1 .75 3]]";
+  const Certified cross = certify(read(crossing, "cross.itd")).value();
+  EXPECT_EQ(cross.verdict, Verdict::kInvalid);
+  ASSERT_EQ(cross.findings.size(), 1u);
+  EXPECT_EQ(cross.findings[0].code, "patches-crossing");
+  EXPECT_NE(cross.findings[0].message.find("face w = 1 of entity 0"), std::string::npos)
+      << cross.findings[0].message;
+  for (const EntityPart& part : cross.findings[0].place.parts) {
+    ASSERT_TRUE(part.face);
+    EXPECT_FALSE(part.side);
+    ASSERT_EQ(part.parameters.size(), 3u);
+    const auto& across = part.parameters[*part.face / 2u];
+    EXPECT_EQ(across[0], *part.face % 2u);
+    EXPECT_EQ(across[1], *part.face % 2u);
+    // The point of the finding is the volume's at these parameters.
+    const Point3d& near = *cross.findings[0].place.near;
+    for (std::size_t k = 0; k < 3; ++k) {
+      constexpr std::array<std::array<double, 3>, 2> kFrom = {{{0, 0, 0}, {.5, .5, .5}}},
+                                                     kTo = {{{2, 1, 1}, {1, .75, 3}}};
+      const double from = kFrom[part.entity][k], length = kTo[part.entity][k] - from;
+      EXPECT_GE(near[k], from + length * part.parameters[k][0] - 1e-9);
+      EXPECT_LE(near[k], from + length * part.parameters[k][1] + 1e-9);
+    }
+  }
+  // Two cubes with a common edge.
+  const std::string edge = box("0", "1", "1") +
+                           "[TRIVAR BEZIER 2 2 2 E3 [1 1 0] [2 1 0] [1 2 0] [2 2 0] [1 1 1] [2 1 "
+                           "1] [1 2 1] [2 2 1]]";
+  const Certified shared = certify(read(edge, "edge.itd")).value();
+  EXPECT_EQ(shared.verdict, Verdict::kInvalid);
+  ASSERT_EQ(shared.findings.size(), 1u);
+  EXPECT_EQ(shared.findings[0].message.rfind(
+                "edge u = 1, v = 1 of entity 0 and 3 other sides are one curve", 0),
+            0u)
+      << shared.findings[0].message;
 }
 
 TEST(Certify, ShapesThatAreNotReadAreNotCovered) {

@@ -110,10 +110,27 @@ class CertifyItd(Folder):
             self.assertEqual((one["verdict"], one["exit"], one["error"]["code"]), ("UNDECIDED", 3, "not-covered"), other)
             self.assertIn(word, one["error"]["message"])
 
-    def test_of_another_format_a_copy_is_certified_and_kept_beside_the_certificate(self):
+    def with_a_plane(self):
+        """The unit cube as model.g2, its lid a plane, which the checkers do not read."""
+        g2, cube = self.folder / "model.g2", self.folder / "cube.itd"
+        cube.write_text("".join(map(bezier, [face for face in UNIT if any(point[2] == 0 for point in face)])))
+        self.assertEqual(run("convert", cube, g2).returncode, 0)
+        g2.write_text(g2.read_text() + "250 1 0 0 3 0 0 1 0 0 1 1 0 0 1 0 1 0 1 0\n")
+        return g2
+
+    def test_a_g2_file_of_surfaces_is_certified_as_it_stands(self):
         g2, cube = self.folder / "model.g2", self.folder / "cube.itd"
         cube.write_text("".join(map(bezier, UNIT)))
         self.assertEqual(run("convert", cube, g2).returncode, 0)
+        (one,) = json.loads(run("certify", g2, "--json", "-", "--certificate", self.folder / "model.g2.cert").stdout)["files"]
+        self.assertEqual((one["verdict"], one["copy"], one["by_boundary_faces"]), ("VALID", None, False))
+        self.assertFalse((self.folder / "model.g2.cert.vjson").exists())
+        for program in ([BIN / "veritope-check"], [sys.executable, CHECKER_PY]):
+            done = subprocess.run([*program, g2, self.folder / "model.g2.cert"], capture_output=True, text=True, timeout=300)
+            self.assertTrue(done.stdout.startswith("ACCEPT star-box-1"), done)
+
+    def test_of_another_format_a_copy_is_certified_and_kept_beside_the_certificate(self):
+        g2 = self.with_a_plane()
         (one,) = json.loads(run("certify", g2, "--json", "-", "--certificate", self.folder / "model.g2.cert").stdout)["files"]
         copy = self.folder / "model.g2.cert.vjson"
         self.assertEqual((one["verdict"], one["format"], one["copy"]["what"], one["copy"]["of_volumes"]), ("VALID", "g2", "its 6 surfaces", False))
@@ -126,9 +143,7 @@ class CertifyItd(Folder):
         self.assertIn("certified    its 6 surfaces, as .vjson", run("certify", g2).stdout)
 
     def test_a_copy_never_replaces_another_file_of_the_run_and_needs_a_place(self):
-        cube, g2 = self.folder / "cube.itd", self.folder / "model.g2"
-        cube.write_text("".join(map(bezier, UNIT)))
-        self.assertEqual(run("convert", cube, g2).returncode, 0)
+        g2, cube = self.with_a_plane(), self.folder / "cube.itd"
         taken = self.folder / "model.g2.cert.vjson"
         self.assertEqual(run("convert", cube, taken).returncode, 0)
         before = taken.read_bytes()
@@ -142,8 +157,13 @@ class CertifyItd(Folder):
     def test_volumes_are_certified_by_their_boundary_faces(self):
         net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         one = self.certify("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in net))
-        self.assertEqual((one["verdict"], one["copy"]["what"], one["copy"]["of_volumes"]), ("VALID", "the 6 boundary faces of its 1 volume", True))
-        self.assertIn("volume about 1, by boundary faces (checked)", run("certify", self.folder / "model.itd").stdout)
+        self.assertEqual((one["verdict"], one["copy"], one["by_boundary_faces"]), ("VALID", None, True))
+        text = run("certify", self.folder / "model.itd").stdout
+        self.assertIn("volume about 1, by boundary faces (checked)", text)
+        self.assertIn("certified    the 6 boundary faces of its 1 volume, not their cells", text)
+        one = self.certify("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in net), "--orient", "auto")
+        self.assertEqual((one["verdict"], one["copy"]["what"], one["copy"]["of_volumes"], one["by_boundary_faces"]),
+                         ("VALID", "the 6 boundary faces of its 1 volume", True, True))
 
     def test_what_is_malformed_is_refused_with_its_line(self):
         cube = "\n".join(map(bezier, UNIT))

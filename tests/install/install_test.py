@@ -99,8 +99,8 @@ class Installation(unittest.TestCase):
             self.succeed(sys.executable, "-I", checker, EXAMPLES / name, certificate)
         volume, certificate = ROOT / "tests" / "models" / "splines" / "two_cubes.mesh", self.folder / "volume.cert"
         self.assertEqual(self.succeed(program, volume, certificate).splitlines()[0], "VALID star-box-1")
-        self.succeed(self.prefix / "bin" / "veritope-check", f"{certificate}.vjson", certificate)
-        self.succeed(sys.executable, "-I", checker, f"{certificate}.vjson", certificate)
+        self.succeed(self.prefix / "bin" / "veritope-check", volume, certificate)
+        self.succeed(sys.executable, "-I", checker, volume, certificate)
 
     def test_pkg_config_gives_a_consumer_all_that_it_needs(self):
         program = self.folder / "by_pkg_config"

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <string>
 
+#include "io/splines/boundary_faces.h"
 #include "render/draw_scene.h"
 #include "render/rule_colour.h"
+#include "splines/de_boor.h"
 #include "tests/support/paths.h"
 #include "verify/certify/certify_file.h"
 
@@ -123,6 +125,34 @@ TEST(DefectScene, ShowsWhatIsWrongWithPatches) {
     EXPECT_FALSE(scene.legend.empty()) << name;
     EXPECT_GE(count_pixels(scene, colour_of(rule)), kSquareOf12) << name;
   }
+}
+
+// Parts of volumes are drawn where the volume has them, on its boundary faces without the wall.
+TEST(DefectScene, ShowsPartsOfVolumes) {
+  const SplineFile file = std::get<SplineFile>(
+      read_model_file(test::source_dir() + "/tests/models/splines/two_cubes.mesh", {}).value());
+  const BoundaryFaces faces = boundary_faces(file.model).value();
+  const auto& volume = std::get<ExactVolume>(file.model.entities[1].shape);
+  EntityPart edge{1, std::nullopt, {}, std::uint8_t{5}};
+  std::array<Rational, 3> from, to;
+  for (std::size_t k = 0; k < 3; ++k) {
+    from[k] = k == 0 ? volume.axis(k).domain_begin() : volume.axis(k).domain_end();
+    to[k] = volume.axis(k).domain_end();
+    edge.parameters.push_back({nearest_double(from[k]), nearest_double(to[k])});
+  }
+  Finding finding;
+  finding.code = "side-overused";
+  finding.place.parts = {edge};
+  const Scene scene =
+      defect_scene(file.model, std::vector{finding}, std::vector{edge}, 1, &faces).value();
+  EXPECT_EQ(scene.surfaces.size(), 10u);
+  ASSERT_EQ(scene.lines.size(), 1u);
+  for (const auto& [at, p] : {std::pair{from, scene.lines[0].points.front()},
+                              std::pair{to, scene.lines[0].points.back()}}) {
+    const auto exact = point(volume, at).value();
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(p[c], nearest_double(exact[c]));
+  }
+  EXPECT_EQ(scene.markers.size(), 1u);
 }
 
 TEST(DefectScene, OfASoundModelHasNoMarks) {

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""A model for every claim, as the tests of the command line and of the installation certify it."""
+"""A model for every claim and one for every format of spline models, as the tests of the command line and of the installation certify
+them."""
+import itertools
+import json
 import pathlib
 import subprocess
 
@@ -20,6 +23,48 @@ COMMANDS = {
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
     "collar-2": (PATCHES / "normals_zero_at_corners.itd", "--collar"),
 }
+
+
+# The unit cube: corner number i; its faces, outward, each by its corners, u fastest.
+CORNERS = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
+FACES = ((0, 2, 1, 3), (4, 5, 6, 7), (0, 1, 4, 5), (2, 6, 3, 7), (0, 4, 2, 6), (1, 3, 5, 7))
+
+
+def nets(of_volumes):
+    """The control points of the cube as one volume or as its six faces."""
+    return [[CORNERS[i] for i in net] for net in ((range(8),) if of_volumes else FACES)]
+
+
+def as_vjson(of_volumes):
+    n, kind = (3, "volume") if of_volumes else (2, "surface")
+    order = [sum(i << k for k, i in enumerate(index)) for index in itertools.product((0, 1), repeat=n)]     # the last axis fastest
+    shapes = [{"degrees": [1] * n, "periodic": [False] * n, "knots": [["0", "0", "1", "1"]] * n, "rational": False, "components": 3,
+               "points": [[str(x) for x in net[i]] for i in order]} for net in nets(of_volumes)]
+    entities = [{"kind": kind, "group": None, "attributes": [], "shape": shape} for shape in shapes]
+    return ".vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
+
+
+def as_itd(of_volumes):
+    head = "[TRIVAR BEZIER 2 2 2 E3" if of_volumes else "[SURFACE BEZIER 2 2 E3"
+    return ".itd", "".join(head + "".join(" [%d %d %d]" % p for p in net) + "]\n" for net in nets(of_volumes))
+
+
+def as_g2(of_volumes):
+    head = "700 1 0 0\n3 0\n" + 3 * "2 2\n0 0 1 1\n" if of_volumes else "200 1 0 0\n3 0\n" + 2 * "2 2\n0 0 1 1\n"
+    return ".g2", "".join(head + "".join("%d %d %d\n" % p for p in net) for net in nets(of_volumes))
+
+
+def as_mfem(of_volumes):
+    n, shapes = 3 if of_volumes else 2, nets(of_volumes)
+    patches = "".join("1 %d %s\n" % (2 * n - 1, " ".join(str(k * 2 ** n + i) for i in range(2 ** n))) for k in range(len(shapes)))
+    text = "MFEM NURBS mesh v1.0\ndimension\n%d\nelements\n%d\n%sboundary\n0\nedges\n0\nvertices\n%d\npatches\n" % (n, len(shapes), patches, len(shapes) << n)
+    for net in shapes:
+        text += "knotvectors\n%d\n%sdimension\n3\ncontrolpoints\n" % (n, n * "1 2 0 0 1 1\n") + "".join("%d %d %d 1\n" % p for p in net)
+    return ".mesh", text
+
+
+# format of statements: the cube's text, whether as a volume
+FORMATS = {name + faces: (text, bool(faces)) for name, text in (("vjson", as_vjson), ("itd", as_itd), ("g2", as_g2), ("mfem", as_mfem)) for faces in ("", "-faces")}
 
 
 def output_of(*command):
@@ -51,3 +96,32 @@ def assert_every_claim(test, veritope, checkers, folder):
                 damaged = folder / "damaged.cert"
                 damaged.write_bytes(certificate.read_bytes()[:-1])
                 test.assertEqual(output_of(*checker, subject, damaged)[0], 1, checker)
+    assert_every_format(test, veritope, checkers, folder)
+
+
+def formats_of(checker):
+    """The formats of spline models that a checker prints for --claims."""
+    lists = [line.split(" ")[2].split(",") for line in output_of(*checker, "--claims")[1].splitlines()]
+    return {name for names in lists if "vjson" in names for name in names}
+
+
+def assert_every_format(test, veritope, checkers, folder):
+    """A cube in every format is certified in its own bytes, and every checker accepts the certificate, for this cube and no other. A
+    format without a row in FORMATS fails."""
+    for checker in checkers:
+        test.assertEqual(formats_of(checker), set(FORMATS), f"{checker}: formats, and those that this test covers")
+    for name, (text_of, of_volumes) in FORMATS.items():
+        with test.subTest(name):
+            suffix, text = text_of(of_volumes)
+            subject, certificate = folder / f"{name}{suffix}", folder / f"{name}.cert"
+            subject.write_text(text)
+            status, words = output_of(veritope, "certify", "--no-check", subject, "--certificate", certificate)
+            test.assertEqual(status, 0, words)
+            statement = json.loads(certificate.read_bytes().split(b"\n", 1)[0])
+            test.assertEqual((statement["subject_format"], statement["subject_bytes"]), (name, len(text.encode())))
+            for checker in checkers:
+                status, words = output_of(*checker, subject, certificate)
+                test.assertEqual((status, words.split(":")[0].strip()), (0, "ACCEPT star-box-1"), f"{checker}: {words}")
+                other = folder / f"other{suffix}"
+                other.write_text(text.replace("1", "2"))
+                test.assertEqual(output_of(*checker, other, certificate)[:1], (1,), checker)

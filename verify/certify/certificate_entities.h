@@ -4,8 +4,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "io/splines/boundary_faces.h"
 #include "robust/rational.h"
 #include "verify/certify/side_witness.h"
 #include "verify/format/patch_entities.h"
@@ -20,6 +22,8 @@ struct StarBoxEntity {
   bool is_reversed = false;
   std::uint32_t first_patch = 0;
   std::array<std::vector<Rational>, 2> breaks;  ///< a surface's, in the file's order of axes
+  /// Where this boundary face lies, in a file of volumes.
+  std::optional<VolumeFace> face = std::nullopt;
 };
 
 /// Whether numerators and denominators of the breaks have few enough bits for a certificate: 2048.

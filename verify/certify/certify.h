@@ -52,8 +52,8 @@ struct CertifyOptions {
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.
 using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
-/// A .vjson model that was certified in the place of the file: the checkers do not read the file's format, or the file
-/// has volumes.
+/// A .vjson model that was certified in the place of the file: the checkers do not read the file's format or shapes, or
+/// find other boundary faces of its volumes.
 struct CertifiedCopy {
   std::string bytes;
   std::string sha256;          ///< 64 lower-case hexadecimal digits
@@ -76,6 +76,9 @@ struct Certified {
   certificate::Bytes without_collar;
   /// If there is one, the certificate speaks of its bytes, and findings number its entities.
   std::optional<CertifiedCopy> copy;
+  /// For a file of volumes, the shapes that the verdict is about: "the 24 boundary faces of its 7 volumes". It says
+  /// nothing about their cells. Without a copy findings number the volumes.
+  std::optional<std::string> boundary_faces;
 };
 
 /// Decides whether the model in the file bounds a solid, and proves the answer. The certificate speaks of the bytes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "verify/certify/certify_kinds_internal.h"
@@ -47,7 +48,8 @@ std::optional<Finding> uncovered_patches(const FilePatches& patches) {
   const auto at =
       std::find_if_not(patches.entities.begin(), patches.entities.end(), breaks_fit_certificate);
   if (at != patches.entities.end())
-    return not_covered("entity " + std::to_string(at - patches.entities.begin()) +
+    return not_covered(EntityParts(*patches.complex, patches.entities)
+                           .name(static_cast<std::size_t>(at - patches.entities.begin())) +
                        " has longer knots than certificates may be about");
   return std::nullopt;
 }
@@ -78,15 +80,18 @@ std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
 
 class Certification {
  public:
-  Certification(const SplineFile& file, const CertifyOptions& options)
+  /// @param faces  where the surfaces of the file's model lie, if they are boundary faces of its volumes
+  Certification(const SplineFile& file, std::span<const VolumeFace> faces,
+                const CertifyOptions& options)
       : file_(file),
+        faces_(faces),
         options_(options),
         facts_(out_.facts.emplace<PatchFacts>()),
         budget_(memory_allowed(options.max_memory)) {}
 
   Result<Certified> run() {
     if (auto finding = uncovered_content(file_)) return undecided(std::move(*finding));
-    Result<FilePatches> patches = file_patches(file_.model, options_.orientation);
+    Result<FilePatches> patches = file_patches(file_.model, options_.orientation, faces_);
     if (!patches) return patches.error();
     patches_ = std::move(*patches);
     if (patches_.not_covered) return undecided(std::move(*patches_.not_covered));
@@ -165,9 +170,9 @@ class Certification {
     }
     Finding open = *decision().open;
     if (!is_limit(open.code)) open.code = "not-certified";
-    if (open.place.patch)
-      open.place.source.entity = patches_.complex->patch(*open.place.patch).origin().number;
     const EntityParts parts(*patches_.complex, patches_.entities);
+    if (open.place.patch)
+      open.place.source.entity = parts.number_in_file(parts.entity_of(*open.place.patch));
     for (const PatchPart& sheet : decision().facing) open.place.parts.push_back(parts.of(sheet));
     return open;
   }
@@ -234,7 +239,7 @@ class Certification {
 
   void certify() {
     internal::enter(Phase::kCertifying, options_);
-    const certificate::Subject subject = subject_of(file_, options_.tool);
+    const certificate::Subject subject = subject_of(file_, options_.tool, !faces_.empty());
     out_.certificate = collar_.collar ? make_collar_certificate(*decided_.forest, decision().cover,
                                                                 decision().walks, *collar_.collar,
                                                                 patches_.entities, subject)
@@ -244,6 +249,7 @@ class Certification {
   }
 
   const SplineFile& file_;
+  const std::span<const VolumeFace> faces_;
   const CertifyOptions& options_;
   Certified out_;
   PatchFacts& facts_;
@@ -256,17 +262,19 @@ class Certification {
 }  // namespace
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
-  Result<std::optional<StandIn>> made = stand_in_of(file);
+  Result<std::optional<StandIn>> made = stand_in_of(file, options.orientation);
   if (!made) {
     Certified out;
     out.facts.emplace<PatchFacts>();
     out.findings = {not_covered(text_of(finding_of(made.error())))};
     return out;
   }
-  if (!*made) return Certification(file, options).run();
+  if (!*made) return Certification(file, {}, options).run();
   StandIn& stand_in = **made;
-  Result<Certified> out = Certification(stand_in.file, options).run();
-  if (out)
+  Result<Certified> out = Certification(stand_in.file, stand_in.faces, options).run();
+  if (!out) return out;
+  if (stand_in.is_of_volumes) out->boundary_faces = stand_in.what;
+  if (stand_in.is_copy())
     out->copy = {std::move(stand_in.bytes), stand_in.file.sha256, std::move(stand_in.what),
                  stand_in.is_of_volumes};
   return out;

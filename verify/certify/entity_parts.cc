@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "verify/certify/parameter_text.h"
+
 namespace veritope {
 namespace {
 
@@ -18,6 +20,8 @@ std::vector<std::array<double, 2>> outward(const std::vector<Bounds>& bounds) {
   for (const Bounds& b : bounds) out.push_back(outward(b));
   return out;
 }
+constexpr const char* kParameters[] = {"u", "v", "w"};
+
 Bounds exactly(const std::array<double, 2>& b) {
   return {Rational::from_double(b[0]), Rational::from_double(b[1])};
 }
@@ -29,6 +33,60 @@ std::size_t EntityParts::entity_of(std::uint32_t patch) const {
       std::upper_bound(entities_.begin(), entities_.end(), patch,
                        [](std::uint32_t p, const StarBoxEntity& e) { return p < e.first_patch; });
   return static_cast<std::size_t>(next - entities_.begin()) - 1;
+}
+
+std::uint64_t EntityParts::number_in_file(std::size_t entity) const {
+  return entities_[entity].face ? entities_[entity].face->volume : entity;
+}
+
+std::string EntityParts::name(std::size_t entity) const {
+  const auto& face = entities_[entity].face;
+  if (!face) return entity_text(entity);
+  return std::string("face ") + kParameters[face->axis] + " = " + number_text(face->at) + " of " +
+         entity_text(face->volume);
+}
+
+std::string EntityParts::name_of(PatchSide side) const {
+  const auto& face = entities_[entity_of(side.patch)].face;
+  if (!face)
+    return "side " + std::to_string(*of(side, {Rational(0), Rational(1)}).side) + " of " +
+           name_of(side.patch);
+  const std::vector<Bounds> at =
+      in_volume(*face, on_side(side, {Rational(0), Rational(1)}), Bounds{face->at, face->at});
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (at[k][0] == at[k][1])
+      text += (text.empty() ? "edge " : ", ") + std::string(kParameters[k]) + " = " +
+              number_text(at[k][0]);
+  return text + " of " + entity_text(face->volume);
+}
+
+std::size_t EntityParts::parameter(std::uint32_t patch, std::size_t axis) const {
+  const auto& face = entities_[entity_of(patch)].face;
+  return face ? face->axes[axis] : axis;
+}
+std::string EntityParts::parameter_name(std::uint32_t patch, std::size_t axis) const {
+  if (complex_.patch(patch).is_triangle()) return "b" + std::to_string(axis);
+  return kParameters[parameter(patch, axis)];
+}
+
+template <typename Number>
+std::vector<Number> EntityParts::in_volume(const VolumeFace& face, std::vector<Number> parameters,
+                                           const Number& across) const {
+  std::vector<Number> out(3, across);
+  for (std::size_t k = 0; k < 2; ++k) out[face.axes[k]] = std::move(parameters[k]);
+  return out;
+}
+
+EntityPart EntityParts::in_file(EntityPart part) const {
+  const auto& face = entities_[part.entity].face;
+  if (!face) return part;
+  part.entity = face->volume;
+  part.side.reset();
+  part.face = static_cast<std::uint8_t>(2 * face->axis + face->end);
+  part.parameters =
+      in_volume(*face, std::move(part.parameters), outward(Bounds{face->at, face->at}));
+  return part;
 }
 
 Patch EntityParts::file_patch(std::uint32_t patch) const {
@@ -48,21 +106,15 @@ EntityPart EntityParts::of(const PatchRectangle& where) const {
   out.entity = entity_of(where.patch);
   out.parameters =
       outward(on_tensor_form(where.patch, bounds_of(where.at[0]), bounds_of(where.at[1])));
-  return out;
+  return in_file(std::move(out));
 }
 
 EntityPart EntityParts::of(const PatchPlace& where) const {
   EntityPart out;
   out.entity = entity_of(where.patch);
-  for (const Rational& v : point_of(where)) out.parameters.push_back(outward(Bounds{v, v}));
-  return out;
-}
-
-std::vector<Rational> EntityParts::point_of(const PatchPlace& where) const {
-  std::vector<Rational> out;
   const auto& [s, t] = where.at;
-  for (const Bounds& b : on_tensor_form(where.patch, {s, s}, {t, t})) out.push_back(b[0]);
-  return out;
+  out.parameters = outward(on_tensor_form(where.patch, {s, s}, {t, t}));
+  return in_file(std::move(out));
 }
 
 EntityPart EntityParts::of(const PatchPart& part) const {
@@ -76,7 +128,7 @@ EntityPart EntityParts::of(const PatchPart& part) const {
   }
   const Bounds s = exactly(part.parameters[0]), t = exactly(part.parameters[1]);
   out.parameters = outward(is_back ? in_entity(part.patch, t, s) : in_entity(part.patch, s, t));
-  return out;
+  return in_file(std::move(out));
 }
 
 EntityPart EntityParts::of(const SideArc& arc) const { return of(arc.side, bounds_of(arc.at)); }
@@ -87,13 +139,19 @@ EntityPart EntityParts::of(PatchSide side, const Bounds& along) const {
   const std::uint32_t n = complex_.patch(side.patch).num_sides();
   out.side = static_cast<std::uint8_t>(is_reversed(side.patch) ? n - 1 - side.side : side.side);
   out.parameters = outward(on_side(side, along));
-  return out;
+  return in_file(std::move(out));
 }
 
-std::vector<Rational> EntityParts::point_of(PatchSide side, const Rational& t) const {
-  std::vector<Rational> out;
-  for (const Bounds& b : on_side(side, {t, t})) out.push_back(b[0]);
-  return out;
+std::string EntityParts::point_text(PatchSide side, const Rational& t) const {
+  std::vector<Bounds> at = on_side(side, {t, t});
+  std::string names = at.size() == 3 ? "b0, b1, b2" : "u, v", numbers;
+  const std::size_t entity = entity_of(side.patch);
+  if (const auto& face = entities_[entity].face) {
+    at = in_volume(*face, std::move(at), Bounds{face->at, face->at});
+    names = "u, v, w";
+  }
+  for (const Bounds& b : at) numbers += (numbers.empty() ? "" : ", ") + number_text(b[0]);
+  return "(" + names + ") = (" + numbers + ") of " + entity_text(number_in_file(entity));
 }
 
 std::vector<Bounds> EntityParts::on_side(PatchSide of, const Bounds& in_complex) const {

@@ -133,7 +133,9 @@ std::vector<std::uint64_t> FilePatches::reversed() const {
   return out;
 }
 
-Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation) {
+Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation,
+                                 std::span<const VolumeFace> faces) {
+  VT_CHECK(faces.empty() || faces.size() == model.entities.size(), "a place for each face");
   Result<PatchSource> source = patch_source(model);
   if (!source) return source.error();
   FilePatches out;
@@ -153,6 +155,7 @@ Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orie
     out.entities.push_back({surface != nullptr, false,
                             static_cast<std::uint32_t>(source->entities[e].first_patch),
                             std::move(source->entities[e].breaks)});
+    if (!faces.empty()) out.entities.back().face = faces[e];
   }
   Result<PatchComplex> complex = make_patch_complex(std::move(source->patches), orientation);
   if (!complex) return complex.error();
@@ -172,11 +175,11 @@ FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions
   return decide_once(patches, options);
 }
 
-certificate::Subject subject_of(const SplineFile& file, const std::string& tool) {
+certificate::Subject subject_of(const SplineFile& file, const std::string& tool, bool by_faces) {
   certificate::Subject out;
   out.sha256 = file.sha256;
   out.bytes = file.bytes;
-  out.format = spline_format_name(file.format);
+  out.format = std::string(spline_format_name(file.format)) + (by_faces ? "-faces" : "");
   out.tool = tool;
   return out;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,10 @@ struct FilePatches {
   std::vector<std::uint64_t> reversed() const;
 };
 
+/// @param faces  where the surfaces of the model lie, if they are the boundary faces of a file's volumes
 /// @error kEmpty: no surface and no triangle; kOverLimit, kBadArgument: as patch_source and make_patch_complex
-Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation);
+Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation,
+                                 std::span<const VolumeFace> faces = {});
 
 /// The frame that the search may use.
 enum class FrameWanted {
@@ -72,8 +75,9 @@ struct FileDecision {
 /// Changes `patches` only where shells are reversed. REQUIRES patches.complex.
 FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions& options);
 
-/// Names the bytes that were read as certificates do.
-certificate::Subject subject_of(const SplineFile& file, const std::string& tool);
+/// Names the bytes that were read as certificates do. `by_faces`: their entities are boundary faces.
+certificate::Subject subject_of(const SplineFile& file, const std::string& tool,
+                                bool by_faces = false);
 
 /// Calls make_patch_certificate. REQUIRES a decision of these patches that is not open.
 certificate::Bytes make_patch_certificate(const FilePatches& patches, const FileDecision& decided,

@@ -17,11 +17,4 @@ std::string number_text(const Rational& value) {
 }
 std::string entity_text(std::uint64_t entity) { return "entity " + std::to_string(entity); }
 
-std::string place_text(const std::vector<Rational>& parameters, std::uint64_t entity) {
-  std::string numbers;
-  for (const Rational& p : parameters) numbers += (numbers.empty() ? "" : ", ") + number_text(p);
-  return std::string(parameters.size() == 3 ? "(b0, b1, b2)" : "(u, v)") + " = (" + numbers +
-         ") of " + entity_text(entity);
-}
-
 }  // namespace veritope

@@ -3,7 +3,6 @@
 #pragma once
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "robust/rational.h"
 
@@ -13,7 +12,5 @@ namespace veritope {
 std::string number_text(const Rational& value);
 /// "entity 7".
 std::string entity_text(std::uint64_t entity);
-/// "(u, v) = (1/2, 1) of entity 7"; three parameters are barycentric coordinates.
-std::string place_text(const std::vector<Rational>& parameters, std::uint64_t entity);
 
 }  // namespace veritope

@@ -42,7 +42,6 @@ class Reasons {
   void add(Finding finding) {
     if (out_.size() < most_) out_.push_back(std::move(finding));
   }
-  std::uint64_t entity(std::uint32_t patch) const { return parts_.entity_of(patch); }
   EntityPart whole(std::uint32_t patch) const {
     const std::size_t n = complex_.patch(patch).is_triangle() ? 3 : 2;
     return parts_.of(PatchPart{patch, std::vector<std::array<double, 2>>(n, {0, 1})});
@@ -50,7 +49,7 @@ class Reasons {
   Finding about(std::uint32_t patch) const {
     Finding out;
     out.place.patch = patch;
-    out.place.source.entity = entity(patch);
+    out.place.source.entity = parts_.number_in_file(parts_.entity_of(patch));
     return out;
   }
 
@@ -59,9 +58,9 @@ class Reasons {
     Finding out = about(again);
     out.code = "patch-repeated";
     out.place.parts = {whole(first), whole(again)};
-    out.message = "a patch of " + entity_text(entity(again)) + " is one of " +
-                  entity_text(entity(first)) + " again" +
-                  (f.has_other_normal ? ", with the other normal" : "") + ": delete one of the two";
+    out.message = "a patch of " + parts_.name_of(again) + " is one of " + parts_.name_of(first) +
+                  " again" + (f.has_other_normal ? ", with the other normal" : "") +
+                  ": delete one of the two";
     return out;
   }
 
@@ -69,7 +68,7 @@ class Reasons {
     Finding out = about(d.patch);
     out.place.parts = {whole(d.patch)};
     out.place.near = finite(approx_point(complex_.patch(d.patch).corner(0)));
-    const std::string name = entity_text(entity(d.patch));
+    const std::string name = parts_.name_of(d.patch);
     if (d.kind != PatchDegeneracy::Kind::kSingularLine) {
       out.code = "patch-degenerate";
       out.message =
@@ -98,7 +97,7 @@ class Reasons {
         out.place.parts = {parts_.of(side, {Rational(0), Rational(1)})};
         out.place.near = finite(approx_point(complex_.patch(p).corner(s)));
         out.message =
-            "a line inside of " + entity_text(entity(p)) +
+            "a line inside of " + parts_.name_of(p) +
             ", where it is cut, is mapped to one point: different places of the surface have "
             "one image; make two surfaces of it there";
         add(std::move(out));
@@ -115,9 +114,8 @@ class Reasons {
     const bool is_triangle = complex_.patch(d.patch).is_triangle();
     std::size_t axis = d.axis;
     if (parts_.is_reversed(d.patch)) axis = is_triangle ? (3 - axis) % 3 : 1 - axis;
-    const std::string name =
-        is_triangle ? "b" + std::to_string(axis) : std::string(axis == 0 ? "u" : "v");
-    const auto& [lo, hi] = part.parameters[axis];
+    const std::string name = parts_.parameter_name(d.patch, axis);
+    const auto& [lo, hi] = part.parameters[parts_.parameter(d.patch, axis)];
     if (lo == hi) return name + " = " + number_text(Rational::from_double(lo));
     return name + " = approximately " + std::to_string(lo);
   }
@@ -143,21 +141,15 @@ class Reasons {
                        parts_.of(t.neighbour, {Rational(0), Rational(1)})};
     const auto corner = complex_.patch(t.corner.patch).corner(t.corner.corner);
     out.place.near = finite(approx_point(corner));
-    const std::uint64_t long_one = out.place.parts[0].entity;
-    out.message = "a corner of " + entity_text(entity(t.corner.patch)) + " lies inside side " +
-                  std::to_string(*out.place.parts[0].side) + " of " + entity_text(long_one) +
-                  ", along which the two agree: insert a vertex at " +
-                  place_text(parts_.point_of(t.side, t.at), long_one) +
-                  " (veritope convert --rejoin does)";
+    out.message = "a corner of " + parts_.name_of(t.corner.patch) + " lies inside " +
+                  parts_.name_of(t.side) + ", along which the two agree: insert a vertex at " +
+                  parts_.point_text(t.side, t.at) + " (veritope convert " +
+                  (out.place.parts[0].face ? "--faces " : "") + "--rejoin does)";
     return out;
   }
 
   std::string two_sides(PatchSide a, PatchSide b) const {
-    const auto text = [&](PatchSide s) {
-      return "side " + std::to_string(*parts_.of(s, {Rational(0), Rational(1)}).side) + " of " +
-             entity_text(entity(s.patch));
-    };
-    return text(a) + " and " + text(b);
+    return parts_.name_of(a) + " and " + parts_.name_of(b);
   }
   Finding of_sides(PatchSide a, PatchSide b) const {
     Finding out = about(a.patch);
@@ -226,8 +218,7 @@ std::string repetition_text(const FilePatches& patches, const SideWitness& witne
     if (f.defect != PatchDefect::kRepeatedPatch) continue;
     const std::uint32_t first = f.sides[0].patch, again = f.sides[1].patch;
     if (is_of_witness(first) && is_of_witness(again))
-      return "; " + entity_text(parts.entity_of(again)) + " is " +
-             entity_text(parts.entity_of(first)) + " again";
+      return "; " + parts.name_of(again) + " is " + parts.name_of(first) + " again";
   }
   return "";
 }

@@ -46,10 +46,13 @@ class FactFinder {
     for (const PatchRectangle& sheet : w.sheets) out.place.parts.push_back(parts_.of(sheet));
     out.place.near = middle_of(patches[0], w.sheets[0]);
     out.place.box = common(hull_of(patches[0], w.sheets[0]), hull_of(patches[1], w.sheets[1]));
-    const std::uint64_t a = out.place.parts[0].entity, b = out.place.parts[1].entity;
+    const std::size_t a = parts_.entity_of(found.sheets[0].patch);
+    const std::size_t b = parts_.entity_of(found.sheets[1].patch);
+    const bool are_faces = out.place.parts[0].face.has_value();
     out.message =
-        (a == b ? "entity " + std::to_string(a) + " crosses itself"
-                : "entities " + std::to_string(a) + " and " + std::to_string(b) + " cross") +
+        (a == b      ? parts_.name(a) + " crosses itself"
+         : are_faces ? parts_.name(a) + " and " + parts_.name(b) + " cross"
+                     : "entities " + std::to_string(a) + " and " + std::to_string(b) + " cross") +
         " near " + point_text(*out.place.near);
     return out;
   }
@@ -62,16 +65,14 @@ class FactFinder {
     const PatchPoint p = point_of(complex_, found);
     out.witness.point = RationalPoint{{p[0], p[1], p[2]}};
     out.place.near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
-    const EntityPart& first = out.place.parts.front();
-    const std::string side =
-        "side " + std::to_string(*first.side) + " of entity " + std::to_string(first.entity);
+    const std::string side = parts_.name_of(found.arcs.front().side);
     if (n == 1) {
       out.code = "side-open";
       out.message = side + " is an open border";
     } else if (n == 2) {
       out.code = "side-direction";
-      out.message = side + " and side " + std::to_string(*out.place.parts[1].side) + " of entity " +
-                    std::to_string(out.place.parts[1].entity) + " run in the same direction";
+      out.message =
+          side + " and " + parts_.name_of(found.arcs[1].side) + " run in the same direction";
     } else {
       out.code = "side-overused";
       out.message = side + " and " + std::to_string(n - 1) + " other sides are one curve";
@@ -91,8 +92,8 @@ class FactFinder {
     const PatchPoint p = point_of(complex_, found);
     out.witness.point = RationalPoint{{p[0], p[1], p[2]}};
     out.place.near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
-    out.message = text_of(w.cause, entity_text(out.place.parts[0].entity),
-                          entity_text(out.place.parts[1].entity));
+    out.message =
+        text_of(w.cause, parts_.name_of(w.places[0].patch), parts_.name_of(w.places[1].patch));
     if (is_finite(*out.place.near)) out.message += ", near " + point_text(*out.place.near);
     return out;
   }
@@ -107,9 +108,8 @@ class FactFinder {
         parts_.of(PatchRectangle{patch, {DyadicInterval::whole(), DyadicInterval::whole()}}));
     out.message =
         "the winding number is " + std::to_string(reversed.winding) +
-        " on the inner side of shell " + std::to_string(reversed.shell) + " (entity " +
-        std::to_string(out.place.parts[0].entity) + ") and " +
-        std::to_string(reversed.winding - 1) +
+        " on the inner side of shell " + std::to_string(reversed.shell) + " (" +
+        parts_.name_of(patch) + ") and " + std::to_string(reversed.winding - 1) +
         " on its outer side, not 1 and 0: its normals point the wrong way, or it is wrongly "
         "nested";
     return out;

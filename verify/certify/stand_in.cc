@@ -61,8 +61,34 @@ bool has_left_out_shapes(const SplineFile& file) {
     if (l.is_geometry) return true;
   return false;
 }
-bool is_read_by_checkers(SplineFormat format) {
-  return format == SplineFormat::kJson || format == SplineFormat::kItd;
+// Whether there is a reading rule for the file's bytes: docs/certificates.
+bool is_read_by_checkers(const SplineFile& file) {
+  return file.format != SplineFormat::kGismo && !file.has_converted_shapes;
+}
+
+std::string faces_text(std::uint64_t faces, std::uint64_t volumes, std::uint64_t flat) {
+  std::string out =
+      "the " + counted(faces, "boundary face") + " of its " + counted(volumes, "volume");
+  if (flat != 0) out += ", without " + counted(flat, "face") + " that have no area";
+  return out;
+}
+
+// The file with its boundary faces as its model; nothing if there is no rule for it, or if the rule finds other faces
+// than these.
+std::optional<StandIn> in_own_bytes(const SplineFile& file, const VolumeFaces& pieces) {
+  if (!is_read_by_checkers(file)) return std::nullopt;
+  Result<BoundaryFaces> faces = boundary_faces(file.model);
+  if (!faces || !have_same_pieces(*faces, pieces.patches)) return std::nullopt;
+  StandIn out;
+  out.is_of_volumes = true;
+  out.what = faces_text(faces->faces.size(), file.model.entities.size(), faces->num_flat);
+  out.faces = std::move(faces->faces);
+  out.file.model = std::move(faces->model);
+  out.file.format = file.format;
+  out.file.bytes = file.bytes;
+  out.file.sha256 = file.sha256;
+  out.file.beyond_default_limits = file.beyond_default_limits;
+  return out;
 }
 
 }  // namespace
@@ -96,21 +122,20 @@ std::optional<std::string> uncovered_shapes(const SplineFile& file) {
          ": such shapes are no part of a boundary";
 }
 
-Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
+Result<std::optional<StandIn>> stand_in_of(const SplineFile& file, PatchOrientation orientation) {
   const Content c(file.model);
   const bool has_volumes = c.volumes != 0;
   if (has_left_out_shapes(file) || uncovered_shapes(file) || file.model.entities.empty())
     return std::optional<StandIn>();
-  if (!has_volumes && is_read_by_checkers(file.format)) return std::optional<StandIn>();
+  if (!has_volumes && is_read_by_checkers(file)) return std::optional<StandIn>();
   StandIn out;
   out.is_of_volumes = has_volumes;
   if (has_volumes) {
     Result<VolumeFaces> faces = volume_faces(file.model);
     if (!faces) return faces.error();
-    out.what = "the " + counted(faces->patches.size(), "boundary face") + " of its " +
-               counted(c.volumes, "volume");
-    if (faces->num_flat != 0)
-      out.what += ", without " + counted(faces->num_flat, "face") + " that have no area";
+    if (orientation == PatchOrientation::kKeep)
+      if (auto own = in_own_bytes(file, *faces)) return own;
+    out.what = faces_text(faces->patches.size(), c.volumes, faces->num_flat);
     out.bytes = spline_json_bytes(model_of(faces->patches));
   } else {
     out.what = "its " + patches_text(c);

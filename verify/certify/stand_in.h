@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/stand_in.h: what certificates speak of where they cannot speak of a spline file itself: a .vjson model
-// with its surfaces and triangles, or with the boundary faces of its volumes.
+// verify/certify/stand_in.h: what certificates speak of where that is not the entities of the spline file itself: the
+// boundary faces of its volumes, or a .vjson model with its surfaces and triangles or these faces.
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "io/splines/boundary_faces.h"
 #include "io/splines/read_splines.h"
 #include "robust/base/result.h"
+#include "solids/patches/patch_complex.h"
 
 namespace veritope {
 
 struct StandIn {
-  std::string bytes;  ///< of a .vjson file
-  SplineFile file;    ///< these bytes, read
+  std::string
+      bytes;  ///< of a .vjson file, the copy; empty: certificates speak of the file's own bytes
+  SplineFile file;  ///< the copy, read; or the file with its boundary faces as its model
+  std::vector<VolumeFace> faces;  ///< without a copy: where each of these faces lies
   std::string what;   ///< "its 7 surfaces", "the 24 boundary faces of its 7 volumes"
   bool is_of_volumes = false;
+
+  bool is_copy() const { return !bytes.empty(); }
 };
 
-/// Nothing for a file of a format that the checkers read, unless it has volumes; and nothing where there is no such
-/// model: entities that are not in space, or that are neither surfaces, triangles nor volumes; volumes beside others; a
-/// file from which shapes were left out.
+/// Nothing for a file of surfaces and triangles that the checkers read, and nothing where there is no such model:
+/// entities that are not in space, or that are neither surfaces, triangles nor volumes; volumes beside others; a file
+/// from which shapes were left out. Volumes of a file that the checkers read have a copy only where the faces of
+/// boundary_faces do not have the pieces of volume_faces, and if the orientation is not kKeep (reversed faces are
+/// numbered in it).
 /// @error as volume_faces, with the entity
-Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
+Result<std::optional<StandIn>> stand_in_of(const SplineFile& file, PatchOrientation orientation);
 
 /// Why certificates cannot speak of the file or of a stand-in for it, in words that say what the file holds, and what
 /// helps if something does. Nothing if they can.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/splines/boundary_faces.h: the boundary faces of volumes as B-spline surfaces, as certificates number them.
+// The rule: docs/certificates/reading-rule-faces.md, which the checkers implement independently.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/splines/spline_model.h"
+#include "robust/base/result.h"
+#include "solids/patches/patch.h"
+
+namespace veritope {
+
+/// Where a face lies on its volume.
+struct VolumeFace {
+  std::uint64_t volume = 0;           ///< an entity of the model
+  std::size_t axis = 0, end = 0;      ///< the axis across; 0: where it begins, 1: where it ends
+  std::array<std::size_t, 2> axes{};  ///< the volume's axes that are the face's u and v
+  Rational at;                        ///< the volume's parameter across
+};
+
+struct BoundaryFaces {
+  SplineModel model;              ///< surfaces, without groups and attributes
+  std::vector<VolumeFace> faces;  ///< one for each of them; by volume, axis and end
+  std::uint64_t num_flat = 0;     ///< faces without area that were left out
+  std::uint64_t num_walls = 0;    ///< pairs of faces that were left out
+};
+/// @error  where the rule refuses the model, with the entity: kBadArgument for one that is not a volume in space, that
+/// has an axis without clamped ends or with a knot at which it may be torn, or too long numbers. kEmpty if no face is
+/// left.
+/// @cost  near-linear in the control points of the faces
+Result<BoundaryFaces> boundary_faces(const SplineModel& model);
+
+/// Whether the Bezier pieces of the faces are these patches, in whatever order and parametrisation by turned domains,
+/// with the same normals.
+bool have_same_pieces(const BoundaryFaces& faces, std::span<const Patch> patches);
+
+}  // namespace veritope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// docs/certificates/reading-rule-faces.md, by the kernel.
+// docs/certificates/reading-rule-faces.md, by the kernel. tests/certify/reading_rules_test.cc compares a checker with it.
 #include "io/splines/boundary_faces.h"
 
 #include <algorithm>

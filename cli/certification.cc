@@ -172,7 +172,7 @@ class Certification {
     try {
       const unsigned jobs = static_cast<unsigned>(settings_.reading.jobs);
       Result<std::string> picture =
-          picture_of(model_, stand_in_, report_, *settings_.picture, jobs);
+          picture_of(model_, drawn_copy(), report_, *settings_.picture, jobs);
       if (picture)
         picture_ = std::move(*picture);
       else
@@ -192,9 +192,19 @@ class Certification {
   }
 
   void set_copy(CertifiedCopy copy) {
-    stand_in_ = std::move(copy.bytes);
-    report_.copy = CopyReport{
-        {}, std::move(copy.sha256), stand_in_->size(), std::move(copy.what), copy.is_of_volumes};
+    stand_in_ = {std::move(copy.format), std::move(copy.bytes)};
+    report_.copy = CopyReport{{},
+                              std::move(copy.sha256),
+                              stand_in_->bytes.size(),
+                              std::move(copy.what),
+                              copy.is_of_volumes,
+                              stand_in_->format};
+  }
+
+  // The copy that findings are about, unless the file was read as the same mesh.
+  std::optional<std::string> drawn_copy() const {
+    if (!stand_in_ || std::holds_alternative<MeshFile>(model_)) return std::nullopt;
+    return stand_in_->bytes;
   }
 
   // The cells are too many for the checker; the star boxes alone may not be.
@@ -221,7 +231,7 @@ class Certification {
     std::optional<ScratchFile> copy;
     if (stand_in_ || needs_copy()) {
       Result<ScratchFile> made = ScratchFile::with(
-          stand_in_ ? std::string_view(*stand_in_)
+          stand_in_ ? std::string_view(stand_in_->bytes)
                     : std::string_view(reinterpret_cast<const char*>(copy_.data()), copy_.size()));
       if (!made) return give_up(kExitUnreadable, finding_of(made.error()));
       copy.emplace(std::move(*made));
@@ -280,7 +290,7 @@ class Certification {
     report_.verdict = verdict_;
     report_.exit = verdict_ == Verdict::kValid ? kExitValid : kExitInvalid;
     if (!keep_) return;
-    const Result<KeptFiles> kept = keep_(as_text(bytes_), stand_in_);
+    const Result<KeptFiles> kept = keep_(as_text(bytes_), stand_in_ ? &*stand_in_ : nullptr);
     if (kept) {
       report_.certificate->path = kept->certificate;
       if (kept->copy) report_.copy->path = kept->copy;
@@ -294,7 +304,8 @@ class Certification {
     const std::string name = report_.path == "-" ? "FILE" : shell_word(report_.path);
     return "this is a bug of veritope, not of your file: please report it with the file, or with "
            "what this prints: veritope certify --no-check --certificate bug.cert " +
-           own_options() + name + "; veritope-check " + (stand_in_ ? copy_path("bug.cert") : name) +
+           own_options() + name + "; veritope-check " +
+           (stand_in_ ? copy_path("bug.cert", stand_in_->format) : name) +
            " bug.cert; veritope --version";
   }
 
@@ -320,7 +331,7 @@ class Certification {
   FileReport report_;
   ModelFile model_;
   ByteBuffer copy_;                      ///< if needs_copy(): the input, for the checker
-  std::optional<std::string> stand_in_;  ///< the model that was certified in the place of the file
+  std::optional<StandInBytes> stand_in_;  ///< the model that was certified in the place of the file
   Verdict verdict_ = Verdict::kUndecided;
   certificate::Bytes bytes_, without_collar_;
   std::string claim_, picture_;

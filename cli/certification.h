@@ -25,14 +25,19 @@ struct CertifySettings {
   std::optional<PictureKind> picture;
 };
 
+/// The model that was certified in the place of the file.
+struct StandInBytes {
+  std::string format;
+  std::string bytes;
+};
 struct KeptFiles {
   std::string certificate;
   std::optional<std::string> copy;
 };
-/// Keeps the bytes of a certificate that was accepted, and of the copy that was certified if there is one, and returns
+/// Keeps the bytes of a certificate that was accepted, and of the copy that was certified unless it is null. Returns
 /// the names of the files; nothing for a copy that has no place. @error kCannotWrite
-using KeepCertificate = std::function<Result<KeptFiles>(std::string_view certificate,
-                                                        std::optional<std::string_view> copy)>;
+using KeepCertificate =
+    std::function<Result<KeptFiles>(std::string_view certificate, const StandInBytes* copy)>;
 
 struct CertifiedFile {
   report::FileReport report;

@@ -91,13 +91,13 @@ bool is_file(const std::string& path) {
 // Keeps certificate i, and what was certified, where the plan says.
 KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& out) {
   if (plan.certificates.empty()) return {};
-  return [&plan, i, &out](std::string_view bytes,
-                          std::optional<std::string_view> copy) -> Result<KeptFiles> {
+  return [&plan, i, &out](std::string_view bytes, const StandInBytes* copy) -> Result<KeptFiles> {
     make_folders_of_certificate(plan, i);
     KeptFiles kept{plan.certificates[i], {}};
     // Beside a pipe or a device there is no place for it.
-    if (copy && is_file_or_new(kept.certificate)) kept.copy = copy_path(kept.certificate);
-    const Status status = kept.copy ? write_files(std::array{WholeFile{*kept.copy, *copy},
+    if (copy != nullptr && is_file_or_new(kept.certificate))
+      kept.copy = copy_path(kept.certificate, copy->format);
+    const Status status = kept.copy ? write_files(std::array{WholeFile{*kept.copy, copy->bytes},
                                                              WholeFile{kept.certificate, bytes}})
                                     : write_output(kept.certificate, bytes, out);
     if (!status) return status.error();

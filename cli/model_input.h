@@ -13,7 +13,8 @@ class ModelInput {
   ModelInput(std::string path, const ModelReadOptions& options)
       : path_(std::move(path)), options_(options) {}
 
-  /// Decided by --format or the ending of the name, else by the content. An input that cannot be read or recognised
+  /// Decided by --format or the ending of the name, else by the content; .itd files are read, since those with polygons
+  /// only are meshes. An input that cannot be read or recognised
   /// counts as a mesh: take() reports what is wrong with it.
   ModelKind kind();
 
@@ -22,10 +23,13 @@ class ModelInput {
 
  private:
   const Result<ModelBytes>& bytes();
+  /// Nothing: it cannot be read or recognised.
+  std::optional<FormatId> format();
 
   std::string path_;
   const ModelReadOptions& options_;
   std::optional<Result<ModelBytes>> bytes_;
+  std::optional<Result<ModelFile>> model_;
 };
 
 }  // namespace veritope::cli

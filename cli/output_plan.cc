@@ -99,10 +99,17 @@ Status try_certificate(const std::string& path, const OutputPlan& plan) {
   return check_new_folder(folder);
 }
 
+// The certificate, and whatever may be kept beside it.
+std::vector<std::string> with_copies(const std::string& certificate) {
+  std::vector<std::string> out = {certificate};
+  for (const char* const format : kCopyFormats) out.push_back(copy_path(certificate, format));
+  return out;
+}
+
 Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& plan,
                      const std::optional<std::string>& json) {
   for (const std::string& path : plan.certificates) {
-    for (const std::string& output : {path, copy_path(path)}) {
+    for (const std::string& output : with_copies(path)) {
       if (Status status = refuse_same(inputs, output); !status) return status;
       if (json && *json != "-" && same_target(*json, output))
         return bad_argument("--json and --certificate would both write " + output);
@@ -145,9 +152,11 @@ Status check_output(const std::string& option, const std::string& path,
   };
   if (json && *json != "-" && is_taken(*json))
     return bad_argument(option + " and --json would both write " + path);
-  for (const std::string& certificate : plan.certificates)
-    if (is_taken(certificate) || is_taken(copy_path(certificate)))
+  for (const std::string& certificate : plan.certificates) {
+    const std::vector<std::string> taken = with_copies(certificate);
+    if (std::any_of(taken.begin(), taken.end(), is_taken))
       return bad_argument(option + " and --certificate would both write " + path);
+  }
   if (plan.new_folder && without_slashes(path) == *plan.new_folder)
     return bad_argument(option + " and --certificate would both make " + path);
   return is_in_new_folder ? ok_status() : try_output(path);

@@ -5,6 +5,7 @@
 
 #include "io/base/scan.h"
 #include "io/foreign_content.h"
+#include "io/itd_polygons.h"
 #include "io/mesh/sniff.h"
 #include "io/mesh/write_mesh.h"
 #include "io/splines/spline_sniff.h"
@@ -61,6 +62,23 @@ ModelFormat splines(std::vector<std::string_view> endings, LooksLike looks_like)
           can_write(kFormat) ? write<kFormat> : nullptr};
 }
 
+// A file whose only shapes are polygons is a mesh, unless splines are required.
+Result<ModelFile> read_itd_file(const Source& source, const ModelReadOptions& options) {
+  Result<SplineFile> splines = read_splines(SplineFormat::kItd, source, options.limits);
+  if (!splines) return splines.error();
+  if (options.kind == ModelKind::kSplines || !holds_only_polygons(*splines))
+    return ModelFile(std::move(*splines));
+  Result<MeshFile> mesh = read_itd_polygons(source, *splines, options.limits);
+  if (!mesh) return mesh.error();
+  return ModelFile(std::move(*mesh));
+}
+
+ModelFormat itd() {
+  ModelFormat row = splines<SplineFormat::kItd>({"itd"}, looks_like_itd);
+  row.read = read_itd_file;
+  return row;
+}
+
 // The table. Meshes come first: content that looks like both a mesh and splines is read as a mesh.
 const std::vector<ModelFormat>& rows() {
   static const std::vector<ModelFormat> table = {
@@ -68,7 +86,7 @@ const std::vector<ModelFormat>& rows() {
       mesh<MeshFormat::kObj>({"obj"}, looks_like_obj, binary_guess),
       mesh<MeshFormat::kPly>({"ply"}, looks_like_ply),
       mesh<MeshFormat::kOff>({"off"}, looks_like_off, binary_guess),
-      splines<SplineFormat::kItd>({"itd"}, looks_like_itd),
+      itd(),
       splines<SplineFormat::kG2>({"g2"}, looks_like_g2),
       splines<SplineFormat::kMfem>({"mfem", "mesh"}, looks_like_mfem),
       splines<SplineFormat::kGismo>({"gismo", "xml"}, looks_like_gismo),

@@ -20,7 +20,8 @@ struct ModelFormat {
   std::vector<std::string_view> endings;
   /// Whether the bytes look like this format. The first row that accepts them wins.
   bool (*looks_like)(const Source& source);
-  /// REQUIRES that the source is not empty. Does not set sha256 and the seconds.
+  /// REQUIRES that the source is not empty. Does not set sha256 and the seconds. The file is of this format's kind, or
+  /// a mesh: the polygons of an .itd file, unless options.kind is kSplines.
   Result<ModelFile> (*read)(const Source& source, const ModelReadOptions& options);
   /// For messages; may be null. What a refused file of this format may have been meant to be; may be empty.
   std::string (*second_guess)(const Source& source);

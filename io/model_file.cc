@@ -33,6 +33,8 @@ const char* title_of(ModelKind kind) {
 }
 
 FormatId format_of(const ModelFile& file) {
+  const auto* const mesh = std::get_if<MeshFile>(&file);
+  if (mesh != nullptr && mesh->copy) return SplineFormat::kItd;  // its polygons
   return std::visit([](const auto& f) -> FormatId { return facts_of(f).format; }, file);
 }
 

@@ -50,7 +50,7 @@ std::optional<std::uint64_t> num_bytes(const FileReport& report) {
 
 std::optional<std::string> format_name(const FileReport& report) {
   if (const auto* mesh = std::get_if<ReadReport>(&report.source))
-    return mesh_format_name(mesh->format);
+    return mesh->container.empty() ? mesh_format_name(mesh->format) : mesh->container;
   if (const auto* splines = std::get_if<SplineSource>(&report.source))
     return spline_format_name(splines->format);
   if (const auto* plain = std::get_if<PlainSource>(&report.source)) return plain->format;

@@ -27,13 +27,14 @@ struct CertificateReport {
   bool is_checked = false;  ///< false: --no-check
 };
 
-/// A .vjson model that was certified in the place of the file.
+/// A model that was certified in the place of the file.
 struct CopyReport {
   std::optional<std::string> path;  ///< nothing: a temporary one
   std::string sha256;
   std::uint64_t bytes = 0;
   std::string what;  ///< what of the file it has
   bool is_of_volumes = false;
+  std::string format = "vjson";
 };
 
 /// Wall-clock seconds of the phases that took place.

@@ -43,7 +43,9 @@ std::string info_json(const InfoReport& report) {
   out["path"] = report.path;
   out["sha256"] = file != nullptr ? Json(file->sha256) : Json(nullptr);
   out["bytes"] = count(&ReadReport::bytes);
-  out["format"] = r != nullptr ? Json(mesh_format_name(r->format)) : Json(nullptr);
+  out["format"] = r == nullptr           ? Json(nullptr)
+                  : r->container.empty() ? Json(mesh_format_name(r->format))
+                                         : Json(r->container);
   out["variant"] = r != nullptr ? Json(r->variant) : Json(nullptr);
   out["as_indexed"] = report.as_indexed;
   out["exit"] = static_cast<int>(report.exit);

@@ -153,6 +153,7 @@ void put_mesh_source(const FileReport& report, Json& out) {
   const ReadReport* const r = reading_of(report);
   out["variant"] = r != nullptr ? Json(r->variant) : Json(nullptr);
   out["as_indexed"] = r != nullptr && r->as_indexed;
+  out["copy"] = internal::copy_json(report.copy);
 }
 
 void put_mesh_facts(const FileReport& report, Json& out) {
@@ -186,6 +187,15 @@ Json ignored_json(const ReadReport* report) {
     out.push_back({{"what", what}, {"count", count}});
   }
   return out;
+}
+
+Json copy_json(const std::optional<CopyReport>& copy) {
+  if (!copy) return nullptr;
+  return {{"path", optional_json(copy->path)},
+          {"sha256", copy->sha256},
+          {"bytes", copy->bytes},
+          {"what", copy->what},
+          {"of_volumes", copy->is_of_volumes}};
 }
 
 Json notices_json(const ReadReport* report) {

@@ -116,16 +116,7 @@ Json open_sides_json(const PatchFacts& f) {
 
 void put_patch_source(const FileReport& report, Json& out) {
   out["by_boundary_faces"] = report.boundary_faces.has_value();
-  if (!report.copy) {
-    out["copy"] = nullptr;
-    return;
-  }
-  const CopyReport& c = *report.copy;
-  out["copy"] = {{"path", optional_json(c.path)},
-                 {"sha256", c.sha256},
-                 {"bytes", c.bytes},
-                 {"what", c.what},
-                 {"of_volumes", c.is_of_volumes}};
+  out["copy"] = internal::copy_json(report.copy);
 }
 
 void put_patch_facts(const FileReport& report, Json& out) {

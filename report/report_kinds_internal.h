@@ -13,6 +13,9 @@ namespace veritope::report::internal {
 // Shells, places and the like: a soup of triangles has millions. JSON lists the first of them, texts show a few.
 inline constexpr std::size_t kMostListed = 100'000, kMostShown = 8;
 
+/// Null without a copy.
+Json copy_json(const std::optional<CopyReport>& copy);
+
 struct ReportKind {
   /// Keys between "format" and "verdict", and between "error" and "certificate".
   void (*put_source)(const FileReport& report, Json& out);

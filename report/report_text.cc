@@ -38,7 +38,7 @@ std::string certified_text(const FileReport& report) {
                ? detail_line("certified", *report.boundary_faces + ", not their cells")
                : "";
   const CopyReport& c = *report.copy;
-  std::string text = c.what + (c.is_of_volumes ? ", not their cells" : "") + ", as .vjson";
+  std::string text = c.what + (c.is_of_volumes ? ", not their cells" : "") + ", as ." + c.format;
   if (c.path)
     text += " in " + unbroken(harmless(*c.path));
   else if (report.certificate && !report.certificate->path)

@@ -3,6 +3,7 @@
 // The rule: docs/certificates/reading-rule-1.md, version 1. The checkers implement the same page on their own.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,9 +24,11 @@ struct ReadNotice {
 
 /// What was read, and what was ignored.
 struct ReadReport {
-  MeshFormat format = MeshFormat::kStl;
+  MeshFormat format = MeshFormat::kStl;  ///< of the copy, if there is one
+  /// The name of the file's format, if it is not one of the reading rule: "itd"; else empty.
+  std::string container;
   std::string variant;  ///< stl-ascii, stl-binary, obj, ply-ascii, ply-binary-little-endian,
-                        ///< ply-binary-big-endian, off
+                        ///< ply-binary-big-endian, off; itd
   std::uint64_t bytes = 0;
   bool as_indexed = false;  ///< the file's own vertex indices were kept: requested, and not STL
   std::uint64_t file_vertices =
@@ -40,6 +43,13 @@ struct ReadReport {
   std::vector<ReadNotice> notices;
 };
 
+/// A mesh file with the mesh of a file that the reading rule does not know: certificates speak of its bytes.
+struct MeshCopy {
+  std::string bytes;   ///< in the format of the report
+  std::string sha256;  ///< 64 lower-case hex digits
+  std::string what;    ///< what of the file it has: "its 6 polygons"
+};
+
 struct MeshFile {
   static constexpr const char* kTitle = "a mesh";
 
@@ -48,6 +58,7 @@ struct MeshFile {
   std::string sha256;  ///< the SHA-256 of the bytes that were read, 64 lower-case hex digits
   /// The polygon (counted from 0 in file order) that a face was cut from; empty if all were triangles.
   std::vector<std::uint32_t> polygon_of_face;
+  std::optional<MeshCopy> copy;  ///< if report.container is not empty
   double seconds_read = 0;   ///< file to memory
   double seconds_parse = 0;  ///< memory to triangles, merging included
   double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing

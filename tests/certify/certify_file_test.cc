@@ -46,7 +46,7 @@ TEST_F(CertifyFile, CertifiesMeshesAndPatchesAndKeepsWhatCheckersAccept) {
     EXPECT_EQ(found->verdict, verdict) << name;
     const std::string path = in_folder("kept.cert");
     ASSERT_TRUE(write_certificate(*found, path)) << name;
-    EXPECT_FALSE(fs::exists(copy_path(path)));
+    EXPECT_FALSE(fs::exists(copy_path(path, "vjson")));
     EXPECT_EQ(check_in_process(bytes_in(model(name)), bytes_in(path)).substr(0, 7), "ACCEPT ")
         << name;
   }
@@ -60,7 +60,24 @@ TEST_F(CertifyFile, KeepsTheCopyOfWhichACertificateOfVolumesSpeaks) {
   ASSERT_TRUE(found->copy && found->copy->is_of_volumes);
   const std::string path = in_folder("volume.cert");
   ASSERT_TRUE(write_certificate(*found, path));
-  EXPECT_EQ(check_in_process(bytes_in(copy_path(path)), bytes_in(path)).substr(0, 7), "ACCEPT ");
+  EXPECT_EQ(check_in_process(bytes_in(copy_path(path, "vjson")), bytes_in(path)).substr(0, 7),
+            "ACCEPT ");
+}
+
+TEST_F(CertifyFile, KeepsTheCopyOfWhichACertificateOfPolygonsSpeaks) {
+  const std::string file = in_folder("tet.itd");
+  std::ofstream(file)
+      << "[OBJECT TET [POLYGON 3 [0 0 0] [1 0 0] [0 1 0]] [POLYGON 3 [0 0 0] [0 0 1] [1 0 0]]"
+         " [POLYGON 3 [0 0 0] [0 1 0] [0 0 1]] [POLYGON 3 [1 0 0] [0 0 1] [0 1 0]]]";
+  const Result<Certified> found = certify_file(file);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->verdict, Verdict::kValid);
+  ASSERT_TRUE(found->copy);
+  EXPECT_EQ(found->copy->format, "off");
+  const std::string path = in_folder("tet.cert");
+  ASSERT_TRUE(write_certificate(*found, path));
+  EXPECT_EQ(check_in_process(bytes_in(copy_path(path, "off")), bytes_in(path)).substr(0, 20),
+            "ACCEPT mesh-valid-1:");
 }
 
 TEST_F(CertifyFile, NamesTheFileThatCannotBeRead) {

@@ -26,6 +26,13 @@ def bezier(net):
     return "[SURFACE BEZIER 2 2 E3 %s]" % " ".join("[%s %s %s]" % tuple(net[i]) for i in (0, 2, 1, 3))
 
 
+def polygons(faces, clockwise=True):
+    """Squares of four points, as bezier() takes them, seen from outside: IRIT's turn clockwise."""
+    order = (0, 1, 3, 2) if clockwise else (0, 2, 3, 1)
+    corners = [" ".join("[[RGB \"1,2\"] %s %s %s]" % tuple(net[i]) for i in order) for net in faces]
+    return "[OBJECT CUBE\n%s\n]" % "\n".join("[POLYGON [PLANE 0 0 1 0] 4 %s]" % c for c in corners)
+
+
 def ring(n, around, up=1.0):
     """A polynomial torus: one biquadratic surface that closes on itself along both axes; decimals of six digits. up = -1: inside out."""
     points = []
@@ -141,6 +148,60 @@ class CertifyItd(Folder):
             done = subprocess.run([*program, copy, self.folder / "model.g2.cert"], capture_output=True, text=True, timeout=300)
             self.assertTrue(done.stdout.startswith("ACCEPT star-box-1"), done)
         self.assertIn("certified    its 6 surfaces, as .vjson", run("certify", g2).stdout)
+
+    def test_polygons_are_a_mesh_and_a_copy_of_it_is_certified(self):
+        path, kept = self.folder / "model.itd", self.folder / "model.cert"
+        one = self.certify(polygons(UNIT), "--certificate", kept)
+        self.assertEqual((one["verdict"], one["format"], one["variant"], one["certificate"]["checked"]), ("VALID", "itd", "itd", True))
+        self.assertEqual((one["counts"]["faces"], one["counts"]["vertices"], one["counts"]["polygons_split"], one["volume"]["exact"]), (12, 8, 6, "1/1"))
+        copy = self.folder / "model.cert.off"
+        self.assertEqual(one["copy"], {"path": str(copy), "sha256": hashlib.sha256(copy.read_bytes()).hexdigest(),
+                                       "bytes": copy.stat().st_size, "what": "its 6 polygons", "of_volumes": False})
+        self.assertEqual((one["sha256"], one["bytes"]), (hashlib.sha256(path.read_bytes()).hexdigest(), path.stat().st_size))
+        for program in ([BIN / "veritope-check"], [sys.executable, CHECKER_PY]):
+            done = subprocess.run([*program, copy, kept], capture_output=True, text=True, timeout=300)
+            self.assertTrue(done.stdout.startswith("ACCEPT mesh-valid-1"), done)
+        text = " ".join(run("certify", path).stdout.split())
+        self.assertIn("certified its 6 polygons, as .off (--certificate F keeps it, too)", text)
+        self.assertIn("file itd, ", text)
+
+    def test_polygons_that_turn_the_other_way_are_inside_out(self):
+        path = self.folder / "model.itd"
+        path.write_text(polygons(UNIT, clockwise=False))
+        (one,) = json.loads(run("certify", path, "--json", "-").stdout)["files"]
+        self.assertEqual((one["verdict"], one["rules"]["M8"], one["valid_once_reversed"]), ("INVALID", 1, True))
+        kept = self.folder / "model.cert"
+        (one,) = json.loads(run("certify", "--orient", "auto", path, "--json", "-", "--certificate", kept).stdout)["files"]
+        self.assertEqual((one["verdict"], one["reversed"]["faces"], one["certificate"]["checked"]), ("VALID", 12, True))
+        for program in ([BIN / "veritope-check"], [sys.executable, CHECKER_PY]):
+            done = subprocess.run([*program, self.folder / "model.cert.off", kept], capture_output=True, text=True, timeout=300)
+            self.assertTrue(done.stdout.startswith("ACCEPT mesh-reversed-1"), done)
+
+    def test_other_commands_take_polygons_as_a_mesh(self):
+        path = self.folder / "model.itd"
+        path.write_text(polygons(UNIT))
+        (one,) = json.loads(run("info", path, "--json", "-").stdout)["files"]
+        self.assertEqual((one["format"], one["variant"], one["counts"]["faces"], one["bbox"]["max"]), ("itd", "itd", 12, [1, 1, 1]))
+        done = run("convert", path, self.folder / "model.obj")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("6 polygons cut into triangles", done.stdout)
+        self.assertIn("volume 1", run("certify", self.folder / "model.obj").stdout)
+        for name in ("model.png", "model.ply"):
+            done = run("certify", path, "--picture", self.folder / name)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+            self.assertTrue((self.folder / name).stat().st_size > 100)
+        done = run("intersect", path, path)
+        self.assertIn(done.returncode, (1, 2, 4), done)                             # a file without surfaces
+        self.assertNotIn("bug", done.stderr)
+        done = run("certify", "--format", "itd", "-", "--picture", self.folder / "model.png", input=polygons(UNIT))
+        self.assertEqual((done.returncode, done.stdout[:5]), (0, "VALID"), done)
+
+    def test_a_broken_polygon_is_refused_with_its_line(self):
+        for polygon, word in (("[POLYGON 2 [0 0 0] [1 0 0]]", "a polygon with 2 corners"), ("[POLYGON 3 [0 0 0] [1 0 0] [0 1 x]]", "'x'"),
+                              ("[POLYGON 3 [0 0 0] [1 0 0] [0 1e400 0]]", "not finite")):
+            one = self.certify("[OBJECT A\n" + polygon + "]")
+            self.assertEqual((one["verdict"], one["exit"], one["error"]["line"]), ("UNREADABLE", 4, 2))
+            self.assertIn(word, one["error"]["message"])
 
     def test_a_copy_never_replaces_another_file_of_the_run_and_needs_a_place(self):
         g2, cube = self.with_a_plane(), self.folder / "cube.itd"

@@ -52,13 +52,14 @@ struct CertifyOptions {
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.
 using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
-/// A .vjson model that was certified in the place of the file: the checkers do not read the file's format or shapes, or
-/// find other boundary faces of its volumes.
+/// A model that was certified in the place of the file: .vjson, or .off for polygons. The checkers do not read the file's
+/// format or shapes, or find other boundary faces of its volumes.
 struct CertifiedCopy {
   std::string bytes;
   std::string sha256;          ///< 64 lower-case hexadecimal digits
   std::string what;            ///< what of the file it has: "its 7 surfaces"
   bool is_of_volumes = false;  ///< their boundary faces; the verdict says nothing of their cells
+  std::string format = "vjson";  ///< or "off": the polygons of the file
 };
 
 struct Certified {

@@ -17,13 +17,16 @@ Status write_certificate(const Certified& certified, const std::string& path) {
   if (certified.certificate.empty())
     return bad_argument("there is no certificate to write: the verdict is UNDECIDED");
   std::vector<WholeFile> files;
-  if (certified.copy) files.push_back({copy_path(path), certified.copy->bytes});
+  if (certified.copy)
+    files.push_back({copy_path(path, certified.copy->format), certified.copy->bytes});
   files.push_back({path,
                    {reinterpret_cast<const char*>(certified.certificate.data()),
                     certified.certificate.size()}});
   return write_files(files);
 }
 
-std::string copy_path(const std::string& certificate) { return certificate + ".vjson"; }
+std::string copy_path(const std::string& certificate, const std::string& format) {
+  return certificate + "." + format;
+}
 
 }  // namespace veritope

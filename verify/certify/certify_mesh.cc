@@ -12,8 +12,8 @@ namespace {
 
 certificate::Subject subject_of(const MeshFile& file, const CertifyOptions& options) {
   certificate::Subject out;
-  out.sha256 = file.sha256;
-  out.bytes = file.report.bytes;
+  out.sha256 = file.copy ? file.copy->sha256 : file.sha256;
+  out.bytes = file.copy ? file.copy->bytes.size() : file.report.bytes;
   out.format = mesh_format_name(file.report.format);
   out.as_indexed = file.report.as_indexed;
   out.reading_rule = kReadingRule;
@@ -31,6 +31,12 @@ std::vector<Finding> listed(std::vector<Finding> defects, const MeshFile& file, 
   return defects;
 }
 
+std::optional<CertifiedCopy> copy_of(const MeshFile& file) {
+  if (!file.copy) return std::nullopt;
+  return CertifiedCopy{file.copy->bytes, file.copy->sha256, file.copy->what, false,
+                       mesh_format_name(file.report.format)};
+}
+
 ValidityReport without_defects(ValidityReport report) {
   report.defects.clear();
   report.stars = {};
@@ -44,6 +50,7 @@ Certified certified_reversed(const MeshFile& file, ValidityReport decision,
   Certified out;
   out.verdict = Verdict::kValid;
   out.claim = certificate::kReversedClaim;
+  out.copy = copy_of(file);
   out.certificate = make_mesh_certificate(solid, subject_of(file, options), options.jobs);
   out.facts = MeshFacts{without_defects(std::move(solid.report)), std::move(solid.reversal)};
   return out;
@@ -67,6 +74,7 @@ Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOpti
       make_mesh_certificate(file.mesh, decision, subject_of(file, options), options.jobs);
   out.verdict = decision.is_valid ? Verdict::kValid : Verdict::kInvalid;
   out.claim = decision.is_valid ? certificate::kValidClaim : certificate::kInvalidClaim;
+  out.copy = copy_of(file);
   out.findings = listed(std::move(decision.defects), file, options.max_findings);
   out.facts = MeshFacts{without_defects(std::move(decision)), std::nullopt};
   return out;

@@ -52,8 +52,8 @@ struct CertifyOptions {
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.
 using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
 
-/// A model that was certified in the place of the file: .vjson, or .off for polygons. The checkers do not read the file's
-/// format or shapes, or find other boundary faces of its volumes.
+/// A model that was certified in the place of the file: .vjson, or .off for polygons. The checkers do not read the
+/// file's format or shapes, or find other boundary faces of its volumes.
 struct CertifiedCopy {
   std::string bytes;
   std::string sha256;          ///< 64 lower-case hexadecimal digits

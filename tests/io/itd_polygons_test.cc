@@ -57,7 +57,7 @@ TEST(ItdPolygons, TheCopyIsAnOffFileWithTheSameMesh) {
   ASSERT_TRUE(file.copy);
   EXPECT_EQ(file.copy->what, "its 4 polygons");
   EXPECT_EQ(file.copy->bytes,
-            "OFF\n4 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+            "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto copy = io_test::read(MeshFormat::kOff, file.copy->bytes);
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->mesh.faces, file.mesh.faces);
@@ -88,8 +88,8 @@ TEST(ItdPolygons, CoordinatesAreTheNearestBinary64AndSurviveTheCopy) {
       "[OBJECT A [POLYGON 3 [0.1 1e-320 -1.7976931348623157e308] [3.3333333333333333333333 0 0] [0 "
       "1e22 0]]]");
   EXPECT_EQ(file.mesh.positions[0], (Vec3d{0.1, 1e-320, -1.7976931348623157e308}));
-  EXPECT_EQ(file.mesh.positions[2].x, 3.3333333333333333333333);
-  EXPECT_EQ(file.mesh.positions[1].y, 1e22);
+  EXPECT_EQ(file.mesh.positions[1].x, 3.3333333333333333333333);
+  EXPECT_EQ(file.mesh.positions[2].y, 1e22);
 }
 
 TEST(ItdPolygons, PolylinesAndPointsAreIgnoredAndOtherShapesAreNot) {

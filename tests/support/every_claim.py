@@ -21,7 +21,7 @@ COMMANDS = {
     "patch-invalid-1": (PATCHES / "side_open_smallest.itd",),
     "patch-invalid-2": (PATCHES / "singular_line_smallest.itd",),
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
-    "collar-2": (PATCHES / "normals_zero_at_corners.itd", "--collar"),
+    "collar-2": (pathlib.Path(__file__).parent / "normals_zero_at_corners.itd", "--collar"),
 }
 
 

@@ -27,7 +27,7 @@ Paint tinted_paint(Colour colour);
 /// points as markers. Lines that are connected and all of which lie within a tenth of the model's size have a marker,
 /// too, so that nothing is too small to be seen. Marks of rare rules are in front of those of frequent ones. The legend
 /// has the rules that are broken, with their counts.
-/// REQUIRES defects of this mesh, as decide_validity lists them; a positive count for each rule that they break.
+/// REQUIRES defects of this mesh, as list_defects lists them; a positive count for each rule that they break.
 /// @cost O(faces + n log n) for n defects
 Scene defect_scene(const TriangleMesh& mesh, std::span<const Finding> defects,
                    const std::array<std::uint64_t, kNumMeshRules>& rule_counts);

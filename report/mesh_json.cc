@@ -55,7 +55,7 @@ Json counts_json(const FileReport& report) {
   put("polygons_split", r, &ReadReport::polygons_split);
   put("strip_joints", r, &ReadReport::strip_joints);
   const OpenEdges none, *open = nullptr;
-  if (decision != nullptr && decision->open_edges) open = &*decision->open_edges;
+  if (const auto* measured = internal::open_edges_of(report)) open = measured;
   if (c != nullptr && c->boundary_edges == 0) open = &none;
   put("borders", open, &OpenEdges::borders);
   put("near_edges", open, &OpenEdges::near_edges);
@@ -214,6 +214,10 @@ const ValidityReport* decision_of(const FileReport& report) {
   return facts != nullptr ? &facts->decision : nullptr;
 }
 
+const OpenEdges* open_edges_of(const FileReport& report) {
+  const auto* const facts = std::get_if<MeshFacts>(&report.facts);
+  return facts != nullptr && facts->open_edges ? &*facts->open_edges : nullptr;
+}
 const Reversal* reversal_of(const FileReport& report) {
   const auto* const facts = std::get_if<MeshFacts>(&report.facts);
   return facts != nullptr && facts->reversal ? &*facts->reversal : nullptr;

@@ -11,6 +11,8 @@ namespace veritope::report::internal {
 /// Null: the file is unreadable, or there is no verdict.
 const ReadReport* reading_of(const FileReport& report);
 const ValidityReport* decision_of(const FileReport& report);
+/// Null, too, if they were not measured.
+const OpenEdges* open_edges_of(const FileReport& report);
 /// Null, too, if no faces were reversed.
 const Reversal* reversal_of(const FileReport& report);
 

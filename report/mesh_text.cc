@@ -219,8 +219,8 @@ std::string cracks_text(const OpenEdges& open, std::uint64_t count) {
 }
 
 // " in 3 borders (2 without cracks); ..."
-std::string open_text(const std::optional<OpenEdges>& open, std::uint64_t count) {
-  if (!open) return "";
+std::string open_text(const OpenEdges* open, std::uint64_t count) {
+  if (open == nullptr) return "";
   std::string out = " in " + counted(open->borders, "border", "borders");
   if (open->near_edges != 0 && open->holes != 0)
     out += " (" + std::to_string(open->holes) + " without cracks)";
@@ -247,9 +247,10 @@ std::string rule_section(const FileReport& report, MeshRule rule, const TextOpti
   const ValidityReport& decision = *decision_of(report);
   const std::uint64_t count = decision.rule_counts[rule_index(rule)];
   const bool is_in_places = rule == MeshRule::kM7;
-  std::string out = "  " + options.style.bold(std::string(text.id) + " " + std::string(text.name)) +
-                    ": " + std::to_string(count) + (is_in_places ? in_places(decision) : "") +
-                    (rule == MeshRule::kM3 ? open_text(decision.open_edges, count) : "") + "\n";
+  std::string out =
+      "  " + options.style.bold(std::string(text.id) + " " + std::string(text.name)) + ": " +
+      std::to_string(count) + (is_in_places ? in_places(decision) : "") +
+      (rule == MeshRule::kM3 ? open_text(internal::open_edges_of(report), count) : "") + "\n";
   if (is_in_places) out += places_text(decision);
   if (!is_in_places || options.lists_pairs) out += listed_text(report, rule, count);
   return out;

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "predicates/triangle_witness.h"
+#include "robust/base/parallel.h"
+#include "solids/polyhedron/improper_pairs.h"
 
 namespace veritope {
 namespace {
@@ -118,10 +120,10 @@ void DefectLister::degenerate(const std::vector<std::uint32_t>& faces) {
   }
 }
 
-void DefectLister::duplicate(const DuplicateFaces& duplicates) {
-  const auto size = [&](std::size_t k) { return diameter(mesh_, duplicates.first[k].second); };
-  for (const std::size_t i : largest(duplicates.first.size(), size)) {
-    const auto& [first, later] = duplicates.first[i];
+void DefectLister::duplicate(const FacePairs& pairs) {
+  const auto size = [&](std::size_t k) { return diameter(mesh_, pairs[k].second); };
+  for (const std::size_t i : largest(pairs.size(), size)) {
+    const auto& [first, later] = pairs[i];
     const auto& t = mesh_.faces[later];
     Finding d = new_defect(MeshRule::kM2);
     d.place.faces = {first, later};
@@ -165,12 +167,12 @@ void DefectLister::open_edges(std::span<const OpenEdge> edges, std::span<const N
   }
 }
 
-void DefectLister::topology(const SurfaceTopology& topology) {
-  add_edges(MeshRule::kM3, topology.boundary);
-  add_edges(MeshRule::kM4, topology.nonmanifold);
-  add_edges(MeshRule::kM5, topology.misoriented);
-  for (std::size_t i = 0; i < std::min(topology.pinched.size(), max_listed_); ++i) {
-    const VertexDefect& v = topology.pinched[i];
+void DefectLister::topology(const DefectEvidence& evidence) {
+  add_edges(MeshRule::kM3, evidence.boundary);
+  add_edges(MeshRule::kM4, evidence.nonmanifold);
+  add_edges(MeshRule::kM5, evidence.misoriented);
+  for (std::size_t i = 0; i < std::min(evidence.pinched.size(), max_listed_); ++i) {
+    const VertexDefect& v = evidence.pinched[i];
     Finding d = new_defect(MeshRule::kM6);
     d.place.faces = first_of(v.faces);
     d.place.vertices = {v.vertex};
@@ -181,12 +183,12 @@ void DefectLister::topology(const SurfaceTopology& topology) {
   }
 }
 
-void DefectLister::improper(const ImproperPairs& pairs) {
+void DefectLister::improper(const FacePairs& pairs) {
   const auto indexed = [&](std::uint32_t f) {
     const auto& t = mesh_.faces[f];
     return IndexedTriangle{{mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]}, {t[0], t[1], t[2]}};
   };
-  for (const auto& [f, g] : pairs.largest) {
+  for (const auto& [f, g] : pairs) {
     Finding d = new_defect(MeshRule::kM7);
     d.place.faces = {f, g};
     if (same_vertices(mesh_.faces[f], mesh_.faces[g])) {
@@ -226,6 +228,28 @@ void DefectLister::nesting(const std::vector<ShellReport>& shells) {
       defects_.push_back(std::move(d));
     }
   }
+}
+
+DefectList list_defects(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs) {
+  const DefectEvidence& evidence = report.evidence;
+  DefectList out;
+  if (evidence.max_defects == 0) return out;
+  const WorkerScope workers(std::max(1u, jobs));
+  DefectLister lister(mesh, evidence.max_defects);
+  lister.degenerate(evidence.degenerate);
+  lister.duplicate(evidence.duplicates);
+  if (!evidence.open_edges.empty()) {
+    out.open_edges = analyse_open_edges(mesh, evidence.open_edges, std::max(1u, jobs));
+    lister.open_edges(evidence.open_edges, out.open_edges->nearest);
+    out.open_edges->nearest = {};
+  }
+  lister.topology(evidence);
+  lister.improper(evidence.is_improper_ordered
+                      ? evidence.improper
+                      : largest_pairs(mesh, evidence.improper, evidence.max_defects));
+  if (report.nesting_decided) lister.nesting(report.shells);
+  out.defects = lister.take();
+  return out;
 }
 
 }  // namespace veritope

@@ -5,8 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "solids/polyhedron/duplicates.h"
-#include "solids/polyhedron/improper_pairs.h"
 #include "solids/polyhedron/open_edges.h"
 #include "solids/polyhedron/validity.h"
 
@@ -16,14 +14,17 @@ namespace veritope {
 /// called: at most `max_listed` of each rule, of the functions before `nesting` the largest, largest first.
 class DefectLister {
  public:
+  using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
   DefectLister(const TriangleMesh& mesh, std::size_t max_listed) : mesh_(mesh), max_listed_(max_listed) {}
 
   void degenerate(const std::vector<std::uint32_t>& faces);
-  void duplicate(const DuplicateFaces& duplicates);
+  void duplicate(const FacePairs& pairs);
   /// M3 with the nearest edges, for all open edges.
   void open_edges(std::span<const OpenEdge> edges, std::span<const NearestEdge> nearest);
-  void topology(const SurfaceTopology& topology);
-  void improper(const ImproperPairs& pairs);
+  /// M3 without them, M4 to M6.
+  void topology(const DefectEvidence& evidence);
+  void improper(const FacePairs& pairs);
   /// REQUIRES depth, outward and volume of every shell.
   void nesting(const std::vector<ShellReport>& shells);
 

@@ -52,12 +52,30 @@ struct ListedPair {
 };
 constexpr auto kPrecedes = [](const ListedPair& a, const ListedPair& b) { return a.precedes(b); };
 
-// The pairs that one task found: all counted, grouped into places, the largest kept.
+// REQUIRES f < g.
+double approx_size(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g) {
+  return approx_common_extent(indexed(mesh, f).point, indexed(mesh, g).point);
+}
+
+std::vector<FacetPair> first_of(std::vector<ListedPair> list, std::size_t max_listed) {
+  std::sort(list.begin(), list.end(), kPrecedes);
+  if (list.size() > max_listed) list.resize(max_listed);
+  std::vector<FacetPair> out;
+  out.reserve(list.size());
+  for (const ListedPair& listed : list) out.push_back(listed.pair);
+  return out;
+}
+
+// The pairs that one task found: all counted, grouped into places; kept are the first kMostUnordered without their
+// sizes, and once there are more, or if there are copies, the largest.
 class Finds {
  public:
   Finds() = default;
   Finds(const TriangleMesh& mesh, const FaceCopies& copies, std::size_t max_listed)
-      : mesh_(&mesh), copies_(&copies), max_listed_(max_listed) {}
+      : mesh_(&mesh),
+        copies_(&copies),
+        max_listed_(max_listed),
+        is_ordered_(!copies.groups().empty()) {}
 
   void decide(std::uint32_t f, std::uint32_t g) {
     if (is_proper(triangle_triangle(indexed(*mesh_, f), indexed(*mesh_, g)))) [[likely]] return;
@@ -73,6 +91,13 @@ class Finds {
     for (const std::uint32_t face : group) places_->add_face(face);
   }
   std::uint64_t count() const { return count_; }
+  void order() {
+    if (is_ordered_) return;
+    is_ordered_ = true;
+    for (const auto& [f, g] : unordered_) keep({{f, g}, approx_size(*mesh_, f, g), false});
+    unordered_ = {};
+  }
+  const std::vector<FacetPair>& unordered() const { return unordered_; }
   const std::vector<ListedPair>& largest() const { return largest_; }
   const std::optional<ImproperPlaces>& places() const { return places_; }
 
@@ -84,14 +109,16 @@ class Finds {
     const std::uint32_t f = a.front(), g = are_copies ? b[1] : b.front();
     places_->add(f, g, pairs);
     if (max_listed_ == 0) return;
-    ListedPair listed{{}, approx_size(std::min(f, g), std::max(f, g)), are_copies};
+    if (!is_ordered_ && unordered_.size() == kMostUnordered) order();
+    if (!is_ordered_) {
+      unordered_.emplace_back(std::min(f, g), std::max(f, g));
+      return;
+    }
+    ListedPair listed{{}, approx_size(*mesh_, std::min(f, g), std::max(f, g)), are_copies};
     for_each_pair(a, b, [&](const FacetPair& pair) {
       listed.pair = pair;
       return keep(listed);
     });
-  }
-  double approx_size(std::uint32_t f, std::uint32_t g) const {
-    return approx_common_extent(indexed(*mesh_, f).point, indexed(*mesh_, g).point);
   }
   // Whether a greater pair of the same size may be kept after this one.
   bool keep(const ListedPair& pair) {
@@ -111,7 +138,9 @@ class Finds {
   const TriangleMesh* mesh_ = nullptr;
   const FaceCopies* copies_ = nullptr;
   std::size_t max_listed_ = 0;
+  bool is_ordered_ = false;
   std::uint64_t count_ = 0;
+  std::vector<FacetPair> unordered_;
   std::vector<ListedPair> largest_;  // a heap; the last one of the list is in front
   std::optional<ImproperPlaces> places_;
 };
@@ -153,6 +182,7 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs, const FaceCopies& copies) {
   ImproperPairs out;
+  out.is_ordered = max_listed == 0 || !copies.groups().empty();
   if (facets.empty()) return out;
   const Finds none(mesh, copies, max_listed);
   std::vector<Finds> finds(boxes.num_tasks(), none);
@@ -164,17 +194,28 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
   finds.push_back(none);
   for (const FaceCopies::Group& group : copies.groups()) finds.back().add_copies(group);
   ImproperPlaces places(mesh);
-  std::vector<ListedPair> largest;
   for (const Finds& part : finds) {
     if (part.places()) places.add(*part.places());
     out.count += part.count();
-    largest.insert(largest.end(), part.largest().begin(), part.largest().end());
   }
   out.places = places.take();
-  std::sort(largest.begin(), largest.end(), kPrecedes);
-  if (largest.size() > max_listed) largest.resize(max_listed);
-  for (const ListedPair& listed : largest) out.largest.push_back(listed.pair);
+  out.is_ordered = out.is_ordered || out.count > kMostUnordered;
+  std::vector<ListedPair> largest;
+  for (Finds& part : finds) {
+    if (out.is_ordered) part.order();
+    largest.insert(largest.end(), part.largest().begin(), part.largest().end());
+    out.pairs.insert(out.pairs.end(), part.unordered().begin(), part.unordered().end());
+  }
+  if (out.is_ordered) out.pairs = first_of(std::move(largest), max_listed);
   return out;
+}
+
+std::vector<FacetPair> largest_pairs(const TriangleMesh& mesh, const std::vector<FacetPair>& pairs,
+                                     std::size_t max_listed) {
+  std::vector<ListedPair> list;
+  list.reserve(pairs.size());
+  for (const auto& [f, g] : pairs) list.push_back({{f, g}, approx_size(mesh, f, g), false});
+  return first_of(std::move(list), max_listed);
 }
 
 }  // namespace veritope

@@ -10,12 +10,17 @@
 
 namespace veritope {
 
+/// The search does not compare the sizes of up to this number of pairs.
+inline constexpr std::size_t kMostUnordered = std::size_t{1} << 14;
+
 struct ImproperPairs {
   std::uint64_t count = 0;        ///< exact
   std::vector<ImproperPlace> places;  ///< of all pairs
-  /// The `max_listed` largest, each with first < second: by approx_common_extent, and ascending where that is equal.
-  /// Pairs of copies come last. A longer list begins with a shorter one.
-  std::vector<FacetPair> largest;
+  /// Each with first < second. If ordered, the `max_listed` largest: by approx_common_extent, and ascending where that
+  /// is equal; pairs of copies come last, and a longer list begins with a shorter one. If not, all of them, from which
+  /// largest_pairs chooses: there are no copies, at most kMostUnordered pairs, and max_listed is positive.
+  std::vector<FacetPair> pairs;
+  bool is_ordered = false;
   bool long_thin = false;         ///< the box groups gave up and the separator walk decided
 };
 
@@ -27,5 +32,10 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs,
                                   const FaceCopies& copies = {});
+
+/// The ordered list of pairs that are not ordered.
+/// @cost approximately 0.5 microseconds a pair.
+std::vector<FacetPair> largest_pairs(const TriangleMesh& mesh, const std::vector<FacetPair>& pairs,
+                                     std::size_t max_listed);
 
 }  // namespace veritope

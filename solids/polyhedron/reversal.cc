@@ -41,7 +41,7 @@ void report_reversed(const std::vector<bool>& which, ValidityReport& report) {
   report.volume = std::move(sum);
   for (const MeshRule rule : {MeshRule::kM8, MeshRule::kM9})
     report.rule_counts[rule_index(rule)] = 0;
-  report.defects.clear();
+  report.evidence = {};
   report.is_valid = true;
 }
 

@@ -8,7 +8,6 @@
 #include "robust/base/parallel.h"
 #include "robust/base/stopwatch.h"
 #include "solids/polyhedron/box_order.h"
-#include "solids/polyhedron/defects.h"
 #include "solids/polyhedron/duplicates.h"
 #include "solids/polyhedron/facet_signs.h"
 #include "solids/polyhedron/improper_pairs.h"
@@ -51,7 +50,7 @@ class Decision {
     decide_nesting();
     for (std::size_t i = 0; i < kNumMeshRules; ++i) any_ = any_ || report_.rule_counts[i] != 0;
     report_.is_valid = !any_;
-    list_defects();
+    if (any_) keep_evidence();
     return std::move(report_);
   }
 
@@ -163,24 +162,19 @@ class Decision {
     report_.seconds.nesting = watch_.lap();
   }
 
-  void list_defects() {
-    DefectLister lister(mesh_, options_.max_defects);
-    lister.degenerate(signs_.degenerate);
-    lister.duplicate(duplicates_);
-    measure_open_edges(lister);
-    lister.topology(topology_);
-    lister.improper(pairs_);
-    if (report_.nesting_decided) lister.nesting(report_.shells);
-    report_.defects = lister.take();
-  }
-
-  // Lists M3, if the open edges are known.
-  void measure_open_edges(DefectLister& lister) {
-    if (open_edges_.empty()) return;
-    report_.open_edges = analyse_open_edges(mesh_, open_edges_, options_.jobs);
-    lister.open_edges(open_edges_, report_.open_edges->nearest);
-    report_.open_edges->nearest = {};
-    topology_.boundary.clear();
+  void keep_evidence() {
+    DefectEvidence& e = report_.evidence;
+    e.max_defects = options_.max_defects;
+    if (e.max_defects == 0) return;
+    e.degenerate = std::move(signs_.degenerate);
+    e.duplicates = std::move(duplicates_.first);
+    if (open_edges_.empty()) e.boundary = std::move(topology_.boundary);
+    e.nonmanifold = std::move(topology_.nonmanifold);
+    e.misoriented = std::move(topology_.misoriented);
+    e.pinched = std::move(topology_.pinched);
+    e.open_edges = std::move(open_edges_);
+    e.improper = std::move(pairs_.pairs);
+    e.is_improper_ordered = pairs_.is_ordered;
   }
 
   const TriangleMesh& mesh_;

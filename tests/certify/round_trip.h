@@ -8,7 +8,7 @@
 #include "io/mesh/reading_rule.h"
 #include "io/mesh/write_mesh.h"
 #include "io/read_model.h"
-#include "solids/polyhedron/validity.h"
+#include "tests/support/report_text.h"
 #include "tests/support/shapes.h"
 #include "verify/certify/mesh_certifier.h"
 #include "verify/format/sha256.h"
@@ -18,7 +18,7 @@ namespace veritope {
 struct CertifiedMesh {
   std::string file;   ///< the model's bytes
   TriangleMesh mesh;  ///< as read back
-  ValidityReport report;
+  ListedReport report;
   certificate::Bytes bytes;  ///< the certificate
   std::string certificate() const { return {bytes.begin(), bytes.end()}; }
   certificate::Certificate decoded() const {
@@ -40,7 +40,7 @@ inline CertifiedMesh certified_file(std::string file, const std::string& name, b
   ValidityOptions options;
   options.jobs = jobs;
   options.max_defects = max_defects;
-  out.report = decide_validity(out.mesh, options);
+  out.report = decide_and_list(out.mesh, options);
   certificate::Subject subject;
   subject.sha256 = model.value().sha256;
   subject.bytes = out.file.size();
@@ -48,7 +48,7 @@ inline CertifiedMesh certified_file(std::string file, const std::string& name, b
   subject.as_indexed = as_indexed;
   subject.reading_rule = std::string(kReadingRule);
   subject.tool = "tests";
-  out.bytes = make_mesh_certificate(out.mesh, out.report, subject, jobs);
+  out.bytes = make_mesh_certificate(out.mesh, out.report, out.report.defects, subject, jobs);
   return out;
 }
 

@@ -71,17 +71,17 @@ struct Hashes {
 Hashes hashes(const TriangleMesh& mesh, unsigned jobs) {
   ValidityOptions options;
   options.jobs = jobs;
-  const ValidityReport report = decide_validity(mesh, options);
+  const ListedReport report = decide_and_list(mesh, options);
   const certificate::Subject subject{std::string(64, '0'), 0, "ply", true, "rule", "golden"};
   const std::string text = full_text(report);
-  const auto bytes = make_mesh_certificate(mesh, report, subject, jobs);
+  const auto bytes = make_mesh_certificate(mesh, report, report.defects, subject, jobs);
   return {hash_of(text), to_hex(sha256(bytes))};
 }
 
 Hashes picture_hashes(const TriangleMesh& mesh, unsigned jobs) {
   ValidityOptions options;
   options.jobs = jobs;
-  const ValidityReport report = decide_validity(mesh, options);
+  const ListedReport report = decide_and_list(mesh, options);
   Scene scene = defect_scene(mesh, report.defects, report.rule_counts);
   scene.title = {"defects"};
   PictureOptions how;

@@ -54,7 +54,9 @@ TriangleMesh sphere() {
 void expect_visible(const TriangleMesh& mesh, MeshRule rule, const char* name) {
   const ValidityReport report = decide_validity(mesh, {1, 1000});
   ASSERT_GT(report.rule_counts[rule_index(rule)], 0u) << name;
-  EXPECT_GE(count_pixels(defect_scene(mesh, report.defects, report.rule_counts), colour_of(rule)), kSquareOf12)
+  const std::vector<Finding> defects = list_defects(mesh, report).defects;
+  EXPECT_GE(count_pixels(defect_scene(mesh, defects, report.rule_counts), colour_of(rule)),
+            kSquareOf12)
       << name;
 }
 
@@ -159,7 +161,7 @@ TEST(DefectScene, OfASoundModelHasNoMarks) {
   const TriangleMesh mesh = sphere();
   const ValidityReport report = decide_validity(mesh, {1, 20});
   ASSERT_TRUE(report.is_valid);
-  const Scene scene = defect_scene(mesh, report.defects, report.rule_counts);
+  const Scene scene = defect_scene(mesh, list_defects(mesh, report).defects, report.rule_counts);
   EXPECT_TRUE(scene.lines.empty() && scene.markers.empty() && scene.legend.empty());
 }
 

@@ -50,7 +50,8 @@ TEST(PlantedDefects, OfMeshesAreSeenAtAGlance) {
     for (std::size_t i = 0; i < kNumMeshRules; ++i)
       if (report.rule_counts[i] != 0) broken.push_back(rule_at(i));
     EXPECT_EQ(broken == m.rules, true) << m.name;
-    const Scene scene = defect_scene(m.mesh, report.defects, report.rule_counts);
+    const Scene scene =
+        defect_scene(m.mesh, list_defects(m.mesh, report).defects, report.rule_counts);
     const Image image = picture_of(scene);
     keep(m.name, scene);
     for (const MeshRule rule : broken)

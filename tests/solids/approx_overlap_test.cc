@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solids/polyhedron/validity.h"
+#include "tests/support/report_text.h"
 #include "tests/support/shapes.h"
 
 namespace veritope {
@@ -42,7 +42,7 @@ TEST(ApproxOverlapLaw, IsNearTheExactExtentAndScalesWithTheModel) {
         const auto& t = mesh.faces[f];
         return Corners{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
       };
-      for (const Finding& d : decide_validity(mesh, {1, 1000}).defects) {
+      for (const Finding& d : decide_and_list(mesh, {1, 1000}).defects) {
         if (rule_of(d) != MeshRule::kM7) continue;
         const Corners t = corners(d.place.faces[0]), u = corners(d.place.faces[1]);
         const double got = approx_common_extent(t, u);
@@ -102,7 +102,7 @@ TEST(ApproxOverlap, OrdersTheListOfIntersections) {
     mesh.faces.push_back(mesh.faces.front());  // a copy: listed last
     const auto pairs = [&](std::size_t most) {
       std::vector<std::pair<std::vector<std::uint32_t>, double>> out;
-      for (const Finding& d : decide_validity(mesh, {1, most}).defects)
+      for (const Finding& d : decide_and_list(mesh, {1, most}).defects)
         if (rule_of(d) == MeshRule::kM7) out.push_back({d.place.faces, d.place.size});
       return out;
     };

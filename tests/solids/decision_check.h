@@ -20,11 +20,12 @@
 
 namespace veritope {
 
-inline ValidityReport decide(const TriangleMesh& mesh, unsigned jobs = 1, std::size_t max_defects = 20) {
+inline ListedReport decide(const TriangleMesh& mesh, unsigned jobs = 1,
+                           std::size_t max_defects = 20) {
   ValidityOptions options;
   options.jobs = jobs;
   options.max_defects = max_defects;
-  return decide_validity(mesh, options);
+  return decide_and_list(mesh, options);
 }
 
 /// What summary() writes, from the definitions alone.
@@ -108,7 +109,8 @@ class LargestOf {
 
 /// The listed defects are the largest of their rules, or for M6 the first, and point at what is wrong. The sizes of M7 are compared
 /// elsewhere (approx_overlap_test.cc): their order is approximate.
-inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport& r, const oracle::BruteDecision& b, std::size_t max_defects) {
+inline void expect_right_defects(const TriangleMesh& mesh, const ListedReport& r,
+                                 const oracle::BruteDecision& b, std::size_t max_defects) {
   std::array<std::size_t, kNumMeshRules> listed{};
   std::size_t last_rule = 0;
   std::set<std::vector<std::uint32_t>> pairs;                    // of M7
@@ -159,9 +161,10 @@ inline void expect_right_defects(const TriangleMesh& mesh, const ValidityReport&
 }
 
 /// Everything that decide_validity says about the model, by brute force.
-inline ValidityReport expect_as_brute_force(const TriangleMesh& mesh, unsigned jobs = 1, std::size_t max_defects = 20) {
+inline ListedReport expect_as_brute_force(const TriangleMesh& mesh, unsigned jobs = 1,
+                                          std::size_t max_defects = 20) {
   const bool failed_before = ::testing::Test::HasFailure();
-  const ValidityReport r = decide(mesh, jobs, max_defects);
+  const ListedReport r = decide(mesh, jobs, max_defects);
   const oracle::BruteDecision b = oracle::brute_decide(mesh);
   const std::string got = summary(r), want = summary(mesh, b);
   EXPECT_EQ(got, want) << shapes::to_text(mesh);
@@ -173,7 +176,7 @@ inline ValidityReport expect_as_brute_force(const TriangleMesh& mesh, unsigned j
 }
 
 /// A second report says the same, defects and certificate hints included.
-inline void expect_same_report(const ValidityReport& a, const ValidityReport& b) {
+inline void expect_same_report(const ListedReport& a, const ListedReport& b) {
   EXPECT_EQ(summary(a), summary(b));
   EXPECT_EQ(full_text(a) == full_text(b), true);
 }

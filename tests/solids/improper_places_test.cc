@@ -48,7 +48,7 @@ std::map<std::uint32_t, std::pair<std::uint64_t, std::uint64_t>> slow_places(
   return out;
 }
 
-std::vector<Finding> improper(const ValidityReport& r) {
+std::vector<Finding> improper(const ListedReport& r) {
   std::vector<Finding> out;
   for (const Finding& d : r.defects)
     if (rule_of(d) == MeshRule::kM7) out.push_back(d);
@@ -56,7 +56,7 @@ std::vector<Finding> improper(const ValidityReport& r) {
 }
 
 void expect_places(const TriangleMesh& mesh) {
-  const ValidityReport one = decide(mesh, 1, 100'000), many = decide(mesh, 4, 1);
+  const ListedReport one = decide(mesh, 1, 100'000), many = decide(mesh, 4, 1);
   const auto pairs = improper(one);
   ASSERT_EQ(pairs.size(), one.counts.selfint_pairs);
   const auto expected = slow_places(mesh, pairs);
@@ -98,7 +98,7 @@ TEST(ImproperPlaces, TwoCrossingsOfTwoBoxesAreTwoPlaces) {
   };
   const TriangleMesh mesh = shapes::joined(pair_at(0), pair_at(100));
   expect_places(mesh);
-  const ValidityReport r = decide(mesh);
+  const ListedReport r = decide(mesh);
   ASSERT_EQ(r.places.size(), 2u);
   EXPECT_EQ(r.places[0].pairs + r.places[1].pairs, r.counts.selfint_pairs);
   // The boxes meet between 1 and 2.

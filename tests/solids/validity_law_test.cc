@@ -37,7 +37,7 @@ std::vector<Model> models(std::uint64_t seed) {
   return out;
 }
 
-std::string verdict(const ValidityReport& r) {
+std::string verdict(const ListedReport& r) {
   std::string out = r.is_valid ? "valid" : "invalid";
   for (std::uint64_t n : r.rule_counts) out += " " + std::to_string(n);
   return out + " shells " + std::to_string(r.counts.shells) + " bodies " + std::to_string(r.counts.bodies.value_or(99)) + " genus " +
@@ -48,7 +48,7 @@ TEST(ValidityLaw, RelabellingChangesNothing) {
   for (const Model& m : models(1))
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       Random random(seed);
-      const ValidityReport a = decide(m.mesh), b = decide(shapes::relabelled(m.mesh, random));
+      const ListedReport a = decide(m.mesh), b = decide(shapes::relabelled(m.mesh, random));
       EXPECT_EQ(verdict(a), verdict(b)) << m.name;
       EXPECT_EQ(spelled(a.volume), spelled(b.volume)) << m.name;
     }
@@ -61,14 +61,14 @@ TEST(ValidityLaw, ExactAffineMapsKeepTheVerdictOrTurnEveryShellOver) {
       const shapes::Matrix matrix = shapes::random_matrix(random, 5);
       const int det = shapes::determinant(matrix);
       const TriangleMesh image = shapes::mapped(m.mesh, matrix, {-7, 100, 3});
-      const ValidityReport a = decide(m.mesh), b = decide(det > 0 ? image : shapes::reversed(image));
+      const ListedReport a = decide(m.mesh), b = decide(det > 0 ? image : shapes::reversed(image));
       EXPECT_EQ(verdict(a), verdict(b)) << m.name << ", seed " << seed;
       ASSERT_EQ(a.volume.has_value(), b.volume.has_value());
       if (a.volume) {
         EXPECT_EQ(*b.volume == *a.volume * Rational(std::abs(det)), true) << m.name << ", seed " << seed;
       }
       if (det < 0) {  // mirrored, not flipped: the right shells become the wrong ones
-        const ValidityReport c = decide(image);
+        const ListedReport c = decide(image);
         for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(a.rule_counts[i], c.rule_counts[i]) << m.name << ", M" << i + 1;
         if (a.nesting_decided) {
           std::uint64_t outer = 0, inner = 0;
@@ -82,7 +82,7 @@ TEST(ValidityLaw, ExactAffineMapsKeepTheVerdictOrTurnEveryShellOver) {
 
 TEST(ValidityLaw, FlippingFlipsEveryShell) {
   for (const Model& m : models(3)) {
-    const ValidityReport a = decide(m.mesh), b = decide(shapes::reversed(m.mesh));
+    const ListedReport a = decide(m.mesh), b = decide(shapes::reversed(m.mesh));
     for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(a.rule_counts[i], b.rule_counts[i]) << m.name;
     if (a.nesting_decided) {
       EXPECT_EQ(a.rule_counts[7] + a.rule_counts[8] + b.rule_counts[7] + b.rule_counts[8], a.counts.shells) << m.name;
@@ -92,9 +92,9 @@ TEST(ValidityLaw, FlippingFlipsEveryShell) {
 
 TEST(ValidityLaw, SubdivisionKeepsVerdictGenusAndVolume) {
   for (const Model& m : models(4)) {
-    const ValidityReport a = decide(m.mesh);
+    const ListedReport a = decide(m.mesh);
     if (m.name.find("soup") != std::string::npos) continue;  // counts of crossings change there
-    const ValidityReport b = decide(shapes::subdivided(m.mesh));
+    const ListedReport b = decide(shapes::subdivided(m.mesh));
     EXPECT_EQ(a.is_valid, b.is_valid) << m.name;
     EXPECT_EQ(a.counts.genus, b.counts.genus) << m.name;
     EXPECT_EQ(a.counts.bodies, b.counts.bodies) << m.name;
@@ -107,7 +107,8 @@ TEST(ValidityLaw, SubdivisionKeepsVerdictGenusAndVolume) {
 
 TEST(ValidityLaw, ADisjointCopyDoublesEveryCount) {
   for (const Model& m : models(5)) {
-    const ValidityReport a = decide(m.mesh), b = decide(shapes::joined(m.mesh, shapes::moved(m.mesh, {16384, 8192, 0})));
+    const ListedReport a = decide(m.mesh),
+                       b = decide(shapes::joined(m.mesh, shapes::moved(m.mesh, {16384, 8192, 0})));
     EXPECT_EQ(a.is_valid, b.is_valid) << m.name;
     for (std::size_t i = 0; i < kNumMeshRules; ++i) EXPECT_EQ(2 * a.rule_counts[i], b.rule_counts[i]) << m.name << ", M" << i + 1;
     EXPECT_EQ(2 * a.counts.shells, b.counts.shells) << m.name;
@@ -122,9 +123,9 @@ TEST(ValidityLaw, ADisjointCopyDoublesEveryCount) {
 
 TEST(ValidityLaw, PowersOfTwoScaleTheVolumeAndNothingElse) {
   for (const Model& m : models(6)) {
-    const ValidityReport a = decide(m.mesh);
+    const ListedReport a = decide(m.mesh);
     for (int e : {-900, -400, -31, 17, 450, 900}) {
-      const ValidityReport b = decide(shapes::scaled(m.mesh, e));
+      const ListedReport b = decide(shapes::scaled(m.mesh, e));
       EXPECT_EQ(verdict(a), verdict(b)) << m.name << ", 2^" << e;
       if (a.volume) {
         EXPECT_EQ(*a.volume * Rational::power_of_two(3 * e) == *b.volume, true) << m.name << ", 2^" << e;
@@ -145,7 +146,7 @@ TEST(ValidityLaw, ReportsDoNotDependOnJobs) {
   all.push_back({"big and broken", big});
   for (const Model& m : all) {
     SCOPED_TRACE(m.name);
-    const ValidityReport one = decide(m.mesh);
+    const ListedReport one = decide(m.mesh);
     for (unsigned jobs : {2u, 3u, 4u}) expect_same_report(one, decide(m.mesh, jobs));
   }
 }

@@ -57,18 +57,18 @@ TEST(Validity, OfEveryRulesSmallestModelsIsExact) {
   for (const RuleCase& c : kCases) {
     SCOPED_TRACE(c.name);
     const TriangleMesh mesh = shapes::parse(c.text);
-    const ValidityReport r = expect_as_brute_force(mesh);
+    const ListedReport r = expect_as_brute_force(mesh);
     EXPECT_EQ(r.rule_counts, c.counts);
     EXPECT_EQ(r.is_valid, c.counts == Counts{});
   }
 }
 
 TEST(Validity, OfRingsAndNestsHasGenusDepthAndBodies) {
-  const ValidityReport torus = decide(shapes::torus(9, 7, 3, 1));
+  const ListedReport torus = decide(shapes::torus(9, 7, 3, 1));
   EXPECT_TRUE(torus.is_valid);
   EXPECT_EQ(torus.counts.genus, 1);
   EXPECT_EQ(torus.counts.bodies, 1u);
-  const ValidityReport nest = decide(shapes::nested_boxes(6));
+  const ListedReport nest = decide(shapes::nested_boxes(6));
   EXPECT_TRUE(nest.is_valid);
   EXPECT_EQ(nest.counts.bodies, 3u);
   for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(nest.shells[i].depth, i);
@@ -84,19 +84,19 @@ TEST(Validity, GeneratorsOfValidModelsKeepTheirPromise) {
         shapes::bipyramid(500), shapes::cone(500), shapes::tilted_cylinder(500, Cap::kCentreFan), shapes::tilted_cylinder(500, Cap::kRimFan),
         shapes::tilted_cylinder(500, Cap::kZigzag), shapes::hyperboloid(500, 150), shapes::saddle(), shapes::wave(12, 30),
         shapes::nested_boxes(7), shapes::box_grid(4, 0.25), shapes::nested_scene(random, 40), shapes::needles(random, 200)}) {
-    const ValidityReport r = decide(mesh);
+    const ListedReport r = decide(mesh);
     EXPECT_TRUE(r.is_valid) << summary(r).substr(0, 300);
   }
 }
 
 TEST(Validity, UnreferencedVerticesDoNotMatter) {
   TriangleMesh mesh = shapes::box({0, 0, 0}, {1, 1, 1});
-  const ValidityReport plain = decide(mesh);
+  const ListedReport plain = decide(mesh);
   mesh.positions.push_back({1e300, -5, 0.5});
   mesh.positions.insert(mesh.positions.begin(), {0.5, 0.5, 0.5});
   for (auto& f : mesh.faces)
     for (auto& v : f) ++v;
-  const ValidityReport r = decide(mesh);
+  const ListedReport r = decide(mesh);
   EXPECT_EQ(summary(r), summary(plain));
   EXPECT_EQ(r.box.hi, (Point3d{1, 1, 1}));
 }
@@ -106,7 +106,7 @@ TEST(ValidityRegression, AStrayVertexFarAwayCostsNothing) {
   for (double far : {-1e9, 1e15, -1e300}) {
     TriangleMesh mesh = shapes::torus(40, 30, 3, 1);
     mesh.positions.push_back({far, far, far});
-    const ValidityReport r = decide(mesh);
+    const ListedReport r = decide(mesh);
     EXPECT_TRUE(r.is_valid);
     EXPECT_FALSE(r.long_thin) << far;
   }
@@ -119,7 +119,7 @@ TEST(Validity, ListsAtMostTheDefectsAskedForButCountsAll) {
 }
 
 TEST(Validity, BoxIsThatOfTheReferencedVertices) {
-  const ValidityReport r = decide(shapes::parse("v -9,0,0 1,2,3 4,0,0 0,5,0 ; f 1,2,3"));
+  const ListedReport r = decide(shapes::parse("v -9,0,0 1,2,3 4,0,0 0,5,0 ; f 1,2,3"));
   EXPECT_EQ(r.box.lo, (Point3d{0, 0, 0}));
   EXPECT_EQ(r.box.hi, (Point3d{4, 5, 3}));
 }
@@ -139,7 +139,7 @@ TEST(Validity, SizesAreInModelUnitsAtEveryScale) {
   // Two crossing facets: they run together along one unit.
   const TriangleMesh mesh = shapes::parse("tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,-1 1,1,1 3,1,1");
   for (int e : {-1000, -600, -100, 0, 100, 600, 1000}) {
-    const ValidityReport r = decide(shapes::scaled(mesh, e));
+    const ListedReport r = decide(shapes::scaled(mesh, e));
     bool found = false;
     for (const Finding& d : r.defects)
       if (rule_of(d) == MeshRule::kM7) {
@@ -149,7 +149,8 @@ TEST(Validity, SizesAreInModelUnitsAtEveryScale) {
     EXPECT_TRUE(found);
   }
   for (int e : {-1000, -600, -400, 0, 600, 1000}) {
-    const ValidityReport r = decide(shapes::scaled(shapes::reversed(shapes::box({0, 0, 0}, {2, 2, 2})), e));
+    const ListedReport r =
+        decide(shapes::scaled(shapes::reversed(shapes::box({0, 0, 0}, {2, 2, 2})), e));
     ASSERT_EQ(r.defects.size(), 1u);
     EXPECT_DOUBLE_EQ(r.defects[0].place.size, std::ldexp(2.0, e)) << e;
   }

@@ -9,6 +9,16 @@
 
 namespace veritope {
 
+/// A report with its list of defects.
+struct ListedReport : ValidityReport {
+  std::vector<Finding> defects;
+};
+inline ListedReport decide_and_list(const TriangleMesh& mesh, const ValidityOptions& options) {
+  ListedReport out{decide_validity(mesh, options), {}};
+  out.defects = list_defects(mesh, out, options.jobs).defects;
+  return out;
+}
+
 inline std::string spelled(const std::optional<Rational>& r) { return r ? r->to_string() : "unknown"; }
 
 /// Counts, shells, volumes, depths and verdict in one line.
@@ -26,7 +36,7 @@ inline std::string summary(const ValidityReport& r) {
 }
 
 /// The summary, every listed defect, and everything that the certificate is made from.
-inline std::string full_text(const ValidityReport& r) {
+inline std::string full_text(const ListedReport& r) {
   std::string out = summary(r) + (r.long_thin ? "\nlong thin" : "\nordinary") + "\nbox";
   const auto number = [](double v) {
     char text[64];

@@ -37,8 +37,8 @@ std::optional<CertifiedCopy> copy_of(const MeshFile& file) {
                        mesh_format_name(file.report.format)};
 }
 
-ValidityReport without_defects(ValidityReport report) {
-  report.defects.clear();
+ValidityReport without_evidence(ValidityReport report) {
+  report.evidence = {};
   report.stars = {};
   return report;
 }
@@ -52,7 +52,8 @@ Certified certified_reversed(const MeshFile& file, ValidityReport decision,
   out.claim = certificate::kReversedClaim;
   out.copy = copy_of(file);
   out.certificate = make_mesh_certificate(solid, subject_of(file, options), options.jobs);
-  out.facts = MeshFacts{without_defects(std::move(solid.report)), std::move(solid.reversal)};
+  out.facts =
+      MeshFacts{without_evidence(std::move(solid.report)), std::nullopt, std::move(solid.reversal)};
   return out;
 }
 
@@ -68,15 +69,17 @@ Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOpti
   ValidityReport decision = decide_validity(file.mesh, how);
   if (options.orientation == PatchOrientation::kAuto && is_valid_once_reversed(decision))
     return certified_reversed(file, std::move(decision), options);
+  DefectList list = list_defects(file.mesh, decision, options.jobs);
   enter(Phase::kCertifying, options);
   Certified out;
-  out.certificate =
-      make_mesh_certificate(file.mesh, decision, subject_of(file, options), options.jobs);
+  out.certificate = make_mesh_certificate(file.mesh, decision, list.defects,
+                                          subject_of(file, options), options.jobs);
   out.verdict = decision.is_valid ? Verdict::kValid : Verdict::kInvalid;
   out.claim = decision.is_valid ? certificate::kValidClaim : certificate::kInvalidClaim;
   out.copy = copy_of(file);
-  out.findings = listed(std::move(decision.defects), file, options.max_findings);
-  out.facts = MeshFacts{without_defects(std::move(decision)), std::nullopt};
+  out.findings = listed(std::move(list.defects), file, options.max_findings);
+  out.facts =
+      MeshFacts{without_evidence(std::move(decision)), std::move(list.open_edges), std::nullopt};
   return out;
 }
 

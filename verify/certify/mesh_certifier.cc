@@ -176,11 +176,11 @@ Witness witness_of(const TriangleMesh& mesh, const Finding& defect) {
 }
 
 // The first listed defect of each rule that has a witness.
-InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report) {
+InvalidBody invalid_body(const TriangleMesh& mesh, std::span<const Finding> defects) {
   InvalidBody body;
   body.num_faces = static_cast<std::uint32_t>(mesh.faces.size());
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const Finding& d : report.defects) {
+  for (const Finding& d : defects) {
     const MeshRule rule = rule_of(d);
     if (!body.witnesses.empty() && body.witnesses.back().rule == static_cast<std::uint8_t>(rule))
       continue;
@@ -197,11 +197,12 @@ InvalidBody invalid_body(const TriangleMesh& mesh, const ValidityReport& report)
 }  // namespace
 
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
+                                         std::span<const Finding> defects,
                                          const certificate::Subject& subject, unsigned jobs) {
   const WorkerScope workers(std::max(1u, jobs));
   if (report.is_valid)
     return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
-  return certificate::encode(subject, invalid_body(mesh, report));
+  return certificate::encode(subject, invalid_body(mesh, defects));
 }
 
 certificate::Bytes make_mesh_certificate(const ReversedSolid& solid,

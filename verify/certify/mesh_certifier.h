@@ -2,6 +2,8 @@
 // verify/certify/mesh_certifier.h: from a decided mesh to its certificate. All searching is done here; the checkers do
 // not search.
 #pragma once
+#include <span>
+
 #include "solids/polyhedron/reversal.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "solids/polyhedron/validity.h"
@@ -11,10 +13,11 @@ namespace veritope {
 
 /// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken
 /// rule (except M7 if only M2's pairs break it: then M2 has the witness). REQUIRES report = decide_validity(mesh,
-/// options) with max_defects >= 1. The bytes do not depend on `jobs`.
+/// options) with max_defects >= 1, and its defects. The bytes do not depend on `jobs`.
 /// @cost approximately that of the decision. Throws InternalError if a proper pair has no code: a bug, never a property
 /// of the model.
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
+                                         std::span<const Finding> defects,
                                          const certificate::Subject& subject, unsigned jobs);
 
 /// The certificate mesh-reversed-1 of a file whose triangles, with those of the reversal reversed, are `solid.mesh`.

@@ -8,9 +8,11 @@
 
 namespace veritope {
 
-/// The decision, without its defects (they are the findings) and without the stars (they are in the certificate).
+/// The decision, without its evidence (the defects are the findings) and without the stars (they are in the
+/// certificate).
 struct MeshFacts {
   ValidityReport decision;  ///< if faces are reversed: of the mesh with the reversed faces
+  std::optional<OpenEdges> open_edges;  ///< as in DefectList
   std::optional<Reversal>
       reversal;  ///< the faces that PatchOrientation::kAuto reversed, if there are any
 };

@@ -1,16 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """The command line itself: usage, help, exit statuses and their order, standard input, limits, what is printed where."""
-import fcntl
 import fractions
 import os
 import pty
 import re
 import shutil
-import struct
 import subprocess
 import sys
-import termios
 import unittest
 from pathlib import Path
 
@@ -18,37 +15,8 @@ import support
 sys.path[:0] = [str(support.ROOT / "tests" / "support"), str(support.ROOT / "tests")]
 import wording_test  # noqa: E402
 from edge_gaps import squared_distance  # noqa: E402
-from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
-
-COMMANDS = ["certify", "info", "convert", "intersect", "project", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
-
-
-def read_terminal(ours):
-    """All that was written to the other side, which is closed; a terminal hands it over in pieces, and an error ends it."""
-    output = b""
-    while True:
-        try:
-            piece = os.read(ours, 65536)
-        except OSError:
-            break
-        if not piece:
-            break
-        output += piece
-    os.close(ours)
-    return output.decode()
-
-
-def run_on_terminal(*arguments, environment=None, columns=None):
-    """Standard output of a program that believes it writes to a terminal."""
-    ours, theirs = pty.openpty()
-    if columns:
-        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
-    child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
-                             env={**os.environ, "TERM": "xterm", **(environment or {})})
-    os.close(theirs)
-    output = read_terminal(ours)
-    child.wait()
-    return output
+from support import BIN, COMMANDS, INVALID, MODELS, UNREADABLE, VALID, Folder, run
+from terminal import read_terminal, run_on_terminal
 
 
 class Usage(unittest.TestCase):

@@ -5,20 +5,16 @@
     widths_test.py --update    writes these files: after a change that is meant to change the output
 """
 import difflib
-import fcntl
 import os
 import pathlib
-import pty
 import re
-import struct
-import subprocess
 import sys
 import tempfile
-import termios
 import unittest
 
 import support
-from support import BIN, DATA, ROOT
+from support import COMMANDS, DATA, ROOT
+from terminal import run_on_terminal
 
 HERE = pathlib.Path(__file__).resolve().parent
 WIDTHS = (80, 120)
@@ -26,7 +22,6 @@ EXAMPLES = ["part_with_hole.stl", "quarter_pipe.itd", "self_crossing.off", "soun
 MESHES = ["m3_crack.stl", "m7_flat.off", "m8_smallest.off", "valid_nested_three.off", "valid_quads_crlf.obj", "unreadable_index.off"]
 SPLINES = ["groups.itd", "objects.g2", "patches.mesh", "surface.xml", "trimmed.itd", "two_cubes.mesh"]
 PATCHES = ["cube.itd", "patches_crossing_smallest.itd", "side_open_crack.itd", "side_parametrization_smallest.vjson", "not_certified_smallest.vjson"]
-COMMANDS = ["certify", "info", "convert", "intersect", "project", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
 # Real models, with what they are in the name: long numbers, many defects, long messages.
 REAL = ["mesh/*/admesh__*.stl", "mesh/*/*bunny*", "cad/gotools-data__nut_*.g2", "cad/irit__*.itd", "cad/*.step", "thin/k_*.vjson"]
 
@@ -37,23 +32,7 @@ def screen(shown):
 
 
 def on_terminal(columns, *arguments, folder):
-    ours, theirs = pty.openpty()
-    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
-    child = subprocess.Popen([BIN / "veritope", *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs, cwd=folder,
-                             env={**os.environ, "TERM": "xterm", "NO_COLOR": "1"})
-    os.close(theirs)
-    output = b""
-    while True:
-        try:
-            piece = os.read(ours, 65536)
-        except OSError:
-            break
-        if not piece:
-            break
-        output += piece
-    os.close(ours)
-    child.wait()
-    return screen(output.decode())
+    return screen(run_on_terminal(*arguments, environment={"NO_COLOR": "1"}, columns=columns, folder=folder))
 
 
 def command_lines():

@@ -3,14 +3,15 @@
 // same surfaces, and refuse the same texts; on the samples, on mutations of them, on the real files of VERITOPE_DATA.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 
 #include "io/read_model.h"
+#include "tests/certify/checker_numbers.h"
 #include "tests/io/spline_test_util.h"
+#include "tests/predicates/test_scale.h"
 #include "tests/support/paths.h"
 #include "verify/checker/patches/star.h"
 
@@ -18,20 +19,6 @@ namespace veritope {
 namespace {
 
 namespace fs = std::filesystem;
-
-int scale() {
-  const char* const given = std::getenv("VT_TEST_SCALE");
-  return given == nullptr ? 1 : std::max(1, std::atoi(given));
-}
-
-Integer integer_of(const ::Big& n) {
-  Integer out;
-  for (std::size_t i = n.m.size(); i-- > 0;)
-    for (const int low : {32, 0})
-      out = out.shift_left(32) + Integer(static_cast<std::int64_t>(n.m[i] >> low & 0xffffffff));
-  return n.neg ? -out : out;
-}
-Rational rational_of(const ::Ratio& r) { return Rational(integer_of(r.n), integer_of(r.d)); }
 
 /// What a certificate may speak about: surfaces in space and no other geometry.
 std::optional<std::vector<ExactSurface>> by_kernel(const std::string& text) {
@@ -175,7 +162,7 @@ TEST(ItdReading, KernelAndCheckerAgreeOnMutatedTexts) {
                                            "64",
                                            "65"};
   std::size_t num_read = 0, num_refused = 0;
-  for (int i = 0; i < 20'000 * scale(); ++i) {
+  for (int i = 0; i < scaled(20'000); ++i) {
     std::string text = samples()[below(samples().size())];
     for (std::size_t k = 1 + below(2); k > 0; --k) {
       const std::size_t at = below(text.size() + 1);

@@ -4,7 +4,6 @@
 // the real files of VERITOPE_DATA. Those of .itd alone: itd_reading_test.cc.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,7 +13,9 @@
 
 #include "io/splines/boundary_faces.h"
 #include "io/splines/write_splines.h"
+#include "tests/certify/checker_numbers.h"
 #include "tests/io/spline_test_util.h"
+#include "tests/predicates/test_scale.h"
 #include "tests/support/paths.h"
 #include "verify/checker/patches/star.h"
 
@@ -22,20 +23,6 @@ namespace veritope {
 namespace {
 
 namespace fs = std::filesystem;
-
-int scale() {
-  const char* const given = std::getenv("VT_TEST_SCALE");
-  return given == nullptr ? 1 : std::max(1, std::atoi(given));
-}
-
-Integer integer_of(const ::Big& n) {
-  Integer out;
-  for (std::size_t i = n.m.size(); i-- > 0;)
-    for (const int low : {32, 0})
-      out = out.shift_left(32) + Integer(static_cast<std::int64_t>(n.m[i] >> low & 0xffffffff));
-  return n.neg ? -out : out;
-}
-Rational rational_of(const ::Ratio& r) { return Rational(integer_of(r.n), integer_of(r.d)); }
 
 /// A surface, or nothing for a volume.
 using Entities = std::vector<std::optional<ExactSurface>>;
@@ -261,7 +248,7 @@ TEST(ReadingRules, KernelAndCheckerNumberSharedControlPointsAlike) {
   constexpr int kCorner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                  {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   std::size_t num_read = 0;
-  for (int run = 0; run < 300 * scale(); ++run) {
+  for (int run = 0; run < scaled(300); ++run) {
     // Two bricks in a row in the lattice; the second one's axes are permuted and reversed.
     std::vector<int> label(12);
     for (int i = 0; i < 12; ++i) label[static_cast<std::size_t>(i)] = i;
@@ -401,7 +388,7 @@ void agree_on_mutations(const Rule& rule, unsigned seed, int count) {
   const auto below = [&](std::size_t n) { return random() % n; };
   const std::vector<std::string>& samples = samples_of(rule);
   std::size_t num_read = 0, num_refused = 0;
-  for (int i = 0; i < count * scale(); ++i) {
+  for (int i = 0; i < scaled(count); ++i) {
     std::string text = samples[below(samples.size())];
     for (std::size_t k = 1 + below(2); k > 0; --k) {
       const std::size_t at = below(text.size() + 1);

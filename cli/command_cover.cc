@@ -112,10 +112,11 @@ class CoverRun {
     const Result<SplineFile> file =
         read_spline_file(options_.input.files[0], options_.input.reading);
     if (!file) return fail(kExitUnreadable, file.error());
-    const PatchOrientation orientation =
-        options_.orient_auto ? PatchOrientation::kAuto : PatchOrientation::kKeep;
-    const Result<std::optional<StandIn>> stand_in = stand_in_of(*file, orientation);
+    const Result<std::optional<StandIn>> stand_in = stand_in_of(*file);
     if (!stand_in) return fail(kExitUnreadable, stand_in.error());
+    const bool is_of_volumes = *stand_in && (*stand_in)->is_of_volumes;
+    const PatchOrientation orientation =
+        options_.orient_auto && !is_of_volumes ? PatchOrientation::kAuto : PatchOrientation::kKeep;
     Result<FilePatches> patches =
         file_patches(*stand_in ? (*stand_in)->file.model : file->model, orientation);
     if (!patches) return fail(kExitUnreadable, patches.error());

@@ -59,22 +59,28 @@ bool is_short(const ExactVolume& volume, std::size_t i) {
   return true;
 }
 
-std::optional<Error> fault_of_entity(const SplineEntity& entity, std::uint64_t number) {
-  const auto fault = [&](std::string text) {
-    return error_at_entity(Code::kBadArgument, number, std::move(text));
-  };
-  const auto* const volume = std::get_if<ExactVolume>(&entity.shape);
-  if (volume == nullptr) return fault(std::string("a ") + spline_kind_name(entity));
-  if (volume->dimension() != 3)
-    return fault("a volume with " + std::to_string(volume->dimension()) + " coordinates");
+std::optional<std::string> fault_of_volume(const ExactVolume& volume) {
+  if (volume.dimension() != 3)
+    return "a volume with " + std::to_string(volume.dimension()) + " coordinates";
   for (std::size_t a = 0; a < 3; ++a)
-    if (const auto text = fault_of_axis(volume->axis(a)))
-      return fault(std::string("axis ") + kParameterNames[a] + ": " + *text);
-  for (std::size_t i = 0; i < volume->grid().count(); ++i)
-    if (!is_short(*volume, i))
-      return fault("control point " + std::to_string(i) + " has numbers of over " +
-                   std::to_string(kMostBits) + " bits");
+    if (const auto text = fault_of_axis(volume.axis(a)))
+      return std::string("axis ") + kParameterNames[a] + ": " + *text;
+  for (std::size_t i = 0; i < volume.grid().count(); ++i)
+    if (!is_short(volume, i))
+      return "control point " + std::to_string(i) + " has numbers of over " +
+             std::to_string(kMostBits) + " bits";
   return std::nullopt;
+}
+
+std::optional<Error> fault_of_entity(const SplineEntity& entity, std::uint64_t number) {
+  const auto* const volume = std::get_if<ExactVolume>(&entity.shape);
+  std::optional<std::string> fault;
+  if (volume == nullptr)
+    fault = std::string("a ") + spline_kind_name(entity);
+  else
+    fault = fault_of_volume(*volume);
+  if (!fault) return std::nullopt;
+  return error_at_entity(Code::kBadArgument, number, std::move(*fault));
 }
 
 // ---- section 2: hands
@@ -83,9 +89,18 @@ class HandOf {
  public:
   explicit HandOf(const ExactVolume& volume) : volume_(volume), grid_(volume.grid()) {}
 
-  Sign operator()() const {
-    for (std::size_t corner = 0; corner < 8; ++corner)
-      if (const Sign s = at_corner(corner); s != Sign::kZero) return s;
+  // Nothing if corners have different signs; kZero if it is 0 at all of them.
+  std::optional<Sign> at_corners() const {
+    Sign found = Sign::kZero;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const Sign s = at_corner(corner);
+      if (s == -found && s != Sign::kZero) return std::nullopt;
+      if (s != Sign::kZero) found = s;
+    }
+    return found;
+  }
+
+  Sign inside() const {
     const std::size_t n0 = grid_.size[0] - 1, n1 = grid_.size[1] - 1, n2 = grid_.size[2] - 1;
     for (std::size_t m = 0; m < std::min(kMostInside, n0 * n1 * n2); ++m) {
       const std::size_t i = m % n0, j = m / n0 % n1, k = m / n0 / n1;
@@ -349,13 +364,24 @@ std::vector<CanonicalNet> in_order(std::vector<CanonicalNet> nets) {
 
 }  // namespace
 
+std::optional<Sign> hand_at_corners(const ExactVolume& volume) {
+  if (fault_of_volume(volume)) return Sign::kZero;
+  return HandOf(volume).at_corners();
+}
+
 Result<BoundaryFaces> boundary_faces(const SplineModel& model) {
   BoundaryFaces all;
   std::vector<FaceForm> forms;
   for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
     if (auto error = fault_of_entity(model.entities[e], e)) return std::move(*error);
     const auto& volume = std::get<ExactVolume>(model.entities[e].shape);
-    const bool is_right_handed = HandOf(volume)() != Sign::kNegative;
+    const HandOf hand(volume);
+    const std::optional<Sign> at_corners = hand.at_corners();
+    if (!at_corners)
+      return error_at_entity(Code::kBadArgument, e,
+                             "the volume is folded: its corners have different hands");
+    const bool is_right_handed =
+        (*at_corners == Sign::kZero ? hand.inside() : *at_corners) != Sign::kNegative;
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t end = 0; end < 2; ++end) {
         VolumeFace face = face_at(volume, e, axis, end, is_right_handed);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,11 @@
 #include "solids/patches/patch.h"
 
 namespace veritope {
+
+/// The sign of the Jacobian determinant at those corners of a volume where it is not 0; kZero if it is 0 at all of
+/// them, and for a volume that the rule refuses for another reason. Nothing if it has different signs: then the volume
+/// folds.
+std::optional<Sign> hand_at_corners(const ExactVolume& volume);
 
 /// Where a face lies on its volume.
 struct VolumeFace {
@@ -29,7 +35,8 @@ struct BoundaryFaces {
   std::uint64_t num_walls = 0;    ///< pairs of faces that were left out
 };
 /// @error  where the rule refuses the model, with the entity: kBadArgument for one that is not a volume in space, that
-/// has an axis without clamped ends or with a knot at which it may be torn, or too long numbers. kEmpty if no face is
+/// has an axis without clamped ends or with a knot at which it may be torn, or too long numbers, or that folds at its
+/// corners. kEmpty if no face is
 /// left.
 /// @cost  near-linear in the control points of the faces
 Result<BoundaryFaces> boundary_faces(const SplineModel& model);

@@ -510,12 +510,9 @@ TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
   EXPECT_EQ(own.boundary_faces, "the 6 boundary faces of its 1 volume");
   EXPECT_EQ(format_of_certificate(own), "vjson-faces");
   expect_accepted(text(volume), own);
-  // With ends of an axis that are not clamped, and where faces may be reversed, a copy is certified.
+  // With ends of an axis that are not clamped a copy is certified.
   std::string loose = volume;
   loose.replace(loose.find(axis), axis.size(), "[\"-1\", \"0\", \"1\", \"3/2\"]");
-  CertifyOptions turning;
-  turning.orientation = PatchOrientation::kAuto;
-  expect_copy(certify(file(volume), turning).value());
   const Certified c = certify(file(loose)).value();
   expect_copy(c);
   std::string flat = volume;
@@ -530,6 +527,39 @@ TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
   const std::string first = faces.substr(faces.find("{\"kind\""));
   expect_undecided(certify(file(volume + ", " + first.substr(0, first.find("]]}}") + 4))).value(),
                    "not-covered", "1 volume and other shapes");
+}
+
+// 2 x 1 x 1, and inside it a box of which one corner may be pulled through the middle, so that it folds there.
+std::string nested_volumes(const std::string& corner) {
+  const std::string outer =
+      "[TRIVAR BEZIER 2 2 2 E3 [0 0 0][2 0 0][0 1 0][2 1 0][0 0 1][2 0 1][0 1 1][2 1 1]]\n";
+  return outer + "[TRIVAR BEZIER 2 2 2 E3 [" + corner +
+         "][1 .25 .25][.5 .75 .25][1 .75 .25][.5 .25 .75][1 .25 .75][.5 .75 .75][1 .75 .75]]\n";
+}
+
+// Counted with the hand of its folded corner, the inner volume would be a cavity.
+TEST(Certify, VolumesThatFoldAreUndecided) {
+  expect_undecided(certify(read(nested_volumes(".85 .6 .6"), "folded.itd")).value(), "not-covered",
+                   "entity 1: the volume is folded");
+  // Corners agree, and the middle does not: two inner control points are exchanged.
+  const std::string points =
+      "[0 0 0][4 0 0][-3 0 0][1 0 0] [0 1 0][4 1 0][-3 1 0][1 1 0]"
+      " [0 0 1][4 0 1][-3 0 1][1 0 1] [0 1 1][4 1 1][-3 1 1][1 1 1]";
+  expect_undecided(certify(read("[TRIVAR BEZIER 4 2 2 E3 " + points + "]\n", "folded.itd")).value(),
+                   "not-covered", "entity 0: the volume is folded");
+}
+
+// A volume says which side of its faces is outside, so that one inside another is no cavity.
+TEST(Certify, NoOrientationMakesAVolumeACavity) {
+  for (const auto orientation : {PatchOrientation::kKeep, PatchOrientation::kAuto}) {
+    CertifyOptions options;
+    options.orientation = orientation;
+    const std::string nested = nested_volumes(".5 .25 .25");
+    const Certified c = certify(read(nested, "nested.itd"), options).value();
+    EXPECT_EQ(c.verdict, Verdict::kInvalid);
+    EXPECT_FALSE(c.copy);
+    expect_accepted(nested, c);
+  }
 }
 
 // A bar beside two halves of a bar, which cut their wall in two: the rule keeps these faces, and pieces of them are walls.

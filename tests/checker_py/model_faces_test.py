@@ -104,8 +104,8 @@ class Hands(FacesTest):
                 middle = [sum(q[i] for q in at.values()) / len(at) - Q(c, 2) for i, c in enumerate((2, 3, 4))]
                 self.assertGreater(sum(x * y for x, y in zip(normal, middle)), 0)
 
-    def test_the_first_determinant_that_is_not_0_decides(self):
-        """Corners that are pinched in turn; a volume all of whose corners are; one with two hands."""
+    def test_the_corners_whose_determinant_is_not_0_decide(self):
+        """Corners that are pinched in turn; a volume all of whose corners are."""
         cube = block(degrees=(2, 2, 2))
         for count in range(1, 9):
             pinched = {tuple(2 * (c >> k & 1) for k in range(3)) for c in range(count)}
@@ -115,6 +115,14 @@ class Hands(FacesTest):
                 return cube.all()[beside[index]] if index in beside else p
             self.agrees([with_points(cube, change)])
             self.agrees([rearranged(with_points(cube, change), (1, 0, 2), (0, 0, 0))])
+
+    def test_volumes_with_different_hands_at_corners_are_refused(self):
+        """One corner is pulled through the plane of its neighbours; or all of a face but a corner moves beyond the other end."""
+        cube = block(degrees=(2, 2, 2))
+        for corner in itertools.product((0, 2), repeat=3):
+            dented = with_points(cube, lambda index, p: (*[Q(3, 4) - Q(x, 2) for x in p[:3]], 1) if index == corner else p)
+            self.agrees([dented], 0)
+            self.agrees([block((5, 5, 5), (6, 6, 6)), dented], 0)
         for twist in (1, -1):
             for at in ((0, 0, 0), (2, 2, 2), (2, 0, 2)):
                 self.agrees([with_points(cube, lambda index, p: (p[0] * twist + 5, *p[1:]) if index[0] == at[0] and index != at else p)])

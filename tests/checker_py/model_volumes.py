@@ -52,18 +52,22 @@ def with_points(volume, change):
 # ---------------------------------------------------------------- the page by brute force
 
 def hand(volume):
+    """1 or -1; 0 if corners differ."""
     at, sizes = volume.all(), volume.sizes
 
     def det(p, others):
         a, b, c = [[x / q[3] - y / p[3] for x, y in zip(q[:3], p[:3])] for q in others]
         return sum(a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3] - b[(i + 2) % 3] * c[(i + 1) % 3]) for i in range(3))
 
+    corners = set()
     for c in range(8):
         ends = [c >> k & 1 for k in range(3)]
         start = [e * (n - 1) for e, n in zip(ends, sizes)]
         found = det(at[tuple(start)], [at[tuple(s + (k == m) * (1 - 2 * e) for m, (s, e) in enumerate(zip(start, ends)))] for k in range(3)])
         if found:
-            return (1 if found > 0 else -1) * (-1) ** sum(ends)
+            corners.add((1 if found > 0 else -1) * (-1) ** sum(ends))
+    if corners:
+        return sum(corners)
     count = 0
     for k, j, i in itertools.product(*[range(n - 1) for n in sizes[::-1]]):
         found = det(at[i, j, k], [at[i + 1, j, k], at[i, j + 1, k], at[i, j, k + 1]])
@@ -144,6 +148,8 @@ def parities(turned, plain):
 def faces(volumes):
     """The faces that are left, or None if the file is refused."""
     every = []
+    if any(hand(v) == 0 for v in volumes):
+        return None
     for v in volumes:
         every += [face(v, a, e, hand(v)) for a in range(3) for e in range(2)]
     lowest = [lowered(f) for f in every]

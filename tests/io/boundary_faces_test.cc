@@ -341,7 +341,25 @@ TEST(BoundaryFaces, OfModelsThatTheRuleRefusesAreAnError) {
                                        for (const std::size_t k : i) p.emplace_back(k == 1 ? 1 : 0);
                                        return p;
                                      })}),
-                 "empty: no face of a volume is left");
+                 "bad-argument 0: the volume is folded: its corners have different hands");
+}
+
+TEST(BoundaryFaces, TheCornersOfAVolumeHaveOneHandOrItFolds) {
+  EXPECT_EQ(hand_at_corners(box(0)), Sign::kPositive);
+  EXPECT_EQ(hand_at_corners(turned(box(0), {0, 1, 2}, {true})), Sign::kNegative);
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    ExactVolume dented = box(0);  // the corner lies behind the plane of its three neighbours
+    for (int c = 0; c < 3; ++c) {
+      Rational& x = dented.component(c)[corner];
+      const Rational& opposite = dented.component(c)[7 - corner];
+      x = (x + Rational(3) * opposite) / Rational(4);
+    }
+    EXPECT_EQ(hand_at_corners(dented), std::nullopt) << corner;
+    expect_refused(model_of({box(5), dented}), "bad-argument 1: the volume is folded");
+  }
+  ExactVolume flat = box(0);
+  for (Rational& z : flat.component(2)) z = Rational();
+  EXPECT_EQ(hand_at_corners(flat), Sign::kZero);
 }
 
 // Where two volumes cut their wall differently, the rule keeps it, and the pieces of volume_faces are fewer.

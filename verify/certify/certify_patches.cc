@@ -262,7 +262,7 @@ class Certification {
 }  // namespace
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
-  Result<std::optional<StandIn>> made = stand_in_of(file, options.orientation);
+  Result<std::optional<StandIn>> made = stand_in_of(file);
   if (!made) {
     Certified out;
     out.facts.emplace<PatchFacts>();
@@ -271,7 +271,10 @@ Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOp
   }
   if (!*made) return Certification(file, {}, options).run();
   StandIn& stand_in = **made;
-  Result<Certified> out = Certification(stand_in.file, stand_in.faces, options).run();
+  CertifyOptions chosen = options;
+  // The volume says which side of its faces is outside: a volume inside another one is no cavity.
+  if (stand_in.is_of_volumes) chosen.orientation = PatchOrientation::kKeep;
+  Result<Certified> out = Certification(stand_in.file, stand_in.faces, chosen).run();
   if (!out) return out;
   if (stand_in.is_of_volumes) out->boundary_faces = stand_in.what;
   if (stand_in.is_copy())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/stand_in.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "io/splines/patch_model.h"
 #include "io/splines/volume_faces.h"
 #include "io/splines/write_splines.h"
+#include "robust/base/entity_error.h"
 
 namespace veritope {
 namespace {
@@ -73,6 +75,23 @@ std::string faces_text(std::uint64_t faces, std::uint64_t volumes, std::uint64_t
   return out;
 }
 
+// A volume whose hands at the corners and in the middle differ folds, and does not say which side of its faces is
+// outside.
+std::optional<Error> folded_volume(const SplineModel& model, const VolumeFaces& pieces) {
+  for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
+    const std::optional<Sign> hand =
+        hand_at_corners(std::get<ExactVolume>(model.entities[e].shape));
+    const bool is_mirrored = std::binary_search(pieces.mirrored.begin(), pieces.mirrored.end(), e);
+    if (hand && (*hand == Sign::kZero || (*hand == Sign::kNegative) == is_mirrored)) continue;
+    return error_at_entity(
+        Code::kBadArgument, e,
+        "the volume is folded: its map keeps the orientation of space in some "
+        "places and reverses it in others, and does not say which side of its faces is "
+        "outside");
+  }
+  return std::nullopt;
+}
+
 // The file with its boundary faces as its model; nothing if there is no rule for it, or if the rule finds other faces
 // than these.
 std::optional<StandIn> in_own_bytes(const SplineFile& file, const VolumeFaces& pieces) {
@@ -122,7 +141,7 @@ std::optional<std::string> uncovered_shapes(const SplineFile& file) {
          ": such shapes are no part of a boundary";
 }
 
-Result<std::optional<StandIn>> stand_in_of(const SplineFile& file, PatchOrientation orientation) {
+Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
   const Content c(file.model);
   const bool has_volumes = c.volumes != 0;
   if (has_left_out_shapes(file) || uncovered_shapes(file) || file.model.entities.empty())
@@ -133,8 +152,8 @@ Result<std::optional<StandIn>> stand_in_of(const SplineFile& file, PatchOrientat
   if (has_volumes) {
     Result<VolumeFaces> faces = volume_faces(file.model);
     if (!faces) return faces.error();
-    if (orientation == PatchOrientation::kKeep)
-      if (auto own = in_own_bytes(file, *faces)) return own;
+    if (auto folded = folded_volume(file.model, *faces)) return std::move(*folded);
+    if (auto own = in_own_bytes(file, *faces)) return own;
     out.what = faces_text(faces->patches.size(), c.volumes, faces->num_flat);
     out.bytes = spline_json_bytes(model_of(faces->patches));
   } else {

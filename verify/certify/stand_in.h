@@ -18,7 +18,7 @@ struct StandIn {
       bytes;  ///< of a .vjson file, the copy; empty: certificates speak of the file's own bytes
   SplineFile file;  ///< the copy, read; or the file with its boundary faces as its model
   std::vector<VolumeFace> faces;  ///< without a copy: where each of these faces lies
-  std::string what;   ///< "its 7 surfaces", "the 24 boundary faces of its 7 volumes"
+  std::string what;               ///< "its 7 surfaces", "the 24 boundary faces of its 7 volumes"
   bool is_of_volumes = false;
 
   bool is_copy() const { return !bytes.empty(); }
@@ -27,10 +27,10 @@ struct StandIn {
 /// Nothing for a file of surfaces and triangles that the checkers read, and nothing where there is no such model:
 /// entities that are not in space, or that are neither surfaces, triangles nor volumes; volumes beside others; a file
 /// from which shapes were left out. Volumes of a file that the checkers read have a copy only where the faces of
-/// boundary_faces do not have the pieces of volume_faces, and if the orientation is not kKeep (reversed faces are
-/// numbered in it).
-/// @error as volume_faces, with the entity
-Result<std::optional<StandIn>> stand_in_of(const SplineFile& file, PatchOrientation orientation);
+/// boundary_faces do not have the pieces of volume_faces.
+/// @error as volume_faces, with the entity; kBadArgument for a volume whose Jacobian determinant has different signs at
+/// its corners, or there and in its middle
+Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
 
 /// Why certificates cannot speak of the file or of a stand-in for it, in words that say what the file holds, and what
 /// helps if something does. Nothing if they can.

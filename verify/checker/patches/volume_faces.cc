@@ -62,6 +62,7 @@ struct Volume {
     return det.sign();
   }
   int hand() const {
+    int found = 0;
     for (int corner = 0; corner < 8; ++corner) {
       uint64_t i[3];
       int step[3], turns = 1;
@@ -71,8 +72,11 @@ struct Volume {
         step[a] = is_end ? -1 : 1;
         turns *= step[a];
       }
-      if (const int s = sign(i, step)) return s * turns;
+      const int s = sign(i, step) * turns;
+      expect(s * found >= 0, "the volume is folded: its corners have different hands");
+      if (s != 0) found = s;
     }
+    if (found != 0) return found;
     const uint64_t u = n[0] - 1, v = n[1] - 1, w = n[2] - 1;
     const int step[3] = {1, 1, 1};
     for (uint64_t k = 0; k < std::min(kMostPlaces, u * v * w); ++k) {

@@ -18,7 +18,7 @@ def boundary_faces(volumes):
     for n, volume in enumerate(volumes):
         check_volume(n, volume)
         exact = [integers(n, point) for point in volume.points]
-        faces += faces_of(volume, hand_of(volume, exact))
+        faces += faces_of(volume, hand_of(n, volume, exact))
     surfaces = left_over(faces)
     if not surfaces:
         raise Refused("the volumes have no boundary face that is not a wall between two and has an area")
@@ -48,23 +48,30 @@ def integers(n, point):
 
 # ---------------------------------------------------------------- section 2: the hand
 
-def hand_of(volume, exact):
+def hand_of(n, volume, exact):
     """1 or -1; 1 if all determinants are 0."""
+    at_corners = set(corner_hands(volume, exact)) - {0}
+    if len(at_corners) == 2:
+        raise Refused("volume %d is folded: its corners have different hands" % n)
+    if at_corners:
+        return at_corners.pop()
     strides = volume.strides()
-    for ends in product((0, 1), repeat=3):
-        ends, sign, at = ends[::-1], 1, 0
-        for end, size, stride in zip(ends, volume.sizes, strides):
-            at, sign = at + end * (size - 1) * stride, -sign if end else sign
-        inward = [exact[at - stride if end else at + stride] for end, stride in zip(ends, strides)]
-        turn = orientation(exact[at], *inward)
-        if turn:
-            return turn * sign
     for k, j, i in islice(product(*[range(size - 1) for size in volume.sizes[::-1]]), MAX_TRIED):
         at = i + j * strides[1] + k * strides[2]
         turn = orientation(exact[at], *[exact[at + stride] for stride in strides])
         if turn:
             return turn
     return 1
+
+def corner_hands(volume, exact):
+    """The sign of each corner's determinant, list 1."""
+    strides = volume.strides()
+    for ends in product((0, 1), repeat=3):
+        ends, sign, at = ends[::-1], 1, 0
+        for end, size, stride in zip(ends, volume.sizes, strides):
+            at, sign = at + end * (size - 1) * stride, -sign if end else sign
+        inward = [exact[at - stride if end else at + stride] for end, stride in zip(ends, strides)]
+        yield sign * orientation(exact[at], *inward)
 
 def orientation(p, q, r, s):
     """The sign of the determinant of the vectors from p to q, r and s; all have positive weights."""

@@ -36,6 +36,12 @@ class Session2d {
   double orient_error_, circle_error_;
 };
 
+/// What orient3d of a session keeps of a plane through three points, for many further points.
+struct SessionPlane {
+  Vec3d point;            ///< a
+  FilterReal x, y, z;     ///< the normal (b - a) x (c - a), rounded as in formulas::Plane3
+};
+
 /// The exact signs of orient3d and in_sphere for points of one box in space, like Session2d in the plane.
 class Session3d {
  public:
@@ -53,6 +59,15 @@ class Session3d {
                 TierCounts* tally = nullptr) const;
   Sign in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, const Vec3d& e,
                  TierCounts* tally = nullptr) const;
+
+  /// REQUIRES points of the box.
+  static SessionPlane plane(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+  /// The first tier of orient3d(a, b, c, d) for plane(a, b, c), bit for bit; never zero. REQUIRES contains(d).
+  Sign3 orient3d_filter(const SessionPlane& plane, const Vec3d& d) const;
+  /// A bound on the error of plane_value.
+  double orient3d_error() const { return orient_error_; }
+  /// The value whose sign the filter takes.
+  static double plane_value(const SessionPlane& plane, const Vec3d& d);
 
  private:
   Vec3d lo_, hi_;
@@ -98,6 +113,20 @@ inline Sign Session3d::orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, 
         return sign_beyond(plane.det(d.x - a.x, d.y - a.y, d.z - a.z), orient_error_);
       },
       [&](TierCounts* t) VT_TIER { return internal::orient3d_after_filter(a, b, c, d, t); });
+}
+
+inline SessionPlane Session3d::plane(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const formulas::Plane3<FilterReal> p(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  return {a, p.yz - p.zy, p.zx - p.xz, p.xy - p.yx};
+}
+
+inline double Session3d::plane_value(const SessionPlane& plane, const Vec3d& d) {
+  const FilterReal wx = d.x - plane.point.x, wy = d.y - plane.point.y, wz = d.z - plane.point.z;
+  return (wx * plane.x + wy * plane.y) + wz * plane.z;
+}
+
+inline Sign3 Session3d::orient3d_filter(const SessionPlane& plane, const Vec3d& d) const {
+  return sign_beyond(plane_value(plane, d), orient_error_);
 }
 
 inline Sign Session3d::in_sphere(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d,

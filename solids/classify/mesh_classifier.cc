@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/classify/mesh_classifier.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "robust/base/fp_guard.h"
+#include "robust/base/parallel.h"
+#include "solids/classify/cell_octree_internal.h"
+#include "solids/classify/facet_tests_internal.h"
+#include "solids/classify/ray_count_internal.h"
+#include "solids/classify/segment_count_internal.h"
+#include "solids/classify/shell_chain_internal.h"
+#include "topology/incidence.h"
+#include "topology/surface.h"
+
+namespace veritope {
+
+using namespace internal;
+
+namespace {
+
+constexpr std::size_t kChunkOfPoints = 1024;
+
+Box3d box_of(const TriangleMesh& mesh) {
+  Box3d out = empty_box();
+  for (const auto& t : mesh.faces)
+    for (const std::uint32_t v : t) add(to_point(mesh.positions[v]), &out);
+  return out;
+}
+
+bool is_in(const Box3d& box, const Vec3d& q) {
+  const Point3d p = to_point(q);
+  return is_inside({p, p}, box);
+}
+bool is_in(const Box3d& box, const RationalPoint& q) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (q[k] < Rational::from_double(box.lo[k]) || Rational::from_double(box.hi[k]) < q[k])
+      return false;
+  return true;
+}
+
+}  // namespace
+
+class MeshClassifier::Body {
+ public:
+  Body(const TriangleMesh& mesh, const MeshShells* shells)
+      : mesh_(mesh), box_(box_of(mesh)), chains_(shells) {
+    const std::optional<OctreeFrame> frame = OctreeFrame::around(box_);
+    const auto vec = [](const Point3d& p) { return Vec3d{p[0], p[1], p[2]}; };
+    if (!frame) {
+      tests_.emplace(mesh, vec(box_.lo), vec(box_.hi));
+      return;
+    }
+    const Vec3d& o = frame->origin;
+    tests_.emplace(mesh, o, Vec3d{o.x + frame->size, o.y + frame->size, o.z + frame->size});
+    octree_.emplace(*tests_, *frame, num_facets(), chains_);
+  }
+
+  template <typename Point>
+  PointAnswer classify(const Point& q) const {
+    if (!is_in(box_, q)) return {};
+    if (!octree_) return by_all_facets(q);
+    const CellOctree::Found found = octree_->find(rounded(q));
+    if (found.label != nullptr) return answer(*found.label, {});
+    return in_cell(found, q);
+  }
+
+  LookupSize lookup() const {
+    LookupSize out = octree_ ? octree_->size() : LookupSize{};
+    out.bytes += tests_->bytes();
+    return out;
+  }
+
+ private:
+  static const Vec3d& rounded(const Vec3d& q) { return q; }
+  static Vec3d rounded(const RationalPoint& q) {
+    return {nearest_double(q[0]), nearest_double(q[1]), nearest_double(q[2])};
+  }
+  std::uint32_t num_facets() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
+
+  PointAnswer answer(const RegionLabel& from, const WindingChange& change) const {
+    return {from.winding + change.winding, kNowhere,
+            chains_.innermost_after(from.chain, change.shells)};
+  }
+  PointAnswer on(std::uint32_t facet) const { return {0, facet, chains_.shell_of(facet)}; }
+
+  // The segment from the cell's reference point to q lies in the cell, margin included, so that only facets of the cell
+  // can cross it.
+  template <typename Point>
+  PointAnswer in_cell(const CellOctree::Found& found, const Point& q) const {
+    const OccupiedCell& cell = *found.occupied;
+    WindingChange change;
+    bool touches_rim = !cell.has_reference;
+    std::uint32_t least = kNowhere;
+    for (const CellFacet& f : octree_->facets(cell)) {
+      const Sign side = tests_->side(f.facet, q);
+      if (side == Sign::kZero) {  // a plane without the reference meets the segment in q only
+        if (f.facet < least && tests_->contains(f.facet, q)) least = f.facet;
+        continue;
+      }
+      if (touches_rim || side == f.reference_side()) continue;
+      const Passage passage = tests_->passage(f.facet, cell.reference, q);
+      touches_rim = passage == Passage::kTouchesRim;
+      if (passage == Passage::kCrosses) change.cross(f.facet, f.reference_side(), chains_.shells());
+    }
+    if (least != kNowhere) return on(least);
+    if (!touches_rim) return answer(cell.label, change);
+    if (cell.has_reference)
+      for (int i = 0; i < OctreeCell::kNumPoints; ++i)
+        if (const auto around = change_through(found.cell.point(i), cell, q))
+          return answer(cell.label, *around);
+    return answer({}, change_along_ray(mesh_, q, chains_.shells()));
+  }
+
+  // The change along two segments, from the reference point to p and from p to q. Nothing if one of them touches the rim
+  // of a facet, or if p lies on the plane of a facet. REQUIRES q off the facets.
+  template <typename Point>
+  std::optional<WindingChange> change_through(const Vec3d& p, const OccupiedCell& cell,
+                                              const Point& q) const {
+    WindingChange out;
+    for (const CellFacet& f : octree_->facets(cell)) {
+      if (tests_->is_degenerate(f.facet)) continue;
+      const Sign start = f.reference_side(), middle = tests_->side(f.facet, p),
+                 end = tests_->side(f.facet, q);
+      if (middle == Sign::kZero) return std::nullopt;
+      if (start != middle) {
+        const Passage passage = tests_->passage(f.facet, cell.reference, p);
+        if (passage == Passage::kTouchesRim) return std::nullopt;
+        if (passage == Passage::kCrosses) out.cross(f.facet, start, chains_.shells());
+      }
+      if (end == Sign::kZero || middle == end) continue;
+      const Passage passage = tests_->passage(f.facet, p, q);
+      if (passage == Passage::kTouchesRim) return std::nullopt;
+      if (passage == Passage::kCrosses) out.cross(f.facet, middle, chains_.shells());
+    }
+    return out;
+  }
+
+  // For meshes that are too large, too small, or too far away for an octree with corners in binary64.
+  template <typename Point>
+  PointAnswer by_all_facets(const Point& q) const {
+    std::uint32_t f = 0;
+    while (f < num_facets() && !(tests_->side(f, q) == Sign::kZero && tests_->contains(f, q))) ++f;
+    if (f < num_facets()) return on(f);
+    return answer({}, change_along_ray(mesh_, q, chains_.shells()));
+  }
+
+  const TriangleMesh& mesh_;
+  const Box3d box_;
+  ShellChains chains_;
+  std::optional<FacetTests> tests_;
+  std::optional<CellOctree> octree_;
+};
+
+MeshClassifier::MeshClassifier(std::unique_ptr<const Body> body) : body_(std::move(body)) {}
+MeshClassifier::MeshClassifier(MeshClassifier&&) noexcept = default;
+MeshClassifier::~MeshClassifier() = default;
+
+Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, unsigned jobs,
+                                            const MeshShells* shells) {
+  const Incidence incidence = Incidence::build(
+      mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs);
+  if (!analyse_surface(mesh.faces, incidence, 0, jobs).is_cycle)
+    return Error{Code::kBadArgument, {}, "the surface is not closed: an edge is not used equally often in both directions"};
+  const ScopedDefaultFp nearest;
+  return MeshClassifier(std::make_unique<const Body>(mesh, shells));
+}
+
+PointAnswer MeshClassifier::classify(const Vec3d& point) const {
+  const ScopedDefaultFp nearest;
+  return body_->classify(point);
+}
+
+PointAnswer MeshClassifier::classify(const RationalPoint& point) const {
+  const ScopedDefaultFp nearest;
+  return body_->classify(point);
+}
+
+void MeshClassifier::classify(std::span<const Vec3d> points, std::span<PointAnswer> answers,
+                              unsigned jobs) const {
+  parallel_for(points.size(), kChunkOfPoints, jobs,
+               [&](std::size_t, std::size_t begin, std::size_t end) {
+                 const ScopedDefaultFp nearest;
+                 for (std::size_t i = begin; i < end; ++i) answers[i] = body_->classify(points[i]);
+               });
+}
+
+LookupSize MeshClassifier::lookup() const { return body_->lookup(); }
+
+}  // namespace veritope

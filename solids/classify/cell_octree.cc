@@ -223,6 +223,21 @@ void CellOctree::make_grid(std::uint32_t num_facets) {
       }
 }
 
+std::vector<std::uint32_t> CellOctree::renumber_facets(std::uint32_t num_facets) {
+  std::vector<std::uint32_t> order, rank(num_facets, kNowhere);
+  order.reserve(num_facets);
+  const auto rank_of = [&](std::uint32_t f) {
+    if (rank[f] == kNowhere) {
+      rank[f] = static_cast<std::uint32_t>(order.size());
+      order.push_back(f);
+    }
+    return rank[f];
+  };
+  for (CellFacet& f : facets_) f.facet = rank_of(f.facet) & 0x7fffffffu;
+  for (std::uint32_t f = 0; f < num_facets; ++f) rank_of(f);
+  return order;
+}
+
 OctreeCell CellOctree::cell_at(const std::array<std::uint32_t, 3>& place, int level) const {
   const double size = std::ldexp(frame_.size, -level);
   return {{frame_.origin.x + place[0] * size, frame_.origin.y + place[1] * size,

@@ -94,7 +94,14 @@ class CellOctree {
   std::span<const CellFacet> facets(const OccupiedCell& cell) const {
     return {facets_.data() + cell.first, cell.count};
   }
+  void prefetch_facets(const OccupiedCell& cell) const {
+    __builtin_prefetch(facets_.data() + cell.first);
+  }
   LookupSize size() const;
+
+  /// Numbers the facets of the cells in the order in which cells name them, so that those of one cell are neighbours.
+  /// Returns that order, in their old numbers.
+  std::vector<std::uint32_t> renumber_facets(std::uint32_t num_facets);
 
  private:
   class Builder;

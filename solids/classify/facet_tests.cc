@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
@@ -40,10 +41,19 @@ bool is_on_triangle(const std::array<Point, 3>& t, const AxisProjection& seen, c
 
 FacetTests::FacetTests(const TriangleMesh& mesh, const Vec3d& lo, const Vec3d& hi)
     : mesh_(&mesh), session_(lo, hi) {
-  planes_.reserve(mesh.faces.size());
-  for (const auto& t : mesh.faces)
-    planes_.push_back(
-        Session3d::plane(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
+  records_.reserve(mesh.faces.size());
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& t = mesh.faces[f];
+    records_.push_back(
+        {Session3d::plane(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]), f, t});
+  }
+}
+
+void FacetTests::reorder(const std::vector<std::uint32_t>& order) {
+  std::vector<FacetRecord> records;
+  records.reserve(order.size());
+  for (const std::uint32_t i : order) records.push_back(records_[i]);
+  records_ = std::move(records);
 }
 
 Sign FacetTests::exact_side(std::uint32_t facet, const Vec3d& q) const {

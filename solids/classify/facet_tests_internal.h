@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "predicates/session.h"
 #include "solids/classify/point_answer.h"
@@ -22,20 +23,28 @@ inline Passage passage_of(Sign ab, Sign bc, Sign ca) {
   return has_zero ? Passage::kTouchesRim : Passage::kCrosses;
 }
 
-/// The facets of a mesh, for points in a box around it.
+/// What the tests need of a facet, in one line of the cache.
+struct alignas(64) FacetRecord {
+  SessionPlane plane;
+  std::uint32_t id;  ///< the facet's number in the mesh
+  std::array<std::uint32_t, 3> corners;
+};
+
+/// The facets of a mesh, for points in a box around it. Functions take the number of a record: that of the facet, until
+/// the records are put into another order.
 class FacetTests {
  public:
   /// REQUIRES a box that contains the vertices of the faces. The mesh must outlive this.
   FacetTests(const TriangleMesh& mesh, const Vec3d& lo, const Vec3d& hi);
 
   std::array<Vec3d, 3> corners(std::uint32_t facet) const {
-    const auto& t = mesh_->faces[facet];
+    const auto& t = records_[facet].corners;
     return {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]]};
   }
 
   /// Positive on the side to which the facet's normal points; zero on its plane, and everywhere for a degenerate facet.
   Sign side(std::uint32_t facet, const Vec3d& q) const {
-    const Sign3 s = session_.orient3d_filter(planes_[facet], q);
+    const Sign3 s = session_.orient3d_filter(records_[facet].plane, q);
     if (is_certain(s)) [[likely]]
       return to_sign(s);
     return exact_side(facet, q);
@@ -52,16 +61,22 @@ class FacetTests {
 
   bool is_degenerate(std::uint32_t facet) const;
 
-  const SessionPlane& plane(std::uint32_t facet) const { return planes_[facet]; }
+  void prefetch(std::uint32_t facet) const { __builtin_prefetch(&records_[facet]); }
+  const SessionPlane& plane(std::uint32_t facet) const { return records_[facet].plane; }
+  /// The number in the mesh.
+  std::uint32_t id(std::uint32_t facet) const { return records_[facet].id; }
   const Session3d& session() const { return session_; }
-  std::uint64_t bytes() const { return planes_.size() * sizeof(SessionPlane); }
+  std::uint64_t bytes() const { return records_.size() * sizeof(FacetRecord); }
+
+  /// Record i becomes what record order[i] was. REQUIRES a permutation.
+  void reorder(const std::vector<std::uint32_t>& order);
 
  private:
   Sign exact_side(std::uint32_t facet, const Vec3d& q) const;
 
   const TriangleMesh* mesh_;
   Session3d session_;
-  std::vector<SessionPlane> planes_;
+  std::vector<FacetRecord> records_;
 };
 
 

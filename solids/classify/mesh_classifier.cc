@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solids/classify/mesh_classifier.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -56,15 +57,28 @@ class MeshClassifier::Body {
     const Vec3d& o = frame->origin;
     tests_.emplace(mesh, o, Vec3d{o.x + frame->size, o.y + frame->size, o.z + frame->size});
     octree_.emplace(*tests_, *frame, num_facets(), chains_);
+    tests_->reorder(octree_->renumber_facets(num_facets()));
   }
 
   template <typename Point>
   PointAnswer classify(const Point& q) const {
-    if (!is_in(box_, q)) return {};
-    if (!octree_) return by_all_facets(q);
-    const CellOctree::Found found = octree_->find(rounded(q));
-    if (found.label != nullptr) return answer(*found.label, {});
-    return in_cell(found, q);
+    return answer_at(find(q), q);
+  }
+
+  // Some points at a time, in stages: the next stage's memory is fetched while this one's points are computed.
+  void classify_all(std::span<const Vec3d> points, std::span<PointAnswer> answers) const {
+    constexpr std::size_t kGroup = 16;
+    std::array<CellOctree::Found, kGroup> found;
+    for (std::size_t begin = 0; begin < points.size(); begin += kGroup) {
+      const std::size_t n = std::min(kGroup, points.size() - begin);
+      for (std::size_t i = 0; i < n; ++i) found[i] = find(points[begin + i]);
+      for (std::size_t i = 0; i < n; ++i)
+        if (found[i].occupied != nullptr) octree_->prefetch_facets(*found[i].occupied);
+      for (std::size_t i = 0; i < n; ++i)
+        if (found[i].occupied != nullptr)
+          for (const CellFacet& f : octree_->facets(*found[i].occupied)) tests_->prefetch(f.facet);
+      for (std::size_t i = 0; i < n; ++i) answers[begin + i] = answer_at(found[i], points[begin + i]);
+    }
   }
 
   LookupSize lookup() const {
@@ -79,6 +93,19 @@ class MeshClassifier::Body {
     return {nearest_double(q[0]), nearest_double(q[1]), nearest_double(q[2])};
   }
   std::uint32_t num_facets() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
+
+  // Neither a label nor a cell: outside of the box, or no octree.
+  template <typename Point>
+  CellOctree::Found find(const Point& q) const {
+    if (!octree_ || !is_in(box_, q)) return {};
+    return octree_->find(rounded(q));
+  }
+  template <typename Point>
+  PointAnswer answer_at(const CellOctree::Found& found, const Point& q) const {
+    if (found.label != nullptr) return answer(*found.label, {});
+    if (found.occupied != nullptr) return in_cell(found, q);
+    return octree_ || !is_in(box_, q) ? PointAnswer{} : by_all_facets(q);
+  }
 
   PointAnswer answer(const RegionLabel& from, const WindingChange& change) const {
     return {from.winding + change.winding, kNowhere,
@@ -97,13 +124,14 @@ class MeshClassifier::Body {
     for (const CellFacet& f : octree_->facets(cell)) {
       const Sign side = tests_->side(f.facet, q);
       if (side == Sign::kZero) {  // a plane without the reference meets the segment in q only
-        if (f.facet < least && tests_->contains(f.facet, q)) least = f.facet;
+        const std::uint32_t id = tests_->id(f.facet);
+        if (id < least && tests_->contains(f.facet, q)) least = id;
         continue;
       }
       if (touches_rim || side == f.reference_side()) continue;
       const Passage passage = tests_->passage(f.facet, cell.reference, q);
       touches_rim = passage == Passage::kTouchesRim;
-      if (passage == Passage::kCrosses) change.cross(f.facet, f.reference_side(), chains_.shells());
+      if (passage == Passage::kCrosses) change.cross(tests_->id(f.facet), f.reference_side(), chains_.shells());
     }
     if (least != kNowhere) return on(least);
     if (!touches_rim) return answer(cell.label, change);
@@ -128,12 +156,12 @@ class MeshClassifier::Body {
       if (start != middle) {
         const Passage passage = tests_->passage(f.facet, cell.reference, p);
         if (passage == Passage::kTouchesRim) return std::nullopt;
-        if (passage == Passage::kCrosses) out.cross(f.facet, start, chains_.shells());
+        if (passage == Passage::kCrosses) out.cross(tests_->id(f.facet), start, chains_.shells());
       }
       if (end == Sign::kZero || middle == end) continue;
       const Passage passage = tests_->passage(f.facet, p, q);
       if (passage == Passage::kTouchesRim) return std::nullopt;
-      if (passage == Passage::kCrosses) out.cross(f.facet, middle, chains_.shells());
+      if (passage == Passage::kCrosses) out.cross(tests_->id(f.facet), middle, chains_.shells());
     }
     return out;
   }
@@ -183,7 +211,8 @@ void MeshClassifier::classify(std::span<const Vec3d> points, std::span<PointAnsw
   parallel_for(points.size(), kChunkOfPoints, jobs,
                [&](std::size_t, std::size_t begin, std::size_t end) {
                  const ScopedDefaultFp nearest;
-                 for (std::size_t i = begin; i < end; ++i) answers[i] = body_->classify(points[i]);
+                 body_->classify_all(points.subspan(begin, end - begin),
+                                     answers.subspan(begin, end - begin));
                });
 }
 

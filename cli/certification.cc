@@ -160,6 +160,7 @@ class Certification {
     set_certificate(std::move(certified->certificate));
     without_collar_ = std::move(certified->without_collar);
     if (settings_.picture) draw();
+    if (settings_.model != nullptr) *settings_.model = std::move(model_);
     model_ = {};  // memory for the checker
     return true;
   }

@@ -23,6 +23,8 @@ struct CertifySettings {
   std::string checker;     ///< the checker's program; empty: --no-check
   /// Nothing: no picture. A picture shows up to kMostDrawn defects of each rule, whatever the number that is listed.
   std::optional<PictureKind> picture;
+  /// Not null: takes the model once it is decided.
+  ModelFile* model = nullptr;
 };
 
 /// The model that was certified in the place of the file.

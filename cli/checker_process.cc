@@ -181,11 +181,13 @@ Result<std::string> find_checker() {
 
 CheckerOutcome run_checker(const std::string& checker, const std::string& model,
                            const std::string& certificate, const std::string& claim,
-                           const std::vector<int>& inherited) {
+                           const std::vector<int>& inherited, const std::string& answers) {
   const auto begin = std::chrono::steady_clock::now();
   // A name that looks like an option is a file, too.
   const std::string named = model.compare(0, 1, "-") == 0 ? "./" + model : model;
-  const char* const arguments[] = {checker.c_str(), named.c_str(), certificate.c_str(), nullptr};
+  const char* const third = answers.empty() ? nullptr : answers.c_str();
+  const char* const arguments[] = {checker.c_str(), named.c_str(), certificate.c_str(), third,
+                                   nullptr};
   CheckerOutcome outcome;
   pid_t child = 0;
   int output = -1;

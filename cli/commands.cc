@@ -6,7 +6,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<Command, 11> kCommands = {{
+constexpr std::array<Command, 12> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
@@ -14,6 +14,7 @@ constexpr std::array<Command, 11> kCommands = {{
     {"project",
      "find all critical points of the distance from a point\nto curves and surfaces, and prove it",
      declare_project},
+    {"classify", "tell of points whether they are in, on or out of a solid", declare_classify},
     {"cover", "write the boxes and cells of a proof, to look at", declare_cover},
     {"explain", "explain a rule or an answer; without RULE list them", declare_explain},
     {"explain-certificate", "print a certificate as text", declare_explain_certificate},

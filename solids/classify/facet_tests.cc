@@ -13,7 +13,7 @@ namespace veritope::internal {
 namespace {
 
 std::array<double, 3> coordinates(const Vec3d& p) { return to_point(p); }
-const RationalPoint& coordinates(const RationalPoint& p) { return p; }
+const ExactPoint& coordinates(const ExactPoint& p) { return p; }
 
 // Whether q lies between a and b on their line, the ends included.
 template <typename Point>
@@ -61,7 +61,7 @@ Sign FacetTests::exact_side(std::uint32_t facet, const Vec3d& q) const {
   return veritope::orient3d(t[0], t[1], t[2], q);
 }
 
-Sign FacetTests::side(std::uint32_t facet, const RationalPoint& q) const {
+Sign FacetTests::side(std::uint32_t facet, const ExactPoint& q) const {
   const auto t = corners(facet);
   return orient3d(to_rational(t[0]), to_rational(t[1]), to_rational(t[2]), q);
 }
@@ -73,9 +73,9 @@ Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const Vec3d&
   return passage_of(ab, bc, session_.orient3d(from, to, t[2], t[0]));
 }
 
-Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const RationalPoint& to) const {
+Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const ExactPoint& to) const {
   const auto t = corners(facet);
-  const RationalPoint f = to_rational(from), a = to_rational(t[0]), b = to_rational(t[1]),
+  const ExactPoint f = to_rational(from), a = to_rational(t[0]), b = to_rational(t[1]),
                       c = to_rational(t[2]);
   return passage_of(orient3d(f, to, a, b), orient3d(f, to, b, c), orient3d(f, to, c, a));
 }
@@ -85,9 +85,9 @@ bool FacetTests::contains(std::uint32_t facet, const Vec3d& q) const {
   return is_on_triangle(t, projection_of(t[0], t[1], t[2]), q);
 }
 
-bool FacetTests::contains(std::uint32_t facet, const RationalPoint& q) const {
+bool FacetTests::contains(std::uint32_t facet, const ExactPoint& q) const {
   const auto t = corners(facet);
-  const std::array<RationalPoint, 3> exact{to_rational(t[0]), to_rational(t[1]), to_rational(t[2])};
+  const std::array<ExactPoint, 3> exact{to_rational(t[0]), to_rational(t[1]), to_rational(t[2])};
   return is_on_triangle(exact, projection_of(t[0], t[1], t[2]), q);
 }
 

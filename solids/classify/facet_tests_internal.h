@@ -49,15 +49,15 @@ class FacetTests {
       return to_sign(s);
     return exact_side(facet, q);
   }
-  Sign side(std::uint32_t facet, const RationalPoint& q) const;
+  Sign side(std::uint32_t facet, const ExactPoint& q) const;
 
   /// REQUIRES endpoints on different sides of the facet's plane.
   Passage passage(std::uint32_t facet, const Vec3d& from, const Vec3d& to) const;
-  Passage passage(std::uint32_t facet, const Vec3d& from, const RationalPoint& to) const;
+  Passage passage(std::uint32_t facet, const Vec3d& from, const ExactPoint& to) const;
 
   /// Whether the closed facet, degenerate ones included, contains q. REQUIRES side(facet, q) == kZero.
   bool contains(std::uint32_t facet, const Vec3d& q) const;
-  bool contains(std::uint32_t facet, const RationalPoint& q) const;
+  bool contains(std::uint32_t facet, const ExactPoint& q) const;
 
   bool is_degenerate(std::uint32_t facet) const;
 

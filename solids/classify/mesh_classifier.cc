@@ -35,7 +35,7 @@ bool is_in(const Box3d& box, const Vec3d& q) {
   const Point3d p = to_point(q);
   return is_inside({p, p}, box);
 }
-bool is_in(const Box3d& box, const RationalPoint& q) {
+bool is_in(const Box3d& box, const ExactPoint& q) {
   for (std::size_t k = 0; k < 3; ++k)
     if (q[k] < Rational::from_double(box.lo[k]) || Rational::from_double(box.hi[k]) < q[k])
       return false;
@@ -89,7 +89,7 @@ class MeshClassifier::Body {
 
  private:
   static const Vec3d& rounded(const Vec3d& q) { return q; }
-  static Vec3d rounded(const RationalPoint& q) {
+  static Vec3d rounded(const ExactPoint& q) {
     return {nearest_double(q[0]), nearest_double(q[1]), nearest_double(q[2])};
   }
   std::uint32_t num_facets() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
@@ -201,7 +201,7 @@ PointAnswer MeshClassifier::classify(const Vec3d& point) const {
   return body_->classify(point);
 }
 
-PointAnswer MeshClassifier::classify(const RationalPoint& point) const {
+PointAnswer MeshClassifier::classify(const ExactPoint& point) const {
   const ScopedDefaultFp nearest;
   return body_->classify(point);
 }

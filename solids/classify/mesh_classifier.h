@@ -44,7 +44,7 @@ class MeshClassifier {
   /// REQUIRES finite coordinates.
   PointAnswer classify(const Vec3d& point) const;
   /// For coordinates that binary64 does not have; slower by a factor of a hundred.
-  PointAnswer classify(const RationalPoint& point) const;
+  PointAnswer classify(const ExactPoint& point) const;
   /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.
   void classify(std::span<const Vec3d> points, std::span<PointAnswer> answers, unsigned jobs) const;
 

@@ -23,6 +23,6 @@ struct PointAnswer {
 };
 
 /// A point with any rational coordinates.
-using RationalPoint = std::array<Rational, 3>;
+using ExactPoint = std::array<Rational, 3>;
 
 }  // namespace veritope

@@ -13,13 +13,13 @@ namespace {
 constexpr int kAxis = 0;
 
 // The stab rule for rational points: stab_facet has it for binary64.
-Stab stab(const std::array<RationalPoint, 3>& t, const RationalPoint& q) {
+Stab stab(const std::array<ExactPoint, 3>& t, const ExactPoint& q) {
   bool is_odd = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const RationalPoint &a = t[i], &b = t[(i + 1) % 3];
+    const ExactPoint &a = t[i], &b = t[(i + 1) % 3];
     const bool is_low = a[2] <= q[2];
     if (is_low == (b[2] <= q[2])) continue;
-    const RationalPoint &low = is_low ? a : b, &high = is_low ? b : a;
+    const ExactPoint &low = is_low ? a : b, &high = is_low ? b : a;
     is_odd ^= orient2d(low, high, q, kAxis) == Sign::kPositive;
   }
   if (!is_odd) return Stab::kMiss;
@@ -27,7 +27,7 @@ Stab stab(const std::array<RationalPoint, 3>& t, const RationalPoint& q) {
   if (ahead == Sign::kZero) return Stab::kTouch;
   return ahead == Sign::kPositive ? Stab::kHit : Stab::kMiss;
 }
-Stab stab(const TriangleMesh& mesh, std::uint32_t f, const RationalPoint& q) {
+Stab stab(const TriangleMesh& mesh, std::uint32_t f, const ExactPoint& q) {
   const auto& t = mesh.faces[f];
   return stab({to_rational(mesh.positions[t[0]]), to_rational(mesh.positions[t[1]]),
                to_rational(mesh.positions[t[2]])},
@@ -57,7 +57,7 @@ WindingChange change_along_ray(const TriangleMesh& mesh, const Vec3d& q, const M
   return change_to(mesh, q, shells);
 }
 
-WindingChange change_along_ray(const TriangleMesh& mesh, const RationalPoint& q,
+WindingChange change_along_ray(const TriangleMesh& mesh, const ExactPoint& q,
                                const MeshShells* shells) {
   return change_to(mesh, q, shells);
 }

@@ -114,6 +114,9 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kCollar2Claim, kStarBox2Magic, "collar-2.md", kSplines, "",
      "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
      decode_whole<internal::read_collar_2>, explain_as<CollarBody>},
+    {kPointsClaim, kPointsMagic, "points.md", kMeshes, "answers_sha256 decimals reading_rule",
+     "answers_bytes on points undecided", "as_indexed winding", encode_as<PointsBody>,
+     decode_whole<internal::read_points>, explain_as<PointsBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

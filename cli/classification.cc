@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/classification.h"
+
+#include <utility>
+#include <vector>
+
+#include "io/mesh/reading_rule.h"
+#include "robust/base/stopwatch.h"
+#include "verify/certify/certify.h"
+#include "verify/certify/points_certifier.h"
+#include "verify/format/sha256.h"
+
+namespace veritope::cli {
+namespace {
+
+// "in 1 0": word, f and shell.
+void append_answer(const PointAnswer& answer, bool is_winding, std::string& out) {
+  if (answer.is_on())
+    out += " on -";
+  else
+    out += (is_winding ? " - " : answer.winding != 0 ? " in " : " out ") +
+           std::to_string(answer.winding);
+  out += answer.shell == kNowhere ? " -\n" : " " + std::to_string(answer.shell) + "\n";
+}
+
+certificate::Subject subject_of(const MeshFile& file) {
+  certificate::Subject out;
+  out.sha256 = file.sha256;
+  out.bytes = file.report.bytes;
+  out.format = mesh_format_name(file.report.format);
+  out.as_indexed = file.report.as_indexed;
+  out.reading_rule = kReadingRule;
+  out.tool = tool_name();
+  return out;
+}
+
+class Classification {
+ public:
+  Classification(const MeshClassifier& classifier, const ClassifySettings& settings,
+                 std::optional<PointsCertifier> certifier, report::ClassifyReport& report)
+      : classifier_(classifier),
+        settings_(settings),
+        certifier_(std::move(certifier)),
+        report_(report) {}
+
+  // The lines of the answers of a batch.
+  const std::string& answer(const PointBatch& batch) {
+    answers_.resize(batch.size());
+    classifier_.classify(batch.points, answers_, settings_.jobs);
+    for (const auto& [i, point] : batch.exact) answers_[i] = classifier_.classify(point);
+    if (certifier_) certifier_->add(batch.points, answers_);
+    lines_.clear();
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      lines_ += batch.text(i);
+      append_answer(answers_[i], settings_.is_winding, lines_);
+      count(answers_[i]);
+    }
+    if (certifier_) {
+      hash_.update({reinterpret_cast<const unsigned char*>(lines_.data()), lines_.size()});
+      num_bytes_ += lines_.size();
+    }
+    return lines_;
+  }
+
+  Result<certificate::Bytes> certificate(const MeshFile& file) {
+    if (!certifier_) return certificate::Bytes();
+    certificate::AnswersSubject answers;
+    answers.sha256 = to_hex(hash_.finish());
+    answers.bytes = num_bytes_;
+    answers.are_decimals_exact = settings_.decimals == Decimals::kExact;
+    answers.is_winding = settings_.is_winding;
+    return certifier_->finish(subject_of(file), std::move(answers));
+  }
+
+ private:
+  void count(const PointAnswer& answer) {
+    ++report_.points;
+    if (answer.is_on())
+      ++report_.on;
+    else if (!settings_.is_winding)
+      ++(answer.winding != 0 ? report_.in : report_.out);
+  }
+
+  const MeshClassifier& classifier_;
+  const ClassifySettings& settings_;
+  std::optional<PointsCertifier> certifier_;
+  report::ClassifyReport& report_;
+  std::vector<PointAnswer> answers_;
+  std::string lines_;
+  Sha256 hash_;
+  std::uint64_t num_bytes_ = 0;
+};
+
+}  // namespace
+
+Result<certificate::Bytes> classify_points(const MeshFile& file, const MeshShells* shells,
+                                           PointSource& source, const ClassifySettings& settings,
+                                           const WriteAnswers& write, Progress& progress,
+                                           const std::string& shown_name,
+                                           report::ClassifyReport& report) {
+  Stopwatch watch;
+  progress.phase(shown_name, "building the look-up");
+  const Result<MeshClassifier> classifier = MeshClassifier::make(file.mesh, settings.jobs, shells);
+  if (!classifier) return classifier.error();
+  std::optional<PointsCertifier> certifier;
+  if (settings.makes_certificate) certifier.emplace(file, settings.jobs);
+  report.seconds_build = watch.lap();
+  const LookupSize lookup = classifier->lookup();
+  report.lookup_cells = lookup.cells;
+  report.lookup_bytes = lookup.bytes;
+  Classification run(*classifier, settings, std::move(certifier), report);
+  PointBatch batch;
+  for (;;) {
+    progress.phase(shown_name, "classifying, " + std::to_string(report.points) + " points so far");
+    if (const Status status = source.next(batch); !status) return status.error();
+    if (batch.size() == 0) break;
+    if (const Status status = write(run.answer(batch)); !status) return status.error();
+  }
+  report.seconds_classify = watch.lap();
+  return run.certificate(file);
+}
+
+}  // namespace veritope::cli

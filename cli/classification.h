@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/classification.h: one run of classify: points in, answers out, and the certificate of both.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/point_source.h"
+#include "cli/progress.h"
+#include "io/mesh/read_mesh.h"
+#include "report/classify_report.h"
+#include "solids/classify/mesh_classifier.h"
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope::cli {
+
+struct ClassifySettings {
+  bool is_winding = false;
+  bool makes_certificate = false;
+  Decimals decimals = Decimals::kNearest;
+  unsigned jobs = 1;
+};
+
+/// Receives the lines of answers, in order.
+using WriteAnswers = std::function<Status(std::string_view lines)>;
+
+/// Answers all points of the source with respect to the mesh of the file. Fills the numbers of the report.
+/// @param shells  those of a valid mesh; null: --winding, words are not given
+/// @return the certificate; empty without makes_certificate
+/// @error  as PointSource, WriteAnswers, MeshClassifier::make and PointsCertifier::finish
+Result<certificate::Bytes> classify_points(const MeshFile& file, const MeshShells* shells,
+                                           PointSource& source, const ClassifySettings& settings,
+                                           const WriteAnswers& write, Progress& progress,
+                                           const std::string& shown_name,
+                                           report::ClassifyReport& report);
+
+}  // namespace veritope::cli

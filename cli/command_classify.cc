@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope classify.
+#include <memory>
+#include <utility>
+
+#include "cli/certification.h"
+#include "cli/checker_process.h"
+#include "cli/classification.h"
+#include "cli/commands.h"
+#include "cli/output_plan.h"
+#include "cli/point_source.h"
+#include "cli/scratch_file.h"
+#include "io/base/atomic_file.h"
+#include "report/report_text.h"
+#include "robust/base/stopwatch.h"
+#include "topology/incidence.h"
+#include "topology/surface.h"
+#include "verify/format/points_certificate.h"
+
+namespace veritope::cli {
+namespace {
+
+struct ClassifyOptions {
+  InputOptions input;
+  std::vector<std::string> files;  // MODEL, POINTS
+  std::optional<std::string> output, certificate, json;
+  std::optional<Decimals> decimals;
+  bool winding = false, no_check = false;
+  int jobs = default_jobs();
+};
+
+std::string take_decimals(const std::string& text, std::optional<Decimals>& decimals) {
+  if (text != "nearest" && text != "exact") return "must be nearest or exact, not " + text;
+  decimals = text == "exact" ? Decimals::kExact : Decimals::kNearest;
+  return "";
+}
+
+void declare(OptionSet& set, ClassifyOptions& o) {
+  set.operands("MODEL POINTS", o.files, "a closed mesh; three coordinates a line, or .npy; - is standard input", 2);
+  set.output("-o,--output", o.output, "write the answers (standard output)");
+  set.text("--certificate", o.certificate, "keep the certificate of the answers; needs -o");
+  declare_json(set, o.json, "write the counts");
+  set.flag("--winding", o.winding, "winding numbers around any closed surface, valid or not");
+  set.option("--decimals", "HOW", [&o](const std::string& t) { return take_decimals(t, o.decimals); },
+             "nearest: rounded to binary64 (default); or exact");
+  declare_jobs(set, o.jobs);
+  set.flag("--no-check", o.no_check, "do not run veritope-check");
+  declare_format(set, o.input);
+  declare_reading(set, o.input.reading);
+}
+
+std::string contradiction(const ClassifyOptions& o) {
+  if (o.certificate && (!o.output || *o.output == "-")) return "--certificate needs -o with a file name";
+  if (o.certificate == "-") return "--certificate needs a file name, not -";
+  if (o.json == "-" && (!o.output || *o.output == "-"))
+    return "the answers and --json would both write standard output";
+  if (o.files.size() == 2 && o.files[0] == "-" && o.files[1] == "-")
+    return "MODEL and POINTS cannot both be standard input";
+  return "";
+}
+
+// What was decided, and the mesh.
+struct Model {
+  ModelFile file;
+  std::optional<MeshShells> shells;  // nothing: --winding
+};
+
+class ClassifyRun {
+ public:
+  ClassifyRun(const ClassifyOptions& options, StandardOutput& out)
+      : options_(options), out_(out), progress_(true) {}
+
+  ExitCode run() {
+    if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (!options_.no_check) {
+      const Result<std::string> checker = find_checker();
+      if (!checker) return complain(checker.error().message), kExitUsage;
+      checker_ = *checker;
+    }
+    if (const ExitCode exit = take_model(); exit != kExitValid) return exit;
+    const ExitCode exit = classify();
+    progress_.clear();
+    return exit;
+  }
+
+ private:
+  const std::string& path() const { return options_.files[0]; }
+
+  Status check_outputs() const {
+    const Result<OutputPlan> plan =
+        plan_outputs({path()}, options_.certificate, options_.json);
+    if (!plan) return plan.error();
+    if (options_.output && *options_.output != "-")
+      if (const Status status =
+              check_output("--output", *options_.output, options_.files, *plan, options_.json);
+          !status)
+        return status;
+    for (const auto& output : {options_.certificate, options_.json})
+      if (output && *output != "-")
+        if (const Status status = refuse_same(options_.files, *output); !status) return status;
+    return ok_status();
+  }
+
+  // Reads the model and, without --winding, decides it.
+  ExitCode take_model() {
+    Stopwatch watch;
+    const ExitCode exit = options_.winding ? read() : certify();
+    progress_.clear();
+    report_.seconds_read = watch.lap();
+    if (exit != kExitValid) return exit;
+    report_.path = path();
+    report_.sha256 = sha256_of(model_.file);
+    if (std::holds_alternative<MeshFile>(model_.file)) return kExitValid;
+    complain(harmless(path() + ": points are classified with respect to meshes only, and this is " +
+                      title_of(kind_of(model_.file))));
+    return kExitUndecided;
+  }
+
+  ExitCode read() {
+    progress_.phase(shown_path(path()), "reading");
+    Result<ModelFile> file = read_model_file(path(), options_.input.reading);
+    if (!file) {
+      progress_.clear();
+      complain(harmless(to_string(file.error())));
+      return kExitUnreadable;
+    }
+    model_.file = std::move(*file);
+    return kExitValid;
+  }
+
+  ExitCode certify() {
+    CertifySettings settings;
+    settings.reading = options_.input.reading;
+    settings.reading.jobs = options_.jobs;
+    settings.certify.jobs = static_cast<unsigned>(options_.jobs);
+    settings.checker = checker_;
+    settings.model = &model_.file;
+    const CertifiedFile done = certify_file(path(), settings, {}, progress_);
+    progress_.clear();
+    report_.verdict = done.report.verdict;
+    if (done.report.verdict != Verdict::kValid) {
+      std::string line = verdict_line(done.report, TextOptions());
+      while (line.ends_with('\n')) line.pop_back();
+      complain("no points are classified, because the model is not valid: " + line);
+      return done.report.exit;
+    }
+    if (const auto* facts = std::get_if<MeshFacts>(&done.report.facts)) set_shells(*facts);
+    return kExitValid;
+  }
+
+  void set_shells(const MeshFacts& facts) {
+    const TriangleMesh& mesh = std::get<MeshFile>(model_.file).mesh;
+    const auto jobs = static_cast<unsigned>(options_.jobs);
+    const SurfaceTopology topology = analyse_surface(
+        mesh.faces,
+        Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs), 0, jobs);
+    model_.shells.emplace();
+    model_.shells->shell_of_face.assign(topology.shell_of_face.data(),
+                                        topology.shell_of_face.data() + mesh.faces.size());
+    model_.shells->depth = facts.decision.nesting.depth;
+  }
+
+  ExitCode classify() {
+    const auto& file = std::get<MeshFile>(model_.file);
+    ClassifySettings settings;
+    settings.is_winding = options_.winding;
+    settings.makes_certificate = options_.certificate.has_value();
+    settings.decimals = options_.decimals.value_or(Decimals::kNearest);
+    settings.jobs = static_cast<unsigned>(options_.jobs);
+    report_.are_decimals_exact = settings.decimals == Decimals::kExact;
+    auto source = open_points(options_.files[1], settings.decimals, options_.input.reading.limits);
+    if (!source) return refuse(source.error());
+    std::optional<AtomicFile> answers;
+    if (options_.output && !is_stream(*options_.output)) {
+      Result<AtomicFile> made = AtomicFile::create(*options_.output);
+      if (!made) return refuse(made.error());
+      answers.emplace(std::move(*made));
+    }
+    const WriteAnswers write = [&](std::string_view lines) -> Status {
+      if (answers) return answers->write(lines);
+      if (options_.output && *options_.output != "-") return write_output(*options_.output, lines, out_);
+      out_.write(lines);
+      return out_.status();
+    };
+    const Result<certificate::Bytes> made =
+        classify_points(file, model_.shells ? &*model_.shells : nullptr, **source, settings, write,
+                        progress_, shown_path(path()), report_);
+    progress_.clear();
+    if (!made) {
+      if (made.error().code == Code::kBadArgument) {
+        complain(harmless(path() + ": " + made.error().message));
+        return kExitInvalid;
+      }
+      return refuse(made.error());
+    }
+    if (answers)
+      if (const Status status = answers->commit(); !status) return refuse(status.error());
+    const ExitCode exit = keep_certificate(*made);
+    return first_of(exit, write_json());
+  }
+
+  // Has the checker confirm the certificate, then keeps it.
+  ExitCode keep_certificate(const certificate::Bytes& bytes) {
+    if (!options_.certificate) return kExitValid;
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    report_.certificate = {*options_.certificate, bytes.size(), report_.undecided.size(), false};
+    if (!checker_.empty()) {
+      progress_.phase(shown_path(path()), "checking");
+      const Result<ScratchFile> scratch = ScratchFile::with(text);
+      if (!scratch) return refuse(scratch.error());
+      const CheckerOutcome outcome =
+          run_checker(checker_, path(), scratch->path(),
+                      std::string(certificate::kPointsClaim), {scratch->descriptor()}, *options_.output);
+      progress_.clear();
+      if (!outcome.is_accepted) {
+        const bool is_short = !outcome.is_started || outcome.lacks_resources || outcome.exceeds_work;
+        complain(harmless("the certificate is not kept: veritope-check " +
+                          (outcome.is_started ? "says " + outcome.words : outcome.words)));
+        report_.certificate.reset();
+        return is_short ? kExitUndecided : kExitBug;
+      }
+      report_.certificate->is_checked = true;
+    }
+    const Status status = write_output(*options_.certificate, text, out_);
+    return status ? kExitValid : refuse(status.error());
+  }
+
+  ExitCode write_json() {
+    if (!options_.json) return kExitValid;
+    const Status status = write_output(*options_.json, classify_json(report_), out_);
+    return status || *options_.json == "-" ? kExitValid : refuse(status.error());
+  }
+
+  ExitCode refuse(const Error& error) {
+    progress_.clear();
+    complain(harmless(to_string(error)));
+    return kExitUnreadable;
+  }
+
+  const ClassifyOptions& options_;
+  StandardOutput& out_;
+  Progress progress_;
+  std::string checker_;  // empty: --no-check
+  Model model_;
+  ClassifyReport report_;
+};
+
+}  // namespace
+
+RunCommand declare_classify(OptionSet& set) {
+  const auto o = std::make_shared<ClassifyOptions>();
+  declare(set, *o);
+  set.rule([o] { return contradiction(*o); });
+  return [o](StandardOutput& out) { return ClassifyRun(*o, out).run(); };
+}
+
+}  // namespace veritope::cli

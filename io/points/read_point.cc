@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/points/read_point.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "io/base/exact_number.h"
+
+namespace veritope {
+namespace {
+
+bool is_gap(char c) { return c == ' ' || c == '\t'; }
+bool is_mark(char c) { return c == ',' || c == ';'; }
+
+struct Split {
+  std::array<std::string_view, 3> tokens;
+  std::size_t count = 0;            ///< of all tokens, also beyond three
+  std::size_t fault = 0;            ///< the column of a mark without a token before or after it; 0: none
+  std::size_t fourth = 0;           ///< the column of the fourth token
+};
+
+// Between two tokens: gaps with at most one mark.
+Split split(std::string_view line) {
+  Split out;
+  std::size_t i = 0;
+  bool needs_token = false;
+  for (;;) {
+    while (i < line.size() && is_gap(line[i])) ++i;
+    if (i == line.size()) break;
+    if (is_mark(line[i])) {
+      if (out.count == 0 || needs_token) {
+        out.fault = i + 1;
+        return out;
+      }
+      needs_token = true;
+      ++i;
+      continue;
+    }
+    const std::size_t begin = i;
+    while (i < line.size() && !is_gap(line[i]) && !is_mark(line[i])) ++i;
+    if (out.count < 3) out.tokens[out.count] = line.substr(begin, i - begin);
+    if (out.count == 3) out.fourth = begin + 1;
+    ++out.count;
+    needs_token = false;
+  }
+  if (needs_token) out.fault = line.size();
+  return out;
+}
+
+std::string quoted(std::string_view token) {
+  constexpr std::size_t kMostShown = 40;
+  std::string out = "'" + std::string(token.substr(0, kMostShown));
+  return out + (token.size() > kMostShown ? "...'" : "'");
+}
+
+std::string sentence(DecimalFault fault, std::string_view token, const ReadLimits& limits) {
+  switch (fault) {
+    case DecimalFault::kNotFinite: return quoted(token) + " is not finite";
+    case DecimalFault::kDigits:
+      return quoted(token) + " has more digits than --max-digits " + std::to_string(limits.max_digits);
+    case DecimalFault::kExponent:
+      return quoted(token) + " has an exponent over --max-exponent " +
+             std::to_string(limits.max_exponent);
+    default:
+      return quoted(token) + " is neither a decimal, nor a fraction, nor a hexadecimal number";
+  }
+}
+
+bool is_decimal(std::string_view token) {
+  return token.find_first_of("xX/") == token.npos;
+}
+
+}  // namespace
+
+bool PointLines::read_token(std::string_view token, std::variant<double, Rational>& value,
+                            std::string& why) const {
+  if (decimals_ == Decimals::kNearest && is_decimal(token)) {
+    double x = 0;
+    const char* p = token.data();
+    if (reader_.read_fast(p, x) && p == token.data() + token.size()) {
+      value = x;
+      return true;
+    }
+    const DecimalFault fault = reader_.read_slowly(token, x);
+    if (fault != DecimalFault::kNone) return why = sentence(fault, token, limits_), false;
+    value = x;
+    return true;
+  }
+  Rational x;
+  const DecimalFault fault = read_exact_number(token, limits_, x);
+  if (fault != DecimalFault::kNone) return why = sentence(fault, token, limits_), false;
+  const double near = nearest_double(x);
+  if (near - near == 0 && Rational::from_double(near) == x)
+    value = near;
+  else
+    value = std::move(x);
+  return true;
+}
+
+std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<PointFault>& fault) {
+  const std::size_t start = line.find_first_not_of(" \t");
+  if (start == line.npos || line[start] == '#') return std::nullopt;
+  const bool may_be_header = std::exchange(is_first_, false);
+  const Split parts = split(line);
+  ReadPoint out;
+  std::array<std::variant<double, Rational>, 3> values;
+  std::size_t num_numbers = 0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(parts.count, 3); ++k) {
+    std::string why;
+    if (read_token(parts.tokens[k], values[k], why))
+      ++num_numbers;
+    else if (!fault)
+      fault = PointFault{static_cast<std::size_t>(parts.tokens[k].data() - line.data()) + 1,
+                         std::move(why)};
+  }
+  if (may_be_header && num_numbers == 0 && parts.fault == 0) {
+    fault.reset();
+    return std::nullopt;
+  }
+  if (!fault && parts.fault != 0)
+    fault = PointFault{parts.fault, "a number is missing beside this mark"};
+  if (!fault && parts.count != 3)
+    fault = PointFault{parts.count > 3 ? parts.fourth : line.size() + 1,
+                       "a point has three coordinates, but there are " + std::to_string(parts.count)};
+  if (fault) return std::nullopt;
+  out.tokens = parts.tokens;
+  const auto is_double = [&](std::size_t k) { return std::holds_alternative<double>(values[k]); };
+  if (is_double(0) && is_double(1) && is_double(2)) {
+    out.point = Vec3d{std::get<double>(values[0]), std::get<double>(values[1]), std::get<double>(values[2])};
+    return out;
+  }
+  ExactPoint exact;
+  for (std::size_t k = 0; k < 3; ++k)
+    exact[k] = is_double(k) ? Rational::from_double(std::get<double>(values[k]))
+                            : std::move(std::get<Rational>(values[k]));
+  out.point = std::move(exact);
+  return out;
+}
+
+}  // namespace veritope

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// io/points/read_point.h: points from lines of text: three coordinates a line.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "io/base/decimal.h"
+#include "io/base/read_limits.h"
+#include "predicates/vec.h"
+#include "robust/base/result.h"
+#include "solids/classify/point_answer.h"
+
+namespace veritope {
+
+/// What a decimal coordinate means.
+enum class Decimals { kNearest, kExact };
+
+struct ReadPoint {
+  std::array<std::string_view, 3> tokens;  ///< of the line
+  /// Vec3d if binary64 has all three coordinates.
+  std::variant<Vec3d, ExactPoint> point;
+};
+
+/// Why a line is refused: the column, counted from 1, and what is wrong.
+struct PointFault {
+  std::size_t column = 0;
+  std::string message;
+};
+
+/// Reads the lines of one file. Coordinates are decimals, hexadecimal numbers or fractions p/q (io/base/exact_number.h),
+/// separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal numbers are exact.
+class PointLines {
+ public:
+  PointLines(Decimals decimals, const ReadLimits& limits) : decimals_(decimals), limits_(limits), reader_(limits) {}
+
+  /// Nothing for a line without a point: empty, a comment after #, or a first line without any number. REQUIRES 8
+  /// readable bytes after the line.
+  /// @error the fault, in `fault`; then the result is empty, too
+  std::optional<ReadPoint> read(std::string_view line, std::optional<PointFault>& fault);
+
+ private:
+  bool read_token(std::string_view token, std::variant<double, Rational>& value, std::string& why) const;
+
+  Decimals decimals_;
+  ReadLimits limits_;
+  DecimalReader reader_;
+  bool is_first_ = true;
+};
+
+}  // namespace veritope

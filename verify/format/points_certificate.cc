@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+#include "verify/format/points_certificate.h"
+
+#include <utility>
+
+#include "verify/format/byte_stream.h"
+#include "verify/format/sha256.h"
+#include "verify/format/statement_writer.h"
+
+namespace veritope::certificate {
+
+using internal::ByteReader;
+using internal::ByteWriter;
+
+Bytes encode(const PointsBody& body) {
+  ByteWriter w;
+  w.reserve(body.codes.size() + 32);
+  w.text(kPointsMagic);
+  w.u32(body.num_faces);
+  w.u32(body.num_vertex_ids);
+  w.u32(static_cast<std::uint32_t>(body.num_points));
+  w.u32(static_cast<std::uint32_t>(body.num_points >> 32));
+  w.raw(body.codes);
+  return w.take();
+}
+
+Bytes encode(const Subject& subject, const AnswersSubject& answers, const PointsBody& body) {
+  const Bytes bytes = encode(body);
+  internal::StatementWriter w;
+  internal::state_subject(w, subject, kPointsClaim);
+  w.text("reading_rule", subject.reading_rule);
+  w.boolean("as_indexed", subject.as_indexed);
+  w.text("answers_sha256", answers.sha256);
+  w.number("answers_bytes", answers.bytes);
+  w.text("decimals", answers.are_decimals_exact ? "exact" : "nearest");
+  w.boolean("winding", answers.is_winding);
+  w.number("points", answers.points);
+  w.number("on", answers.on);
+  w.number("undecided", answers.undecided);
+  w.text("body_sha256", to_hex(sha256(bytes)));
+  return internal::join(w.take(), bytes);
+}
+
+std::optional<PointsBody> internal::read_points(ByteReader r) {
+  PointsBody out;
+  r.raw(4);
+  out.num_faces = r.u32();
+  out.num_vertex_ids = r.u32();
+  out.num_points = r.u32();
+  out.num_points |= std::uint64_t{r.u32()} << 32;
+  const auto codes = r.raw(r.left());
+  out.codes.assign(codes.begin(), codes.end());
+  if (!r.at_end()) return std::nullopt;
+  return out;
+}
+
+std::string explain(const PointsBody& body, std::string_view claim, std::size_t) {
+  return "body: " + std::string(claim) + ", " + std::to_string(body.num_faces) + " triangles, " +
+         std::to_string(body.num_vertex_ids) + " vertex ids, " + std::to_string(body.num_points) +
+         " points\n" + std::to_string(body.codes.size()) +
+         " bytes of directions and triangles, whose meaning depends on the words of the answers\n";
+}
+
+}  // namespace veritope::certificate

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// verify/format/points_certificate.h: the certificate about classified points, version 1, as plain data; its encoding
+// and a text dump. The page: docs/certificates/points.md. Nothing here decides anything.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/format/mesh_certificate.h"
+
+namespace veritope::certificate {
+
+inline constexpr std::string_view kPointsClaim = "points-1";
+inline constexpr std::string_view kPointsMagic = "VTPT";
+
+/// The answers file that the certificate speaks about, beside its model.
+struct AnswersSubject {
+  std::string sha256;  ///< 64 lower-case hex digits
+  std::uint64_t bytes = 0;
+  bool are_decimals_exact = false;  ///< false: decimals are rounded to the nearest binary64
+  bool is_winding = false;          ///< points off the model have any f and no word
+  std::uint64_t points = 0, on = 0, undecided = 0;
+};
+
+struct PointsBody {
+  std::uint32_t num_faces = 0, num_vertex_ids = 0;
+  std::uint64_t num_points = 0;
+  /// For each point off the model its direction, 0 to 5; for each point on it the number of a facet, as varint. Only
+  /// with the words of the answers is it known which bytes are which.
+  Bytes codes;
+};
+
+Bytes encode(const PointsBody& body);
+/// A whole certificate: statement, line feed, body.
+Bytes encode(const Subject& subject, const AnswersSubject& answers, const PointsBody& body);
+std::string explain(const PointsBody& body, std::string_view claim, std::size_t max_items);
+
+namespace internal {
+/// A whole body, with its magic.
+std::optional<PointsBody> read_points(ByteReader body);
+}  // namespace internal
+
+}  // namespace veritope::certificate

@@ -141,7 +141,7 @@ class ClassifyRun {
     if (done.report.verdict != Verdict::kValid) {
       std::string line = verdict_line(done.report, TextOptions());
       while (line.ends_with('\n')) line.pop_back();
-      complain("no points are classified, because the model is not valid: " + line);
+      complain("no points are classified: " + line);
       return done.report.exit;
     }
     if (const auto* facts = std::get_if<MeshFacts>(&done.report.facts)) set_shells(*facts);

@@ -50,8 +50,7 @@ class TextPoints : public PointSource {
   }
   Error error(const PointFault& fault) const {
     Error out{Code::kSyntax, {}, "column " + std::to_string(fault.column) + ": " + fault.message};
-    out.place.file = name_;
-    out.place.line = lines_.line();
+    out.place.file = name_ + ":" + std::to_string(lines_.line());
     return out;
   }
 

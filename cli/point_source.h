@@ -38,7 +38,7 @@ class PointSource {
 
   virtual ~PointSource() = default;
   /// Replaces the batch by the next points; it is empty after the last one.
-  /// @error with the line and, in the message, the column; or the row of an .npy file
+  /// @error with FILE:LINE as the file and the column in the message; or the row of an .npy file
   virtual Status next(PointBatch& batch) = 0;
 };
 

@@ -77,12 +77,12 @@ bool PointLines::read_token(std::string_view token, std::variant<double, Rationa
   if (decimals_ == Decimals::kNearest && is_decimal(token)) {
     double x = 0;
     const char* p = token.data();
-    if (reader_.read_fast(p, x) && p == token.data() + token.size()) {
-      value = x;
-      return true;
+    if (!reader_.read_fast(p, x) || p != token.data() + token.size()) {
+      DecimalFault fault = reader_.read_slowly(token, x);
+      Rational unused;  // it knows the words for NaN and infinity
+      if (fault == DecimalFault::kSyntax) fault = read_exact_decimal(token, limits_, unused);
+      if (fault != DecimalFault::kNone) return why = sentence(fault, token, limits_), false;
     }
-    const DecimalFault fault = reader_.read_slowly(token, x);
-    if (fault != DecimalFault::kNone) return why = sentence(fault, token, limits_), false;
     value = x;
     return true;
   }

@@ -37,6 +37,8 @@ class MeshClassifier {
   /// @cost  near-linear in the facets; approximately 150 bytes a facet
   static Result<MeshClassifier> make(const TriangleMesh& mesh, unsigned jobs = 1,
                                      const MeshShells* shells = nullptr);
+  /// A temporary mesh would be gone before the first point.
+  static Result<MeshClassifier> make(TriangleMesh&&, unsigned = 1, const MeshShells* = nullptr) = delete;
 
   MeshClassifier(MeshClassifier&&) noexcept;
   ~MeshClassifier();

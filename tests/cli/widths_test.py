@@ -54,6 +54,7 @@ def command_lines():
     yield ["intersect", cube, cube]
     yield ["project", "1,2,3", cube]
     yield ["project", "1/3,2,3", "tests/models/splines/objects.g2"]
+    yield ["classify", "examples/part_with_hole.stl", "examples/sound_part.stl"]
     yield ["cover", cube, "-o", "o.vtu"]
     yield ["cover", cube, "--sweep", "1"]
     for page in ([], ["M3"], ["side-open"], ["undecided"], ["face"]):

@@ -92,7 +92,7 @@ std::vector<Vec3d> hard_points(const TriangleMesh& mesh, Random& random, int num
       case 3: out.push_back({v.x, v.y, w.z}); break;
       case 4: out.push_back({on.x, on.y, std::nextafter(on.z, 10 * (random.below(2) != 0 ? 1 : -1))}); break;
       case 5: out.push_back({std::floor(on.x), std::ceil(on.y), std::floor(2 * on.z) / 2}); break;
-      default: out.push_back({on.x + random.real() - 0.5, on.y + random.real() - 0.5, on.z + random.real() - 0.5});
+      default: out.push_back({on.x + random.unit() - 0.5, on.y + random.unit() - 0.5, on.z + random.unit() - 0.5});
     }
   }
   return out;
@@ -125,7 +125,7 @@ TEST(MeshClassifier, AnswersPointsOfABox) {
 
 TEST(MeshClassifier, AgreesWithRationalRays) {
   Random random(kSeed);
-  const int num = 40 * test_scale();
+  const int num = static_cast<int>(scaled(40));
   expect_slow_answers(shapes::box({-1, 0, 0}, {1, 2, 3}, 2), kSeed + 1, num);
   expect_slow_answers(shapes::torus(9, 6, 3, 1), kSeed + 2, num);
   expect_slow_answers(shapes::saddle(), kSeed + 3, num);
@@ -141,13 +141,14 @@ TEST(MeshClassifier, AgreesWithRationalRays) {
 // Closed chains that bound no solid: reversed, twice as large inside of itself, or crossing itself.
 TEST(MeshClassifier, AnswersWindingNumbersOfAnyClosedChain) {
   const TriangleMesh outer = shapes::box({0, 0, 0}, {4, 4, 4}), inner = shapes::box({1, 1, 1}, {5, 2, 2});
-  EXPECT_EQ(classifier(shapes::reversed(outer)).classify(Vec3d{2, 2, 3}).winding, -1);
+  const TriangleMesh turned = shapes::reversed(outer);
+  EXPECT_EQ(classifier(turned).classify(Vec3d{2, 2, 3}).winding, -1);
   const TriangleMesh both = shapes::joined(outer, inner);
   EXPECT_EQ(classifier(both).classify(Vec3d{1.5, 1.5, 1.25}).winding, 2);
   EXPECT_EQ(classifier(both).classify(Vec3d{4.5, 1.5, 1.25}).winding, 1);
   expect_slow_answers(both, kSeed + 50, 100);
   // A facet with no area closes the chain: the midpoint of an edge is a vertex on one side only.
-  const TriangleMesh t = shapes::parse("v 0,0,0 1,0,0 0,1,0 0,0,1 0.5,0,0 f 0,2,1 0,4,3 4,1,3 0,3,2 1,2,3 0,1,4");
+  const TriangleMesh t = shapes::parse("v 0,0,0 1,0,0 0,1,0 0,0,1 0.5,0,0; f 0,2,1 0,4,3 4,1,3 0,3,2 1,2,3 0,1,4");
   expect_slow_answers(t, kSeed + 51, 200);
 }
 
@@ -159,7 +160,9 @@ TEST(MeshClassifier, AnswersAtEveryScale) {
     const MeshClassifier c = classifier(mesh), plain = classifier(shape);
     for (const Vec3d& p : {Vec3d{3, 0.25, 0.25}, Vec3d{0, 0, 0}, Vec3d{-3, 0.125, 0}, Vec3d{3.5, 3.5, 0}}) {
       const Vec3d q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-      if (exponent > -1000) EXPECT_EQ(c.classify(q).winding, plain.classify(p).winding) << exponent << " " << text(p);
+      if (exponent > -1000) {
+        EXPECT_EQ(c.classify(q).winding, plain.classify(p).winding) << exponent << " " << text(p);
+      }
     }
     for (std::uint32_t v = 0; v < mesh.positions.size(); v += 5) EXPECT_TRUE(c.classify(mesh.positions[v]).is_on());
   }
@@ -217,12 +220,12 @@ TEST(MeshClassifier, NamesTheInnermostShell) {
 TEST(MeshClassifier, AnswersFollowRelabellingReversalAndExactMaps) {
   Random random(kSeed);
   const TriangleMesh mesh = shapes::star_polyhedron(random, 3);
-  const MeshClassifier c = classifier(mesh), again = classifier(shapes::relabelled(mesh, random)),
-                       turned = classifier(shapes::reversed(mesh));
+  const TriangleMesh other = shapes::relabelled(mesh, random), reversed = shapes::reversed(mesh);
+  const MeshClassifier c = classifier(mesh), again = classifier(other), turned = classifier(reversed);
   TriangleMesh cyclic = mesh;
   for (Vec3d& p : cyclic.positions) p = {p.y, p.z, p.x};
   const MeshClassifier rotated = classifier(cyclic);
-  for (const Vec3d& p : hard_points(mesh, random, 300 * test_scale())) {
+  for (const Vec3d& p : hard_points(mesh, random, static_cast<int>(scaled(300)))) {
     const PointAnswer a = c.classify(p);
     EXPECT_EQ(again.classify(p).winding, a.winding) << text(p);
     EXPECT_EQ(again.classify(p).is_on(), a.is_on()) << text(p);

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope classify: answers of all kinds of points files, certificates that both checkers accept, statuses, outputs."""
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import unittest
+
+import schema
+import support
+from support import BIN, Folder, run
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CHECKER = ROOT / "verify" / "checker" / "veritope_check.py"
+
+VERTICES = "".join(f"{i & 1} {i >> 1 & 1} {i >> 2}\n" for i in range(8))
+FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
+
+
+def off(faces):
+    return f"OFF\n8 {len(faces)} 0\n" + VERTICES + "".join("%d %s\n" % (len(f), " ".join(map(str, f))) for f in faces)
+
+
+POINTS = "x,y,z\n# comment\n\n0.5, 0.5, 0.5\n2 2 2\n1;1/2;0x1p-2\n0 0 0\n1/3 1/3 1/3\n"
+ANSWERS = "0.5 0.5 0.5 in 1 0\n2 2 2 out 0 -\n1 1/2 0x1p-2 on - 0\n0 0 0 on - 0\n1/3 1/3 1/3 in 1 0\n"
+
+
+def npy(rows, kind="<f8", shape=None):
+    header = "{'descr': '%s', 'fortran_order': False, 'shape': %s, }" % (kind, shape or (len(rows), 3))
+    header += " " * (-(len(header) + 11) % 64) + "\n"
+    code = kind[0] + {"8": "d", "4": "f"}[kind[2]]
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode() + b"".join(struct.pack(code[0] + 3 * code[1], *r) for r in rows)
+
+
+class Classify(Folder):
+    def setUp(self):
+        super().setUp()
+        self.box = self.file("box.off", off(FACES))
+        self.points = self.file("points.txt", POINTS)
+
+    def file(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def answers(self, points, *options, model=None, status=0):
+        done = run("classify", model or self.box, points, *options)
+        self.assertEqual((done.returncode, done.stderr), (status, ""))
+        return done.stdout
+
+    def test_every_point_has_a_line_in_order(self):
+        self.assertEqual(self.answers(self.points), ANSWERS)
+        output = self.folder / "answers.txt"
+        self.assertEqual(self.answers(self.points, "-o", output), "")
+        self.assertEqual(output.read_text(), ANSWERS)
+        for jobs in "1", "3":
+            self.assertEqual(self.answers(self.points, "--jobs", jobs), ANSWERS)
+
+    def test_decimals_are_rounded_or_exact(self):
+        points = self.file("p.txt", "1.00000000000000000001 0.5 0.5\n0.1 0.5 1e-400\n")
+        self.assertEqual([line.split()[3] for line in self.answers(points).splitlines()], ["on", "on"])
+        exact = self.answers(points, "--decimals", "exact").splitlines()
+        self.assertEqual([line.split()[3] for line in exact], ["out", "in"])
+
+    def test_npy_files_are_points(self):
+        rows = [(0.5, 0.5, 0.5), (2.0, 0.0, 0.0), (1.0, 0.5, 0.25)]
+        want = "0x1p-1 0x1p-1 0x1p-1 in 1 0\n0x1p+1 0x0p+0 0x0p+0 out 0 -\n0x1p+0 0x1p-1 0x1p-2 on - 0\n"
+        for kind in "<f8", "<f4", ">f8", ">f4":
+            self.assertEqual(self.answers(self.file("p.npy", npy(rows, kind))), want)
+
+    def test_certificates_are_accepted_by_both_checkers_and_lies_rejected(self):
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        report = json.loads(self.answers(self.points, "-o", output, "--certificate", certificate, "--json", "-"))
+        self.assertEqual(schema.faults(report), [])
+        self.assertEqual(report["counts"], {"points": 5, "in": 2, "on": 2, "out": 1, "undecided": 0})
+        self.assertTrue(report["certificate"]["checked"])
+        self.assertEqual(report["certificate"]["bytes"], certificate.stat().st_size)
+        checkers = [BIN / "veritope-check"], [sys.executable, CHECKER]
+        for checker in checkers:
+            done = subprocess.run([*checker, self.box, certificate, output], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertTrue(done.stdout.startswith("ACCEPT points-1"))
+            lie = self.file("lie.txt", ANSWERS.replace("out 0 -", "in 1 0"))
+            self.assertEqual(subprocess.run([*checker, self.box, certificate, lie], capture_output=True).returncode, 1)
+            self.assertEqual(subprocess.run([*checker, self.box, certificate], capture_output=True).returncode, 2)
+
+    def test_winding_numbers_of_closed_meshes_that_are_not_valid(self):
+        inside_out = self.file("turned.off", off([f[::-1] for f in FACES]))
+        done = run("classify", inside_out, self.points)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("INVALID", done.stderr)
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        self.answers(self.points, "--winding", "-o", output, "--certificate", certificate, model=inside_out)
+        self.assertEqual(output.read_text(), "0.5 0.5 0.5 - -1 -\n2 2 2 - 0 -\n1 1/2 0x1p-2 on - -\n0 0 0 on - -\n1/3 1/3 1/3 - -1 -\n")
+        self.assertTrue(certificate.exists())
+        opened = self.file("open.off", off(FACES[1:]))
+        done = run("classify", opened, self.points, "--winding")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("not closed", done.stderr)
+
+    def test_a_bad_point_is_named_and_no_file_is_left(self):
+        output = self.folder / "answers.txt"
+        for text, words in (("1 2 3\n1 2 x\n", "2: column 5: 'x'"), ("1 2\n", "1: column 4"), ("0 0 nan\n", "1: column 5: 'nan' is not finite")):
+            points = self.file("bad.txt", text)
+            done = run("classify", self.box, points, "-o", output)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn(f"{points}:{words}", done.stderr)
+            self.assertFalse(output.exists())
+        for content, words in ((npy([(1, 2, 3)], shape=(2, 3)), "row 1 of 2"), (npy([(1, 2, float("nan"))]), "row 0 is not finite"),
+                               (npy([(1, 2, 3)]) + b"x", "bytes follow"), (npy([(1, 2, 3)], shape=(3,)), "(n, 3)")):
+            done = run("classify", self.box, self.file("bad.npy", content), "-o", output)
+            self.assertEqual(done.returncode, 4)
+            self.assertIn(words, done.stderr)
+            self.assertFalse(output.exists())
+        self.assertEqual(run("classify", self.box, self.folder / "none.txt").returncode, 4)
+        self.assertEqual(run("classify", self.folder / "none.off", self.points).returncode, 4)
+
+    def test_usage(self):
+        for options in (("--certificate", "c"), ("--json", "-"), ("--decimals", "rounded"), ("-o", self.box), ("-o", self.points),
+                        ("-o", "a", "--json", "a"), ("-o", "a", "--certificate", "a"), ("--certificate", "-", "-o", "a")):
+            done = run("classify", self.box, self.points, *options, cwd=self.folder)
+            self.assertEqual(done.returncode, 2, (options, done.stderr))
+            self.assertEqual(done.stdout, "")
+        spline = ROOT / "examples" / "quarter_pipe.itd"
+        self.assertEqual(run("classify", spline, self.points).returncode, 3)
+
+    def test_many_points_take_several_batches(self):
+        n = 70000
+        points = self.file("many.txt", "".join(f"{i % 7 / 4} 0.5 0.5\n" for i in range(n)))
+        lines = self.answers(points).splitlines()
+        self.assertEqual(len(lines), n)
+        words = {0: "on", 1: "in", 2: "in", 3: "in", 4: "on", 5: "out", 6: "out"}
+        self.assertTrue(all(line.split()[3] == words[i % 7] for i, line in enumerate(lines)))
+
+
+if __name__ == "__main__":
+    unittest.main()

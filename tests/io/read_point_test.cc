@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/points/read_point.h"
+
+#include <gtest/gtest.h>
+
+#include "io/points/npy_header.h"
+
+namespace veritope {
+namespace {
+
+// A line with the padding that readers need.
+class Line {
+ public:
+  explicit Line(const std::string& text) : text_(text + std::string(16, '\n')), size_(text.size()) {}
+  std::string_view view() const { return std::string_view(text_).substr(0, size_); }
+
+ private:
+  std::string text_;
+  std::size_t size_;
+};
+
+// "x y z" with the exact values, "-" for a line without a point, or "COLUMN: message".
+std::string read(PointLines& lines, const std::string& text) {
+  const Line line(text);
+  std::optional<PointFault> fault;
+  const std::optional<ReadPoint> point = lines.read(line.view(), fault);
+  if (fault) return std::to_string(fault->column) + ": " + fault->message;
+  if (!point) return "-";
+  std::string out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto* p = std::get_if<Vec3d>(&point->point);
+    const Rational x = p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)]) : std::get<ExactPoint>(point->point)[k];
+    out += (k > 0 ? " " : "") + x.to_string();
+  }
+  return out + (std::holds_alternative<Vec3d>(point->point) ? "" : " exact");
+}
+std::string read(const std::string& text, Decimals decimals = Decimals::kNearest) {
+  PointLines lines(decimals, {});
+  read(lines, "1 2 3");  // no header any more
+  return read(lines, text);
+}
+
+TEST(ReadPoint, SeparatesCoordinatesByBlanksAndOneMark) {
+  for (const char* text : {"1 2 3", "1,2,3", "1;2;3", " 1\t2 ,3 ", "1 , 2 ; 3", "+1 2. 3e0", "0x1p0 4/2 3"})
+    EXPECT_EQ(read(text), "1 2 3") << text;
+  EXPECT_EQ(read("1,,2,3"), "3: a number is missing beside this mark");
+  EXPECT_EQ(read(",1,2,3"), "1: a number is missing beside this mark");
+  EXPECT_EQ(read("1,2,3,"), "6: a number is missing beside this mark");
+}
+
+TEST(ReadPoint, SkipsEmptyLinesCommentsAndAFirstLineOfWords) {
+  PointLines lines(Decimals::kNearest, {});
+  EXPECT_EQ(read(lines, ""), "-");
+  EXPECT_EQ(read(lines, " \t"), "-");
+  EXPECT_EQ(read(lines, "# x y z"), "-");
+  EXPECT_EQ(read(lines, "x,y,z"), "-");
+  EXPECT_EQ(read(lines, "x,y,z"), "1: 'x' is neither a decimal, nor a fraction, nor a hexadecimal number");
+  PointLines others(Decimals::kNearest, {});
+  EXPECT_EQ(read(others, "1 y z"), "3: 'y' is neither a decimal, nor a fraction, nor a hexadecimal number");
+}
+
+TEST(ReadPoint, DecimalsAreNearestOrExact) {
+  EXPECT_EQ(read("0.5 1e-2 0"), "1/2 5764607523034235/576460752303423488 0");
+  EXPECT_EQ(read("0.5 1e-2 0", Decimals::kExact), "1/2 1/100 0 exact");
+  EXPECT_EQ(read("0.5 1e2 -0", Decimals::kExact), "1/2 100 0");
+  EXPECT_EQ(read("1/3 0x1.8p-1 1"), "1/3 3/4 1 exact");
+  EXPECT_EQ(read("1e-400 0 0"), "0 0 0");
+  EXPECT_EQ(read("9007199254740993 0 0"), "9007199254740992 0 0");
+  EXPECT_EQ(read("9007199254740993 0 0", Decimals::kExact), "9007199254740993 0 0 exact");
+}
+
+TEST(ReadPoint, NamesTheColumnOfWhatIsWrong) {
+  EXPECT_EQ(read("1 2"), "4: a point has three coordinates, but there are 2");
+  EXPECT_EQ(read("1 2 3 4"), "7: a point has three coordinates, but there are 4");
+  EXPECT_EQ(read("1 nan 3"), "3: 'nan' is not finite");
+  EXPECT_EQ(read("1 2 1e999"), "5: '1e999' is not finite");
+  EXPECT_EQ(read("1 2 -inf", Decimals::kExact), "5: '-inf' is not finite");
+  EXPECT_EQ(read("1 2/0 3").substr(0, 3), "3: ");
+  EXPECT_EQ(read("1 2 3e5000", Decimals::kExact), "5: '3e5000' has an exponent over --max-exponent 4096");
+  EXPECT_EQ(read(std::string(1001, '7') + " 2 3").substr(0, 5), "1: '7");
+}
+
+std::string npy(const std::string& header, std::size_t version = 1) {
+  std::string out = "\x93NUMPY";
+  out += static_cast<char>(version);
+  out += '\0';
+  for (std::size_t i = 0; i < (version == 1 ? 2u : 4u); ++i) out += static_cast<char>(header.size() >> (8 * i) & 255);
+  return out + header;
+}
+Result<NpyHeader> header_of(const std::string& bytes) {
+  return read_npy_header({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+}
+
+TEST(NpyHeader, HasTypeAndNumberOfPoints) {
+  for (const std::size_t version : {1u, 2u, 3u}) {
+    const std::string bytes = npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3), }   \n", version);
+    const auto h = header_of(bytes + "rest");
+    ASSERT_TRUE(h) << h.error().message;
+    EXPECT_EQ(h->num_points, 7u);
+    EXPECT_EQ(h->num_bytes, bytes.size());
+    EXPECT_EQ(h->row_bytes(), 24u);
+  }
+  const auto big = header_of(npy("{'descr': '>f4', 'fortran_order': False, 'shape': (0, 3)}"));
+  ASSERT_TRUE(big);
+  EXPECT_TRUE(big->is_big_endian);
+  EXPECT_EQ(big->row_bytes(), 12u);
+}
+
+TEST(NpyHeader, RefusesOtherArraysAndBrokenHeaders) {
+  EXPECT_FALSE(header_of("solid"));
+  EXPECT_FALSE(header_of("\x93NUMPY"));
+  EXPECT_FALSE(header_of(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3), }").substr(0, 40)));
+  for (const char* header : {"{'descr': '<i8', 'fortran_order': False, 'shape': (7, 3), }", "{'descr': '<f8', 'fortran_order': True, 'shape': (7, 3), }",
+                             "{'descr': '<f8', 'fortran_order': False, 'shape': (7, 2), }", "{'descr': '<f8', 'fortran_order': False, 'shape': (7,), }",
+                             "{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3, 1), }", "{'descr': '<f8', 'shape': (7, 3), }",
+                             "{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999999999, 3), }", "{'descr'"})
+    EXPECT_FALSE(header_of(npy(header))) << header;
+  EXPECT_FALSE(header_of(npy(std::string(70000, ' '), 2)));
+}
+
+TEST(NpyHeader, RowsHaveEitherByteOrder) {
+  NpyHeader h;
+  const unsigned char little[24] = {0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 0, 0, 0, 0, 0, 0, 0, 0xc0};
+  EXPECT_EQ(npy_row(h, little), (Vec3d{1, -2, 0}));
+  h.is_double = false;
+  h.is_big_endian = true;
+  const unsigned char big[12] = {0x3f, 0x80, 0, 0, 0xc0, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(npy_row(h, big), (Vec3d{1, -2, 0}));
+}
+
+}  // namespace
+}  // namespace veritope

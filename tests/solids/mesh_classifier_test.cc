@@ -111,6 +111,7 @@ void expect_slow_answers(const TriangleMesh& mesh, std::uint64_t seed, int num) 
   }
 }
 
+// PROVES POINT-1
 TEST(MeshClassifier, AnswersPointsOfABox) {
   const TriangleMesh mesh = shapes::box({0, 0, 0}, {1, 1, 1});
   const MeshClassifier c = classifier(mesh);

@@ -18,10 +18,10 @@ std::string parameters_text(const EntityPart& part) {
   constexpr const char* kNames[] = {"u", "v", "w"};
   for (std::size_t i = 0; i < part.parameters.size(); ++i) {
     const auto& [lo, hi] = part.parameters[i];
+    const auto [begin, end] = range_ends(lo, hi, 10);
     out += std::string(i == 0 ? ": " : ", ") +
            (is_triangle ? "b" + std::to_string(i) : std::string(kNames[i])) +
-           (lo == hi ? " = " + short_decimal(lo, 10)
-                     : " in [" + short_decimal(lo, 10) + ", " + short_decimal(hi, 10) + "]");
+           (lo == hi ? " = " + begin : " in [" + begin + ", " + end + "]");
   }
   return out;
 }
@@ -33,7 +33,8 @@ std::string defect_details(const Finding& f) {
 }
 
 std::string bounds_text(const Interval& v) {
-  return "between " + short_decimal(v.lo(), 10) + " and " + short_decimal(v.hi(), 10);
+  const auto [lo, hi] = range_ends(v.lo(), v.hi(), 10);
+  return lo == hi ? lo : "between " + lo + " and " + hi;
 }
 
 // A middle is said only of an enclosure that has one.
@@ -58,9 +59,7 @@ std::string shells_text(const PatchFacts& r) {
   return out;
 }
 
-std::string place_text(const Box3d& box) {
-  return "in the box " + point_text(box.lo) + " to " + point_text(box.hi);
-}
+std::string place_text(const Box3d& box) { return "in the box " + box_text(box); }
 
 std::string where_line(const Finding& finding) {
   const std::optional<Box3d>& box = finding.place.box;
@@ -151,9 +150,8 @@ std::string open_text(const OpenBorders& open) {
     return (open.sheets == 1 ? "an open sheet: " : std::to_string(open.sheets) + " open sheets: ") +
            sides + "; " + (open.sheets == 1 ? "it bounds" : "they bound") + " no solid";
   if (open.near_sides == 0) return sides;
-  const std::string distance =
-      (open.least < open.greatest ? short_decimal(open.least, 2) + " to " : "") +
-      short_decimal(open.greatest, 2);
+  const auto [least, greatest] = range_ends(open.least, open.greatest, 2);
+  const std::string distance = least == greatest ? greatest : least + " to " + greatest;
   return sides + ", " +
          (open.near_sides == open.sides ? "each" : std::to_string(open.near_sides) + " of them") +
          " within " + distance + " of another one";

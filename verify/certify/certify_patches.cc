@@ -80,11 +80,13 @@ std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
 
 class Certification {
  public:
-  /// @param faces  where the surfaces of the file's model lie, if they are boundary faces of its volumes
-  Certification(const SplineFile& file, std::span<const VolumeFace> faces,
+  /// @param faces  where the surfaces of the file's model lie, if they are boundary faces of volumes
+  /// @param by_own_faces  the certificate numbers them as faces of the file's volumes, not as entities of a copy
+  Certification(const SplineFile& file, std::span<const VolumeFace> faces, bool by_own_faces,
                 const CertifyOptions& options)
       : file_(file),
         faces_(faces),
+        by_own_faces_(by_own_faces),
         options_(options),
         facts_(out_.facts.emplace<PatchFacts>()),
         budget_(memory_allowed(options.max_memory)) {}
@@ -239,7 +241,7 @@ class Certification {
 
   void certify() {
     internal::enter(Phase::kCertifying, options_);
-    const certificate::Subject subject = subject_of(file_, options_.tool, !faces_.empty());
+    const certificate::Subject subject = subject_of(file_, options_.tool, by_own_faces_);
     out_.certificate = collar_.collar ? make_collar_certificate(*decided_.forest, decision().cover,
                                                                 decision().walks, *collar_.collar,
                                                                 patches_.entities, subject)
@@ -250,6 +252,7 @@ class Certification {
 
   const SplineFile& file_;
   const std::span<const VolumeFace> faces_;
+  const bool by_own_faces_;
   const CertifyOptions& options_;
   Certified out_;
   PatchFacts& facts_;
@@ -269,12 +272,13 @@ Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOp
     out.findings = {not_covered(text_of(finding_of(made.error())))};
     return out;
   }
-  if (!*made) return Certification(file, {}, options).run();
+  if (!*made) return Certification(file, {}, false, options).run();
   StandIn& stand_in = **made;
   CertifyOptions chosen = options;
   // The volume says which side of its faces is outside: a volume inside another one is no cavity.
   if (stand_in.is_of_volumes) chosen.orientation = PatchOrientation::kKeep;
-  Result<Certified> out = Certification(stand_in.file, stand_in.faces, chosen).run();
+  Result<Certified> out =
+      Certification(stand_in.file, stand_in.faces, stand_in.is_by_own_faces(), chosen).run();
   if (!out) return out;
   if (stand_in.is_of_volumes) out->boundary_faces = stand_in.what;
   if (stand_in.is_copy())

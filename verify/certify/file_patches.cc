@@ -8,6 +8,7 @@
 #include "robust/base/check.h"
 #include "solids/patches/patch_sides.h"
 #include "splines/knot_insertion.h"
+#include "verify/certify/entity_parts.h"
 #include "verify/certify/patch_collar.h"
 
 namespace veritope {
@@ -96,11 +97,38 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
     return fitted;
   options.in_plain_frame = true;
   options.with_frames = false;
-  options.cover.max_boxes =
-      std::min(options.cover.max_boxes,
-               kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
+  options.cover.max_boxes = std::min(
+      options.cover.max_boxes, kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
   FileDecision plain = decide_in_frame(patches, options);
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
+}
+
+// "open-side: edge u = 0, w = 1 of entity 4".
+std::string named(const PatchFinding& defect, const EntityParts& parts) {
+  constexpr std::size_t kMostNamed = 3;
+  const bool is_of_patches = defect.defect == PatchDefect::kRepeatedPatch ||
+                             defect.defect == PatchDefect::kWeight ||
+                             defect.defect == PatchDefect::kDegree;
+  std::string out = defect_name(defect.defect);
+  for (std::size_t i = 0; i < std::min(kMostNamed, defect.sides.size()); ++i)
+    out += (i == 0 ? ": " : ", ") +
+           (is_of_patches ? parts.name_of(defect.sides[i].patch) : parts.name_of(defect.sides[i]));
+  return defect.sides.size() > kMostNamed ? out + ", ..." : out;
+}
+
+// The decision names what keeps patches from being a closed surface by the numbers of surfaces, which a file of volumes
+// does not have.
+void name_faces(const FilePatches& patches, PatchDecision& decision) {
+  const PatchComplex& complex = *patches.complex;
+  if (!decision.open || !patches.entities.front().face || complex.is_closed_oriented_surface())
+    return;
+  const EntityParts parts(complex, patches.entities);
+  const auto findings = complex.findings();
+  const auto first = std::find_if(findings.begin(), findings.end(), [](const PatchFinding& f) {
+    return f.defect != PatchDefect::kAdjacentPoles;
+  });
+  decision.open->message = kNoSurfaceText;
+  if (first != findings.end()) decision.open->message += "; " + named(*first, parts);
 }
 
 // The shells whose normals point the wrong way, ascending: winding numbers are needed to find them.
@@ -167,6 +195,7 @@ Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orie
 FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions& options) {
   VT_CHECK(patches.complex != nullptr, "a file without patches is not decided");
   FileDecision out = decide_once(patches, options);
+  name_faces(patches, out.decision);
   if (!options.may_turn_shells || patches.mixed_entity) return out;
   const std::vector<std::uint32_t> shells = wrong_shells(out.decision.walks);
   if (shells.empty()) return out;

@@ -115,11 +115,21 @@ std::string open_sides_text(const PatchFacts& f) {
   return more == 0 ? out : out + "    and " + std::to_string(more) + " more\n";
 }
 
+// Commands are not broken, so that they can be copied.
+std::string help_text(const std::string& code, const PatchFacts& facts) {
+  const std::string what = code == "side-direction" ? "patches so that their sides fit"
+                                                    : "whole shells that face the wrong way";
+  const std::string reversing = facts.auto_helps ? unbroken("veritope certify --orient auto FILE") +
+                                                       " reverses " + what + "; "
+                                                 : "";
+  return detail_line("what helps", reversing + unbroken("veritope explain " + code));
+}
+
 std::string defects_text(const FileReport& report) {
   std::string out;
   for (const Finding& f : report.defects) out += defect_details(f);
-  return out + open_sides_text(internal::facts_of(report)) +
-         detail_line("what helps", "veritope explain " + report.defects.front().code);
+  const PatchFacts& facts = internal::facts_of(report);
+  return out + open_sides_text(facts) + help_text(report.defects.front().code, facts);
 }
 
 std::string reason_parts(const Finding& f) {
@@ -130,7 +140,7 @@ std::string reason_parts(const Finding& f) {
 }
 
 // The first reason's message is in the summary.
-std::string reasons_text(const std::vector<Finding>& reasons) {
+std::string reasons_text(const std::vector<Finding>& reasons, const PatchFacts& facts) {
   if (reasons.empty() || reasons.front().code == "not-covered") return "";
   std::string out = reason_parts(reasons.front());
   for (std::size_t i = 1; i < std::min(internal::kMostShown, reasons.size()); ++i)
@@ -139,7 +149,7 @@ std::string reasons_text(const std::vector<Finding>& reasons) {
   if (reasons.size() > internal::kMostShown)
     out += detail_line("...", std::to_string(reasons.size() - internal::kMostShown) +
                                   " more reasons (--json lists them)");
-  return out + detail_line("what helps", "veritope explain " + reasons.front().code);
+  return out + help_text(reasons.front().code, facts);
 }
 
 // What is open, as a whole.
@@ -184,7 +194,8 @@ std::string patch_summary(const FileReport& report) {
 }
 
 std::string patch_findings(const FileReport& report, const TextOptions&) {
-  return report.defects.empty() ? reasons_text(report.reasons) : defects_text(report);
+  return report.defects.empty() ? reasons_text(report.reasons, facts_of(report))
+                                : defects_text(report);
 }
 
 std::string patch_details(const FileReport& report, const TextOptions&) {

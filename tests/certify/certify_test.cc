@@ -281,6 +281,38 @@ TEST(Certify, ShellsThatAreInsideOutAreTurnedAsAWhole) {
   expect_accepted(file, mended);
 }
 
+// kAuto is named only where it mends all that is known to be wrong.
+TEST(Certify, OrientationIsRecommendedOnlyWhereItHelps) {
+  const Patches box = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  CertifyOptions oriented;
+  oriented.orientation = PatchOrientation::kAuto;
+  const auto helps = [](const Patches& patches, const char* code, const CertifyOptions& options) {
+    const Certified c = certify_patches(patches, options);
+    EXPECT_EQ(c.findings.empty() ? "" : c.findings.back().code, code);
+    return patch_facts(c).auto_helps;
+  };
+  Patches turned = box;
+  turned[2] = reversed(turned[2]);
+  EXPECT_TRUE(helps(turned, "side-direction", {}));
+  EXPECT_FALSE(helps(turned, "", oriented));
+  Patches backward;
+  for (const Patch& p : box) backward.push_back(reversed(p));
+  EXPECT_TRUE(helps(backward, "shell-turned", {}));
+  EXPECT_FALSE(helps(backward, "", oriented));
+  EXPECT_FALSE(helps(box, "", {}));
+
+  // Besides a turned patch, an open side, or a second box that crosses the first.
+  Patches open = turned;
+  open.pop_back();
+  EXPECT_FALSE(helps(open, "side-open", {}));
+  Patches crossing = turned;
+  for (const Patch& p : patch_shapes::box(
+           {Rational(1) / Rational(2), Rational(1) / Rational(4), Rational(1) / Rational(4)},
+           {2, Rational(3) / Rational(4), Rational(3) / Rational(4)}))
+    crossing.push_back(p);
+  EXPECT_FALSE(helps(crossing, "side-direction", {}));
+}
+
 // A file of bilinear surfaces: the faces of boxes between z = 0 and z = 1, some of them missing.
 class Boxes {
  public:
@@ -382,6 +414,7 @@ TEST(Certify, ARefutationOfReversedNormalsIsNone) {
                       {{"0", "0", "1"}, {"1", "0", "1"}, {"0", "1", "1"}, {"1", "1", "1"}});
   add_klein_bottle(file);
   EXPECT_EQ(file.certified().findings.at(0).code, "side-direction");
+  EXPECT_FALSE(patch_facts(file.certified()).auto_helps);
   expect_undecided(file.certified(oriented()), "not-certified",
                    "with the entities that were reversed side");
 }
@@ -595,6 +628,7 @@ TEST(Certify, NoOrientationMakesAVolumeACavity) {
     const Certified c = certify(read(nested, "nested.itd"), options).value();
     EXPECT_EQ(c.verdict, Verdict::kInvalid);
     EXPECT_EQ(c.findings.at(0).code, "shell-turned");
+    EXPECT_FALSE(patch_facts(c).auto_helps);
     EXPECT_FALSE(c.copy);
     expect_accepted(nested, c);
   }

@@ -22,6 +22,8 @@ namespace {
 // What checkers ask for each patch before they glue all of them.
 constexpr std::uint64_t kBytesOfGluedPatch = 3;
 constexpr std::size_t kMostReasons = 19;  // and one more: not-certified
+// The boxes that may be tried to find something else that is wrong with a model whose patches face the wrong way.
+constexpr std::uint64_t kMostBoxesOfAdvice = 1000;
 
 Finding why(const char* code, std::string message) {
   Finding out;
@@ -103,7 +105,9 @@ class Certification {
     decided_ = decide_file_patches(patches_, decision_options());
     facts_.reversed = patches_.reversed();
     facts_.boxes_tried = decision().boxes_tried;
-    if (auto finding = doubt()) return undecided_by(std::move(*finding));
+    std::optional<Finding> open = doubt();
+    facts_.auto_helps = auto_helps();
+    if (open) return undecided_by(std::move(*open));
     if (decision().is_valid) conclude_valid();
     certify();
     return std::move(out_);
@@ -192,6 +196,30 @@ class Certification {
     out_.verdict = Verdict::kInvalid;
     out_.findings.push_back(std::move(defect));
     return std::nullopt;
+  }
+
+  bool auto_helps() {
+    const bool is_reversible =
+        faces_.empty() && patches_.torn.empty() && options_.orientation == PatchOrientation::kKeep;
+    if (!is_reversible || decision().is_valid) return false;
+    if (decision().open) return decision().open->code == open_code::kOrientation;
+    if (!is_of_orientation(*decision().refutation)) return false;
+    // Boxes cover a turned shell, and the walks between shells say what to reverse.
+    if (std::holds_alternative<ReversedShell>(*decision().refutation)) return true;
+    return fit_once_reversed();
+  }
+  // Whether all sides fit once whole patches are reversed, and nothing else is found to be wrong.
+  bool fit_once_reversed() {
+    Result<FilePatches> fitting = file_patches(file_.model, PatchOrientation::kAuto);
+    if (!fitting || fitting->mixed_entity || !fitting->complex->is_closed_oriented_surface())
+      return false;
+    FileDecisionOptions how = decision_options();
+    how.frame = FrameWanted::kAny;
+    how.may_turn_shells = true;
+    how.search.cover.max_boxes =
+        std::min<std::size_t>(how.search.cover.max_boxes, kMostBoxesOfAdvice);
+    const FileDecision found = decide_file_patches(*fitting, how);
+    return found.decision.is_valid || (found.decision.open && is_limit(found.decision.open->code));
   }
 
   void conclude_valid() {

@@ -123,7 +123,9 @@ class CoverRun {
     if (!patches) return fail(kExitUnreadable, patches.error());
     if (patches->not_covered) return fail(kExitUndecided, patches->not_covered->message);
     sha256_ = file->sha256;
-    return options_.sweep ? sweep(*patches->complex) : cover(*patches);
+    if (!options_.sweep) return cover(*patches);
+    if (auto open = open_faces_text(*patches)) return fail(kExitUndecided, *open);
+    return sweep(*patches->complex);
   }
 
   ExitCode sweep(PatchComplex complex) {

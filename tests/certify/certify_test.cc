@@ -311,6 +311,14 @@ TEST(Certify, OrientationIsRecommendedOnlyWhereItHelps) {
            {2, Rational(3) / Rational(4), Rational(3) / Rational(4)}))
     crossing.push_back(p);
   EXPECT_FALSE(helps(crossing, "side-direction", {}));
+
+  // Around each wrong shell another one ends its walk, so that no certificate can name it; kAuto reverses both.
+  Patches nested;
+  for (const auto& [lo, is_inward] : {std::pair{0, false}, {2, false}, {4, true}, {6, true}})
+    for (const Patch& p : patch_shapes::box({lo, lo, lo}, {16 - lo, 16 - lo, 16 - lo}))
+      nested.push_back(is_inward ? reversed(p) : p);
+  EXPECT_TRUE(helps(nested, "not-certified", {}));
+  EXPECT_FALSE(helps(nested, "", oriented));
 }
 
 // A file of bilinear surfaces: the faces of boxes between z = 0 and z = 1, some of them missing.
@@ -847,6 +855,29 @@ TEST(Certify, LongNumbersAreNotCovered) {
   expect_undecided(certify(digits.file(wide)).value(), "not-covered",
                    "longer numbers than certificates may be about: ");
   EXPECT_FALSE(Boxes().cup(0).file(wide).beyond_default_limits.has_value());
+  // A copy has other lines than the file: the place is that in the file. Fractions may be longer than decimals.
+  wide.max_digits = 6000;
+  SplineFile copied =
+      lid("\"0\", \"0\", \"1/2\", \"1\", \"1\"", "0." + std::string(5200, '3')).file(wide);
+  copied.format = SplineFormat::kGismo;
+  ASSERT_TRUE(copied.beyond_default_limits);
+  copied.beyond_default_limits->place.line = 77;
+  expect_undecided(certify(copied).value(), "not-covered", "about: line 77");
+  copied.beyond_default_limits.reset();
+  expect_undecided(certify(copied).value(), "not-covered", "about: entity 0: ");
+}
+
+// The number lies in the second volume, and its pieces are the entities 10 to 19 of the copy.
+TEST(Certify, LongNumbersInACopyOfVolumesAreThoseOfAVolume) {
+  std::string high = kLooseBox;
+  for (std::size_t at; (at = high.find(" 1]")) != high.npos;)
+    high.replace(at, 3, " 3." + std::string(5200, '3') + "]");
+  for (std::size_t at; (at = high.find(" 0]")) != high.npos;) high.replace(at, 3, " 2]");
+  ModelReadOptions wide;
+  wide.limits.max_digits = 6000;
+  SplineFile file = std::get<SplineFile>(read(kLooseBox + high, "long.itd", wide));
+  file.beyond_default_limits.reset();
+  expect_undecided(certify(file).value(), "not-covered", "about: entity 1: ");
 }
 
 TEST(Certify, AFileWithoutAModelOfItsKindIsAnError) {

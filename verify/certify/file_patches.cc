@@ -97,8 +97,9 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
     return fitted;
   options.in_plain_frame = true;
   options.with_frames = false;
-  options.cover.max_boxes = std::min(
-      options.cover.max_boxes, kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
+  options.cover.max_boxes =
+      std::min(options.cover.max_boxes,
+               kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
   FileDecision plain = decide_in_frame(patches, options);
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
 }
@@ -114,21 +115,6 @@ std::string named(const PatchFinding& defect, const EntityParts& parts) {
     out += (i == 0 ? ": " : ", ") +
            (is_of_patches ? parts.name_of(defect.sides[i].patch) : parts.name_of(defect.sides[i]));
   return defect.sides.size() > kMostNamed ? out + ", ..." : out;
-}
-
-// The decision names what keeps patches from being a closed surface by the numbers of surfaces, which a file of volumes
-// does not have.
-void name_faces(const FilePatches& patches, PatchDecision& decision) {
-  const PatchComplex& complex = *patches.complex;
-  if (!decision.open || !patches.entities.front().face || complex.is_closed_oriented_surface())
-    return;
-  const EntityParts parts(complex, patches.entities);
-  const auto findings = complex.findings();
-  const auto first = std::find_if(findings.begin(), findings.end(), [](const PatchFinding& f) {
-    return f.defect != PatchDefect::kAdjacentPoles;
-  });
-  decision.open->message = kNoSurfaceText;
-  if (first != findings.end()) decision.open->message += "; " + named(*first, parts);
 }
 
 // The shells whose normals point the wrong way, ascending: winding numbers are needed to find them.
@@ -192,10 +178,22 @@ Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orie
   return out;
 }
 
+std::optional<std::string> open_faces_text(const FilePatches& patches) {
+  const PatchComplex& complex = *patches.complex;
+  if (!patches.entities.front().face || complex.is_closed_oriented_surface()) return std::nullopt;
+  const auto findings = complex.findings();
+  const auto first = std::find_if(findings.begin(), findings.end(), [](const PatchFinding& f) {
+    return f.defect != PatchDefect::kAdjacentPoles;
+  });
+  VT_CHECK(first != findings.end(), "what is no surface has a defect");
+  return kNoSurfaceText + ("; " + named(*first, EntityParts(complex, patches.entities)));
+}
+
 FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions& options) {
   VT_CHECK(patches.complex != nullptr, "a file without patches is not decided");
   FileDecision out = decide_once(patches, options);
-  name_faces(patches, out.decision);
+  if (out.decision.open)
+    if (auto text = open_faces_text(patches)) out.decision.open->message = std::move(*text);
   if (!options.may_turn_shells || patches.mixed_entity) return out;
   const std::vector<std::uint32_t> shells = wrong_shells(out.decision.walks);
   if (shells.empty()) return out;

@@ -172,8 +172,7 @@ class Certification {
     report_.verdict = verdict_;  // whoever gives up or refuses takes it back
     try {
       const unsigned jobs = static_cast<unsigned>(settings_.reading.jobs);
-      Result<std::string> picture =
-          picture_of(model_, drawn_copy(), report_, *settings_.picture, jobs);
+      Result<std::string> picture = picture_of(model_, report_, *settings_.picture, jobs);
       if (picture)
         picture_ = std::move(*picture);
       else
@@ -200,12 +199,6 @@ class Certification {
                               std::move(copy.what),
                               copy.is_of_volumes,
                               stand_in_->format};
-  }
-
-  // The copy that findings are about, unless the file was read as the same mesh.
-  std::optional<std::string> drawn_copy() const {
-    if (!stand_in_ || std::holds_alternative<MeshFile>(model_)) return std::nullopt;
-    return stand_in_->bytes;
   }
 
   // The cells are too many for the checker; the star boxes alone may not be.
@@ -331,7 +324,7 @@ class Certification {
   Stopwatch watch_;
   FileReport report_;
   ModelFile model_;
-  ByteBuffer copy_;                      ///< if needs_copy(): the input, for the checker
+  ByteBuffer copy_;                       ///< if needs_copy(): the input, for the checker
   std::optional<StandInBytes> stand_in_;  ///< the model that was certified in the place of the file
   Verdict verdict_ = Verdict::kUndecided;
   certificate::Bytes bytes_, without_collar_;

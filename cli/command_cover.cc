@@ -118,11 +118,14 @@ class CoverRun {
     const PatchOrientation orientation =
         options_.orient_auto && !is_of_volumes ? PatchOrientation::kAuto : PatchOrientation::kKeep;
     Result<FilePatches> patches =
-        file_patches(*stand_in ? (*stand_in)->file.model : file->model, orientation);
+        *stand_in ? file_patches((*stand_in)->file.model, orientation, (*stand_in)->faces)
+                  : file_patches(file->model, orientation);
     if (!patches) return fail(kExitUnreadable, patches.error());
     if (patches->not_covered) return fail(kExitUndecided, patches->not_covered->message);
     sha256_ = file->sha256;
-    return options_.sweep ? sweep(*patches->complex) : cover(*patches);
+    if (!options_.sweep) return cover(*patches);
+    if (auto open = open_faces_text(*patches)) return fail(kExitUndecided, *open);
+    return sweep(*patches->complex);
   }
 
   ExitCode sweep(PatchComplex complex) {

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "io/base/scan.h"
-#include "io/read_model.h"
 #include "io/splines/boundary_faces.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/volume_faces.h"
 #include "render/defect_scene.h"
 #include "render/draw_scene.h"
 #include "render/png.h"
@@ -22,6 +23,17 @@ namespace {
 
 constexpr std::size_t kTitleColumns = 90;  // of 1200 pixels
 
+// The faces that are certified: those of the rule, or the pieces that a copy has.
+Result<BoundaryFaces> drawn_faces(const SplineModel& model, bool of_copy) {
+  if (!of_copy) return boundary_faces(model);
+  Result<VolumeFaces> pieces = volume_faces(model);
+  if (!pieces) return pieces.error();
+  BoundaryFaces out;
+  out.model = model_of(pieces->patches);
+  out.faces = std::move(pieces->places);
+  return out;
+}
+
 Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
   std::vector<EntityPart> sides;
   std::uint64_t num_sides = 0;
@@ -30,9 +42,8 @@ Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
     for (const OpenSideFacts& side : facts->open_sides) sides.push_back(side.part);
     num_sides = facts->open.sides;
   }
-  if (!report.boundary_faces || report.copy)
-    return defect_scene(file.model, findings, sides, num_sides);
-  const Result<BoundaryFaces> faces = boundary_faces(file.model);
+  if (!report.boundary_faces) return defect_scene(file.model, findings, sides, num_sides);
+  const Result<BoundaryFaces> faces = drawn_faces(file.model, report.copy.has_value());
   if (!faces) return faces.error();
   return defect_scene(file.model, findings, sides, num_sides, &*faces);
 }
@@ -43,12 +54,6 @@ Result<Scene> scene_of(const ModelFile& model, const FileReport& report) {
                         std::get<MeshFacts>(report.facts).decision.rule_counts);
   if (const auto* splines = std::get_if<SplineFile>(&model)) return scene_of(*splines, report);
   return bad_argument("models of this kind have no picture");
-}
-
-// The copy was written by us, and is read as the checkers read it.
-Result<ModelFile> read_copy(const std::string& bytes) {
-  return read_model_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
-                          "copy.vjson", {});
 }
 
 Result<std::string> drawn(Scene scene, const FileReport& report, unsigned jobs) {
@@ -81,12 +86,9 @@ bool has_pictures(ModelKind kind) {
   return kind == ModelKind::kMesh || kind == ModelKind::kSplines;
 }
 
-Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
-                               const FileReport& report, PictureKind kind, unsigned jobs) {
-  std::optional<Result<ModelFile>> read;
-  if (copy) read = read_copy(*copy);
-  if (read && !*read) return read->error();
-  Result<Scene> scene = scene_of(read ? **read : model, report);
+Result<std::string> picture_of(const ModelFile& model, const FileReport& report, PictureKind kind,
+                               unsigned jobs) {
+  Result<Scene> scene = scene_of(model, report);
   if (!scene) return scene.error();
   switch (kind) {
     case PictureKind::kPng: return drawn(std::move(*scene), report, jobs);

@@ -22,12 +22,11 @@ std::optional<PictureKind> picture_kind(const std::string& path);
 /// Whether models of this kind have pictures.
 bool has_pictures(ModelKind kind);
 
-/// The model with what the report says is wrong with it. `copy` has the bytes of the model that was certified in the
-/// place of the file, if there is one: findings number its entities.
+/// The model with what the report says is wrong with it.
 /// REQUIRES a report with a verdict.
 /// @error  kEmpty, kNotFinite, kOverLimit, kBadArgument: the model cannot be drawn
-Result<std::string> picture_of(const ModelFile& model, const std::optional<std::string>& copy,
-                               const report::FileReport& report, PictureKind kind, unsigned jobs);
+Result<std::string> picture_of(const ModelFile& model, const report::FileReport& report,
+                               PictureKind kind, unsigned jobs);
 
 /// Drops all but the first `most` defects of each rule of a mesh, and all but the first `most` open sides.
 void keep_first(std::size_t most, report::FileReport& report);

@@ -53,8 +53,8 @@ constexpr std::array<PatchExplanation, 13> kExplanations = {{
       "dS/du x dS/dv of their patches are on opposite sides of the surface.",
       "A patch with u and v exchanged, one mirrored copy, a one-sided surface, which no "
       "orientation cures.",
-      "veritope certify --orient auto reverses patches and lists them; or exchange u and v of the "
-      "patches that disagree.",
+      "veritope certify --orient auto reverses patches, not volumes, and lists them; or exchange u "
+      "and v of the patches that disagree.",
       "Open CASCADE BRepCheck_BadOrientationOfSubshape; Parasolid: inconsistent face normals; "
       "val3dity 307"},
      R"(  +--->-+--->-+
@@ -77,8 +77,8 @@ constexpr std::array<PatchExplanation, 13> kExplanations = {{
       "a shell is not 1, or not 0 on its outer side.",
       "Normals that point inward everywhere, a cavity whose normals point out of it, a solid "
       "inside of another.",
-      "veritope certify --orient auto turns whole shells and lists the entities. A solid inside "
-      "of another: remove or subtract it.",
+      "veritope certify --orient auto reverses whole shells of surfaces and lists the entities; it "
+      "leaves volumes as they are. A solid inside of another: remove or subtract it.",
       "Open CASCADE ShapeFix_Solid orientation; Parasolid: inside-out body; val3dity 405"},
      R"(  +-------------+ -->
   |   +-----+   |

@@ -107,13 +107,13 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "Restore the settings before the call; the message names what differs."},
 
     {"not-covered", "model that certificates do not speak about",
-     "The file was read, but no certificate can be about it: its format, a shape in it that was "
-     "not read, numbers that are "
-     "longer than checkers accept, or entities that are not patches in space. Nothing is said "
-     "about its validity. Status 3.",
-     "MFEM, G+Smo and GoTools files, trimmed surfaces, curves beside surfaces, volumes.",
-     "veritope convert writes many of these models as .vjson; the message says what is not "
-     "covered."},
+     "The file was read, but no certificate can be about it: a shape in it was not read, numbers "
+     "are longer than checkers accept, a volume folds or has a degree over 15, or entities are "
+     "neither patches in space nor volumes alone. Nothing is said about its validity. Status 3.",
+     "Trimmed surfaces, curves or volumes beside surfaces, patches of the plane, volumes whose "
+     "faces have no area or are left out as walls.",
+     "The message says what is not covered. Export trimmed faces untrimmed, or as a mesh; veritope "
+     "convert --faces writes the faces of volumes alone."},
     {"no-collar", "no octree collar found",
      "The model is decided, and --collar found no cells around the surface that form a collar. The "
      "verdict and its "

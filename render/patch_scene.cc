@@ -125,6 +125,19 @@ void add_to_legend(const std::string& code, Scene& scene) {
     scene.legend.push_back({colour_of_code(code), code, tinted_paint(colour_of_code(code))});
 }
 
+// Whether the middle of a part of this face lies in the piece. Without pieces every part does.
+bool is_in_piece(const EntityPart& part, const VolumeFace& face) {
+  if (!face.piece) return true;
+  const auto holds = [&](std::size_t axis, const Rational& lo, const Rational& hi) {
+    const auto& [least, greatest] = part.parameters[axis];
+    const double middle = least / 2 + greatest / 2;
+    return round_down(lo) <= middle && middle <= round_up(hi);
+  };
+  const auto& along = *face.piece;
+  return holds(face.axis, face.at, face.at) && holds(face.axes[0], along[0][0], along[0][1]) &&
+         holds(face.axes[1], along[1][0], along[1][1]);
+}
+
 // Which surface of the scene a part lies on: those of entities, or of the boundary faces that are shown in their place.
 std::optional<std::size_t> surface_of(const EntityPart& part, const BoundaryFaces* shown,
                                       const Scene& scene) {
@@ -133,8 +146,9 @@ std::optional<std::size_t> surface_of(const EntityPart& part, const BoundaryFace
     return std::nullopt;
   }
   for (std::size_t i = 0; i < shown->faces.size() && part.face; ++i)
-    if (const VolumeFace& face = shown->faces[i];
-        face.volume == part.entity && 2 * face.axis + face.end == *part.face)
+    if (const VolumeFace& face = shown->faces[i]; face.volume == part.entity &&
+                                                  2 * face.axis + face.end == *part.face &&
+                                                  is_in_piece(part, face))
       return i;
   return std::nullopt;
 }

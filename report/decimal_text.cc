@@ -88,6 +88,15 @@ std::string plain_text(const std::string& digits, std::int64_t exponent) {
   return digits.substr(0, whole) + "." + digits.substr(whole);
 }
 
+// Different doubles have different texts of 17 digits.
+template <typename Number>
+std::array<std::string, 2> ends_of(const Number& lo, const Number& hi, int digits) {
+  std::array<std::string, 2> out = {short_decimal(lo, digits), short_decimal(hi, digits)};
+  for (int more = digits + 1; lo < hi && out[0] == out[1]; ++more)
+    out = {short_decimal(lo, more), short_decimal(hi, more)};
+  return out;
+}
+
 }  // namespace
 
 std::string fraction_text(const Rational& value) {
@@ -129,9 +138,25 @@ std::string point_text(const Point3d& p) {
                   short_decimal(p[2]) + ")");
 }
 
+std::array<std::string, 2> range_ends(double lo, double hi, int digits) {
+  return ends_of(lo, hi, digits);
+}
+std::array<std::string, 2> range_ends(const Rational& lo, const Rational& hi, int digits) {
+  return ends_of(lo, hi, digits);
+}
+
 std::string range_text(const Interval& a, int digits) {
-  const std::string lo = short_decimal(a.lo(), digits), hi = short_decimal(a.hi(), digits);
+  const auto [lo, hi] = range_ends(a.lo(), a.hi(), digits);
   return lo == hi ? lo : lo + " to " + hi;
+}
+
+std::string box_text(const Box3d& box) {
+  std::array<std::string, 2> out = {"(", "("};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto ends = range_ends(box.lo[k], box.hi[k]);
+    for (std::size_t i = 0; i < 2; ++i) out[i] += (k == 0 ? "" : ", ") + ends[i];
+  }
+  return unbroken(out[0] + ")") + " to " + unbroken(out[1] + ")");
 }
 
 std::string cut(std::string_view text, std::size_t size) {

@@ -2,6 +2,7 @@
 // report/decimal_text.h: exact numbers as text for people and programs. Integers only: nothing depends on a rounding
 // mode.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -32,9 +33,16 @@ std::string short_decimal(double value, int digits = 6);
 /// "(1, 0.5, -2)", each as short_decimal; fold does not break it.
 std::string point_text(const Point3d& p);
 
-/// Both bounds as short_decimal, for people: "1.5 to 1.75", or "1.5" if both have the same text. The bounds are rounded
-/// to nearest, so the text is not an enclosure.
+/// The ends of a range as short_decimal, of as many more digits as it takes until different numbers have different
+/// texts. They are rounded to nearest, so that the texts are no enclosure.
+std::array<std::string, 2> range_ends(double lo, double hi, int digits = 6);
+std::array<std::string, 2> range_ends(const Rational& lo, const Rational& hi, int digits = 6);
+
+/// "1.5 to 1.75", with range_ends; "1.5" if the bounds are equal.
 std::string range_text(const Interval& a, int digits = 9);
+
+/// "(1, 0.5, -2) to (1, 0.75, 3)", with range_ends; fold breaks neither point.
+std::string box_text(const Box3d& box);
 
 /// The text, or its start with "..." and a total of `size` characters if it is longer. REQUIRES size >= 4.
 std::string cut(std::string_view text, std::size_t size);

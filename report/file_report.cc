@@ -23,6 +23,7 @@ void forget(PatchFacts& facts) {
   kept.vertices = facts.vertices, kept.shells = facts.shells;
   kept.reversed = std::move(facts.reversed);
   kept.boxes_tried = facts.boxes_tried;
+  kept.auto_helps = facts.auto_helps;
   facts = std::move(kept);
 }
 

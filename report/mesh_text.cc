@@ -187,8 +187,8 @@ std::string places_text(const ValidityReport& decision) {
   for (std::size_t i = 0; i < std::min(places.size(), internal::kMostShown); ++i) {
     const Box3d& box = places[i].box;
     out += "    " + counted(places[i].pairs, "pair", "pairs") + " of " +
-           counted(places[i].faces, "face", "faces") + " in the box " + point_text(box.lo) +
-           " to " + point_text(box.hi) + "\n";
+           counted(places[i].faces, "face", "faces") + " in the box " + report::box_text(box) +
+           "\n";
   }
   if (places.size() > internal::kMostShown)
     out += "    ... " + std::to_string(places.size() - internal::kMostShown) +
@@ -198,8 +198,7 @@ std::string places_text(const ValidityReport& decision) {
 
 // "1.1e-16 to 3e-05"
 std::string gaps_text(const OpenEdges& open) {
-  const std::string greatest = short_decimal(open.greatest_gap, 2);
-  const std::string least = short_decimal(open.least_gap, 2);
+  const auto [least, greatest] = range_ends(open.least_gap, open.greatest_gap, 2);
   return least == greatest ? greatest : least + " to " + greatest;
 }
 
@@ -311,9 +310,7 @@ std::string vertices_text(const ReadReport& r) {
   return text;
 }
 
-std::string box_text(const Box3d& box) {
-  return detail_line("box", point_text(box.lo) + " to " + point_text(box.hi));
-}
+std::string box_text(const Box3d& box) { return detail_line("box", report::box_text(box)); }
 
 std::string mesh_summary(const FileReport& report) {
   return report.verdict == Verdict::kValid ? valid_summary(report) : invalid_summary(report);

@@ -18,10 +18,10 @@ std::string parameters_text(const EntityPart& part) {
   constexpr const char* kNames[] = {"u", "v", "w"};
   for (std::size_t i = 0; i < part.parameters.size(); ++i) {
     const auto& [lo, hi] = part.parameters[i];
+    const auto [begin, end] = range_ends(lo, hi, 10);
     out += std::string(i == 0 ? ": " : ", ") +
            (is_triangle ? "b" + std::to_string(i) : std::string(kNames[i])) +
-           (lo == hi ? " = " + short_decimal(lo, 10)
-                     : " in [" + short_decimal(lo, 10) + ", " + short_decimal(hi, 10) + "]");
+           (lo == hi ? " = " + begin : " in [" + begin + ", " + end + "]");
   }
   return out;
 }
@@ -33,7 +33,8 @@ std::string defect_details(const Finding& f) {
 }
 
 std::string bounds_text(const Interval& v) {
-  return "between " + short_decimal(v.lo(), 10) + " and " + short_decimal(v.hi(), 10);
+  const auto [lo, hi] = range_ends(v.lo(), v.hi(), 10);
+  return lo == hi ? lo : "between " + lo + " and " + hi;
 }
 
 // A middle is said only of an enclosure that has one.
@@ -58,9 +59,7 @@ std::string shells_text(const PatchFacts& r) {
   return out;
 }
 
-std::string place_text(const Box3d& box) {
-  return "in the box " + point_text(box.lo) + " to " + point_text(box.hi);
-}
+std::string place_text(const Box3d& box) { return "in the box " + box_text(box); }
 
 std::string where_line(const Finding& finding) {
   const std::optional<Box3d>& box = finding.place.box;
@@ -116,11 +115,21 @@ std::string open_sides_text(const PatchFacts& f) {
   return more == 0 ? out : out + "    and " + std::to_string(more) + " more\n";
 }
 
+// Commands are not broken, so that they can be copied.
+std::string help_text(const std::string& code, const PatchFacts& facts) {
+  const std::string what = code == "side-direction" ? "patches so that their sides fit"
+                                                    : "whole shells that face the wrong way";
+  const std::string reversing = facts.auto_helps ? unbroken("veritope certify --orient auto FILE") +
+                                                       " reverses " + what + "; "
+                                                 : "";
+  return detail_line("what helps", reversing + unbroken("veritope explain " + code));
+}
+
 std::string defects_text(const FileReport& report) {
   std::string out;
   for (const Finding& f : report.defects) out += defect_details(f);
-  return out + open_sides_text(internal::facts_of(report)) +
-         detail_line("what helps", "veritope explain " + report.defects.front().code);
+  const PatchFacts& facts = internal::facts_of(report);
+  return out + open_sides_text(facts) + help_text(report.defects.front().code, facts);
 }
 
 std::string reason_parts(const Finding& f) {
@@ -131,7 +140,7 @@ std::string reason_parts(const Finding& f) {
 }
 
 // The first reason's message is in the summary.
-std::string reasons_text(const std::vector<Finding>& reasons) {
+std::string reasons_text(const std::vector<Finding>& reasons, const PatchFacts& facts) {
   if (reasons.empty() || reasons.front().code == "not-covered") return "";
   std::string out = reason_parts(reasons.front());
   for (std::size_t i = 1; i < std::min(internal::kMostShown, reasons.size()); ++i)
@@ -140,7 +149,7 @@ std::string reasons_text(const std::vector<Finding>& reasons) {
   if (reasons.size() > internal::kMostShown)
     out += detail_line("...", std::to_string(reasons.size() - internal::kMostShown) +
                                   " more reasons (--json lists them)");
-  return out + detail_line("what helps", "veritope explain " + reasons.front().code);
+  return out + help_text(reasons.front().code, facts);
 }
 
 // What is open, as a whole.
@@ -151,9 +160,8 @@ std::string open_text(const OpenBorders& open) {
     return (open.sheets == 1 ? "an open sheet: " : std::to_string(open.sheets) + " open sheets: ") +
            sides + "; " + (open.sheets == 1 ? "it bounds" : "they bound") + " no solid";
   if (open.near_sides == 0) return sides;
-  const std::string distance =
-      (open.least < open.greatest ? short_decimal(open.least, 2) + " to " : "") +
-      short_decimal(open.greatest, 2);
+  const auto [least, greatest] = range_ends(open.least, open.greatest, 2);
+  const std::string distance = least == greatest ? greatest : least + " to " + greatest;
   return sides + ", " +
          (open.near_sides == open.sides ? "each" : std::to_string(open.near_sides) + " of them") +
          " within " + distance + " of another one";
@@ -186,7 +194,8 @@ std::string patch_summary(const FileReport& report) {
 }
 
 std::string patch_findings(const FileReport& report, const TextOptions&) {
-  return report.defects.empty() ? reasons_text(report.reasons) : defects_text(report);
+  return report.defects.empty() ? reasons_text(report.reasons, facts_of(report))
+                                : defects_text(report);
 }
 
 std::string patch_details(const FileReport& report, const TextOptions&) {

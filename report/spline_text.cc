@@ -15,8 +15,9 @@ constexpr std::size_t kMostEntities = 20;
 std::string box_text(const std::vector<ExactInterval>& box) {
   std::string lo, hi;
   for (const ExactInterval& s : box) {
-    lo += (lo.empty() ? "" : ", ") + short_decimal(s.lo);
-    hi += (hi.empty() ? "" : ", ") + short_decimal(s.hi);
+    const auto [least, greatest] = range_ends(s.lo, s.hi);
+    lo += (lo.empty() ? "" : ", ") + least;
+    hi += (hi.empty() ? "" : ", ") + greatest;
   }
   return box.empty() ? "empty" : "(" + lo + ") to (" + hi + ")";
 }

@@ -159,7 +159,7 @@ class HandOf {
 
 VolumeFace face_at(const ExactVolume& volume, std::uint64_t number, std::size_t axis,
                    std::size_t end, bool is_right_handed) {
-  VolumeFace face{number, axis, end, {(axis + 1) % 3, (axis + 2) % 3}, {}};
+  VolumeFace face{number, axis, end, {(axis + 1) % 3, (axis + 2) % 3}, {}, {}};
   // The other two axes in cyclic order make normals point to the end of the axis.
   if ((end == 1) != is_right_handed) std::swap(face.axes[0], face.axes[1]);
   face.at = end == 0 ? volume.axis(axis).domain_begin() : volume.axis(axis).domain_end();

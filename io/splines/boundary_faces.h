@@ -2,7 +2,6 @@
 // io/splines/boundary_faces.h: the boundary faces of volumes as B-spline surfaces, as certificates number them.
 // The rule: docs/certificates/reading-rule-faces.md, which the checkers implement independently.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "io/splines/spline_model.h"
+#include "io/splines/volume_face.h"
 #include "robust/base/result.h"
 #include "solids/patches/patch.h"
 
@@ -19,14 +19,6 @@ namespace veritope {
 /// them, and for a volume that the rule refuses for another reason. Nothing if it has different signs: then the volume
 /// folds.
 std::optional<Sign> hand_at_corners(const ExactVolume& volume);
-
-/// Where a face lies on its volume.
-struct VolumeFace {
-  std::uint64_t volume = 0;           ///< an entity of the model
-  std::size_t axis = 0, end = 0;      ///< the axis across; 0: where it begins, 1: where it ends
-  std::array<std::size_t, 2> axes{};  ///< the volume's axes that are the face's u and v
-  Rational at;                        ///< the volume's parameter across
-};
 
 struct BoundaryFaces {
   SplineModel model;              ///< surfaces, without groups and attributes

@@ -20,6 +20,7 @@ namespace veritope {
 namespace {
 
 using Piece = BezierVolume<Rational>;
+using Pieces = BezierPieces<Rational, 3>;
 
 // The derivative at the middle, times the squared weight there.
 PatchPoint direction(const Piece& piece, std::size_t axis) {
@@ -60,6 +61,35 @@ bool mirror_left_handed(std::vector<Piece>& pieces) {
   return true;
 }
 
+// Where the pieces of a volume lie on it.
+class Cells {
+ public:
+  Cells(std::uint64_t volume, bool is_mirrored, const Pieces& pieces)
+      : volume_(volume), is_mirrored_(is_mirrored), grid_(pieces.grid()), breaks_(pieces.breaks) {}
+
+  // The axes of faces_of, which are those of the mirrored piece. REQUIRES one of the volume's pieces.
+  VolumeFace face(std::size_t piece, std::size_t axis, std::size_t end) const {
+    const auto cell = grid_.index_of(piece);
+    const auto of_volume = [&](std::size_t a) { return is_mirrored_ && a < 2 ? 1 - a : a; };
+    const auto along = [&](std::size_t a) {
+      return std::array{breaks_[a][cell[a]], breaks_[a][cell[a] + 1]};
+    };
+    std::array<std::size_t, 2> others = {axis == 0 ? 1u : 0u, axis == 2 ? 1u : 2u};
+    if ((axis == 1) == (end == 1)) std::swap(others[0], others[1]);
+    VolumeFace out{volume_, of_volume(axis), end, {of_volume(others[0]), of_volume(others[1])}, {},
+                   {}};
+    out.at = along(out.axis)[end];
+    out.piece = {along(out.axes[0]), along(out.axes[1])};
+    return out;
+  }
+
+ private:
+  std::uint64_t volume_;
+  bool is_mirrored_;
+  Grid<3> grid_;
+  std::array<std::vector<Rational>, 3> breaks_;
+};
+
 // Whether the patch is one point, or a curve: along an axis all lines of control points are equal
 // up to a factor.
 bool is_without_area(const Patch& patch) {
@@ -80,11 +110,34 @@ bool is_without_area(const Patch& patch) {
   return is_point || is_constant_in_u || is_constant_in_v;
 }
 
+// Number 6 piece + 2 axis + end, as faces_of gives them.
+VolumeFace place_of(std::uint64_t number, const std::vector<std::pair<std::size_t, Cells>>& cells) {
+  const std::size_t piece = number / 6;
+  const auto next = std::upper_bound(
+      cells.begin(), cells.end(), piece,
+      [](std::size_t p, const std::pair<std::size_t, Cells>& c) { return p < c.first; });
+  const auto& [first, of] = *std::prev(next);
+  return of.face(piece - first, number % 6 / 2, number % 2);
+}
+
+// Equal faces with opposite normals are left out in pairs, whether two pieces share them or a flat one is folded onto
+// itself there.
+std::string nothing_left(std::size_t num_faces, std::uint64_t num_flat) {
+  const std::string faces = std::to_string(num_faces) + " faces";
+  const std::string pairs =
+      " are equal in pairs, as walls between volumes and the two sides of a flat volume are";
+  if (num_flat == num_faces) return "no face is left: none of the " + faces + " has an area";
+  if (num_flat == 0) return "no face is left: all " + faces + pairs;
+  return "no face is left: of " + faces + ", " + std::to_string(num_flat) +
+         " have no area, and the others" + pairs;
+}
+
 }  // namespace
 
 Result<VolumeFaces> volume_faces(const SplineModel& model) {
   VolumeFaces out;
   std::vector<Piece> all;
+  std::vector<std::pair<std::size_t, Cells>> cells;  // with the number of the volume's first piece
   for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
     const auto* const volume = std::get_if<ExactVolume>(&model.entities[e].shape);
     if (volume == nullptr) {
@@ -101,9 +154,11 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
       return error_at_entity(
           Code::kOverLimit, e,
           "the volumes up to this one may have over " + std::to_string(kMaxPatches) + " faces");
-    std::vector<Piece> pieces = bezier_pieces(*volume).pieces;
-    if (mirror_left_handed(pieces)) out.mirrored.push_back(e);
-    std::move(pieces.begin(), pieces.end(), std::back_inserter(all));
+    Pieces cut = bezier_pieces(*volume);
+    const bool is_mirrored = mirror_left_handed(cut.pieces);
+    if (is_mirrored) out.mirrored.push_back(e);
+    cells.emplace_back(all.size(), Cells(e, is_mirrored, cut));
+    std::move(cut.pieces.begin(), cut.pieces.end(), std::back_inserter(all));
   }
   if (out.num_volumes == 0) return Error{Code::kEmpty, {}, "there is no volume in the model"};
   Result<std::vector<Patch>> faces = faces_of(all);
@@ -111,15 +166,13 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
   for (Patch& face : *faces) {
     if (is_without_area(face)) {
       ++out.num_flat;
-    } else {
-      out.patches.push_back(std::move(face));
+      continue;
     }
+    out.places.push_back(place_of(face.origin().number, cells));
+    out.patches.push_back(std::move(face));
   }
   if (out.patches.empty())
-    return Error{Code::kEmpty,
-                 {},
-                 "no face is left: " + std::to_string(out.num_flat) +
-                     " without area; the others are walls, which two pieces share"};
+    return Error{Code::kEmpty, {}, nothing_left(6 * all.size(), out.num_flat)};
   return out;
 }
 

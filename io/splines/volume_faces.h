@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/splines/spline_model.h"
+#include "io/splines/volume_face.h"
 #include "robust/base/result.h"
 #include "solids/patches/patch.h"
 
@@ -13,6 +14,7 @@ namespace veritope {
 
 struct VolumeFaces {
   std::vector<Patch> patches;           ///< Bezier pieces; numbers: 6 piece + 2 axis + end
+  std::vector<VolumeFace> places;       ///< where each of the patches lies; each is a piece
   std::uint64_t num_volumes = 0;        ///< entities
   std::uint64_t num_others = 0;         ///< entities that are not volumes; they are not examined
   std::uint64_t num_flat = 0;           ///< faces without area that were left out
@@ -24,6 +26,7 @@ struct VolumeFaces {
 /// of a piece, the first piece where it is not 0, decides: if it is positive, normals point out of the volume; if it is
 /// negative, the volume is mirrored first (its first two axes change places). It is not tested whether the determinant
 /// has one sign everywhere, nor whether the patches bound a solid.
+/// At an inner knot where a volume is torn, both of its sides are faces.
 /// @error kEmpty without a volume, and where no face is left (a flat volume). With the entity: kBadArgument for one not
 /// in space, kOverLimit for over kMaxPatches faces before walls go.
 Result<VolumeFaces> volume_faces(const SplineModel& model);

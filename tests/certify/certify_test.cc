@@ -16,6 +16,7 @@
 #include "io/splines/write_splines.h"
 #include "models/patch_shapes.h"
 #include "solids/patches/patch_transform.h"
+#include "splines/de_boor.h"
 #include "tests/certify/zero_shapes.h"
 #include "tests/support/checker_call.h"
 #include "tests/support/shapes.h"
@@ -280,6 +281,46 @@ TEST(Certify, ShellsThatAreInsideOutAreTurnedAsAWhole) {
   expect_accepted(file, mended);
 }
 
+// kAuto is named only where it mends all that is known to be wrong.
+TEST(Certify, OrientationIsRecommendedOnlyWhereItHelps) {
+  const Patches box = patch_shapes::box({0, 0, 0}, {1, 1, 1});
+  CertifyOptions oriented;
+  oriented.orientation = PatchOrientation::kAuto;
+  const auto helps = [](const Patches& patches, const char* code, const CertifyOptions& options) {
+    const Certified c = certify_patches(patches, options);
+    EXPECT_EQ(c.findings.empty() ? "" : c.findings.back().code, code);
+    return patch_facts(c).auto_helps;
+  };
+  Patches turned = box;
+  turned[2] = reversed(turned[2]);
+  EXPECT_TRUE(helps(turned, "side-direction", {}));
+  EXPECT_FALSE(helps(turned, "", oriented));
+  Patches backward;
+  for (const Patch& p : box) backward.push_back(reversed(p));
+  EXPECT_TRUE(helps(backward, "shell-turned", {}));
+  EXPECT_FALSE(helps(backward, "", oriented));
+  EXPECT_FALSE(helps(box, "", {}));
+
+  // Besides a turned patch, an open side, or a second box that crosses the first.
+  Patches open = turned;
+  open.pop_back();
+  EXPECT_FALSE(helps(open, "side-open", {}));
+  Patches crossing = turned;
+  for (const Patch& p : patch_shapes::box(
+           {Rational(1) / Rational(2), Rational(1) / Rational(4), Rational(1) / Rational(4)},
+           {2, Rational(3) / Rational(4), Rational(3) / Rational(4)}))
+    crossing.push_back(p);
+  EXPECT_FALSE(helps(crossing, "side-direction", {}));
+
+  // Around each wrong shell another one ends its walk, so that no certificate can name it; kAuto reverses both.
+  Patches nested;
+  for (const auto& [lo, is_inward] : {std::pair{0, false}, {2, false}, {4, true}, {6, true}})
+    for (const Patch& p : patch_shapes::box({lo, lo, lo}, {16 - lo, 16 - lo, 16 - lo}))
+      nested.push_back(is_inward ? reversed(p) : p);
+  EXPECT_TRUE(helps(nested, "not-certified", {}));
+  EXPECT_FALSE(helps(nested, "", oriented));
+}
+
 // A file of bilinear surfaces: the faces of boxes between z = 0 and z = 1, some of them missing.
 class Boxes {
  public:
@@ -381,6 +422,7 @@ TEST(Certify, ARefutationOfReversedNormalsIsNone) {
                       {{"0", "0", "1"}, {"1", "0", "1"}, {"0", "1", "1"}, {"1", "1", "1"}});
   add_klein_bottle(file);
   EXPECT_EQ(file.certified().findings.at(0).code, "side-direction");
+  EXPECT_FALSE(patch_facts(file.certified()).auto_helps);
   expect_undecided(file.certified(oriented()), "not-certified",
                    "with the entities that were reversed side");
 }
@@ -426,6 +468,41 @@ TEST(Certify, OfShapesThatTheCheckersDoNotReadACopyIsCertified) {
     EXPECT_EQ(sha256_of(copy), c.copy->sha256);
     EXPECT_EQ(std::get<SplineFile>(copy).model, file.model);
   }
+}
+
+// The copy has the entities of the file in their order, so that findings about it are findings about the file.
+TEST(Certify, FindingsAboutACopyOfSurfacesHaveTheNumbersOfTheFile) {
+  const std::string head = "200 1 0 0 3 0 2 2 0 0 1 1 2 2 0 0 1 1";
+  const std::string floor = head + " 0 0 0 0 1 0 1 0 0 1 1 0\n";
+  const std::string lid = "250 1 0 0 3 0 0 1 0 0 1 1 0 0 1 0 1 0 1 0\n";
+  const Certified two = certify(read(lid + floor, "two.g2")).value();
+  ASSERT_TRUE(two.copy);
+  EXPECT_EQ(two.verdict, Verdict::kInvalid);
+  expect_accepted(two.copy->bytes, two);
+  const auto& at = patch_facts(two).open_sides;
+  ASSERT_EQ(at.size(), 8u);
+  for (const OpenSideFacts& side : at)
+    for (const Point3d& end : side.side.ends) EXPECT_EQ(end[2], side.part.entity == 0 ? 1 : 0);
+
+  const std::string gismo =
+      "<xml>\n<Geometry type=\"TensorBSpline2\" id=\"7\">\n<Basis type=\"TensorBSplineBasis2\">\n"
+      "<Basis type=\"BSplineBasis\" index=\"0\"><KnotVector degree=\"1\">0 0 1 "
+      "1</KnotVector></Basis>\n"
+      "<Basis type=\"BSplineBasis\" index=\"1\"><KnotVector degree=\"1\">0 0 1 "
+      "1</KnotVector></Basis>\n"
+      "</Basis>\n<coefs geoDim=\"3\">0 0 Z 1 0 Z 0 1 Z 1 1 Z</coefs>\n</Geometry>\n";
+  std::string both;
+  for (const std::string z : {"3", "5"}) {
+    std::string one = gismo.substr(6);
+    for (std::size_t i; (i = one.find('Z')) != one.npos;) one.replace(i, 1, z);
+    one.replace(one.find("id=\"7"), 5, z == "3" ? "id=\"7" : "id=\"2");
+    both += one;
+  }
+  const Certified sheets = certify(read("<xml>\n" + both + "</xml>\n", "two.xml")).value();
+  ASSERT_TRUE(sheets.copy);
+  ASSERT_EQ(patch_facts(sheets).open_sides.size(), 8u);
+  for (const OpenSideFacts& side : patch_facts(sheets).open_sides)
+    EXPECT_EQ(side.side.ends[0][2], side.part.entity == 0 ? 3 : 5);
 }
 
 // The checkers glue at most a patch for every three bytes: of a shorter file a contact of corners has no certificate.
@@ -517,7 +594,8 @@ TEST(Certify, VolumesAreCertifiedByTheirBoundaryFaces) {
   expect_copy(c);
   std::string flat = volume;
   for (std::size_t at; (at = flat.find("\"2\"]")) != flat.npos;) flat.replace(at, 4, "\"0\"]");
-  expect_undecided(certify(file(flat)).value(), "not-covered", "without area");
+  expect_undecided(certify(file(flat)).value(), "not-covered",
+                   "of 6 faces, 4 have no area, and the others are equal in pairs");
   // Twice, each face is there twice. Beside a surface nothing says what bounds the solid.
   const Certified twice = certify(file(volume + ", " + volume)).value();
   EXPECT_EQ(twice.verdict, Verdict::kInvalid);
@@ -557,6 +635,8 @@ TEST(Certify, NoOrientationMakesAVolumeACavity) {
     const std::string nested = nested_volumes(".5 .25 .25");
     const Certified c = certify(read(nested, "nested.itd"), options).value();
     EXPECT_EQ(c.verdict, Verdict::kInvalid);
+    EXPECT_EQ(c.findings.at(0).code, "shell-turned");
+    EXPECT_FALSE(patch_facts(c).auto_helps);
     EXPECT_FALSE(c.copy);
     expect_accepted(nested, c);
   }
@@ -623,6 +703,117 @@ TEST(Certify, FindingsAboutVolumesNameTheirFaces) {
       << shared.findings[0].message;
 }
 
+// The parts of a finding lie on the volumes at the parameters that they name.
+void expect_in_volumes(const SplineModel& model, const Finding& f) {
+  ASSERT_TRUE(f.place.near);
+  for (const EntityPart& part : f.place.parts) {
+    ASSERT_LT(part.entity, model.entities.size()) << f.message;
+    ASSERT_TRUE(part.face && part.parameters.size() == 3) << f.message;
+    EXPECT_FALSE(part.side);
+    const auto& volume = std::get<ExactVolume>(model.entities[part.entity].shape);
+    const auto& axis = volume.axis(*part.face / 2u);
+    const auto& across = part.parameters[*part.face / 2u];
+    EXPECT_EQ(across[0],
+              nearest_double(*part.face % 2u == 0 ? axis.domain_begin() : axis.domain_end()));
+    // These volumes are boxes, so that the images of the least and of the greatest parameters are corners.
+    std::array<std::vector<Rational>, 2> corners;
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::array<Rational, 3> at;
+      for (std::size_t k = 0; k < 3; ++k) at[k] = Rational::from_double(part.parameters[k][end]);
+      corners[end] = point(volume, at).value();
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_LE(nearest_double(corners[0][c]), (*f.place.near)[c] + 1e-9) << f.message;
+      EXPECT_GE(nearest_double(corners[1][c]), (*f.place.near)[c] - 1e-9) << f.message;
+    }
+  }
+}
+
+// A box from (0, 0, 0) to (4, 1, 1) of two spans along u, whose ends are not clamped there, with u from 3 to 7.
+const std::string kLooseBox =
+    "[TRIVAR BSPLINE 3 2 2 2 2 2 E3 [KV 2 3 5 7 9] [KV 0 0 1 1] [KV 0 0 1 1] [0 0 0][2 0 0][4 0 0]"
+    "[0 1 0][2 1 0][4 1 0] [0 0 1][2 0 1][4 0 1][0 1 1][2 1 1][4 1 1]]\n";
+
+// A copy of volumes has pieces of their faces as its entities; the file has volumes.
+TEST(Certify, FindingsAboutACopyOfVolumesNameTheVolumes) {
+  const std::string pin =
+      "[TRIVAR BEZIER 2 2 2 E3 [2.5 .25 .5][3.5 .25 .5][2.5 .75 .5][3.5 .75 .5] [2.5 .25 3]"
+      "[3.5 .25 3][2.5 .75 3][3.5 .75 3]]\n";
+  const std::string crossing = kLooseBox + pin;
+  const ModelFile file = read(crossing, "cross.itd");
+  const Certified c = certify(file).value();
+  EXPECT_EQ(c.verdict, Verdict::kInvalid);
+  ASSERT_TRUE(c.copy);
+  expect_accepted(c.copy->bytes, c);
+  ASSERT_EQ(c.findings.size(), 1u);
+  EXPECT_EQ(c.findings[0].code, "patches-crossing");
+  EXPECT_NE(c.findings[0].message.find("face w = 1 of entity 0"), std::string::npos)
+      << c.findings[0].message;
+  ASSERT_EQ(c.findings[0].place.parts.size(), 2u);
+  EXPECT_EQ(c.findings[0].place.parts[0].entity + c.findings[0].place.parts[1].entity, 1u);
+  expect_in_volumes(std::get<SplineFile>(file).model, c.findings[0]);
+  for (const EntityPart& part : c.findings[0].place.parts)
+    if (part.entity == 0) {
+      EXPECT_GE(part.parameters[0][0], 5);  // the second span
+      EXPECT_LE(part.parameters[0][1], 7);
+    }
+}
+
+// A wall that is cut in halves on one side only: the corner of a half lies inside a side.
+TEST(Certify, WhatIsOpenOfACopyIsNamedByVolumes) {
+  const std::string half =
+      "[TRIVAR BEZIER 2 2 2 E3 [0 1 0][2 1 0][0 2 0][2 2 0] [0 1 1/2][2 1 1/2][0 2 1/2][2 2 "
+      "1/2]]\n";
+  std::string lower = half;
+  for (std::size_t at; (at = lower.find("1/2")) != lower.npos;) lower.replace(at, 3, ".5");
+  const ModelFile file = read(kLooseBox + lower, "step.itd");
+  const Certified c = certify(file).value();
+  EXPECT_TRUE(c.copy);
+  ASSERT_FALSE(c.findings.empty());
+  EXPECT_NE(c.verdict, Verdict::kValid);
+  for (const Finding& f : c.findings) {
+    EXPECT_EQ(f.message.find("surface "), std::string::npos) << f.message;
+    for (const EntityPart& part : f.place.parts) {
+      EXPECT_LT(part.entity, 2u) << f.message;
+      EXPECT_TRUE(part.face) << f.message;
+    }
+    EXPECT_LT(f.place.source.entity.value_or(0), 2u) << f.message;
+  }
+  for (const OpenSideFacts& side : patch_facts(c).open_sides) {
+    EXPECT_LT(side.part.entity, 2u);
+    EXPECT_TRUE(side.part.face);
+  }
+}
+
+// Four sides of patches are one curve, a line inside a face of a bar and an edge of a box: no proof names it, and the message is all.
+TEST(Certify, WhatKeepsFacesFromASurfaceIsNamedByTheVolumes) {
+  std::string bar = kLooseBox;
+  bar.replace(bar.find("[KV 2 3 5 7 9]"), 14, "[KV 3 3 5 7 7]");
+  const std::string standing =
+      "[TRIVAR BEZIER 2 2 2 E3 [2 1 0][3 2 0][1 2 0][2 3 0] [2 1 1][3 2 1][1 2 1][2 3 1]]\n";
+  const Certified c = certify(read(bar + standing, "standing.itd")).value();
+  EXPECT_FALSE(c.copy);
+  expect_undecided(c, "not-certified",
+                   "surface; overused-side: edge u = 5, v = 1 of entity 0, edge u = 5, v = 1 of "
+                   "entity 0, edge u = 0, v = 0 of entity 1, ...");
+}
+
+// A patch of degree 16 has no certificate. The volume is flat, too, which is found only when its faces are made.
+TEST(Certify, VolumesOfTooHighADegreeAreRefusedBeforeTheirFacesAreMade) {
+  std::string points;
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 17; ++j)
+      for (int i = 0; i < 2; ++i)
+        points += " [" + std::to_string(i) + " " + std::to_string(j) + " 0]";
+  const std::string cube =
+      "[TRIVAR BEZIER 2 2 2 E3 [5 0 0][6 0 0][5 1 0][6 1 0] [5 0 1][6 0 1][5 1 1][6 1 1]]\n";
+  expect_undecided(
+      certify(read(cube + "[TRIVAR BEZIER 2 17 2 E3" + points + "]\n", "high.itd")).value(),
+      "not-covered",
+      "entity 1: the volume has the degree 16 along v, and certificates are about patches of a "
+      "degree of at most 15");
+}
+
 TEST(Certify, ShapesThatAreNotReadAreNotCovered) {
   SplineFile file = Boxes().torn_lid("0", "1/2", "1/2", "1").cup(0).file();
   file.left_out.push_back({"matrices", "", false, 1});
@@ -664,6 +855,29 @@ TEST(Certify, LongNumbersAreNotCovered) {
   expect_undecided(certify(digits.file(wide)).value(), "not-covered",
                    "longer numbers than certificates may be about: ");
   EXPECT_FALSE(Boxes().cup(0).file(wide).beyond_default_limits.has_value());
+  // A copy has other lines than the file: the place is that in the file. Fractions may be longer than decimals.
+  wide.max_digits = 6000;
+  SplineFile copied =
+      lid("\"0\", \"0\", \"1/2\", \"1\", \"1\"", "0." + std::string(5200, '3')).file(wide);
+  copied.format = SplineFormat::kGismo;
+  ASSERT_TRUE(copied.beyond_default_limits);
+  copied.beyond_default_limits->place.line = 77;
+  expect_undecided(certify(copied).value(), "not-covered", "about: line 77");
+  copied.beyond_default_limits.reset();
+  expect_undecided(certify(copied).value(), "not-covered", "about: entity 0: ");
+}
+
+// The number lies in the second volume, and its pieces are the entities 10 to 19 of the copy.
+TEST(Certify, LongNumbersInACopyOfVolumesAreThoseOfAVolume) {
+  std::string high = kLooseBox;
+  for (std::size_t at; (at = high.find(" 1]")) != high.npos;)
+    high.replace(at, 3, " 3." + std::string(5200, '3') + "]");
+  for (std::size_t at; (at = high.find(" 0]")) != high.npos;) high.replace(at, 3, " 2]");
+  ModelReadOptions wide;
+  wide.limits.max_digits = 6000;
+  SplineFile file = std::get<SplineFile>(read(kLooseBox + high, "long.itd", wide));
+  file.beyond_default_limits.reset();
+  expect_undecided(certify(file).value(), "not-covered", "about: entity 1: ");
 }
 
 TEST(Certify, AFileWithoutAModelOfItsKindIsAnError) {

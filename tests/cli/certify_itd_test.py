@@ -3,6 +3,7 @@
 import hashlib
 import json
 import math
+import re
 import subprocess
 import sys
 import unittest
@@ -228,6 +229,42 @@ class CertifyItd(Folder):
         one = self.certify(loose)
         self.assertEqual((one["verdict"], one["copy"]["what"], one["copy"]["of_volumes"], one["by_boundary_faces"]),
                          ("VALID", "the 6 boundary faces of its 1 volume", True, True))
+
+    def test_no_report_about_volumes_names_an_option_without_effect(self):
+        inner = "".join("[%s %s %s]" % (x, y, z) for z in (.25, .75) for y in (.25, .75) for x in (.25, .75))
+        (self.folder / "nested.itd").write_text(box(0) + "\n[TRIVAR BEZIER 2 2 2 E3 %s]" % inner)
+        for options in ([], ["--orient", "auto"]):
+            text = run("certify", *options, self.folder / "nested.itd").stdout
+            self.assertIn("  what helps   veritope explain shell-turned\n", text)
+            self.assertNotIn("--orient", text)
+
+    def test_reports_about_a_copy_name_the_volumes(self):
+        """Two bars that cross, one of which is certified by a copy: its six faces are cut into ten pieces there."""
+        loose = ("[TRIVAR BSPLINE 3 2 2 2 2 2 E3 [KV 2 3 5 7 9] [KV 0 0 1 1] [KV 0 0 1 1] %s]"
+                 % "".join("[%d %d %d]" % (x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 2, 4)))
+        pin = "[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%s %s %s]" % (x, y, z) for z in (.5, 3) for y in (.25, .75) for x in (2.5, 3.5))
+        one = self.certify(loose + pin, "--picture", self.folder / "p.vtu")
+        (defect,) = one["defects"]
+        self.assertEqual((one["verdict"], one["copy"]["what"], defect["code"]), ("INVALID", "the 16 boundary faces of its 2 volumes", "patches-crossing"))
+        self.assertEqual(sorted(part["entity"] for part in defect["parts"]), [0, 1])
+        for part in defect["parts"]:
+            self.assertIn(f"of entity {part['entity']}", defect["message"])
+            u, v, w = part["parameters"]
+            if part["entity"] == 0:  # the upper face, in its second span
+                self.assertEqual((part["face"], w["lo"], w["hi"], 5 <= u["lo"] <= u["hi"] <= 7), (5, 1, 1, True))
+        # The picture marks the pieces that cross.
+        names = (self.folder / "p.vtu").read_text()
+        self.assertIn("patches-crossing", bytes(int(n) for n in re.search(r'Name="parts"[^>]*>([^<]*)<', names).group(1).split()).decode())
+
+    def test_volumes_of_too_high_a_degree_are_refused_at_once(self):
+        """Its faces would take exact arithmetic a minute."""
+        points = "".join("[%s %s %s]" % (i + j * k / 3, j + i * k / 7, k + i * j / 5) for k in range(40) for j in range(40) for i in range(40))
+        (self.folder / "high.itd").write_text("%s\n[TRIVAR BEZIER 40 40 40 E3 %s]" % (box(0), points))
+        text = "entity 1: the volume has the degree 39 along u, and certificates are about patches of a degree of at most 15"
+        done = run("certify", self.folder / "high.itd")
+        self.assertEqual((done.returncode, text in " ".join(done.stdout.split())), (3, True), done)
+        done = run("cover", self.folder / "high.itd", "-o", self.folder / "x.vtu")
+        self.assertEqual((done.returncode, text in done.stderr), (4, True), done)
 
     def test_what_is_malformed_is_refused_with_its_line(self):
         cube = "\n".join(map(bezier, UNIT))

@@ -220,6 +220,31 @@ class CertifyPatches(Folder):
         self.assertIn("INVALID", done.stdout)
         self.assertIn("side-open", done.stdout)
 
+    def test_the_option_that_helps_is_named_only_where_it_does(self):
+        """Patches and shells that face the wrong way: the report names --orient auto, and with it the model is VALID."""
+        turned = list(UNIT)
+        turned[2] = [turned[2][0], turned[2][2], turned[2][1], turned[2][3]]
+        crossing = block((0.5, 0.25, 0.25), (1.5, 0.75, 0.75))
+        helps = "veritope certify --orient auto FILE reverses "
+        for faces, code, what in ((turned, "side-direction", "patches so that their sides fit"),
+                                  (block((0, 0, 0), (1, 1, 1), inward=True), "shell-turned", "whole shells that face the wrong way"),
+                                  (turned[:5], "side-open", None), (turned + crossing, "side-direction", None),
+                                  (UNIT + crossing, "patches-crossing", None)):
+            path = self.file([surface(f) for f in faces])
+            words = " ".join(run("certify", "--no-check", path).stdout.split())
+            self.assertIn(f"what helps {helps}{what}; veritope explain {code} " if what else f"what helps veritope explain {code} ", words)
+            self.assertEqual(run("certify", "--orient", "auto", path).returncode, 0 if what else 1, code)
+        text = run("certify", "--no-check", "--orient", "auto", path).stdout
+        self.assertTrue(text.startswith("INVALID") and "--orient" not in text, text)
+
+    def test_the_ends_of_a_range_differ(self):
+        """A surface whose parameter u takes 50 units in the last place."""
+        narrow = surface(UNIT[5])
+        narrow["shape"]["knots"][0] = ["3.8", "3.8", "3.80000000000001", "3.80000000000001"]
+        text = run("certify", "--no-check", self.file([narrow])).stdout
+        self.assertIn("u in [3.8, 3.80000000000001]", text)
+        self.assertNotRegex(text, r"\[(\S+), \1\]")
+
     def test_parameters_are_those_of_the_entity(self):
         # The lower face as one surface of two spans over [0, 2] x [0, 1]; its neighbours are cut as it is.
         faces = [surface(f) for f in UNIT if any(p[2] == 1 for p in f)]

@@ -74,6 +74,19 @@ class Cover(Folder):
         vertices, faces, _ = map(int, counts.split())
         self.assertEqual((vertices % 8, faces * 8), (0, vertices * 12))
 
+    def test_what_keeps_volumes_from_a_surface_is_named_by_them(self):
+        """An edge of a box lies on a line inside a face of a bar, along which the face is cut."""
+        corners = lambda xs, ys: "".join("[%d %d %d]" % (x, y, z) for z in (0, 1) for y in ys for x in xs)
+        bar = "[TRIVAR BSPLINE 3 2 2 2 2 2 E3 [KV 0 0 1 2 2] [KV 0 0 1 1] [KV 0 0 1 1] %s]\n" % corners((0, 2, 4), (0, 1))
+        box = "[TRIVAR BEZIER 2 2 2 E3 [2 1 0][3 2 0][1 2 0][2 3 0] [2 1 1][3 2 1][1 2 1][2 3 1]]\n"
+        model = self.folder / "standing.itd"
+        model.write_text(bar + box)
+        for options in (["-o", self.folder / "x.vtu"], ["--sweep", 0]):
+            done = run("cover", model, *options)
+            self.assertEqual(done.returncode, 3)
+            self.assertIn("overused-side: edge u = 1, v = 1 of entity 0, ", done.stderr)
+            self.assertNotIn("surface 0", done.stderr)
+
     def test_volumes_are_covered_by_their_boundary_faces(self):
         model = self.folder / "block.itd"
         net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]

@@ -51,7 +51,7 @@ class Schema(Folder):
         (self.folder / "bad.itd").write_text("[CURVE BSPLINE 2 2 E1 [KV 0 1 0 1] [0] [1]]")
         yield json.loads(run("info", "--json", "-", *splines, self.folder / "bad.itd", models[0]).stdout)
         patches = sorted((MODELS / "patches").iterdir())
-        yield support.report("--collar", *patches)
+        yield support.report("--collar", *patches, timeout=900)
         yield support.report("--no-check", *splines, self.folder / "bad.itd")
         yield json.loads(run("cover", MODELS / "patches" / "cube.itd", "--sweep", 1, "--json", "-").stdout)
         yield json.loads(run("project", "1,2,3", MODELS / "patches" / "cube.itd", "--json", "-").stdout)
@@ -99,6 +99,27 @@ class Schema(Folder):
             done = run("project", "1,2,3", path, "--json", "-", "--max-boxes", 200, timeout=900)
             if done.stdout:  # plane ones are refused
                 self.assertEqual([], schema.faults(json.loads(done.stdout)), path)
+
+    @unittest.skipUnless(support.DATA.is_dir(), "needs VERITOPE_DATA")
+    def test_the_documents_of_intersections_and_covers_of_real_models_obey_the_schema(self):
+        """Each list of an intersection has an entry in one of them, and each answer of a cover occurs."""
+        cad, thin = support.DATA / "cad", support.DATA / "thin"
+        saddle, pillow = cad / "irit__pl_saddl.itd", thin / "k_pillow_quad.vjson"
+        pairs = [(saddle, saddle), (saddle, cad / "irit__ir_eggs.itd"), (pillow, thin / "q_squircle_caps.vjson"), (thin / "q_wedge_0.1.vjson", pillow),
+                 (cad / "gotools-data__sf_with_holes.g2", cad / "gotools-data__b25.g2"), (cad / "gismo__egg.xml", cad / "gismo__duck_BRep.xml")]
+        found = {"branches": [], "overlaps": [], "unresolved": []}
+        for pair in pairs:
+            curves = self.folder / "curves.json"
+            document = self.assert_obeyed("intersect", *pair, "-o", curves)
+            self.assertEqual([], schema.faults(json.loads(curves.read_text())), pair)
+            for key, entries in found.items():
+                entries += document[key]
+        self.assertEqual([key for key, entries in found.items() if not entries], [])
+        models = [cad / "iritprim__ns_sphere_rational.itd", cad / "mfem__ball-nurbs.mesh", cad / "gismo__fichera.xml", thin / "m_hole_1e-4.vjson"]
+        rows = [row for path in models for row in self.assert_obeyed("cover", path, "--sweep", 1)["rows"]]
+        self.assertEqual(len(rows), 2 * len(models))
+        answers = {condition["answer"] for row in rows for condition in row["conditions"].values()}
+        self.assertLessEqual({"true", "false"}, answers)
 
     def test_every_command_that_writes_json_has_its_document_here(self):
         """A new --json needs a definition in the schema and a document above."""

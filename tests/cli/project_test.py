@@ -78,7 +78,7 @@ class Project(Folder):
     def test_text_names_the_nearest_point(self):
         done = run("project", "-1,2,0.5", self.bowl())
         self.assertEqual((0, ""), (done.returncode, done.stderr))
-        self.assertRegex(done.stdout, r"^COMPLETE  .*bowl\.g2  distance [0-9.]+\n  surface 0: nearest is point [0-9]+\n")
+        self.assertRegex(done.stdout, r"^COMPLETE  .*bowl\.g2  distance ([0-9.]+) to (?!\1\n)[0-9.]+\n  surface 0: nearest is point [0-9]+\n")
 
     def test_bad_input(self):
         bowl = self.bowl()

@@ -2,6 +2,8 @@
 #include "io/splines/volume_faces.h"
 
 #include "solids/patches/patch_complex.h"
+#include "splines/de_boor.h"
+#include "splines/de_casteljau.h"
 #include "tests/io/spline_test_util.h"
 
 namespace veritope {
@@ -100,7 +102,7 @@ TEST(VolumeFaces, FacesWithoutAreaAreLeftOut) {
   EXPECT_TRUE(is_closed(all));
 }
 
-// Four faces of a flat box are segments, two are a wall.
+// Four faces of a flat box are segments, and the other two are one square: no piece shares it with another one.
 TEST(VolumeFaces, OfWhichNoneIsLeftAreAnError) {
   std::string flat = box(0);
   for (std::size_t at = flat.find(" 1]"); at != flat.npos; at = flat.find(" 1]", at))
@@ -108,7 +110,58 @@ TEST(VolumeFaces, OfWhichNoneIsLeftAreAnError) {
   const auto none = volume_faces(io_test::model_of(SplineFormat::kItd, flat));
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, Code::kEmpty);
-  EXPECT_NE(none.error().message.find("4 without area"), std::string::npos) << none.error().message;
+  EXPECT_EQ(
+      none.error().message,
+      "no face is left: of 6 faces, 4 have no area, and the others are equal in pairs, as walls "
+      "between volumes and the two sides of a flat volume are");
+}
+
+TEST(VolumeFaces, OfAPointNoneHasAnArea) {
+  std::string point = "[TRIVAR BEZIER 2 2 2 E3";
+  for (int i = 0; i < 8; ++i) point += " [1 2 3]";
+  const auto none = volume_faces(io_test::model_of(SplineFormat::kItd, point + "]\n"));
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "no face is left: none of the 6 faces has an area");
+}
+
+// Law: the point of a face at (s, t) is that of the volume at the parameters that its place gives.
+TEST(VolumeFaces, LieWhereTheirPlacesSay) {
+  // Knots at 1 along u and at 5 along w; the first volume is right-handed and not clamped along u, the second one is
+  // left-handed.
+  const std::string knots = " 2 3 2 E3 [KV %0 0 1 3 %1] [KV 0 0 0 1 1 1] [KV 4 4 5 6 6]";
+  std::string text;
+  for (const bool is_left_handed : {false, true}) {
+    std::string head = "[TRIVAR BSPLINE 3 3 3" + knots;
+    head.replace(head.find("%0"), 2, is_left_handed ? "0" : "-1");
+    head.replace(head.find("%1"), 2, is_left_handed ? "3" : "4");
+    text += head;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+          text += " [" + std::to_string(is_left_handed ? 20 - 4 * i : 4 * i) + " " +
+                  std::to_string(5 * j + i * k) + " " + std::to_string(6 * k + i * j) + "]";
+    text += "]\n";
+  }
+  const SplineModel model = io_test::model_of(SplineFormat::kItd, text);
+  const VolumeFaces faces = volume_faces(model).value();
+  EXPECT_EQ(faces.mirrored, (std::vector<std::uint64_t>{1}));
+  ASSERT_EQ(faces.places.size(), faces.patches.size());
+  EXPECT_EQ(faces.patches.size(), 32u);
+  for (std::size_t f = 0; f < faces.patches.size(); ++f) {
+    const VolumeFace& place = faces.places[f];
+    const auto& volume = std::get<ExactVolume>(model.entities[place.volume].shape);
+    ASSERT_TRUE(place.piece);
+    const auto& breaks = *place.piece;
+    const Rational third = Rational(1) / Rational(3), fifth = Rational(1) / Rational(5);
+    std::array<Rational, 3> at;
+    at[place.axis] = place.at;
+    at[place.axes[0]] = breaks[0][0] + (breaks[0][1] - breaks[0][0]) * third;
+    at[place.axes[1]] = breaks[1][0] + (breaks[1][1] - breaks[1][0]) * fifth;
+    const auto& axis = volume.axis(place.axis);
+    EXPECT_EQ(place.at, place.end == 0 ? axis.domain_begin() : axis.domain_end());
+    EXPECT_EQ(evaluate(faces.patches[f].tensor(), std::array{third, fifth}),
+              point(volume, at).value());
+  }
 }
 
 TEST(VolumeFaces, WhatIsNoVolumeIsCountedAndWhatIsNotInSpaceIsRefused) {

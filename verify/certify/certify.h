@@ -75,10 +75,11 @@ struct Certified {
   /// If that claim is collar-1 or collar-2: the certificate of the star boxes alone, for checkers with too little
   /// memory for cells.
   certificate::Bytes without_collar;
-  /// If there is one, the certificate speaks of its bytes, and findings number its entities.
+  /// If there is one, the certificate speaks of its bytes. Findings about splines number the entities of the file even
+  /// so; those about polygons have the numbers of the copy.
   std::optional<CertifiedCopy> copy;
   /// For a file of volumes, the shapes that the verdict is about: "the 24 boundary faces of its 7 volumes". It says
-  /// nothing about their cells. Without a copy findings number the volumes.
+  /// nothing about their cells. Findings number the volumes, with a copy, too.
   std::optional<std::string> boundary_faces;
 };
 

@@ -22,6 +22,8 @@ namespace {
 // What checkers ask for each patch before they glue all of them.
 constexpr std::uint64_t kBytesOfGluedPatch = 3;
 constexpr std::size_t kMostReasons = 19;  // and one more: not-certified
+// The boxes that may be tried to find something else that is wrong with a model whose patches face the wrong way.
+constexpr std::uint64_t kMostBoxesOfAdvice = 1000;
 
 Finding why(const char* code, std::string message) {
   Finding out;
@@ -80,11 +82,13 @@ std::string_view claim_of(const PatchDecision& decision, bool has_collar) {
 
 class Certification {
  public:
-  /// @param faces  where the surfaces of the file's model lie, if they are boundary faces of its volumes
-  Certification(const SplineFile& file, std::span<const VolumeFace> faces,
+  /// @param faces  where the surfaces of the file's model lie, if they are boundary faces of volumes
+  /// @param by_own_faces  the certificate numbers them as faces of the file's volumes, not as entities of a copy
+  Certification(const SplineFile& file, std::span<const VolumeFace> faces, bool by_own_faces,
                 const CertifyOptions& options)
       : file_(file),
         faces_(faces),
+        by_own_faces_(by_own_faces),
         options_(options),
         facts_(out_.facts.emplace<PatchFacts>()),
         budget_(memory_allowed(options.max_memory)) {}
@@ -101,7 +105,9 @@ class Certification {
     decided_ = decide_file_patches(patches_, decision_options());
     facts_.reversed = patches_.reversed();
     facts_.boxes_tried = decision().boxes_tried;
-    if (auto finding = doubt()) return undecided_by(std::move(*finding));
+    std::optional<Finding> open = doubt();
+    facts_.auto_helps = auto_helps();
+    if (open) return undecided_by(std::move(*open));
     if (decision().is_valid) conclude_valid();
     certify();
     return std::move(out_);
@@ -192,6 +198,30 @@ class Certification {
     return std::nullopt;
   }
 
+  bool auto_helps() {
+    const bool is_reversible =
+        faces_.empty() && patches_.torn.empty() && options_.orientation == PatchOrientation::kKeep;
+    if (!is_reversible || decision().is_valid) return false;
+    if (decision().open) return decision().open->code == open_code::kOrientation;
+    if (!is_of_orientation(*decision().refutation)) return false;
+    // Boxes cover a turned shell, and the walks between shells say what to reverse.
+    if (std::holds_alternative<ReversedShell>(*decision().refutation)) return true;
+    return fit_once_reversed();
+  }
+  // Whether all sides fit once whole patches are reversed, and nothing else is found to be wrong.
+  bool fit_once_reversed() {
+    Result<FilePatches> fitting = file_patches(file_.model, PatchOrientation::kAuto);
+    if (!fitting || fitting->mixed_entity || !fitting->complex->is_closed_oriented_surface())
+      return false;
+    FileDecisionOptions how = decision_options();
+    how.frame = FrameWanted::kAny;
+    how.may_turn_shells = true;
+    how.search.cover.max_boxes =
+        std::min<std::size_t>(how.search.cover.max_boxes, kMostBoxesOfAdvice);
+    const FileDecision found = decide_file_patches(*fitting, how);
+    return found.decision.is_valid || (found.decision.open && is_limit(found.decision.open->code));
+  }
+
   void conclude_valid() {
     facts_.bodies = decision().bodies;
     facts_.boxes = decision().cover.boxes.size();
@@ -239,7 +269,7 @@ class Certification {
 
   void certify() {
     internal::enter(Phase::kCertifying, options_);
-    const certificate::Subject subject = subject_of(file_, options_.tool, !faces_.empty());
+    const certificate::Subject subject = subject_of(file_, options_.tool, by_own_faces_);
     out_.certificate = collar_.collar ? make_collar_certificate(*decided_.forest, decision().cover,
                                                                 decision().walks, *collar_.collar,
                                                                 patches_.entities, subject)
@@ -250,6 +280,7 @@ class Certification {
 
   const SplineFile& file_;
   const std::span<const VolumeFace> faces_;
+  const bool by_own_faces_;
   const CertifyOptions& options_;
   Certified out_;
   PatchFacts& facts_;
@@ -269,12 +300,13 @@ Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOp
     out.findings = {not_covered(text_of(finding_of(made.error())))};
     return out;
   }
-  if (!*made) return Certification(file, {}, options).run();
+  if (!*made) return Certification(file, {}, false, options).run();
   StandIn& stand_in = **made;
   CertifyOptions chosen = options;
   // The volume says which side of its faces is outside: a volume inside another one is no cavity.
   if (stand_in.is_of_volumes) chosen.orientation = PatchOrientation::kKeep;
-  Result<Certified> out = Certification(stand_in.file, stand_in.faces, chosen).run();
+  Result<Certified> out =
+      Certification(stand_in.file, stand_in.faces, stand_in.is_by_own_faces(), chosen).run();
   if (!out) return out;
   if (stand_in.is_of_volumes) out->boundary_faces = stand_in.what;
   if (stand_in.is_copy())

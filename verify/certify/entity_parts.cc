@@ -20,6 +20,10 @@ std::vector<std::array<double, 2>> outward(const std::vector<Bounds>& bounds) {
   for (const Bounds& b : bounds) out.push_back(outward(b));
   return out;
 }
+// By the affine map that takes 0 to lo and 1 to hi.
+Bounds mapped(const Bounds& b, const Rational& lo, const Rational& hi) {
+  return {lo + (hi - lo) * b[0], lo + (hi - lo) * b[1]};
+}
 constexpr const char* kParameters[] = {"u", "v", "w"};
 
 Bounds exactly(const std::array<double, 2>& b) {
@@ -171,19 +175,23 @@ std::vector<Bounds> EntityParts::on_side(PatchSide of, const Bounds& in_complex)
   return side % 2 == 0 ? in_entity(of.patch, rising, end) : in_entity(of.patch, end, rising);
 }
 
-// Converts parameters in [0,1]^2 of the file's patch to those of the surface.
+// Converts parameters in [0,1]^2 of the file's patch to those of the surface, or, if that is a piece of a face, to
+// those of the volume.
 std::vector<Bounds> EntityParts::in_entity(std::uint32_t patch, const Bounds& u,
                                            const Bounds& v) const {
   const StarBoxEntity& entity = entities_[entity_of(patch)];
   const auto& breaks = entity.breaks;
-  if (breaks[0].empty()) return {u, v};
-  const std::size_t piece = patch - entity.first_patch, columns = breaks[1].size() - 1;
-  const std::size_t at[2] = {piece / columns, piece % columns};
-  std::vector<Bounds> out;
+  std::vector<Bounds> out = {u, v};
+  if (!breaks[0].empty()) {
+    const std::size_t piece = patch - entity.first_patch, columns = breaks[1].size() - 1;
+    const std::size_t at[2] = {piece / columns, piece % columns};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      out[axis] = mapped(out[axis], breaks[axis][at[axis]], breaks[axis][at[axis] + 1]);
+  }
+  if (!entity.face || !entity.face->piece) return out;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Rational &lo = breaks[axis][at[axis]], &hi = breaks[axis][at[axis] + 1];
-    const Bounds& b = axis == 0 ? u : v;
-    out.push_back({lo + (hi - lo) * b[0], lo + (hi - lo) * b[1]});
+    const auto& [lo, hi] = (*entity.face->piece)[axis];
+    out[axis] = mapped(out[axis], lo, hi);
   }
   return out;
 }

@@ -8,6 +8,7 @@
 #include "robust/base/check.h"
 #include "solids/patches/patch_sides.h"
 #include "splines/knot_insertion.h"
+#include "verify/certify/entity_parts.h"
 #include "verify/certify/patch_collar.h"
 
 namespace veritope {
@@ -103,6 +104,19 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
 }
 
+// "open-side: edge u = 0, w = 1 of entity 4".
+std::string named(const PatchFinding& defect, const EntityParts& parts) {
+  constexpr std::size_t kMostNamed = 3;
+  const bool is_of_patches = defect.defect == PatchDefect::kRepeatedPatch ||
+                             defect.defect == PatchDefect::kWeight ||
+                             defect.defect == PatchDefect::kDegree;
+  std::string out = defect_name(defect.defect);
+  for (std::size_t i = 0; i < std::min(kMostNamed, defect.sides.size()); ++i)
+    out += (i == 0 ? ": " : ", ") +
+           (is_of_patches ? parts.name_of(defect.sides[i].patch) : parts.name_of(defect.sides[i]));
+  return defect.sides.size() > kMostNamed ? out + ", ..." : out;
+}
+
 // The shells whose normals point the wrong way, ascending: winding numbers are needed to find them.
 std::vector<std::uint32_t> wrong_shells(const ShellWalks& walks) {
   if (walks.walks.empty() || !walks.missing.empty()) return {};
@@ -164,9 +178,22 @@ Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orie
   return out;
 }
 
+std::optional<std::string> open_faces_text(const FilePatches& patches) {
+  const PatchComplex& complex = *patches.complex;
+  if (!patches.entities.front().face || complex.is_closed_oriented_surface()) return std::nullopt;
+  const auto findings = complex.findings();
+  const auto first = std::find_if(findings.begin(), findings.end(), [](const PatchFinding& f) {
+    return f.defect != PatchDefect::kAdjacentPoles;
+  });
+  VT_CHECK(first != findings.end(), "what is no surface has a defect");
+  return kNoSurfaceText + ("; " + named(*first, EntityParts(complex, patches.entities)));
+}
+
 FileDecision decide_file_patches(FilePatches& patches, const FileDecisionOptions& options) {
   VT_CHECK(patches.complex != nullptr, "a file without patches is not decided");
   FileDecision out = decide_once(patches, options);
+  if (out.decision.open)
+    if (auto text = open_faces_text(patches)) out.decision.open->message = std::move(*text);
   if (!options.may_turn_shells || patches.mixed_entity) return out;
   const std::vector<std::uint32_t> shells = wrong_shells(out.decision.walks);
   if (shells.empty()) return out;

@@ -51,6 +51,11 @@ struct FilePatches {
 Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation,
                                  std::span<const VolumeFace> faces = {});
 
+/// For boundary faces of volumes: what keeps them from being a closed oriented surface, named by volumes and not, as
+/// describe does, by the surfaces of the complex, which the file does not have. Nothing for other files, or for a
+/// closed oriented surface. REQUIRES patches.complex.
+std::optional<std::string> open_faces_text(const FilePatches& patches);
+
 /// The frame that the search may use.
 enum class FrameWanted {
   kAny,

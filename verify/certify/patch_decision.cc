@@ -30,8 +30,7 @@ Finding question(const char* code, std::string message) {
 }
 
 Finding complex_question(const PatchComplex& complex) {
-  Finding open =
-      question(open_code::kNoSurface, "the patches are not shown to be a closed oriented surface");
+  Finding open = question(open_code::kNoSurface, kNoSurfaceText);
   for (const PatchFinding& f : complex.findings()) {
     if (f.defect == PatchDefect::kAdjacentPoles) continue;
     open.message += "; " + describe(complex, f);

@@ -48,6 +48,9 @@ inline constexpr const char* kNoWalk =
 /// certificate could use.
 inline constexpr const char* kOrientation = "orientation";
 }  // namespace open_code
+/// How messages about complexes that are no closed oriented surface begin; after it they say what keeps them from it.
+inline constexpr const char* kNoSurfaceText =
+    "the patches are not shown to be a closed oriented surface";
 
 /// The winding number on the inner side of the shell of the last walk is not 1.
 struct ReversedShell {

@@ -35,6 +35,10 @@ struct PatchFacts {
   std::uint64_t patches = 0, edges = 0, vertices = 0, shells = 0;  ///< 0 patches: none were made
   std::vector<std::uint64_t>
       reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
+  /// The model is wrong, or not decided, because patches or shells face the wrong way, and PatchOrientation::kAuto,
+  /// which was not requested, reverses them; nothing else is known to be wrong then. False for volumes, which no
+  /// orientation changes.
+  bool auto_helps = false;
   std::uint64_t boxes_tried = 0;
   OpenBorders open;
   std::vector<OpenSideFacts> open_sides;  ///< the longest, at most CertifyOptions::max_findings

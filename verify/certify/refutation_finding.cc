@@ -50,8 +50,8 @@ class FactFinder {
     const std::size_t b = parts_.entity_of(found.sheets[1].patch);
     const bool are_faces = out.place.parts[0].face.has_value();
     out.message =
-        (a == b      ? parts_.name(a) + " crosses itself"
-         : are_faces ? parts_.name(a) + " and " + parts_.name(b) + " cross"
+        (parts_.name(a) == parts_.name(b) ? parts_.name(a) + " crosses itself"
+         : are_faces                      ? parts_.name(a) + " and " + parts_.name(b) + " cross"
                      : "entities " + std::to_string(a) + " and " + std::to_string(b) + " cross") +
         " near " + point_text(*out.place.near);
     return out;

@@ -2,6 +2,7 @@
 #include "verify/certify/stand_in.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <variant>
@@ -92,6 +93,21 @@ std::optional<Error> folded_volume(const SplineModel& model, const VolumeFaces& 
   return std::nullopt;
 }
 
+// Patches of a degree over kMaxPatchDegree have no certificate, and a volume of such a degree has such faces.
+std::optional<Error> too_high_degree(const SplineModel& model) {
+  constexpr std::array<const char*, 3> kParameters = {"u", "v", "w"};
+  for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
+    const auto& volume = std::get<ExactVolume>(model.entities[e].shape);
+    for (std::size_t a = 0; a < 3; ++a)
+      if (const int degree = volume.axis(a).degree; degree > kMaxPatchDegree)
+        return error_at_entity(Code::kOverLimit, e,
+                               "the volume has the degree " + std::to_string(degree) + " along " +
+                                   kParameters[a] + ", and certificates are about patches of a " +
+                                   "degree of at most " + std::to_string(kMaxPatchDegree));
+  }
+  return std::nullopt;
+}
+
 // The file with its boundary faces as its model; nothing if there is no rule for it, or if the rule finds other faces
 // than these.
 std::optional<StandIn> in_own_bytes(const SplineFile& file, const VolumeFaces& pieces) {
@@ -107,6 +123,15 @@ std::optional<StandIn> in_own_bytes(const SplineFile& file, const VolumeFaces& p
   out.file.bytes = file.bytes;
   out.file.sha256 = file.sha256;
   out.file.beyond_default_limits = file.beyond_default_limits;
+  return out;
+}
+
+// The place in the user's file of a place in the copy: its lines are not those of the file.
+Place place_in_file(const Place& in_copy, const StandIn& copy, const SplineFile& file) {
+  if (file.beyond_default_limits) return file.beyond_default_limits->place;
+  Place out;
+  if (in_copy.entity)
+    out.entity = copy.faces.empty() ? *in_copy.entity : copy.faces[*in_copy.entity].volume;
   return out;
 }
 
@@ -150,12 +175,14 @@ Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
   StandIn out;
   out.is_of_volumes = has_volumes;
   if (has_volumes) {
+    if (auto over = too_high_degree(file.model)) return std::move(*over);
     Result<VolumeFaces> faces = volume_faces(file.model);
     if (!faces) return faces.error();
     if (auto folded = folded_volume(file.model, *faces)) return std::move(*folded);
     if (auto own = in_own_bytes(file, *faces)) return own;
     out.what = faces_text(faces->patches.size(), c.volumes, faces->num_flat);
     out.bytes = spline_json_bytes(model_of(faces->patches));
+    out.faces = std::move(faces->places);
   } else {
     out.what = "its " + patches_text(c);
     out.bytes = spline_json_bytes(file.model);
@@ -167,6 +194,8 @@ Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
       wide);
   if (!read) return read.error();
   out.file = std::move(*read);
+  if (auto& beyond = out.file.beyond_default_limits)
+    beyond->place = place_in_file(beyond->place, out, file);
   return std::optional<StandIn>(std::move(out));
 }
 

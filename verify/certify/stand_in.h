@@ -17,10 +17,14 @@ struct StandIn {
   std::string
       bytes;  ///< of a .vjson file, the copy; empty: certificates speak of the file's own bytes
   SplineFile file;  ///< the copy, read; or the file with its boundary faces as its model
-  std::vector<VolumeFace> faces;  ///< without a copy: where each of these faces lies
-  std::string what;               ///< "its 7 surfaces", "the 24 boundary faces of its 7 volumes"
+  /// For volumes, where each of the model's surfaces lies on those of the file, in a copy, too. Without volumes the
+  /// model's entities have the numbers of the file's.
+  std::vector<VolumeFace> faces;
+  std::string what;  ///< "its 7 surfaces", "the 24 boundary faces of its 7 volumes"
   bool is_of_volumes = false;
 
+  /// Whether certificates number the boundary faces of the file's own volumes.
+  bool is_by_own_faces() const { return is_of_volumes && !is_copy(); }
   bool is_copy() const { return !bytes.empty(); }
 };
 
@@ -28,7 +32,8 @@ struct StandIn {
 /// entities that are not in space, or that are neither surfaces, triangles nor volumes; volumes beside others; a file
 /// from which shapes were left out. Volumes of a file that the checkers read have a copy only where the faces of
 /// boundary_faces do not have the pieces of volume_faces.
-/// @error as volume_faces, with the entity; kBadArgument for a volume whose Jacobian determinant has different signs at
+/// @error as volume_faces, with the entity; kOverLimit, before anything is computed, for a volume of a degree over
+/// kMaxPatchDegree; kBadArgument for a volume whose Jacobian determinant has different signs at
 /// its corners, or there and in its middle
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
 

@@ -226,6 +226,14 @@ def true_line(mesh, point, rng, decimals, with_winding, tokens=None):
     return off_line(tokens, w, rng.choice(("-", "0", "4294967295")), rng.randrange(6), with_winding)
 
 
+def holds(mesh, line, decimals):
+    """Whether what a line says is so. Its shell says nothing, and neither does the direction of its ray."""
+    if line.word == "undecided":
+        return True
+    on = triangles_at(mesh, line.point(decimals))
+    return line.code in on if line.word == "on" else not on and winding(mesh, line.point(decimals)) == int(line.f)
+
+
 def true_plan(mesh, points, rng, decimals="nearest", with_winding=False):
     return Plan(mesh, [true_line(mesh, p, rng, decimals, with_winding) for p in points], decimals, with_winding)
 

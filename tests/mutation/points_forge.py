@@ -207,7 +207,8 @@ class Plan:
 
     def body(self):
         counts = len(self.mesh.tris).to_bytes(4, "little") + len(self.mesh.p).to_bytes(4, "little")
-        counts += self.quantities()["points"].to_bytes(8, "little")
+        points = self.quantities()["points"]
+        counts += (points if type(points) is int and points >= 0 else len(self.lines)).to_bytes(8, "little")
         return self.magic + counts + b"".join(line.bytes() for line in self.lines) + self.extra
 
     def certificate(self, model_bytes, model):

@@ -566,32 +566,34 @@ class Program(PointsTest):
                            ("valid_model", certificates.bytes), ("valid_cert", certificates.cert())):
             (self.folder / name).write_bytes(data)
 
+    PROGRAM = [sys.executable, "-B", mesh_test.PROGRAM]
+
     def run_here(self, *names):
-        done = subprocess.run([sys.executable, "-B", mesh_test.PROGRAM, *names], cwd=self.folder, capture_output=True, text=True, check=False)
-        return done.returncode, done.stdout, done.stderr
+        """(exit code, text), after the text has gone where it belongs."""
+        done = subprocess.run([*self.PROGRAM, *names], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.stderr if done.returncode < 2 else done.stdout, "")
+        return done.returncode, done.stdout + done.stderr
 
     def test_three_files(self):
-        self.assertEqual(self.run_here("model", "cert", "answers"), (0, "ACCEPT points-1\n", ""))
-        self.assertEqual(self.run_here("model", "cert", "other")[:2], (1, "REJECT A1: the certificate is about another answers file\n"))
+        self.assertEqual(self.run_here("model", "cert", "answers")[0], 0)
+        code, text = self.run_here("model", "cert", "other")
+        self.assertEqual((code, text[:10]), (1, "REJECT A1:"))
 
     def test_a_third_file_is_needed_by_this_claim_and_by_no_other(self):
-        code, out, err = self.run_here("model", "cert")
-        self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
-        self.assertRegex(err, "points-1 needs its answers file as the third argument")
+        for names, claim in ((("model", "cert"), "points-1"), (("valid_model", "valid_cert", "answers"), "mesh-valid-1")):
+            code, text = self.run_here(*names)
+            self.assertEqual((code, claim in text, text.count("\n")), (2, True, 1), text)
         self.assertEqual(self.run_here("valid_model", "valid_cert")[0], 0)
-        code, out, err = self.run_here("valid_model", "valid_cert", "answers")
-        self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
-        self.assertRegex(err, "mesh-valid-1 needs no third argument")
 
     def test_usage(self):
         for names in ((), ("model",), ("model", "cert", "answers", "answers"), ("model", "cert", "--claims")):
-            self.assertEqual(self.run_here(*names)[:2], (2, ""))
+            self.assertEqual(self.run_here(*names)[0], 2)
 
     def test_answers_that_cannot_be_opened(self):
         os.mkfifo(self.folder / "fifo")
         for name in ("missing", ".", "fifo", "/dev/null"):
-            code, out, err = self.run_here("model", "cert", name)
-            self.assertEqual((code, out, err.count("\n")), (4, "", 1), err)
+            code, text = self.run_here("model", "cert", name)
+            self.assertEqual((code, text.count("\n")), (4, 1), text)
 
     def test_a_model_that_is_refused(self):
         plan = Plan(self.mesh, ())

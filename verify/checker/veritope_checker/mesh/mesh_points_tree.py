@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Finds the triangles that decide about a point of the claim points-1 (docs/certificates/points.md, section 5) in a tree
-of boxes.  The answer does not depend on the tree."""
+"""Finds the triangles that decide about a point of the claim points-1, in a tree of boxes (docs/certificates/points.md,
+section 5).  The answer does not depend on the tree."""
 
 LEAF = 4                                                    # triangles of a leaf, at most
 
@@ -32,8 +32,8 @@ class BoxTree:
             node[0] = tuple(choose(box[i] for box in inner) for i, choose in enumerate((min, max) * 3))
 
     def near(self, floors, ceilings, direction):
-        """(triangles whose closed boxes contain the point, triangles that the ray may stab, size of the union).  floors and
-        ceilings: the coordinates of the point, rounded to integers both ways."""
+        """(triangles whose closed boxes contain the point, triangles that the ray may stab, size of the union).  floors
+        and ceilings: the coordinates of the point, rounded to integers both ways."""
         u, down = direction // 2, direction % 2
         p, q = (u + 1) % 3, (u + 2) % 3
         u0, u1, p0, p1, q0, q1 = 2 * u, 2 * u + 1, 2 * p, 2 * p + 1, 2 * q, 2 * q + 1

@@ -7,6 +7,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -209,6 +210,27 @@ class Conditions(PointsTest):
             self.assertEqual(points_forge.is_closed(self.mesh), closed)
             self.says("ACCEPT" if closed else "P1", Plan(self.mesh, ()))
 
+    def test_p1_names_an_edge_that_does_not_occur_as_often_as_its_reverse(self):
+        rng = random.Random(4)
+        for _ in range(60):
+            points, tris = points_forge.chain(rng)
+            tris = tris[:-1] + rng.choice(([], [tris[-1][::-1]], [tris[-1]] * 2))
+            self.use((points, tris), as_indexed=True)
+            if not points_forge.is_closed(self.mesh):
+                message = self.says("P1", Plan(self.mesh, ()))
+                a, b, c, d = map(int, re.search(r"\((\d+), (\d+)\) and \((\d+), (\d+)\)", message).groups())
+                edges = [(t[i], t[(i + 1) % 3]) for t in self.mesh.tris for i in range(3)]
+                self.assertEqual((a, b), (d, c))
+                self.assertNotEqual(edges.count((a, b)), edges.count((b, a)), message)
+
+    def test_lines_after_an_undecided_one_are_tested(self):
+        self.use(CUBE)
+        undecided = Line(("5", "5", "5"), "undecided", "-", "-", None)
+        for condition, lie in (("P2", Line(("2", "0", "0"), "on", "-", "-", 0)), ("P3", points_forge.off_line(("0", "0", "0"), 0, "-", 0, True)),
+                               ("P4", points_forge.off_line(("1/2", "1/3", "1/3"), 0, "-", 0, True))):
+            for before, after in ((1, 0), (2, 1), (1, 2)):
+                self.says(condition, Plan(self.mesh, [undecided] * before + [lie] + [undecided] * after, with_winding=True))
+
     def test_p2_alone(self):
         self.use(CUBE)
         for point in ((HALF, THIRD, 0), (0, 0, 0), (HALF, HALF, 1), (1, THIRD, 1)):
@@ -254,7 +276,7 @@ class Conditions(PointsTest):
             first = next(line for line in lines if line is not good)
             expected = {id(p2): "P2", id(p3): "P3", id(p4): "P4"}[id(first)]
             message = self.says(expected, Plan(self.mesh, lines, with_winding=True))
-            self.assertIn("line %d:" % (lines.index(first) + 1), message)
+            self.assertRegex(message, "line %d: the (point|winding number) is " % (lines.index(first) + 1))
         self.use(models.OPEN)
         plan = Plan(self.mesh, [p2, p4], with_winding=True)
         self.says("P1", plan)
@@ -347,6 +369,16 @@ class Bodies(PointsTest):
             self.says(expected, plan)
             if expected == "B1":
                 self.assertEqual(self.ask(plan, None, ("B1",))[0], 0)
+
+    def test_points_on_triangles_are_work(self):
+        """Twenty points in the boxes of all 2999 triangles and ten points on a triangle are as much work as may be."""
+        copies = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)] * 749 + [(4, 4, 5)] * 3
+        near, far = ("1/8", "1/8", "1/17"), ("1/8", "1/8", "-1/17")
+        lines = [Line(("1", "1", "1"), "on", "-", "-", 0)] * 10
+        for extra, beside, expected in (([], 0, "ACCEPT"), ([(6, 6, 7)], 10, "ACCEPT"), ([(6, 6, 7)], 9, "B1")):
+            self.use((REGULAR[0] + [(0, 0, -.5), (.5, .5, .25), (0, 0, 0), (.5, .5, .25)], copies + extra), as_indexed=True)
+            off = [points_forge.off_line(at, 749, "-", 3, True) for at, n in ((near, 20 - beside), (far, beside)) for _ in range(n)]
+            self.says(expected, Plan(self.mesh, off + lines, "exact", True))
 
     def test_the_work_bound_comes_before_other_conditions(self):
         self.use((REGULAR[0], ([(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)] * 500)[:-1]))
@@ -507,7 +539,8 @@ class Lines(PointsTest):
                 for place in (0, 2, len(lines)):
                     answers = "".join([*lines[:place], bad + "\n", *lines[place:]]).encode()
                     counts = {key: n + (word in bad) for key, n, word in (("on", plan.quantities()["on"], " on "), ("undecided", 1, "undecided"))}
-                    self.says("A2", plan.copy(claimed_answers=answers, values={"points": len(lines) + 1, **counts}), answers)
+                    message = self.says("A2", plan.copy(claimed_answers=answers, values={"points": len(lines) + 1, **counts}), answers)
+                    self.assertIn("line %d: " % (place + 1), message)
 
     def test_ends_of_lines(self):
         plan = self.plan_of(True)
@@ -515,6 +548,8 @@ class Lines(PointsTest):
         for answers, points in ((true[:-1], 6), (true[:-1], 5), (true.replace(b"\n", b"\r\n"), 6), (true.replace(b"\n", b"\r"), 0), (true + b"\n", 7), (b"\n" + true, 7), (true + b"\n", 6),
                                 (true + b"x", 6), (true.replace(b"\n", b"\n\n"), 12), (b"\xef\xbb\xbf" + true, 6), (true[:-1] + b"\0", 6), (true.rstrip(b"-\n"), 5)):
             self.says("A2", plan.copy(claimed_answers=answers, values={"points": points}), answers)
+        plan = self.plan_of(False)                        # whose last line ends with a number of two digits
+        self.says("A2", plan.copy(claimed_answers=plan.answers()[:-1], values={"points": len(plan.lines) - 1}), plan.answers()[:-1])
 
     def test_the_flag_of_windings(self):
         for winding in (True, False):

@@ -56,7 +56,7 @@ def p1_not_closed(triangles):
     back = sorted(b << 32 | a for a, b in edges)
     for edge, other in zip(there, back):
         if edge != other:
-            a, b = min(edge, other) >> 32, min(edge, other) & 0xffffffff
+            a, b = edge >> 32, min(edge, other) & 0xffffffff    # both have one a: it ends as many edges as it starts
             return "P1", "the edges (%d, %d) and (%d, %d) do not occur equally often" % (a, b, b, a)
 
 def p2_not_on(at, f):

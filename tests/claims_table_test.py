@@ -21,6 +21,7 @@ import every_claim  # noqa: E402
 import invalid_liars  # noqa: E402
 import meeting_liars  # noqa: E402
 import patch_liars  # noqa: E402
+import points_liars  # noqa: E402
 import reversed_liars  # noqa: E402
 import sheet_liars  # noqa: E402
 
@@ -31,6 +32,10 @@ PAGES = [path.read_text() for path in sorted((ROOT / "docs" / "certificates").gl
 
 def of_mesh(source):
     return lambda rng: ((case.bytes, certificate) for _, case, certificate in source(rng))
+
+
+def of_points(source):
+    return lambda rng: ((case.bytes, certificate, case.answers) for _, case, certificate in source(rng))
 
 
 def of_patches(source):
@@ -46,6 +51,7 @@ LIARS = {
     "mesh-valid-1": of_mesh(attacks.false_valid_attacks),
     "mesh-invalid-1": of_mesh(attacks.false_invalid_attacks),
     "mesh-reversed-1": of_mesh(reversed_liars.reversed_attacks),
+    "points-1": of_points(points_liars.false_lines),
     "star-box-1": of_patches(patch_liars.star_attacks),
     "star-box-turned-1": turned_shells,
     "star-box-2": of_patches(sheet_liars.thin_attacks),
@@ -83,15 +89,18 @@ class Claims(unittest.TestCase):
     def test_every_claim_has_liars_and_both_checkers_reject_them(self):
         self.assertEqual(sorted(LIARS), sorted(row[0] for row in table_of(CHECKERS[0])))
         with tempfile.TemporaryDirectory() as folder:
-            model, certificate = pathlib.Path(folder) / "model", pathlib.Path(folder) / "certificate"
+            model, certificate, answers = (pathlib.Path(folder) / name for name in ("model", "certificate", "answers"))
             for claim, source in LIARS.items():
                 model.write_bytes(b"")
-                for subject, lie in source(random.Random(1)):
+                for subject, lie, *more in source(random.Random(1)):
                     self.assertEqual(json.loads(lie.split(b"\n", 1)[0])["claim"], claim)
                     model.write_bytes(subject)
                     certificate.write_bytes(lie)
+                    files = [model, certificate, *([answers] if more else [])]
+                    for data in more:
+                        answers.write_bytes(data)
                     for checker in CHECKERS:
-                        status, text = every_claim.output_of(*checker, model, certificate)
+                        status, text = every_claim.output_of(*checker, *files)
                         self.assertEqual((status, text[:7]), (1, "REJECT "), f"{claim}: {checker}: {text}")
                         self.assertFalse(text.startswith("REJECT S"), f"{claim}: {text}")
                     break

@@ -20,20 +20,20 @@ def condition(line):
     return line.split(":")[0].split(" ")[0 if line.startswith("ACCEPT") else -1].strip()
 
 
-def in_cpp(model, certificate):
-    """(exit code, condition or ACCEPT, all that was printed)."""
-    paths = [os.path.join(FOLDER.name, name) for name in ("model", "certificate")]
-    for path, data in zip(paths, (model, certificate)):
+def in_cpp(*given):
+    """(exit code, condition or ACCEPT, all that was printed) for a model, a certificate and, if its claim is about one, an answers file."""
+    paths = [os.path.join(FOLDER.name, name) for name in ("model", "certificate", "answers")][:len(given)]
+    for path, data in zip(paths, given):
         with open(path, "wb") as file:
             file.write(data)
     r = subprocess.run([CHECK, *paths], capture_output=True, text=True, timeout=300, check=False)
     return r.returncode, condition(r.stdout), r.stdout + r.stderr
 
 
-def both(model, certificate, skip=frozenset()):
-    code, line = in_python(model, certificate, skip)
+def both(model, certificate, skip=frozenset(), answers=None):
+    code, line = in_python(model, certificate, skip, answers)
     if not skip:
-        other = in_cpp(model, certificate)
+        other = in_cpp(model, certificate, *(() if answers is None else (answers,)))
         assert other[0] > 1 or other[2].count("\n") == 1, other    # one line, and nothing on stderr
         if "too far away" in other[2]:                    # the limit of the C++ checker (star-box.md, section 8)
             assert other[:2] == (1, "B1"), other

@@ -58,23 +58,26 @@ def condition_of(code, message):
 
 
 class Native:
-    """The C++ checker: one process for each certificate, files in memory if the system has such."""
+    """The C++ checker: one process for each certificate, files in memory if the system has such. more: the files after the certificate."""
 
     def __init__(self, path):
         self.path = path and os.path.abspath(path)
         shm = "/dev/shm"
         self.dir = tempfile.mkdtemp(prefix="attacks", dir=shm if os.path.isdir(shm) else None)
-        self.files = [os.path.join(self.dir, n) for n in ("model", "cert", "out")]
+        self.files = [os.path.join(self.dir, n) for n in ("model", "cert", "out", "answers")]
         self.last_model = None
 
-    def check(self, model, cert):
+    def check(self, model, cert, *more):
         if self.last_model is not model:
             self.write(0, model)
             self.last_model = model
         self.write(1, cert)
+        names = self.files[:2] + self.files[3:3 + len(more)]
+        for i, data in enumerate(more):
+            self.write(3 + i, data)
         flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
         actions = [(os.POSIX_SPAWN_OPEN, 1, self.files[2], flags, 0o600), (os.POSIX_SPAWN_DUP2, 1, 2)]
-        pid = os.posix_spawn(self.path, [self.path, self.files[0], self.files[1]], {}, file_actions=actions)
+        pid = os.posix_spawn(self.path, [self.path, *names], {}, file_actions=actions)
         time_limit.limit_process(pid)
         status = os.waitpid(pid, 0)[1]
         with open(self.files[2], "rb") as f:
@@ -619,19 +622,24 @@ class Run:
         self.failures = []
         self.honest = collections.Counter()
 
-    def in_python(self, model, cert):
-        return time_limit.within_limit(self.py.check, model, cert)
+    def in_python(self, model, cert, *more):
+        return time_limit.within_limit(self.py.check, model, cert, *more)
+
+    def more(self, case):
+        """The files after the certificate that the checkers are given."""
+        return ()
 
     def both(self, case, cert, seed, name):
-        code, message = self.in_python(case.bytes, cert)
+        more = self.more(case)
+        code, message = self.in_python(case.bytes, cert, *more)
         found = condition_of(code, message)
         if code not in (0, 1):
-            self.fail("python checker: " + message, case.bytes, cert, seed, name)
+            self.fail("python checker: " + message, case.bytes, cert, seed, name, *more)
         if self.options.checker:
-            code2, message2 = self.native.check(case.bytes, cert)
+            code2, message2 = self.native.check(case.bytes, cert, *more)
             found2 = condition_of(code2, message2) if code2 in (0, 1) else "exit %d" % code2
             if (code, found) != (code2, found2):
-                self.fail("the checkers disagree: %r, %r" % (message, message2), case.bytes, cert, seed, name)
+                self.fail("the checkers disagree: %r, %r" % (message, message2), case.bytes, cert, seed, name, *more)
             if code2 == 0 and code != 0:
                 found = "ACCEPT"
         return found
@@ -639,7 +647,7 @@ class Run:
     def attack(self, name, case, cert, seed):
         found = self.both(case, cert, seed, name)
         if found == "ACCEPT":
-            self.fail("FALSE CLAIM ACCEPTED", case.bytes, cert, seed, name)
+            self.fail("FALSE CLAIM ACCEPTED", case.bytes, cert, seed, name, *self.more(case))
         self.table[name, found] += 1
         if found in self.conditions and not self.is_shown(found):
             self.try_alone(case, cert, found)
@@ -650,20 +658,22 @@ class Run:
                    for name in [found] + ["%s with %s" % (found, p) for p in self.implied.get(found, ())])
 
     def try_alone(self, case, cert, found):
-        if self.py._check(case.bytes, cert, frozenset((found,)))[0] == 0:
+        def code(*skip):
+            return self.py._check(case.bytes, cert, frozenset(skip), *self.more(case))[0]
+
+        if code(found) == 0:
             self.alone[found] += 1
         for partner in self.implied.get(found, ()):
-            if (self.py._check(case.bytes, cert, frozenset((found, partner)))[0] == 0 and
-                    self.py._check(case.bytes, cert, frozenset((partner,)))[0] == 1):
+            if code(found, partner) == 0 and code(partner) == 1:
                 self.alone[found + " with " + partner] += 1
 
     def accept(self, name, case, cert, seed):
         found = self.both(case, cert, seed, name)
         self.honest[name, found] += 1
         if found != "ACCEPT":
-            self.fail("HONEST CERTIFICATE NOT ACCEPTED (%s)" % found, case.bytes, cert, seed, name)
+            self.fail("HONEST CERTIFICATE NOT ACCEPTED (%s)" % found, case.bytes, cert, seed, name, *self.more(case))
 
-    def fail(self, why, model, cert, seed, name):
+    def fail(self, why, model, cert, seed, name, *more):
         if len(self.failures) >= 20:
             return
         folder = pathlib.Path(self.options.save)
@@ -671,6 +681,8 @@ class Run:
         stem = folder / ("seed%d-%s-%d" % (seed, name.replace("/", "-"), len(self.failures)))
         stem.with_suffix(".model").write_bytes(model)
         stem.with_suffix(".cert").write_bytes(cert)
+        for data in more:
+            stem.with_suffix(".answers").write_bytes(data)
         self.failures.append("seed %d, %s: %s; saved %s.*" % (seed, name, why, stem))
 
 

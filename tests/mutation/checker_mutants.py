@@ -41,6 +41,7 @@ import patch_differential                                 # noqa: E402
 import patch_liars                                        # noqa: E402
 import patch_solids                                       # noqa: E402
 import patch_mutation_test                                # noqa: E402
+import points_liars                                       # noqa: E402
 import differential                                       # noqa: E402
 
 CHECKER = attacks.CHECKER_PY.parent
@@ -50,7 +51,7 @@ NOT_CONDITIONS = ("checker.h", "numbers.h", "sha256.h", "claims.h", "mesh_claims
 SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 114, 115, 123, 134, 141, 150, 183, 187,
          192, 197, 209, 215, 225, 232, 247, 250, 252, 253, 261, 277, 301, 320, 325, 345, 352, 356, 390, 431, 433, 452)
 NO_CONDITIONS = ("__init__.py", "errors.py", "claims.py")  # of the Python checker, the same
-MESH_TESTS = ("mesh_test", "mesh_reading_test", "mesh_reversed_test")
+MESH_TESTS = ("mesh_test", "mesh_reading_test", "mesh_reversed_test", "points_test")
 PATCH_TESTS = ("star_box_test", "star_box_hostile_test", "star_box_itd_test", "model_g2_test", "model_mfem_test",
                "model_faces_test", "star_box_turned_test", "patch_invalid_test", "patch_invalid_2_test", "collar_test")
 CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
@@ -148,15 +149,15 @@ def key_of(mutant):
 # ---------------------------------------------------------------- the corpus
 
 def unit_cases():
-    """The models and certificates that tests/checker_py judges."""
+    """The files that tests/checker_py gives the checker: model, certificate, and the answers that a certificate of points-1 is about."""
     sys.path.insert(0, str(HERE.parent / "checker_py"))
     seen, modules = [], [importlib.import_module(name) for name in MESH_TESTS]
     check = modules[0].vc.check
 
-    def spy(model, cert):
-        if cert is not None:
-            seen.append((model, cert))
-        return check(model, cert)
+    def spy(*files):
+        if None not in files:
+            seen.append(files)
+        return check(*files)
     for module in modules:
         module.vc.check = spy
         unittest.TextTestRunner(stream=io.StringIO()).run(unittest.defaultTestLoader.loadTestsFromModule(module))
@@ -165,7 +166,7 @@ def unit_cases():
 
 
 def corpus():
-    """(model, certificate, verdict of the unchanged Python checker) of all cases, small ones first."""
+    """(files, verdict of the unchanged Python checker) of all cases, small ones first."""
     py, cases = attacks.load_checker(), []
     for seed in SEEDS:
         cases += [(c.bytes, cert) for _, c, cert in attacks.attacks(random.Random(seed))]
@@ -175,11 +176,19 @@ def corpus():
         cases.append(differential.damaged_model(random.Random(seed))[1:])
     for seed in range(40):
         cases += [c[1:3] for c in differential.damaged_certificate(random.Random(seed))]
+    for seed in range(60):
+        for source in (points_liars.points_attacks, points_liars.honest):
+            cases += [(c.bytes, cert, c.answers) for _, c, cert in source(random.Random(seed))]
     cases += unit_cases()
     cases = list(dict.fromkeys(cases))
     random.Random(1).shuffle(cases)
-    cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
-    return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
+    return judged(py, cases)
+
+
+def judged(py, cases):
+    """The cases with their verdicts, small ones first."""
+    cases.sort(key=lambda files: sum(map(len, files)) // 2000)
+    return [(files, attacks.condition_of(*py.check(*files))) for files in cases]
 
 
 def damaged(cert, rng):
@@ -212,8 +221,7 @@ def patch_corpus():
     cases = [c for c in dict.fromkeys(cases) if len(c[0]) + len(c[1]) < 40000]
     cases += [(model, damaged(cert, rng)) for model, cert in rng.sample(cases, len(cases) // 3)]
     cases += [patch_differential.model_case(random.Random(seed))[1:] for seed in range(400)]
-    cases.sort(key=lambda c: (len(c[0]) + len(c[1])) // 2000)
-    return [(m, c, attacks.condition_of(*py.check(m, c))) for m, c in cases]
+    return judged(py, cases)
 
 
 # ---------------------------------------------------------------- running
@@ -236,8 +244,8 @@ def judge_python(mutant, cases, options):
         sys.dont_write_bytecode = True
         try:
             module = attacks.load_checker(program)
-            for i, (model, cert, expected) in enumerate(cases):
-                if attacks.condition_of(*module.check(model, cert)) != expected:
+            for i, (files, expected) in enumerate(cases):
+                if attacks.condition_of(*module.check(*files)) != expected:
                     return i
         except Exception:
             return 0
@@ -297,13 +305,13 @@ def judge_cpp(mutant, objects, cases, options):
         rest = [o for o in objects if pathlib.Path(o).name[:-2] not in {s.name for s in sources}]
         if subprocess.run(compiler + built + rest + ["-o", str(folder / "check")], stderr=subprocess.DEVNULL).returncode:
             return "build"
-        model, cert, last = folder / "model", folder / "cert", None
-        for i, (m, c, expected) in enumerate(cases):
-            if m is not last:
-                model.write_bytes(m)
-                last = m
-            cert.write_bytes(c)
-            r = subprocess.run([str(folder / "check"), str(model), str(cert)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=20)
+        paths, last = [folder / name for name in ("model", "cert", "answers")], None
+        for i, (files, expected) in enumerate(cases):
+            for path, data in zip(paths, files):
+                if data is not last:
+                    path.write_bytes(data)
+            last = files[0]
+            r = subprocess.run([str(folder / "check"), *map(str, paths[:len(files)])], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=20)
             found = attacks.condition_of(r.returncode, r.stdout.decode("latin-1")) if r.returncode in (0, 1) and r.stdout else "exit %d" % r.returncode
             if found != expected:
                 return i
@@ -378,7 +386,7 @@ def agreed(cases, objects, options):
     with tempfile.TemporaryDirectory() as d:
         subprocess.run([options.compiler, *objects, "-o", os.path.join(d, "check")], check=True)
         native = attacks.Native(os.path.join(d, "check"))
-        same = [c for c in cases if attacks.condition_of(*native.check(*c[:2])) == c[2]]
+        same = [c for c in cases if attacks.condition_of(*native.check(*c[0])) == c[1]]
         native.close()
     print("%d cases in which the checkers agree" % len(same))
     return same

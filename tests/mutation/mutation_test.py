@@ -17,11 +17,13 @@ import unittest.mock
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import attacks                                            # noqa: E402
 import differential                                       # noqa: E402
+import points_liars                                       # noqa: E402
 import reversed_liars                                     # noqa: E402
 import time_limit                                         # noqa: E402
 
 # Found by a greedy cover: with these every condition is needed by at least two attacks.
 SEEDS = (87, 94, 106, 115, 123, 134, 150, 183, 197, 215, 225, 247, 250, 252, 261, 320, 345, 352, 390, 431, 433)
+POINTS_SEEDS = (0, 62, 119, 258, 307)
 REVERSED_SEEDS = (22, 61, 130, 175, 197, 264, 397)          # found in the same way, for each condition once
 
 
@@ -64,6 +66,24 @@ class ReversedMutationTest(WithBothCheckers):
     def test_honest_certificates_are_accepted(self):
         for seed in range(25):
             for name, case, cert in reversed_liars.honest(random.Random(seed)):
+                self.run_.accept(name, case, cert, seed)
+        self.assertEqual(self.run_.failures, [])
+
+
+class PointsMutationTest(WithBothCheckers):
+    kind = points_liars.Run
+
+    def test_no_false_claim_is_accepted_and_every_condition_is_needed(self):
+        sources = [(points_liars.too_much_work, 1), *((points_liars.points_attacks, seed) for seed in POINTS_SEEDS)]
+        for source, seed in sources:
+            for name, case, cert in source(random.Random(seed)):
+                self.run_.attack(name, case, cert, seed)
+        self.assertEqual(self.run_.failures, [])
+        self.assertEqual(points_liars.missing_conditions(self.run_.alone), [])
+
+    def test_honest_certificates_are_accepted(self):
+        for seed in range(25):
+            for name, case, cert in points_liars.honest(random.Random(seed)):
                 self.run_.accept(name, case, cert, seed)
         self.assertEqual(self.run_.failures, [])
 

@@ -3,17 +3,20 @@
 the C++ checker's."""
 from collections import namedtuple
 
-from .common.statement import keys_of
+from .common.statement import HEX64, keys_of
 
 # magic: the first bytes of the body.  keys: of the statement, besides those that every statement has.  module: its
-# check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds.
-Claim = namedtuple("Claim", "name magic formats keys module")
+# check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds.  about_answers: the claim is
+# about a third file, too, whose bytes are one more argument of check().
+Claim = namedtuple("Claim", "name magic formats keys module about_answers", defaults=(False,))
 
 MESHES = ("stl", "obj", "ply", "off")
 SPLINES = ("vjson", "itd", "g2", "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces")
 OF_MESHES = {"reading_rule": r".*", "as_indexed": bool}
 OF_SOLIDS = {**OF_MESHES, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int, "genus": int,
              "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"}      # lowest terms: V11
+OF_POINTS = {**OF_MESHES, "answers_sha256": HEX64, "answers_bytes": int, "decimals": "nearest|exact", "winding": bool,
+             "points": int, "on": int, "undecided": int}
 OF_PATCHES = {"patches": int, "flipped": int}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
@@ -22,6 +25,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("mesh-invalid-1", b"VTMI", MESHES, {**OF_MESHES, "rules": r"M[1-9]( M[1-9])*"}, "mesh.mesh_invalid"),
     Claim("mesh-reversed-1", b"VTMR", MESHES, {**OF_SOLIDS, "reversed": int, "reversed_shells": int},
           "mesh.mesh_reversed"),
+    Claim("points-1", b"VTPT", MESHES, OF_POINTS, "mesh.mesh_points", about_answers=True),
     Claim("star-box-1", b"VTSB", SPLINES, OF_STARS, "patches.star_box_check"),
     Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
     Claim("star-box-2", b"VTS2", SPLINES, OF_STARS, "patches.star_box_2_check"),

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""veritope_check.py MODEL CERT: does this certificate prove its claim about this model?
+"""veritope_check.py MODEL CERT [ANSWERS]: does this certificate prove its claim about this model?
 
 Written from docs/certificates/ and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only: the
 file veritope_check.py and the folder veritope_checker beside it; copy both where you need them.
+
+ANSWERS is the file with the answers that a certificate of points-1 is about; other claims have no such file.
 
 Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
 memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
@@ -20,21 +22,24 @@ from .common.statement import read_statement
 
 VERSION = "veritope_check.py 1 (%s; reading rule v1)" % ", ".join(CLAIMS)
 
-def check(model_bytes, cert_bytes):
-    """(exit code, line to print) for a model and a certificate given as bytes."""
-    return _check(model_bytes, cert_bytes, frozenset())
+def check(model_bytes, cert_bytes, answers=None):
+    """(exit code, line to print) for a model and a certificate given as bytes.  answers: the third file, or None."""
+    return _check(model_bytes, cert_bytes, frozenset(), answers)
 
-def _check(model_bytes, cert_bytes, skip):
+def _check(model_bytes, cert_bytes, skip, answers=None):
     """check() with some conditions disabled: for tests only, main() has no way to reach it."""
     try:
         statement, body = read_statement(CLAIMS, cert_bytes, model_bytes)
         claim = CLAIMS[statement["claim"]]
+        if claim.about_answers != (answers is not None):
+            return 2, "ERROR: a certificate of %s needs %s" % (
+                claim.name, "its answers file as the third argument" if claim.about_answers else "no third argument")
         try:
             module = importlib.import_module("." + claim.module, __package__)
         except ImportError as e:
             name = claim.module.split(".")[-1]
             return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (name, e)
-        module.check(claim, statement, body, model_bytes, skip)
+        module.check(claim, statement, body, model_bytes, skip, *(() if answers is None else (answers,)))
     except Refused as e:
         return 4, "ERROR: the model is refused: %s" % e
     except Reject as e:
@@ -55,8 +60,8 @@ def main(argv):
         return say(VERSION, 0)
     if argv[1:] == ["--claims"]:
         return say("\n".join(lines()), 0)
-    if len(argv) != 3 or any(a.startswith("--") for a in argv[1:]):
-        print("usage: veritope_check.py MODEL CERT", file=sys.stderr)
+    if len(argv) not in (3, 4) or any(a.startswith("--") for a in argv[1:]):
+        print("usage: veritope_check.py MODEL CERT [ANSWERS]", file=sys.stderr)
         return 2
     try:
         data = []
@@ -69,7 +74,7 @@ def main(argv):
         return say("ERROR: %s" % e, 4)
     except MemoryError:
         return say("ERROR: out of memory", 3)
-    code, message = check(data[0], data[1])
+    code, message = check(*data)
     return say(message, code)
 
 def say(message, code):

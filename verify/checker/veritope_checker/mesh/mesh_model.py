@@ -73,20 +73,23 @@ class Body:
         if self.pos != len(self.data):
             raise Reject("B1", "bytes after the end of the body")
 
+def integers_of(floats):
+    """(the coordinates as integers, times 2^-E; the fraction 2^E)"""
+    ratios = [[c.as_integer_ratio() for c in p] for p in floats]
+    common = max(d for p in ratios for _, d in p)
+    scaled = [[n * (common // d) for n, d in p] for p in ratios]
+    bits = 0
+    for p in scaled:
+        bits |= p[0] | p[1] | p[2]
+    low = max(bits & -bits, 1)                              # greatest common power of two
+    return [(x // low, y // low, z // low) for x, y, z in scaled], Fraction(low, common)
+
 class Mesh:
     """floats: coordinates for comparisons; points: the same coordinates as integers, times 2^-E = 1/unit."""
 
     def __init__(self, floats, triangles):
         self.floats, self.triangles = floats, triangles
-        ratios = [[c.as_integer_ratio() for c in p] for p in floats]
-        common = max(d for p in ratios for _, d in p)
-        scaled = [[n * (common // d) for n, d in p] for p in ratios]
-        bits = 0
-        for p in scaled:
-            bits |= p[0] | p[1] | p[2]
-        low = max(bits & -bits, 1)                          # greatest common power of two
-        self.points = [(x // low, y // low, z // low) for x, y, z in scaled]
-        self.unit = Fraction(low, common)
+        self.points, self.unit = integers_of(floats)
         self.normals = [cross(sub(self.points[b], self.points[a]), sub(self.points[c], self.points[a]))
                         for a, b, c in triangles]
         self.fans = [[] for _ in floats]                    # at each vertex v: (f, p, q), f = (v, p, q)

@@ -1055,7 +1055,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(r.returncode, 4)
 
     def test_usage(self):
-        for args in ([], ["a"], ["a", "b", "c"], ["--what"], ["--help", "x"], ["--what", "x"], ["--skip", "V9"]):
+        for args in ([], ["a"], ["a", "b", "c", "d"], ["--what"], ["--help", "x"], ["--what", "x"], ["--skip", "V9"]):
             code, out, err = self.run_it(*args)
             self.assertEqual((code, out, "usage" in err), (2, "", True), args)
         for word in ("--help", "-h"):

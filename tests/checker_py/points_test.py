@@ -22,7 +22,7 @@ attacks, forge, vc = mesh_test.attacks, mesh_test.forge, mesh_test.vc
 import points_forge                                       # noqa: E402
 import solids                                             # noqa: E402
 from points_forge import Line, Plan                       # noqa: E402
-from veritope_checker.mesh import mesh_points, mesh_points_answers, mesh_points_tree    # noqa: E402
+from veritope_checker.points import answers as points_answers, box_tree, points_check    # noqa: E402
 
 HALF, THIRD = Fraction(1, 2), Fraction(1, 3)
 DOUBLE = TET[0], TET[1] * 2
@@ -392,7 +392,7 @@ class Boxes(PointsTest):
         rng = random.Random(5)
         for seed in range(60):
             mesh = self.use(points_forge.chain(rng) if seed % 2 else solids.voxels(rng)).mesh
-            tree = mesh_points_tree.BoxTree(mesh.p, mesh.tris)
+            tree = box_tree.BoxTree(mesh.p, mesh.tris)
             for point in points_forge.interesting(mesh, rng, 8):
                 q = [c / mesh.unit for c in point]
                 for direction in range(6):
@@ -433,10 +433,10 @@ class Coordinates(PointsTest):
     def assert_token(self, token, decimals, value):
         """value: None if it is not allowed."""
         try:
-            n, d = mesh_points_answers.coordinate(token.encode(), decimals == "nearest")
+            n, d = points_answers.coordinate(token.encode(), decimals == "nearest")
             found = Fraction(n, d)
             self.assertGreater(d, 0)
-        except mesh_points_answers.NotAllowed:
+        except points_answers.NotAllowed:
             found = None
         self.assertEqual(found, value, (token[:60], decimals))
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/checker_call.h: the C++ checker as a function: what its main does with two files.
+// tests/support/checker_call.h: the C++ checker as a function: what its main does with its files.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -10,10 +10,12 @@
 namespace veritope {
 
 /// "ACCEPT ...", "REJECT <condition>: ...", "REFUSE ..." (exit 4) or "BUG ..." (exit 5).
-inline std::string check_in_process(const std::string& model_file, const std::string& certificate) {
+inline std::string check_in_process(const std::string& model_file, const std::string& certificate,
+                                    const std::string& answers = "") {
   try {
     ::Body body = {nullptr, nullptr};
-    const ::Statement s = ::read_statement(::all_claims(), certificate, model_file, &body);
+    ::Statement s = ::read_statement(::all_claims(), certificate, model_file, &body);
+    s.answers = answers;
     return std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, model_file, body);
   } catch (const ::Rejected& r) {
     return "REJECT " + r.id + ": " + r.why;

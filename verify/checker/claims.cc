@@ -7,6 +7,7 @@
 #include "collar/collar_claim.h"
 #include "mesh/mesh_claims.h"
 #include "patches/patch_claims.h"
+#include "points/points_claim.h"
 
 namespace {
 
@@ -38,6 +39,11 @@ const std::vector<Claim>& all_claims() {
        " body_sha256 certificate claim reading_rule subject_format subject_sha256 tool volume",
        " bodies edges faces genus reversed reversed_shells shells subject_bytes vertices",
        " as_indexed", check_volume, check_mesh_valid},
+      {"points-1", "VTPT", kMeshes,
+       " answers_sha256 body_sha256 certificate claim decimals reading_rule subject_format "
+       "subject_sha256 tool",
+       " answers_bytes on points subject_bytes undecided", " as_indexed winding", check_decimals,
+       check_points},
       {"star-box-1", "VTSB", kSplines, kStarText,
        " bodies boxes edges flipped genus patches shells subject_bytes vertices", "", nullptr,
        check_star_box},

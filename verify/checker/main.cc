@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// main.cc: veritope-check MODEL CERT. Output and exit codes: docs/certificates/mesh.md.
+// main.cc: veritope-check MODEL CERT [ANSWERS]. Output and exit codes: docs/certificates/mesh.md.
 #include <sys/stat.h>  // C++11 cannot tell a file from a FIFO, whose opening waits for a writer
 
 #include <cstdio>
@@ -11,9 +11,10 @@
 namespace {
 
 const char kUsage[] =
-    "usage: veritope-check MODEL CERT\n"
+    "usage: veritope-check MODEL CERT [ANSWERS]\n"
     "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2 or "
     "MFEM).\n"
+    "ANSWERS is the file of classified points that the claim points-1 needs, and no other claim.\n"
     "Prints ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and "
     "exits "
     "with\n"
@@ -52,14 +53,23 @@ int main(int argc, char** argv) {
   if (argc == 2 && (first == "--help" || first == "-h")) return say(stdout, kUsage, 0);
   if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
   if (argc == 2 && first == "--claims") return say(stdout, claims_as_text(), 0);
-  if (argc != 3 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
+  if (argc < 3 || argc > 4 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
   std::string name = argv[2];  // the file that a refusal names
   try {
     const std::string certificate = read_file(name);
     name = first;
-    std::string file = read_file(name);
+    std::string file = read_file(name), answers;
+    if (argc == 4) answers = read_file(name = argv[3]);
+    name = first;
     Body body = {nullptr, nullptr};
-    const Statement s = read_statement(all_claims(), certificate, file, &body);
+    Statement s = read_statement(all_claims(), certificate, file, &body);
+    if (s.needs_answers() != (argc == 4))
+      return say(stderr,
+                 std::string("The claim ") + s.claim->name +
+                     (argc == 4 ? " needs no file ANSWERS.\n" : " needs a third file, ANSWERS.\n") +
+                     kUsage,
+                 2);
+    s.answers = std::move(answers);
     return say(
         stdout,
         std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, std::move(file), body),

@@ -25,6 +25,8 @@ struct Statement {
   std::map<std::string, std::string> text;
   std::map<std::string, uint64_t> number;
   std::map<std::string, bool> flag;
+  std::string answers;  // the bytes of the third file, where the claim needs one
+  bool needs_answers() const { return text.count("answers_sha256") != 0; }
 };
 struct Body {  // the bytes after the statement that are still to be read
   const uint8_t *p, *end;
@@ -38,6 +40,16 @@ struct Body {  // the bytes after the statement that are still to be read
     require(left() >= bytes, "B1", "the body ends too early");
     uint64_t v = 0;
     for (unsigned i = 0; i < bytes; ++i) v |= uint64_t(*p++) << 8 * i;
+    return v;
+  }
+  uint64_t varint() {
+    uint64_t v = 0, b = 128;
+    for (int shift = 0; b >= 128; shift += 7) {
+      b = natural(1);
+      require((shift == 0 || b != 0) && (shift < 63 || b <= 1), "B1",
+              "a varint is not in its shortest form or not below 2^64");
+      v |= (b & 127) << shift;
+    }
     return v;
   }
   uint64_t count(uint64_t bytes_each) {  // of elements that follow, each at least that large

@@ -94,6 +94,7 @@ inline bool is_zero(const Vec<L>& a) {
 struct Lattice {
   int low, bits;
   explicit Lattice(const Model& model);
+  void add(int64_t key);  // a coordinate of a further point
 };
 template <int C>
 inline Fixed<C> lattice_coordinate(int64_t key, int low) {

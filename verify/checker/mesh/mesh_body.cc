@@ -4,17 +4,6 @@
 
 namespace {
 
-uint64_t varint(Body* body) {
-  uint64_t v = 0, b = 128;
-  for (int shift = 0; b >= 128; shift += 7) {
-    b = body->natural(1);
-    require((shift == 0 || b != 0) && (shift < 63 || b <= 1), "B1",
-            "a varint is not in its shortest form or not below 2^64");
-    v |= (b & 127) << shift;
-  }
-  return v;
-}
-
 std::vector<bool> reversed_triangles(uint32_t faces, Body* body) {
   const uint64_t bytes = (uint64_t(faces) + 7) / 8;
   require(bytes <= body->left(), "B1", "too few bytes for the reversed triangles, bytes", bytes);
@@ -57,10 +46,10 @@ ValidBody read_valid_body(const Statement& statement, Body body, Model* model) {
   }
   const uint64_t separators = body.count(4);
   for (uint64_t i = 0; i < separators; ++i) {
-    const uint64_t gap = varint(&body);
+    const uint64_t gap = body.varint();
     int64_t d[3];
     for (int64_t& x : d) {
-      const uint64_t z = varint(&body);
+      const uint64_t z = body.varint();
       require(z < 0xffffffff, "B1", "a component is not below 2^31: separator", i);
       x = z % 2 == 0 ? int64_t(z / 2) : -int64_t(z / 2) - 1;
     }

@@ -45,15 +45,15 @@ Model read_model(std::string file, const std::string& format, bool as_indexed) {
 }
 
 Lattice::Lattice(const Model& model) : low(1 << 12), bits(0) {
-  int high = 0;
   for (uint32_t v : model.tri)
-    for (int i = 0; i < 3; ++i) {
-      const int64_t key = model.key[3 * size_t(v) + i];
-      if (key == 0) continue;
-      low = std::min(low, key_exponent(key) + __builtin_ctzll(key_mantissa(key)));
-      high = std::max(high, key_exponent(key) + bit_length(key_mantissa(key)));
-    }
-  if (high != 0) bits = high - low;
+    for (int i = 0; i < 3; ++i) add(model.key[3 * size_t(v) + i]);
+}
+void Lattice::add(int64_t key) {
+  if (key == 0) return;
+  const int high = std::max(bits == 0 ? 0 : low + bits,
+                            key_exponent(key) + bit_length(key_mantissa(key)));
+  low = std::min(low, key_exponent(key) + __builtin_ctzll(key_mantissa(key)));
+  bits = high - low;
 }
 
 namespace {

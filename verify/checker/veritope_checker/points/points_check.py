@@ -2,10 +2,10 @@
 """The claim points-1: docs/certificates/points.md."""
 from math import gcd, lcm
 
-from . import mesh_reader
-from .mesh_model import TOO_MUCH_WORK, Body, integers_of, line_stabs, sign
-from .mesh_points_answers import lines_of, read_answers
-from .mesh_points_tree import BoxTree
+from .answers import lines_of, read_answers
+from .box_tree import BoxTree
+from ..mesh import mesh_reader
+from ..mesh.mesh_model import TOO_MUCH_WORK, Body, integers_of, line_stabs, sign
 from ..common.errors import Reject
 from ..common.vectors import cross, dot, sub
 

@@ -207,8 +207,10 @@ Status check_outputs(const CoverOptions& options) {
   const std::vector<std::string>& files = options.input.files;
   const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
   if (!plan) return plan.error();
-  if (options.output.empty()) return ok_status();
-  return check_output("--output", options.output, files, *plan, options.json);
+  if (options.output.empty()) return try_outputs(*plan, {options.json});
+  if (Status status = check_output("--output", options.output, files, *plan, options.json); !status)
+    return status;
+  return try_outputs(*plan, {options.json, options.output});
 }
 
 ExitCode run(const CoverOptions& options, StandardOutput& out) {

@@ -223,8 +223,19 @@ Status check_table(const CertifyFilesOptions& options, const OutputPlan& plan) {
   return check_output("--tsv", *options.tsv, options.input.files, plan, options.json);
 }
 
+// Files of folders that are left out are named, so that nobody takes them for certified.
+void report_copies(std::size_t num_copies, bool has_text, StandardOutput& out) {
+  const std::string text = num_copies == 1 ? "1 copy beside its certificate was left out"
+                                           : std::to_string(num_copies) +
+                                                 " copies beside their certificates were left out";
+  if (has_text)
+    out.write(text + "\n");
+  else
+    complain(text);
+}
+
 ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
-                     const CertifySettings& settings, StandardOutput& out) {
+                     const CertifySettings& settings, std::size_t num_copies, StandardOutput& out) {
   const std::size_t num_files = options.input.files.size();
   const TextOptions text = text_options(options);
   const bool has_text = options.json != "-" && options.tsv != "-";
@@ -257,6 +268,7 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
     complain_beside_verdict(report, complaints);
   }
   if (has_text && num_files > 1) out.write(totals.text());
+  if (num_copies != 0) report_copies(num_copies, has_text, out);
   if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, plan, complaints, out));
   return options.json ? first_of(exit, write_json(options, plan, json, complaints, out)) : exit;
 }
@@ -268,9 +280,9 @@ ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
     return complain("--glob selects files of folders, and no folder is given"), kExitUsage;
   if (options.picture && has_folder)
     return complain("--picture takes exactly one input, not a folder"), kExitUsage;
-  Result<std::vector<std::string>> files = files_in_folders(options.input.files, options.glob);
+  Result<ModelFiles> files = files_in_folders(options.input.files, options.glob);
   if (!files) return fail(files.error());
-  options.input.files = std::move(*files);
+  options.input.files = std::move(files->paths);
   const Result<OutputPlan> plan =
       plan_outputs(options.input.files, options.certificate, options.json, has_folder);
   if (!plan) return fail(plan.error());
@@ -282,7 +294,7 @@ ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
     if (!checker) return complain(checker.error().message), kExitUsage;
     settings.checker = *checker;
   }
-  return certify_all(options, *plan, settings, out);
+  return certify_all(options, *plan, settings, files->num_copies, out);
 }
 
 }  // namespace

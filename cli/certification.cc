@@ -143,6 +143,7 @@ class Certification {
       current = next;
       phase(phase_name(next));
     };
+    options.work = &progress_.work();
     Result<Certified> certified = veritope::certify(model_, options);
     end_phase();
     if (!certified) return refuse(finding_of(certified.error()));
@@ -330,7 +331,7 @@ class Certification {
   Stopwatch watch_;
   FileReport report_;
   ModelFile model_;
-  ByteBuffer copy_;                      ///< if needs_copy(): the input, for the checker
+  ByteBuffer copy_;                       ///< if needs_copy(): the input, for the checker
   std::optional<StandInBytes> stand_in_;  ///< the model that was certified in the place of the file
   Verdict verdict_ = Verdict::kUndecided;
   certificate::Bytes bytes_, without_collar_;

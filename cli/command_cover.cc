@@ -157,6 +157,7 @@ class CoverRun {
     if (options_.part != CoverPart::kBoxes) how.frame = FrameWanted::kPlain;
     how.may_turn_shells = options_.orient_auto;
     how.search.budget = &budget_;
+    how.search.cover.work = &progress_.work();
     if (options_.limits.max_cells) how.search.cover.max_boxes = *options_.limits.max_cells;
     auto [decision, forest] = decide_file_patches(patches, how);
     if (decision.refutation)

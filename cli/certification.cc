@@ -143,6 +143,7 @@ class Certification {
       current = next;
       phase(phase_name(next));
     };
+    options.work = &progress_.work();
     Result<Certified> certified = veritope::certify(model_, options);
     end_phase();
     if (!certified) return refuse(finding_of(certified.error()));

@@ -17,10 +17,10 @@ using namespace report;
 
 struct CertifySettings {
   ModelReadOptions reading;
-  CertifyOptions certify;  ///< on_phase is set here
+  CertifyOptions certify;  ///< on_phase and work are set here
   bool spares_threads =
       false;  ///< one thread for meshes so small that starting others takes longer than they save
-  std::string checker;     ///< the checker's program; empty: --no-check
+  std::string checker;  ///< the checker's program; empty: --no-check
   /// Nothing: no picture. A picture shows up to kMostDrawn defects of each rule, whatever the number that is listed.
   std::optional<PictureKind> picture;
   /// Not null: takes the model once it is decided.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "cli/certification.h"
@@ -75,9 +77,10 @@ bool is_file_or_new(const std::string& path) {
 }
 
 // Folders are made for the first certificate in them, so that a refused run leaves none behind. If one cannot be made,
-// writing the certificate fails.
+// writing the certificate fails. The folder above a new one must exist.
 void make_folders_of_certificate(const OutputPlan& plan, std::size_t i) {
   if (!plan.has_folder) return;
+  if (plan.new_folder && ::mkdir(plan.new_folder->c_str(), 0777) != 0 && errno != EEXIST) return;
   std::error_code none;
   std::filesystem::create_directories(std::filesystem::path(plan.certificates[i]).parent_path(),
                                       none);
@@ -116,10 +119,22 @@ TextOptions text_options(const CertifyFilesOptions& o) {
   return out;
 }
 
+// What stands in the way of outputs, each once: they are tried before the work begins, and written at its end.
+class OutputComplaints {
+ public:
+  void add(const std::string& text) {
+    if (made_.insert(text).second) complain(harmless(text));
+  }
+  void add(const Error& error) { add(to_string(error)); }
+
+ private:
+  std::set<std::string> made_;
+};
+
 // Reports a fault beside a verdict: the certificate could not be kept.
-void complain_beside_verdict(const FileReport& report) {
+void complain_beside_verdict(const FileReport& report, OutputComplaints& complaints) {
   if (!report.has_verdict() || !report.fault) return;
-  complain(harmless(report.fault->place.source.file + ": " + text_of(*report.fault)));
+  complaints.add(report.fault->place.source.file + ": " + text_of(*report.fault));
 }
 
 // Makes the new folder of the certificates, if this output goes there, too.
@@ -136,7 +151,7 @@ void complain_about_picture(const std::string& path, const Finding& fault, FileR
 
 // Writes the picture and names it in the report; complains if it cannot be written.
 void keep_picture(const std::string& path, const std::string& bytes, const OutputPlan& plan,
-                  FileReport& report, StandardOutput& out) {
+                  FileReport& report, OutputComplaints& complaints, StandardOutput& out) {
   make_folder_of(path, plan);
   const Status status = write_output(path, bytes, out);
   if (status) {
@@ -144,24 +159,25 @@ void keep_picture(const std::string& path, const std::string& bytes, const Outpu
     return;
   }
   report.exit = first_of(report.exit, kExitUnreadable);
-  complain(harmless(to_string(status.error())));
+  complaints.add(status.error());
 }
 
 ExitCode write_table(const std::string& path, const std::string& rows, const OutputPlan& plan,
-                     StandardOutput& out) {
+                     OutputComplaints& complaints, StandardOutput& out) {
   make_folder_of(path, plan);
   const Status status = write_output(path, tsv_head() + rows, out);
   if (status || path == "-") return kExitValid;  // main looks at standard output
-  complain(harmless(to_string(status.error())));
+  complaints.add(status.error());
   return kExitUnreadable;
 }
 
 ExitCode write_json(const CertifyFilesOptions& options, const OutputPlan& plan,
-                    const std::vector<std::string>& files, StandardOutput& out) {
+                    const std::vector<std::string>& files, OutputComplaints& complaints,
+                    StandardOutput& out) {
   make_folder_of(*options.json, plan);
   const Status status = write_output(*options.json, document_json("veritope-report-1", files), out);
   if (status || *options.json == "-") return kExitValid;  // main looks at standard output
-  complain(harmless(to_string(status.error())));
+  complaints.add(status.error());
   return kExitUnreadable;
 }
 
@@ -207,8 +223,19 @@ Status check_table(const CertifyFilesOptions& options, const OutputPlan& plan) {
   return check_output("--tsv", *options.tsv, options.input.files, plan, options.json);
 }
 
+// Files of folders that are left out are named, so that nobody takes them for certified.
+void report_copies(std::size_t num_copies, bool has_text, StandardOutput& out) {
+  const std::string text = num_copies == 1 ? "1 copy beside its certificate was left out"
+                                           : std::to_string(num_copies) +
+                                                 " copies beside their certificates were left out";
+  if (has_text)
+    out.write(text + "\n");
+  else
+    complain(text);
+}
+
 ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
-                     const CertifySettings& settings, StandardOutput& out) {
+                     const CertifySettings& settings, std::size_t num_copies, StandardOutput& out) {
   const std::size_t num_files = options.input.files.size();
   const TextOptions text = text_options(options);
   const bool has_text = options.json != "-" && options.tsv != "-";
@@ -216,6 +243,12 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
   std::string table;
   Totals totals;
   ExitCode exit = kExitValid;
+  OutputComplaints complaints;
+  if (const Status status = try_outputs(plan, {options.json, options.tsv, options.picture});
+      !status) {
+    complaints.add(status.error());
+    exit = kExitUnreadable;
+  }
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < num_files; ++i) {
     progress.file(i + 1, num_files);
@@ -224,18 +257,20 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
     FileReport& report = done.report;
     progress.clear();
     if (done.picture_fault) complain_about_picture(*options.picture, *done.picture_fault, report);
-    if (!done.picture.empty()) keep_picture(*options.picture, done.picture, plan, report, out);
+    if (!done.picture.empty())
+      keep_picture(*options.picture, done.picture, plan, report, complaints, out);
     exit = first_of(exit, report.exit);
     totals.add(report);
     if (options.json) json.push_back(report_json(report));
     if (options.tsv) table += tsv_row(report);
     if (has_text)
       out.write(verdict_line(report, text) + (options.quiet ? "" : details_text(report, text)));
-    complain_beside_verdict(report);
+    complain_beside_verdict(report, complaints);
   }
   if (has_text && num_files > 1) out.write(totals.text());
-  if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, plan, out));
-  return options.json ? first_of(exit, write_json(options, plan, json, out)) : exit;
+  if (num_copies != 0) report_copies(num_copies, has_text, out);
+  if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, plan, complaints, out));
+  return options.json ? first_of(exit, write_json(options, plan, json, complaints, out)) : exit;
 }
 
 ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
@@ -245,9 +280,9 @@ ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
     return complain("--glob selects files of folders, and no folder is given"), kExitUsage;
   if (options.picture && has_folder)
     return complain("--picture takes exactly one input, not a folder"), kExitUsage;
-  Result<std::vector<std::string>> files = files_in_folders(options.input.files, options.glob);
+  Result<ModelFiles> files = files_in_folders(options.input.files, options.glob);
   if (!files) return fail(files.error());
-  options.input.files = std::move(*files);
+  options.input.files = std::move(files->paths);
   const Result<OutputPlan> plan =
       plan_outputs(options.input.files, options.certificate, options.json, has_folder);
   if (!plan) return fail(plan.error());
@@ -259,7 +294,7 @@ ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
     if (!checker) return complain(checker.error().message), kExitUsage;
     settings.checker = *checker;
   }
-  return certify_all(options, *plan, settings, out);
+  return certify_all(options, *plan, settings, files->num_copies, out);
 }
 
 }  // namespace

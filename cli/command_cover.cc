@@ -160,6 +160,7 @@ class CoverRun {
     if (options_.part != CoverPart::kBoxes) how.frame = FrameWanted::kPlain;
     how.may_turn_shells = options_.orient_auto;
     how.search.budget = &budget_;
+    how.search.cover.work = &progress_.work();
     if (options_.limits.max_cells) how.search.cover.max_boxes = *options_.limits.max_cells;
     auto [decision, forest] = decide_file_patches(patches, how);
     if (decision.refutation)
@@ -210,8 +211,10 @@ Status check_outputs(const CoverOptions& options) {
   const std::vector<std::string>& files = options.input.files;
   const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
   if (!plan) return plan.error();
-  if (options.output.empty()) return ok_status();
-  return check_output("--output", options.output, files, *plan, options.json);
+  if (options.output.empty()) return try_outputs(*plan, {options.json});
+  if (Status status = check_output("--output", options.output, files, *plan, options.json); !status)
+    return status;
+  return try_outputs(*plan, {options.json, options.output});
 }
 
 ExitCode run(const CoverOptions& options, StandardOutput& out) {

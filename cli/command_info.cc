@@ -115,6 +115,8 @@ FileText describe(const std::string& path, const InfoOptions& options, const Sty
 ExitCode run(const InfoOptions& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.input.files, std::nullopt, options.json);
   if (!plan) return fail(plan.error());
+  if (const Status status = try_outputs(*plan, {options.json}); !status)
+    return fail(status.error());
   const Style style = style_of_stdout();
   std::vector<std::string> json;
   ExitCode exit = kExitValid;

@@ -75,8 +75,11 @@ Status check_outputs(const IntersectOptions& options) {
   const std::vector<std::string>& files = options.input.files;
   const Result<OutputPlan> plan = plan_outputs(files, std::nullopt, options.json);
   if (!plan) return plan.error();
-  if (!options.curves) return ok_status();
-  return check_output("--output", *options.curves, files, *plan, options.json);
+  if (options.curves)
+    if (Status status = check_output("--output", *options.curves, files, *plan, options.json);
+        !status)
+      return status;
+  return try_outputs(*plan, {options.json, options.curves});
 }
 
 ExitCode print(const IntersectionReport& report, const IntersectOptions& options,

@@ -154,6 +154,8 @@ ExitCode print(const ProjectionReport& report, const ProjectOptions& options, St
 ExitCode run(const ProjectOptions& options, StandardOutput& out) {
   const Result<OutputPlan> plan = plan_outputs(options.input.files, std::nullopt, options.json);
   if (!plan) return fail(plan.error());
+  if (const Status status = try_outputs(*plan, {options.json}); !status)
+    return fail(status.error());
   Result<std::vector<Rational>> point = point_from_text(options.point);
   if (!point) {
     complain(harmless(point.error().message));

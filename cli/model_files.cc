@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/kept_copy.h"
 #include "io/formats.h"
 
 namespace veritope::cli {
@@ -19,8 +20,7 @@ bool is_wanted(const std::string& name, const std::optional<std::string>& glob) 
 }
 
 // Appends what is in the folder, unsorted; the folder itself if it cannot be read, so that its report says why.
-void walk(const std::string& folder, const std::optional<std::string>& glob,
-          std::vector<std::string>& out) {
+void walk(const std::string& folder, const std::optional<std::string>& glob, ModelFiles& out) {
   std::error_code why;
   fs::directory_iterator entries(folder, why);
   for (; !why && entries != fs::directory_iterator(); entries.increment(why)) {
@@ -30,17 +30,24 @@ void walk(const std::string& folder, const std::optional<std::string>& glob,
     std::error_code unknown;
     const fs::file_status status = entries->symlink_status(unknown);
     if (unknown) {
-      out.push_back(path);
+      out.paths.push_back(path);
     } else if (fs::is_directory(status)) {
       walk(path, glob, out);
     } else if (is_wanted(name, glob) && !fs::is_directory(path, unknown)) {
-      out.push_back(path);
+      if (is_kept_copy(path))
+        ++out.num_copies;
+      else
+        out.paths.push_back(path);
     }
   }
-  if (why) out.push_back(folder);
+  if (why) out.paths.push_back(folder);
 }
 
-std::string why_empty(const std::string& folder, const std::optional<std::string>& glob) {
+std::string why_empty(const std::string& folder, const std::optional<std::string>& glob,
+                      bool has_copies) {
+  if (has_copies)
+    return "the folder " + folder +
+           " has no models but copies that earlier runs kept beside certificates";
   if (glob) return "no file in the folder " + folder + " has a name that matches " + *glob;
   return "no file in the folder " + folder + " has a known extension (" + format_names("or") +
          "); use --glob '*.ext' to select others";
@@ -53,18 +60,20 @@ bool is_folder_of_models(const std::string& path) {
   return path != "-" && fs::is_directory(path, none);
 }
 
-Result<std::vector<std::string>> files_in_folders(const std::vector<std::string>& paths,
-                                                  const std::optional<std::string>& glob) {
-  std::vector<std::string> out;
+Result<ModelFiles> files_in_folders(const std::vector<std::string>& paths,
+                                    const std::optional<std::string>& glob) {
+  ModelFiles out;
   for (const std::string& path : paths) {
     if (!is_folder_of_models(path)) {
-      out.push_back(path);
+      out.paths.push_back(path);
       continue;
     }
-    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    const auto first = static_cast<std::ptrdiff_t>(out.paths.size());
+    const std::size_t num_copies = out.num_copies;
     walk(path, glob, out);
-    if (out.size() == static_cast<std::size_t>(first)) return bad_argument(why_empty(path, glob));
-    std::sort(out.begin() + first, out.end());
+    if (out.paths.size() == static_cast<std::size_t>(first))
+      return bad_argument(why_empty(path, glob, out.num_copies != num_copies));
+    std::sort(out.paths.begin() + first, out.paths.end());
   }
   return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/model_files.h: the files of models in folders that a command line names.
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,12 +13,18 @@ namespace veritope::cli {
 /// Whether files_in_folders looks for models in it.
 bool is_folder_of_models(const std::string& path);
 
+struct ModelFiles {
+  std::vector<std::string> paths;
+  std::size_t num_copies = 0;  ///< files of folders that were left out because is_kept_copy
+};
+
 /// Replaces each folder by the files in it and in its subfolders: those whose names match `glob`, as a shell matches
 /// them, or else those whose endings are those of known formats. Files of a folder are sorted by their paths, byte by
-/// byte. Files and folders whose names begin with a dot are left out, and links to folders are not followed. A folder
-/// that cannot be read is listed in the place of its files. Other names stay as they are, in their places.
+/// byte. Files and folders whose names begin with a dot are left out, and so are copies of models that lie beside their
+/// certificates (cli/kept_copy.h); links to folders are not followed. A folder that cannot be read is listed in the
+/// place of its files. Other names stay as they are, in their places.
 /// @error kBadArgument: a folder without such a file
-Result<std::vector<std::string>> files_in_folders(const std::vector<std::string>& paths,
-                                                  const std::optional<std::string>& glob);
+Result<ModelFiles> files_in_folders(const std::vector<std::string>& paths,
+                                    const std::optional<std::string>& glob);
 
 }  // namespace veritope::cli

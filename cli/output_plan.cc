@@ -114,15 +114,12 @@ Status check_targets(const std::vector<std::string>& inputs, const OutputPlan& p
       if (json && *json != "-" && same_target(*json, output))
         return bad_argument("--json and --certificate would both write " + output);
     }
-    if (plan.new_folder) continue;
-    if (Status status = try_certificate(path, plan); !status) return status;
   }
   if (!json || *json == "-") return ok_status();
   if (plan.new_folder && same_target(*json, *plan.new_folder)) {
     return bad_argument("--json and --certificate would both make " + *json);
   }
-  if (Status status = refuse_same(inputs, *json); !status) return status;
-  return is_in_new(plan, *json) ? ok_status() : try_output(*json);
+  return refuse_same(inputs, *json);
 }
 
 // The text before the last slash.
@@ -159,7 +156,21 @@ Status check_output(const std::string& option, const std::string& path,
   }
   if (plan.new_folder && without_slashes(path) == *plan.new_folder)
     return bad_argument(option + " and --certificate would both make " + path);
-  return is_in_new_folder ? ok_status() : try_output(path);
+  return ok_status();
+}
+
+Status try_outputs(const OutputPlan& plan, const std::vector<std::optional<std::string>>& others) {
+  if (plan.new_folder)
+    if (Status status = check_new_folder(*plan.new_folder); !status) return status;
+  for (const std::string& path : plan.certificates) {
+    if (plan.new_folder) break;
+    if (Status status = try_certificate(path, plan); !status) return status;
+  }
+  for (const std::optional<std::string>& path : others) {
+    if (!path || *path == "-" || is_in_new(plan, *path)) continue;
+    if (Status status = try_output(*path); !status) return status;
+  }
+  return ok_status();
 }
 
 bool is_in_new(const OutputPlan& plan, const std::string& path) {
@@ -176,10 +187,7 @@ Result<OutputPlan> plan_outputs(const std::vector<std::string>& inputs,
     if (exists(folder) && !is_folder(folder)) {
       return bad_argument("--certificate " + folder + " is a file; several inputs need a folder");
     }
-    if (!exists(folder)) {
-      plan.new_folder = folder;
-      if (Status status = check_new_folder(folder); !status) return status.error();
-    }
+    if (!exists(folder)) plan.new_folder = folder;
     plan.has_folder = true;
     for (const std::string& name : names_below(inputs))
       plan.certificates.push_back(folder + "/" + name);

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <system_error>
 
 #include "cli/signals.h"
@@ -40,7 +39,7 @@ Progress::~Progress() {
   {
     const std::lock_guard lock(mutex_);
     erase();
-    line_.clear();
+    text_.phase.clear();
     ends_ = true;
   }
   wake_.notify_one();
@@ -48,41 +47,41 @@ Progress::~Progress() {
 }
 
 void Progress::file(std::size_t number, std::size_t num_files) {
-  if (num_files > 1) part_ = std::to_string(number) + " of " + std::to_string(num_files) + ", ";
+  const std::lock_guard lock(mutex_);
+  text_.number = number, text_.num_files = num_files;
 }
 
 void Progress::phase(const std::string& file, const std::string& what) {
+  work_.reset();
   if (!thread_.joinable()) return;
   const std::lock_guard lock(mutex_);
   since_ = now();
-  if (line_.empty()) started_ = since_;
-  line_ = part_ + file + ": " + what;
+  if (text_.phase.empty()) started_ = since_;
+  text_.file = file, text_.phase = what;
 }
 
 void Progress::clear() {
   if (!thread_.joinable()) return;
   const std::lock_guard lock(mutex_);
   erase();
-  line_.clear();
+  text_.phase.clear();
 }
 
 void Progress::run() {
   std::unique_lock lock(mutex_);
   while (!ends_) {
     wake_.wait_for(lock, kTick);
-    if (ends_ || line_.empty()) continue;
+    if (ends_ || text_.phase.empty()) continue;
     const double time = now();
     if (time - started_ < kSilent) continue;
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, ", %.1f s", time - since_);
-    draw(line_ + seconds);
+    draw(report::progress_line(text_, work_.view(), time - since_));
   }
 }
 
 void Progress::draw(const std::string& line) {
   set_progress_shown(true);
   is_shown_ = true;
-  put("\r\033[K" + line.substr(0, 78));
+  put("\r\033[K" + line);
 }
 
 void Progress::erase() {

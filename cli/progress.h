@@ -6,10 +6,13 @@
 #include <string>
 #include <thread>
 
+#include "report/progress_line.h"
+#include "robust/base/work_share.h"
+
 namespace veritope::cli {
 
-/// Shows "file: phase, 1.2 s" on standard error while work takes longer than 0.3 s, if standard error is a terminal and
-/// `is_wanted`. Otherwise it does nothing and starts no thread.
+/// Shows "file: phase, 45 % of step 1, 1.2 s" on standard error while work takes longer than 0.3 s, if standard error
+/// is a terminal and `is_wanted`. Otherwise it does nothing and starts no thread.
 class Progress {
  public:
   explicit Progress(bool is_wanted);
@@ -21,6 +24,8 @@ class Progress {
   void file(std::size_t number, std::size_t num_files);
   /// Sets what is being done from now on.
   void phase(const std::string& file, const std::string& what);
+  /// What the line shows of a step; each phase begins without one.
+  WorkShare& work() { return work_; }
   /// Erases the line. Call it before anything is printed.
   void clear();
 
@@ -31,8 +36,8 @@ class Progress {
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::string part_;  ///< "3 of 58, "
-  std::string line_;  ///< empty: nothing is being done
+  report::ProgressText text_;  ///< without a phase nothing is being done
+  WorkShare work_;
   double since_ = 0,
          started_ = 0;  ///< steady seconds: of the phase, of the first phase after clear()
   bool is_shown_ = false, ends_ = false;

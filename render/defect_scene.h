@@ -33,8 +33,9 @@ Scene defect_scene(const TriangleMesh& mesh, std::span<const Finding> defects,
                    const std::array<std::uint64_t, kNumMeshRules>& rule_counts);
 
 /// The tessellated model half transparent, the entities of each finding tinted, open sides as lines, and a marker at
-/// the point of each finding. The approximate curves in which two surfaces cross are lines, too, unless the surfaces
-/// have a common point. The legend has the codes of the findings, and the number of open sides if there is one.
+/// the point of each finding. If one is a crossing, the approximate curves in which surfaces cross are lines, too:
+/// those of all surfaces (approx_crossings). The legend has the codes of the findings, the number of pairs that cross
+/// if it is not 1, and the number of open sides if there is one.
 /// REQUIRES findings and sides of this model: their entities, sides and parameters.
 /// @param  shown  drawn in the place of the model's volumes: their boundary faces, without walls
 /// @error  as tessellate

@@ -157,13 +157,25 @@ void tint_entities(const Finding& f, const BoundaryFaces* shown, Scene& scene) {
     if (const auto i = surface_of(part, shown, scene))
       scene.surfaces[*i].paints = {tinted_paint(colour_of_code(f.code))};
 }
-void add_crossing(const Finding& f, const BoundaryFaces* shown, Scene& scene) {
-  if (f.code != "patches-crossing" || f.place.parts.size() != 2) return;
-  const auto a = surface_of(f.place.parts[0], shown, scene),
-             b = surface_of(f.place.parts[1], shown, scene);
-  if (!a || !b || *a == *b) return;
-  for (const auto& [from, to] : approx_crossing(scene.surfaces[*a], scene.surfaces[*b]))
+// A certificate proves one crossing. All curves in which the tessellated surfaces cross are drawn, first those of the
+// surfaces that it names. The legend counts the pairs if there are several, and says if curves are left out.
+void add_crossings(const Finding& f, const BoundaryFaces* shown, Scene& scene) {
+  std::optional<std::pair<std::size_t, std::size_t>> first;
+  if (f.place.parts.size() == 2) {
+    const auto a = surface_of(f.place.parts[0], shown, scene),
+               b = surface_of(f.place.parts[1], shown, scene);
+    if (a && b) first = {*a, *b};
+  }
+  const CrossingCurves curves = approx_crossings(scene.surfaces, first);
+  for (const auto& [from, to] : curves.segments)
     scene.lines.push_back({{from, to}, colour_of_code(f.code), SceneLine().width, kLinesLayer});
+  const auto entry = std::find_if(scene.legend.begin(), scene.legend.end(),
+                                  [&](const LegendEntry& e) { return e.text == f.code; });
+  if (entry == scene.legend.end()) return;
+  std::string& text = entry->text;
+  if (curves.num_pairs > 1)
+    text += " (approximate curves of " + std::to_string(curves.num_pairs) + " pairs of surfaces)";
+  if (curves.is_cut) text += " (some curves left out: the surfaces have too many triangles)";
 }
 
 std::string name_of(std::size_t surface, const BoundaryFaces* shown) {
@@ -201,8 +213,10 @@ Result<Scene> defect_scene(const SplineModel& model, std::span<const Finding> fi
     if (f.code == "side-open") continue;
     add_to_legend(f.code, out);
     tint_entities(f, shown, out);
-    add_crossing(f, shown, out);
   }
+  const auto crossing = std::find_if(findings.begin(), findings.end(),
+                                     [](const Finding& f) { return f.code == "patches-crossing"; });
+  if (crossing != findings.end()) add_crossings(*crossing, shown, out);
   if (num_open_sides != 0)
     out.legend.push_back(
         {colour_of(MeshRule::kM3), "side-open (" + std::to_string(num_open_sides) + ")"});

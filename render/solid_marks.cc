@@ -88,6 +88,12 @@ class MarkSolids {
     return surfaces_.emplace_back(SceneSurface{{}, {}, {{colour}}});
   }
 
+  // Binary32 may not tell the ends apart: the sides of a tube would have no area.
+  bool is_short(const Point3d& a, const Point3d& b) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(a[k] - b[k]) > size_ * kShortLine) return false;
+    return true;
+  }
   // Closed, its faces outward: a prism along the line, and a pyramid of its radius at either end.
   void add_tube(const Point3d& a, const Point3d& b, SceneSurface& out) const {
     constexpr std::uint32_t kSides = 6;
@@ -99,7 +105,7 @@ class MarkSolids {
                                                                    {-kHalf, -kRootOf3By2},
                                                                    {kHalf, -kRootOf3By2}}};
     const double radius = size_ * kTubeRadius;
-    if (a == b) return add_dot(a, radius, out);
+    if (is_short(a, b)) return add_dot(a, radius, out);
     const Point3d along = direction(a, b), u = normal_to(along), v = cross_of(along, u);
     const auto first = static_cast<std::uint32_t>(out.points.size()), last = first + 2 * kSides;
     for (const auto& [c, s] : kTurns)

@@ -12,12 +12,15 @@ namespace veritope {
 /// has 1,000 pixels they are 5 and 12 pixels wide.
 inline constexpr double kTubeRadius = 1.0 / 400, kOctahedronRadius = 1.0 / 160;
 
+/// A line that is shorter, relative to the same side, is a point.
+inline constexpr double kShortLine = 0x1p-20;
+
 /// The longest side of the box of a scene; 1 if that is a point, and at most the greatest binary64.
 double approx_scene_size(const Scene& scene);
 
 /// The scene's surfaces as they are, and after them a surface for each colour of its marks, opaque, by the legend; the
 /// name is the legend's text, or "marks". Each piece of a line is a closed tube with six sides and pointed ends, or an
-/// octahedron of its radius if it is a point. Coordinates beyond binary64 are moved to its end.
+/// octahedron of its radius if it is a point, see kShortLine. Coordinates beyond binary64 are moved to its end.
 std::vector<SceneSurface> with_solid_marks(Scene scene);
 
 /// The surface without points that no triangle uses, which would spoil boxes.

@@ -8,6 +8,7 @@
 
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
+#include "robust/base/work_share.h"
 #include "solids/polyhedron/broad_phase_internal.h"
 
 #if defined(__x86_64__)
@@ -261,12 +262,15 @@ void BoxGroups::plan_tasks() {
   }
 }
 
-bool BoxGroups::for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink& sink) const {
+bool BoxGroups::for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink& sink,
+                                 WorkShare* work) const {
   std::atomic<std::uint64_t> total{0};
+  WorkStep step(work, static_cast<double>(tasks_.size()));
   parallel_for(tasks_.size(), 1, jobs, [&](std::size_t task, std::size_t, std::size_t) {
     Walk walk{levels_, ids_, order_, sink, task, total, budget, 0, 0, {}};
     if (walk.exhausted()) return;
     walk.run(tasks_[task].level, tasks_[task].a, tasks_[task].b);
+    step.add(1);
   });
   return total.load() <= budget;
 }

@@ -15,6 +15,8 @@
 
 namespace veritope {
 
+class WorkShare;
+
 /// Two facets of the model.
 using FacetPair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -34,8 +36,10 @@ class BoxGroups {
   /// Finds every unordered pair whose boxes overlap and whose common vertices, if any, are not stars. Which task finds
   /// a pair does not depend on jobs. Stops early and returns false when the work (facets compared with groups, and 8
   /// for each pair) exceeds `budget`: the boxes of long thin facets overlap too much for this method, and what the sink
-  /// has seen is incomplete. Whether it returns false does not depend on jobs either.
-  bool for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink& sink) const;
+  /// has seen is incomplete. Whether it returns false does not depend on jobs either. The tasks are a step of `work`,
+  /// if it is not null.
+  bool for_each_overlap(std::uint64_t budget, unsigned jobs, const Sink& sink,
+                        WorkShare* work = nullptr) const;
   std::size_t num_tasks() const { return tasks_.size(); }
 
   /// Appends the facets whose boxes meet the ray from `from` along +axis (or -axis), in ascending position of the

@@ -7,6 +7,7 @@
 
 #include "predicates/triangle_triangle.h"
 #include "robust/base/parallel.h"
+#include "robust/base/work_share.h"
 #include "solids/polyhedron/approx_overlap.h"
 #include "solids/polyhedron/box_tree.h"
 #include "solids/polyhedron/separator.h"
@@ -162,16 +163,19 @@ struct SeparatorWalk {
 };
 
 std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vector<std::uint32_t>& facets,
-                                        const VertexStars& stars, const Finds& none, unsigned jobs) {
+                                        const VertexStars& stars, const Finds& none, unsigned jobs,
+                                        WorkShare* work) {
   const BoxTree tree(mesh, median_order(mesh, facets, jobs), stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<Finds> finds(parts.size());
+  WorkStep step(work, static_cast<double>(parts.size()));
   parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
     const std::size_t i = parts.size() - 1 - k;  // the longest parts are the last ones: they start first
     SeparatorWalk walk{mesh, tree, SeparatorFinder(mesh, largest), none};
     tree.walk(parts[i], walk);
     finds[i] = std::move(walk.finds);
+    step.add(1);
   });
   return finds;
 }
@@ -180,7 +184,8 @@ std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vec
 
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
-                                  std::size_t max_listed, unsigned jobs, const FaceCopies& copies) {
+                                  std::size_t max_listed, unsigned jobs, const FaceCopies& copies,
+                                  WorkShare* work) {
   ImproperPairs out;
   out.is_ordered = max_listed == 0 || !copies.groups().empty();
   if (facets.empty()) return out;
@@ -189,8 +194,8 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
   const std::uint64_t budget = kBudgetPerFacet * facets.size() + 4096;
   out.long_thin = !boxes.for_each_overlap(budget, jobs, [&](std::size_t task, std::span<const FacetPair> pairs) {
     for (const auto& [f, g] : pairs) finds[task].decide(f, g);
-  });
-  if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, none, jobs);
+  }, work);
+  if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, none, jobs, work);
   finds.push_back(none);
   for (const FaceCopies::Group& group : copies.groups()) finds.back().add_copies(group);
   ImproperPlaces places(mesh);

@@ -10,6 +10,8 @@
 
 namespace veritope {
 
+class WorkShare;
+
 /// The search does not compare the sizes of up to this number of pairs.
 inline constexpr std::size_t kMostUnordered = std::size_t{1} << 14;
 
@@ -27,11 +29,11 @@ struct ImproperPairs {
 /// Finds the pairs among the facets of `boxes` and their copies: a pair of facets stands for as many pairs as they have
 /// copies, and the copies of one facet meet each other.
 /// REQUIRES that none of the facets is degenerate, and that none is a copy of another one. The result does not depend
-/// on jobs.
+/// on jobs. `work` may be null; its steps are the search by boxes and, for long thin facets, the walk.
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs,
-                                  const FaceCopies& copies = {});
+                                  const FaceCopies& copies = {}, WorkShare* work = nullptr);
 
 /// The ordered list of pairs that are not ordered.
 /// @cost approximately 0.5 microseconds a pair.

@@ -122,7 +122,7 @@ class Decision {
                    options_.jobs);
     report_.seconds.boxes = watch_.lap();
     pairs_ = find_improper_pairs(mesh_, *boxes_, facets_, report_.stars, options_.max_defects, options_.jobs,
-                                 copies_);
+                                 copies_, options_.work);
     report_.long_thin = pairs_.long_thin;
     report_.places = std::move(pairs_.places);
     rule(MeshRule::kM7) = report_.counts.selfint_pairs = pairs_.count;

@@ -21,6 +21,8 @@
 
 namespace veritope {
 
+class WorkShare;
+
 /// Exact counts. Faces with a repeated id count in `faces` and `degenerate_faces` only.
 struct MeshCounts {
   std::uint64_t faces = 0;
@@ -52,6 +54,7 @@ struct ShellReport {
 struct ValidityOptions {
   unsigned jobs = 1;              ///< threads; the report is the same for every number
   std::size_t max_defects = 20;   ///< that list_defects can list for each rule; all are counted
+  WorkShare* work = nullptr;      ///< if not null, it shows how many of the comparisons of faces are done
 };
 
 /// Seconds that the parts of the decision took, for bench/ and for curious users.

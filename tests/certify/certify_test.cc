@@ -194,6 +194,26 @@ TEST(Certify, PhasesAreReportedInTheirOrder) {
   EXPECT_EQ(seen, (std::vector{Phase::kDeciding, Phase::kSeekingCollar, Phase::kCertifying}));
 }
 
+TEST(Certify, StepsOfKnownAmountEndWithTheWholeOfIt) {
+  CertifyOptions options;
+  WorkShare work;
+  options.work = &work;
+  double done = 0;
+  options.on_phase = [&](Phase phase) {
+    EXPECT_EQ(work.view().percent(), std::nullopt) << "between phases no step runs";
+    EXPECT_EQ(work.view().done, work.view().whole);
+    if (phase == Phase::kCertifying) done = work.view().done;
+    work.reset();
+  };
+  certify_patches(patch_shapes::sphere(), options);
+  EXPECT_EQ(done, 6) << "the patches that are covered";
+  const std::string box = bytes_of(shapes::box({0, 0, 0}, {1, 2, 3}));
+  EXPECT_EQ(certify(read(box, "box.ply"), options).value().verdict, Verdict::kValid);
+  EXPECT_GT(done, 0) << "the comparisons of faces";
+  EXPECT_GT(work.view().done, 0) << "the parts of the walk that is certified";
+  EXPECT_EQ(work.view().done, work.view().whole);
+}
+
 TEST(Certify, ACollarIsPartOfTheClaimIfOneIsFound) {
   CertifyOptions options;
   options.with_collar = true;

@@ -56,6 +56,32 @@ void expect_leaves(Model& m) {
   EXPECT_TRUE(std::all_of(named.begin(), named.end(), [](bool b) { return b; }));
 }
 
+TEST(StarCover, TheShareThatIsCoveredOnlyGrowsUpToTheWhole) {
+  for (const Patches& patches : {patch_shapes::sphere(), patch_shapes::torus(ratio(3), ratio(1))}) {
+    const PatchComplex complex = complex_of(patches);
+    PieceForest forest = PieceForest::make(complex).value();
+    WorkShare work;
+    StarCoverOptions options;
+    options.work = &work;
+    double last = 0;
+    std::size_t num_views = 0;
+    options.stops_at = [&](PieceForest::Id, std::size_t) {
+      const WorkShare::View view = work.view();
+      EXPECT_EQ(view.step, 1u);
+      EXPECT_EQ(view.whole, static_cast<double>(forest.num_roots()));
+      EXPECT_GE(view.done, last);
+      EXPECT_LT(view.done, view.whole) << "a piece is not covered yet";
+      last = view.done, ++num_views;
+      return false;
+    };
+    const StarCover cover = find_star_cover(forest, options);
+    ASSERT_TRUE(cover.is_complete());
+    EXPECT_GT(num_views, 0u);
+    EXPECT_EQ(work.view().percent(), std::nullopt) << "the step has ended";
+    EXPECT_EQ(work.view().done, work.view().whole);
+  }
+}
+
 // PROVES STAR-1
 // PROVES STAR-1.S1
 TEST(StarCover, CoversSoundModelsAndFindsTheirSides) {

@@ -3,10 +3,11 @@
 """--certificate and --json: where outputs go, what is refused; the checker's word: no verdict without it."""
 import hashlib
 import os
-import stat
+import shutil
 import unittest
 
 import support
+from certify_itd_test import UNIT, polygons
 from support import BIN, INVALID, MODELS, UNREADABLE, VALID, Folder, run
 
 
@@ -141,14 +142,6 @@ class Refusals(Folder):
         self.assert_refused(a, a, "--certificate", self.folder / "certificates", word="would have one certificate")
         self.assertFalse((self.folder / "certificates").exists())
 
-    def test_a_file_where_a_subfolder_of_certificates_goes_is_refused(self):
-        for name in ("x", "y"):
-            (self.folder / name).mkdir()
-        a, b = self.copy("x/a.off"), self.copy("y/a.off")
-        (self.folder / "kept").mkdir()
-        (self.folder / "kept" / "x").write_text("old")
-        self.assert_refused(a, b, "--certificate", self.folder / "kept", status=4, word="cannot be written")
-
     def test_an_input_that_lies_where_a_certificate_goes_is_refused(self):
         a = self.copy("a.off")
         b = self.copy("a.off.cert")
@@ -159,21 +152,95 @@ class Refusals(Folder):
         (self.folder / "file").write_text("old")
         self.assert_refused(a, b, "--certificate", self.folder / "file", word="need a folder")
 
-    def test_an_output_that_cannot_be_written_is_status_4_before_any_work(self):
-        a = self.copy("a.off")
-        self.assert_refused(a, "--certificate", "/nonexistent/c", status=4, word="cannot be written")
-        self.assert_refused(a, "--json", "/nonexistent/c", status=4, word="cannot be written")
-        self.assert_refused(a, "--json", self.folder, status=4, word="directory")
-        self.assert_refused(a, VALID, "--certificate", "/nonexistent/new/folder", status=4, word="cannot be made")
 
-    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
-    def test_an_unwritable_folder_is_status_4(self):
-        a = self.copy("a.off")
-        locked = self.folder / "locked"
-        locked.mkdir()
-        locked.chmod(stat.S_IRUSR | stat.S_IXUSR)
-        self.assert_refused(a, "--certificate", locked / "c", status=4, word="Permission denied")
-        locked.chmod(0o700)
+class Unwritable(Folder):
+    """An output that cannot be written takes no verdict back."""
+
+    def assert_verdict_beside(self, model, *arguments, words, status=4, program=BIN / "veritope", **how):
+        verdict = run("certify", "-q", model, program=program, **how).stdout.splitlines()[0]
+        self.assertRegex(verdict, "^(IN)?VALID ")
+        done = run("certify", "-q", model, *arguments, program=program, **how)
+        self.assertEqual(done.returncode, status, done)
+        self.assertEqual(done.stdout.splitlines()[0].split(), verdict.split(), arguments)
+        self.assertRegex(done.stderr.replace("\n", " "), f"^veritope: .*{words}")
+        self.assertEqual(done.stderr.count("veritope: "), 1, "the reason is printed once: " + done.stderr)
+        return done
+
+    def test_a_folder_that_does_not_exist(self):
+        for option, name in [("--picture", "x.png"), ("--json", "x"), ("--tsv", "x"), ("--certificate", "x")]:
+            path = self.folder / "none" / name
+            self.assert_verdict_beside(VALID, option, path, words=f"none/{name}: cannot be written: No such file")
+            self.assert_verdict_beside(INVALID, option, path, words="No such file", status=1)
+        self.assertEqual(self.listing(), [])
+
+    def test_of_several_inputs_each_verdict_is_printed_and_each_certificate_named(self):
+        other = VALID.with_name("m1_nearest_valid.off")
+        done = run("certify", "-q", VALID, other, INVALID, "--certificate", self.folder / "none" / "new")
+        self.assertEqual((done.returncode, [line.split()[0] for line in done.stdout.splitlines()]), (1, ["VALID", "VALID", "INVALID", "3"]))
+        for words in ("new: the folder cannot be made", *(f"new/{m.name}.cert: cannot be written" for m in (VALID, other, INVALID))):
+            self.assertIn(words, done.stderr.replace("\n", " "))
+        done = run("certify", "-q", VALID, other, "--json", self.folder / "report.json", "--tsv", self.folder)
+        self.assertEqual((done.returncode, self.listing()), (4, ["report.json"]))
+        self.assertIn("cannot be written: it is a directory", done.stderr)
+
+    def test_a_device_that_is_full(self):
+        for option in ("--json", "--tsv", "--certificate"):
+            self.assert_verdict_beside(VALID, option, "/dev/full", words="/dev/full: cannot be written: No space")
+        os.symlink("/dev/full", self.folder / "full.png")
+        self.assert_verdict_beside(VALID, "--picture", self.folder / "full.png", words="full.png: cannot be written: No space")
+        self.assert_verdict_beside(self.polygons(), "--certificate", "/dev/full", words="/dev/full: cannot be written: No space")
+
+    def polygons(self):
+        """A file of which a copy is certified."""
+        path = self.folder / "polygons.itd"
+        path.write_text(polygons(UNIT))
+        return path
+
+    def test_a_copy_that_cannot_be_kept_leaves_no_certificate(self):
+        model = self.polygons()
+        (self.folder / "c.off").mkdir()
+        self.assert_verdict_beside(model, "--certificate", self.folder / "c", words="c.off: cannot be written: it is a directory")
+        done = run("certify", "-q", model, VALID, "--certificate", self.folder / "kept")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        (self.folder / "kept" / "polygons.itd.cert.off").unlink()
+        (self.folder / "kept" / "polygons.itd.cert.off").mkdir()
+        done = run("certify", "-q", model, VALID, "--certificate", self.folder / "kept")
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (4, "2 files: 2 valid"))
+        self.assertRegex(done.stderr.replace("\n", " "), "cert.off: cannot be written: it is a directory")
+        self.assertEqual(self.listing(), ["c.off", "kept", "kept/m3_nearest_valid.off.cert", "kept/polygons.itd.cert",
+                                          "kept/polygons.itd.cert.off", "polygons.itd"])
+
+    def test_a_file_in_the_place_of_a_subfolder_of_certificates(self):
+        for name in ("x", "y"):
+            (self.folder / name).mkdir()
+            shutil.copy(VALID, self.folder / name / "a.off")
+        (self.folder / "kept").mkdir()
+        (self.folder / "kept" / "x").write_text("old")
+        done = run("certify", "-q", self.folder / "x" / "a.off", self.folder / "y" / "a.off", "--certificate", self.folder / "kept")
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (4, "2 files: 2 valid"))
+        self.assertRegex(done.stderr.replace("\n", " "), "kept/x/a.off.cert: cannot be written: Not a directory")
+        self.assertEqual((self.folder / "kept" / "x").read_text(), "old")
+        self.assertTrue((self.folder / "kept" / "y" / "a.off.cert").exists())
+
+    def test_a_folder_that_another_user_may_only_read(self):
+        how = {}
+        if os.geteuid() == 0:  # root may write everywhere
+            how["user"] = how["group"] = 65534
+        self.folder.chmod(0o755)
+        programs, scratch, locked = (self.folder / name for name in ("programs", "scratch", "locked"))
+        for path in (programs, scratch, locked):
+            path.mkdir()
+        for program in ("veritope", "veritope-check"):
+            shutil.copy(BIN / program, programs)
+        scratch.chmod(0o777)
+        shutil.copy(VALID, self.folder / "a.off")
+        (self.folder / "a.off").chmod(0o644)
+        locked.chmod(0o555)
+        how |= {"program": programs / "veritope", "env": {**os.environ, "TMPDIR": str(scratch)}}
+        for option, name in [("--picture", "x.png"), ("--json", "x"), ("--tsv", "x"), ("--certificate", "x")]:
+            self.assert_verdict_beside(self.folder / "a.off", option, locked / name, words=f"locked/{name}: .*Permission denied", **how)
+        self.assertEqual((os.listdir(locked), os.listdir(scratch)), ([], []))
+        locked.chmod(0o755)
 
 
 class Checker(Folder):

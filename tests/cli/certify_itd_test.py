@@ -3,13 +3,14 @@
 import hashlib
 import json
 import math
+import os
 import re
 import subprocess
 import sys
 import unittest
 
 from certify_patches_test import UNIT, block, document, surface
-from support import BIN, CHECKER_PY, DATA, ROOT, Folder, run
+from support import BIN, CHECKER_PY, DATA, ROOT, VALID, Folder, run
 
 sys.path.insert(0, str(ROOT / "verify" / "checker"))
 from veritope_checker.patches import star_box_itd as itd, star_box_read as read  # noqa: E402
@@ -151,6 +152,35 @@ class CertifyItd(Folder):
             done = subprocess.run([*program, copy, self.folder / "model.g2.cert"], capture_output=True, text=True, timeout=300)
             self.assertTrue(done.stdout.startswith("ACCEPT star-box-1"), done)
         self.assertIn("certified    its 6 surfaces, as .vjson", run("certify", g2).stdout)
+
+    def test_copies_beside_their_certificates_are_left_out_of_folders_and_counted(self):
+        self.with_a_plane()
+        (self.folder / "cube.itd").unlink()
+        (self.folder / "kept").mkdir()
+        (self.folder / "kept" / "p.itd").write_text(polygons(UNIT))
+        before = run("certify", "-q", self.folder)
+        self.assertEqual((before.returncode, before.stdout.splitlines()[-1]), (0, "2 files: 2 valid"))
+        for name in ("model.g2", "kept/p.itd"):
+            self.assertEqual(run("certify", "-q", self.folder / name, "--certificate", f"{self.folder / name}.cert").returncode, 0)
+        copies = [self.folder / "model.g2.cert.vjson", self.folder / "kept" / "p.itd.cert.off"]
+        self.assertTrue(all(path.exists() for path in copies))
+        words = "2 copies beside their certificates were left out\n"
+        after = run("certify", "-q", self.folder)
+        self.assertEqual((after.returncode, after.stdout), (0, before.stdout + words))
+        done = run("certify", "--tsv", "-", self.folder)
+        self.assertEqual((len(done.stdout.splitlines()), done.stderr), (3, "veritope: " + words))
+        done = run("certify", "--glob", "*.vjson", self.folder)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("has no models but copies that earlier runs kept", done.stderr.replace("\n", " "))
+        self.assertEqual(run("certify", "-q", *copies).stdout.splitlines()[-1], "2 files: 2 valid", "files that are named are certified")
+        # A name alone says nothing: the certificate must be one, and speak of exactly these bytes.
+        copies[0].write_text(copies[0].read_text() + " ")
+        for name in ("n", "m", "o"):
+            (self.folder / f"{name}.cert.off").write_bytes(VALID.read_bytes())
+        (self.folder / "m.cert").write_text("no certificate\n")
+        os.mkfifo(self.folder / "o.cert")
+        done = run("certify", "-q", self.folder)
+        self.assertEqual(done.stdout.splitlines()[-2:], ["6 files: 6 valid", "1 copy beside its certificate was left out"])
 
     def test_polygons_are_a_mesh_and_a_copy_of_it_is_certified(self):
         path, kept = self.folder / "model.itd", self.folder / "model.cert"

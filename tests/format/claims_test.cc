@@ -231,6 +231,23 @@ TEST(Claims, WhatIsEncodedIsDecodedWithItsModelAndExplained) {
     }
 }
 
+TEST(Claims, TheStatementAloneNamesTheFile) {
+  const std::string text =
+      "{\"certificate\":\"veritope-certificate-1\",\"claim\":\"of-tomorrow\",\"subject_sha256\":"
+      "\"12ab\","
+      "\"subject_bytes\":382}\n";
+  const auto subject_in = [](const std::string& bytes) {
+    return stated_subject({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+  };
+  const auto subject = subject_in(text + "a body that is cut");
+  ASSERT_TRUE(subject);
+  EXPECT_EQ(subject->sha256, "12ab");
+  EXPECT_EQ(subject->bytes, 382U);
+  EXPECT_FALSE(subject_in(text.substr(0, text.size() - 1))) << "the statement has no end";
+  EXPECT_FALSE(subject_in("OFF\n3 1 0\n"));
+  EXPECT_FALSE(subject_in(""));
+}
+
 TEST(Claims, WithoutTheModelVersion1GuessesTheNumberOfSurfaces) {
   const auto all = examples();
   for (const Claim& c : all_claims()) {

@@ -69,6 +69,26 @@ TEST(SolidMarks, HaveRadiiRelativeToTheModel) {
   EXPECT_DOUBLE_EQ(kOctahedronRadius * 400, 2.5);
 }
 
+// The sides of a tube whose ends have the same coordinates in binary32 would have no area in a glTF.
+TEST(SolidMarks, OfLinesThatAreTooShortForBinary32AreOctahedra) {
+  Scene scene = scene_of_a_box();
+  scene.markers.clear();
+  for (const auto& [length, num_triangles] : {std::pair{1e-9, 8u}, {3e-4, 8u}, {5e-4, 24u}}) {
+    scene.lines = {{{{100, 100, 100}, {100, 100 + length, 100}}, kRed}};
+    const auto surfaces = with_solid_marks(scene);
+    ASSERT_EQ(surfaces.size(), 2u);
+    EXPECT_EQ(surfaces[1].triangles.size(), num_triangles) << length;
+    for (const auto& triangle : surfaces[1].triangles) {
+      std::set<std::array<float, 3>> corners;
+      for (const std::uint32_t i : triangle) {
+        const Point3d& p = surfaces[1].points[i];
+        corners.insert({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+      }
+      EXPECT_EQ(corners.size(), 3u) << length;
+    }
+  }
+}
+
 TEST(SolidMarks, StayFiniteEverywhere) {
   constexpr double kMost = 1.7976931348623157e308;
   for (const double size : {5e-324, 1e-300, 1e300, kMost}) {

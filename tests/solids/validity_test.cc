@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "robust/base/work_share.h"
 #include "tests/solids/decision_check.h"
 
 namespace veritope {
@@ -153,6 +154,24 @@ TEST(Validity, SizesAreInModelUnitsAtEveryScale) {
         decide(shapes::scaled(shapes::reversed(shapes::box({0, 0, 0}, {2, 2, 2})), e));
     ASSERT_EQ(r.defects.size(), 1u);
     EXPECT_DOUBLE_EQ(r.defects[0].place.size, std::ldexp(2.0, e)) << e;
+  }
+}
+
+TEST(Validity, StepsOfTheSearchForPairsEndWithTheWholeOfThem) {
+  for (const bool is_thin : {false, true}) {
+    const TriangleMesh mesh = is_thin ? shapes::hyperboloid(300, 90) : shapes::box({0, 0, 0}, {1, 2, 3});
+    for (const unsigned jobs : {1u, 3u}) {
+      WorkShare work;
+      ValidityOptions options;
+      options.jobs = jobs;
+      options.work = &work;
+      EXPECT_EQ(decide_validity(mesh, options).long_thin, is_thin);
+      EXPECT_EQ(work.view().percent(), std::nullopt);
+      EXPECT_GT(work.view().done, 0);
+      EXPECT_EQ(work.view().done, work.view().whole);
+      work.begin(1);
+      EXPECT_EQ(work.view().step, is_thin ? 3u : 2u) << "the walk is a step of its own";
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "io/model_file.h"
 #include "robust/base/result.h"
+#include "robust/base/work_share.h"
 #include "solids/base/finding.h"
 #include "solids/base/verdict.h"
 #include "verify/certify/mesh_facts.h"
@@ -32,6 +33,10 @@ struct CertifyOptions {
   /// How many findings of a mesh are listed for each broken rule, and how many open sides of patches; all are counted.
   std::size_t max_findings = 20;
   std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one
+  /// If not null, it shows another thread how much is done of a step whose amount is known: the comparisons of faces,
+  /// the patches that star boxes cover. Most phases have one such step, some none, and a search that starts anew is
+  /// another one.
+  WorkShare* work = nullptr;
 
   /// Patches: kAuto also reverses shells that are wrongly oriented as a whole. Meshes: kAuto reverses faces if that
   /// alone makes the mesh valid, and the certificate (mesh-reversed-1) says which; otherwise nothing is reversed.

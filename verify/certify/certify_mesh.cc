@@ -51,7 +51,8 @@ Certified certified_reversed(const MeshFile& file, ValidityReport decision,
   out.verdict = Verdict::kValid;
   out.claim = certificate::kReversedClaim;
   out.copy = copy_of(file);
-  out.certificate = make_mesh_certificate(solid, subject_of(file, options), options.jobs);
+  out.certificate =
+      make_mesh_certificate(solid, subject_of(file, options), options.jobs, options.work);
   out.facts =
       MeshFacts{without_evidence(std::move(solid.report)), std::nullopt, std::move(solid.reversal)};
   return out;
@@ -64,6 +65,7 @@ Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOpti
   enter(Phase::kDeciding, options);
   ValidityOptions how;
   how.jobs = options.jobs;
+  how.work = options.work;
   how.max_defects =
       std::max<std::size_t>(options.max_findings, 1);  // the certificate needs one of each rule
   ValidityReport decision = decide_validity(file.mesh, how);
@@ -73,7 +75,7 @@ Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOpti
   enter(Phase::kCertifying, options);
   Certified out;
   out.certificate = make_mesh_certificate(file.mesh, decision, list.defects,
-                                          subject_of(file, options), options.jobs);
+                                          subject_of(file, options), options.jobs, options.work);
   out.verdict = decision.is_valid ? Verdict::kValid : Verdict::kInvalid;
   out.claim = decision.is_valid ? certificate::kValidClaim : certificate::kInvalidClaim;
   out.copy = copy_of(file);

@@ -158,6 +158,7 @@ class Certification {
   FileDecisionOptions decision_options() {
     FileDecisionOptions out;
     out.search.budget = &budget_;
+    out.search.cover.work = options_.work;
     out.search.with_contacts_on_borders =
         kBytesOfGluedPatch * patches_.complex->patches().size() <= file_.bytes;
     if (options_.max_cells) out.search.cover.max_boxes = *options_.max_cells;

@@ -62,7 +62,7 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
 }
 
 void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
-              ValidBody& body) {
+              WorkShare* work, ValidBody& body) {
   const auto facets = all_facets(mesh);
   const BoxTree tree(mesh,
                      report.long_thin ? median_order(mesh, facets, jobs)
@@ -71,12 +71,14 @@ void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned j
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<PartWitness> found(parts.size());
+  WorkStep step(work, static_cast<double>(parts.size()));
   parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
     const std::size_t i =
         parts.size() - 1 - k;  // the longest parts are the last ones: they start first
     CertifyingWalk walk{mesh, tree, report.long_thin, SeparatorFinder(mesh, largest), {}};
     walk.out.pairs = tree.walk(parts[i], walk);
     found[i] = std::move(walk.out);
+    step.add(1);
   });
   std::uint64_t pairs = 0;
   for (PartWitness& p : found) {
@@ -90,12 +92,13 @@ void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned j
   body.order = tree.order();
 }
 
-ValidBody valid_body(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs) {
+ValidBody valid_body(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
+                     WorkShare* work) {
   ValidBody body;
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
   body.stars = report.stars.code;
   for (const auto& [vertex, direction] : report.stars.own) body.star_vectors.push_back(direction);
-  add_walk(mesh, report, jobs, body);
+  add_walk(mesh, report, jobs, work, body);
   if (report.shells.size() > 1) body.nesting = report.nesting.axis_code;
   return body;
 }
@@ -198,19 +201,21 @@ InvalidBody invalid_body(const TriangleMesh& mesh, std::span<const Finding> defe
 
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,
                                          std::span<const Finding> defects,
-                                         const certificate::Subject& subject, unsigned jobs) {
+                                         const certificate::Subject& subject, unsigned jobs,
+                                         WorkShare* work) {
   const WorkerScope workers(std::max(1u, jobs));
   if (report.is_valid)
-    return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs));
+    return certificate::encode(subject, quantities(report), valid_body(mesh, report, jobs, work));
   return certificate::encode(subject, invalid_body(mesh, defects));
 }
 
 certificate::Bytes make_mesh_certificate(const ReversedSolid& solid,
-                                         const certificate::Subject& subject, unsigned jobs) {
+                                         const certificate::Subject& subject, unsigned jobs,
+                                         WorkShare* work) {
   const WorkerScope workers(std::max(1u, jobs));
   VT_CHECK(solid.report.is_valid, "a reversal does not make the mesh valid");
   const ReversedBody body{bits_of(solid.reversal.is_reversed),
-                          valid_body(solid.mesh, solid.report, jobs)};
+                          valid_body(solid.mesh, solid.report, jobs, work)};
   return certificate::encode(subject, quantities(solid.report), body, solid.reversal.whole_shells);
 }
 

@@ -30,7 +30,8 @@ class CoverSearch {
         search_(forest, options),
         zeros_(forest, options),
         frames_(forest, options.growth, options.least_framed_unit, options.least_unit),
-        framed_share_(forest.budget()) {
+        framed_share_(forest.budget()),
+        step_(options.work, static_cast<double>(forest.num_roots())) {
     if (const MemoryBudget* budget = forest.budget(); budget != nullptr)
       most_nodes_ = std::min<std::uint64_t>(most_nodes_,
                                             std::max(kFewNodes, budget->limit() / kBudgetOfNode));
@@ -44,6 +45,7 @@ class CoverSearch {
       const Open next = open_.top();
       open_.pop();
       if (!is_covered(next.id)) cover(next);
+      if (is_covered(next.id)) count_covered(next.id);
       if (lacks_memory(next.id)) try_again_with_fewer_nodes(next);
       const std::size_t nodes = forest_.num_nodes() - forest_.num_dropped();
       if (nodes > most_nodes_ && out_.is_complete()) drop_nodes();  // an obstacle names nodes
@@ -87,6 +89,9 @@ class CoverSearch {
       if (box_of(id) != StarCover::kNone) return true;
     return false;
   }
+
+  // The pieces that wait are apart from each other, so that each part of a patch counts once.
+  void count_covered(Id id) { step_.add(std::ldexp(1.0, -2 * forest_.node(id).level)); }
 
   void cover(const Open& open) {
     const Id id = open.id;
@@ -133,6 +138,8 @@ class CoverSearch {
       if (!is_covered(open_.top().id)) {
         open.push_back(open_.top());
         is_open[open.back().id] = true;
+      } else {
+        count_covered(open_.top().id);
       }
     open_ = std::priority_queue<Open>({}, std::move(open));
     for (std::uint32_t r = 0; r < forest_.num_roots(); ++r) drop_below(forest_.root(r), is_open);
@@ -232,6 +239,7 @@ class CoverSearch {
   FrameSearch frames_;
   StarCover out_;
   MemoryShare framed_share_;
+  WorkStep step_;
   std::priority_queue<Open> open_;
   std::uint64_t next_number_ = 0;
   std::size_t most_nodes_ = options_.most_nodes;

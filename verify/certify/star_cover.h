@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "robust/base/work_share.h"
 #include "solids/star_box/star_box.h"
 #include "verify/certify/frame_search.h"
 
@@ -30,6 +31,9 @@ struct StarCoverOptions {
   double least_framed_unit = 0x1p-34;  ///< the least unit of boxes in frames
   /// Called for each piece without a star box of its own size; the search stops if it returns true.
   std::function<bool(PieceForest::Id piece, std::size_t boxes_tried)> stops_at;
+  /// If not null, a step of it shows how much of the patches is covered: each root of the forest counts as 1, a piece
+  /// as its share of the root's parameter domain.
+  WorkShare* work = nullptr;
 };
 
 /// A box and centres on the grid of multiples of unit, a power of two.

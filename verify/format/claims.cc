@@ -17,8 +17,7 @@ namespace {
 using internal::ByteReader;
 
 constexpr std::string_view kMeshes = "stl,obj,ply,off";
-constexpr std::string_view kSplines =
-    "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
+constexpr std::string_view kSplines = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
 constexpr std::string_view kStarNumbers =
     "bodies boxes edges flipped genus patches shells vertices";
 
@@ -178,6 +177,14 @@ std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned ch
   if (!decoded) return std::nullopt;
   out.body = std::move(*decoded);
   return out;
+}
+
+std::optional<StatedSubject> stated_subject(std::span<const unsigned char> bytes) {
+  std::string why;
+  const auto statement = internal::statement_line(bytes, why);
+  if (!statement || value_of(*statement, "certificate") != kFormatName) return std::nullopt;
+  return StatedSubject{std::string(value_of(*statement, "subject_sha256")),
+                       number_of(*statement, "subject_bytes")};
 }
 
 std::optional<std::string> explain_certificate(std::span<const unsigned char> bytes,

@@ -3,6 +3,7 @@
 // written apart. The pages: docs/certificates. A new claim is one row here (docs/how-to/add-a-certificate.md).
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -70,6 +71,14 @@ struct DecodedCertificate {
 std::optional<DecodedCertificate> decode_certificate(std::span<const unsigned char> bytes,
                                                      std::string& why,
                                                      const ModelKinds* model = nullptr);
+/// The file of which a certificate speaks.
+struct StatedSubject {
+  std::string sha256;  ///< as the statement has it
+  std::uint64_t bytes = 0;
+};
+/// What the statement says; the body is not looked at, and may be missing.
+/// @return nothing if the bytes do not begin as those of a certificate do
+std::optional<StatedSubject> stated_subject(std::span<const unsigned char> bytes);
 /// A text that a person can read: the statement, key by key, then the body.
 std::optional<std::string> explain_certificate(std::span<const unsigned char> bytes,
                                                std::size_t max_items, std::string& why,

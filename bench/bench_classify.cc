@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_classify.cc [MODEL]: ns a point of the classifier of meshes beside CGAL's Side_of_triangle_mesh and, if it
-// is there, Embree's parity, for points that are uniform in the box and within 1e-3 and 1e-7 of the diagonal from the
+// bench/bench_classify.cc [MODEL]: ns a point of the classifier of meshes beside CGAL's Side_of_triangle_mesh and, if
+// it is there, Embree's parity, for points that are uniform in the box and within 1e-3 and 1e-7 of the diagonal from the
 // surface. One thread. The peers' wrong answers are counted by ours, which CGAL's confirm.
 #include <cmath>
 #include <cstdio>
@@ -40,7 +40,9 @@ std::vector<Vec3d> near_points(const TriangleMesh& mesh, double distance, Random
     const auto& t = mesh.faces[random.below(mesh.faces.size())];
     double s = random.unit(), r = random.unit();
     if (s + r > 1) s = 1 - s, r = 1 - r;
-    const auto mix = [&](double a, double b, double c) { return a + s * (b - a) + r * (c - a) + offset(); };
+    const auto mix = [&](double a, double b, double c) {
+      return a + s * (b - a) + r * (c - a) + offset();
+    };
     const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     p = {mix(a.x, b.x, c.x), mix(a.y, b.y, c.y), mix(a.z, b.z, c.z)};
   }
@@ -86,26 +88,34 @@ void rows(const std::string& name) {
   const Stopwatch build_cgal;
   const CgalSides cgal(mesh);
   const double cgal_build_ns = build_cgal.ns() / facets;
-  std::printf("{\"row\":\"classify_%s_build_vs_cgal\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns/facet\","
-              "\"bytes_a_facet\":%.1f,\"cells\":%llu}\n",
-              name.c_str(), build_ns, cgal_build_ns, static_cast<double>(made->lookup().bytes) / facets,
-              static_cast<unsigned long long>(made->lookup().cells));
+  std::printf(
+      "{\"row\":\"classify_%s_build_vs_cgal\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns/facet\","
+      "\"bytes_a_facet\":%.1f,\"cells\":%llu}\n",
+      name.c_str(), build_ns, cgal_build_ns, static_cast<double>(made->lookup().bytes) / facets,
+      static_cast<unsigned long long>(made->lookup().cells));
 #ifdef VERITOPE_BENCH_EMBREE
   const EmbreeSides embree(mesh);
 #endif
   const Box3d box = bounding_box_of_faces(mesh, 1);
-  const double diagonal = std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
+  const double diagonal =
+      std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
   for (const char* const kind : {"uniform", "1e-3", "1e-7"}) {
     Random random(1);
     const bool is_uniform = kind[0] == 'u';
-    const auto points = is_uniform ? uniform_points(box, random) : near_points(mesh, std::atof(kind) * diagonal, random);
+    const auto points = is_uniform ? uniform_points(box, random)
+                                   : near_points(mesh, std::atof(kind) * diagonal, random);
     std::vector<PointAnswer> ours(points.size());
-    const double ns = least_ns([&] { made->classify(points, ours, 1); }) / static_cast<double>(points.size());
+    const double ns =
+        least_ns([&] { made->classify(points, ours, 1); }) / static_cast<double>(points.size());
     const auto print = [&](const char* peer, double peer_ns, double peer_build, std::size_t wrong) {
-      std::printf("{\"row\":\"classify_%s_%s_vs_%s\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns/point\",\"different\":%zu", name.c_str(),
-                  kind, peer, ns, peer_ns, wrong);
+      std::printf(
+          "{\"row\":\"classify_%s_%s_vs_%s\",\"ours\":%.1f,\"peer\":%.1f,\"unit\":\"ns/"
+          "point\",\"different\":%zu",
+          name.c_str(), kind, peer, ns, peer_ns, wrong);
       // Points after which our longer building has paid.
-      if (peer_build > 0 && peer_ns > ns) std::printf(",\"pays_after\":%.0f", std::max(0.0, (build_ns - peer_build) * facets / (peer_ns - ns)));
+      if (peer_build > 0 && peer_ns > ns)
+        std::printf(",\"pays_after\":%.0f",
+                    std::max(0.0, (build_ns - peer_build) * facets / (peer_ns - ns)));
       std::printf("}\n");
       std::fflush(stdout);
     };

@@ -31,15 +31,15 @@ struct EmbreeSides::Impl {
 
 EmbreeSides::EmbreeSides(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
   const RTCGeometry g = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* p = static_cast<float*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                        12, mesh.positions.size()));
+  auto* p = static_cast<float*>(rtcSetNewGeometryBuffer(
+      g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
   for (const Vec3d& v : mesh.positions) {
     *p++ = static_cast<float>(v.x);
     *p++ = static_cast<float>(v.y);
     *p++ = static_cast<float>(v.z);
   }
-  auto* f = static_cast<unsigned*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                           12, mesh.faces.size()));
+  auto* f = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.faces.size()));
   for (const auto& t : mesh.faces)
     for (const std::uint32_t v : t) *f++ = v;
   rtcSetGeometryOccludedFilterFunction(g, count_hit);

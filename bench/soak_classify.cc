@@ -24,7 +24,8 @@ namespace veritope::bench {
 namespace {
 
 enum Kind { kUniform, kOnFacet, kOnEdge, kVertex, kTwoCoordinates, kNumKinds };
-constexpr const char* kNames[kNumKinds] = {"uniform", "on_facets", "on_edges", "vertices", "two_coordinates"};
+constexpr const char* kNames[kNumKinds] = {"uniform", "on_facets", "on_edges", "vertices",
+                                           "two_coordinates"};
 
 struct Tally {
   std::uint64_t points = 0, on = 0, wrong = 0;
@@ -33,7 +34,9 @@ struct Tally {
 Vec3d point_of(Kind kind, const TriangleMesh& mesh, const Box3d& box, Random& random) {
   const auto& t = mesh.faces[random.below(mesh.faces.size())];
   const Vec3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-  const auto between = [&](std::size_t k) { return box.lo[k] + random.unit() * (box.hi[k] - box.lo[k]); };
+  const auto between = [&](std::size_t k) {
+    return box.lo[k] + random.unit() * (box.hi[k] - box.lo[k]);
+  };
   double s = random.unit(), r = kind == kOnFacet ? random.unit() : 0;
   if (s + r > 1) s = 1 - s, r = 1 - r;
   const auto mix = [&](double x, double y, double z) { return x + s * (y - x) + r * (z - x); };
@@ -74,7 +77,8 @@ class Soak {
   void against_arithmetic(int size) {
     std::set<std::array<int, 3>> cells;
     for (int i = 0; i < size * size * size / 2; ++i)
-      cells.insert({static_cast<int>(random_.below(size)), static_cast<int>(random_.below(size)), static_cast<int>(random_.below(size))});
+      cells.insert({static_cast<int>(random_.below(size)), static_cast<int>(random_.below(size)),
+                    static_cast<int>(random_.below(size))});
     const TriangleMesh mesh = cubes(cells);
     const auto is_cell = [&](double x, double y, double z) {
       return cells.count({static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)}) != 0;
@@ -82,7 +86,9 @@ class Soak {
     compare("cubes", mesh, [&](const Vec3d& p) {
       std::size_t in = 0;
       for (int i = 0; i < 8; ++i) {
-        const auto low = [&](double c, int bit) { return (i >> bit & 1) != 0 ? std::ceil(c) - 1 : std::floor(c); };
+        const auto low = [&](double c, int bit) {
+          return (i >> bit & 1) != 0 ? std::ceil(c) - 1 : std::floor(c);
+        };
         in += is_cell(low(p.x, 0), low(p.y, 1), low(p.z, 2)) ? 1 : 0;
       }
       return in == 0 ? Side::kOut : in == 8 ? Side::kIn : Side::kOn;
@@ -93,9 +99,12 @@ class Soak {
     std::uint64_t wrong = 0;
     for (int k = 0; k < kNumKinds; ++k) {
       const Tally& t = tallies_[k];
-      std::printf("{\"name\":\"classify_meshes_%s_wrong\",\"value\":%llu,\"goal\":\"0\",\"points\":%llu,\"on\":%llu,\"models\":%d}\n", kNames[k],
-                  static_cast<unsigned long long>(t.wrong), static_cast<unsigned long long>(t.points),
-                  static_cast<unsigned long long>(t.on), models_);
+      std::printf(
+          "{\"name\":\"classify_meshes_%s_wrong\",\"value\":%llu,\"goal\":\"0\",\"points\":%llu,"
+          "\"on\":%llu,\"models\":%d}\n",
+          kNames[k], static_cast<unsigned long long>(t.wrong),
+          static_cast<unsigned long long>(t.points), static_cast<unsigned long long>(t.on),
+          models_);
       wrong += t.wrong;
     }
     return wrong;
@@ -149,7 +158,8 @@ class Soak {
         tallies_[k].wrong += is_wrong ? 1 : 0;
         tallies_[k].on += answers[i].is_on() ? 1 : 0;
         if (is_wrong)
-          std::fprintf(stderr, "%s: %a %a %a\n", name.c_str(), points[i].x, points[i].y, points[i].z);
+          std::fprintf(stderr, "%s: %a %a %a\n", name.c_str(), points[i].x, points[i].y,
+                       points[i].z);
       }
       tallies_[k].points += points.size();
     }
@@ -167,8 +177,11 @@ class Soak {
 int main(int argc, char** argv) {
   using namespace veritope;
   std::uint64_t points = 200000, seed = 1;
-  std::string folder = std::getenv("VERITOPE_DATA") != nullptr ? std::string(std::getenv("VERITOPE_DATA")) + "/mesh" : "../shared/data/mesh";
-  bench::read_arguments(argc, argv, {{"--points", &points}, {"--seed", &seed}, {"--folder", &folder}});
+  std::string folder = std::getenv("VERITOPE_DATA") != nullptr
+                           ? std::string(std::getenv("VERITOPE_DATA")) + "/mesh"
+                           : "../shared/data/mesh";
+  bench::read_arguments(argc, argv,
+                        {{"--points", &points}, {"--seed", &seed}, {"--folder", &folder}});
   bench::Soak soak(points, seed);
   for (const int size : {3, 6, 12}) soak.against_arithmetic(size);
   std::vector<std::string> paths;

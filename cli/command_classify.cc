@@ -36,13 +36,15 @@ std::string take_decimals(const std::string& text, std::optional<Decimals>& deci
 }
 
 void declare(OptionSet& set, ClassifyOptions& o) {
-  set.operands("MODEL POINTS", o.files, "a closed mesh; three coordinates a line, or .npy; - is standard input", 2);
+  set.operands("MODEL POINTS", o.files, "a mesh, and points as text or .npy; - is standard input",
+               2);
   set.output("-o,--output", o.output, "write the answers (standard output)");
   set.text("--certificate", o.certificate, "keep the certificate of the answers; needs -o");
   declare_json(set, o.json, "write the counts");
-  set.flag("--winding", o.winding, "winding numbers around any closed surface, valid or not");
-  set.option("--decimals", "HOW", [&o](const std::string& t) { return take_decimals(t, o.decimals); },
-             "nearest: rounded to binary64 (default); or exact");
+  set.flag("--winding", o.winding, "around any closed surface, valid or not");
+  set.option(
+      "--decimals", "HOW", [&o](const std::string& t) { return take_decimals(t, o.decimals); },
+      "nearest: rounded to binary64 (default); or exact");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
   declare_format(set, o.input);
@@ -50,7 +52,8 @@ void declare(OptionSet& set, ClassifyOptions& o) {
 }
 
 std::string contradiction(const ClassifyOptions& o) {
-  if (o.certificate && (!o.output || *o.output == "-")) return "--certificate needs -o with a file name";
+  if (o.certificate && (!o.output || *o.output == "-"))
+    return "--certificate needs -o with a file name";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   if (o.json == "-" && (!o.output || *o.output == "-"))
     return "the answers and --json would both write standard output";
@@ -87,8 +90,7 @@ class ClassifyRun {
   const std::string& path() const { return options_.files[0]; }
 
   Status check_outputs() const {
-    const Result<OutputPlan> plan =
-        plan_outputs({path()}, options_.certificate, options_.json);
+    const Result<OutputPlan> plan = plan_outputs({path()}, options_.certificate, options_.json);
     if (!plan) return plan.error();
     if (options_.output && *options_.output != "-")
       if (const Status status =
@@ -153,7 +155,8 @@ class ClassifyRun {
     const auto jobs = static_cast<unsigned>(options_.jobs);
     const SurfaceTopology topology = analyse_surface(
         mesh.faces,
-        Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs), 0, jobs);
+        Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs), 0,
+        jobs);
     model_.shells.emplace();
     model_.shells->shell_of_face.assign(topology.shell_of_face.data(),
                                         topology.shell_of_face.data() + mesh.faces.size());
@@ -178,7 +181,8 @@ class ClassifyRun {
     }
     const WriteAnswers write = [&](std::string_view lines) -> Status {
       if (answers) return answers->write(lines);
-      if (options_.output && *options_.output != "-") return write_output(*options_.output, lines, out_);
+      if (options_.output && *options_.output != "-")
+        return write_output(*options_.output, lines, out_);
       out_.write(lines);
       return out_.status();
     };
@@ -209,11 +213,12 @@ class ClassifyRun {
       const Result<ScratchFile> scratch = ScratchFile::with(text);
       if (!scratch) return refuse(scratch.error());
       const CheckerOutcome outcome =
-          run_checker(checker_, path(), scratch->path(),
-                      std::string(certificate::kPointsClaim), {scratch->descriptor()}, *options_.output);
+          run_checker(checker_, path(), scratch->path(), std::string(certificate::kPointsClaim),
+                      {scratch->descriptor()}, *options_.output);
       progress_.clear();
       if (!outcome.is_accepted) {
-        const bool is_short = !outcome.is_started || outcome.lacks_resources || outcome.exceeds_work;
+        const bool is_short =
+            !outcome.is_started || outcome.lacks_resources || outcome.exceeds_work;
         complain(harmless("the certificate is not kept: veritope-check " +
                           (outcome.is_started ? "says " + outcome.words : outcome.words)));
         report_.certificate.reset();

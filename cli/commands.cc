@@ -14,7 +14,7 @@ constexpr std::array<Command, 12> kCommands = {{
     {"project",
      "find all critical points of the distance from a point\nto curves and surfaces, and prove it",
      declare_project},
-    {"classify", "tell of points whether they are in, on or out of a solid", declare_classify},
+    {"classify", "decide whether points are in, on or out of a solid", declare_classify},
     {"cover", "write the boxes and cells of a proof, to look at", declare_cover},
     {"explain", "explain a rule or an answer; without RULE list them", declare_explain},
     {"explain-certificate", "print a certificate as text", declare_explain_certificate},

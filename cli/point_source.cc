@@ -91,7 +91,8 @@ class NpyPoints : public PointSource {
       const Vec3d p = npy_row(header_, row.data());
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
         return error(Code::kNotFinite, "row " + std::to_string(row_) + " is not finite");
-      const std::array<std::string, 3> text = {hexadecimal(p.x), hexadecimal(p.y), hexadecimal(p.z)};
+      const std::array<std::string, 3> text = {hexadecimal(p.x), hexadecimal(p.y),
+                                               hexadecimal(p.z)};
       batch.add({text[0], text[1], text[2]}, p);
     }
     return batch.size() == 0 ? check_end() : ok_status();

@@ -76,7 +76,8 @@ Bits load(const unsigned char* p, bool is_big_endian) {
 }  // namespace
 
 bool looks_like_npy(std::span<const unsigned char> bytes) {
-  return bytes.size() >= kMagic.size() && std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) == 0;
+  return bytes.size() >= kMagic.size() &&
+         std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) == 0;
 }
 
 Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes) {
@@ -85,9 +86,8 @@ Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes) {
   const unsigned version = bytes[6];
   if (version < 1 || version > 3) return refused("of version " + std::to_string(version));
   const std::size_t begin = version == 1 ? 10 : 12;
-  const std::size_t length = version == 1
-                                 ? bytes[8] + 256u * bytes[9]
-                                 : load<std::uint32_t>(bytes.data() + 8, false);
+  const std::size_t length =
+      version == 1 ? bytes[8] + 256u * bytes[9] : load<std::uint32_t>(bytes.data() + 8, false);
   if (length > kMostNpyHeader - begin) return broken("its header is too long");
   if (length > bytes.size() - begin) return broken("it ends in its header");
   const Dictionary header({reinterpret_cast<const char*>(bytes.data()) + begin, length});

@@ -12,9 +12,9 @@
 namespace veritope {
 
 struct NpyHeader {
-  std::size_t num_bytes = 0;   ///< of the header; the rows follow
+  std::size_t num_bytes = 0;  ///< of the header; the rows follow
   std::uint64_t num_points = 0;
-  bool is_double = true;       ///< false: binary32
+  bool is_double = true;  ///< false: binary32
   bool is_big_endian = false;
   std::size_t row_bytes() const { return is_double ? 24 : 12; }
 };

@@ -14,9 +14,9 @@ bool is_mark(char c) { return c == ',' || c == ';'; }
 
 struct Split {
   std::array<std::string_view, 3> tokens;
-  std::size_t count = 0;            ///< of all tokens, also beyond three
-  std::size_t fault = 0;            ///< the column of a mark without a token before or after it; 0: none
-  std::size_t fourth = 0;           ///< the column of the fourth token
+  std::size_t count = 0;   ///< of all tokens, also beyond three
+  std::size_t fault = 0;   ///< the column of a mark without a token before or after it; 0: none
+  std::size_t fourth = 0;  ///< the column of the fourth token
 };
 
 // Between two tokens: gaps with at most one mark.
@@ -57,7 +57,8 @@ std::string sentence(DecimalFault fault, std::string_view token, const ReadLimit
   switch (fault) {
     case DecimalFault::kNotFinite: return quoted(token) + " is not finite";
     case DecimalFault::kDigits:
-      return quoted(token) + " has more digits than --max-digits " + std::to_string(limits.max_digits);
+      return quoted(token) + " has more digits than --max-digits " +
+             std::to_string(limits.max_digits);
     case DecimalFault::kExponent:
       return quoted(token) + " has an exponent over --max-exponent " +
              std::to_string(limits.max_exponent);
@@ -66,9 +67,7 @@ std::string sentence(DecimalFault fault, std::string_view token, const ReadLimit
   }
 }
 
-bool is_decimal(std::string_view token) {
-  return token.find_first_of("xX/") == token.npos;
-}
+bool is_decimal(std::string_view token) { return token.find_first_of("xX/") == token.npos; }
 
 }  // namespace
 
@@ -120,13 +119,15 @@ std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<P
   if (!fault && parts.fault != 0)
     fault = PointFault{parts.fault, "a number is missing beside this mark"};
   if (!fault && parts.count != 3)
-    fault = PointFault{parts.count > 3 ? parts.fourth : line.size() + 1,
-                       "a point has three coordinates, but there are " + std::to_string(parts.count)};
+    fault =
+        PointFault{parts.count > 3 ? parts.fourth : line.size() + 1,
+                   "a point has three coordinates, but there are " + std::to_string(parts.count)};
   if (fault) return std::nullopt;
   out.tokens = parts.tokens;
   const auto is_double = [&](std::size_t k) { return std::holds_alternative<double>(values[k]); };
   if (is_double(0) && is_double(1) && is_double(2)) {
-    out.point = Vec3d{std::get<double>(values[0]), std::get<double>(values[1]), std::get<double>(values[2])};
+    out.point = Vec3d{std::get<double>(values[0]), std::get<double>(values[1]),
+                      std::get<double>(values[2])};
     return out;
   }
   ExactPoint exact;

@@ -30,11 +30,12 @@ struct PointFault {
   std::string message;
 };
 
-/// Reads the lines of one file. Coordinates are decimals, hexadecimal numbers or fractions p/q (io/base/exact_number.h),
-/// separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal numbers are exact.
+/// Reads the lines of one file. Coordinates are decimals, hexadecimal numbers or fractions p/q
+/// (io/base/exact_number.h), separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal numbers are exact.
 class PointLines {
  public:
-  PointLines(Decimals decimals, const ReadLimits& limits) : decimals_(decimals), limits_(limits), reader_(limits) {}
+  PointLines(Decimals decimals, const ReadLimits& limits)
+      : decimals_(decimals), limits_(limits), reader_(limits) {}
 
   /// Nothing for a line without a point: empty, a comment after #, or a first line without any number. REQUIRES 8
   /// readable bytes after the line.
@@ -42,7 +43,8 @@ class PointLines {
   std::optional<ReadPoint> read(std::string_view line, std::optional<PointFault>& fault);
 
  private:
-  bool read_token(std::string_view token, std::variant<double, Rational>& value, std::string& why) const;
+  bool read_token(std::string_view token, std::variant<double, Rational>& value,
+                  std::string& why) const;
 
   Decimals decimals_;
   ReadLimits limits_;

@@ -15,9 +15,10 @@ namespace {
 enum NodeKind : std::uint32_t { kInner = 0, kEmpty = 1u << 30, kOccupied = 2u << 30 };
 constexpr std::uint32_t kNumber = (1u << 30) - 1;
 
-constexpr int kIndexBits = 20;           // of a cell's place along an axis: no cell is smaller
-constexpr std::size_t kFewFacets = 6;    // a cell with no more is not divided
-constexpr std::uint64_t kMostCopies = 10;  // facets of all cells together, for each facet of the mesh
+constexpr int kIndexBits = 20;         // of a cell's place along an axis: no cell is smaller
+constexpr std::size_t kFewFacets = 6;  // a cell with no more is not divided
+constexpr std::uint64_t kMostCopies =
+    10;  // facets of all cells together, for each facet of the mesh
 
 struct Reference {
   Vec3d point;
@@ -49,8 +50,7 @@ std::optional<OctreeFrame> OctreeFrame::around(const Box3d& box) {
 
 class CellOctree::Builder {
  public:
-  Builder(CellOctree& tree, const FacetTests& tests, std::uint32_t num_facets,
-          ShellChains& chains)
+  Builder(CellOctree& tree, const FacetTests& tests, std::uint32_t num_facets, ShellChains& chains)
       : tree_(tree), tests_(tests), chains_(chains), num_facets_(num_facets) {
     boxes_.reserve(num_facets);
     for (std::uint32_t f = 0; f < num_facets; ++f) {
@@ -88,9 +88,11 @@ class CellOctree::Builder {
       if (b.hi[k] < lo[k] - m || b.lo[k] > lo[k] + cell.size + m) return false;
     const SessionPlane& plane = tests_.plane(f);
     const double half = 0.5 * cell.size + 2 * m;
-    const double r = (std::abs(double(plane.x)) + std::abs(double(plane.y)) + std::abs(double(plane.z))) * half;
+    const double r =
+        (std::abs(double(plane.x)) + std::abs(double(plane.y)) + std::abs(double(plane.z))) * half;
     const double value = Session3d::plane_value(plane, cell.centre());
-    return !is_certain(sign_beyond(value, r * (1 + 0x1p-40) + 4 * tests_.session().orient3d_error()));
+    return !is_certain(
+        sign_beyond(value, r * (1 + 0x1p-40) + 4 * tests_.session().orient3d_error()));
   }
 
   // The label at `to`, at the end of a segment from a reference of a cell that contains both; nothing if the segment
@@ -119,8 +121,8 @@ class CellOctree::Builder {
                        chains_.after(from.label.chain, change.shells)};
   }
 
-  // A point of the cell with its label, found from a reference of a cell that contains it and meets `facets` only. If it
-  // `must_serve`, it lies on no plane of them.
+  // A point of the cell with its label, found from a reference of a cell that contains it and meets `facets` only. If
+  // it `must_serve`, it lies on no plane of them.
   std::optional<Reference> reference_in(const OctreeCell& cell, const Reference& from,
                                         const std::vector<std::uint32_t>& facets, bool must_serve) {
     if (cell.contains(from.point) && (!must_serve || is_off_planes(facets, from.point)))
@@ -133,8 +135,9 @@ class CellOctree::Builder {
     return std::nullopt;
   }
 
-  void build(std::size_t node, const OctreeCell& cell, int level, const std::vector<std::uint32_t>& facets,
-             const std::optional<Reference>& reference, std::uint64_t budget) {
+  void build(std::size_t node, const OctreeCell& cell, int level,
+             const std::vector<std::uint32_t>& facets, const std::optional<Reference>& reference,
+             std::uint64_t budget) {
     if (!reference) return set_occupied(node, facets, std::nullopt);
     if (facets.empty()) return set_empty(node, reference->label);
     std::array<std::vector<std::uint32_t>, 8> parts;
@@ -156,8 +159,8 @@ class CellOctree::Builder {
   }
 
   // False if the parts have too many facets in all.
-  bool divide(const OctreeCell& cell, const std::vector<std::uint32_t>& facets, std::uint64_t budget,
-              std::array<std::vector<std::uint32_t>, 8>& parts) const {
+  bool divide(const OctreeCell& cell, const std::vector<std::uint32_t>& facets,
+              std::uint64_t budget, std::array<std::vector<std::uint32_t>, 8>& parts) const {
     std::uint64_t copies = 0;
     for (unsigned i = 0; i < 8; ++i) {
       const OctreeCell child = cell.child(i);
@@ -201,8 +204,8 @@ class CellOctree::Builder {
   std::map<RegionLabel, std::uint32_t> labels_;
 };
 
-CellOctree::CellOctree(const FacetTests& tests, const OctreeFrame& frame,
-                       std::uint32_t num_facets, ShellChains& chains)
+CellOctree::CellOctree(const FacetTests& tests, const OctreeFrame& frame, std::uint32_t num_facets,
+                       ShellChains& chains)
     : frame_(frame) {
   Builder(*this, tests, num_facets, chains).build();
   make_grid(num_facets);
@@ -256,7 +259,8 @@ CellOctree::Found CellOctree::find(const Vec3d& q) const {
   const std::uint32_t x = index(q.x, frame_.origin.x), y = index(q.y, frame_.origin.y),
                       z = index(q.z, frame_.origin.z);
   int bit = kIndexBits - grid_level_;
-  Node node = grid_[(((std::size_t{z >> bit} << grid_level_) + (y >> bit)) << grid_level_) + (x >> bit)];
+  Node node =
+      grid_[(((std::size_t{z >> bit} << grid_level_) + (y >> bit)) << grid_level_) + (x >> bit)];
   while (node < kEmpty) {
     --bit;
     node = nodes_[node + ((x >> bit & 1) | (y >> bit & 1) << 1 | (z >> bit & 1) << 2)];

@@ -48,8 +48,8 @@ struct OctreeCell {
   double size = 0;
 
   Vec3d centre() const { return {lo.x + 0.5 * size, lo.y + 0.5 * size, lo.z + 0.5 * size}; }
-  /// One of some points in the middle of the cell, spread without a pattern that a model could share: multiples of 1/128
-  /// of its size. REQUIRES 0 <= i < kNumPoints.
+  /// One of some points in the middle of the cell, spread without a pattern that a model could share: multiples of
+  /// 1/128 of its size. REQUIRES 0 <= i < kNumPoints.
   Vec3d point(int i) const {
     const Vec3d c = centre();
     const double step = size / 128;
@@ -71,8 +71,9 @@ struct OctreeCell {
 /// The cube of the root, whose cells have exact corners in binary64.
 struct OctreeFrame {
   Vec3d origin;
-  double size = 0;     ///< a power of two
-  double margin = 0;   ///< cells are taken greater by this much on all sides, so that roundings do not matter
+  double size = 0;  ///< a power of two
+  double margin =
+      0;  ///< cells are taken greater by this much on all sides, so that roundings do not matter
   int max_level = 0;
   /// Nothing if the box is too large, or a point. REQUIRES a finite box.
   static std::optional<OctreeFrame> around(const Box3d& box);
@@ -86,9 +87,9 @@ class CellOctree {
 
   /// The cell of a point of the box: the label of an empty cell, or an occupied cell.
   struct Found {
-    const RegionLabel* label = nullptr;       ///< of an empty cell
+    const RegionLabel* label = nullptr;  ///< of an empty cell
     const OccupiedCell* occupied = nullptr;
-    OctreeCell cell;                          ///< of an occupied cell
+    OctreeCell cell;  ///< of an occupied cell
   };
   Found find(const Vec3d& q) const;
   std::span<const CellFacet> facets(const OccupiedCell& cell) const {

@@ -68,7 +68,8 @@ Sign FacetTests::side(std::uint32_t facet, const ExactPoint& q) const {
 
 Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const Vec3d& to) const {
   const auto t = corners(facet);
-  const Sign ab = session_.orient3d(from, to, t[0], t[1]), bc = session_.orient3d(from, to, t[1], t[2]);
+  const Sign ab = session_.orient3d(from, to, t[0], t[1]),
+             bc = session_.orient3d(from, to, t[1], t[2]);
   if (ab * bc == Sign::kNegative) return Passage::kMisses;
   return passage_of(ab, bc, session_.orient3d(from, to, t[2], t[0]));
 }
@@ -76,7 +77,7 @@ Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const Vec3d&
 Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const ExactPoint& to) const {
   const auto t = corners(facet);
   const ExactPoint f = to_rational(from), a = to_rational(t[0]), b = to_rational(t[1]),
-                      c = to_rational(t[2]);
+                   c = to_rational(t[2]);
   return passage_of(orient3d(f, to, a, b), orient3d(f, to, b, c), orient3d(f, to, c, a));
 }
 

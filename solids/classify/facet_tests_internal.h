@@ -79,5 +79,4 @@ class FacetTests {
   std::vector<FacetRecord> records_;
 };
 
-
 }  // namespace veritope::internal

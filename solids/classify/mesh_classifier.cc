@@ -77,7 +77,8 @@ class MeshClassifier::Body {
       for (std::size_t i = 0; i < n; ++i)
         if (found[i].occupied != nullptr)
           for (const CellFacet& f : octree_->facets(*found[i].occupied)) tests_->prefetch(f.facet);
-      for (std::size_t i = 0; i < n; ++i) answers[begin + i] = answer_at(found[i], points[begin + i]);
+      for (std::size_t i = 0; i < n; ++i)
+        answers[begin + i] = answer_at(found[i], points[begin + i]);
     }
   }
 
@@ -131,7 +132,8 @@ class MeshClassifier::Body {
       if (touches_rim || side == f.reference_side()) continue;
       const Passage passage = tests_->passage(f.facet, cell.reference, q);
       touches_rim = passage == Passage::kTouchesRim;
-      if (passage == Passage::kCrosses) change.cross(tests_->id(f.facet), f.reference_side(), chains_.shells());
+      if (passage == Passage::kCrosses)
+        change.cross(tests_->id(f.facet), f.reference_side(), chains_.shells());
     }
     if (least != kNowhere) return on(least);
     if (!touches_rim) return answer(cell.label, change);
@@ -142,8 +144,8 @@ class MeshClassifier::Body {
     return answer({}, change_along_ray(mesh_, q, chains_.shells()));
   }
 
-  // The change along two segments, from the reference point to p and from p to q. Nothing if one of them touches the rim
-  // of a facet, or if p lies on the plane of a facet. REQUIRES q off the facets.
+  // The change along two segments, from the reference point to p and from p to q. Nothing if one of them touches the
+  // rim of a facet, or if p lies on the plane of a facet. REQUIRES q off the facets.
   template <typename Point>
   std::optional<WindingChange> change_through(const Vec3d& p, const OccupiedCell& cell,
                                               const Point& q) const {
@@ -188,10 +190,12 @@ MeshClassifier::~MeshClassifier() = default;
 
 Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, unsigned jobs,
                                             const MeshShells* shells) {
-  const Incidence incidence = Incidence::build(
-      mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs);
+  const Incidence incidence =
+      Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs);
   if (!analyse_surface(mesh.faces, incidence, 0, jobs).is_cycle)
-    return Error{Code::kBadArgument, {}, "the surface is not closed: an edge is not used equally often in both directions"};
+    return Error{Code::kBadArgument,
+                 {},
+                 "the surface is not closed: an edge is not used equally often in both directions"};
   const ScopedDefaultFp nearest;
   return MeshClassifier(std::make_unique<const Body>(mesh, shells));
 }

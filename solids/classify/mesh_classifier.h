@@ -31,14 +31,15 @@ struct LookupSize {
 /// the point and a reference point of the cell.
 class MeshClassifier {
  public:
-  /// REQUIRES finite coordinates, ids in range, fewer than 2^31 faces; `shells`, if given, of a mesh that bounds a solid.
-  /// The mesh must outlive the classifier.
+  /// REQUIRES finite coordinates, ids in range, fewer than 2^31 faces; `shells`, if given, of a mesh that bounds a
+  /// solid. The mesh must outlive the classifier.
   /// @error kBadArgument if the triangles are no closed chain: an edge is not used equally often in both directions
   /// @cost  near-linear in the facets; approximately 150 bytes a facet
   static Result<MeshClassifier> make(const TriangleMesh& mesh, unsigned jobs = 1,
                                      const MeshShells* shells = nullptr);
   /// A temporary mesh would be gone before the first point.
-  static Result<MeshClassifier> make(TriangleMesh&&, unsigned = 1, const MeshShells* = nullptr) = delete;
+  static Result<MeshClassifier> make(TriangleMesh&&, unsigned = 1,
+                                     const MeshShells* = nullptr) = delete;
 
   MeshClassifier(MeshClassifier&&) noexcept;
   ~MeshClassifier();

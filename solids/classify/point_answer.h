@@ -12,10 +12,10 @@ namespace veritope {
 inline constexpr std::uint32_t kNowhere = 0xffffffff;
 
 struct PointAnswer {
-  std::int32_t winding = 0;         ///< of the surface around the point; 0 for a point on it
-  std::uint32_t facet = kNowhere;   ///< the least facet that contains the point; kNowhere: it is off
-  /// Of a point on the surface the shell of that facet, else the innermost shell around it; kNowhere: there is none, or
-  /// shells were not requested.
+  std::int32_t winding = 0;        ///< of the surface around the point; 0 for a point on it
+  std::uint32_t facet = kNowhere;  ///< the least facet that contains the point; kNowhere: it is off
+  /// For a point on the surface the shell of that facet, else the innermost shell around it; kNowhere if no shell is
+  /// around it, or if shells were not requested.
   std::uint32_t shell = kNowhere;
 
   bool is_on() const { return facet != kNowhere; }

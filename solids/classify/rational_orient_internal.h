@@ -27,8 +27,7 @@ inline Sign orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint&
 }
 
 /// As predicates/orient2d.h, for points seen along an axis as drop_axis shows them.
-inline Sign orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                     int axis) {
+inline Sign orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
   const auto p = static_cast<std::size_t>((axis + 1) % 3),
              q = static_cast<std::size_t>((axis + 2) % 3);
   return ((b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p])).sign();

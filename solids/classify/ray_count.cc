@@ -3,8 +3,8 @@
 #include "predicates/orient3d.h"
 #include "predicates/projection.h"
 #include "robust/base/check.h"
-#include "solids/classify/ray_count_internal.h"
 #include "solids/classify/rational_orient_internal.h"
+#include "solids/classify/ray_count_internal.h"
 #include "solids/polyhedron/nesting.h"
 
 namespace veritope::internal {
@@ -42,7 +42,8 @@ WindingChange change_to(const TriangleMesh& mesh, const Point& q, const MeshShel
   WindingChange out;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const auto& t = mesh.faces[f];
-    const Sign normal = orient2d(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], kAxis);
+    const Sign normal =
+        orient2d(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], kAxis);
     if (normal == Sign::kZero) continue;
     const Stab s = stab(mesh, f, q);
     VT_CHECK(s != Stab::kTouch, "a point with a ray lies on a facet");

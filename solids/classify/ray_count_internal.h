@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/classify/ray_count_internal.h: the winding number by a ray through all facets, for the rare points for which no
-// reference point serves. Internal to solids/classify.
+// solids/classify/ray_count_internal.h: the winding number by a ray through all facets, for the rare points for which
+// no reference point serves. Internal to solids/classify.
 #pragma once
 #include "solids/classify/segment_count_internal.h"
 

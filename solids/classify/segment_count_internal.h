@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/classify/segment_count_internal.h: how the winding number changes along a segment. Internal to solids/classify.
+// solids/classify/segment_count_internal.h: how the winding number changes along a segment. Internal to
+// solids/classify.
 #pragma once
 #include "solids/classify/facet_tests_internal.h"
 #include "solids/classify/shell_chain_internal.h"
@@ -18,7 +19,8 @@ struct WindingChange {
     if (mesh_shells == nullptr) return;
     // The normals of a shell at odd depth point to its inner side.
     const std::uint32_t shell = mesh_shells->shell_of_face[facet];
-    shells.enter(shell, mesh_shells->depth[shell] % 2 == 0 ? to_int(from_side) : -to_int(from_side));
+    shells.enter(shell,
+                 mesh_shells->depth[shell] % 2 == 0 ? to_int(from_side) : -to_int(from_side));
   }
 };
 

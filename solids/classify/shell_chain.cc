@@ -18,8 +18,9 @@ std::vector<std::uint32_t> ShellChains::moved(std::uint32_t chain,
     if (balance < 0) std::erase(out, shell);
     if (balance > 0) out.push_back(shell);
   }
-  std::sort(out.begin(), out.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return shells_->depth[a] < shells_->depth[b]; });
+  std::sort(out.begin(), out.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return shells_->depth[a] < shells_->depth[b];
+  });
   return out;
 }
 

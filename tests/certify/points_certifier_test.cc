@@ -23,11 +23,15 @@ struct Case {
 Case box_case(std::vector<Vec3d> points) {
   std::string off = "OFF\n8 6 0\n";
   for (int i = 0; i < 8; ++i)
-    off += std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " + std::to_string(i >> 2) + "\n";
+    off += std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " + std::to_string(i >> 2) +
+           "\n";
   off += "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n";
   ModelReadOptions how;
   how.format = MeshFormat::kOff;
-  ModelFile model = read_model_bytes({reinterpret_cast<const unsigned char*>(off.data()), off.size()}, "box.off", how).value();
+  ModelFile model =
+      read_model_bytes({reinterpret_cast<const unsigned char*>(off.data()), off.size()}, "box.off",
+                       how)
+          .value();
   Case out{std::get<MeshFile>(std::move(model)), std::move(points), {}};
   const MeshClassifier classifier = std::move(MeshClassifier::make(out.file.mesh).value());
   for (const Vec3d& p : out.points) out.answers.push_back(classifier.classify(p));

@@ -9,11 +9,12 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES, MODELS = ROOT / "examples", ROOT / "tests" / "models"
 PATCHES = MODELS / "patches"
-# claim: the arguments of certify
+# claim: the arguments of certify; those in POINTS are of classify
 COMMANDS = {
     "mesh-valid-1": (EXAMPLES / "sound_part.stl",),
     "mesh-invalid-1": (EXAMPLES / "self_crossing.off",),
     "mesh-reversed-1": (MODELS / "m9_inside_out.off", "--orient", "auto"),
+    "points-1": (MODELS / "valid_frame.off",),
     "star-box-1": (EXAMPLES / "quarter_pipe.itd",),
     "star-box-turned-1": (PATCHES / "shell_turned_smallest.itd", "--orient", "keep"),
     "star-box-2": (PATCHES / "shell_turned_thin_nearest_valid.itd",),
@@ -23,6 +24,10 @@ COMMANDS = {
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
     "collar-2": (pathlib.Path(__file__).parent / "normals_zero_at_corners.itd", "--collar"),
 }
+
+
+# claim: the points that are classified
+POINTS = {"points-1": "0 0 0\n0.5 0.25 1/3\n1e3 0 0\n"}
 
 
 # The unit cube: corner number i; its faces, outward, each by its corners, u fastest.
@@ -88,14 +93,21 @@ def assert_every_claim(test, veritope, checkers, folder):
         with test.subTest(claim):
             subject, certificate = folder / f"{claim}{model.suffix}", folder / f"{claim}.cert"
             subject.write_bytes(model.read_bytes())
-            status, text = output_of(veritope, "certify", "--no-check", subject, *options, "--certificate", certificate)
+            answers = ()
+            if claim in POINTS:
+                points, answers = folder / f"{claim}.points", (folder / f"{claim}.answers",)
+                points.write_text(POINTS[claim])
+                command = "classify", "--no-check", subject, points, "-o", *answers
+            else:
+                command = "certify", "--no-check", subject
+            status, text = output_of(veritope, *command, *options, "--certificate", certificate)
             test.assertIn(status, (0, 1), text)
             for checker in checkers:
-                status, text = output_of(*checker, subject, certificate)
+                status, text = output_of(*checker, subject, certificate, *answers)
                 test.assertEqual((status, text.split(":")[0].strip()), (0, f"ACCEPT {claim}"), f"{checker}: {text}")
                 damaged = folder / "damaged.cert"
                 damaged.write_bytes(certificate.read_bytes()[:-1])
-                test.assertEqual(output_of(*checker, subject, damaged)[0], 1, checker)
+                test.assertEqual(output_of(*checker, subject, damaged, *answers)[0], 1, checker)
     assert_every_format(test, veritope, checkers, folder)
 
 

@@ -14,7 +14,7 @@
 namespace veritope {
 namespace {
 
-constexpr std::size_t kFewBoxes = 16;      // a direction with no more boxes is taken at once
+constexpr std::size_t kFewBoxes = 16;  // a direction with no more boxes is taken at once
 constexpr std::size_t kChunkOfPoints = 1024;
 
 BoxGroups groups_of(const TriangleMesh& mesh, unsigned jobs) {

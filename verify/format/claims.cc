@@ -91,6 +91,9 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kReversedClaim, kReversedMagic, "mesh-reversed.md", kMeshes, "reading_rule volume",
      "bodies edges faces genus reversed reversed_shells shells vertices", "as_indexed",
      encode_as<ReversedBody>, decode_whole<internal::read_reversed>, explain_as<ReversedBody>},
+    {kPointsClaim, kPointsMagic, "points.md", kMeshes, "answers_sha256 decimals reading_rule",
+     "answers_bytes on points undecided", "as_indexed winding", encode_as<PointsBody>,
+     decode_whole<internal::read_points>, explain_as<PointsBody>},
     {kStarBoxClaim, kStarBoxMagic, "star-box.md", kSplines, "", kStarNumbers, "",
      encode_as<StarBoxBody>, decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
     {kReversedShellClaim, kStarBoxMagic, "star-box.md", kSplines, "",
@@ -113,9 +116,6 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kCollar2Claim, kStarBox2Magic, "collar-2.md", kSplines, "",
      "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
      decode_whole<internal::read_collar_2>, explain_as<CollarBody>},
-    {kPointsClaim, kPointsMagic, "points.md", kMeshes, "answers_sha256 decimals reading_rule",
-     "answers_bytes on points undecided", "as_indexed winding", encode_as<PointsBody>,
-     decode_whole<internal::read_points>, explain_as<PointsBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/bench_classify.cc [MODEL]: ns a point of the classifier of meshes beside CGAL's Side_of_triangle_mesh and, if
-// it is there, Embree's parity, for points that are uniform in the box and within 1e-3 and 1e-7 of the diagonal from the
-// surface. One thread. The peers' wrong answers are counted by ours, which CGAL's confirm.
+// it is there, Embree's parity, for points that are uniform in the box and within 1e-3 and 1e-7 of the diagonal from
+// the surface. One thread. The peers' wrong answers are counted by ours, which CGAL's confirm.
 #include <cmath>
 #include <cstdio>
 #include <functional>

@@ -31,7 +31,8 @@ struct PointFault {
 };
 
 /// Reads the lines of one file. Coordinates are decimals, hexadecimal numbers or fractions p/q
-/// (io/base/exact_number.h), separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal numbers are exact.
+/// (io/base/exact_number.h), separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal numbers are
+/// exact.
 class PointLines {
  public:
   PointLines(Decimals decimals, const ReadLimits& limits)

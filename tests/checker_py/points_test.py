@@ -138,7 +138,6 @@ class Accepted(PointsTest):
                 points = points_forge.interesting(self.mesh, rng, 10)
                 self.says("ACCEPT", self.plan(*points, decimals=("nearest", "exact")[seed % 2], winding=seed % 5 > 1))
 
-    # PROVES POINT-2
     def test_rays_through_vertices_along_edges_and_in_faces(self):
         """The lines along the axes through these points meet vertices, whole edges and whole faces; some of the points are in the planes of
         faces and on the lines of edges."""

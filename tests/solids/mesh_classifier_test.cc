@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "solids/classify/ray_count_internal.h"
 #include "tests/predicates/test_scale.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/shapes.h"
@@ -137,6 +138,33 @@ TEST(MeshClassifier, AgreesWithRationalRays) {
   expect_slow_answers(shapes::box_grid(3, 0.5), kSeed + 8, num);
   for (std::uint64_t i = 0; i < 20; ++i)
     expect_slow_answers(shapes::random_polycube(random, 3, 9), kSeed + 10 + i, num);
+}
+
+// Rays through vertices, along edges and in the planes of facets.
+// PROVES POINT-2
+TEST(RayCount, IsTheWindingNumberWhateverTheRayMeets) {
+  const TriangleMesh box = shapes::box({0, 0, 0}, {2, 2, 2}, 2);
+  const TriangleMesh octahedron = shapes::parse(
+      "v 2,0,0 -2,0,0 0,2,0 0,-2,0 0,0,2 0,0,-2; f 0,2,4 2,1,4 1,3,4 3,0,4 2,0,5 1,2,5 3,1,5 0,3,5");
+  for (int x = -3; x <= 5; ++x)
+    for (int y = -3; y <= 5; ++y)
+      for (int z = -3; z <= 5; ++z) {
+        const auto is_off_box = [](int c) { return c < 0 || c > 4; };
+        const auto is_side = [](int c) { return c == 0 || c == 4; };
+        const Vec3d p{x / 2.0, y / 2.0, z / 2.0};
+        const bool is_out = is_off_box(x) || is_off_box(y) || is_off_box(z);
+        const auto winding = [&](const TriangleMesh& mesh, const auto& q) {
+          return internal::change_along_ray(mesh, q, nullptr).winding;
+        };
+        if (is_out || !(is_side(x) || is_side(y) || is_side(z))) {
+          EXPECT_EQ(winding(box, p), is_out ? 0 : 1) << text(p);
+          EXPECT_EQ(winding(box, exact(p)), is_out ? 0 : 1) << text(p);
+        }
+        const int sum = std::abs(x) + std::abs(y) + std::abs(z);
+        if (sum == 4) continue;
+        EXPECT_EQ(winding(octahedron, p), sum < 4 ? 1 : 0) << text(p);
+        EXPECT_EQ(winding(octahedron, exact(p)), sum < 4 ? 1 : 0) << text(p);
+      }
 }
 
 // Closed chains that bound no solid: reversed, twice as large inside of itself, or crossing itself.

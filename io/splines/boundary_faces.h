@@ -20,6 +20,10 @@ namespace veritope {
 /// folds.
 std::optional<Sign> hand_at_corners(const ExactVolume& volume);
 
+/// Whether section 1 of the rule holds: all entities are volumes in space with clamped axes, not torn at inner knots, and
+/// with numbers of bounded length.
+bool are_clamped_volumes(const SplineModel& model);
+
 /// Where a face lies on its volume.
 struct VolumeFace {
   std::uint64_t volume = 0;           ///< an entity of the model

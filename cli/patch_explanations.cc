@@ -176,10 +176,11 @@ constexpr std::array<PatchExplanation, 14> kExplanations = {{
       "control points shows what has turned over.",
       "MFEM: negative Jacobian (mesh is inverted); Gmsh: negative scaled Jacobian; finite elements: "
       "inverted element"},
-     R"(  +-------+
-  |  x    |    x: the upper right corner, pulled past the
-  |   \   |    diagonal; near it the cell is inside out
-  +-------+)"},
+     R"(  +.
+  |  '.
+  |  x '.    x: the upper right corner, pulled past
+  |      '.  the diagonal; near it the cell is
+  +--------+ inside out)"},
     {{"not-certified", "neither proved nor refuted",
       "Near `where` no box with two centres sees the surface from both sides: a contact, a fold, "
       "a cusp, a vertex whose normals lie in no open half-space, or a gap below the least size. "

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Writes tests/models/patches/: for each answer that `veritope explain` knows about spline models the smallest model
-that gets it, and the nearest valid one, in two to twelve surfaces or one volume. Most are bilinear and written as .itd; those
-with knots or degrees of their own are .vjson.
+that gets it, and the nearest valid one, in two to twelve surfaces or one volume. Most are bilinear and written as
+.itd; those with knots or degrees of their own are .vjson.
 
 usage: make_patch_models.py [FOLDER]      (default: tests/models/patches/ of this tree)
 """
@@ -184,7 +184,8 @@ def vjson_models():
 def cell(corner):
     """The unit cube as one volume, its corner (1, 1, 1) moved."""
     points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
-    rows = "\n".join("  " + " ".join("[%s %s %s]" % (p if p != (1, 1, 1) else corner) for p in points[i:i + 2]) for i in range(0, 8, 2))
+    words = ["[%s %s %s]" % (corner if p == (1, 1, 1) else p) for p in points]
+    rows = "\n".join("  " + " ".join(words[i:i + 2]) for i in range(0, 8, 2))
     return f"[OBJECT MODEL\n [TRIVAR BEZIER 2 2 2 E3\n{rows}]\n]\n"
 
 

@@ -20,8 +20,8 @@ namespace veritope {
 /// folds.
 std::optional<Sign> hand_at_corners(const ExactVolume& volume);
 
-/// Whether section 1 of the rule holds: all entities are volumes in space with clamped axes, not torn at inner knots, and
-/// with numbers of bounded length.
+/// Whether section 1 of the rule holds: all entities are volumes in space with clamped axes, not torn at inner knots,
+/// and with numbers of bounded length.
 bool are_clamped_volumes(const SplineModel& model);
 
 /// Where a face lies on its volume.

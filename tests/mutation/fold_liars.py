@@ -13,7 +13,7 @@ FORMATS = ("vjson", "itd", "g2", "mfem")
 # ---------------------------------------------------------------- what the strategies share
 
 def number(rng):
-    """Of a piece: an end, or a fraction."""
+    """A number of a piece: an end, or a fraction."""
     return rng.choice((0, 1, Q(1, 2), Q(rng.randint(0, 12), 12), Q(1, 1 << 40), (3, 9)))
 
 
@@ -119,7 +119,7 @@ def wrong_side_of_a_knot(rng):
 
 
 def no_such_place(rng):
-    """Points outside of the domain, pieces that do not exist, numbers that are none or too long."""
+    """Points outside of the domain, pieces that do not exist, quotients by 0, numbers that are too long."""
     fold = folded(rng)
     for bad in ((9, 0), (TOP - 1, 1), (TOP, 0), (0, (0, 0)), (0, (1, 0)), (0, (2, 1)), (0, (TOP - 1, 1)), (0, (TOP, TOP)), (0, ((1 << 64) - 1, 1 << 63))):
         point = list(rng.choice((fold.a, fold.b)))

@@ -16,7 +16,7 @@ struct VolumePoint {
   AxisPoint axis[3];
 };
 
-// The span of the piece with this number; the last knot's index if there is none.
+// The span of the piece with this number; the last knot's index if no piece has it.
 size_t span_of(const std::vector<Ratio>& t, uint64_t piece) {
   size_t i = 0;
   for (; i + 1 < t.size(); ++i)
@@ -41,8 +41,8 @@ struct FoldBytes : Bytes {
   }
 };
 
-// Numbers brought to integers by their least common denominator, which comes last. None of these integers has more
-// than this many bits.
+// Numbers brought to integers by their least common denominator, which comes last. B2 fails if one of these integers
+// has more than this many bits.
 std::vector<Big> integers(const std::vector<Ratio>& numbers, int64_t most, const char* why) {
   Big common = 1;
   for (const Ratio& x : numbers) {

@@ -20,6 +20,19 @@ TOP = 1 << 63
 FORMATS = ("vjson", "itd", "g2", "mfem")
 
 
+def random_volume(rng):
+    """A grid that is out of order here and there."""
+    degrees = [rng.randint(1, 3) for _ in range(3)]
+    knots = [[t - Q(8, 5) for t in forge.with_knots(p, sorted(rng.choice((1, 2, Q(7, 3))) for _ in range(rng.randint(0, p))))] for p in degrees]
+    sizes = [len(t) - p - 1 for p, t in zip(degrees, knots)]
+    rational, points = rng.random() < .5, []
+    for index in itertools.product(*map(range, sizes[::-1])):
+        w = rng.randint(1, 4) if rational else 1
+        p = [w * (Q(c) + Q(rng.randint(-9, 9), 8)) for c in index[::-1]]
+        points.append((*p, w) if rational else p)
+    return texts.Map(degrees, knots, points, rational)
+
+
 class FoldTest(unittest.TestCase):
     def says(self, expected, fold, skip=()):
         model = fold.model()
@@ -53,21 +66,40 @@ class Honest(FoldTest):
         """At random points of random volumes, rational or not, with inner knots or not."""
         rng, signs = random.Random(4), []
         for _ in range(25 * SCALE):
-            degrees = [rng.randint(1, 3) for _ in range(3)]
-            knots = [forge.with_knots(p, sorted(rng.choice((1, 2, Q(7, 3))) for _ in range(rng.randint(0, p)))) for p in degrees]
-            sizes = [len(t) - p - 1 for p, t in zip(degrees, knots)]
-            rational, points = rng.random() < .5, []
-            for index in itertools.product(*map(range, sizes[::-1])):
-                w = rng.randint(1, 4) if rational else 1
-                p = [w * (Q(c) + Q(rng.randint(-9, 9), 8)) for c in index[::-1]]
-                points.append((*p, w) if rational else p)
-            m = texts.Map(degrees, knots, points, rational)
+            m = random_volume(rng)
+            knots = m.knots
             for _ in range(2):
                 a, b = [tuple((rng.randrange(len(set(t)) - 1), rng.choice((0, 1, Q(1, 2), Q(rng.randint(1, 12), 13)))) for t in knots) for _ in "AB"]
                 of_a, of_b = forge.sign(m, a), forge.sign(m, b)
                 signs += [of_a, of_b]
                 self.says("J1" if of_a <= 0 else "J2" if of_b >= 0 else "ACCEPT", Fold([m], a, b))
         self.assertGreater(min(signs.count(1), signs.count(-1)), 10)
+
+    # PROVES INVALID-4.J1
+    # PROVES INVALID-4.J2
+    def test_the_signs_change_where_the_determinant_is_0(self):
+        """Two points of a piece, 2^-30 apart, with the zero between them."""
+        rng, found = random.Random(7), 0
+        while found < 8 * SCALE:
+            m = random_volume(rng)
+            at = [(rng.randrange(len(set(t)) - 1), Q(rng.randint(0, 4), 4)) for t in m.knots]
+            axis = rng.randrange(3)
+
+            def point(t, at=at, axis=axis):
+                return tuple((k, t if a == axis else x) for a, (k, x) in enumerate(at))
+            ends, signs = [Q(0), Q(1)], [forge.sign(m, point(t)) for t in (0, 1)]
+            if signs[0] * signs[1] != -1:
+                continue
+            for _ in range(30):
+                middle = sum(ends) / 2
+                side = forge.sign(m, point(middle)) != signs[0]
+                ends[side] = middle
+            if 0 in [forge.sign(m, point(t)) for t in ends]:
+                continue
+            found += 1
+            good = Fold([m], *[point(t) for t in ends][::signs[0]])
+            self.says("ACCEPT", good)
+            self.says("J1", self.changed(good, a=good.b, b=good.a))
 
     def test_the_example_of_the_page(self):
         fold = Fold([forge.folded_cube()])

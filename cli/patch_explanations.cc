@@ -7,7 +7,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<PatchExplanation, 13> kExplanations = {{
+constexpr std::array<PatchExplanation, 14> kExplanations = {{
     {{"patches-crossing", "patches that cross",
       "Two parts of patches, or of one patch, that are different places of the surface have a "
       "common point.",
@@ -164,6 +164,23 @@ constexpr std::array<PatchExplanation, 13> kExplanations = {{
       x      all parameters of one line have the image x
     /   \
    /     \)"},
+    {{"volume-folded", "volume that folds",
+      "The map of a volume keeps the orientation of space at one point of its domain and reverses "
+      "it at another: its Jacobian determinant has both signs. Such a volume is not mapped one to "
+      "one, whatever its boundary faces do. The message has the parameters of both points. Looked "
+      "for at the corners, in the middle, and at 27 points of each polynomial piece: that nothing "
+      "is found there proves nothing.",
+      "A corner that was pulled too far into the volume, control points in the wrong order, a "
+      "volume that was swept or ruled past itself.",
+      "Move control points until the determinant has one sign; near the two points the net of "
+      "control points shows what has turned over.",
+      "MFEM: negative Jacobian (mesh is inverted); Gmsh: negative scaled Jacobian; finite elements: "
+      "inverted element"},
+     R"(  +.
+  |  '.
+  |  x '.    x: the upper right corner, pulled past
+  |      '.  the diagonal; near it the cell is
+  +--------+ inside out)"},
     {{"not-certified", "neither proved nor refuted",
       "Near `where` no box with two centres sees the surface from both sides: a contact, a fold, "
       "a cusp, a vertex whose normals lie in no open half-space, or a gap below the least size. "

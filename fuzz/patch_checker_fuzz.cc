@@ -38,6 +38,7 @@ unsigned facts(const std::string& statement) {
   if (claim == "patch-invalid-1")
     return get(statement, "finding") == "crossing" ? kCrossing : kSide;
   if (claim == "patch-invalid-2") return kCrossing;
+  if (claim == "volume-folded-1") return 0;  // it says nothing about faces
   if (claim == "star-box-turned-1" || claim == "star-box-turned-2") return kEmbedded | kReversed;
   return get(statement, "flipped") == "0" ? kEmbedded | kSolid : kEmbedded;
 }
@@ -126,9 +127,9 @@ class Mutator {
                      body_.begin() + static_cast<std::ptrdiff_t>(at + n));
   }
   void change_statement() {
-    static const char* const kNumbers[] = {"patches", "edges", "vertices", "shells",
-                                           "bodies",  "genus", "boxes",    "flipped",
-                                           "winding", "cells", "same",     "opposite"};
+    static const char* const kNumbers[] = {"patches", "edges",    "vertices", "shells",  "bodies",
+                                           "genus",   "boxes",    "flipped",  "winding", "cells",
+                                           "same",    "opposite", "entity",   "volumes"};
     static const char* const kFormats[] = {"vjson",       "itd",       "g2",       "mfem",
                                            "vjson-faces", "itd-faces", "g2-faces", "mfem-faces"};
     const std::span<const certificate::Claim> claims = certificate::all_claims();
@@ -137,7 +138,7 @@ class Mutator {
       case 1: set(statement_, "finding", pick(2) == 0 ? "side" : "crossing"); break;
       case 2: change_byte(statement_); break;
       case 3: set(statement_, "subject_format", kFormats[pick(std::size(kFormats))]); break;
-      default: set(statement_, kNumbers[pick(12)], std::to_string(pick(30)));
+      default: set(statement_, kNumbers[pick(std::size(kNumbers))], std::to_string(pick(30)));
     }
   }
 

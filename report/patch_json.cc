@@ -2,6 +2,7 @@
 // What reports say about the patches of spline files, as JSON.
 #include <algorithm>
 
+#include "report/decimal_text.h"
 #include "report/patch_report_internal.h"
 
 namespace veritope::report {
@@ -28,6 +29,22 @@ Json parts_json(const Finding& f) {
   return out;
 }
 
+Json exact_json(const std::array<Rational, 3>& numbers) {
+  Json out = Json::array();
+  for (const Rational& x : numbers) out.push_back(fraction_text(x));
+  return out;
+}
+
+Json fold_json(const Finding& f) {
+  if (!f.witness.fold) return nullptr;
+  Json out = {{"entity", f.place.parts.front().entity}, {"places", Json::array()}};
+  for (const FoldPoint& p : *f.witness.fold)
+    out["places"].push_back({{"parameters", exact_json(p.parameters)},
+                             {"point", exact_json(p.point.at)},
+                             {"determinant", to_int(p.sign)}});
+  return out;
+}
+
 Json patch_defect_json(const Finding& f) {
   return {{"code", f.code},
           {"message", f.message},
@@ -35,7 +52,8 @@ Json patch_defect_json(const Finding& f) {
           {"point", f.place.near ? point_json(*f.place.near) : Json(nullptr)},
           {"box", box_json(f.place.box)},
           {"shell", optional_json(f.place.shell)},
-          {"winding", optional_json(f.witness.winding)}};
+          {"winding", optional_json(f.witness.winding)},
+          {"fold", fold_json(f)}};
 }
 
 Json reason_json(const Finding& f) {

@@ -12,7 +12,7 @@ namespace veritope::report {
 namespace {
 
 std::string parameters_text(const EntityPart& part) {
-  const bool is_triangle = part.parameters.size() == 3 && !part.face;
+  const bool is_triangle = part.parameters.size() == 3 && !part.face && !part.is_of_volume;
   std::string out = "entity " + std::to_string(part.entity);
   if (part.side) out += ", side " + std::to_string(*part.side);
   constexpr const char* kNames[] = {"u", "v", "w"};

@@ -18,6 +18,7 @@ sys.path[:0] = [str(ROOT / "tests" / "support"), str(ROOT / "tests" / "mutation"
 import attacks  # noqa: E402
 import collar_liars  # noqa: E402
 import every_claim  # noqa: E402
+import fold_liars  # noqa: E402
 import invalid_liars  # noqa: E402
 import meeting_liars  # noqa: E402
 import patch_liars  # noqa: E402
@@ -58,6 +59,7 @@ LIARS = {
     "star-box-turned-2": of_patches(sheet_liars.wrong_windings),
     "patch-invalid-1": of_patches(invalid_liars.invalid_attacks),
     "patch-invalid-2": of_patches(meeting_liars.meeting_attacks),
+    "volume-folded-1": of_patches(fold_liars.fold_attacks),
     "collar-1": of_patches(collar_liars.lies_about_a_collar),
     "collar-2": of_patches(collar_liars.lies_about_a_collar_2),
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Writes tests/models/patches/: for each answer that `veritope explain` knows about spline models the smallest model
-that gets it, and the nearest valid one, in two to twelve surfaces. Most are bilinear and written as .itd; those with
-knots or degrees of their own are .vjson.
+that gets it, and the nearest valid one, in two to twelve surfaces or one volume. Most are bilinear and written as
+.itd; those with knots or degrees of their own are .vjson.
 
 usage: make_patch_models.py [FOLDER]      (default: tests/models/patches/ of this tree)
 """
@@ -181,6 +181,19 @@ def vjson_models():
     yield "knot_multiplicity_nearest_valid", walls + [lid_with_double_knot(1)]
 
 
+def cell(corner):
+    """The unit cube as one volume, its corner (1, 1, 1) moved."""
+    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    words = ["[%s %s %s]" % (corner if p == (1, 1, 1) else p) for p in points]
+    rows = "\n".join("  " + " ".join(words[i:i + 2]) for i in range(0, 8, 2))
+    return f"[OBJECT MODEL\n [TRIVAR BEZIER 2 2 2 E3\n{rows}]\n]\n"
+
+
+def volume_models():
+    yield "volume_folded_smallest", cell(("0.6", "0.6", "0.6"))
+    yield "volume_folded_nearest_valid", cell(("0.7", "0.7", "0.7"))
+
+
 def models():
     cube = block((0, 0, 0), (1, 1, 1))
     top = (1, 1, 1)
@@ -214,6 +227,8 @@ def main(arguments):
     folder.mkdir(parents=True, exist_ok=True)
     for name, faces in models():
         (folder / f"{name}.itd").write_text(itd(faces))
+    for name, text in volume_models():
+        (folder / f"{name}.itd").write_text(text)
     for name, entities in vjson_models():
         (folder / f"{name}.vjson").write_text(vjson(entities))
     return 0

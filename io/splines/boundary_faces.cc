@@ -369,6 +369,11 @@ std::optional<Sign> hand_at_corners(const ExactVolume& volume) {
   return HandOf(volume).at_corners();
 }
 
+bool are_clamped_volumes(const SplineModel& model) {
+  return std::none_of(model.entities.begin(), model.entities.end(),
+                      [](const SplineEntity& e) { return fault_of_entity(e, 0).has_value(); });
+}
+
 Result<BoundaryFaces> boundary_faces(const SplineModel& model) {
   BoundaryFaces all;
   std::vector<FaceForm> forms;

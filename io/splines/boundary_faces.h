@@ -20,6 +20,10 @@ namespace veritope {
 /// folds.
 std::optional<Sign> hand_at_corners(const ExactVolume& volume);
 
+/// Whether section 1 of the rule holds: all entities are volumes in space with clamped axes, not torn at inner knots,
+/// and with numbers of bounded length.
+bool are_clamped_volumes(const SplineModel& model);
+
 struct BoundaryFaces {
   SplineModel model;              ///< surfaces, without groups and attributes
   std::vector<VolumeFace> faces;  ///< one for each of them; by volume, axis and end

@@ -10,6 +10,7 @@
 
 #include "robust/base/box3d.h"
 #include "robust/base/result.h"
+#include "robust/base/sign.h"
 #include "robust/rational.h"
 
 namespace veritope {
@@ -28,6 +29,8 @@ struct EntityPart {
   std::vector<std::array<double, 2>> parameters;
   /// The boundary face of a volume on which the part lies, 2 axis + end; nothing for other entities.
   std::optional<std::uint8_t> face = std::nullopt;
+  /// Whether the entity is a volume of which this is a part that need not lie on a face.
+  bool is_of_volume = false;
 };
 
 /// Where in a model. Only what is known is set. All numbers count from 0; lengths are in the model's units.
@@ -38,7 +41,8 @@ struct ModelPlace {
   std::vector<std::uint32_t> faces;  ///< ascending, except M5 and M6: see SurfaceTopology
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< the edge of M3, M4, M5
   std::vector<std::uint32_t> vertices;  ///< the vertex of M6; the corners of M1 and M2
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> near_edge;  ///< M3: the open edge that is nearest to it
+  std::optional<std::pair<std::uint32_t, std::uint32_t>>
+      near_edge;  ///< M3: the open edge that is nearest to it
   /// The polygon of the file that each face was cut from; empty if all polygons are triangles.
   std::vector<std::uint32_t> polygons;
 
@@ -52,6 +56,13 @@ struct ModelPlace {
   double size = 0;  ///< extent, rounded: edge length, diameter, length of the intersection
 };
 
+/// A point of a volume at which the Jacobian determinant of its map has a sign.
+struct FoldPoint {
+  std::array<Rational, 3> parameters;  ///< of the file
+  RationalPoint point;
+  Sign sign = Sign::kZero;
+};
+
 /// What shows a finding. Only what is known is set; the certificate has the whole proof.
 struct Witness {
   std::optional<RationalPoint> point;  ///< an exact point of the defect
@@ -62,6 +73,8 @@ struct Witness {
   std::optional<int> winding;
   /// M3: the square of the gap to place.near_edge; exact.
   std::optional<Rational> squared_gap;
+  /// A volume that folds: where the determinant is positive, then where it is negative.
+  std::optional<std::array<FoldPoint, 2>> fold;
   /// Between the two parts of the place, or the gap to place.near_edge; approximate.
   std::optional<double> approx_distance;
 };

@@ -635,15 +635,58 @@ std::string nested_volumes(const std::string& corner) {
          "][1 .25 .25][.5 .75 .25][1 .75 .25][.5 .25 .75][1 .25 .75][.5 .75 .75][1 .75 .75]]\n";
 }
 
+void expect_folded(const Certified& c, const std::string& words) {
+  EXPECT_EQ(c.verdict, Verdict::kInvalid);
+  EXPECT_EQ(c.claim, "volume-folded-1");
+  ASSERT_EQ(c.findings.size(), 1u);
+  EXPECT_EQ(c.findings[0].code, "volume-folded");
+  EXPECT_NE(c.findings[0].message.find(words), std::string::npos) << c.findings[0].message;
+  EXPECT_EQ(c.findings[0].place.parts.size(), 2u);
+  EXPECT_TRUE(c.findings[0].witness.fold);
+}
+
 // Counted with the hand of its folded corner, the inner volume would be a cavity.
-TEST(Certify, VolumesThatFoldAreUndecided) {
-  expect_undecided(certify(read(nested_volumes(".85 .6 .6"), "folded.itd")).value(), "not-covered",
-                   "entity 1: the volume is folded");
+TEST(Certify, VolumesThatFoldAreInvalid) {
+  const std::string nested = nested_volumes(".85 .6 .6");
+  const Certified c = certify(read(nested, "folded.itd")).value();
+  expect_folded(c,
+                "entity 1: the volume folds: its map keeps the orientation of space at (1, 0, 0) "
+                "and reverses it at (0, 0, 0)");
+  EXPECT_FALSE(c.copy);
+  EXPECT_EQ(format_of_certificate(c), "itd");
+  expect_accepted(nested, c);
   // Corners agree, and the middle does not: two inner control points are exchanged.
-  const std::string points =
-      "[0 0 0][4 0 0][-3 0 0][1 0 0] [0 1 0][4 1 0][-3 1 0][1 1 0]"
-      " [0 0 1][4 0 1][-3 0 1][1 0 1] [0 1 1][4 1 1][-3 1 1][1 1 1]";
-  expect_undecided(certify(read("[TRIVAR BEZIER 4 2 2 E3 " + points + "]\n", "folded.itd")).value(),
+  const std::string inside =
+      "[TRIVAR BEZIER 4 2 2 E3 [0 0 0][4 0 0][-3 0 0][1 0 0] [0 1 0][4 1 0][-3 1 0][1 1 0]"
+      " [0 0 1][4 0 1][-3 0 1][1 0 1] [0 1 1][4 1 1][-3 1 1][1 1 1]]\n";
+  const Certified middle = certify(read(inside, "folded.itd")).value();
+  expect_folded(middle,
+                "entity 0: the volume folds: its map keeps the orientation of space at (0, 0, "
+                "0) and reverses it at (1/2, 1/2, 1/2)");
+  expect_accepted(inside, middle);
+}
+
+// With an axis that is not clamped, the copy has the volumes, clamped, and is not about their faces.
+TEST(Certify, VolumesThatFoldAndAreNotReadByCheckersAreInvalidByACopyOfTheVolumes) {
+  const std::string loose =
+      "[TRIVAR BSPLINE 2 2 2 2 2 2 E3 [KV 0 0 1 1] [KV -1 0 1 2] [KV 0 0 1 1]"
+      " [0 0 0][1 0 0][0 1 0][1 1 0][0 0 1][1 0 1][0 1 1][.1 .1 .1]]\n";
+  const Certified c = certify(read(loose, "loose.itd")).value();
+  expect_folded(c, "entity 0: the volume folds");
+  ASSERT_TRUE(c.copy);
+  EXPECT_EQ(c.copy->what, "its 1 volume");
+  EXPECT_FALSE(c.copy->is_of_volumes);
+  EXPECT_FALSE(c.boundary_faces);
+  EXPECT_EQ(format_of_certificate(c), "vjson");
+  expect_accepted(c.copy->bytes, c);
+}
+
+// Where no certificate can say so, the volume still does not say which side of its faces is outside.
+TEST(Certify, VolumesThatFoldBeyondTheLimitsOfCertificatesAreUndecided) {
+  std::string points;
+  for (const char* const rest : {" 0 0]", " 1 0]", " 0 1]", " 1 1]"})
+    for (int i = 0; i <= 16; ++i) points += " [" + std::to_string(i == 1 ? -1 : i) + rest;
+  expect_undecided(certify(read("[TRIVAR BEZIER 17 2 2 E3" + points + "]\n", "high.itd")).value(),
                    "not-covered", "entity 0: the volume is folded");
 }
 

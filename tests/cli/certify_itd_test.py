@@ -20,9 +20,9 @@ COVERED = {"irit__ai_b58", "irit__ai_wiggl", "irit__ih_alpha", "irit__il_dish", 
 
 # polygons only
 POLYGONS = {"irit__ir_cube": "VALID", "irit__pl_cncyl": "INVALID", "irit__pl_sold3": "INVALID"}
-# by their boundary faces; those of two are cut differently on both sides of a wall
+# by their boundary faces, some of which are cut differently on both sides of a wall; the last one has a volume that folds
 VOLUMES = {"iritprim__ns_cone_rational": "VALID", "iritprim__ns_cylinder_rational": "VALID", "iritprim__ns_sphere_rational": "VALID",
-           "iritprim__ns_cylinder_poly": "INVALID"}
+           "iritprim__ns_cylinder_poly": "INVALID", "iritprim__ns_sphere_poly": "INVALID"}
 
 
 def bezier(net):
@@ -295,6 +295,33 @@ class CertifyItd(Folder):
         self.assertEqual((done.returncode, text in " ".join(done.stdout.split())), (3, True), done)
         done = run("cover", self.folder / "high.itd", "-o", self.folder / "x.vtu")
         self.assertEqual((done.returncode, text in done.stderr), (4, True), done)
+    def test_volumes_that_fold_are_invalid_with_both_places(self):
+        net = [(x, y, z) if (x, y, z) != (1, 1, 1) else (.5, .5, .5) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        one = self.certify("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%s %s %s]" % p for p in net))
+        self.assertEqual((one["verdict"], one["exit"], one["copy"], one["by_boundary_faces"], one["certificate"]["checked"]), ("INVALID", 1, None, False, True))
+        (defect,) = one["defects"]
+        self.assertEqual(defect["code"], "volume-folded")
+        places = [{"parameters": [t] * 3, "point": [p] * 3, "determinant": sign} for t, p, sign in (("0/1", "0/1", 1), ("1/1", "1/2", -1))]
+        self.assertEqual(defect["fold"], {"entity": 0, "places": places})
+        self.assertEqual([[(t["lo"], t["hi"]) for t in part["parameters"]] for part in defect["parts"]], [[(t, t)] * 3 for t in (0, 1)])
+        text = run("certify", self.folder / "model.itd").stdout
+        words = "entity 0: the volume folds: its map keeps the orientation of space at (0, 0, 0) and reverses it at (1, 1, 1) (checked)\n"
+        self.assertTrue(text.split("\n")[0].endswith(words.strip()), text)
+        self.assertIn("entity 0: u = 1, v = 1, w = 1\n", text)
+
+    def test_a_volume_of_gismo_that_folds_is_invalid_by_a_copy_of_the_volumes(self):
+        axis = "<Basis type='BSplineBasis' index='%d'><KnotVector degree='1'>0 0 1 1</KnotVector></Basis>"
+        points = "0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 0.5 0.5 0.5"
+        part, certificate = self.folder / "part.xml", self.folder / "part.cert"
+        part.write_text("<xml><Geometry type='TensorBSpline3' id='0'><Basis type='TensorBSplineBasis3'>%s</Basis><coefs geoDim='3'>%s</coefs></Geometry></xml>"
+                        % ("".join(axis % i for i in range(3)), points))
+        done = run("certify", part, "--certificate", certificate, "--json", "-")
+        (one,) = json.loads(done.stdout)["files"]
+        self.assertEqual((one["verdict"], [d["code"] for d in one["defects"]]), ("INVALID", ["volume-folded"]), done)
+        self.assertEqual((one["copy"]["what"], one["copy"]["of_volumes"], one["copy"]["path"]), ("its 1 volume", False, str(certificate) + ".vjson"))
+        for checker in ((BIN / "veritope-check",), (sys.executable, CHECKER_PY)):
+            checked = subprocess.run([*checker, str(certificate) + ".vjson", certificate], capture_output=True, text=True, check=False)
+            self.assertEqual((checked.returncode, checked.stdout[:22]), (0, "ACCEPT volume-folded-1"), checked)
 
     def test_what_is_malformed_is_refused_with_its_line(self):
         cube = "\n".join(map(bezier, UNIT))
@@ -357,6 +384,8 @@ class RealFiles(Folder):
             (one,) = json.loads(done.stdout)["files"]
             if one["verdict"] in ("VALID", "INVALID"):
                 self.assertEqual(one["verdict"], "INVALID" if path.stem in COVERED else {**VOLUMES, **POLYGONS}[path.stem], path.name)
+                is_folded = [defect.get("code") for defect in one["defects"]] == ["volume-folded"]
+                self.assertEqual(is_folded, path.stem == "iritprim__ns_sphere_poly", path.name)
                 continue
             expected = "not-certified" if path.stem in COVERED else "bad-spline" if path.stem.startswith("bad__") else "not-covered"
             code = one["reasons"][-1]["code"] if one["verdict"] == "UNDECIDED" else one["error"]["code"]

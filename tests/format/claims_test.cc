@@ -128,6 +128,15 @@ PatchMeetingBody meeting() {
   return b;
 }
 
+VolumeFoldedBody folded() {
+  VolumeFoldedBody b;
+  b.volumes = 7;
+  b.entity = 300;
+  b.points = {{{{{0, {0, 1}}, {300, {1, 2}}, {1, {3, 7}}}},
+               {{{2, {1, 1}}, {0, {7, std::uint64_t{1} << 62}}, {0, {0, 5}}}}}};
+  return b;
+}
+
 // A certificate of each claim, and bodies that fit it. All claims of the table must be here.
 struct Example {
   Bytes certificate;
@@ -177,6 +186,7 @@ std::map<std::string, Example, std::less<>> examples() {
   all["collar-2"] = {encode(subject, q, collar_2), {collar_2}, {}};
   all["patch-invalid-1"] = {
       encode(subject, 5, invalid(true)), {invalid(true), invalid(false)}, {{true, false}}};
+  all["volume-folded-1"] = {encode(subject, folded()), {folded()}, {}};
   all["patch-invalid-2"] = {encode(subject, 5, meeting()), {meeting()}, {}};
   return all;
 }

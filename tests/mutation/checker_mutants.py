@@ -53,7 +53,7 @@ SEEDS = (21, 36, 37, 43, 64, 69, 72, 73, 74, 75, 86, 87, 89, 90, 94, 101, 106, 1
 NO_CONDITIONS = ("__init__.py", "errors.py", "claims.py")  # of the Python checker, the same
 MESH_TESTS = ("mesh_test", "mesh_reading_test", "mesh_reversed_test", "points_test")
 PATCH_TESTS = ("star_box_test", "star_box_hostile_test", "star_box_itd_test", "model_g2_test", "model_mfem_test",
-               "model_faces_test", "star_box_turned_test", "patch_invalid_test", "patch_invalid_2_test", "collar_test")
+               "model_faces_test", "star_box_turned_test", "patch_invalid_test", "patch_invalid_2_test", "volume_folded_test", "collar_test")
 CPU_LIMIT, LIMIT = 120, 900                               # seconds of this process, and of the clock, for one mutant
 
 # (name, what to look for, replacements); applied to one occurrence at a time, outside of strings

@@ -6,6 +6,7 @@ import re
 from fractions import Fraction as Q
 
 import patch_solids as ps                                 # and the way to the forges
+import fold_liars
 import mfem_blocks
 import model_faces_test as volumes_of_tests
 import model_texts as texts
@@ -79,6 +80,13 @@ def volume_model(rng):
     maps, plan = once(("solid", n, is_rational), lambda: solid(n, is_rational))
     text = texts.WRITERS[subject_format](maps)
     return subject_format + "-faces", odd_text(text, subject_format, rng) if subject_format in ("g2", "mfem") else text, plan
+
+
+def folded_model(rng):
+    """(subject format, text, Fold): volumes that are read without their faces."""
+    fold = fold_liars.folded(rng)
+    text = fold.model()
+    return fold.subject_format, odd_text(text, fold.subject_format, rng) if fold.subject_format in ("g2", "mfem") else text, fold
 
 
 # ---------------------------------------------------------------- damage

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Lying provers against both checkers of the claims about patches: star-box-1 and -2, star-box-turned-1 and -2,
-patch-invalid-1 and -2, collar-1.
+patch-invalid-1 and -2, volume-folded-1, collar-1.
 
 As attacks.py, whose harness it uses: a model of known truth, a false claim, and a certificate in which everything but that claim is
 right for some part of the model.  Every attack must be rejected, by both checkers, for the same condition; honest certificates must be
@@ -15,6 +15,7 @@ import time
 
 import attacks
 import collar_liars
+import fold_liars
 import invalid_liars
 import meeting_liars
 import patch_liars
@@ -22,7 +23,7 @@ import sheet_conditions
 import sheet_liars
 
 CONDITIONS = ["B2", "B3", "P1", "C1", "C2", "C3", "C4", "W1", "W2", "W3", "K0", "K1E", "K1V", "K2", "K3", "I1", "I2", "I3", "I4",
-              "X1", "X2", "X3", "D1", "D2", "D3", "D4", "M1", "M2"]
+              "X1", "X2", "X3", "D1", "D2", "D3", "D4", "M1", "M2", "J1", "J2"]
 # X3 implies X2 (patch-invalid.md, section 4); sides that are not one and one for each component get stuck (referee-2, 2.3).
 IMPLIED = {"X2": ("X3",), "K2": ("K3",)}
 
@@ -48,7 +49,7 @@ def draw(rng):
     if r < .8:
         return sheet_liars.sheet_attacks
     if r < .98:
-        return invalid_liars.invalid_attacks if r < .92 else meeting_liars.meeting_attacks
+        return invalid_liars.invalid_attacks if r < .91 else meeting_liars.meeting_attacks if r < .96 else fold_liars.fold_attacks
     return collar_liars.collar_attacks
 
 
@@ -62,6 +63,8 @@ def honest(rng):
         for name, finding in (invalid_liars if r < .75 else meeting_liars).honest(rng):
             model = patch_liars.forge.encode_model(finding.entities)
             yield name, model, finding.certificate(model)
+    elif r < .9:
+        yield from fold_liars.honest(rng)
     else:
         made = collar_liars.honest(rng)
         yield "collar", made.model, made.certificate()
@@ -69,7 +72,7 @@ def honest(rng):
 
 TRIED = .05                                               # of the attacks of version 2: is a part of a condition needed?
 KINDS = {make.__name__: make for make in (patch_liars.star_attacks, sheet_liars.sheet_attacks, invalid_liars.invalid_attacks,
-                                          meeting_liars.meeting_attacks, collar_liars.collar_attacks)}
+                                          meeting_liars.meeting_attacks, fold_liars.fold_attacks, collar_liars.collar_attacks)}
 
 
 class Run(attacks.Run):

@@ -19,6 +19,7 @@ from fractions import Fraction as Q
 import attacks
 import collar_liars
 import differential
+import fold_liars
 import format_cases as formats
 import invalid_liars
 import meeting_liars
@@ -147,6 +148,8 @@ TOKENS = {"vjson": (JSON_TOKEN, WORDS), "itd": (ITD_TOKEN, ITD), "g2": (formats.
 
 def sound_model(rng, only=""):
     """(subject format, text, plan): a certificate of the plan is accepted for this text."""
+    if rng.random() < (.2 if only == "formats" else .08):
+        return formats.folded_model(rng)
     if rng.random() < (.6 if only == "formats" else .25):
         return formats.volume_model(rng)
     entities, plan = small_model(rng)
@@ -211,7 +214,7 @@ def certificate_cases(rng):
     if rng.random() < .3:
         yield from sheet_cases(rng)
         return
-    kinds = [patch_attacks.honest] * 5 + [patch_liars.star_attacks, invalid_liars.invalid_attacks, meeting_liars.meeting_attacks]
+    kinds = [patch_attacks.honest] * 5 + [patch_liars.star_attacks, invalid_liars.invalid_attacks, meeting_liars.meeting_attacks, fold_liars.fold_attacks]
     kind = collar_liars.collar_attacks if rng.random() < .02 else rng.choice(kinds)
     found = list(kind(rng))
     for name, model, cert in rng.sample(found, min(1, len(found))):

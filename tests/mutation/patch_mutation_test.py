@@ -12,6 +12,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import attacks                                            # noqa: E402
 import collar_liars as collar                             # noqa: E402
+import fold_liars as fold                                 # noqa: E402
 import invalid_liars as invalid                           # noqa: E402
 import meeting_liars as meeting                           # noqa: E402
 import mutation_test                                      # noqa: E402
@@ -44,7 +45,7 @@ def double_cover(rng):
 
 # Found by a greedy cover: every condition is needed by some attack of these.
 SEEDS = ((star.star_attacks, (0, 1, 2, 6, 15)), (three_sheets, (2,)), (double_cover, (1, 3)), (invalid.invalid_attacks, (0, 1, 3, 13, 19, *range(100, 130))),
-         (meeting.meeting_attacks, range(40)),                # every strategy
+         (meeting.meeting_attacks, range(40)), (fold.fold_attacks, range(40)),        # every strategy
          (collar.lies_about_a_collar, (0,)), (bent(collar.touching_cells), (1,)), (bent(collar.out_of_the_wall), (1, 2)),
          (bent(collar.several_shells, 4), (3,)), (bent(collar.pits, 4), (0, 1)), (bent(collar.handle, 1), (0,)))
 

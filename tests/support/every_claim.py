@@ -21,6 +21,7 @@ COMMANDS = {
     "star-box-turned-2": (PATCHES / "shell_turned_thin.itd", "--orient", "keep"),
     "patch-invalid-1": (PATCHES / "side_open_smallest.itd",),
     "patch-invalid-2": (PATCHES / "singular_line_smallest.itd",),
+    "volume-folded-1": (PATCHES / "volume_folded_smallest.itd",),
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
     "collar-2": (pathlib.Path(__file__).parent / "normals_zero_at_corners.itd", "--collar"),
 }

@@ -10,6 +10,7 @@
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/entity_parts.h"
 #include "verify/certify/file_patches.h"
+#include "verify/certify/fold_certifier.h"
 #include "verify/certify/patch_reasons.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/stand_in.h"
@@ -294,6 +295,7 @@ class Certification {
 }  // namespace
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
+  if (auto folded = certify_fold(file, options)) return std::move(*folded);
   Result<std::optional<StandIn>> made = stand_in_of(file);
   if (!made) {
     Certified out;

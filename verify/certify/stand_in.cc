@@ -64,11 +64,6 @@ bool has_left_out_shapes(const SplineFile& file) {
     if (l.is_geometry) return true;
   return false;
 }
-// Whether there is a reading rule for the file's bytes: docs/certificates.
-bool is_read_by_checkers(const SplineFile& file) {
-  return file.format != SplineFormat::kGismo && !file.has_converted_shapes;
-}
-
 std::string faces_text(std::uint64_t faces, std::uint64_t volumes, std::uint64_t flat) {
   std::string out =
       "the " + counted(faces, "boundary face") + " of its " + counted(volumes, "volume");
@@ -136,6 +131,10 @@ Place place_in_file(const Place& in_copy, const StandIn& copy, const SplineFile&
 }
 
 }  // namespace
+
+bool is_read_by_checkers(const SplineFile& file) {
+  return file.format != SplineFormat::kGismo && !file.has_converted_shapes;
+}
 
 std::optional<std::string> uncovered_shapes(const SplineFile& file) {
   std::vector<std::string> left_out;

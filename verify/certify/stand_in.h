@@ -37,6 +37,9 @@ struct StandIn {
 /// its corners, or there and in its middle
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
 
+/// Whether the checkers have a reading rule for the file's own bytes: docs/certificates.
+bool is_read_by_checkers(const SplineFile& file);
+
 /// Why certificates cannot speak of the file or of a stand-in for it, in words that say what the file holds, and what
 /// helps if something does. Nothing if they can.
 std::optional<std::string> uncovered_shapes(const SplineFile& file);

@@ -13,6 +13,7 @@ namespace {
 
 const char kMeshes[] = "stl,obj,ply,off";
 const char kSplines[] = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
+const char kVolumes[] = "vjson,itd,g2,mfem";
 const char kStarText[] = " body_sha256 certificate claim subject_format subject_sha256 tool";
 
 void add_keys(const std::string& names, const char* kind,
@@ -62,6 +63,8 @@ const std::vector<Claim>& all_claims() {
       {"patch-invalid-2", "VTI2", kSplines,
        " body_sha256 certificate claim finding subject_format subject_sha256 tool",
        " flipped patches subject_bytes", "", check_finding_2, check_patch_invalid_2},
+      {"volume-folded-1", "VTVF", kVolumes, kStarText, " entity subject_bytes volumes", "", nullptr,
+       check_volume_folded},
       {"collar-1", "VTSB", kSplines, kStarText,
        " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
        check_collar},

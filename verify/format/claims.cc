@@ -18,6 +18,7 @@ using internal::ByteReader;
 
 constexpr std::string_view kMeshes = "stl,obj,ply,off";
 constexpr std::string_view kSplines = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
+constexpr std::string_view kVolumes = "vjson,itd,g2,mfem";
 constexpr std::string_view kStarNumbers =
     "bodies boxes edges flipped genus patches shells vertices";
 
@@ -110,6 +111,9 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kPatchInvalid2Claim, kPatchInvalid2Magic, "patch-invalid-2.md", kSplines, "finding",
      "flipped patches", "", encode_as<PatchMeetingBody>, decode_whole<internal::read_patch_meeting>,
      explain_as<PatchMeetingBody>},
+    {kVolumeFoldedClaim, kVolumeFoldedMagic, "volume-folded.md", kVolumes, "", "entity volumes", "",
+     encode_as<VolumeFoldedBody>, decode_whole<internal::read_volume_folded>,
+     explain_as<VolumeFoldedBody>},
     {kCollarClaim, kStarBoxMagic, "collar.md", kSplines, "",
      "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
      decode_patches<CollarBody>, explain_as<CollarBody>},

@@ -16,12 +16,13 @@
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/points_certificate.h"
+#include "verify/format/volume_folded_certificate.h"
 
 namespace veritope::certificate {
 
 /// The body of a certificate as plain data.
 using AnyBody = std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody,
-                             PatchInvalidBody, PatchMeetingBody, PointsBody>;
+                             PatchInvalidBody, PatchMeetingBody, PointsBody, VolumeFoldedBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

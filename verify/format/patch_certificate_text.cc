@@ -33,6 +33,10 @@ std::string head_text(std::string_view claim, const std::vector<PatchEntity>& en
          " patches\n";
 }
 
+std::string fraction_text(const UnitFraction& t) {
+  return number(t.numerator) + "/" + number(t.denominator);
+}
+
 struct TreeCounts {
   std::uint64_t nodes = 0, leaves = 0;
   int deepest = 0;
@@ -190,15 +194,28 @@ std::string explain(const PatchInvalidBody& body, std::string_view claim, std::s
 }
 
 std::string explain(const PatchMeetingBody& body, std::string_view claim, std::size_t) {
-  std::string out =
-      head_text(claim, body.entities) + "two points of the surface with one image:\n";
-  const auto fraction_text = [](const UnitFraction& t) {
-    return number(t.numerator) + "/" + number(t.denominator);
-  };
+  std::string out = head_text(claim, body.entities) + "two points of the surface with one image:\n";
   for (std::size_t i = 0; i < body.places.size(); ++i) {
     const MeetingPlace& place = body.places[i];
     out += std::string("  ") + "AB"[i] + ": patch " + number(place.patch) + ", (" +
            fraction_text(place.at[0]) + ", " + fraction_text(place.at[1]) + ")\n";
+  }
+  return out;
+}
+
+std::string explain(const VolumeFoldedBody& body, std::string_view claim, std::size_t) {
+  std::string out = "body: " + std::string(claim) + ", " + number(body.volumes) + " volumes\n" +
+                    "the Jacobian determinant of volume " + number(body.entity) + " is\n";
+  constexpr std::array<const char*, 2> kSigns = {"positive", "negative"};
+  constexpr std::array<const char*, 3> kAxes = {"u", "v", "w"};
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    out += std::string("  ") + kSigns[i] + " at " + "AB"[i] + ":";
+    for (std::size_t a = 0; a < kAxes.size(); ++a) {
+      const PieceFraction& t = body.points[i][a];
+      out += std::string(a == 0 ? " " : ", ") + kAxes[a] + " at " + fraction_text(t.at) +
+             " of piece " + number(t.piece);
+    }
+    out += '\n';
   }
   return out;
 }

@@ -51,6 +51,8 @@ struct Entity {
 };
 // format: one of those of docs/certificates/star-box.md
 std::vector<Entity> read_spline_model(const std::string& file, const std::string& format);
+// The volumes of a file, by section 1 of docs/certificates/reading-rule-faces.md. format: the file's, without "-faces"
+std::vector<Entity> read_volumes(const std::string& file, const std::string& format);
 
 // Control points or Bernstein coefficients: of a tensor product of degrees p, q, v fastest; or of a
 // triangle of degree p (= q), first index falling, then the second.

@@ -152,21 +152,34 @@ std::vector<uint64_t> first_axis_fastest(const std::vector<uint64_t>& stored,
   return places;
 }
 
-std::vector<Entity> read_spline_model(const std::string& file, const std::string& format) {
-  const size_t end = std::min(format.find("-faces"), format.size());
-  const bool has_volumes = end < format.size();
-  const std::string of_file = format.substr(0, end);
+namespace {
+
+std::vector<Entity> read_entities(const std::string& file, const std::string& format,
+                                  bool has_volumes) {
   size_t at = file.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
-  std::vector<Entity> entities;
   try {
-    entities = of_file == "itd"    ? read_itd_model(file, has_volumes, &at)
-               : of_file == "g2"   ? read_g2_model(file, &at)
-               : of_file == "mfem" ? read_mfem_model(file, &at)
-                                   : read_json_model(file, has_volumes, &at);
+    return format == "itd"    ? read_itd_model(file, has_volumes, &at)
+           : format == "g2"   ? read_g2_model(file, &at)
+           : format == "mfem" ? read_mfem_model(file, &at)
+                              : read_json_model(file, has_volumes, &at);
   } catch (const Refused& r) {
-    if (of_file == "vjson" || of_file == "itd")
+    if (format == "vjson" || format == "itd")
       throw Refused{"byte " + std::to_string(at) + ": " + r.why};
     throw Refused{line_and_token(file, at) + r.why};
   }
+}
+
+}  // namespace
+
+std::vector<Entity> read_spline_model(const std::string& file, const std::string& format) {
+  const size_t end = std::min(format.find("-faces"), format.size());
+  const bool has_volumes = end < format.size();
+  const std::vector<Entity> entities = read_entities(file, format.substr(0, end), has_volumes);
   return has_volumes ? boundary_faces(entities) : entities;
+}
+
+std::vector<Entity> read_volumes(const std::string& file, const std::string& format) {
+  const std::vector<Entity> volumes = read_entities(file, format, true);
+  check_volumes(volumes);
+  return volumes;
 }

@@ -104,6 +104,20 @@ struct Volume {
   }
 };
 
+// Calls use(entity) for each entity after section 1 was tested for it.
+template <class Use>
+void each_volume(const std::vector<Entity>& volumes, Use use) {
+  for (size_t v = 0; v < volumes.size(); ++v) try {
+      const Entity& e = volumes[v];
+      expect(e.is_volume() && e.components - e.is_rational == 3, "not a volume in space");
+      for (size_t a = 0; a < 3; ++a) check_axis(e, a);
+      for (uint64_t i = 0; i < e.places.size(); ++i) integers(e, i);
+      use(e);
+    } catch (const Refused& refused) {
+      throw Refused{"entity " + std::to_string(v) + ": " + refused.why};
+    }
+}
+
 // Q_a w_b = Q_c w_d, for control points of a face.
 bool are_equal(const Entity& e, uint64_t a, uint64_t b, uint64_t c, uint64_t d) {
   const Ratio one = Ratio(Big(1));
@@ -131,22 +145,20 @@ bool has_area(const Entity& e) {
 
 }  // namespace
 
+void check_volumes(const std::vector<Entity>& volumes) {
+  each_volume(volumes, [](const Entity&) {});
+}
+
 std::vector<Entity> boundary_faces(const std::vector<Entity>& volumes) {
   std::vector<Entity> faces, r;
-  for (size_t v = 0; v < volumes.size(); ++v) try {
-      const Entity& e = volumes[v];
-      expect(e.is_volume() && e.components - e.is_rational == 3, "not a volume in space");
-      for (size_t a = 0; a < 3; ++a) check_axis(e, a);
-      for (uint64_t i = 0; i < e.places.size(); ++i) integers(e, i);
-      const Volume volume(e);
-      const int hand = volume.hand();
-      for (int number = 0; number < 6; ++number) {
-        faces.push_back(volume.face(number, hand));
-        if (!has_area(faces.back())) faces.pop_back();
-      }
-    } catch (const Refused& refused) {
-      throw Refused{"entity " + std::to_string(v) + ": " + refused.why};
+  each_volume(volumes, [&](const Entity& e) {
+    const Volume volume(e);
+    const int hand = volume.hand();
+    for (int number = 0; number < 6; ++number) {
+      faces.push_back(volume.face(number, hand));
+      if (!has_area(faces.back())) faces.pop_back();
     }
+  });
   const std::vector<bool> is_wall = are_walls(faces);
   for (size_t f = 0; f < faces.size(); ++f)
     if (!is_wall[f]) r.push_back(std::move(faces[f]));

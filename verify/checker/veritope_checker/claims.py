@@ -12,6 +12,7 @@ Claim = namedtuple("Claim", "name magic formats keys module about_answers", defa
 
 MESHES = ("stl", "obj", "ply", "off")
 SPLINES = ("vjson", "itd", "g2", "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces")
+VOLUMES = ("vjson", "itd", "g2", "mfem")
 OF_MESHES = {"reading_rule": r".*", "as_indexed": bool}
 OF_SOLIDS = {**OF_MESHES, "vertices": int, "edges": int, "faces": int, "shells": int, "bodies": int, "genus": int,
              "volume": r"(0|[1-9][0-9]*)/[1-9][0-9]*"}      # lowest terms: V11
@@ -33,6 +34,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("patch-invalid-1", b"VTPI", SPLINES, {**OF_PATCHES, "finding": "crossing|side", "same": int, "opposite": int},
           "patches.patch_invalid_check"),
     Claim("patch-invalid-2", b"VTI2", SPLINES, {**OF_PATCHES, "finding": "meeting"}, "patches.patch_meeting_check"),
+    Claim("volume-folded-1", b"VTVF", VOLUMES, {"volumes": int, "entity": int}, "patches.volume_folded_check"),
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("collar-2", b"VTS2", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
 )}

@@ -15,9 +15,7 @@ PARAMETERS = (((2, 1), (1, 2)), ((0, 2), (2, 0)), ((1, 0), (0, 1)))
 def boundary_faces(volumes):
     """The surfaces that are left of the faces of all volumes."""
     faces = []
-    for n, volume in enumerate(volumes):
-        check_volume(n, volume)
-        exact = [integers(n, point) for point in volume.points]
+    for n, (volume, exact) in enumerate(checked(volumes)):
         faces += faces_of(volume, hand_of(n, volume, exact))
     surfaces = left_over(faces)
     if not surfaces:
@@ -26,6 +24,12 @@ def boundary_faces(volumes):
 
 
 # ---------------------------------------------------------------- section 1: volumes
+
+def checked(volumes):
+    """Each volume, and its control points, each in integers; refuses what is no volume of section 1."""
+    for n, volume in enumerate(volumes):
+        check_volume(n, volume)
+        yield volume, [integers(n, point) for point in volume.points]
 
 def check_volume(n, volume):
     if volume.kind != "volume" or volume.dimension != 3:

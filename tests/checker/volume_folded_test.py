@@ -1,0 +1,13 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""The C++ checker of volume-folded-1 against the Python one, whose tests it runs: same exit code, same condition."""
+import unittest
+
+import judges
+import volume_folded_test as python_tests
+
+judges.judge(python_tests.vc)
+Honest, Lies, Limits, Hostile = python_tests.Honest, python_tests.Lies, python_tests.Limits, python_tests.Hostile
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/fold_certifier.h: certify for files of volumes one of which folds.
+#pragma once
+#include <optional>
+
+#include "io/splines/read_splines.h"
+#include "verify/certify/certify.h"
+
+namespace veritope {
+
+/// INVALID with its certificate (volume-folded-1), if find_fold finds two points in one of the file's volumes and the
+/// claim can be made about the file's own bytes or about a copy with all of its volumes. A copy is made of a file that
+/// the checkers do not read, and of volumes with axes that are not clamped, which are clamped in it.
+/// Nothing for a file with other entities than volumes in space, one whose numbers exceed the limits of certificates,
+/// and one with a volume that may be torn at an inner knot.
+std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptions& options);
+
+}  // namespace veritope

@@ -384,9 +384,9 @@ class Formats(FacesTest):
         self.assertFalse(texts.is_read(vc, cube, "itd"))
 
     def test_kvp_says_which_control_points_there_are(self):
-        """Two given points along u, three in all; only clamped knots pass."""
-        text = "[TRIVAR BSPLINE 2 2 2 2 2 2 E3 [KVP %s][KV 0 0 1 1][KV 0 0 1 1] [0 0 0][1 0 0][0 1 0][1 1 0][0 0 1][1 0 1][0 1 1][1 1 1]]"
-        self.assertEqual(len(read_subject((text % "0 0 1 2 2").encode(), "itd-faces")), 4)     # its ends along u are equal: a wall
+        """Two given points along u, three in all; only clamped knots pass. The ends along u are one segment, so that no corner has a hand."""
+        text = "[TRIVAR BSPLINE 2 2 2 2 2 2 E3 [KVP %s][KV 0 0 1 1][KV 0 0 1 1] [0 0 0][1 0 0][0 0 0][1 1 0][0 0 1][1 0 1][0 0 1][1 1 1]]"
+        self.assertEqual(len(read_subject((text % "0 0 1 2 2").encode(), "itd-faces")), 4)     # its ends along u have no area
         for knots, good in (("0 0 1 2 2", True), ("0 1 2 3 4", False), ("0 0 1 2 3", False), ("-1 0 1 2 2", False), ("0 0 1 1", False), ("0 0 1 2 2 2", False)):
             self.assertEqual(texts.is_read(vc, text % knots, "itd-faces"), good, knots)
 
@@ -395,6 +395,8 @@ class Formats(FacesTest):
         rng = random.Random(3)
         sizes = (3, 2, 4)
         given = {index: [rng.randint(-9, 9) for _ in range(3)] for index in itertools.product(*map(range, sizes))}
+        for axis, index in enumerate(((1, 0, 0), (0, 1, 0), (0, 0, 1))):       # so large that the block does not fold
+            given[index][axis] = 10000
         text = "[TRIVAR POWER 3 2 4 E3 %s]" % "".join("[%d %d %d]" % tuple(given[i, j, k]) for k in range(4) for j in range(2) for i in range(3))
         comb = itd.math.comb
 
@@ -429,11 +431,12 @@ class Refusals(FacesTest):
         """8192 bits for the least common denominator of a point and for what it makes of its numbers."""
         long = (1 << 8192) - 1
         for x, good in ((long, True), (long + 1, False), (-long, True), (-long - 1, False), (Q(1, long), True), (Q(1, long + 1), False), (Q(long - 1, long), True), (Q(long + 2, long), False)):
-            volume = with_points(block(), lambda index, p: (x, *p[1:]) if index == (1, 1, 1) else p)
+            corner = (1, 1, 1) if x > 0 else (0, 1, 1)     # where it does not fold the block
+            volume = with_points(block(), lambda index, p: (x, *p[1:]) if index == corner else p)
             self.assertEqual(self.left([volume]) is not None, good)
         a, b = (1 << 4096) - 1, (1 << 4096) + 1            # their product has 8192 bits
         for y, good in ((Q(1, b), True), (Q(1, 2 * b), False), (Q(1, a), True)):
-            volume = with_points(block(), lambda index, p: (Q(1, a), y, *p[2:]) if index == (1, 1, 1) else p)
+            volume = with_points(block(), lambda index, p: (Q(1, a), y, *p[2:]) if index == (0, 0, 0) else p)
             self.assertEqual(self.left([volume]) is not None, good)
         inside = with_points(block(degrees=(2, 2, 2)), lambda index, p: (long + 1, *p[1:]) if index == (1, 1, 1) else p)
         self.assertIsNone(self.left([inside]))            # in the middle of the volume, too
@@ -449,7 +452,8 @@ class Hostile(FacesTest):
         rng = random.Random(9)
         many = texts.g2_text([block([rng.randint(0, 1) for _ in range(3)], [2] * 3) for _ in range(400)])
         words = ("1e1200", "3e-1200", "7e-300", "9e1190", "11e-1199", "1e-1")
-        long = self.head() + " ".join(rng.choice(words) for _ in range(3 * 1331))
+        grid = [index[::-1] for index in itertools.product(range(11), repeat=3)]           # words but for the corners and their neighbours
+        long = self.head() + " ".join(rng.choice(words) if any(1 < i < 9 for i in index) else str(c) for index in grid for c in index)
         flat = self.head() + " ".join("%s %s %s" % (w, w, rng.choice(words)) for w in (rng.choice(words) for _ in range(1331)))
         n = 6000
         knots = "%d 2 -1e-600 -1e-600 %s 1e600 1e600" % (n, " ".join("%de500" % i for i in range(n - 2)))

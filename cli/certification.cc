@@ -101,11 +101,7 @@ class Certification {
     watch_.lap();
   }
 
-  // Whether the input's name means another file in another process, or one that can be read once only.
-  bool needs_copy() const {
-    const std::string& path = report_.path;
-    return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
-  }
+  bool needs_copy() const { return cli::needs_copy(report_.path); }
 
   // A pattern for which the shell found no file is still a pattern.
   Finding unread(const Error& error) const {
@@ -124,6 +120,8 @@ class Certification {
     report_.seconds.read = watch_.lap();
     if (!model) return refuse(finding_of(model.error()));
     if (needs_copy()) copy_ = std::move(bytes->bytes);
+    if (settings_.model_bytes != nullptr && needs_copy())
+      settings_.model_bytes->assign(reinterpret_cast<const char*>(copy_.data()), copy_.size());
     model_ = std::move(*model);
     report_.sha256 = sha256_of(model_);
     report_.source = source_of(model_);
@@ -334,6 +332,10 @@ class Certification {
 };
 
 }  // namespace
+
+bool needs_copy(const std::string& path) {
+  return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
+}
 
 CertifiedFile certify_file(const std::string& path, const CertifySettings& settings,
                            const KeepCertificate& keep, Progress& progress) {

@@ -25,7 +25,12 @@ struct CertifySettings {
   std::optional<PictureKind> picture;
   /// Not null: takes the model once it is decided.
   ModelFile* model = nullptr;
+  /// Not null: takes the bytes of an input that needs_copy.
+  std::string* model_bytes = nullptr;
 };
+
+/// Whether the input's name means another file in another process, or one that can be read once only.
+bool needs_copy(const std::string& path);
 
 /// The model that was certified in the place of the file.
 struct StandInBytes {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/mesh/reading_rule.h"
+#include "robust/base/parallel.h"
 #include "robust/base/stopwatch.h"
 #include "verify/certify/certify.h"
 #include "verify/certify/points_certifier.h"
@@ -18,7 +19,9 @@ void append_answer(const PointAnswer& answer, bool is_winding, std::string& out)
   if (answer.is_on())
     out += " on -";
   else
-    out += (is_winding ? " - " : answer.winding != 0 ? " in " : " out ") +
+    out += (is_winding            ? " - "
+            : answer.winding != 0 ? " in "
+                                  : " out ") +
            std::to_string(answer.winding);
   out += answer.shell == kNowhere ? " -\n" : " " + std::to_string(answer.shell) + "\n";
 }
@@ -47,7 +50,11 @@ class Classification {
   const std::string& answer(const PointBatch& batch) {
     answers_.resize(batch.size());
     classifier_.classify(batch.points, answers_, settings_.jobs);
-    for (const auto& [i, point] : batch.exact) answers_[i] = classifier_.classify(point);
+    parallel_for(batch.exact.size(), 16, settings_.jobs,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     answers_[batch.exact[k].first] = classifier_.classify(batch.exact[k].second);
+                 });
     if (certifier_) certifier_->add(batch.points, answers_);
     lines_.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -93,14 +100,14 @@ class Classification {
 
 }  // namespace
 
-Result<certificate::Bytes> classify_points(const MeshFile& file, const MeshShells* shells,
-                                           PointSource& source, const ClassifySettings& settings,
-                                           const WriteAnswers& write, Progress& progress,
-                                           const std::string& shown_name,
-                                           report::ClassifyReport& report) {
+Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells* shells,
+                                         PointSource& source, const ClassifySettings& settings,
+                                         const WriteAnswers& write, Progress& progress,
+                                         const std::string& shown_name,
+                                         report::ClassifyReport& report) {
   Stopwatch watch;
   progress.phase(shown_name, "building the look-up");
-  const Result<MeshClassifier> classifier = MeshClassifier::make(file.mesh, settings.jobs, shells);
+  const Result<MeshClassifier> classifier = MeshClassifier::make(file.mesh, shells);
   if (!classifier) return classifier.error();
   std::optional<PointsCertifier> certifier;
   if (settings.makes_certificate) certifier.emplace(file, settings.jobs);
@@ -110,14 +117,20 @@ Result<certificate::Bytes> classify_points(const MeshFile& file, const MeshShell
   report.lookup_bytes = lookup.bytes;
   Classification run(*classifier, settings, std::move(certifier), report);
   PointBatch batch;
+  progress.phase(shown_name, "classifying");
   for (;;) {
-    progress.phase(shown_name, "classifying, " + std::to_string(report.points) + " points so far");
     if (const Status status = source.next(batch); !status) return status.error();
     if (batch.size() == 0) break;
     if (const Status status = write(run.answer(batch)); !status) return status.error();
   }
   report.seconds_classify = watch.lap();
-  return run.certificate(file);
+  Result<certificate::Bytes> made = run.certificate(file);
+  ClassifiedPoints out;
+  if (made)
+    out.certificate = std::move(*made);
+  else
+    out.refusal = made.error();
+  return out;
 }
 
 }  // namespace veritope::cli

@@ -25,14 +25,20 @@ struct ClassifySettings {
 /// Receives the lines of answers, in order.
 using WriteAnswers = std::function<Status(std::string_view lines)>;
 
+struct ClassifiedPoints {
+  certificate::Bytes
+      certificate;  ///< empty without makes_certificate, or for the reason in `refusal`
+  std::optional<Error>
+      refusal;  ///< all points are answered, and there is no certificate: see PointsCertifier
+};
+
 /// Answers all points of the source with respect to the mesh of the file. Fills the numbers of the report.
 /// @param shells  those of a valid mesh; null: --winding, words are not given
-/// @return the certificate; empty without makes_certificate
-/// @error  as PointSource, WriteAnswers, MeshClassifier::make and PointsCertifier::finish
-Result<certificate::Bytes> classify_points(const MeshFile& file, const MeshShells* shells,
-                                           PointSource& source, const ClassifySettings& settings,
-                                           const WriteAnswers& write, Progress& progress,
-                                           const std::string& shown_name,
-                                           report::ClassifyReport& report);
+/// @error  as PointSource, WriteAnswers and MeshClassifier::make
+Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells* shells,
+                                         PointSource& source, const ClassifySettings& settings,
+                                         const WriteAnswers& write, Progress& progress,
+                                         const std::string& shown_name,
+                                         report::ClassifyReport& report);
 
 }  // namespace veritope::cli

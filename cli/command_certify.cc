@@ -109,13 +109,14 @@ KeepCertificate keeper(const OutputPlan& plan, std::size_t i, StandardOutput& ou
 }
 
 // Verdict lines alone are a table.
-TextOptions text_options(const CertifyFilesOptions& o) {
+TextOptions text_options(const CertifyFilesOptions& o, std::size_t num_copies) {
   TextOptions out = TextOptions::of_stdout();
   const std::size_t most_wide = out.verdict_width == kNoWidth ? 70 : out.verdict_width / 2;
   out.lists_pairs = o.max_defects.has_value();
   if (!o.quiet || o.input.files.size() < 2) return out;
-  for (const std::string& path : o.input.files)
-    out.path_width = std::max(out.path_width, std::min(columns(shown_path(path)), most_wide));
+  for (std::size_t i = 0; i + num_copies < o.input.files.size(); ++i)
+    out.path_width =
+        std::max(out.path_width, std::min(columns(shown_path(o.input.files[i])), most_wide));
   return out;
 }
 
@@ -235,9 +236,12 @@ void report_copies(std::size_t num_copies, bool has_text, StandardOutput& out) {
 }
 
 ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
-                     const CertifySettings& settings, std::size_t num_copies, StandardOutput& out) {
+                     const CertifySettings& settings, const std::vector<std::string>& copies,
+                     StandardOutput& out) {
   const std::size_t num_files = options.input.files.size();
-  const TextOptions text = text_options(options);
+  std::set<std::string> certified_copies;  // SHA-256 of copies with a verdict
+  std::size_t num_left_out = 0;
+  const TextOptions text = text_options(options, copies.size());
   const bool has_text = options.json != "-" && options.tsv != "-";
   std::vector<std::string> json;
   std::string table;
@@ -251,6 +255,11 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
   }
   Progress progress(!options.quiet);
   for (std::size_t i = 0; i < num_files; ++i) {
+    if (i + copies.size() >= num_files &&
+        certified_copies.count(copies[i + copies.size() - num_files]) != 0) {
+      ++num_left_out;
+      continue;
+    }
     progress.file(i + 1, num_files);
     CertifiedFile done =
         certify_file(options.input.files[i], settings, keeper(plan, i, out), progress);
@@ -261,6 +270,7 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
       keep_picture(*options.picture, done.picture, plan, report, complaints, out);
     exit = first_of(exit, report.exit);
     totals.add(report);
+    if (report.copy && report.has_verdict()) certified_copies.insert(report.copy->sha256);
     if (options.json) json.push_back(report_json(report));
     if (options.tsv) table += tsv_row(report);
     if (has_text)
@@ -268,7 +278,7 @@ ExitCode certify_all(const CertifyFilesOptions& options, const OutputPlan& plan,
     complain_beside_verdict(report, complaints);
   }
   if (has_text && num_files > 1) out.write(totals.text());
-  if (num_copies != 0) report_copies(num_copies, has_text, out);
+  if (num_left_out != 0) report_copies(num_left_out, has_text, out);
   if (options.tsv) exit = first_of(exit, write_table(*options.tsv, table, plan, complaints, out));
   return options.json ? first_of(exit, write_json(options, plan, json, complaints, out)) : exit;
 }
@@ -294,7 +304,7 @@ ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
     if (!checker) return complain(checker.error().message), kExitUsage;
     settings.checker = *checker;
   }
-  return certify_all(options, *plan, settings, files->num_copies, out);
+  return certify_all(options, *plan, settings, files->copies, out);
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ void declare(OptionSet& set, ClassifyOptions& o) {
 }
 
 std::string contradiction(const ClassifyOptions& o) {
-  if (o.certificate && (!o.output || *o.output == "-"))
-    return "--certificate needs -o with a file name";
+  if (o.certificate && (!o.output || is_stream(*o.output)))
+    return "--certificate needs -o with the name of a file, which the checker can read";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   if (o.json == "-" && (!o.output || *o.output == "-"))
     return "the answers and --json would both write standard output";
@@ -92,6 +92,9 @@ class ClassifyRun {
   Status check_outputs() const {
     const Result<OutputPlan> plan = plan_outputs({path()}, options_.certificate, options_.json);
     if (!plan) return plan.error();
+    if (plan->has_folder)
+      return bad_argument("--certificate names the folder " + *options_.certificate +
+                          "; classify needs the name of a file");
     if (options_.output && *options_.output != "-")
       if (const Status status =
               check_output("--output", *options_.output, options_.files, *plan, options_.json);
@@ -100,7 +103,7 @@ class ClassifyRun {
     for (const auto& output : {options_.certificate, options_.json})
       if (output && *output != "-")
         if (const Status status = refuse_same(options_.files, *output); !status) return status;
-    return ok_status();
+    return try_outputs(*plan, {options_.json, options_.output});
   }
 
   // Reads the model and, without --winding, decides it.
@@ -120,13 +123,13 @@ class ClassifyRun {
 
   ExitCode read() {
     progress_.phase(shown_path(path()), "reading");
-    Result<ModelFile> file = read_model_file(path(), options_.input.reading);
-    if (!file) {
-      progress_.clear();
-      complain(harmless(to_string(file.error())));
-      return kExitUnreadable;
-    }
+    const Result<ModelBytes> bytes = load_model(path(), options_.input.reading);
+    if (!bytes) return refuse(bytes.error());
+    Result<ModelFile> file = read_model(*bytes, options_.input.reading);
+    if (!file) return refuse(file.error());
     model_.file = std::move(*file);
+    if (needs_copy(path()))
+      model_bytes_.assign(reinterpret_cast<const char*>(bytes->bytes.data()), bytes->bytes.size());
     return kExitValid;
   }
 
@@ -137,6 +140,7 @@ class ClassifyRun {
     settings.certify.jobs = static_cast<unsigned>(options_.jobs);
     settings.checker = checker_;
     settings.model = &model_.file;
+    settings.model_bytes = &model_bytes_;
     const CertifiedFile done = certify_file(path(), settings, {}, progress_);
     progress_.clear();
     report_.verdict = done.report.verdict;
@@ -186,7 +190,7 @@ class ClassifyRun {
       out_.write(lines);
       return out_.status();
     };
-    const Result<certificate::Bytes> made =
+    const Result<ClassifiedPoints> made =
         classify_points(file, model_.shells ? &*model_.shells : nullptr, **source, settings, write,
                         progress_, shown_path(path()), report_);
     progress_.clear();
@@ -199,8 +203,16 @@ class ClassifyRun {
     }
     if (answers)
       if (const Status status = answers->commit(); !status) return refuse(status.error());
-    const ExitCode exit = keep_certificate(*made);
+    const ExitCode exit = made->refusal
+                              ? without_certificate(path() + ": " + made->refusal->message)
+                              : keep_certificate(made->certificate);
     return first_of(exit, write_json());
+  }
+
+  // The answers stay.
+  static ExitCode without_certificate(const std::string& why) {
+    complain(harmless("the answers are written, but have no certificate: " + why));
+    return kExitUndecided;
   }
 
   // Has the checker confirm the certificate, then keeps it.
@@ -208,26 +220,40 @@ class ClassifyRun {
     if (!options_.certificate) return kExitValid;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     report_.certificate = {*options_.certificate, bytes.size(), report_.undecided.size(), false};
-    if (!checker_.empty()) {
-      progress_.phase(shown_path(path()), "checking");
-      const Result<ScratchFile> scratch = ScratchFile::with(text);
-      if (!scratch) return refuse(scratch.error());
-      const CheckerOutcome outcome =
-          run_checker(checker_, path(), scratch->path(), std::string(certificate::kPointsClaim),
-                      {scratch->descriptor()}, *options_.output);
-      progress_.clear();
-      if (!outcome.is_accepted) {
-        const bool is_short =
-            !outcome.is_started || outcome.lacks_resources || outcome.exceeds_work;
-        complain(harmless("the certificate is not kept: veritope-check " +
-                          (outcome.is_started ? "says " + outcome.words : outcome.words)));
-        report_.certificate.reset();
-        return is_short ? kExitUndecided : kExitBug;
-      }
-      report_.certificate->is_checked = true;
-    }
+    if (!checker_.empty())
+      if (const ExitCode exit = check(text); exit != kExitValid) return exit;
     const Status status = write_output(*options_.certificate, text, out_);
     return status ? kExitValid : refuse(status.error());
+  }
+
+  ExitCode check(std::string_view certificate) {
+    progress_.phase(shown_path(path()), "checking");
+    const Result<ScratchFile> scratch = ScratchFile::with(certificate);
+    if (!scratch) return refuse(scratch.error());
+    std::vector<int> inherited = {scratch->descriptor()};
+    std::string model = path();
+    std::optional<ScratchFile> copy;
+    if (!model_bytes_.empty()) {  // the input cannot be read again
+      Result<ScratchFile> made = ScratchFile::with(model_bytes_);
+      if (!made) return refuse(made.error());
+      copy.emplace(std::move(*made));
+      inherited.push_back(copy->descriptor());
+      model = copy->path();
+    }
+    const CheckerOutcome outcome =
+        run_checker(checker_, model, scratch->path(), std::string(certificate::kPointsClaim),
+                    inherited, *options_.output);
+    progress_.clear();
+    report_.certificate->is_checked = outcome.is_accepted;
+    if (outcome.is_accepted) return kExitValid;
+    report_.certificate.reset();
+    const std::string words = outcome.is_started ? "veritope-check says " + outcome.words
+                                                 : checker_ + " " + outcome.words;
+    if (!outcome.is_started || outcome.lacks_resources || outcome.exceeds_work)
+      return without_certificate(words);
+    complain(harmless("the certificate is not kept: " + words +
+                      "; this is a bug of veritope: please report it with both files"));
+    return kExitBug;
   }
 
   ExitCode write_json() {
@@ -247,6 +273,7 @@ class ClassifyRun {
   Progress progress_;
   std::string checker_;  // empty: --no-check
   Model model_;
+  std::string model_bytes_;  // if needs_copy(path())
   ClassifyReport report_;
 };
 

@@ -42,14 +42,16 @@ std::vector<unsigned char> head_of(const std::string& path) {
 
 }  // namespace
 
-bool is_kept_copy(const std::string& path) {
+std::optional<std::string> kept_copy_sha256(const std::string& path) {
   const std::optional<std::string> certificate = certificate_beside(path);
-  if (!certificate || !is_file(*certificate) || !is_file(path)) return false;
+  if (!certificate || !is_file(*certificate) || !is_file(path)) return std::nullopt;
   const auto subject = certificate::stated_subject(head_of(*certificate));
-  if (!subject) return false;
+  if (!subject) return std::nullopt;
   const Result<ByteBuffer> bytes = read_file_bytes(path, subject->bytes);
-  return bytes && bytes->size() == subject->bytes &&
-         to_hex(sha256({bytes->data(), bytes->size()})) == subject->sha256;
+  if (!bytes || bytes->size() != subject->bytes) return std::nullopt;
+  std::string hash = to_hex(sha256({bytes->data(), bytes->size()}));
+  if (hash != subject->sha256) return std::nullopt;
+  return hash;
 }
 
 }  // namespace veritope::cli

@@ -15,14 +15,16 @@ bool is_folder_of_models(const std::string& path);
 
 struct ModelFiles {
   std::vector<std::string> paths;
-  std::size_t num_copies = 0;  ///< files of folders that were left out because is_kept_copy
+  /// For the last paths the SHA-256 of the files, which look like copies that certify kept beside certificates
+  /// (cli/kept_copy.h). They need not be certified if models with such copies are.
+  std::vector<std::string> copies;
 };
 
 /// Replaces each folder by the files in it and in its subfolders: those whose names match `glob`, as a shell matches
 /// them, or else those whose endings are those of known formats. Files of a folder are sorted by their paths, byte by
-/// byte. Files and folders whose names begin with a dot are left out, and so are copies of models that lie beside their
-/// certificates (cli/kept_copy.h); links to folders are not followed. A folder that cannot be read is listed in the
-/// place of its files. Other names stay as they are, in their places.
+/// byte, and copies come after all other paths. Files and folders whose names begin with a dot are left out, and links to
+/// folders are not followed. A folder that cannot be read is listed in the place of its files. Other names stay as they
+/// are, in their places.
 /// @error kBadArgument: a folder without such a file
 Result<ModelFiles> files_in_folders(const std::vector<std::string>& paths,
                                     const std::optional<std::string>& glob);

@@ -24,15 +24,25 @@ double rounded(const Rational& x) {
 
 class TextPoints : public PointSource {
  public:
-  TextPoints(LineReader lines, std::string name, Decimals decimals, const ReadLimits& limits)
-      : lines_(std::move(lines)), name_(std::move(name)), reader_(decimals, limits) {}
+  /// @param waits  whether the points may come from a program that waits for their answers
+  TextPoints(LineReader lines, std::string name, bool waits, Decimals decimals,
+             const ReadLimits& limits)
+      : lines_(std::move(lines)),
+        name_(std::move(name)),
+        waits_(waits),
+        reader_(decimals, limits) {}
 
   Status next(PointBatch& batch) override {
     batch.clear();
     while (batch.size() < kBatch) {
+      if (waits_ && batch.size() > 0 && lines_.must_read()) break;
       const Result<std::optional<std::string_view>> line = lines_.next();
       if (!line) return line.error();
       if (!*line) break;
+      if (lines_.line() == 1 &&
+          looks_like_npy(
+              {reinterpret_cast<const unsigned char*>((*line)->data()), (*line)->size()}))
+        return error({1, "an .npy file is read from a regular file only, whose name is given"});
       std::optional<PointFault> fault;
       std::optional<ReadPoint> point = reader_.read(**line, fault);
       if (fault) return error(*fault);
@@ -56,6 +66,7 @@ class TextPoints : public PointSource {
 
   LineReader lines_;
   std::string name_;
+  bool waits_;
   PointLines reader_;
 };
 
@@ -89,8 +100,11 @@ class NpyPoints : public PointSource {
         return error(Code::kTruncated, "the file ends before row " + std::to_string(row_) + " of " +
                                            std::to_string(header_.num_points));
       const Vec3d p = npy_row(header_, row.data());
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        return error(Code::kNotFinite, "row " + std::to_string(row_) + " is not finite");
+      for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(p[k]))
+          return error(Code::kNotFinite, "row " + std::to_string(row_) + ", column " +
+                                             std::to_string(k) +
+                                             " is not finite: " + hexadecimal(p[k]));
       const std::array<std::string, 3> text = {hexadecimal(p.x), hexadecimal(p.y),
                                                hexadecimal(p.z)};
       batch.add({text[0], text[1], text[2]}, p);
@@ -102,8 +116,8 @@ class NpyPoints : public PointSource {
   Status check_end() {
     std::array<unsigned char, 1> more{};
     if (read_some(bytes_, more) == 0) return ok_status();
-    return error(Code::kSyntax, "bytes follow the " + std::to_string(header_.num_points) +
-                                    " rows that the header announces");
+    return error(Code::kSyntax, "bytes follow the number of rows that the header announces, " +
+                                    std::to_string(header_.num_points));
   }
   Error error(Code code, std::string message) const {
     Error out{code, {}, std::move(message)};
@@ -157,7 +171,7 @@ Result<std::unique_ptr<PointSource>> open_points(const std::string& path, Decima
   Result<LineReader> lines = LineReader::open(path);
   if (!lines) return lines.error();
   return std::unique_ptr<PointSource>(
-      std::make_unique<TextPoints>(std::move(*lines), name, decimals, limits));
+      std::make_unique<TextPoints>(std::move(*lines), name, !is_regular(path), decimals, limits));
 }
 
 }  // namespace veritope::cli

@@ -9,6 +9,8 @@
 namespace veritope {
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 bool is_gap(char c) { return c == ' ' || c == '\t'; }
 bool is_mark(char c) { return c == ',' || c == ';'; }
 
@@ -69,10 +71,43 @@ std::string sentence(DecimalFault fault, std::string_view token, const ReadLimit
 
 bool is_decimal(std::string_view token) { return token.find_first_of("xX/") == token.npos; }
 
+// "0x10" without an exponent is a hexadecimal number elsewhere, but not for the checkers.
+bool lacks_exponent(std::string_view token) {
+  return token.find_first_of("xX") != token.npos && token.find_first_of("pP") == token.npos;
+}
+
+// A line that can only be a heading: printable words that begin with a letter or a quotation mark before a letter, and
+// none for what is no number.
+bool is_heading(std::string_view line, const Split& parts) {
+  const auto is_letter = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
+  };
+  for (const char c : line)
+    if (static_cast<unsigned char>(c) < ' ' && !is_gap(c)) return false;
+  for (std::size_t k = 0; k < std::min<std::size_t>(parts.count, 3); ++k) {
+    std::string_view word = parts.tokens[k];
+    if (word.starts_with('"') || word.starts_with('\'')) word.remove_prefix(1);
+    if (word.empty() || !is_letter(word.front())) return false;
+    Rational unused;
+    if (read_exact_decimal(word, {}, unused) == DecimalFault::kNotFinite) return false;
+  }
+  return parts.count > 0 && parts.fault == 0;
+}
+
 }  // namespace
+
+PointLines::PointLines(Decimals decimals, const ReadLimits& limits)
+    : decimals_(decimals), limits_(limits), exact_limits_(limits), reader_(limits) {
+  exact_limits_.max_exponent = std::min(limits.max_exponent, kMostPointExponent);
+}
 
 bool PointLines::read_token(std::string_view token, std::variant<double, Rational>& value,
                             std::string& why) const {
+  if (token.size() > kMostTokenBytes)
+    return why = quoted(token) + " is longer than " + std::to_string(kMostTokenBytes) + " bytes",
+           false;
+  if (lacks_exponent(token))
+    return why = quoted(token) + " lacks the exponent of a hexadecimal number, as in 0x1p0", false;
   if (decimals_ == Decimals::kNearest && is_decimal(token)) {
     double x = 0;
     const char* p = token.data();
@@ -86,8 +121,8 @@ bool PointLines::read_token(std::string_view token, std::variant<double, Rationa
     return true;
   }
   Rational x;
-  const DecimalFault fault = read_exact_number(token, limits_, x);
-  if (fault != DecimalFault::kNone) return why = sentence(fault, token, limits_), false;
+  const DecimalFault fault = read_exact_number(token, exact_limits_, x);
+  if (fault != DecimalFault::kNone) return why = sentence(fault, token, exact_limits_), false;
   const double near = nearest_double(x);
   if (near - near == 0 && Rational::from_double(near) == x)
     value = near;
@@ -99,22 +134,17 @@ bool PointLines::read_token(std::string_view token, std::variant<double, Rationa
 std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<PointFault>& fault) {
   const std::size_t start = line.find_first_not_of(" \t");
   if (start == line.npos || line[start] == '#') return std::nullopt;
-  const bool may_be_header = std::exchange(is_first_, false);
+  const bool is_first = std::exchange(is_first_, false);
+  if (is_first && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   const Split parts = split(line);
+  if (is_first && is_heading(line, parts)) return std::nullopt;
   ReadPoint out;
   std::array<std::variant<double, Rational>, 3> values;
-  std::size_t num_numbers = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(parts.count, 3); ++k) {
     std::string why;
-    if (read_token(parts.tokens[k], values[k], why))
-      ++num_numbers;
-    else if (!fault)
+    if (!read_token(parts.tokens[k], values[k], why) && !fault)
       fault = PointFault{static_cast<std::size_t>(parts.tokens[k].data() - line.data()) + 1,
                          std::move(why)};
-  }
-  if (may_be_header && num_numbers == 0 && parts.fault == 0) {
-    fault.reset();
-    return std::nullopt;
   }
   if (!fault && parts.fault != 0)
     fault = PointFault{parts.fault, "a number is missing beside this mark"};

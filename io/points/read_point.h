@@ -30,15 +30,18 @@ struct PointFault {
   std::string message;
 };
 
-/// Reads the lines of one file. Coordinates are decimals, hexadecimal numbers or fractions p/q
-/// (io/base/exact_number.h), separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal numbers are
-/// exact.
+/// The limits of a coordinate that docs/certificates/points.md has, whatever the limits of the reader are.
+inline constexpr std::size_t kMostTokenBytes = 4096;
+inline constexpr std::uint32_t kMostPointExponent = 4096;
+
+/// Reads the lines of one file. Coordinates are decimals, hexadecimal numbers or fractions p/q, as section 2 of
+/// docs/certificates/points.md says, separated by blanks, tabs, or one comma or semicolon. Fractions and hexadecimal
+/// numbers are exact.
 class PointLines {
  public:
-  PointLines(Decimals decimals, const ReadLimits& limits)
-      : decimals_(decimals), limits_(limits), reader_(limits) {}
+  PointLines(Decimals decimals, const ReadLimits& limits);
 
-  /// Nothing for a line without a point: empty, a comment after #, or a first line without any number. REQUIRES 8
+  /// Nothing for a line without a point: empty, a comment after #, or a first line that consists of words. REQUIRES 8
   /// readable bytes after the line.
   /// @error the fault, in `fault`; then the result is empty, too
   std::optional<ReadPoint> read(std::string_view line, std::optional<PointFault>& fault);
@@ -49,6 +52,7 @@ class PointLines {
 
   Decimals decimals_;
   ReadLimits limits_;
+  ReadLimits exact_limits_;  ///< of decimals that are exact, hexadecimal numbers and fractions
   DecimalReader reader_;
   bool is_first_ = true;
 };

@@ -1,34 +1,39 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/projection.h"
+#include "robust/filter.h"
 #include "solids/classify/facet_tests_internal.h"
-#include "solids/classify/rational_orient_internal.h"
 
 namespace veritope::internal {
 namespace {
 
-std::array<double, 3> coordinates(const Vec3d& p) { return to_point(p); }
-const ExactPoint& coordinates(const ExactPoint& p) { return p; }
+Sign compare(const Vec3d& p, std::size_t k, double c) {
+  return sign_of(p[static_cast<int>(k)] - c);
+}
+Sign compare(const ScaledPoint& p, std::size_t k, double c) { return p.compare(k, c); }
 
 // Whether q lies between a and b on their line, the ends included.
 template <typename Point>
-bool is_on_segment(const Point& a, const Point& b, const Point& q) {
+bool is_on_segment(const Vec3d& a, const Vec3d& b, const Point& q) {
   for (int axis = 0; axis < 3; ++axis)
     if (orient2d(a, b, q, axis) != Sign::kZero) return false;
-  const auto from = coordinates(a), to = coordinates(b), at = coordinates(q);
+  const Point3d from = to_point(a), to = to_point(b);
   for (std::size_t k = 0; k < 3; ++k)
-    if (at[k] < std::min(from[k], to[k]) || std::max(from[k], to[k]) < at[k]) return false;
+    if (compare(q, k, std::min(from[k], to[k])) < 0 || compare(q, k, std::max(from[k], to[k])) > 0)
+      return false;
   return true;
 }
 
 // The closed triangle t, of the plane of q.
 template <typename Point>
-bool is_on_triangle(const std::array<Point, 3>& t, const AxisProjection& seen, const Point& q) {
+bool is_on_triangle(const std::array<Vec3d, 3>& t, const Point& q) {
+  const AxisProjection seen = projection_of(t[0], t[1], t[2]);
   if (seen.sign == Sign::kZero)
     return is_on_segment(t[0], t[1], q) || is_on_segment(t[1], t[2], q) ||
            is_on_segment(t[2], t[0], q);
@@ -61,9 +66,19 @@ Sign FacetTests::exact_side(std::uint32_t facet, const Vec3d& q) const {
   return veritope::orient3d(t[0], t[1], t[2], q);
 }
 
-Sign FacetTests::side(std::uint32_t facet, const ExactPoint& q) const {
+// The exact plane function differs between q and its rounded place by at most |N| . slack, and |N| from the stored
+// normal by less than the session's bound allows for a step of the box's extent, which is greater.
+Sign FacetTests::side(std::uint32_t facet, const ScaledPoint& q) const {
+  const SessionPlane& plane = records_[facet].plane;
+  const double step =
+      (std::abs(static_cast<double>(plane.x)) + std::abs(static_cast<double>(plane.y)) +
+       std::abs(static_cast<double>(plane.z))) *
+      q.slack;
+  const double bound = 2 * session_.orient3d_error() + step * (1 + 0x1p-40);
+  const Sign3 s = sign_beyond(Session3d::plane_value(plane, q.rounded), bound);
+  if (is_certain(s)) return to_sign(s);
   const auto t = corners(facet);
-  return orient3d(to_rational(t[0]), to_rational(t[1]), to_rational(t[2]), q);
+  return orient3d(t[0], t[1], t[2], q);
 }
 
 Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const Vec3d& to) const {
@@ -74,22 +89,19 @@ Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const Vec3d&
   return passage_of(ab, bc, session_.orient3d(from, to, t[2], t[0]));
 }
 
-Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const ExactPoint& to) const {
+Passage FacetTests::passage(std::uint32_t facet, const Vec3d& from, const ScaledPoint& to) const {
   const auto t = corners(facet);
-  const ExactPoint f = to_rational(from), a = to_rational(t[0]), b = to_rational(t[1]),
-                   c = to_rational(t[2]);
-  return passage_of(orient3d(f, to, a, b), orient3d(f, to, b, c), orient3d(f, to, c, a));
+  // Cyclic orders of four points with `from` first have one orientation.
+  return passage_of(orient3d(from, t[0], t[1], to), orient3d(from, t[1], t[2], to),
+                    orient3d(from, t[2], t[0], to));
 }
 
 bool FacetTests::contains(std::uint32_t facet, const Vec3d& q) const {
-  const auto t = corners(facet);
-  return is_on_triangle(t, projection_of(t[0], t[1], t[2]), q);
+  return is_on_triangle(corners(facet), q);
 }
 
-bool FacetTests::contains(std::uint32_t facet, const ExactPoint& q) const {
-  const auto t = corners(facet);
-  const std::array<ExactPoint, 3> exact{to_rational(t[0]), to_rational(t[1]), to_rational(t[2])};
-  return is_on_triangle(exact, projection_of(t[0], t[1], t[2]), q);
+bool FacetTests::contains(std::uint32_t facet, const ScaledPoint& q) const {
+  return is_on_triangle(corners(facet), q);
 }
 
 bool FacetTests::is_degenerate(std::uint32_t facet) const {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "predicates/session.h"
-#include "solids/classify/point_answer.h"
+#include "solids/classify/scaled_point_internal.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope::internal {
@@ -49,15 +49,15 @@ class FacetTests {
       return to_sign(s);
     return exact_side(facet, q);
   }
-  Sign side(std::uint32_t facet, const ExactPoint& q) const;
+  Sign side(std::uint32_t facet, const ScaledPoint& q) const;
 
   /// REQUIRES endpoints on different sides of the facet's plane.
   Passage passage(std::uint32_t facet, const Vec3d& from, const Vec3d& to) const;
-  Passage passage(std::uint32_t facet, const Vec3d& from, const ExactPoint& to) const;
+  Passage passage(std::uint32_t facet, const Vec3d& from, const ScaledPoint& to) const;
 
   /// Whether the closed facet, degenerate ones included, contains q. REQUIRES side(facet, q) == kZero.
   bool contains(std::uint32_t facet, const Vec3d& q) const;
-  bool contains(std::uint32_t facet, const ExactPoint& q) const;
+  bool contains(std::uint32_t facet, const ScaledPoint& q) const;
 
   bool is_degenerate(std::uint32_t facet) const;
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
@@ -13,8 +15,6 @@
 #include "solids/classify/ray_count_internal.h"
 #include "solids/classify/segment_count_internal.h"
 #include "solids/classify/shell_chain_internal.h"
-#include "topology/incidence.h"
-#include "topology/surface.h"
 
 namespace veritope {
 
@@ -31,15 +31,34 @@ Box3d box_of(const TriangleMesh& mesh) {
   return out;
 }
 
-bool is_in(const Box3d& box, const Vec3d& q) {
-  const Point3d p = to_point(q);
-  return is_inside({p, p}, box);
-}
-bool is_in(const Box3d& box, const ExactPoint& q) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (q[k] < Rational::from_double(box.lo[k]) || Rational::from_double(box.hi[k]) < q[k])
-      return false;
-  return true;
+}  // namespace
+
+namespace {
+
+// The first edge, by its ids, that is not used equally often in both directions.
+std::optional<Error> unbalanced_edge(const TriangleMesh& mesh) {
+  std::vector<std::pair<std::uint64_t, int>> uses;  // an edge by its ids, the less one first; 1: so
+  uses.reserve(3 * mesh.faces.size());
+  for (const auto& t : mesh.faces)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t a = t[i], b = t[(i + 1) % 3];
+      if (a != b) uses.emplace_back(std::min(a, b) << 32 | std::max(a, b), a < b ? 1 : 0);
+    }
+  std::sort(uses.begin(), uses.end());
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    std::size_t upward = 0;
+    for (; j < uses.size() && uses[j].first == uses[i].first; ++j)
+      upward += uses[j].second == 1 ? 1 : 0;
+    if (2 * upward == j - i) continue;
+    return Error{Code::kBadArgument,
+                 {},
+                 "the surface is not closed: the edge from vertex " +
+                     std::to_string(uses[i].first >> 32) + " to vertex " +
+                     std::to_string(uses[i].first & 0xffffffffu) + " is used " +
+                     std::to_string(upward) + " times in this direction and " +
+                     std::to_string(j - i - upward) + " times in the other"};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -90,9 +109,7 @@ class MeshClassifier::Body {
 
  private:
   static const Vec3d& rounded(const Vec3d& q) { return q; }
-  static Vec3d rounded(const ExactPoint& q) {
-    return {nearest_double(q[0]), nearest_double(q[1]), nearest_double(q[2])};
-  }
+  static const Vec3d& rounded(const ScaledPoint& q) { return q.rounded; }
   std::uint32_t num_facets() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
 
   // Neither a label nor a cell: outside of the box, or no octree.
@@ -188,14 +205,8 @@ MeshClassifier::MeshClassifier(std::unique_ptr<const Body> body) : body_(std::mo
 MeshClassifier::MeshClassifier(MeshClassifier&&) noexcept = default;
 MeshClassifier::~MeshClassifier() = default;
 
-Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, unsigned jobs,
-                                            const MeshShells* shells) {
-  const Incidence incidence =
-      Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), jobs);
-  if (!analyse_surface(mesh.faces, incidence, 0, jobs).is_cycle)
-    return Error{Code::kBadArgument,
-                 {},
-                 "the surface is not closed: an edge is not used equally often in both directions"};
+Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, const MeshShells* shells) {
+  if (auto unbalanced = unbalanced_edge(mesh)) return std::move(*unbalanced);
   const ScopedDefaultFp nearest;
   return MeshClassifier(std::make_unique<const Body>(mesh, shells));
 }
@@ -207,7 +218,7 @@ PointAnswer MeshClassifier::classify(const Vec3d& point) const {
 
 PointAnswer MeshClassifier::classify(const ExactPoint& point) const {
   const ScopedDefaultFp nearest;
-  return body_->classify(point);
+  return body_->classify(ScaledPoint(point));
 }
 
 void MeshClassifier::classify(std::span<const Vec3d> points, std::span<PointAnswer> answers,

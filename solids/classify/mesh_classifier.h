@@ -35,11 +35,9 @@ class MeshClassifier {
   /// solid. The mesh must outlive the classifier.
   /// @error kBadArgument if the triangles are no closed chain: an edge is not used equally often in both directions
   /// @cost  near-linear in the facets; approximately 150 bytes a facet
-  static Result<MeshClassifier> make(const TriangleMesh& mesh, unsigned jobs = 1,
-                                     const MeshShells* shells = nullptr);
+  static Result<MeshClassifier> make(const TriangleMesh& mesh, const MeshShells* shells = nullptr);
   /// A temporary mesh would be gone before the first point.
-  static Result<MeshClassifier> make(TriangleMesh&&, unsigned = 1,
-                                     const MeshShells* = nullptr) = delete;
+  static Result<MeshClassifier> make(TriangleMesh&&, const MeshShells* = nullptr) = delete;
 
   MeshClassifier(MeshClassifier&&) noexcept;
   ~MeshClassifier();

@@ -108,23 +108,60 @@ class Classify(Folder):
             self.assertEqual(done.returncode, 4, done.stderr)
             self.assertIn(f"{points}:{words}", done.stderr)
             self.assertFalse(output.exists())
-        for content, words in ((npy([(1, 2, 3)], shape=(2, 3)), "row 1 of 2"), (npy([(1, 2, float("nan"))]), "row 0 is not finite"),
+        for content, words in ((npy([(1, 2, 3)], shape=(2, 3)), "row 1 of 2"), (npy([(1, 2, float("nan"))]), "row 0, column 2 is not finite: nan"),
                                (npy([(1, 2, 3)]) + b"x", "bytes follow"), (npy([(1, 2, 3)], shape=(3,)), "(n, 3)")):
             done = run("classify", self.box, self.file("bad.npy", content), "-o", output)
             self.assertEqual(done.returncode, 4)
             self.assertIn(words, done.stderr)
             self.assertFalse(output.exists())
+        done = run("classify", self.box, self.points, "-o", output, "--certificate", self.folder / "no" / "c")
+        self.assertEqual((done.returncode, output.exists()), (4, False))     # tried before the work
+        done = run("classify", self.box, "-", input=npy([(1, 2, 3)]), text=False)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn(b"an .npy file is read from a regular file only", done.stderr.replace(b"\n", b" "))
         self.assertEqual(run("classify", self.box, self.folder / "none.txt").returncode, 4)
         self.assertEqual(run("classify", self.folder / "none.off", self.points).returncode, 4)
 
     def test_usage(self):
         for options in (("--certificate", "c"), ("--json", "-"), ("--decimals", "rounded"), ("-o", self.box), ("-o", self.points),
-                        ("-o", "a", "--json", "a"), ("-o", "a", "--certificate", "a"), ("--certificate", "-", "-o", "a")):
+                        ("-o", "a", "--json", "a"), ("-o", "a", "--certificate", "a"), ("--certificate", "-", "-o", "a"),
+                        ("-o", "/dev/null", "--certificate", "c"), ("-o", "a", "--certificate", ".")):
             done = run("classify", self.box, self.points, *options, cwd=self.folder)
             self.assertEqual(done.returncode, 2, (options, done.stderr))
             self.assertEqual(done.stdout, "")
         spline = ROOT / "examples" / "quarter_pipe.itd"
         self.assertEqual(run("classify", spline, self.points).returncode, 3)
+
+    def test_a_model_on_standard_input_has_certificates_too(self):
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        with open(self.box, "rb") as model:
+            done = run("classify", "-", self.points, "--format", "off", "-o", output, "--certificate", certificate, stdin=model)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(subprocess.run([BIN / "veritope-check", self.box, certificate, output], capture_output=True).returncode, 0)
+
+    def test_answers_are_written_though_they_need_more_work_than_checkers_may_spend(self):
+        """Points in the middle of a thousand boxes, one inside the other, whose rays meet all of them."""
+        vertices, faces = [], []
+        for i in range(1200):
+            faces += [[v + len(vertices) for v in (f if i % 2 == 0 else f[::-1])] for f in FACES]
+            vertices += [[(-1, 1)[k >> a & 1] * (2000 - i) for a in range(3)] for k in range(8)]
+        model = self.file("nest.off", f"OFF\n{len(vertices)} {len(faces)} 0\n" + "".join("%d %d %d\n" % tuple(v) for v in vertices)
+                          + "".join("%d %s\n" % (len(f), " ".join(map(str, f))) for f in faces))
+        points, output, certificate = self.file("mid.txt", "0.25 0.5 0.125\n" * 300), self.folder / "answers.txt", self.folder / "points.cert"
+        done = run("classify", model, points, "-o", output, "--certificate", certificate)
+        self.assertEqual(done.returncode, 3, done)
+        self.assertIn(f"{model}: the points need more work than checkers may spend", done.stderr.replace("\n", " "))
+        self.assertEqual(len(output.read_text().splitlines()), 300)
+        self.assertFalse(certificate.exists())
+
+    def test_a_program_that_waits_gets_its_answers(self):
+        with subprocess.Popen([BIN / "veritope", "classify", self.box, "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+            for point, word in (("0.5 0.5 0.5", "in"), ("3 3 3", "out"), ("1/3 1/3 0", "on")):
+                process.stdin.write(point + "\n")
+                process.stdin.flush()
+                self.assertEqual(process.stdout.readline().split()[3], word)
+            process.stdin.close()
+            self.assertEqual(process.wait(), 0)
 
     def test_many_points_take_several_batches(self):
         n = 70000

@@ -11,7 +11,8 @@ namespace {
 // A line with the padding that readers need.
 class Line {
  public:
-  explicit Line(const std::string& text) : text_(text + std::string(16, '\n')), size_(text.size()) {}
+  explicit Line(const std::string& text)
+      : text_(text + std::string(16, '\n')), size_(text.size()) {}
   std::string_view view() const { return std::string_view(text_).substr(0, size_); }
 
  private:
@@ -29,7 +30,8 @@ std::string read(PointLines& lines, const std::string& text) {
   std::string out;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto* p = std::get_if<Vec3d>(&point->point);
-    const Rational x = p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)]) : std::get<ExactPoint>(point->point)[k];
+    const Rational x = p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)])
+                                    : std::get<ExactPoint>(point->point)[k];
     out += (k > 0 ? " " : "") + x.to_string();
   }
   return out + (std::holds_alternative<Vec3d>(point->point) ? "" : " exact");
@@ -41,7 +43,8 @@ std::string read(const std::string& text, Decimals decimals = Decimals::kNearest
 }
 
 TEST(ReadPoint, SeparatesCoordinatesByBlanksAndOneMark) {
-  for (const char* text : {"1 2 3", "1,2,3", "1;2;3", " 1\t2 ,3 ", "1 , 2 ; 3", "+1 2. 3e0", "0x1p0 4/2 3"})
+  for (const char* text :
+       {"1 2 3", "1,2,3", "1;2;3", " 1\t2 ,3 ", "1 , 2 ; 3", "+1 2. 3e0", "0x1p0 4/2 3"})
     EXPECT_EQ(read(text), "1 2 3") << text;
   EXPECT_EQ(read("1,,2,3"), "3: a number is missing beside this mark");
   EXPECT_EQ(read(",1,2,3"), "1: a number is missing beside this mark");
@@ -53,10 +56,40 @@ TEST(ReadPoint, SkipsEmptyLinesCommentsAndAFirstLineOfWords) {
   EXPECT_EQ(read(lines, ""), "-");
   EXPECT_EQ(read(lines, " \t"), "-");
   EXPECT_EQ(read(lines, "# x y z"), "-");
-  EXPECT_EQ(read(lines, "x,y,z"), "-");
-  EXPECT_EQ(read(lines, "x,y,z"), "1: 'x' is neither a decimal, nor a fraction, nor a hexadecimal number");
+  EXPECT_EQ(read(lines, "x,\"y\",z_1 and more"), "-");
+  EXPECT_EQ(read(lines, "x,y,z"),
+            "1: 'x' is neither a decimal, nor a fraction, nor a hexadecimal number");
   PointLines others(Decimals::kNearest, {});
-  EXPECT_EQ(read(others, "1 y z"), "3: 'y' is neither a decimal, nor a fraction, nor a hexadecimal number");
+  EXPECT_EQ(read(others, "1 y z"),
+            "3: 'y' is neither a decimal, nor a fraction, nor a hexadecimal number");
+}
+
+TEST(ReadPoint, RefusesAFirstLineThatIsMeantToBeAPoint) {
+  for (const char* text :
+       {"nan nan nan", "inf -inf NaN", "1e999 1e999 1e999", "1d0 2d0 3d0", "\"1\",\"2\",\"3\"",
+        "\x93NUMPY\x01", "\xff\xfe1", "a\x01 b c", "-x -y -z"}) {
+    PointLines lines(Decimals::kNearest, {});
+    EXPECT_EQ(read(lines, text).substr(0, 2), "1:") << text;
+  }
+  PointLines marked(Decimals::kNearest, {});
+  EXPECT_EQ(read(marked,
+                 "\xef\xbb\xbf"
+                 "1 2 3"),
+            "1 2 3");
+}
+
+// Otherwise no checker would accept the answers.
+TEST(ReadPoint, HasTheLimitsOfTheCertificate) {
+  EXPECT_EQ(read("0x10 0 0"), "1: '0x10' lacks the exponent of a hexadecimal number, as in 0x1p0");
+  EXPECT_NE(read("1e0" + std::string(5000, '0') + "1 0 0").find("is longer than 4096 bytes"),
+            std::string::npos);
+  ReadLimits wide;
+  wide.max_exponent = 100000;
+  PointLines exact(Decimals::kExact, wide), nearest(Decimals::kNearest, wide);
+  read(exact, "1 2 3"), read(nearest, "1 2 3");
+  EXPECT_NE(read(exact, "1e5000 0 0").find("--max-exponent 4096"), std::string::npos);
+  EXPECT_NE(read(nearest, "0x1p5000 0 0").find("--max-exponent 4096"), std::string::npos);
+  EXPECT_EQ(read(nearest, "1e-5000 0 0"), "0 0 0");
 }
 
 TEST(ReadPoint, DecimalsAreNearestOrExact) {
@@ -76,7 +109,8 @@ TEST(ReadPoint, NamesTheColumnOfWhatIsWrong) {
   EXPECT_EQ(read("1 2 1e999"), "5: '1e999' is not finite");
   EXPECT_EQ(read("1 2 -inf", Decimals::kExact), "5: '-inf' is not finite");
   EXPECT_EQ(read("1 2/0 3").substr(0, 3), "3: ");
-  EXPECT_EQ(read("1 2 3e5000", Decimals::kExact), "5: '3e5000' has an exponent over --max-exponent 4096");
+  EXPECT_EQ(read("1 2 3e5000", Decimals::kExact),
+            "5: '3e5000' has an exponent over --max-exponent 4096");
   EXPECT_EQ(read(std::string(1001, '7') + " 2 3").substr(0, 5), "1: '7");
 }
 
@@ -84,7 +118,8 @@ std::string npy(const std::string& header, std::size_t version = 1) {
   std::string out = "\x93NUMPY";
   out += static_cast<char>(version);
   out += '\0';
-  for (std::size_t i = 0; i < (version == 1 ? 2u : 4u); ++i) out += static_cast<char>(header.size() >> (8 * i) & 255);
+  for (std::size_t i = 0; i < (version == 1 ? 2u : 4u); ++i)
+    out += static_cast<char>(header.size() >> (8 * i) & 255);
   return out + header;
 }
 Result<NpyHeader> header_of(const std::string& bytes) {
@@ -93,7 +128,8 @@ Result<NpyHeader> header_of(const std::string& bytes) {
 
 TEST(NpyHeader, HasTypeAndNumberOfPoints) {
   for (const std::size_t version : {1u, 2u, 3u}) {
-    const std::string bytes = npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3), }   \n", version);
+    const std::string bytes =
+        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3), }   \n", version);
     const auto h = header_of(bytes + "rest");
     ASSERT_TRUE(h) << h.error().message;
     EXPECT_EQ(h->num_points, 7u);
@@ -109,11 +145,17 @@ TEST(NpyHeader, HasTypeAndNumberOfPoints) {
 TEST(NpyHeader, RefusesOtherArraysAndBrokenHeaders) {
   EXPECT_FALSE(header_of("solid"));
   EXPECT_FALSE(header_of("\x93NUMPY"));
-  EXPECT_FALSE(header_of(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3), }").substr(0, 40)));
-  for (const char* header : {"{'descr': '<i8', 'fortran_order': False, 'shape': (7, 3), }", "{'descr': '<f8', 'fortran_order': True, 'shape': (7, 3), }",
-                             "{'descr': '<f8', 'fortran_order': False, 'shape': (7, 2), }", "{'descr': '<f8', 'fortran_order': False, 'shape': (7,), }",
-                             "{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3, 1), }", "{'descr': '<f8', 'shape': (7, 3), }",
-                             "{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999999999, 3), }", "{'descr'"})
+  EXPECT_FALSE(
+      header_of(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3), }").substr(0, 40)));
+  for (const char* header :
+       {"{'descr': '<i8', 'fortran_order': False, 'shape': (7, 3), }",
+        "{'descr': '<f8', 'fortran_order': True, 'shape': (7, 3), }",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (7, 2), }",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (7,), }",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (7, 3, 1), }",
+        "{'descr': '<f8', 'shape': (7, 3), }",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999999999, 3), }",
+        "{'descr'"})
     EXPECT_FALSE(header_of(npy(header))) << header;
   EXPECT_FALSE(header_of(npy(std::string(70000, ' '), 2)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/points_certifier.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -27,8 +28,20 @@ BoxGroups groups_of(const TriangleMesh& mesh, unsigned jobs) {
 
 struct Direction {
   std::uint8_t code = 0;
-  std::uint64_t boxes = 0;  // that may stand in the way; more than there are, if in doubt
+  std::uint64_t units = 0;  // of work, as section 5 of docs/certificates/points.md counts them
 };
+
+// Whether a checker has to look at the facet.
+bool is_unit(const TriangleMesh& mesh, std::uint32_t facet, const Vec3d& q, std::uint8_t code) {
+  Box3d box = empty_box();
+  for (const std::uint32_t v : mesh.faces[facet]) add(to_point(mesh.positions[v]), &box);
+  const Point3d at = to_point(q);
+  if (is_inside({at, at}, box)) return true;
+  const std::size_t u = code / 2u;
+  for (const std::size_t k : {(u + 1) % 3, (u + 2) % 3})
+    if (at[k] < box.lo[k] || at[k] >= box.hi[k]) return false;
+  return code % 2 == 0 ? box.hi[u] >= at[u] : box.lo[u] <= at[u];
+}
 
 }  // namespace
 
@@ -49,7 +62,7 @@ class PointsCertifier::Body {
         ++num_on_, ++work_;
         codes_.varint(answers[i].facet);
       } else {
-        work_ += directions[i].boxes;
+        work_ += directions[i].units;
         codes_.u8(directions[i].code);
       }
     }
@@ -77,7 +90,10 @@ class PointsCertifier::Body {
     for (std::size_t few = kFewBoxes;; few *= 8)
       for (std::uint8_t code = 0; code < 6; ++code) {
         met.clear();
-        if (boxes_.stabbed(p, code / 2, code % 2 == 0, few, met)) return {code, met.size()};
+        if (!boxes_.stabbed(p, code / 2, code % 2 == 0, few, met)) continue;
+        const auto units = std::count_if(
+            met.begin(), met.end(), [&](std::uint32_t f) { return is_unit(mesh_, f, p, code); });
+        return {code, static_cast<std::uint64_t>(units)};
       }
   }
 

@@ -76,8 +76,8 @@ bool lacks_exponent(std::string_view token) {
   return token.find_first_of("xX") != token.npos && token.find_first_of("pP") == token.npos;
 }
 
-// A line that can only be a heading: printable words that begin with a letter or a quotation mark before a letter, and
-// none for what is no number.
+// A line that can only be a heading: printable words that begin with a letter, or with a quotation mark and a letter,
+// and that are not names for NaN or infinity.
 bool is_heading(std::string_view line, const Split& parts) {
   const auto is_letter = [](char c) {
     return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';

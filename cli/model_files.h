@@ -23,8 +23,8 @@ struct ModelFiles {
 /// Replaces each folder by the files in it and in its subfolders: those whose names match `glob`, as a shell matches
 /// them, or else those whose endings are those of known formats. Files of a folder are sorted by their paths, byte by
 /// byte, and copies come after all other paths. Files and folders whose names begin with a dot are left out, and links
-/// to folders are not followed. A folder that cannot be read is listed in the place of its files. Other names stay as they
-/// are, in their places.
+/// to folders are not followed. A folder that cannot be read is listed in the place of its files. Other names stay as
+/// they are, in their places.
 /// @error kBadArgument: a folder without such a file
 Result<ModelFiles> files_in_folders(const std::vector<std::string>& paths,
                                     const std::optional<std::string>& glob);

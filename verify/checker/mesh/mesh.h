@@ -40,7 +40,7 @@ struct Surface {
 };
 
 // The box tree of section 5.
-struct Node {
+struct TreeNode {
   int64_t min[3], max[3];  // the box, as keys
   uint32_t common[3];      // the star vertices of all its triangles, then kNone
   bool has(uint32_t v) const {
@@ -58,7 +58,7 @@ struct Tree {
   Range root() const { return Range{0, 0, uint32_t(order.size())}; }
 
   std::vector<uint32_t> order, corners;  // triangles by position, and their vertices
-  std::vector<Node> nodes;
+  std::vector<TreeNode> nodes;
 
  private:
   void build(const Range& r, const Model& model, const std::vector<uint8_t>& star);

@@ -53,7 +53,7 @@ ValidBody read_valid_body(const Statement& statement, Body body, Model* model) {
       require(z < 0xffffffff, "B1", "a component is not below 2^31: separator", i);
       x = z % 2 == 0 ? int64_t(z / 2) : -int64_t(z / 2) - 1;
     }
-    r.separator.push_back(Separator{gap, direction(d[0], d[1], d[2])});
+    r.separator.push_back(PairSeparator{gap, direction(d[0], d[1], d[2])});
   }
   const uint64_t codes = body.count(1);
   r.code.assign(body.p, body.p + codes);

@@ -7,7 +7,7 @@ inline Vec<1> direction(int64_t x, int64_t y, int64_t z) {
   return Vec<1>{{fixed<1>(x), fixed<1>(y), fixed<1>(z)}};
 }
 
-struct Separator {
+struct PairSeparator {
   uint64_t gap;
   Vec<1> d;
 };
@@ -16,7 +16,7 @@ struct ValidBody {
   std::vector<uint32_t> order;
   std::vector<uint8_t> star, code, nesting;
   std::vector<Vec<1>> vector;
-  std::vector<Separator> separator;
+  std::vector<PairSeparator> separator;
 
   uint64_t num_reversed() const {
     return uint64_t(std::count(reversed.begin(), reversed.end(), true));

@@ -113,7 +113,7 @@ Tree::Tree(const Model& model, const std::vector<uint32_t>& by_position,
 }
 
 void Tree::build(const Range& r, const Model& model, const std::vector<uint8_t>& star) {
-  Node& n = nodes[r.node];
+  TreeNode& n = nodes[r.node];
   std::fill(n.common, n.common + 3, kNone);
   int found = 0;
   if (r.size() == 1) {
@@ -130,7 +130,7 @@ void Tree::build(const Range& r, const Model& model, const std::vector<uint8_t>&
   }
   build(r.left(), model, star);
   build(r.right(), model, star);
-  const Node &a = nodes[r.left().node], &b = nodes[r.right().node];
+  const TreeNode &a = nodes[r.left().node], &b = nodes[r.right().node];
   for (int k = 0; k < 3; ++k) {
     n.min[k] = std::min(a.min[k], b.min[k]);
     n.max[k] = std::max(a.max[k], b.max[k]);

@@ -83,7 +83,7 @@ class NestingCheck {
     const int u = codes_[s] / 2, p = (u + 1) % 3, q = (u + 2) % 3;
     const bool upwards = codes_[s] % 2 == 0;
     const int64_t* const k = key(v);
-    const Node& n = tree_.nodes[r.node];
+    const TreeNode& n = tree_.nodes[r.node];
     if (k[q] < n.min[q] || k[q] >= n.max[q] || k[p] < n.min[p] || k[p] >= n.max[p] ||
         (upwards ? n.max[u] < k[u] : n.min[u] > k[u]))
       return;

@@ -124,7 +124,7 @@ class ValidCheck {
   }
   void cross_nodes(const Range& a, const Range& b) {
     work_.add(1);
-    const Node &m = tree_->nodes[a.node], &n = tree_->nodes[b.node];
+    const TreeNode &m = tree_->nodes[a.node], &n = tree_->nodes[b.node];
     for (int k = 0; k < 3; ++k)
       if (m.max[k] < n.min[k] || n.max[k] < m.min[k]) return;
     if (n.has(m.common[0]) || n.has(m.common[1]) || n.has(m.common[2])) return;

@@ -246,7 +246,7 @@ class PointsCheck {
   }
   // Finds the pairs of section 5. Their conditions on boxes hold for every box that contains one for which they hold.
   void search(const Range& r, const Point& q, int u, bool upward) {
-    const Node& n = tree_.nodes[r.node];
+    const TreeNode& n = tree_.nodes[r.node];
     const int p = (u + 1) % 3, s = (u + 2) % 3;
     const bool may_contain = q.is_in_box(n.min, n.max);
     const bool may_be_stabbed = n.min[p] <= q.below[p] && q.below[p] < n.max[p] &&

@@ -682,12 +682,12 @@ TEST(Certify, VolumesThatFoldAndAreNotReadByCheckersAreInvalidByACopyOfTheVolume
 }
 
 // Where no certificate can say so, the volume still does not say which side of its faces is outside.
-TEST(Certify, VolumesThatFoldBeyondTheLimitsOfCertificatesAreUndecided) {
+TEST(Certify, VolumesOfTooHighADegreeAreUndecidedThoughTheyFold) {
   std::string points;
   for (const char* const rest : {" 0 0]", " 1 0]", " 0 1]", " 1 1]"})
     for (int i = 0; i <= 16; ++i) points += " [" + std::to_string(i == 1 ? -1 : i) + rest;
   expect_undecided(certify(read("[TRIVAR BEZIER 17 2 2 E3" + points + "]\n", "high.itd")).value(),
-                   "not-covered", "entity 0: the volume is folded");
+                   "not-covered", "entity 0: the volume has the degree 16 along u");
 }
 
 // A volume says which side of its faces is outside, so that one inside another is no cavity.

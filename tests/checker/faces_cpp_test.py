@@ -123,8 +123,9 @@ class Faces(FacesTest):
 
 
 class Hands(FacesTest):
-    def test_the_first_corner_that_says_something_decides(self):
-        """Corners are made flat one after the other, by moving their neighbours along u into them."""
+    def test_the_corners_that_say_something_decide_and_must_agree(self):
+        """Corners are made flat one after the other, by moving their neighbours along u into them. One that is turned contradicts those that
+        are not flat."""
         axes = [CUBIC] * 3
         points = {i: tuple(map(Q, i)) for i in itertools.product(range(4), repeat=3)}
         for number in range(8):
@@ -133,7 +134,10 @@ class Hands(FacesTest):
             for sign in (1, -1):
                 bent = dict(points)
                 bent[beside] = tuple(p + sign * (q - p) for p, q in zip(corner, points[beside]))
-                self.left_or_turned(axes, bent, sign)
+                if sign == 1 or number == 7:
+                    self.left_or_turned(axes, bent, sign)
+                else:
+                    self.refused("the volume is folded: its corners have different hands", grids.vjson([grids.entity(axes, bent)]), fmt="vjson-faces")
             points[beside] = points[corner]
 
     def left_or_turned(self, axes, points, hand):

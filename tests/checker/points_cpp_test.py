@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """points-1 in the C++ checker (docs/certificates/points.md): every spelling, every condition, their order and limits, and random meshes and
-points whose truth points_forge.py finds in other ways. VERITOPE_CHECK names the program."""
+points whose truth answers_forge.py finds in other ways. VERITOPE_CHECK names the program."""
 import math
 import os
 import pathlib
@@ -15,7 +15,7 @@ from fractions import Fraction
 
 import judges
 import mesh_models as models
-import points_forge as points
+import answers_forge as points
 
 forge = points.forge
 SCALE = int(os.environ.get("VT_TEST_SCALE", "1"))
@@ -557,13 +557,12 @@ class CommandLine(PointsTest):
     def test_a_missing_and_a_needless_third_file_are_usage(self):
         model, certificate, answers = self.names
         code, out, err = self.run_it(model, certificate)
-        self.assertEqual((code, out, err.split("\n")[0]), (2, "", "The claim points-1 needs a third file, ANSWERS."))
-        self.assertIn("usage: ", err)
+        self.assertEqual((code, out, err), (2, "", "The claim points-1 needs a third file, ANSWERS: veritope-check MODEL CERT [ANSWERS]"))
         plan = forge.Plan(forge.mesh_of(forge.Model(*models.triangles(models.TET))), random.Random(1))
         certificate.write_bytes(plan.certificate(model.read_bytes(), forge.Model(*models.triangles(models.TET))))
         self.assertEqual(self.run_it(model, certificate)[0], 0)
         code, out, err = self.run_it(model, certificate, answers)
-        self.assertEqual((code, out, err.split("\n")[0]), (2, "", "The claim mesh-valid-1 needs no file ANSWERS."))
+        self.assertEqual((code, out, err), (2, "", "The claim mesh-valid-1 needs no file ANSWERS: veritope-check MODEL CERT [ANSWERS]"))
         self.assertEqual(self.run_it(model, certificate, answers, answers)[0], 2)
 
     def test_files_that_cannot_be_read(self):

@@ -3,6 +3,7 @@
 #include <sys/stat.h>  // C++11 cannot tell a file from a FIFO, whose opening waits for a writer
 
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -53,7 +54,9 @@ int main(int argc, char** argv) {
   if (argc == 2 && (first == "--help" || first == "-h")) return say(stdout, kUsage, 0);
   if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
   if (argc == 2 && first == "--claims") return say(stdout, claims_as_text(), 0);
-  if (argc < 3 || argc > 4 || first.compare(0, 2, "--") == 0) return say(stderr, kUsage, 2);
+  bool is_usage = argc == 3 || argc == 4;
+  for (int i = 1; i < argc; ++i) is_usage &= std::strncmp(argv[i], "--", 2) != 0;
+  if (!is_usage) return say(stderr, kUsage, 2);
   std::string name = argv[2];  // the file that a refusal names
   try {
     const std::string certificate = read_file(name);
@@ -66,8 +69,8 @@ int main(int argc, char** argv) {
     if (s.needs_answers() != (argc == 4))
       return say(stderr,
                  std::string("The claim ") + s.claim->name +
-                     (argc == 4 ? " needs no file ANSWERS.\n" : " needs a third file, ANSWERS.\n") +
-                     kUsage,
+                     (argc == 4 ? " needs no file ANSWERS" : " needs a third file, ANSWERS") +
+                     ": veritope-check MODEL CERT [ANSWERS]",
                  2);
     s.answers = std::move(answers);
     return say(

@@ -6,6 +6,7 @@ import pathlib
 import struct
 import subprocess
 import sys
+import threading
 import unittest
 
 import schema
@@ -156,6 +157,9 @@ class Classify(Folder):
 
     def test_a_program_that_waits_gets_its_answers(self):
         with subprocess.Popen([BIN / "veritope", "classify", self.box, "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+            limit = threading.Timer(60, process.kill)      # a program that does not answer would wait for ever
+            limit.start()
+            self.addCleanup(limit.cancel)
             for point, word in (("0.5 0.5 0.5", "in"), ("3 3 3", "out"), ("1/3 1/3 0", "on")):
                 process.stdin.write(point + "\n")
                 process.stdin.flush()

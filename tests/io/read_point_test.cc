@@ -67,7 +67,7 @@ TEST(ReadPoint, SkipsEmptyLinesCommentsAndAFirstLineOfWords) {
 TEST(ReadPoint, RefusesAFirstLineThatIsMeantToBeAPoint) {
   for (const char* text :
        {"nan nan nan", "inf -inf NaN", "1e999 1e999 1e999", "1d0 2d0 3d0", "\"1\",\"2\",\"3\"",
-        "\x93NUMPY\x01", "\xff\xfe1", "a\x01 b c", "-x -y -z"}) {
+        "\x93NUMPY\x01", "\xff\xfe" "1", "a\x01" " b c", "-x -y -z"}) {
     PointLines lines(Decimals::kNearest, {});
     EXPECT_EQ(read(lines, text).substr(0, 2), "1:") << text;
   }

@@ -73,7 +73,9 @@ bool is_decimal(std::string_view token) { return token.find_first_of("xX/") == t
 
 // "0x10" without an exponent is a hexadecimal number elsewhere, but not for the checkers.
 bool lacks_exponent(std::string_view token) {
-  return token.find_first_of("xX") != token.npos && token.find_first_of("pP") == token.npos;
+  if (token.starts_with('+') || token.starts_with('-')) token.remove_prefix(1);
+  return (token.starts_with("0x") || token.starts_with("0X")) &&
+         token.find_first_of("pP") == token.npos;
 }
 
 // A line that can only be a heading: printable words that begin with a letter, or with a quotation mark and a letter,

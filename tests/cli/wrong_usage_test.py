@@ -102,7 +102,7 @@ OUTPUTS = [
     ("convert a.off a.off", 2, "the output a.off is the input a.off"),
     ("certify --json r --certificate r a.off", 2, "--json and --certificate would both write r"),
     ("certify --certificate b.off a.off models", 2, "--certificate b.off is a file; several inputs need a folder"),
-    ("classify --certificate c a.off note.txt", 2, "--certificate needs -o with a file name"),
+    ("classify --certificate c a.off note.txt", 2, "--certificate needs -o with the name of a file, which the checker can read"),
     ("classify -o note.txt a.off note.txt", 2, "the output note.txt is the input note.txt"),
     ("certify --certificate - a.off", 2, "--certificate needs a file name, not -"),
     ("certify -q --json nowhere/r a.off", 4, "nowhere/r: cannot be written: No such file or directory"),

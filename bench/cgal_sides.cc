@@ -20,7 +20,8 @@ CgalSides::CgalSides(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>())
   for (const Vec3d& p : mesh.positions) ids.push_back(impl_->mesh.add_vertex({p.x, p.y, p.z}));
   for (const auto& f : mesh.faces) impl_->mesh.add_face(ids[f[0]], ids[f[1]], ids[f[2]]);
   impl_->side = std::make_unique<CGAL::Side_of_triangle_mesh<Mesh, Kernel>>(impl_->mesh);
-  (*impl_->side)(Kernel::Point_3(0, 0, 0));  // the tree is built by the first query
+  // The tree is built by the first query in its box.
+  (*this)(mesh.positions[mesh.faces.front()[0]]);
 }
 CgalSides::~CgalSides() = default;
 

@@ -76,23 +76,30 @@ class CellOctree::Builder {
     });
   }
 
-  // Whether a facet may meet the cell, margin included. If not, the exact plane function L of the facet has one sign on
-  // the cell: |L - value| <= e at the centre, where e is the session's bound; the radius r below differs from that of
-  // the exact normal by less than e, because the bound holds for all points of the session's box, and from its own
-  // rounding by less than 2^-40 r. So |value| > r (1 + 2^-40) + 4 e leaves no zero of L in the cell.
-  bool may_meet(std::uint32_t f, const OctreeCell& cell) const {
+  // The children of a cell, as bits, with which the box of a facet of the cell has common points, margin included.
+  unsigned children_at(std::uint32_t f, const Vec3d& middle) const {
+    constexpr unsigned kLow[3] = {0x55, 0x33, 0x0f};
     const double m = tree_.frame_.margin;
     const Box3d& b = boxes_[f];
-    const Point3d lo = to_point(cell.lo);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (b.hi[k] < lo[k] - m || b.lo[k] > lo[k] + cell.size + m) return false;
-    const SessionPlane& plane = tests_.plane(f);
-    const double half = 0.5 * cell.size + 2 * m;
+    unsigned out = 0xff;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double c = middle[static_cast<int>(k)];
+      out &= (b.lo[k] <= c + m ? kLow[k] : 0u) | (b.hi[k] >= c - m ? ~kLow[k] : 0u);
+    }
+    return out;
+  }
+
+  // Whether the plane of a facet may meet a cell with this centre, margin included. If not, the exact plane function L of
+  // the facet has one sign on the cell: |L - value| <= e at the centre, where e is the session's bound; the radius r
+  // below differs from that of the exact normal by less than e, because the bound holds for all points of the session's
+  // box, and from its own rounding by less than 2^-40 r. So |value| > r (1 + 2^-40) + 4 e leaves no zero of L in the
+  // cell.
+  bool plane_may_meet(const SessionPlane& plane, const Vec3d& centre, double size) const {
+    const double half = 0.5 * size + 2 * tree_.frame_.margin;
     const double r =
         (std::abs(double(plane.x)) + std::abs(double(plane.y)) + std::abs(double(plane.z))) * half;
-    const double value = Session3d::plane_value(plane, cell.centre());
-    return !is_certain(
-        sign_beyond(value, r * (1 + 0x1p-40) + 4 * tests_.session().orient3d_error()));
+    return !is_certain(sign_beyond(Session3d::plane_value(plane, centre),
+                                   r * (1 + 0x1p-40) + 4 * tests_.session().orient3d_error()));
   }
 
   // The label at `to`, at the end of a segment from a reference of a cell that contains both; nothing if the segment
@@ -161,12 +168,19 @@ class CellOctree::Builder {
   // False if the parts have too many facets in all.
   bool divide(const OctreeCell& cell, const std::vector<std::uint32_t>& facets,
               std::uint64_t budget, std::array<std::vector<std::uint32_t>, 8>& parts) const {
+    const Vec3d middle = cell.centre();
+    const double size = 0.5 * cell.size;
+    std::array<Vec3d, 8> centres;
+    for (unsigned i = 0; i < 8; ++i) centres[i] = cell.child(i).centre();
     std::uint64_t copies = 0;
-    for (unsigned i = 0; i < 8; ++i) {
-      const OctreeCell child = cell.child(i);
-      for (const std::uint32_t f : facets)
-        if (may_meet(f, child)) parts[i].push_back(f);
-      copies += parts[i].size();
+    for (const std::uint32_t f : facets) {
+      const SessionPlane& plane = tests_.plane(f);
+      for (unsigned rest = children_at(f, middle); rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        if (!plane_may_meet(plane, centres[i], size)) continue;
+        parts[i].push_back(f);
+        ++copies;
+      }
       if (copies > budget) return false;
     }
     return true;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "robust/base/check.h"
 #include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
 #include "solids/classify/cell_octree_internal.h"
@@ -15,6 +16,8 @@
 #include "solids/classify/ray_count_internal.h"
 #include "solids/classify/segment_count_internal.h"
 #include "solids/classify/shell_chain_internal.h"
+#include "topology/incidence.h"
+#include "topology/surface.h"
 
 namespace veritope {
 
@@ -35,8 +38,14 @@ Box3d box_of(const TriangleMesh& mesh) {
 
 namespace {
 
-// The first edge, by its ids, that is not used equally often in both directions.
-std::optional<Error> unbalanced_edge(const TriangleMesh& mesh) {
+bool is_cycle(const TriangleMesh& mesh) {
+  const Incidence incidence =
+      Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), 1);
+  return analyse_surface(mesh.faces, incidence, 0, 1).is_cycle;
+}
+
+// The first edge, by its ids, that is not used equally often in both directions. REQUIRES a mesh that is not a cycle.
+Error unbalanced_edge(const TriangleMesh& mesh) {
   std::vector<std::pair<std::uint64_t, int>> uses;  // an edge by its ids, the less one first; 1: so
   uses.reserve(3 * mesh.faces.size());
   for (const auto& t : mesh.faces)
@@ -58,7 +67,7 @@ std::optional<Error> unbalanced_edge(const TriangleMesh& mesh) {
                      std::to_string(upward) + " times in this direction and " +
                      std::to_string(j - i - upward) + " times in the other"};
   }
-  return std::nullopt;
+  throw InternalError("a mesh that is not a cycle has no unbalanced edge");
 }
 
 }  // namespace
@@ -206,7 +215,7 @@ MeshClassifier::MeshClassifier(MeshClassifier&&) noexcept = default;
 MeshClassifier::~MeshClassifier() = default;
 
 Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, const MeshShells* shells) {
-  if (auto unbalanced = unbalanced_edge(mesh)) return std::move(*unbalanced);
+  if (!is_cycle(mesh)) return unbalanced_edge(mesh);
   const ScopedDefaultFp nearest;
   return MeshClassifier(std::make_unique<const Body>(mesh, shells));
 }

@@ -116,6 +116,7 @@ class Recipes(unittest.TestCase):
         (self.folder / "parts").mkdir()
         for name, model in self.MODELS.items():
             shutil.copy(ROOT / model, self.folder / name)
+        (self.folder / "points.txt").write_text("0 0 0\n1e3 0 0\n")
         (self.folder / "part.stl.gz").write_bytes(gzip.compress((self.folder / "part.stl").read_bytes()))
         for name, points in (("level", "[0 0 0] [4 0 0] [0 4 0] [4 4 0]"), ("upright", "[1 1 -1] [3 2 -1] [1 1 1] [3 2 1]")):
             (self.folder / f"{name}.itd").write_text(f"[OBJECT A\n [SURFACE BEZIER 2 2 E3\n  {points}]]\n")

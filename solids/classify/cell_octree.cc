@@ -89,8 +89,8 @@ class CellOctree::Builder {
     return out;
   }
 
-  // Whether the plane of a facet may meet a cell with this centre, margin included. If not, the exact plane function L of
-  // the facet has one sign on the cell: |L - value| <= e at the centre, where e is the session's bound; the radius r
+  // Whether the plane of a facet may meet a cell with this centre, margin included. If not, the exact plane function L
+  // of the facet has one sign on the cell: |L - value| <= e at the centre, where e is the session's bound; the radius r
   // below differs from that of the exact normal by less than e, because the bound holds for all points of the session's
   // box, and from its own rounding by less than 2^-40 r. So |value| > r (1 + 2^-40) + 4 e leaves no zero of L in the
   // cell.

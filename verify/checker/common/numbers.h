@@ -55,6 +55,20 @@ inline uint32_t divide(Nat* a, uint32_t by) {  // leaves the quotient, returns t
   return uint32_t(rest);
 }
 
+inline Nat product(const Nat& a, const Nat& b) {
+  Nat r(a.size() + b.size(), 0);
+  for (size_t i = 0; i < a.size(); ++i) {
+    uint64_t carry = 0;
+    for (size_t j = 0; j < b.size(); ++j, carry >>= 32) {
+      carry += uint64_t(a[i]) * b[j] + r[i + j];
+      r[i + j] = uint32_t(carry);
+    }
+    r[i + b.size()] = uint32_t(carry);
+  }
+  while (!r.empty() && r.back() == 0) r.pop_back();
+  return r;
+}
+
 // The key of a whole token `[+-]? (digits [. digits?] | . digits) ([eE] [+-]? digits)?`.
 inline bool decimal_to_key(const std::string& token, int64_t* key) {
   const char *s = token.data(), *const end = s + token.size();

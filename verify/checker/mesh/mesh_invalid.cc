@@ -21,19 +21,6 @@ Nat sum(const Nat& a, const Nat& b) {
   }
   return r;
 }
-Nat product(const Nat& a, const Nat& b) {
-  Nat r(a.size() + b.size(), 0);
-  for (size_t i = 0; i < a.size(); ++i) {
-    uint64_t carry = 0;
-    for (size_t j = 0; j < b.size(); ++j, carry >>= 32) {
-      carry += uint64_t(a[i]) * b[j] + r[i + j];
-      r[i + j] = uint32_t(carry);
-    }
-    r[i + b.size()] = uint32_t(carry);
-  }
-  while (!r.empty() && r.back() == 0) r.pop_back();
-  return r;
-}
 
 template <int C>
 class InvalidCheck {

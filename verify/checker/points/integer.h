@@ -44,19 +44,7 @@ inline void subtract(Nat* a, const Nat& b) {  // REQUIRES a >= b
   }
   drop_zeros(a);
 }
-inline Nat operator*(const Nat& a, const Nat& b) {
-  Nat r(a.size() + b.size(), 0);
-  for (size_t i = 0; i < a.size(); ++i) {
-    uint64_t carry = 0;
-    for (size_t j = 0; j < b.size(); ++j, carry >>= 32) {
-      carry += uint64_t(a[i]) * b[j] + r[i + j];
-      r[i + j] = uint32_t(carry);
-    }
-    r[i + b.size()] = uint32_t(carry);
-  }
-  drop_zeros(&r);
-  return r;
-}
+inline Nat operator*(const Nat& a, const Nat& b) { return product(a, b); }
 
 inline Integer operator-(Integer a) {
   a.neg = !a.neg && !a.m.empty();

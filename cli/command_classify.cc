@@ -171,7 +171,9 @@ class ClassifyRun {
     const auto& file = std::get<MeshFile>(model_.file);
     ClassifySettings settings;
     settings.is_winding = options_.winding;
-    settings.makes_certificate = options_.certificate.has_value();
+    const bool is_copied =
+        file.copy.has_value();  // polygons of IRIT, of which checkers read a copy
+    settings.makes_certificate = options_.certificate && !is_copied;
     settings.decimals = options_.decimals.value_or(Decimals::kNearest);
     settings.jobs = static_cast<unsigned>(options_.jobs);
     report_.are_decimals_exact = settings.decimals == Decimals::kExact;
@@ -203,9 +205,15 @@ class ClassifyRun {
     }
     if (answers)
       if (const Status status = answers->commit(); !status) return refuse(status.error());
-    const ExitCode exit = made->refusal
-                              ? without_certificate(path() + ": " + made->refusal->message)
-                              : keep_certificate(made->certificate);
+    ExitCode exit = kExitValid;
+    if (options_.certificate && is_copied)
+      exit = without_certificate(path() +
+                                 ": the checkers read meshes, not these polygons; veritope "
+                                 "convert writes them as a mesh");
+    else if (made->refusal)
+      exit = without_certificate(path() + ": " + made->refusal->message);
+    else
+      exit = keep_certificate(made->certificate);
     return first_of(exit, write_json());
   }
 

@@ -155,6 +155,16 @@ class Classify(Folder):
         self.assertEqual(len(output.read_text().splitlines()), 300)
         self.assertFalse(certificate.exists())
 
+    def test_polygons_of_irit_have_answers_without_a_certificate(self):
+        square = "[POLYGON 4 [%d %d %d] [%d %d %d] [%d %d %d] [%d %d %d]]"
+        corner = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
+        model = self.file("box.itd", "[OBJECT A\n" + "\n".join(square % sum((corner[v] for v in f[::-1]), ()) for f in FACES) + "]\n")
+        self.assertEqual(self.answers(self.points, model=model), ANSWERS)
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        done = run("classify", model, self.points, "-o", output, "--certificate", certificate)
+        self.assertEqual((done.returncode, output.read_text(), certificate.exists()), (3, ANSWERS, False), done)
+        self.assertIn("veritope convert writes them as a mesh", done.stderr.replace("\n", " "))
+
     def test_a_program_that_waits_gets_its_answers(self):
         with subprocess.Popen([BIN / "veritope", "classify", self.box, "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
             limit = threading.Timer(60, process.kill)      # a program that does not answer would wait for ever

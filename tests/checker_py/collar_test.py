@@ -116,10 +116,12 @@ class Lies(CollarTest):
 
     def test_s1_and_w3(self):
         cert = self.honest.certificate()
-        for old, new in ((b',"cells":208', b""), (b'"cells":', b'"cell":'), (b'"collar-1"', b'"star-box-1"'), (b'"collar-1"', b'"collar-2"')):
+        for old, new in ((b',"cells":208', b""), (b'"cells":', b'"cell":'), (b'"collar-1"', b'"star-box-1"'), (b'"collar-1"', b'"collar-9"')):
             self.assertIn(b'"cells":%d' % len(self.honest.plan.codes), cert)
             lie = cert.replace(old.replace(b"208", b"%d" % len(self.honest.plan.codes)), new, 1)
             self.assertTrue(vc.check(self.honest.model, lie)[1].startswith("REJECT S1:"))
+        other = cert.replace(b'"collar-1"', b'"collar-2"')     # the same keys, but another body
+        self.assertTrue(vc.check(self.honest.model, other)[1].startswith("REJECT B1:"))
         plan = self.changed(self.honest)
         plan.values["genus"] = 1
         self.alone("W3", self.honest, plan)

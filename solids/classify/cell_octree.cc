@@ -27,8 +27,8 @@ struct Reference {
 
 }  // namespace
 
-// The frame's numbers: 2^k >= 1.5 extent; the origin is a multiple of 2^(k - 20) at least 2^(k - 4) below the box, so
-// that with reference points (7 bits below a cell of the last level) every number needs at most 53 bits.
+// The size is 2^k > 2 extent. The origin is a multiple of 2^(k - 8), at least 2^(k - 4) below the box in every
+// coordinate. With points of cells, 7 bits below a cell of the last level, every number needs at most 53 bits.
 std::optional<OctreeFrame> OctreeFrame::around(const Box3d& box) {
   const double length = extent(box);
   double most = 0;

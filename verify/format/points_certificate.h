@@ -27,8 +27,8 @@ struct AnswersSubject {
 struct PointsBody {
   std::uint32_t num_faces = 0, num_vertex_ids = 0;
   std::uint64_t num_points = 0;
-  /// For each point off the model its direction, 0 to 5; for each point on it the number of a facet, as varint. Only
-  /// with the words of the answers is it known which bytes are which.
+  /// For each point off the model its direction, 0 to 5; for each point on it the number of a facet, as varint. The
+  /// words of the answers tell which bytes are which.
   Bytes codes;
 };
 

@@ -16,7 +16,9 @@ namespace {
 
 // "in 1 0": word, f and shell.
 void append_answer(const PointAnswer& answer, bool is_winding, std::string& out) {
-  if (answer.is_on())
+  if (!answer.is_decided)
+    out += " undecided -";
+  else if (answer.is_on())
     out += " on -";
   else
     out += (is_winding            ? " - "
@@ -37,24 +39,44 @@ certificate::Subject subject_of(const MeshFile& file) {
   return out;
 }
 
+// Points in, lines out. Classifier: MeshClassifier or PatchClassifier.
+template <typename Classifier>
 class Classification {
  public:
-  Classification(const MeshClassifier& classifier, const ClassifySettings& settings,
+  Classification(const Classifier& classifier, const ClassifySettings& settings,
                  std::optional<PointsCertifier> certifier, report::ClassifyReport& report)
       : classifier_(classifier),
         settings_(settings),
         certifier_(std::move(certifier)),
-        report_(report) {}
+        report_(report) {
+    const LookupSize lookup = classifier.lookup();
+    report.lookup_cells = lookup.cells;
+    report.lookup_bytes = lookup.bytes;
+  }
 
+  Status answer_all(PointSource& source, const WriteAnswers& write) {
+    PointBatch batch;
+    for (;;) {
+      if (const Status status = source.next(batch); !status) return status.error();
+      if (batch.size() == 0) return ok_status();
+      if (const Status status = write(answer(batch)); !status) return status.error();
+    }
+  }
+
+  Result<certificate::Bytes> certificate(const MeshFile& file) {
+    if (!certifier_) return certificate::Bytes();
+    certificate::AnswersSubject answers;
+    answers.sha256 = to_hex(hash_.finish());
+    answers.bytes = num_bytes_;
+    answers.are_decimals_exact = settings_.decimals == Decimals::kExact;
+    answers.is_winding = settings_.is_winding;
+    return certifier_->finish(subject_of(file), std::move(answers));
+  }
+
+ private:
   // The lines of the answers of a batch.
   const std::string& answer(const PointBatch& batch) {
-    answers_.resize(batch.size());
-    classifier_.classify(batch.points, answers_, settings_.jobs);
-    parallel_for(batch.exact.size(), 16, settings_.jobs,
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     answers_[batch.exact[k].first] = classifier_.classify(batch.exact[k].second);
-                 });
+    classify(batch);
     if (certifier_) certifier_->add(batch.points, answers_);
     lines_.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -69,26 +91,37 @@ class Classification {
     return lines_;
   }
 
-  Result<certificate::Bytes> certificate(const MeshFile& file) {
-    if (!certifier_) return certificate::Bytes();
-    certificate::AnswersSubject answers;
-    answers.sha256 = to_hex(hash_.finish());
-    answers.bytes = num_bytes_;
-    answers.are_decimals_exact = settings_.decimals == Decimals::kExact;
-    answers.is_winding = settings_.is_winding;
-    return certifier_->finish(subject_of(file), std::move(answers));
+  // Points that binary64 has are answered in runs, without the rounded ones between them.
+  void classify(const PointBatch& batch) {
+    answers_.resize(batch.size());
+    std::size_t begin = 0;
+    const auto answer_until = [&](std::size_t end) {
+      if (begin < end)
+        classifier_.classify(std::span(batch.points).subspan(begin, end - begin),
+                             std::span(answers_).subspan(begin, end - begin), settings_.jobs);
+      begin = end + 1;
+    };
+    for (const auto& [at, point] : batch.exact) answer_until(at);
+    answer_until(batch.size());
+    parallel_for(batch.exact.size(), 16, settings_.jobs,
+                 [&](std::size_t, std::size_t first, std::size_t last) {
+                   for (std::size_t k = first; k < last; ++k)
+                     answers_[batch.exact[k].first] = classifier_.classify(batch.exact[k].second);
+                 });
   }
 
- private:
   void count(const PointAnswer& answer) {
     ++report_.points;
-    if (answer.is_on())
+    if (!answer.is_decided)
+      report_.undecided.push_back(
+          {report_.points, "whether the point is on the surface is open after 2048 bits"});
+    else if (answer.is_on())
       ++report_.on;
     else if (!settings_.is_winding)
       ++(answer.winding != 0 ? report_.in : report_.out);
   }
 
-  const MeshClassifier& classifier_;
+  const Classifier& classifier_;
   const ClassifySettings& settings_;
   std::optional<PointsCertifier> certifier_;
   report::ClassifyReport& report_;
@@ -112,17 +145,9 @@ Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells*
   std::optional<PointsCertifier> certifier;
   if (settings.makes_certificate) certifier.emplace(file, settings.jobs);
   report.seconds_build = watch.lap();
-  const LookupSize lookup = classifier->lookup();
-  report.lookup_cells = lookup.cells;
-  report.lookup_bytes = lookup.bytes;
   Classification run(*classifier, settings, std::move(certifier), report);
-  PointBatch batch;
   progress.phase(shown_name, "classifying");
-  for (;;) {
-    if (const Status status = source.next(batch); !status) return status.error();
-    if (batch.size() == 0) break;
-    if (const Status status = write(run.answer(batch)); !status) return status.error();
-  }
+  if (const Status status = run.answer_all(source, write); !status) return status.error();
   report.seconds_classify = watch.lap();
   Result<certificate::Bytes> made = run.certificate(file);
   ClassifiedPoints out;
@@ -131,6 +156,21 @@ Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells*
   else
     out.refusal = made.error();
   return out;
+}
+
+Status classify_points(const PatchComplex& complex, PointSource& source,
+                       const ClassifySettings& settings, const WriteAnswers& write,
+                       Progress& progress, const std::string& shown_name,
+                       report::ClassifyReport& report) {
+  Stopwatch watch;
+  progress.phase(shown_name, "building the look-up");
+  const PatchClassifier classifier = PatchClassifier::make(complex, !settings.is_winding);
+  report.seconds_build = watch.lap();
+  Classification run(classifier, settings, std::nullopt, report);
+  progress.phase(shown_name, "classifying");
+  const Status status = run.answer_all(source, write);
+  report.seconds_classify = watch.lap();
+  return status;
 }
 
 }  // namespace veritope::cli

@@ -11,6 +11,7 @@
 #include "io/mesh/read_mesh.h"
 #include "report/classify_report.h"
 #include "solids/classify/mesh_classifier.h"
+#include "solids/classify/patch_classifier.h"
 #include "verify/format/mesh_certificate.h"
 
 namespace veritope::cli {
@@ -40,5 +41,11 @@ Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells*
                                          const WriteAnswers& write, Progress& progress,
                                          const std::string& shown_name,
                                          report::ClassifyReport& report);
+/// With respect to patches, without a certificate. REQUIRES complex.is_closed_oriented_surface().
+/// @error  as PointSource and WriteAnswers
+Status classify_points(const PatchComplex& complex, PointSource& source,
+                       const ClassifySettings& settings, const WriteAnswers& write,
+                       Progress& progress, const std::string& shown_name,
+                       report::ClassifyReport& report);
 
 }  // namespace veritope::cli

@@ -15,6 +15,8 @@
 #include "robust/base/stopwatch.h"
 #include "topology/incidence.h"
 #include "topology/surface.h"
+#include "verify/certify/file_patches.h"
+#include "verify/certify/stand_in.h"
 #include "verify/format/points_certificate.h"
 
 namespace veritope::cli {
@@ -36,7 +38,7 @@ std::string take_decimals(const std::string& text, std::optional<Decimals>& deci
 }
 
 void declare(OptionSet& set, ClassifyOptions& o) {
-  set.operands("MODEL POINTS", o.files, "a mesh, and points as text or .npy; - is standard input",
+  set.operands("MODEL POINTS", o.files, "a model, and points as text or .npy; - is standard input",
                2);
   set.output("-o,--output", o.output, "write the answers (standard output)");
   set.text("--certificate", o.certificate, "keep the certificate of the answers; needs -o");
@@ -44,7 +46,7 @@ void declare(OptionSet& set, ClassifyOptions& o) {
   set.flag("--winding", o.winding, "around any closed surface, valid or not");
   set.option(
       "--decimals", "HOW", [&o](const std::string& t) { return take_decimals(t, o.decimals); },
-      "nearest: rounded to binary64 (default); or exact");
+      "nearest: rounded to binary64 (default of meshes); or exact");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
   declare_format(set, o.input);
@@ -62,10 +64,11 @@ std::string contradiction(const ClassifyOptions& o) {
   return "";
 }
 
-// What was decided, and the mesh.
+// What was decided, and the surface.
 struct Model {
   ModelFile file;
-  std::optional<MeshShells> shells;  // nothing: --winding
+  std::optional<MeshShells> shells;  // of a mesh; nothing: --winding
+  FilePatches patches;               // of a file of splines
 };
 
 class ClassifyRun {
@@ -116,9 +119,28 @@ class ClassifyRun {
     report_.path = path();
     report_.sha256 = sha256_of(model_.file);
     if (std::holds_alternative<MeshFile>(model_.file)) return kExitValid;
-    complain(harmless(path() + ": points are classified with respect to meshes only, and this is " +
-                      title_of(kind_of(model_.file))));
-    return kExitUndecided;
+    return take_patches(std::get<SplineFile>(model_.file));
+  }
+
+  ExitCode take_patches(const SplineFile& file) {
+    Result<std::optional<StandIn>> stand_in = stand_in_of(file);
+    if (!stand_in) return refuse(stand_in.error());
+    const SplineModel& model = *stand_in ? (*stand_in)->file.model : file.model;
+    Result<FilePatches> patches = file_patches(
+        model, PatchOrientation::kKeep,
+        *stand_in ? std::span<const VolumeFace>((*stand_in)->faces) : std::span<const VolumeFace>());
+    if (!patches) return refuse(patches.error());
+    model_.patches = std::move(*patches);
+    const PatchComplex* const complex = model_.patches.complex.get();
+    if (complex != nullptr && complex->is_closed_oriented_surface()) return kExitValid;
+    if (complex == nullptr) {
+      complain(harmless(path() + ": " + text_of(*model_.patches.not_covered)));
+      return kExitUndecided;
+    }
+    std::string why = "the surface is not closed";
+    if (!complex->findings().empty()) why = describe(*complex, complex->findings().front());
+    complain(harmless(path() + ": " + why));
+    return kExitInvalid;
   }
 
   ExitCode read() {
@@ -168,13 +190,13 @@ class ClassifyRun {
   }
 
   ExitCode classify() {
-    const auto& file = std::get<MeshFile>(model_.file);
+    const auto* const mesh = std::get_if<MeshFile>(&model_.file);
     ClassifySettings settings;
     settings.is_winding = options_.winding;
-    const bool is_copied =
-        file.copy.has_value();  // polygons of IRIT, of which checkers read a copy
-    settings.makes_certificate = options_.certificate && !is_copied;
-    settings.decimals = options_.decimals.value_or(Decimals::kNearest);
+    // Polygons of IRIT, of which checkers read a copy, and patches have no certificate.
+    settings.makes_certificate = options_.certificate && mesh != nullptr && !mesh->copy;
+    settings.decimals =
+        options_.decimals.value_or(mesh != nullptr ? Decimals::kNearest : Decimals::kExact);
     settings.jobs = static_cast<unsigned>(options_.jobs);
     report_.are_decimals_exact = settings.decimals == Decimals::kExact;
     auto source = open_points(options_.files[1], settings.decimals, options_.input.reading.limits);
@@ -192,9 +214,7 @@ class ClassifyRun {
       out_.write(lines);
       return out_.status();
     };
-    const Result<ClassifiedPoints> made =
-        classify_points(file, model_.shells ? &*model_.shells : nullptr, **source, settings, write,
-                        progress_, shown_path(path()), report_);
+    const Result<ClassifiedPoints> made = answer(mesh, **source, settings, write);
     progress_.clear();
     if (!made) {
       if (made.error().code == Code::kBadArgument) {
@@ -206,15 +226,35 @@ class ClassifyRun {
     if (answers)
       if (const Status status = answers->commit(); !status) return refuse(status.error());
     ExitCode exit = kExitValid;
-    if (options_.certificate && is_copied)
-      exit = without_certificate(path() +
-                                 ": the checkers read meshes, not these polygons; veritope "
-                                 "convert writes them as a mesh");
+    if (options_.certificate && !settings.makes_certificate)
+      exit = without_certificate(
+          path() + (mesh != nullptr ? ": the checkers read meshes, not these polygons; veritope "
+                                      "convert writes them as a mesh"
+                                    : ": points of curved models have none yet"));
     else if (made->refusal)
       exit = without_certificate(path() + ": " + made->refusal->message);
     else
       exit = keep_certificate(made->certificate);
+    if (!report_.undecided.empty()) exit = first_of(exit, say_undecided());
     return first_of(exit, write_json());
+  }
+
+  Result<ClassifiedPoints> answer(const MeshFile* mesh, PointSource& source,
+                                  const ClassifySettings& settings, const WriteAnswers& write) {
+    if (mesh != nullptr)
+      return classify_points(*mesh, model_.shells ? &*model_.shells : nullptr, source, settings,
+                             write, progress_, shown_path(path()), report_);
+    const Status status = classify_points(*model_.patches.complex, source, settings, write,
+                                          progress_, shown_path(path()), report_);
+    if (!status) return status.error();
+    return ClassifiedPoints();
+  }
+
+  ExitCode say_undecided() const {
+    const auto& first = report_.undecided.front();
+    complain(std::to_string(report_.undecided.size()) + " of " + std::to_string(report_.points) +
+             " points are undecided; line " + std::to_string(first.line) + ": " + first.reason);
+    return kExitUndecided;
   }
 
   // The answers stay.

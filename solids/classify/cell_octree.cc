@@ -15,7 +15,6 @@ namespace {
 enum NodeKind : std::uint32_t { kInner = 0, kEmpty = 1u << 30, kOccupied = 2u << 30 };
 constexpr std::uint32_t kNumber = (1u << 30) - 1;
 
-constexpr int kIndexBits = 20;         // of a cell's place along an axis: no cell is smaller
 constexpr std::size_t kFewFacets = 6;  // a cell with no more is not divided
 constexpr std::uint64_t kMostCopies =
     10;  // facets of all cells together, for each facet of the mesh
@@ -40,7 +39,7 @@ std::optional<OctreeFrame> OctreeFrame::around(const Box3d& box) {
   out.size = std::ldexp(1.0, exponent);
   const double step = std::ldexp(1.0, exponent - 8);
   const int above = std::max(0, std::ilogb(most) - exponent + 1);
-  out.max_level = std::min(kIndexBits, 53 - 10 - above);
+  out.max_level = std::min(OctreeFrame::kIndexBits, 53 - 10 - above);
   if (out.max_level < 1) return std::nullopt;  // the box is tiny beside its distance from 0
   const auto start = [&](double lo) { return (std::floor(lo / step) - 16) * step; };
   out.origin = {start(box.lo[0]), start(box.lo[1]), start(box.lo[2])};
@@ -264,14 +263,8 @@ OctreeCell CellOctree::cell_at(const std::array<std::uint32_t, 3>& place, int le
 
 // The rounded place of q differs from its own by less than the margin by which cells were taken greater.
 CellOctree::Found CellOctree::find(const Vec3d& q) const {
-  const double scale = static_cast<double>(1 << kIndexBits) / frame_.size;
-  const auto index = [&](double c, double from) {
-    const double at = (c - from) * scale;
-    constexpr double kLast = (1 << kIndexBits) - 1;
-    return static_cast<std::uint32_t>(std::min(std::max(at, 0.0), kLast));
-  };
-  const std::uint32_t x = index(q.x, frame_.origin.x), y = index(q.y, frame_.origin.y),
-                      z = index(q.z, frame_.origin.z);
+  constexpr int kIndexBits = OctreeFrame::kIndexBits;
+  const auto [x, y, z] = frame_.place_of(q);
   int bit = kIndexBits - grid_level_;
   Node node =
       grid_[(((std::size_t{z >> bit} << grid_level_) + (y >> bit)) << grid_level_) + (x >> bit)];

@@ -2,6 +2,7 @@
 // solids/classify/cell_octree_internal.h: an octree over a closed mesh whose empty cells are labelled with the winding
 // number, and whose other cells have a reference point with its label. Internal to solids/classify.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -75,6 +76,18 @@ struct OctreeFrame {
   double margin =
       0;  ///< cells are taken greater by this much on all sides, so that roundings do not matter
   int max_level = 0;
+  static constexpr int kIndexBits = 20;  ///< of a cell's place along an axis: no cell is smaller
+  /// The place of a point's cell of the last level, in units of its size: at most `margin` wrong, and of points outside
+  /// of the cube that of the nearest cell.
+  std::array<std::uint32_t, 3> place_of(const Vec3d& q) const {
+    const double scale = static_cast<double>(1 << kIndexBits) / size;
+    const auto index = [&](double c, double from) {
+      const double at = (c - from) * scale;
+      constexpr double kLast = (1 << kIndexBits) - 1;
+      return static_cast<std::uint32_t>(std::min(std::max(at, 0.0), kLast));
+    };
+    return {index(q.x, origin.x), index(q.y, origin.y), index(q.z, origin.z)};
+  }
   /// Nothing if the box is too large, or a point. REQUIRES a finite box.
   static std::optional<OctreeFrame> around(const Box3d& box);
 };

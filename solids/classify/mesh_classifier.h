@@ -9,6 +9,7 @@
 
 #include "predicates/vec.h"
 #include "robust/base/result.h"
+#include "solids/classify/lookup_size.h"
 #include "solids/classify/point_answer.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
@@ -18,11 +19,6 @@ namespace veritope {
 struct MeshShells {
   std::vector<std::uint32_t> shell_of_face;
   std::vector<std::uint32_t> depth;  ///< for each shell, the number of shells around it
-};
-
-/// What the look-up structure takes.
-struct LookupSize {
-  std::uint64_t cells = 0, bytes = 0;
 };
 
 /// Answers for points with respect to one mesh. Immutable: threads may share it.

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/classify/patch_classifier.h"
+
+#include <utility>
+#include <vector>
+
+#include "robust/base/check.h"
+#include "robust/base/fp_guard.h"
+#include "robust/base/parallel.h"
+#include "solids/classify/patch_foot_internal.h"
+#include "solids/classify/patch_octree_internal.h"
+#include "solids/classify/patch_rays_internal.h"
+
+namespace veritope {
+
+using namespace internal;
+
+namespace {
+
+constexpr std::size_t kChunkOfPatchPoints = 256;
+constexpr int kFirstBits = 36;  // how far the middles of the smallest rounded pieces can be trusted
+
+// The parameters of the patch, for those of the square.
+std::array<Rational, 2> of_patch(const TensorForm& form, std::array<Rational, 2> uv) {
+  if (!form.is_triangle) return uv;
+  return {uv[0] * (Rational(1) - uv[1]), uv[0] * uv[1]};
+}
+
+}  // namespace
+
+class PatchClassifier::Body {
+ public:
+  Body(const PatchComplex& complex, bool has_shells)
+      : rays_(complex), has_shells_(has_shells), depths_(depths()), octree_(rays_, [this](const RayPoint& q) { return label_at(q); }) {}
+
+  template <typename Point>
+  PointAnswer classify(const Point& p, std::optional<OnPatch>* where) const {
+    if (where != nullptr) where->reset();
+    const RayPoint q(p, rays_.scale());
+    if (!meets(q.box(), rays_.hull())) return {};
+    if (const RegionLabel* const label = octree_.find(q)) return answer(*label);
+    return by_ray(q, where);
+  }
+
+  LookupSize lookup() const {
+    LookupSize out = octree_.size();
+    out.bytes += rays_.bytes();
+    return out;
+  }
+
+  // The label at a point; nothing if it is not known to be off the surface.
+  std::optional<RegionLabel> label_at(const RayPoint& q) const {
+    const RayCount count = count_rounded(q);
+    if (count.state != RayCount::State::kCounted) return std::nullopt;
+    return label_of(count.windings);
+  }
+
+ private:
+  RayCount count_rounded(const RayPoint& q) const {
+    return rays_.count_rounded(q, rays_.ray_from(q));
+  }
+
+  // For each shell, how many others are around it.
+  std::vector<std::uint32_t> depths() const {
+    const PatchComplex& complex = rays_.complex();
+    std::vector<std::uint32_t> out(complex.shells().size());
+    if (!has_shells_ || out.size() < 2) return out;
+    for (std::uint32_t s = 0; s < out.size(); ++s) {
+      const auto corner = point_of(complex.patch(complex.shells()[s].first_patch).corner(0));
+      const RayPoint q(*corner, rays_.scale());
+      for (std::uint32_t t = 0; t < out.size(); ++t)
+        if (t != s && is_around(t, q)) ++out[s];
+    }
+    return out;
+  }
+  bool is_around(std::uint32_t shell, const RayPoint& q) const {
+    const AxisRay ray = rays_.ray_from(q);
+    RayCount count = rays_.count_rounded(q, ray, shell);
+    // Shells of a valid model have a positive distance.
+    for (int levels = 64; count.state != RayCount::State::kCounted; levels *= 2) {
+      VT_CHECK(levels < (1 << 16), "two shells of a valid model are closer than 2^-65536");
+      count = rays_.count_exactly(q, ray, levels, shell);
+    }
+    return !count.windings.empty();
+  }
+
+  RegionLabel label_of(const ShellWindings& windings) const {
+    RegionLabel out{0, kNowhere};
+    for (const auto& [shell, winding] : windings) {
+      out.winding += winding;
+      if (has_shells_ && (out.chain == kNowhere || depths_[shell] > depths_[out.chain]))
+        out.chain = shell;
+    }
+    return out;
+  }
+  PointAnswer answer(const RegionLabel& label) const {
+    return {label.winding, kNowhere, label.chain, true};
+  }
+
+  PointAnswer by_ray(const RayPoint& q, std::optional<OnPatch>* where) const {
+    RayCount count = count_rounded(q);
+    if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
+    const AxisRay ray = rays_.ray_from(q);
+    constexpr int kMostBits = 2048;
+    std::vector<PatchFoot> feet;
+    if (count.state == RayCount::State::kLost) count = rays_.count_exactly(q, ray, 48);
+    if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
+    for (const OpenPiece& piece : count.open) {
+      const TensorForm& form = rays_.form(piece.patch);
+      if (auto uv = PatchFoot::at_collapsed_side(form, q)) return on(piece.patch, *uv, where);
+      feet.emplace_back(form, q, piece.middle);
+      if (auto uv = feet.back().exact_parameters(kFirstBits)) return on(piece.patch, *uv, where);
+    }
+    for (int bits = 128; bits <= kMostBits; bits *= 4) {
+      bool may_be_on = false;
+      for (std::size_t i = 0; i < feet.size(); ++i) {
+        if (!feet[i].refine(bits)) continue;
+        may_be_on = true;
+        if (auto uv = feet[i].exact_parameters(bits / 4 * 3))
+          return on(count.open[i].patch, *uv, where);
+      }
+      const RayCount exact = rays_.count_exactly(q, ray, may_be_on ? bits / 4 : bits);
+      if (exact.state == RayCount::State::kCounted) return answer(label_of(exact.windings));
+    }
+    PointAnswer out;
+    out.is_decided = false;
+    return out;
+  }
+
+  PointAnswer on(std::uint32_t patch, const std::array<Rational, 2>& uv,
+                 std::optional<OnPatch>* where) const {
+    if (where != nullptr) *where = OnPatch{patch, of_patch(rays_.form(patch), uv)};
+    return {0, patch, has_shells_ ? rays_.complex().shell(patch) : kNowhere, true};
+  }
+
+  PatchRays rays_;
+  bool has_shells_;
+  std::vector<std::uint32_t> depths_;
+  PatchOctree octree_;
+};
+
+PatchClassifier::PatchClassifier(std::unique_ptr<const Body> body) : body_(std::move(body)) {}
+PatchClassifier::PatchClassifier(PatchClassifier&&) noexcept = default;
+PatchClassifier::~PatchClassifier() = default;
+
+PatchClassifier PatchClassifier::make(const PatchComplex& complex, bool has_shells) {
+  VT_CHECK(complex.is_closed_oriented_surface(), "points need a closed oriented surface");
+  const ScopedDefaultFp nearest;
+  return PatchClassifier(std::make_unique<const Body>(complex, has_shells));
+}
+
+PointAnswer PatchClassifier::classify(const Vec3d& point, std::optional<OnPatch>* where) const {
+  const ScopedDefaultFp nearest;
+  return body_->classify(point, where);
+}
+PointAnswer PatchClassifier::classify(const ExactPoint& point,
+                                      std::optional<OnPatch>* where) const {
+  const ScopedDefaultFp nearest;
+  return body_->classify(point, where);
+}
+
+void PatchClassifier::classify(std::span<const Vec3d> points, std::span<PointAnswer> answers,
+                               unsigned jobs) const {
+  parallel_for(points.size(), kChunkOfPatchPoints, jobs,
+               [&](std::size_t, std::size_t begin, std::size_t end) {
+                 const ScopedDefaultFp nearest;
+                 for (std::size_t i = begin; i < end; ++i)
+                   answers[i] = body_->classify(points[i], nullptr);
+               });
+}
+
+LookupSize PatchClassifier::lookup() const { return body_->lookup(); }
+
+}  // namespace veritope

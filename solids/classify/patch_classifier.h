@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/classify/patch_classifier.h: is a point in, on or out of a closed complex of patches? Exactly.
+// Theory: docs/THEORY.md, POINT-3 and POINT-4.  Design: docs/design/0056-points-of-patches.md.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "predicates/vec.h"
+#include "solids/classify/lookup_size.h"
+#include "solids/classify/point_answer.h"
+#include "solids/patches/patch_complex.h"
+
+namespace veritope {
+
+/// Where a point lies on a patch: exactly, map(parameters) is the point.
+struct OnPatch {
+  std::uint32_t patch = 0;
+  /// (u, v) of a tensor patch; of a triangle its barycentric coordinates that belong to corners 1 and 2.
+  std::array<Rational, 2> parameters;
+};
+
+/// Answers for points with respect to one complex. Immutable: threads may share it.
+/// The winding number is that of the closed oriented surface. PointAnswer::facet is the number of a patch: if the point
+/// lies on several, one of them, always the same.
+class PatchClassifier {
+ public:
+  /// @param has_shells  the model is valid: answers name the innermost shell around a point
+  /// REQUIRES a closed oriented surface: complex.is_closed_oriented_surface(). It must outlive the classifier.
+  /// @cost  near-linear in the patches, and in the cells that the surface meets at the resolution of the look-up
+  static PatchClassifier make(const PatchComplex& complex, bool has_shells);
+  static PatchClassifier make(PatchComplex&&, bool) = delete;
+
+  PatchClassifier(PatchClassifier&&) noexcept;
+  ~PatchClassifier();
+
+  /// Undecided only for a point at which 2048 bits do not tell whether it is on the surface. REQUIRES finite
+  /// coordinates.
+  PointAnswer classify(const Vec3d& point, std::optional<OnPatch>* where = nullptr) const;
+  PointAnswer classify(const ExactPoint& point, std::optional<OnPatch>* where = nullptr) const;
+  /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.
+  void classify(std::span<const Vec3d> points, std::span<PointAnswer> answers, unsigned jobs) const;
+
+  LookupSize lookup() const;
+
+  class Body;
+
+ private:
+  explicit PatchClassifier(std::unique_ptr<const Body> body);
+  std::unique_ptr<const Body> body_;
+};
+
+}  // namespace veritope

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/classify/patch_octree_internal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "solids/classify/sheet_net_internal.h"
+
+namespace veritope::internal {
+namespace {
+
+// A node is one of these, with a number in the other 30 bits.
+enum PatchNodeKind : std::uint32_t {
+  kDivided = 0,
+  kClear = 1u << 30,  // no patch meets the cell
+  kSlab = 2u << 30,
+  kAsk = 3u << 30
+};
+constexpr std::uint32_t kKindBits = 3u << 30, kNumberBits = ~kKindBits;
+
+constexpr int kSlabLevel = 9;        // the root is 2 to 4 times as large as the model
+constexpr int kCreaseLevel = 11;     // of cells whose slab is thick
+constexpr double kThin = 0x1p-18;    // of a slab, in units of the root's size: no better one is sought
+constexpr double kFlat = 0.25;       // a slab that is thinner than this part of its cell is not thick
+constexpr std::size_t kMostNodes = std::size_t{1} << 23;
+
+Point3d corner_of(const Box3d& box, unsigned i) {
+  return {(i & 1u) != 0 ? box.hi[0] : box.lo[0], (i & 2u) != 0 ? box.hi[1] : box.lo[1],
+          (i & 4u) != 0 ? box.hi[2] : box.lo[2]};
+}
+
+double dot(const Point3d& a, const Point3d& b) {
+  return plane_value(a, b[0], b[1], b[2]);
+}
+
+// Which corner is farthest along n.
+unsigned farthest_corner(const Point3d& n) {
+  return (n[0] > 0 ? 1u : 0u) | (n[1] > 0 ? 2u : 0u) | (n[2] > 0 ? 4u : 0u);
+}
+
+}  // namespace
+
+class PatchOctree::Builder {
+ public:
+  Builder(PatchOctree& tree, const PatchRays& rays, const LabelOf& label_of)
+      : tree_(tree), rays_(rays), label_of_(label_of) {}
+
+  void build() {
+    std::vector<Piece> pieces;
+    for (std::uint32_t p = 0; p < rays_.num_patches(); ++p)
+      pieces.push_back(make_piece(SheetNet(rays_.form(p))));
+    tree_.nodes_.push_back(0);
+    build(0, OctreeCell{tree_.frame_->origin, tree_.frame_->size}, 0, pieces, SlabCell{});
+  }
+
+ private:
+  struct Piece {
+    SheetNet net;
+    Box3d hull;
+    Point3d normal;
+    std::array<double, 2> range;  // along the normal
+  };
+  static Piece make_piece(SheetNet net) {
+    Piece out{std::move(net), {}, {}, {}};
+    out.hull = out.net.hull();
+    out.normal = out.net.normal();
+    out.range = out.net.range_along(out.normal);
+    return out;
+  }
+
+  // With the margin that rounded places of points need.
+  Box3d box_of(const OctreeCell& cell) const {
+    const double m = tree_.frame_->margin, lo = -m, hi = cell.size + m;
+    return {{cell.lo.x + lo, cell.lo.y + lo, cell.lo.z + lo},
+            {cell.lo.x + hi, cell.lo.y + hi, cell.lo.z + hi}};
+  }
+  // More than normal·p of points of the root and of their rounded coordinates can be wrong by; |normal| is 1.
+  double slack() const {
+    const Vec3d& o = tree_.frame_->origin;
+    const double most =
+        std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + tree_.frame_->size;
+    return 0x1p-48 * most;
+  }
+
+  bool may_meet(const Piece& piece, const Box3d& box) const {
+    if (!meets(piece.hull, box)) return false;
+    const unsigned far = farthest_corner(piece.normal);
+    return dot(piece.normal, corner_of(box, far)) + slack() >= piece.range[0] &&
+           dot(piece.normal, corner_of(box, 7 - far)) - slack() <= piece.range[1];
+  }
+
+  // The pieces of `from` that may meet the box, cut until none is longer than the cell.
+  std::vector<Piece> pieces_in(const std::vector<Piece>& from, const Box3d& box,
+                               double size) const {
+    std::vector<Piece> out;
+    for (const Piece& p : from)
+      if (may_meet(p, box)) add_small(p, box, size, out);
+    return out;
+  }
+  void add_small(const Piece& piece, const Box3d& box, double size, std::vector<Piece>& out) const {
+    const double u = piece.net.length(0), v = piece.net.length(1);
+    if (!(std::max(u, v) > 2 * size)) {
+      out.push_back(piece);
+      return;
+    }
+    SheetNet left = piece.net;
+    SheetNet right = left.halve(u >= v ? 0 : 1);
+    for (SheetNet* net : {&left, &right}) {
+      const Piece half = make_piece(std::move(*net));
+      if (may_meet(half, box)) add_small(half, box, size, out);
+    }
+  }
+
+  std::uint32_t number_of(const std::optional<RegionLabel>& label) {
+    if (!label) return SlabCell::kNoLabel;
+    const auto [at, is_new] =
+        numbers_.emplace(*label, static_cast<std::uint32_t>(tree_.labels_.size()));
+    if (is_new) tree_.labels_.push_back(*label);
+    return at->second;
+  }
+
+  // The label at a point of the cell to which the slab belongs.
+  std::uint32_t label_at(const Point3d& p, const SlabCell& around) {
+    const double v = dot(around.normal, p);
+    if (v < around.lo && around.below != SlabCell::kNoLabel) return around.below;
+    if (v > around.hi && around.above != SlabCell::kNoLabel) return around.above;
+    return number_of(label_of_(RayPoint(
+        ExactPoint{in_model(p[0]), in_model(p[1]), in_model(p[2])}, rays_.scale())));
+  }
+  Rational in_model(double c) const {
+    return Rational::from_double(c) * Rational::power_of_two(rays_.scale());
+  }
+
+  SlabCell slab_of(const std::vector<Piece>& pieces, const Box3d& box, const SlabCell& around) {
+    SlabCell out;
+    for (const Piece& p : pieces)
+      for (std::size_t k = 0; k < 3; ++k) out.normal[k] += p.normal[k];
+    const double sum =
+        std::abs(out.normal[0]) + std::abs(out.normal[1]) + std::abs(out.normal[2]);
+    if (!(sum > 0)) out.normal = {1, 0, 0};
+    for (double& x : out.normal) x = sum > 0 ? x / sum * (1 - 0x1p-40) : x;
+    out.lo = std::numeric_limits<double>::infinity();
+    out.hi = -out.lo;
+    for (const Piece& p : pieces) {
+      const auto range = p.net.range_along(out.normal);
+      out.lo = std::min(out.lo, range[0] - slack());
+      out.hi = std::max(out.hi, range[1] + slack());
+    }
+    const unsigned far = farthest_corner(out.normal);
+    const Point3d high = corner_of(box, far), low = corner_of(box, 7 - far);
+    if (dot(out.normal, high) > out.hi) out.above = label_at(high, around);
+    if (dot(out.normal, low) < out.lo) out.below = label_at(low, around);
+    return out;
+  }
+
+  void build(std::size_t node, const OctreeCell& cell, int level, const std::vector<Piece>& from,
+             const SlabCell& around) {
+    const Box3d box = box_of(cell);
+    const std::vector<Piece> pieces = pieces_in(from, box, cell.size);
+    if (pieces.empty()) return set_empty(node, cell, around);
+    const SlabCell slab = slab_of(pieces, box, around);
+    const double thickness = slab.hi - slab.lo;
+    const bool is_thick = !(thickness < kFlat * cell.size);
+    if (level >= (is_thick ? kCreaseLevel : kSlabLevel) || level >= tree_.frame_->max_level ||
+        thickness < kThin * tree_.frame_->size || tree_.nodes_.size() + 8 > kMostNodes)
+      return set_slab(node, slab);
+    const auto first = static_cast<std::uint32_t>(tree_.nodes_.size());
+    tree_.nodes_[node] = kDivided | first;
+    tree_.nodes_.resize(first + 8);
+    for (unsigned i = 0; i < 8; ++i) build(first + i, cell.child(i), level + 1, pieces, slab);
+  }
+
+  void set_empty(std::size_t node, const OctreeCell& cell, const SlabCell& around) {
+    std::uint32_t label = label_at(to_point(cell.centre()), around);
+    for (int i = 0; i < OctreeCell::kNumPoints && label == SlabCell::kNoLabel; ++i)
+      label = label_at(to_point(cell.point(i)), around);
+    tree_.nodes_[node] = label == SlabCell::kNoLabel ? kAsk : kClear | label;
+  }
+
+  void set_slab(std::size_t node, const SlabCell& slab) {
+    if (slab.below == SlabCell::kNoLabel && slab.above == SlabCell::kNoLabel) {
+      tree_.nodes_[node] = kAsk;
+      return;
+    }
+    tree_.nodes_[node] = kSlab | static_cast<std::uint32_t>(tree_.slabs_.size());
+    tree_.slabs_.push_back(slab);
+  }
+
+  PatchOctree& tree_;
+  const PatchRays& rays_;
+  const LabelOf& label_of_;
+  std::map<RegionLabel, std::uint32_t> numbers_;
+};
+
+PatchOctree::PatchOctree(const PatchRays& rays, const LabelOf& label_of)
+    : frame_(OctreeFrame::around(rays.hull())) {
+  if (frame_) Builder(*this, rays, label_of).build();
+}
+
+// The rounded place of q differs from its own by less than the margin by which cells were taken greater.
+const RegionLabel* PatchOctree::find(const RayPoint& q) const {
+  if (!frame_) return nullptr;
+  const Point3d& p = q.rounded();
+  const auto [x, y, z] = frame_->place_of({p[0], p[1], p[2]});
+  Node node = nodes_[0];
+  for (int bit = OctreeFrame::kIndexBits - 1; (node & kKindBits) == kDivided; --bit)
+    node = nodes_[node + ((x >> bit & 1) | (y >> bit & 1) << 1 | (z >> bit & 1) << 2)];
+  const std::uint32_t number = node & kNumberBits;
+  if ((node & kKindBits) == kClear) return &labels_[number];
+  if ((node & kKindBits) == kAsk) return nullptr;
+  const SlabCell& slab = slabs_[number];
+  const double v = dot(slab.normal, p);
+  if (v < slab.lo && slab.below != SlabCell::kNoLabel) return &labels_[slab.below];
+  if (v > slab.hi && slab.above != SlabCell::kNoLabel) return &labels_[slab.above];
+  return nullptr;
+}
+
+LookupSize PatchOctree::size() const {
+  return {nodes_.size(), nodes_.size() * sizeof(Node) + labels_.size() * sizeof(RegionLabel) +
+                             slabs_.size() * sizeof(SlabCell)};
+}
+
+}  // namespace veritope::internal

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/classify/patch_rays_internal.h: the winding number of a closed patch complex around a point, by a ray along a
+// coordinate axis: in doubles where they decide, else in integers. Theory: docs/THEORY.md, POINT-3. Internal to
+// solids/classify.
+#pragma once
+#include <vector>
+
+#include "solids/classify/ray_descent_internal.h"
+#include "solids/pieces/box_hierarchy.h"
+
+namespace veritope::internal {
+
+/// What a ray found.
+struct RayCount {
+  enum class State {
+    kCounted,
+    kOpen,  ///< pieces remain on which the point may lie
+    kLost   ///< the numbers, or the limit of work, did not suffice
+  };
+  State state = State::kLost;
+  ShellWindings windings;       ///< kCounted: those that are not 0
+  std::vector<OpenPiece> open;  ///< kOpen
+};
+
+class PatchRays {
+ public:
+  /// REQUIRES a closed oriented surface with weights > 0; it must outlive this.
+  explicit PatchRays(const PatchComplex& complex);
+
+  const PatchComplex& complex() const { return complex_; }
+  int scale() const { return scale_; }
+  const TensorForm& form(std::uint32_t patch) const { return forms_[patch]; }
+  std::size_t num_patches() const { return forms_.size(); }
+  const Box3d& hull() const { return hull_; }
+  std::uint64_t bytes() const;
+
+  /// The ray along which the point is nearest to the end of the hull.
+  AxisRay ray_from(const RayPoint& point) const;
+  /// @param shell  patches of other shells are ignored; PatchComplex::kNone: none is
+  RayCount count_rounded(const RayPoint& point, const AxisRay& ray,
+                         std::uint32_t shell = PatchComplex::kNone) const;
+  /// Pieces are halved `levels` times along an axis, then they are open.
+  RayCount count_exactly(const RayPoint& point, const AxisRay& ray, int levels,
+                         std::uint32_t shell = PatchComplex::kNone) const;
+
+ private:
+  template <typename Visit>
+  void visit_patches(const RayPoint& point, const AxisRay& ray, std::uint32_t shell,
+                     Visit visit) const;
+
+  const PatchComplex& complex_;
+  int scale_;
+  std::vector<TensorForm> forms_;
+  Box3d hull_;
+  BoxHierarchy boxes_;
+};
+
+}  // namespace veritope::internal

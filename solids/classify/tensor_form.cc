@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+
+#include "solids/classify/tensor_form_internal.h"
+#include "splines/bezier_triangle_algebra.h"
+
+namespace veritope::internal {
+namespace {
+
+// floor(log2 |x|) or one more.
+std::int64_t log2_above(const Rational& x) {
+  return static_cast<std::int64_t>(x.numerator().bit_length()) -
+         static_cast<std::int64_t>(x.denominator().bit_length()) + 1;
+}
+
+Patch::Tensor tensor_of(const Patch& patch) {
+  return patch.is_triangle() ? as_tensor_product(patch.triangle()) : patch.tensor();
+}
+
+Rational divided(const Rational& x, std::int64_t power) {
+  return x * Rational::power_of_two(-power);
+}
+
+}  // namespace
+
+int scale_of(const PatchComplex& complex) {
+  std::int64_t most = std::numeric_limits<std::int64_t>::min();
+  for (const Patch& patch : complex.patches()) {
+    const std::size_t n = patch.num_control();
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < n; ++i) {
+        Rational x = patch.component(k)[i];
+        if (x.sign() == Sign::kZero) continue;
+        if (patch.is_rational()) x /= patch.component(3)[i];
+        most = std::max(most, log2_above(x));
+      }
+  }
+  constexpr std::int64_t kLimit = 1 << 20;
+  return most == std::numeric_limits<std::int64_t>::min()
+             ? 0
+             : static_cast<int>(std::clamp(most, -kLimit, kLimit));
+}
+
+TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int scale) {
+  const Patch& source = complex.patch(patch);
+  const Patch::Tensor map = tensor_of(source);
+  degrees = map.degrees();
+  is_triangle = source.is_triangle();
+  for (std::uint32_t s = 0; s < 4; ++s)
+    is_collapsed[s] = s == source.num_sides() || complex.is_collapsed({patch, s});
+  const std::size_t n = count();
+  Integer unit(1);
+  for (const Rational& x : map.coefficients()) unit = lcm(unit, x.denominator());
+  std::int64_t weight = 0;  // its greatest logarithm
+  if (map.is_rational()) {
+    weight = std::numeric_limits<std::int64_t>::min();
+    for (const Rational& w : map.component(3)) weight = std::max(weight, log2_above(w));
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    const bool is_weight = k == 3;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Rational x = is_weight && !map.is_rational()
+                             ? Rational(1)
+                             : map.component(static_cast<int>(k))[i];
+      exact[k].push_back(x.numerator() * divide_exactly(unit, x.denominator()));
+      rounded[k].push_back(nearest_double(divided(x, is_weight ? weight : weight + scale)));
+    }
+  }
+}
+
+}  // namespace veritope::internal

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_classify.cc [MODEL]: ns a point of the classifier of meshes beside CGAL's Side_of_triangle_mesh and, if
+// bench/bench_classify.cc [MODEL]: ns a point of the classifiers. Meshes: beside CGAL's Side_of_triangle_mesh and, if
 // it is there, Embree's parity, for points that are uniform in the box and within 1e-3 and 1e-7 of the diagonal from
-// the surface. One thread. The peers' wrong answers are counted by ours, which CGAL's confirm.
+// the surface. Patches: beside Open CASCADE's BRepClass3d_SolidClassifier, if it is there, uniform and within 1e-3 and
+// 1e-9. One thread. The peers' different answers are counted; CGAL's and the soaks confirm ours.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -9,12 +10,16 @@
 #include <vector>
 
 #include "bench/models.h"
+#include "bench/patch_side_peers.h"
 #include "bench/side_peers.h"
 #include "bench/stopwatch.h"
+#include "models/patch_shapes.h"
 #include "robust/base/check.h"
 #include "robust/base/random.h"
 #include "solids/classify/mesh_classifier.h"
+#include "solids/classify/patch_classifier.h"
 #include "solids/polyhedron/box_order.h"
+#include "splines/de_casteljau.h"
 
 namespace veritope::bench {
 namespace {
@@ -128,11 +133,95 @@ void rows(const std::string& name) {
   }
 }
 
+// ---- patches
+
+struct CurvedModel {
+  const char* name;
+  patch_shapes::Patches patches;
+};
+
+std::vector<CurvedModel> curved_models() {
+  return {{"sphere", patch_shapes::sphere()},
+          {"torus", patch_shapes::torus(3, 1)},
+          {"cylinder", patch_shapes::frustum(1, 1, 2)}};
+}
+
+// Within `distance` of a random point of a random patch.
+std::vector<Vec3d> near_points(const patch_shapes::Patches& patches, double distance,
+                               std::size_t count, Random& random) {
+  std::vector<Vec3d> out(count);
+  const auto offset = [&] { return distance * (2 * random.unit() - 1) / std::sqrt(3.0); };
+  for (Vec3d& p : out) {
+    const Patch& patch = patches[random.below(patches.size())];
+    const Bezier<double, 2> map = [&] {
+      std::vector<double> values;
+      for (const Rational& x : patch.tensor().coefficients()) values.push_back(nearest_double(x));
+      return Bezier<double, 2>(patch.tensor().degrees(), patch.tensor().num_components(),
+                               patch.is_rational(), std::move(values));
+    }();
+    const auto f = evaluate(map, std::array<double, 2>{random.unit(), random.unit()});
+    const double w = patch.is_rational() ? f[3] : 1;
+    p = {f[0] / w + offset(), f[1] / w + offset(), f[2] / w + offset()};
+  }
+  return out;
+}
+
+void rows(const CurvedModel& model) {
+  const PatchComplex complex = make_patch_complex(model.patches).value();
+  const Stopwatch build;
+  const PatchClassifier made = PatchClassifier::make(complex, true);
+  const double build_s = build.ns() * 1e-9;
+  Box3d box = empty_box();
+  for (Vec3d& p : [&] {
+         Random random(2);
+         return near_points(model.patches, 0, 10'000, random);
+       }())
+    add(to_point(p), &box);
+  const double diagonal =
+      std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
+#ifdef VERITOPE_BENCH_OCCT
+  const Stopwatch build_peer;
+  const OcctSides peer(model.patches);
+  const double peer_build_s = build_peer.ns() * 1e-9;
+  VT_CHECK(peer.is_closed(), "Open CASCADE sews the benchmark's models");
+#endif
+  for (const char* const kind : {"uniform", "1e-3", "1e-9"}) {
+    Random random(1);
+    const bool is_uniform = kind[0] == 'u';
+    const auto points =
+        is_uniform ? uniform_points(box, random)
+                   : near_points(model.patches, std::atof(kind) * diagonal, 20'000, random);
+    std::vector<PointAnswer> ours(points.size());
+    const double ns =
+        least_ns([&] { made.classify(points, ours, 1); }) / static_cast<double>(points.size());
+    std::printf(
+        "{\"row\":\"classify_%s_%s_vs_occt\",\"ours\":%.1f,\"unit\":\"ns/point\","
+        "\"build_s\":%.3f,\"bytes\":%llu",
+        model.name, kind, ns, build_s, static_cast<unsigned long long>(made.lookup().bytes));
+#ifdef VERITOPE_BENCH_OCCT
+    constexpr std::size_t kPeerPoints = 2'000;  // it takes a fifth of a millisecond for each
+    const std::vector<Vec3d> some(points.begin(), points.begin() + kPeerPoints);
+    double peer_ns = 0;
+    const auto theirs = answers_of(peer, some, peer_ns);
+    const std::vector<PointAnswer> of_some(ours.begin(), ours.begin() + kPeerPoints);
+    std::printf(
+        ",\"peer\":%.1f,\"ratio\":%.0f,\"different\":%zu,\"of\":%zu,\"peer_build_s\":%.3f,"
+        "\"pays_after\":%.0f",
+        peer_ns, peer_ns / ns, num_different(of_some, theirs), kPeerPoints, peer_build_s,
+        std::max(0.0, (build_s - peer_build_s) * 1e9 / (peer_ns - ns)));
+#endif
+    std::printf("}\n");
+    std::fflush(stdout);
+  }
+}
+
 }  // namespace
 }  // namespace veritope::bench
 
 int main(int argc, char** argv) {
   for (const char* const name : {"bunny70k", "blade199k", "loop1115k"})
-    if (argc < 2 || std::string(argv[1]) == name) veritope::bench::rows(name);
+    if (argc < 2 || std::string(argv[1]) == name) veritope::bench::rows(std::string(name));
+  for (const auto& model : veritope::bench::curved_models())
+    if (argc < 2 || std::string(argv[1]) == model.name) veritope::bench::rows(model);
   return 0;
 }

@@ -114,7 +114,7 @@ class Classification {
     ++report_.points;
     if (!answer.is_decided)
       report_.undecided.push_back(
-          {report_.points, "whether the point is on the surface is open after 2048 bits"});
+          {report_.points, "whether the point is on the surface is open after 2560 bits"});
     else if (answer.is_on())
       ++report_.on;
     else if (!settings_.is_winding)

@@ -18,12 +18,15 @@ using namespace internal;
 namespace {
 
 constexpr std::size_t kChunkOfPatchPoints = 256;
+constexpr int kBitsOfCondition =
+    24;                         // by which parameters are worse known than the point's distance
 constexpr int kFirstBits = 36;  // how far the middles of the smallest rounded pieces can be trusted
 
-// The parameters of the patch, for those of the square.
-std::array<Rational, 2> of_patch(const TensorForm& form, std::array<Rational, 2> uv) {
-  if (!form.is_triangle) return uv;
-  return {uv[0] * (Rational(1) - uv[1]), uv[0] * uv[1]};
+std::array<AlgebraicNumber, 2> as_algebraic(const std::array<Rational, 2>& uv) {
+  std::array<AlgebraicNumber, 2> out;
+  for (std::size_t k = 0; k < 2; ++k)
+    out[k] = {{-uv[k].numerator(), uv[k].denominator()}, uv[k], uv[k]};
+  return out;
 }
 
 }  // namespace
@@ -31,7 +34,10 @@ std::array<Rational, 2> of_patch(const TensorForm& form, std::array<Rational, 2>
 class PatchClassifier::Body {
  public:
   Body(const PatchComplex& complex, bool has_shells)
-      : rays_(complex), has_shells_(has_shells), depths_(depths()), octree_(rays_, [this](const RayPoint& q) { return label_at(q); }) {}
+      : rays_(complex),
+        has_shells_(has_shells),
+        depths_(depths()),
+        octree_(rays_, [this](const RayPoint& q) { return label_at(q); }) {}
 
   template <typename Point>
   PointAnswer classify(const Point& p, std::optional<OnPatch>* where) const {
@@ -101,23 +107,27 @@ class PatchClassifier::Body {
     RayCount count = count_rounded(q);
     if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
     const AxisRay ray = rays_.ray_from(q);
-    constexpr int kMostBits = 2048;
+    constexpr int kFirstRefined = 160, kMostBits = 2560;
     std::vector<PatchFoot> feet;
     if (count.state == RayCount::State::kLost) count = rays_.count_exactly(q, ray, 48);
     if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
     for (const OpenPiece& piece : count.open) {
       const TensorForm& form = rays_.form(piece.patch);
-      if (auto uv = PatchFoot::at_collapsed_side(form, q)) return on(piece.patch, *uv, where);
+      if (auto uv = PatchFoot::at_collapsed_side(form, q))
+        return on(piece.patch, as_algebraic(*uv), where);
       feet.emplace_back(form, q, piece.middle);
-      if (auto uv = feet.back().exact_parameters(kFirstBits)) return on(piece.patch, *uv, where);
+      if (auto uv = feet.back().exact_parameters(kFirstBits))
+        return on(piece.patch, as_algebraic(*uv), where);
     }
-    for (int bits = 128; bits <= kMostBits; bits *= 4) {
+    for (int bits = kFirstRefined; bits <= kMostBits; bits *= 4) {
       bool may_be_on = false;
       for (std::size_t i = 0; i < feet.size(); ++i) {
         if (!feet[i].refine(bits)) continue;
         may_be_on = true;
-        if (auto uv = feet[i].exact_parameters(bits / 4 * 3))
-          return on(count.open[i].patch, *uv, where);
+        if (auto uv = feet[i].exact_parameters(bits - kBitsOfCondition))
+          return on(count.open[i].patch, as_algebraic(*uv), where);
+        if (auto uv = feet[i].irrational_parameters(bits - kBitsOfCondition))
+          return on(count.open[i].patch, std::move(*uv), where);
       }
       const RayCount exact = rays_.count_exactly(q, ray, may_be_on ? bits / 4 : bits);
       if (exact.state == RayCount::State::kCounted) return answer(label_of(exact.windings));
@@ -127,9 +137,9 @@ class PatchClassifier::Body {
     return out;
   }
 
-  PointAnswer on(std::uint32_t patch, const std::array<Rational, 2>& uv,
+  PointAnswer on(std::uint32_t patch, std::array<AlgebraicNumber, 2> uv,
                  std::optional<OnPatch>* where) const {
-    if (where != nullptr) *where = OnPatch{patch, of_patch(rays_.form(patch), uv)};
+    if (where != nullptr) *where = OnPatch{patch, std::move(uv)};
     return {0, patch, has_shells_ ? rays_.complex().shell(patch) : kNowhere, true};
   }
 

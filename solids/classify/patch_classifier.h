@@ -9,17 +9,18 @@
 #include <span>
 
 #include "predicates/vec.h"
+#include "solids/classify/algebraic_number.h"
 #include "solids/classify/lookup_size.h"
 #include "solids/classify/point_answer.h"
 #include "solids/patches/patch_complex.h"
 
 namespace veritope {
 
-/// Where a point lies on a patch: exactly, map(parameters) is the point.
+/// Where a point lies on a patch: exactly, its map takes the parameters to the point.
 struct OnPatch {
   std::uint32_t patch = 0;
-  /// (u, v) of a tensor patch; of a triangle its barycentric coordinates that belong to corners 1 and 2.
-  std::array<Rational, 2> parameters;
+  /// (u, v) of a tensor patch. Of a triangle those of S(u, v) = map(1 - u, u (1 - v), u v), in barycentric coordinates.
+  std::array<AlgebraicNumber, 2> parameters;
 };
 
 /// Answers for points with respect to one complex. Immutable: threads may share it.
@@ -36,7 +37,7 @@ class PatchClassifier {
   PatchClassifier(PatchClassifier&&) noexcept;
   ~PatchClassifier();
 
-  /// Undecided only for a point at which 2048 bits do not tell whether it is on the surface. REQUIRES finite
+  /// Undecided only for a point at which 2560 bits do not tell whether it is on the surface. REQUIRES finite
   /// coordinates.
   PointAnswer classify(const Vec3d& point, std::optional<OnPatch>* where = nullptr) const;
   PointAnswer classify(const ExactPoint& point, std::optional<OnPatch>* where = nullptr) const;

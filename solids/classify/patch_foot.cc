@@ -170,8 +170,7 @@ std::optional<std::array<Rational, 2>> PatchFoot::at_collapsed_side(const Tensor
     const std::size_t i = form.first_of_side(s);
     bool is_equal = true;
     for (std::size_t k = 0; k < 3; ++k)
-      is_equal =
-          is_equal && form.exact[k][i] * q.denominator == form.exact[3][i] * q.numerators[k];
+      is_equal = is_equal && form.exact[k][i] * q.denominator == form.exact[3][i] * q.numerators[k];
     if (!is_equal) continue;
     std::array<Rational, 2> out;
     if (s == 1) out[0] = Rational(1);

@@ -9,6 +9,7 @@
 
 #include "robust/dyadic.h"
 #include "robust/rational.h"
+#include "solids/classify/algebraic_foot_internal.h"
 #include "solids/classify/ray_point_internal.h"
 #include "solids/classify/tensor_form_internal.h"
 
@@ -27,6 +28,11 @@ class PatchFoot {
   /// ones are.
   std::optional<std::array<Rational, 2>> exact_parameters(int bits) const;
 
+  /// The same with roots of polynomials; see algebraic_parameters.
+  std::optional<std::array<AlgebraicNumber, 2>> irrational_parameters(int bits) const {
+    return algebraic_parameters(form_, net_, at_, bits);
+  }
+
   /// Parameters of the point where it is the end of a collapsed side of the square.
   static std::optional<std::array<Rational, 2>> at_collapsed_side(const TensorForm& form,
                                                                   const RayPoint& point);
@@ -34,7 +40,8 @@ class PatchFoot {
  private:
   using Values = std::array<Integer, 3>;
   /// The homogeneous point relative to `point_`, times a positive number. u and v are fractions of [0,1].
-  Values at(const std::array<Integer, 2>& numerators, const std::array<Integer, 2>& denominators) const;
+  Values at(const std::array<Integer, 2>& numerators,
+            const std::array<Integer, 2>& denominators) const;
   void find_tangents();
 
   const TensorForm& form_;

@@ -20,10 +20,11 @@ enum PatchNodeKind : std::uint32_t {
 };
 constexpr std::uint32_t kKindBits = 3u << 30, kNumberBits = ~kKindBits;
 
-constexpr int kSlabLevel = 9;        // the root is 2 to 4 times as large as the model
-constexpr int kCreaseLevel = 11;     // of cells whose slab is thick
-constexpr double kThin = 0x1p-18;    // of a slab, in units of the root's size: no better one is sought
-constexpr double kFlat = 0.25;       // a slab that is thinner than this part of its cell is not thick
+constexpr int kSlabLevel = 8;    // the root is 2 to 4 times as large as the model
+constexpr int kCreaseLevel = 9;  // of cells whose slab is thick
+constexpr double kThin =
+    0x1p-18;                    // of a slab, in units of the root's size: no better one is sought
+constexpr double kFlat = 0.25;  // a slab that is thinner than this part of its cell is not thick
 constexpr std::size_t kMostNodes = std::size_t{1} << 23;
 
 Point3d corner_of(const Box3d& box, unsigned i) {
@@ -31,9 +32,7 @@ Point3d corner_of(const Box3d& box, unsigned i) {
           (i & 4u) != 0 ? box.hi[2] : box.lo[2]};
 }
 
-double dot(const Point3d& a, const Point3d& b) {
-  return plane_value(a, b[0], b[1], b[2]);
-}
+double dot(const Point3d& a, const Point3d& b) { return plane_value(a, b[0], b[1], b[2]); }
 
 // Which corner is farthest along n.
 unsigned farthest_corner(const Point3d& n) {
@@ -126,8 +125,8 @@ class PatchOctree::Builder {
     const double v = dot(around.normal, p);
     if (v < around.lo && around.below != SlabCell::kNoLabel) return around.below;
     if (v > around.hi && around.above != SlabCell::kNoLabel) return around.above;
-    return number_of(label_of_(RayPoint(
-        ExactPoint{in_model(p[0]), in_model(p[1]), in_model(p[2])}, rays_.scale())));
+    return number_of(label_of_(
+        RayPoint(ExactPoint{in_model(p[0]), in_model(p[1]), in_model(p[2])}, rays_.scale())));
   }
   Rational in_model(double c) const {
     return Rational::from_double(c) * Rational::power_of_two(rays_.scale());
@@ -137,8 +136,7 @@ class PatchOctree::Builder {
     SlabCell out;
     for (const Piece& p : pieces)
       for (std::size_t k = 0; k < 3; ++k) out.normal[k] += p.normal[k];
-    const double sum =
-        std::abs(out.normal[0]) + std::abs(out.normal[1]) + std::abs(out.normal[2]);
+    const double sum = std::abs(out.normal[0]) + std::abs(out.normal[1]) + std::abs(out.normal[2]);
     if (!(sum > 0)) out.normal = {1, 0, 0};
     for (double& x : out.normal) x = sum > 0 ? x / sum * (1 - 0x1p-40) : x;
     out.lo = std::numeric_limits<double>::infinity();

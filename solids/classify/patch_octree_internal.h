@@ -18,7 +18,10 @@ namespace veritope::internal {
 struct SlabCell {
   static constexpr std::uint32_t kNoLabel = 0xffffffff;
   Point3d normal{};
-  double lo = 0, hi = 0;  ///< of normal·p on the surface, roundings of normal·p for points of the cell included
+  double
+      lo = 0,
+      hi =
+          0;  ///< of normal·p on the surface, roundings of normal·p for points of the cell included
   std::uint32_t below = kNoLabel, above = kNoLabel;  ///< numbers of labels
 };
 

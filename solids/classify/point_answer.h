@@ -18,7 +18,8 @@ struct PointAnswer {
   /// around it, or if shells were not requested.
   std::uint32_t shell = kNowhere;
 
-  bool is_decided = true;  ///< false: whether the point is on the surface is open, and the rest says nothing
+  bool is_decided =
+      true;  ///< false: whether the point is on the surface is open, and the rest says nothing
 
   bool is_on() const { return facet != kNowhere; }
   friend bool operator==(const PointAnswer&, const PointAnswer&) = default;

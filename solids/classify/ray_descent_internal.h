@@ -62,8 +62,9 @@ using ShellWindings = std::vector<std::pair<std::uint32_t, int>>;
 template <typename Net>
 struct Stretch {
   using Parameter = typename Net::Parameter;
-  std::uint64_t line = 0;  ///< twice the number of a common edge, or twice that of a patch and axis, and 1
-  Parameter place{};       ///< of an inner line
+  std::uint64_t line =
+      0;  ///< twice the number of a common edge, or twice that of a patch and axis, and 1
+  Parameter place{};  ///< of an inner line
   Parameter begin{}, end{};
   int sign = 0;  ///< 1: passed from begin to end
   std::uint32_t shell = 0;
@@ -93,8 +94,9 @@ class RayDescent {
 
   void add_patch(std::uint32_t patch, Net net) {
     first_open_ = open_.size();
-    visit(Piece{patch, {Parameter(), Parameter()}, {Net::parameter_one(), Net::parameter_one()}, {}},
-          std::move(net));
+    visit(
+        Piece{patch, {Parameter(), Parameter()}, {Net::parameter_one(), Net::parameter_one()}, {}},
+        std::move(net));
   }
 
   const std::vector<OpenPiece>& open() const { return open_; }

@@ -85,7 +85,11 @@ class RoundedNet {
 
   RoundedNet(const TensorForm& form, const RayPoint& point, NetPool& pool);
   RoundedNet(RoundedNet&& net) noexcept
-      : form_(net.form_), pool_(net.pool_), values_(net.values_), error_(net.error_), ends_(net.ends_) {
+      : form_(net.form_),
+        pool_(net.pool_),
+        values_(net.values_),
+        error_(net.error_),
+        ends_(net.ends_) {
     net.values_ = nullptr;
   }
   RoundedNet& operator=(RoundedNet&&) = delete;
@@ -95,9 +99,7 @@ class RoundedNet {
 
   const TensorForm& form() const { return form_; }
   /// The sign of a coordinate.
-  CommonSign sign(std::size_t k) const {
-    return common_sign(ends_[k][0], ends_[k][1], error_[k]);
-  }
+  CommonSign sign(std::size_t k) const { return common_sign(ends_[k][0], ends_[k][1], error_[k]); }
   CommonSign side(const PlaneNormal& n) const;
   /// Approximate.
   PlaneNormal normal() const;
@@ -113,9 +115,7 @@ class RoundedNet {
   std::size_t count() const { return form_.count(); }
   const double* component(std::size_t k) const { return values_ + k * count(); }
   double size(std::size_t k) const { return std::max(-ends_[k][0], ends_[k][1]); }
-  Point3d at(std::size_t i) const {
-    return {component(0)[i], component(1)[i], component(2)[i]};
-  }
+  Point3d at(std::size_t i) const { return {component(0)[i], component(1)[i], component(2)[i]}; }
   void find_ends();
 
   const TensorForm& form_;

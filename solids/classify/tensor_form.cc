@@ -59,9 +59,8 @@ TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int sca
   for (std::size_t k = 0; k < 4; ++k) {
     const bool is_weight = k == 3;
     for (std::size_t i = 0; i < n; ++i) {
-      const Rational x = is_weight && !map.is_rational()
-                             ? Rational(1)
-                             : map.component(static_cast<int>(k))[i];
+      const Rational x =
+          is_weight && !map.is_rational() ? Rational(1) : map.component(static_cast<int>(k))[i];
       exact[k].push_back(x.numerator() * divide_exactly(unit, x.denominator()));
       rounded[k].push_back(nearest_double(divided(x, is_weight ? weight : weight + scale)));
     }

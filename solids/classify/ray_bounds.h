@@ -16,14 +16,10 @@ namespace veritope::internal {
 
 // ---- 1. coordinates relative to a point
 
-/// A coordinate of a homogeneous control point (m, w) relative to the point's coordinate c: w times the difference.
-template <typename Number>
-Number relative_to_point(const Number& m, const Number& w, const Number& c) {
-  return m - w * c;
-}
-inline constexpr double kRelativeRel = 0x1.4p-50;  // 5 u
+inline constexpr double kRelativeRel = 0x1p-50;  // 4 u
 
-/// Claim: if m, w and c are the exact numbers rounded, relative_to_point differs from the exact result by at most this.
+/// Claim: if m, w and c are the exact numbers rounded, relative_to_centre(m, w, c) differs from the exact result by at
+/// most this.
 /// size >= |m| + |w c|.
 inline double relative_bound(double size) { return kRelativeRel * size * kNetSlack + kNetTiny; }
 
@@ -35,7 +31,7 @@ Number plane_value(const std::array<Number, 3>& n, const Number& x, const Number
                    const Number& z) {
   return n[0] * x + (n[1] * y + n[2] * z);
 }
-inline constexpr double kPlaneRel = 0x1p-50;  // 4 u
+inline constexpr double kPlaneRel = 0x1.8p-51;  // 3 u
 
 /// Claim: plane_value of coordinates that are known up to `error` differs from the exact n·p by at most this; the normal
 /// is exact. error, size: |n0| e0 + |n1| e1 + |n2| e2, as plane_value adds, of the coordinates' errors and of their
@@ -46,7 +42,7 @@ inline double plane_bound(double error, double size) {
 
 // ---- 3. projected curves, turned
 
-inline constexpr double kTurnRel = 0x1p-50;  // 4 u
+inline constexpr double kTurnRel = 0x1p-51;  // 2 u
 
 /// Claim: both coordinates of turned(), from coordinates that are known up to `error` and at most `size`, differ from
 /// the exact ones by at most this.

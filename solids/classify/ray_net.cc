@@ -30,7 +30,7 @@ RoundedNet::RoundedNet(const TensorForm& form, const RayPoint& point, NetPool& p
     double size = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double m = form.rounded[k][i], w = form.rounded[3][i];
-      values_[k * n + i] = relative_to_point(m, w, c);
+      values_[k * n + i] = relative_to_centre(m, w, c);
       size = std::max(size, std::abs(m) + std::abs(w * c));
     }
     error_[k] = relative_bound(size);

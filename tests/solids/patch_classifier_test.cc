@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/classify/patch_classifier.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "models/patch_shapes.h"
+#include "robust/base/random.h"
+#include "tests/solids/patch_support.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261127;
+
+Rational ratio(std::int64_t p, std::int64_t q = 1) { return Rational(p) / Rational(q); }
+
+struct Model {
+  PatchComplex complex;
+  PatchClassifier classifier;
+
+  explicit Model(Patches patches, bool has_shells = true)
+      : complex(complex_of(std::move(patches))),
+        classifier(PatchClassifier::make(complex, has_shells)) {}
+  PointAnswer operator()(const ExactPoint& p) const { return classifier.classify(p); }
+  PointAnswer operator()(const Vec3d& p) const { return classifier.classify(p); }
+};
+
+// 1 - |p|^2
+Sign in_ball(const ExactPoint& p) {
+  return (Rational(1) - p[0] * p[0] - p[1] * p[1] - p[2] * p[2]).sign();
+}
+// (|p|^2 + 8)^2 < 36 (x^2 + y^2): radii 3 and 1.
+Sign in_torus(const ExactPoint& p) {
+  const Rational xy = p[0] * p[0] + p[1] * p[1], s = xy + p[2] * p[2] + Rational(8);
+  return (Rational(36) * xy - s * s).sign();
+}
+
+void expect_truth(const PointAnswer& a, Sign truth, const std::string& where) {
+  ASSERT_TRUE(a.is_decided) << where;
+  EXPECT_EQ(a.is_on(), truth == 0) << where;
+  if (!a.is_on()) {
+    EXPECT_EQ(a.winding, truth > 0 ? 1 : 0) << where;
+  }
+}
+
+void expect_truth(const Model& model, const std::function<Sign(const ExactPoint&)>& truth,
+                  double reach, int steps) {
+  Random random(kSeed);
+  for (int i = 0; i < 600; ++i) {
+    ExactPoint p;
+    for (Rational& x : p) {
+      const double c = (2 * random.unit() - 1) * reach;
+      // Every other point has coordinates with common values: axis rays through poles, along seams, on tangent planes.
+      x = Rational::from_double(i % 2 == 0 ? c : std::round(c * steps) / steps);
+    }
+    expect_truth(model(p), truth(p),
+                 "seed " + std::to_string(kSeed) + " point " + std::to_string(i));
+  }
+}
+
+TEST(PatchClassifier, KnowsQuadricsAndTori) {
+  expect_truth(Model(patch_shapes::sphere()), in_ball, 1.25, 4);
+  expect_truth(Model(patch_shapes::octant_sphere()), in_ball, 1.25, 4);
+  expect_truth(Model(patch_shapes::torus(3, 1)), in_torus, 4.25, 2);
+  expect_truth(Model(patch_shapes::one_patch_torus(3, 1)), in_torus, 4.25, 2);
+}
+
+TEST(PatchClassifier, KnowsBoxesWithTheirSidesEdgesAndCorners) {
+  const Model box(unit_box());
+  for (int i = 0; i < 125; ++i) {
+    const ExactPoint p{ratio(i % 5 - 1, 2), ratio(i / 5 % 5 - 1, 2), ratio(i / 25 - 1, 2)};
+    int in = 0, on = 0;
+    for (const Rational& x : p) {
+      in += x.sign() > 0 && x < Rational(1) ? 1 : 0;
+      on += x.sign() == 0 || x == Rational(1) ? 1 : 0;
+    }
+    const Sign truth = in == 3 ? Sign::kPositive : in + on == 3 ? Sign::kZero : Sign::kNegative;
+    expect_truth(box(p), truth, std::to_string(i));
+  }
+}
+
+TEST(PatchClassifier, NamesRationalParametersThatAreThere) {
+  const Patches patches = patch_shapes::octant_sphere();
+  const Model model(patches);
+  Random random(kSeed);
+  for (int i = 0; i < 60; ++i) {
+    const Patch& patch = patches[random.below(patches.size())];
+    const auto parameter = [&] {
+      return i % 3 == 0 ? Rational::from_double(random.unit())
+                        : ratio(static_cast<std::int64_t>(random.below(8)), 7);
+    };
+    const std::array<Rational, 2> uv{parameter(), parameter()};
+    const ExactPoint p = *point_of(evaluate(patch.tensor(), uv));
+    std::optional<OnPatch> where;
+    const PointAnswer a = model.classifier.classify(p, &where);
+    ASSERT_TRUE(a.is_on()) << "seed " << kSeed << " point " << i;
+    ASSERT_TRUE(where.has_value());
+    EXPECT_EQ(where->patch, a.facet);
+    const auto& [u, v] = where->parameters;
+    ASSERT_TRUE(u.is_rational() && v.is_rational());
+    EXPECT_EQ(
+        *point_of(evaluate(patches[where->patch].tensor(), std::array<Rational, 2>{u.lo, v.lo})),
+        p);
+  }
+}
+
+// A patch of a graph z = x y over (g(u), g(v)), g(t) = (t + 3 t^2 - 2 t^3) / 2: most of its points have irrational
+// parameters. Its walls are planes.
+Patches bent_graph() {
+  const std::vector<Rational> g{0, ratio(1, 6), ratio(5, 6), 1};
+  Patch::Tensor top({3, 3}, 3, false);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      top.component(0)[4 * i + j] = g[i];
+      top.component(1)[4 * i + j] = g[j];
+      top.component(2)[4 * i + j] = Rational(1) + g[i] * g[j];
+    }
+  const auto wall = [&](auto x, auto y) {
+    Patch::Tensor map({3, 1}, 3, false);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        map.component(0)[2 * i + j] = x(g[i]);
+        map.component(1)[2 * i + j] = y(g[i]);
+        map.component(2)[2 * i + j] = j == 0 ? Rational(0) : Rational(1) + x(g[i]) * y(g[i]);
+      }
+    return make_patch(std::move(map)).value();
+  };
+  const auto back = [](const Rational& t) { return Rational(1) - t; };
+  const auto same = [](const Rational& t) { return t; };
+  const auto zero = [](const Rational&) { return Rational(0); };
+  const auto one = [](const Rational&) { return Rational(1); };
+  Patch::Tensor bottom({3, 3}, 3, false);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      bottom.component(0)[4 * i + j] = g[j];
+      bottom.component(1)[4 * i + j] = g[i];
+    }
+  return {make_patch(std::move(top)).value(),
+          make_patch(std::move(bottom)).value(),
+          wall(same, zero),
+          wall(one, same),
+          wall(back, one),
+          wall(zero, back)};
+}
+
+TEST(PatchClassifier, ProvesIrrationalParameters) {
+  const Model model(bent_graph());
+  const auto is_root_of_cubic = [](const AlgebraicNumber& t, const Rational& x) {
+    // 2 g(t) = t + 3 t^2 - 2 t^3
+    const Rational unit = Rational(1) / Rational(t.polynomial.back());
+    return t.polynomial.size() == 4 && Rational(t.polynomial[1]) * unit == ratio(-1, 2) &&
+           Rational(t.polynomial[2]) * unit == ratio(-3, 2) &&
+           Rational(t.polynomial[0]) * unit == x;
+  };
+  for (const auto& [x, y] :
+       {std::pair(ratio(1, 3), ratio(2, 7)), std::pair(ratio(1, 5), ratio(1, 5)),
+        std::pair(ratio(1, 3), ratio(2, 3)), std::pair(ratio(1, 2), ratio(2, 3))}) {
+    std::optional<OnPatch> where;
+    const ExactPoint p{x, y, Rational(1) + x * y};
+    const PointAnswer a = model.classifier.classify(p, &where);
+    ASSERT_TRUE(a.is_decided && a.is_on()) << x.to_string() << ' ' << y.to_string();
+    ASSERT_EQ(where->patch, 0u);
+    const auto& [u, v] = where->parameters;
+    EXPECT_TRUE(u.is_rational() ? x == ratio(1, 2) : is_root_of_cubic(u, x));
+    EXPECT_TRUE(is_root_of_cubic(v, y));
+    // Its neighbours are on neither side of the surface by accident.
+    for (const int bits : {40, 300}) {
+      const Rational d = Rational::power_of_two(-bits);
+      expect_truth(model({x, y, p[2] - d}), Sign::kPositive, "below");
+      expect_truth(model({x, y, p[2] + d}), Sign::kNegative, "above");
+    }
+  }
+  expect_truth(model({0, ratio(1, 3), ratio(1, 2)}), Sign::kZero, "on a wall");
+}
+
+TEST(PatchClassifier, DecidesPointsNearTheSurface) {
+  const Model ball(patch_shapes::octant_sphere()), cone(patch_shapes::frustum(1, 0, 2));
+  for (const int bits : {30, 60, 300, 1000}) {
+    const Rational d = Rational::power_of_two(-bits);
+    for (const ExactPoint& p :
+         {ExactPoint{ratio(1, 3), ratio(2, 3), ratio(2, 3)}, ExactPoint{0, 0, 1},
+          ExactPoint{ratio(3, 5), 0, ratio(-4, 5)}, ExactPoint{-1, 0, 0}})
+      for (const int side : {-1, 1}) {
+        ExactPoint q = p;
+        for (Rational& x : q) x *= Rational(1) + Rational(side) * d;
+        expect_truth(ball(q), side < 0 ? Sign::kPositive : Sign::kNegative, std::to_string(bits));
+      }
+    expect_truth(cone({0, 0, Rational(2) - d}), Sign::kPositive, "below the apex");
+    expect_truth(cone({0, 0, Rational(2) + d}), Sign::kNegative, "above the apex");
+    expect_truth(cone({d, 0, Rational(2) - d}), Sign::kNegative, "beside the apex");
+  }
+  expect_truth(cone(ExactPoint{0, 0, 2}), Sign::kZero, "the apex");
+}
+
+// The lens x = 2 + 2 t, |y| <= 2 t (1 - t), extruded along z: the ray from (1, 1/20, 0) away from the origin crosses the
+// upper wall twice.
+TEST(PatchClassifier, IsNotMisledByTheLens) {
+  Patches lens;
+  for (const int side : {-1, 1}) {
+    Patch::Tensor wall({2, 1}, 3, false);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        wall.component(0)[2 * i + j] = Rational(static_cast<std::int64_t>(2 + i));
+        wall.component(1)[2 * i + j] = i == 1 ? Rational(side) : Rational(0);
+        wall.component(2)[2 * i + j] = (j == 0) == (side > 0) ? Rational(1) : Rational(-1);
+      }
+    lens.push_back(make_patch(std::move(wall)).value());
+    Patch::Tensor cap({2, 1}, 3, false);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        cap.component(0)[2 * i + j] = Rational(static_cast<std::int64_t>(2 + i));
+        cap.component(1)[2 * i + j] =
+            i == 1 ? Rational((j == 0) == (side > 0) ? -1 : 1) : Rational(0);
+        cap.component(2)[2 * i + j] = Rational(side);
+      }
+    lens.push_back(make_patch(std::move(cap)).value());
+  }
+  const Model model(lens);
+  EXPECT_EQ(model(Vec3d{1, 0.05, 0}), PointAnswer{});
+  EXPECT_EQ(model(Vec3d{3, 0.05, 0}).winding, 1);
+  EXPECT_EQ(model(Vec3d{2.001, 0.05, 0}).winding, 0);
+}
+
+TEST(PatchClassifier, NamesTheInnermostShell) {
+  const Model model(patch_shapes::thin_shell(ratio(1, 4)));
+  const std::uint32_t outer = model(Vec3d{0.9, 0, 0}).shell;
+  const PointAnswer hole = model(Vec3d{0.1, 0.2, 0.3});
+  EXPECT_EQ(model(Vec3d{0.9, 0, 0}).winding, 1);
+  EXPECT_EQ(hole.winding, 0);
+  EXPECT_NE(hole.shell, outer);
+  EXPECT_NE(hole.shell, kNowhere);
+  EXPECT_EQ(model(Vec3d{2, 0, 0}).shell, kNowhere);
+  EXPECT_EQ(model(Vec3d{1, 0, 0}).shell, outer);
+  EXPECT_EQ(model(Vec3d{0.75, 0, 0}).shell, hole.shell);
+}
+
+TEST(PatchClassifier, CountsSurfacesThatFaceInward) {
+  Patches patches = patch_shapes::sphere();
+  for (Patch& p : patches) p = reversed(p);
+  const Model model(patches, false);
+  EXPECT_EQ(model(Vec3d{0.1, 0.2, 0.3}).winding, -1);
+  EXPECT_EQ(model(Vec3d{0.1, 0.2, 0.3}).shell, kNowhere);
+  EXPECT_EQ(model(Vec3d{2, 2, 2}).winding, 0);
+}
+
+TEST(PatchClassifier, AnswersDoNotDependOnThreads) {
+  const Model model(patch_shapes::pn_torus(12, 8));
+  Random random(kSeed);
+  std::vector<Vec3d> points(4000);
+  for (Vec3d& p : points) p = {8 * random.unit() - 4, 8 * random.unit() - 4, 2 * random.unit() - 1};
+  std::vector<PointAnswer> one(points.size()), three(points.size());
+  model.classifier.classify(points, one, 1);
+  model.classifier.classify(points, three, 3);
+  EXPECT_EQ(one, three);
+  std::size_t in = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(one[i], model(points[i]));
+    in += one[i].winding == 1 ? 1 : 0;
+  }
+  EXPECT_GT(in, 500u);
+}
+
+// Powers of two change no answer, whatever binary64 can hold; distances from the origin neither.
+TEST(PatchClassifier, ModelsMayBeLargeSmallOrFarAway) {
+  for (const int power : {-1000, -300, 0, 300, 1000})
+    for (const int away : {0, 1, 30}) {
+      const Rational size = Rational::power_of_two(power);
+      const Rational shift = away == 0 ? Rational(0) : size * Rational::power_of_two(2 * away);
+      const Model model(patch_shapes::placed(patch_shapes::sphere(), size, {shift, 0, 0}));
+      const auto at = [&](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t unit) {
+        return ExactPoint{ratio(x, unit) * size + shift, ratio(y, unit) * size,
+                          ratio(z, unit) * size};
+      };
+      const std::string name = std::to_string(power) + " " + std::to_string(away);
+      expect_truth(model(at(1, 2, 2, 3)), Sign::kZero, name);
+      expect_truth(model(at(100001, 200000, 200000, 300000)), Sign::kNegative, name);
+      expect_truth(model(at(99999, 200000, 200000, 300000)), Sign::kPositive, name);
+      expect_truth(model(at(2, 0, 0, 1)), Sign::kNegative, name);
+      EXPECT_EQ(model(Vec3d{0x1p1023, -0x1p1023, 0}).winding, 0);
+    }
+}
+
+}  // namespace
+}  // namespace veritope

@@ -201,7 +201,7 @@ class Soak {
     const PatchComplex complex = make_patch_complex(solid.patches).value();
     const PatchClassifier classifier = PatchClassifier::make(complex, true);
     const bool is_bent = std::string(solid.name).starts_with("bent");
-    const std::uint64_t few = std::max<std::uint64_t>(points_ / 100, 1);
+    const std::uint64_t few = std::max<std::uint64_t>(points_ / 1000, 1);
     const auto ask = [&](const char* kind, std::uint64_t count, auto make) {
       Tally tally;
       const Stopwatch watch;
@@ -252,7 +252,7 @@ class Soak {
     const auto f = evaluate(patch.tensor(), std::array<Rational, 2>{u, v});
     return *point_of(f);
   }
-  // Of a bent solid the points at rational parameters of the solid itself: g is a bijection.
+  // Points of a bent solid are those at rational parameters of the straight one: g is a bijection.
   ExactPoint at_parameters(const Solid& s, const Rational& u, const Rational& v) {
     if (!std::string(s.name).starts_with("bent")) return at(patch_of(s), u, v);
     static const Patches octants = patch_shapes::octant_sphere(), plain = graph();

@@ -46,7 +46,7 @@ void declare(OptionSet& set, ClassifyOptions& o) {
   set.flag("--winding", o.winding, "around any closed surface, valid or not");
   set.option(
       "--decimals", "HOW", [&o](const std::string& t) { return take_decimals(t, o.decimals); },
-      "nearest: rounded to binary64 (default of meshes); or exact");
+      "nearest: rounded to binary64 (default: meshes); or exact");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
   declare_format(set, o.input);

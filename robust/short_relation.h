@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// robust/short_relation.h: integers c, not all zero and small, for which sum c_i x_i is nearly zero; with x_i = x^i, the
-// polynomial of an algebraic number of which some hundred bits are known. A guess: who uses it proves it.
+// robust/short_relation.h: integers c, not all zero and small, for which sum c_i x_i is nearly zero; with x_i = x^i,
+// the polynomial of an algebraic number of which some hundred bits are known. It is a guess, which its user proves.
 #pragma once
 #include <vector>
 
@@ -16,8 +16,8 @@ namespace veritope {
 std::vector<Integer> short_relation(const std::vector<Integer>& values, int bits);
 
 /// Coefficients of 1, x, x^2, ..., of the polynomial of least degree, at most `max_degree`, that the number seems to
-/// satisfy: those of lower degrees have coefficients as long as bits allow. Primitive, with a positive last
-/// coefficient; empty if there is none. `x` is the number times 2^bits, rounded. REQUIRES |x| <= 2^bits.
+/// satisfy: those of lower degrees have coefficients as long as bits allow. It is primitive, with a positive last
+/// coefficient; empty if no polynomial is short. `x` is the number times 2^bits, rounded. REQUIRES |x| <= 2^bits.
 std::vector<Integer> plausible_polynomial(const Integer& x, int bits, int max_degree);
 
 }  // namespace veritope

@@ -42,7 +42,7 @@ bool is_zero(const Polynomial& a) {
   return std::all_of(a.begin(), a.end(), [](const Rational& x) { return x.sign() == 0; });
 }
 
-// Of a net of Bernstein coefficients.
+// The form of a net of Bernstein coefficients in powers of u and v.
 Rows powers(const TensorForm& form, const std::vector<Integer>& net) {
   const auto columns = static_cast<std::size_t>(form.degrees[1] + 1);
   Rows rows;

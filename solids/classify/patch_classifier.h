@@ -19,7 +19,8 @@ namespace veritope {
 /// Where a point lies on a patch: exactly, its map takes the parameters to the point.
 struct OnPatch {
   std::uint32_t patch = 0;
-  /// (u, v) of a tensor patch. Of a triangle those of S(u, v) = map(1 - u, u (1 - v), u v), in barycentric coordinates.
+  /// (u, v) of a tensor patch; for a triangle those of S(u, v) = map(1 - u, u (1 - v), u v), whose map has barycentric
+  /// coordinates.
   std::array<AlgebraicNumber, 2> parameters;
 };
 

@@ -28,7 +28,7 @@ class PatchFoot {
   /// ones are.
   std::optional<std::array<Rational, 2>> exact_parameters(int bits) const;
 
-  /// The same with roots of polynomials; see algebraic_parameters.
+  /// Parameters that are roots of polynomials; see algebraic_parameters.
   std::optional<std::array<AlgebraicNumber, 2>> irrational_parameters(int bits) const {
     return algebraic_parameters(form_, net_, at_, bits);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/classify/patch_octree_internal.h: an octree over a closed patch complex whose empty cells are labelled with the
-// winding number, and whose other cells are labelled on both sides of a slab that contains the surface. Internal to
+// solids/classify/patch_octree_internal.h: an octree over a closed patch complex whose empty cells are labelled with
+// the winding number, and whose other cells are labelled on both sides of a slab that contains the surface. Internal to
 // solids/classify.
 #pragma once
 #include <cstdint>

@@ -3,8 +3,8 @@
 // docs/bounds/ray_net.md, recomputed in exact rationals by tests/solids/ray_net_bound_test.cc. Halving, its bound and
 // the slack are those of solids/pieces/piece_bounds.h.
 //
-// A net holds doubles and one number `error` for each coordinate; the exact coefficients lie within it. An answer is
-// right for every choice of them, or there is none; then integers decide. Formulas are templates, because the bound
+// A net holds doubles and one number `error` for each coordinate; the exact coefficients lie within it. Either an
+// answer is right for every choice of them, or integers have to decide. Formulas are templates, because the bound
 // test runs the same lines on numbers that count roundings.
 #pragma once
 #include <array>
@@ -33,9 +33,9 @@ Number plane_value(const std::array<Number, 3>& n, const Number& x, const Number
 }
 inline constexpr double kPlaneRel = 0x1.8p-51;  // 3 u
 
-/// Claim: plane_value of coordinates that are known up to `error` differs from the exact n·p by at most this; the normal
-/// is exact. error, size: |n0| e0 + |n1| e1 + |n2| e2, as plane_value adds, of the coordinates' errors and of their
-/// greatest absolute values.
+/// Claim: plane_value of coordinates that are known up to `error` differs from the exact n·p by at most this; the
+/// normal is exact. error and size are |n0| e0 + |n1| e1 + |n2| e2, added as plane_value adds, of the coordinates'
+/// errors and of their greatest absolute values.
 inline double plane_bound(double error, double size) {
   return (error + kPlaneRel * size) * kNetSlack + kNetTiny;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solids/pieces/exact_piece.h"
-#include "solids/pieces/piece_net_internal.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 PlaneNormal normal_of(const Point3d& a, const Point3d& b) {
@@ -86,7 +86,8 @@ RoundedNet RoundedNet::halve(std::size_t axis) {
   for (std::size_t k = 0; k < 3; ++k) {
     for (int line = 0; line <= form_.degrees[1 - axis]; ++line) {
       const std::size_t first = k * count() + static_cast<std::size_t>(line) * across;
-      split_keeping_left(values_ + first, stride, degree, right.values_ + first, stride, kHalves);
+      split_keeping_left(values_ + first, stride, degree, right.values_ + first, stride,
+                         kHalfBlend);
     }
     error_[k] = right.error_[k] = error_after_halving(error_[k], size(k), degree);
   }
@@ -134,7 +135,7 @@ class TurnedCurve {
     error_[0] = error_[1] = turn_bound(std::max(error_[0], error_[1]), size, turn);
   }
 
-  // Of the part between two parameters, which halvings of [begin, end] reach.
+  // The winding of the part between two parameters, which halvings of [begin, end] reach.
   std::optional<int> winding(std::uint64_t begin, std::uint64_t end, std::uint64_t from,
                              std::uint64_t to, int halvings) {
     if (end <= from || to <= begin) return 0;
@@ -180,7 +181,7 @@ class TurnedCurve {
       for (std::size_t i = 0; i <= static_cast<std::size_t>(degree_); ++i)
         size = std::max(size, std::abs(at_[k][i]));
       error_[k] = right.error_[k] = error_after_halving(error_[k], size, degree_);
-      split_keeping_left(at_[k].data(), 1, degree_, right.at_[k].data(), 1, kHalves);
+      split_keeping_left(at_[k].data(), 1, degree_, right.at_[k].data(), 1, kHalfBlend);
     }
   }
 

@@ -16,13 +16,14 @@
 #include "solids/classify/ray_bounds.h"
 #include "solids/classify/ray_point_internal.h"
 #include "solids/classify/tensor_form_internal.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 
 /// A direction in integers below 2^21, as doubles.
 using PlaneNormal = std::array<double, 3>;
 
-/// The direction of a x b in such integers; zeros if there is none.
+/// The direction of a x b in such integers; zeros if a and b are parallel.
 PlaneNormal normal_of(const Point3d& a, const Point3d& b);
 /// That of the mean tangents of a net along both axes, approximately. at(i): control point i of the form's order.
 template <typename At>
@@ -39,6 +40,9 @@ struct RayView {
   std::size_t p() const { return (along + 1) % 3; }
   std::size_t q() const { return (along + 2) % 3; }
 };
+
+/// The cut at 1/2: what error_after_halving bounds.
+inline constexpr HalfBlend<double> kHalfBlend{0.5};
 
 constexpr std::size_t kMostCoefficients = 16;  // of a side: kMaxPatchDegree + 1
 

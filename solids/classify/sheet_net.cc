@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solids/pieces/piece_net_internal.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 namespace {
@@ -101,7 +101,7 @@ SheetNet SheetNet::halve(std::size_t axis) {
       const std::size_t first =
           k * form_->count() + static_cast<std::size_t>(line) * form_->stride(1 - axis);
       split_keeping_left(values_.data() + first, form_->stride(axis), degree,
-                         right.values_.data() + first, form_->stride(axis), kHalves);
+                         right.values_.data() + first, form_->stride(axis), kHalfBlend);
     }
   }
   error_ = right.error_;

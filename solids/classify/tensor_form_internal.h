@@ -21,8 +21,8 @@ struct TensorForm {
   bool is_triangle = false;
   /// Homogeneous control points (x, y, z, w), times one positive integer, component by component, v fastest.
   std::array<std::vector<Integer>, 4> exact;
-  /// The same, divided by powers of two, one for x, y, z and w of the patch and one for coordinates of the model, and
-  /// rounded to nearest.
+  /// The control points divided by powers of two, one for x, y, z and w of the patch and one for coordinates of the
+  /// model, and rounded to nearest.
   std::array<std::vector<double>, 4> rounded;
   std::array<bool, 4> is_collapsed{};  ///< by side of the square
 

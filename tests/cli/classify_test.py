@@ -130,8 +130,36 @@ class Classify(Folder):
             done = run("classify", self.box, self.points, *options, cwd=self.folder)
             self.assertEqual(done.returncode, 2, (options, done.stderr))
             self.assertEqual(done.stdout, "")
-        spline = ROOT / "examples" / "quarter_pipe.itd"
-        self.assertEqual(run("classify", spline, self.points).returncode, 3)
+        pipe = ROOT / "examples" / "quarter_pipe.itd"
+        done = run("classify", pipe, self.points)
+        self.assertEqual((done.returncode, done.stdout.splitlines()[1]), (0, "2 2 2 out 0 -"))
+
+    def test_points_of_curved_models(self):
+        """A lens: two paraboloids z = +-(1 - x^2) (1 - y^2) over a square, which meet along its sides."""
+        def sheet(sign):
+            ends = {0: 1, 1: 0, 2: 0}                                        # 1 - x^2 on [-1, 1]: 0, 2, 0
+            bump = (0, 2, 0)
+            rows = [[str((i - 1)), str((j - 1)), str(sign * bump[i] * bump[j])] for i in range(3) for j in range(3)]
+            if sign < 0:                                                     # the other normal: axes exchanged
+                rows = [rows[3 * j + i] for i in range(3) for j in range(3)]
+            return {"kind": "surface", "group": None, "attributes": [],
+                    "shape": {"degrees": [2, 2], "periodic": [False, False], "knots": [["-1"] * 3 + ["1"] * 3] * 2, "rational": False,
+                              "components": 3, "points": rows}}
+        walls = self.file("lens.vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [sheet(1), sheet(-1)]}))
+        points = self.file("lens.txt", "0 0 0.1\n0 0 1\n0 0 1.0000000000000000000001\n.5 .5 .5625\n1/3 0 8/9\n.1 .2 -.95\n")
+        want = ["in 1 -", "on - -", "out 0 -", "on - -", "on - -", "in 1 -"]
+        answers = self.answers(points, "--winding", model=walls).splitlines()
+        self.assertEqual([line.split()[3:] for line in answers], [["-", "1", "-"] if w.startswith("in") else ["-", "0", "-"] if w.startswith("out") else w.split() for w in want])
+        report = json.loads(run("classify", walls, points, "--winding", "-o", self.folder / "a.txt", "--json", "-").stdout)
+        self.assertEqual(schema.faults(report), [])
+        self.assertEqual((report["decimals"], report["counts"]["on"], report["counts"]["undecided"]), ("exact", 3, 0))
+        opened = self.file("open.vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [sheet(1)]}))
+        for options in (), ("--winding",):
+            done = run("classify", opened, points, *options)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn("open", done.stderr)
+        done = run("classify", walls, points)                                # a sharp rim of zero thickness at its corners has no star boxes
+        self.assertIn(done.returncode, (1, 3))
 
     def test_a_model_on_standard_input_has_certificates_too(self):
         output, certificate = self.folder / "answers.txt", self.folder / "points.cert"

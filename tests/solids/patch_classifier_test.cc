@@ -45,8 +45,8 @@ void expect_truth(const PointAnswer& a, Sign truth, const std::string& where) {
   }
 }
 
-void expect_truth(const Model& model, const std::function<Sign(const ExactPoint&)>& truth,
-                  double reach, int steps) {
+void expect_truth_at_random(const Model& model, const std::function<Sign(const ExactPoint&)>& truth,
+                            double reach, int steps) {
   Random random(kSeed);
   for (int i = 0; i < 600; ++i) {
     ExactPoint p;
@@ -61,12 +61,13 @@ void expect_truth(const Model& model, const std::function<Sign(const ExactPoint&
 }
 
 TEST(PatchClassifier, KnowsQuadricsAndTori) {
-  expect_truth(Model(patch_shapes::sphere()), in_ball, 1.25, 4);
-  expect_truth(Model(patch_shapes::octant_sphere()), in_ball, 1.25, 4);
-  expect_truth(Model(patch_shapes::torus(3, 1)), in_torus, 4.25, 2);
-  expect_truth(Model(patch_shapes::one_patch_torus(3, 1)), in_torus, 4.25, 2);
+  expect_truth_at_random(Model(patch_shapes::sphere()), in_ball, 1.25, 4);
+  expect_truth_at_random(Model(patch_shapes::octant_sphere()), in_ball, 1.25, 4);
+  expect_truth_at_random(Model(patch_shapes::torus(3, 1)), in_torus, 4.25, 2);
+  expect_truth_at_random(Model(patch_shapes::one_patch_torus(3, 1)), in_torus, 4.25, 2);
 }
 
+// PROVES POINT-5
 TEST(PatchClassifier, KnowsBoxesWithTheirSidesEdgesAndCorners) {
   const Model box(unit_box());
   for (int i = 0; i < 125; ++i) {
@@ -145,6 +146,7 @@ Patches bent_graph() {
           wall(zero, back)};
 }
 
+// PROVES POINT-4
 TEST(PatchClassifier, ProvesIrrationalParameters) {
   const Model model(bent_graph());
   const auto is_root_of_cubic = [](const AlgebraicNumber& t, const Rational& x) {
@@ -194,6 +196,7 @@ TEST(PatchClassifier, DecidesPointsNearTheSurface) {
   expect_truth(cone(ExactPoint{0, 0, 2}), Sign::kZero, "the apex");
 }
 
+// PROVES POINT-3
 // The lens x = 2 + 2 t, |y| <= 2 t (1 - t), extruded along z: the ray from (1, 1/20, 0) away from the origin crosses the
 // upper wall twice.
 TEST(PatchClassifier, IsNotMisledByTheLens) {

@@ -48,6 +48,27 @@ class PatchClassifier::Body {
     return by_ray(q, where);
   }
 
+  Value3 value(const Box3d& box) const {
+    // Both ends divided, and rounded outward where that is not exact.
+    const RayPoint lo({box.lo[0], box.lo[1], box.lo[2]}, rays_.scale()),
+        hi({box.hi[0], box.hi[1], box.hi[2]}, rays_.scale());
+    const Box3d divided{lo.box().lo, hi.box().hi};
+    if (!meets(divided, rays_.hull())) return Value3::kZero;
+    if (!rays_.misses(divided)) return Value3::kMixed;
+    const PointAnswer a = classify(Vec3d{box.lo[0], box.lo[1], box.lo[2]}, nullptr);
+    if (!a.is_decided || a.is_on()) return Value3::kMixed;
+    return to_value(a.winding != 0);
+  }
+  Box3d box() const {
+    Box3d out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational unit = Rational::power_of_two(rays_.scale());
+      out.lo[k] = round_down(Rational::from_double(rays_.hull().lo[k]) * unit);
+      out.hi[k] = round_up(Rational::from_double(rays_.hull().hi[k]) * unit);
+    }
+    return out;
+  }
+
   LookupSize lookup() const {
     LookupSize out = octree_.size();
     out.bytes += rays_.bytes();
@@ -178,6 +199,12 @@ void PatchClassifier::classify(std::span<const Vec3d> points, std::span<PointAns
                    answers[i] = body_->classify(points[i], nullptr);
                });
 }
+
+Value3 PatchClassifier::value(const Box3d& box) const {
+  const ScopedDefaultFp nearest;
+  return body_->value(box);
+}
+Box3d PatchClassifier::box() const { return body_->box(); }
 
 LookupSize PatchClassifier::lookup() const { return body_->lookup(); }
 

@@ -9,9 +9,11 @@
 #include <span>
 
 #include "predicates/vec.h"
+#include "robust/base/box3d.h"
 #include "solids/classify/algebraic_number.h"
 #include "solids/classify/lookup_size.h"
 #include "solids/classify/point_answer.h"
+#include "solids/classify/value3.h"
 #include "solids/patches/patch_complex.h"
 
 namespace veritope {
@@ -44,6 +46,13 @@ class PatchClassifier {
   PointAnswer classify(const ExactPoint& point, std::optional<OnPatch>* where = nullptr) const;
   /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.
   void classify(std::span<const Vec3d> points, std::span<PointAnswer> answers, unsigned jobs) const;
+
+  /// 0 or 1 if no hull of a small piece meets the closed box and its points have the winding number 0, or another one;
+  /// otherwise mixed, also if only the surface or a hull touches the box. REQUIRES a finite box that is not empty.
+  /// @cost  some 100 pieces, or those that are near the box's border
+  Value3 value(const Box3d& box) const;
+  /// A box around the surface; infinite where binary64 ends.
+  Box3d box() const;
 
   LookupSize lookup() const;
 

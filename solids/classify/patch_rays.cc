@@ -2,6 +2,8 @@
 #include "solids/classify/patch_rays_internal.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "solids/classify/sheet_net_internal.h"
 
@@ -10,7 +12,7 @@ namespace {
 
 constexpr int kRoundedLevels = 46;  // of 2^48 parameters
 constexpr std::size_t kRoundedVisits = std::size_t{1} << 14;
-constexpr std::size_t kExactVisits = std::size_t{1} << 20;
+constexpr std::size_t kExactVisits = std::size_t{1} << 17;
 constexpr std::size_t kMostOpen = 4;
 // On symmetric models some half-lines pass through ends of curves, so several are tried.
 constexpr std::array<std::array<double, 2>, 3> kTurns{
@@ -52,6 +54,53 @@ std::uint64_t PatchRays::bytes() const {
   for (const TensorForm& f : forms_)
     sum += sizeof(TensorForm) + 4 * f.count() * (sizeof(double) + sizeof(Integer));
   return sum;
+}
+
+namespace {
+
+// Pieces of one patch against a box.
+class BoxDescent {
+ public:
+  explicit BoxDescent(const Box3d& box) : box_(box) {}
+  bool misses(SheetNet net) {
+    const Box3d hull = net.hull();
+    if (!meets(hull, box_)) return true;
+    if (lies_beside(net)) return true;
+    // A piece inside of the box, or small beside it, that is not known to miss it.
+    if (is_inside(hull, box_) || extent(hull) < extent(box_) / 16 || --pieces_left_ < 0)
+      return false;
+    SheetNet right = net.halve(net.length(0) >= net.length(1) ? 0 : 1);
+    return misses(std::move(net)) && misses(std::move(right));
+  }
+
+ private:
+  // Whether the slab of the piece's mean normal misses the box.
+  bool lies_beside(const SheetNet& net) const {
+    const Point3d n = net.normal();
+    const auto range = net.range_along(n);
+    double least = 0, most = 0, size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = n[k] * box_.lo[k], b = n[k] * box_.hi[k];
+      least += std::min(a, b);
+      most += std::max(a, b);
+      size += std::max(std::abs(a), std::abs(b));
+    }
+    const double bound = plane_bound(0, size);
+    return least - bound > range[1] || most + bound < range[0];
+  }
+
+  const Box3d& box_;
+  int pieces_left_ = 1000;
+};
+
+}  // namespace
+
+bool PatchRays::misses(const Box3d& box) const {
+  BoxDescent descent(box);
+  bool misses = true;
+  boxes_.visit([&](const Box3d& b) { return misses && meets(b, box); },
+               [&](std::uint32_t patch) { misses = descent.misses(SheetNet(forms_[patch])); });
+  return misses;
 }
 
 AxisRay PatchRays::ray_from(const RayPoint& point) const {

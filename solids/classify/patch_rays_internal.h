@@ -34,6 +34,9 @@ class PatchRays {
   const Box3d& hull() const { return hull_; }
   std::uint64_t bytes() const;
 
+  /// Whether hulls of pieces, cut until they are small beside the box, all miss it; the box is divided as the nets.
+  bool misses(const Box3d& box) const;
+
   /// The ray along which the point is nearest to the end of the hull.
   AxisRay ray_from(const RayPoint& point) const;
   /// @param shell  patches of other shells are ignored; PatchComplex::kNone: none is

@@ -239,6 +239,42 @@ TEST(PatchClassifier, NamesTheInnermostShell) {
   EXPECT_EQ(model(Vec3d{0.75, 0, 0}).shell, hole.shell);
 }
 
+TEST(PatchClassifier, KnowsTheValuesOfBoxes) {
+  const Model model(patch_shapes::octant_sphere());
+  const auto value = [&](double a, double b) {
+    return model.classifier.value({{a, a, a}, {b, b, b}});
+  };
+  EXPECT_EQ(value(-0.5, 0.5), Value3::kOne);
+  EXPECT_EQ(value(0.1, 0.1), Value3::kOne);
+  EXPECT_EQ(value(0.6, 0.7), Value3::kZero);
+  EXPECT_EQ(value(0.5, 0.6), Value3::kMixed);
+  EXPECT_EQ(value(-2, 2), Value3::kMixed);
+  EXPECT_EQ(value(3, 4), Value3::kZero);
+  EXPECT_EQ(model.classifier.value({{0.6, 0, 0.8}, {0.6, 0, 0.9}}), Value3::kMixed);
+  EXPECT_EQ(model.classifier.value({{-1, -1, 1}, {1, 1, 2}}), Value3::kMixed);  // touches a pole
+  // Boxes whose values are known agree with their points.
+  Random random(kSeed);
+  int counts[3] = {0, 0, 0};
+  for (int i = 0; i < 500; ++i) {
+    Box3d box;
+    const double size = std::ldexp(random.unit(), -static_cast<int>(random.below(8)));
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lo[k] = 2.4 * random.unit() - 1.2;
+      box.hi[k] = box.lo[k] + size * random.unit();
+    }
+    const Value3 v = model.classifier.value(box);
+    ++counts[static_cast<int>(v)];
+    for (unsigned c = 0; c < 8 && is_constant(v); ++c) {
+      ExactPoint p;
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] = Rational::from_double((c >> k & 1) != 0 ? box.hi[k] : box.lo[k]);
+      EXPECT_EQ(in_ball(p), v == Value3::kOne ? Sign::kPositive : Sign::kNegative)
+          << "seed " << kSeed << " box " << i;
+    }
+  }
+  for (const int n : counts) EXPECT_GT(n, 20);
+}
+
 TEST(PatchClassifier, CountsSurfacesThatFaceInward) {
   Patches patches = patch_shapes::sphere();
   for (Patch& p : patches) p = reversed(p);

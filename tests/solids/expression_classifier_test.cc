@@ -17,7 +17,7 @@ using Solids = std::vector<std::shared_ptr<const Operand>>;
 std::shared_ptr<const Operand> mesh(const std::string& text) {
   return mesh_operand(shapes::parse(text));
 }
-std::shared_ptr<const Operand> block(int x0, int y0, int z0, int x1, int y1, int z1) {
+std::unique_ptr<const Operand> block(int x0, int y0, int z0, int x1, int y1, int z1) {
   return box_operand({{ExactInterval{x0, x1}, ExactInterval{y0, y1}, ExactInterval{z0, z1}}});
 }
 Formula variable(std::uint32_t i) { return Formula::variable(i); }
@@ -233,7 +233,10 @@ TEST(ExpressionClassifier, AgreesWithOctantsOnSumsOfCubes) {
     Solids solids;
     for (std::uint64_t n = 2 + random.below(5); n > 0; --n) {
       cells.push_back(random_block(random));
-      solids.push_back(mesh_operand(shapes::polycube(cells.back().cells)));
+      const auto& [lo, hi] = std::pair(cells.back().cells.front(), cells.back().cells.back());
+      solids.push_back(random.below(2) != 0
+                           ? mesh_operand(shapes::polycube(cells.back().cells))
+                           : block(lo[0], lo[1], lo[2], hi[0] + 1, hi[1] + 1, hi[2] + 1));
     }
     const Formula f = random_expression(random, cells.size(), 4);
     const ExpressionClassifier c(f, solids);

@@ -215,6 +215,23 @@ PointWord word_of(Side side) {
   return side == Side::kIn ? PointWord::kIn : side == Side::kOn ? PointWord::kOn : PointWord::kOut;
 }
 
+// Pairs of formulas that mean one set.
+std::vector<std::pair<Formula, Formula>> laws_of(const Formula& a, const Formula& b,
+                                                 const Formula& c, const Formula& box) {
+  const auto either = [](const Formula& x, const Formula& y) { return Formula::any_of({x, y}); };
+  const auto both = [](const Formula& x, const Formula& y) { return Formula::all_of({x, y}); };
+  const auto complement = [&](const Formula& x) { return both(box, x.negated()); };
+  return {{either(a, b), either(b, a)},
+          {either(a, either(b, c)), either(either(a, b), c)},
+          {both(a, both(b, c)), both(both(a, b), c)},
+          {both(a, either(b, c)), either(both(a, b), both(a, c))},
+          {either(a, both(b, c)), both(either(a, b), either(a, c))},
+          {either(a, a), a},
+          {complement(either(a, b)), both(complement(a), complement(b))},
+          {complement(both(a, b)), either(complement(a), complement(b))},
+          {complement(complement(a)), both(box, a)}};
+}
+
 struct Tally {
   std::uint64_t points = 0, walls = 0, on = 0, wrong = 0;
   double seconds = 0;
@@ -229,6 +246,8 @@ int main(int argc, char** argv) {
   std::uint64_t trees = 20, points = 200, seed = 1;
   read_arguments(argc, argv, {{"--trees", &trees}, {"--points", &points}, {"--seed", &seed}});
   Tally tallies[kNumKinds];
+  constexpr std::uint64_t kNumLawPoints = 500;  // of each tree
+  std::uint64_t num_laws = 0, broken = 0;
   double nef_seconds = 0;
   const Stopwatch all;
   for (std::uint64_t i = 0; i < trees; ++i) {
@@ -238,6 +257,13 @@ int main(int argc, char** argv) {
     for (const TriangleMesh& m : tree.meshes) solids.push_back(mesh_operand(m));
     solids.push_back(box_operand(tree.box));
     const ExpressionClassifier classifier(tree.formula, solids);
+    const auto variable = [&](std::uint64_t v) {
+      return Formula::variable(static_cast<std::uint32_t>(v));
+    };
+    std::vector<std::pair<ExpressionClassifier, ExpressionClassifier>> laws;
+    for (const auto& [f, g] :
+         laws_of(tree.formula, variable(0), variable(1), variable(tree.meshes.size())))
+      laws.emplace_back(ExpressionClassifier(f, solids), ExpressionClassifier(g, solids));
     Places places(tree.meshes, random);
     for (std::uint64_t k = 0; k < points; ++k) {
       const auto kind = static_cast<PlaceKind>(k % kNumKinds);
@@ -254,6 +280,11 @@ int main(int argc, char** argv) {
       ++tally.points;
       tally.walls += num_on > 1 ? 1 : 0;
       tally.on += word == PointWord::kOn ? 1 : 0;
+      if (k < kNumLawPoints)
+        for (const auto& [f, g] : laws) {
+          ++num_laws;
+          broken += f.classify(p) == g.classify(p) ? 0 : 1;
+        }
       if (word == truth) continue;
       ++tally.wrong;
       std::fprintf(stderr, "wrong: tree %llu of seed %llu, %s at %s %s %s: %d, not %d\n",
@@ -278,6 +309,10 @@ int main(int argc, char** argv) {
         1e6 * t.seconds / static_cast<double>(std::max<std::uint64_t>(1, t.points)));
     wrong += t.wrong;
   }
+  std::printf(
+      "{\"name\":\"booleans_laws_broken\",\"value\":%llu,\"goal\":\"0\",\"comparisons\":%llu}\n",
+      static_cast<unsigned long long>(broken), static_cast<unsigned long long>(num_laws));
+  wrong += broken;
   std::printf("{\"name\":\"booleans_seconds\",\"value\":%.0f,\"nef_locate_seconds\":%.0f}\n",
               all.ns() * 1e-9, nef_seconds);
   return wrong == 0 ? 0 : 1;

@@ -82,7 +82,8 @@ class ClassifyRun {
       if (!checker) return complain(checker.error().message), kExitUsage;
       checker_ = *checker;
     }
-    if (is_chain_file()) return run_expression();
+    if (!options_.input.reading.format && !needs_copy(path()) && is_chain_file(path()))
+      return run_expression();
     if (const ExitCode exit = take_model(); exit != kExitValid) return exit;
     const ExitCode exit = classify();
     progress_.clear();
@@ -91,12 +92,6 @@ class ClassifyRun {
 
  private:
   const std::string& path() const { return options_.files[0]; }
-
-  bool is_chain_file() const {
-    if (options_.input.reading.format || needs_copy(path())) return false;
-    const Result<ModelBytes> bytes = load_model(path(), options_.input.reading);
-    return bytes && looks_like_chain(source_of(bytes->bytes, bytes->name));
-  }
 
   ExitCode run_expression() {
     for (const auto& [option, is_given] :

@@ -2,6 +2,7 @@
 #include "cli/expression_operands.h"
 
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 #include "cli/model_input.h"
@@ -51,6 +52,18 @@ std::string verdict_text(const FileReport& report) {
 }
 
 }  // namespace
+
+bool is_chain_file(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;
+  std::vector<char> begin(kMostChainStart);
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  const ByteBuffer bytes =
+      copy_to_buffer({reinterpret_cast<const unsigned char*>(begin.data()), begin.size()});
+  return looks_like_chain(source_of(bytes, path));
+}
 
 ExactBox<3> hull_of(const std::vector<ExpressionOperand>& operands) {
   ExactBox<3> out = operands.front().box;

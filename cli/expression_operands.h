@@ -24,6 +24,9 @@ struct ExpressionOperand {
   std::uint64_t bytes = 0;
 };
 
+/// Whether a regular file begins like a chain file. Reads its beginning only.
+bool is_chain_file(const std::string& path);
+
 /// The least box that contains all of them. REQUIRES one.
 ExactBox<3> hull_of(const std::vector<ExpressionOperand>& operands);
 

@@ -159,11 +159,10 @@ void append_string(std::string_view s, std::string& out) {
 }  // namespace
 
 bool looks_like_chain(const Source& source) {
-  constexpr std::size_t kMostLooked = 1u << 16;
   const char* const begin = skip_space(skip_byte_order_mark(source), source.end);
   if (begin == source.end || *begin != '{') return false;
   const std::string_view text(
-      begin, std::min<std::size_t>(kMostLooked, static_cast<std::size_t>(source.end - begin)));
+      begin, std::min<std::size_t>(kMostChainStart, static_cast<std::size_t>(source.end - begin)));
   constexpr std::string_view kKey = "\"schema\"";
   std::size_t at = text.find(kKey);
   if (at == text.npos) return false;

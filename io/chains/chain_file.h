@@ -30,7 +30,8 @@ struct ChainFile {
   ExactBox<3> box;
 };
 
-/// Whether the bytes begin like a JSON object, and name the schema of chain files.
+/// Whether the bytes begin like a JSON object, and name the schema of chain files among the first kMostChainStart.
+inline constexpr std::size_t kMostChainStart = std::size_t{1} << 16;
 bool looks_like_chain(const Source& source);
 
 /// @error  kSyntax, kTruncated, kOverLimit, with the line and the offending value: among others for an operand that

@@ -35,13 +35,21 @@ class Arcs {
 
   // The directions in which the arc of t crosses that of s or ends on it, and perhaps others in the plane of s.
   static void add_common(const Sector& s, const Sector& t, std::vector<Direction>& out) {
-    const Direction line = cross(s.normal, t.normal);
-    if (is_zero(line)) {
+    if (is_parallel(s.normal, t.normal)) {
       out.insert(out.end(), t.rays.begin(), t.rays.end());
       return;
     }
-    for (const Direction& d : {line, -line})
-      if (t.contains(d)) out.push_back(d);
+    // The line of both planes has the directions n_s x n_t and its negative.
+    bool has_line = true, has_negative = true;
+    for (const Direction& inward : t.inward) {
+      const Sign side_of_line = turn(inward, s.normal, t.normal);
+      has_line &= side_of_line >= 0;
+      has_negative &= side_of_line <= 0;
+    }
+    if (!has_line && !has_negative) return;
+    const Direction line = cross(s.normal, t.normal);
+    if (has_line) out.push_back(line);
+    if (has_negative) out.push_back(-line);
   }
 
   // Visits the parts between two rays that are less than a half turn apart.
@@ -80,7 +88,7 @@ class Arcs {
   // A sector of the cone in the plane of s that holds the direction; null: none.
   static const Sector* sector_along(const FlatCone& cone, const Sector& s, const Direction& d) {
     const auto found = std::find_if(cone.begin(), cone.end(), [&](const Sector& t) {
-      return side(t.normal, d) == 0 && is_zero(cross(t.normal, s.normal)) && t.holds(d);
+      return side(t.normal, d) == 0 && is_parallel(t.normal, s.normal) && t.holds(d);
     });
     return found == cone.end() ? nullptr : &*found;
   }

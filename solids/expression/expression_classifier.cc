@@ -47,7 +47,7 @@ class ExpressionClassifier::Values {
 
 ExpressionClassifier::ExpressionClassifier(Formula formula,
                                            std::vector<std::shared_ptr<const Operand>> operands)
-    : formula_(std::move(formula)), operands_(std::move(operands)) {}
+    : formula_(std::move(formula)), operands_(std::move(operands)), cells_(formula_, operands_) {}
 
 template <typename Point>
 PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) const {
@@ -55,9 +55,10 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) 
   const auto value_of = [&](std::uint32_t variable) {
     return values.of(variable, [&](std::uint32_t v) { return operands_[v]->value(point); });
   };
-  const Value3 value = formula_.value(value_of);
+  const Formula& formula = cells_.at(point);
+  const Value3 value = formula.value(value_of);
   if (is_constant(value)) return word_of(value == Value3::kOne);
-  return on_walls(point, formula_.folded(value_of));
+  return on_walls(point, formula.folded(value_of));
 }
 
 // ESC-4: the point is on the boundaries of all operands of `rest`.
@@ -112,7 +113,7 @@ Value3 ExpressionClassifier::value(const Box3d& box) const {
 }
 
 LookupSize ExpressionClassifier::lookup() const {
-  LookupSize out;
+  LookupSize out{cells_.num_cells(), 0};
   for (const auto& operand : operands_) {
     const LookupSize size = operand->lookup();
     out.cells += size.cells;

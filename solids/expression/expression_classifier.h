@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "solids/expression/formula.h"
+#include "solids/expression/formula_cells.h"
 #include "solids/expression/operand.h"
 
 namespace veritope {
@@ -45,6 +45,7 @@ class ExpressionClassifier {
 
   Formula formula_;
   std::vector<std::shared_ptr<const Operand>> operands_;
+  FormulaCells cells_;
 };
 
 }  // namespace veritope

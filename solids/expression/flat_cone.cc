@@ -20,7 +20,7 @@ Sector half_plane_sector(const Direction& normal, const Direction& rim, const Di
 
 // at / weight, with a positive weight.
 struct WeightedPoint {
-  Direction at;
+  std::array<Dyadic, 3> at;
   Dyadic weight;
 };
 
@@ -33,7 +33,10 @@ WeightedPoint weighted(const ExactPoint& p) {
 
 // a - p, by a positive factor.
 Direction from_point(const WeightedPoint& p, const Vec3d& a) {
-  return p.weight * difference(a, {}) + -p.at;
+  std::array<Dyadic, 3> out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out[k] = p.weight * Dyadic::from_double(a[static_cast<int>(k)]) - p.at[k];
+  return Direction(std::move(out));
 }
 
 Sector facet_sector(const std::array<Vec3d, 3>& t, const WeightedPoint& p) {
@@ -54,18 +57,29 @@ Sector facet_sector(const std::array<Vec3d, 3>& t, const WeightedPoint& p) {
           {edge[last], -edge[before]}};
 }
 
+// On which side of a rim the segment from r to e meets the plane of the sector, where it has the parts `to` and `from`
+// of r and e.
+Sign side_of_rim(const Direction& inward, const Direction& r, const Direction& e,
+                 const Dyadic& from, const Dyadic& to) {
+  const Sign start = side(inward, r), end = side(inward, e);
+  if (start == end) return start;
+  return (to * dot(inward, r) + from * dot(inward, e)).sign();
+}
+
 // How a segment of directions from r to e passes a sector: +1 from front to back, -1 from back to front, 0 not at all;
 // nothing if it touches a rim, or lies in the plane. REQUIRES that the sector contains neither r nor e.
 std::optional<int> passage_through(const Sector& s, const Direction& r, const Direction& e) {
-  const Dyadic from = dot(s.normal, r), to = dot(s.normal, e);
-  const Sign start = from.sign(), end = to.sign();
+  const Sign start = side(s.normal, r), end = side(s.normal, e);
   if (start == 0 && end == 0) return std::nullopt;
   if (start * end != Sign::kNegative) return 0;
-  Direction x = (start > 0 ? -to : to) * r + (start > 0 ? from : -from) * e;
-  if (is_zero(x)) return std::nullopt;
+  Dyadic from = dot(s.normal, r), to = dot(s.normal, e);  // of different signs: made positive
+  if (start > 0)
+    to = -to;
+  else
+    from = -from;
   bool touches = false;
   for (const Direction& inward : s.inward) {
-    const Sign inner = side(inward, x);
+    const Sign inner = side_of_rim(inward, r, e, from, to);
     if (inner < 0) return 0;
     touches |= inner == 0;
   }

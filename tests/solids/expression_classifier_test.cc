@@ -254,6 +254,48 @@ TEST(ExpressionClassifier, AgreesWithOctantsOnSumsOfCubes) {
   }
 }
 
+TEST(FormulaCells, FoldLongFormulasWithoutAChangeOfWords) {
+  Random random(kSeedOfExpressions + 2);
+  for (int i = 0; i < scaled(6); ++i) {
+    std::vector<Cells> cells;
+    Solids solids;
+    for (int n = 0; n < 12; ++n) {
+      cells.push_back(random_block(random));
+      solids.push_back(mesh_operand(shapes::polycube(cells.back().cells)));
+    }
+    std::vector<Formula> parts;
+    for (int n = 0; n < 12; ++n) parts.push_back(random_expression(random, cells.size(), 3));
+    const Formula f = i % 2 == 0 ? Formula::any_of(parts)
+                                 : Formula::any_of({Formula::all_of(parts), parts[0], parts[3]});
+    const FormulaCells tree(f, solids);
+    EXPECT_GT(tree.num_cells(), 4u);
+    EXPECT_LE(tree.num_cells(), FormulaCells::kMostCells);
+    const ExpressionClassifier c(f, solids);
+    for (int k = 0; k < 500; ++k) {
+      const auto at = [&] { return static_cast<double>(random.below(28)) / 4 - .75; };
+      const Vec3d p{at(), at(), at()};
+      ASSERT_EQ(name(c.classify(p)), word_by_octants(f, cells, p))
+          << "seed " << kSeedOfExpressions + 2 << " expression " << i << " " << f.to_string()
+          << " point " << p.x << "," << p.y << "," << p.z;
+      const ExactPoint q = {Rational::from_double(p.x), Rational::from_double(p.y),
+                            Rational::from_double(p.z)};
+      ASSERT_EQ(&tree.at(p), &tree.at(q));
+      ASSERT_EQ(c.classify(q), c.classify(p));
+    }
+  }
+}
+
+TEST(FormulaCells, AreConstantOutsideOfTheSolids) {
+  const Solids solids = {mesh("box 0,0,0 1,1,1"), mesh("box 1,0,0 2,1,1")};
+  const FormulaCells tree(either(variable(0), variable(1)).negated(), solids);
+  EXPECT_EQ(tree.num_cells(), 1u);
+  EXPECT_EQ(tree.at(Vec3d{3, 0, 0}), Formula::constant(true));
+  EXPECT_EQ(
+      tree.at(ExactPoint{Rational(2) + Rational::power_of_two(-99), Rational(0), Rational(0)}),
+      Formula::constant(true));
+  EXPECT_EQ(tree.at(Vec3d{2, 1, 1}).to_string(), "!x0 & !x1");
+}
+
 // ---- laws, on walls and off them
 
 Vec3d random_place(const std::vector<TriangleMesh>& meshes, Random& random) {
@@ -297,8 +339,13 @@ TEST(ExpressionClassifier, ObeysTheLawsOfSetsOnWallsToo) {
         {complement(complement(b)), both(box, b)},
         {both(a, either(a, c)), a},
     };
+    Solids cut = solids;  // one operand with other facets
+    cut[i % 2] = mesh_operand(shapes::subdivided(meshes[i % 2]));
     for (int k = 0; k < 20; ++k) {
       const Vec3d p = random_place(meshes, random);
+      for (const auto& [f, g] : laws)
+        ASSERT_EQ(word(f, cut, p), word(f, solids, p))
+            << "seed " << kSeedOfExpressions + 1 << " model " << i << " " << f.to_string();
       for (std::size_t law = 0; law < laws.size(); ++law)
         ASSERT_EQ(word(laws[law].first, solids, p), word(laws[law].second, solids, p))
             << "seed " << kSeedOfExpressions + 1 << " model " << i << " law " << law << " point "

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kSeedOfCones = 20261130;
 
-Direction direction(int x, int y, int z) { return {Dyadic(x), Dyadic(y), Dyadic(z)}; }
+Direction direction(int x, int y, int z) { return Direction({Dyadic(x), Dyadic(y), Dyadic(z)}); }
 ExactPoint point(int x, int y, int z) { return {Rational(x), Rational(y), Rational(z)}; }
 ExactPoint exact_place(const Vec3d& p) {
   return {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)};

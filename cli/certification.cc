@@ -12,6 +12,7 @@
 #include "cli/model_picture.h"
 #include "cli/output_plan.h"
 #include "cli/scratch_file.h"
+#include "io/chains/chain_file.h"
 #include "io/formats.h"
 #include "report/decimal_text.h"
 #include "report/text_style.h"
@@ -116,6 +117,15 @@ class Certification {
     phase("reading");
     Result<ModelBytes> bytes = load_model(report_.path, settings_.reading);
     if (!bytes) return refuse(unread(bytes.error()));
+    if (!settings_.reading.format && looks_like_chain(source_of(bytes->bytes, bytes->name))) {
+      report_.sha256 = to_hex(sha256({bytes->bytes.data(), bytes->bytes.size()}));
+      return give_up(
+          kExitUndecided,
+          fault_of("not-covered",
+                   "this is a chain file, an expression of solids: its boundary is not "
+                   "computed, so that nothing is certified about it; certify the operands, "
+                   "and classify points"));
+    }
     Result<ModelFile> model = read_model(*bytes, settings_.reading);
     report_.seconds.read = watch_.lap();
     if (!model) return refuse(finding_of(model.error()));

@@ -7,6 +7,8 @@
 #include "cli/checker_process.h"
 #include "cli/classification.h"
 #include "cli/commands.h"
+#include "cli/expression_classification.h"
+#include "cli/expression_operands.h"
 #include "cli/output_plan.h"
 #include "cli/point_source.h"
 #include "cli/scratch_file.h"
@@ -83,6 +85,8 @@ class ClassifyRun {
       if (!checker) return complain(checker.error().message), kExitUsage;
       checker_ = *checker;
     }
+    if (!options_.input.reading.format && !needs_copy(path()) && is_chain_file(path()))
+      return run_expression();
     if (const ExitCode exit = take_model(); exit != kExitValid) return exit;
     const ExitCode exit = classify();
     progress_.clear();
@@ -91,6 +95,76 @@ class ClassifyRun {
 
  private:
   const std::string& path() const { return options_.files[0]; }
+
+  ExitCode run_expression() {
+    for (const auto& [option, is_given] :
+         {std::pair("--winding", options_.winding),
+          std::pair("--certificate", options_.certificate.has_value())})
+      if (is_given)
+        return complain(std::string(option) + " is for meshes, and " + harmless(path()) +
+                        " is an expression of solids"),
+               kExitUsage;
+    Stopwatch watch;
+    const CertifySettings settings = certify_settings();
+    ExpressionOperands operands(settings, progress_);
+    std::optional<ExpressionOperand> expression = operands.load_chain(path());
+    progress_.clear();
+    if (!expression) return operands.exit();
+    report_.path = path();
+    report_.sha256 = expression->sha256;
+    report_.seconds_read = watch.lap();
+    progress_.phase(shown_path(path()), "building the look-up");
+    const ExpressionClassifier classifier(std::move(expression->formula), operands.take_solids());
+    const LookupSize lookup = classifier.lookup();
+    report_.lookup_cells = lookup.cells;
+    report_.lookup_bytes = lookup.bytes;
+    report_.seconds_build = watch.lap();
+    const Decimals decimals = options_.decimals.value_or(Decimals::kNearest);
+    const ExitCode exit =
+        with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
+          progress_.phase(shown_path(path()), "classifying");
+          const Status status = classify_points(
+              classifier, source, static_cast<unsigned>(options_.jobs), write, report_);
+          report_.seconds_classify = watch.lap();
+          return status;
+        });
+    progress_.clear();
+    if (exit != kExitValid) return exit;
+    return first_of(report_.undecided.empty() ? kExitValid : kExitUndecided, write_json());
+  }
+
+  // Opens the points and the answers for `work`, and keeps the answers if it succeeds.
+  template <typename Work>
+  ExitCode with_answers(Decimals decimals, Work work) {
+    report_.are_decimals_exact = decimals == Decimals::kExact;
+    auto source = open_points(options_.files[1], decimals, options_.input.reading.limits);
+    if (!source) return refuse(source.error());
+    std::optional<AtomicFile> answers;
+    if (options_.output && !is_stream(*options_.output)) {
+      Result<AtomicFile> made = AtomicFile::create(*options_.output);
+      if (!made) return refuse(made.error());
+      answers.emplace(std::move(*made));
+    }
+    const WriteAnswers write = [&](std::string_view lines) -> Status {
+      if (answers) return answers->write(lines);
+      if (options_.output && *options_.output != "-")
+        return write_output(*options_.output, lines, out_);
+      out_.write(lines);
+      return out_.status();
+    };
+    const Status status = work(**source, write);
+    progress_.clear();
+    if (!status) {
+      if (status.error().code == Code::kBadArgument) {
+        complain(harmless(path() + ": " + status.error().message));
+        return kExitInvalid;
+      }
+      return refuse(status.error());
+    }
+    if (answers)
+      if (const Status committed = answers->commit(); !committed) return refuse(committed.error());
+    return kExitValid;
+  }
 
   Status check_outputs() const {
     const Result<OutputPlan> plan = plan_outputs({path()}, options_.certificate, options_.json);
@@ -156,12 +230,17 @@ class ClassifyRun {
     return kExitValid;
   }
 
+  CertifySettings certify_settings() const {
+    CertifySettings out;
+    out.reading = options_.input.reading;
+    out.reading.jobs = options_.jobs;
+    out.certify.jobs = static_cast<unsigned>(options_.jobs);
+    out.checker = checker_;
+    return out;
+  }
+
   ExitCode certify() {
-    CertifySettings settings;
-    settings.reading = options_.input.reading;
-    settings.reading.jobs = options_.jobs;
-    settings.certify.jobs = static_cast<unsigned>(options_.jobs);
-    settings.checker = checker_;
+    CertifySettings settings = certify_settings();
     settings.model = &model_.file;
     settings.model_bytes = &model_bytes_;
     const CertifiedFile done = certify_file(path(), settings, {}, progress_);
@@ -199,33 +278,15 @@ class ClassifyRun {
     settings.decimals =
         options_.decimals.value_or(mesh != nullptr ? Decimals::kNearest : Decimals::kExact);
     settings.jobs = static_cast<unsigned>(options_.jobs);
-    report_.are_decimals_exact = settings.decimals == Decimals::kExact;
-    auto source = open_points(options_.files[1], settings.decimals, options_.input.reading.limits);
-    if (!source) return refuse(source.error());
-    std::optional<AtomicFile> answers;
-    if (options_.output && !is_stream(*options_.output)) {
-      Result<AtomicFile> made = AtomicFile::create(*options_.output);
-      if (!made) return refuse(made.error());
-      answers.emplace(std::move(*made));
-    }
-    const WriteAnswers write = [&](std::string_view lines) -> Status {
-      if (answers) return answers->write(lines);
-      if (options_.output && *options_.output != "-")
-        return write_output(*options_.output, lines, out_);
-      out_.write(lines);
-      return out_.status();
-    };
-    const Result<ClassifiedPoints> made = answer(mesh, **source, settings, write);
-    progress_.clear();
-    if (!made) {
-      if (made.error().code == Code::kBadArgument) {
-        complain(harmless(path() + ": " + made.error().message));
-        return kExitInvalid;
-      }
-      return refuse(made.error());
-    }
-    if (answers)
-      if (const Status status = answers->commit(); !status) return refuse(status.error());
+    std::optional<ClassifiedPoints> made;
+    const ExitCode answered = with_answers(
+        settings.decimals, [&](PointSource& source, const WriteAnswers& write) -> Status {
+          Result<ClassifiedPoints> points = answer(mesh, source, settings, write);
+          if (!points) return points.error();
+          made = std::move(*points);
+          return ok_status();
+        });
+    if (answered != kExitValid) return answered;
     ExitCode exit = kExitValid;
     if (options_.certificate && !settings.makes_certificate)
       exit = without_certificate(

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "io/base/file_bytes.h"
+#include "io/chains/chain_file.h"
 #include "io/foreign_content.h"
 #include "io/formats.h"
 #include "robust/base/stopwatch.h"
@@ -81,6 +82,11 @@ Error unknown_format(const Source& source, const ModelReadOptions& options) {
 
 Result<const ModelFormat*> choose(const Source& source, const ModelReadOptions& options) {
   if (std::optional<Error> foreign = refuse_foreign(source)) return std::move(*foreign);
+  if (!options.format && looks_like_chain(source))
+    return error_at_byte(
+        source, source.begin, Code::kForeignFormat,
+        "this is a chain file, an expression of solids, and no model: classify and "
+        "boolean read it");
   if (options.format) {
     const ModelFormat& row = model_format(*options.format);
     if (!options.kind || row.kind() == *options.kind) return &row;

@@ -277,6 +277,28 @@ CellOctree::Found CellOctree::find(const Vec3d& q) const {
   return {nullptr, &occupied_[number], cell_at({x >> bit, y >> bit, z >> bit}, kIndexBits - bit)};
 }
 
+bool CellOctree::visit_facets(const Box3d& box,
+                              const std::function<bool(std::span<const CellFacet>)>& visit) const {
+  struct Step {
+    Node node;
+    OctreeCell cell;
+  };
+  std::vector<Step> steps = {{nodes_[0], {frame_.origin, frame_.size}}};
+  while (!steps.empty()) {
+    const Step step = steps.back();
+    steps.pop_back();
+    const Vec3d& lo = step.cell.lo;
+    const double size = step.cell.size;  // corners are exact
+    if (!meets({to_point(lo), {lo.x + size, lo.y + size, lo.z + size}}, box)) continue;
+    if (step.node < kEmpty) {
+      for (unsigned i = 0; i < 8; ++i) steps.push_back({nodes_[step.node + i], step.cell.child(i)});
+    } else if ((step.node & kOccupied) != 0) {
+      if (!visit(facets(occupied_[step.node & kNumber]))) return false;
+    }
+  }
+  return true;
+}
+
 LookupSize CellOctree::size() const {
   return {nodes_.size(), grid_.size() * sizeof(Node) + nodes_.size() * sizeof(Node) +
                              labels_.size() * sizeof(RegionLabel) +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -111,6 +112,10 @@ class CellOctree {
   void prefetch_facets(const OccupiedCell& cell) const {
     __builtin_prefetch(facets_.data() + cell.first);
   }
+  /// Calls `visit` for the facets of each cell that meets the closed box, until it returns false. Returns whether it
+  /// always returned true. A facet that meets the box is among them, perhaps several times.
+  bool visit_facets(const Box3d& box,
+                    const std::function<bool(std::span<const CellFacet>)>& visit) const;
   LookupSize size() const;
 
   /// Numbers the facets of the cells in the order in which cells name them, so that those of one cell are neighbours.

@@ -12,6 +12,7 @@
 #include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
 #include "solids/classify/cell_octree_internal.h"
+#include "solids/classify/facet_box_internal.h"
 #include "solids/classify/facet_tests_internal.h"
 #include "solids/classify/ray_count_internal.h"
 #include "solids/classify/segment_count_internal.h"
@@ -109,6 +110,38 @@ class MeshClassifier::Body {
         answers[begin + i] = answer_at(found[i], points[begin + i]);
     }
   }
+
+  // The box meets no facet if those of the cells that it meets miss it.
+  Value3 value(const Box3d& box) const {
+    if (!meets(box, box_)) return Value3::kZero;
+    const auto misses = [&](std::uint32_t f) { return !facet_meets(tests_->corners(f), box); };
+    const auto all_miss = [&](std::span<const CellFacet> facets) {
+      return std::all_of(facets.begin(), facets.end(),
+                         [&](const CellFacet& f) { return misses(f.facet); });
+    };
+    if (octree_ && !octree_->visit_facets(box, all_miss)) return Value3::kMixed;
+    for (std::uint32_t f = 0; !octree_ && f < num_facets(); ++f)
+      if (!misses(f)) return Value3::kMixed;
+    return to_value(classify(Vec3d{box.lo[0], box.lo[1], box.lo[2]}).winding != 0);
+  }
+
+  template <typename Point>
+  std::vector<std::uint32_t> facets_at(const Point& q) const {
+    std::vector<std::uint32_t> out;
+    const auto test = [&](std::uint32_t f) {
+      if (tests_->side(f, q) == Sign::kZero && tests_->contains(f, q)) out.push_back(tests_->id(f));
+    };
+    if (!is_in(box_, q)) return out;
+    if (!octree_) {
+      for (std::uint32_t f = 0; f < num_facets(); ++f) test(f);
+    } else if (const auto* cell = octree_->find(rounded(q)).occupied) {
+      for (const CellFacet& f : octree_->facets(*cell)) test(f.facet);
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  const Box3d& box() const { return box_; }
 
   LookupSize lookup() const {
     LookupSize out = octree_ ? octree_->size() : LookupSize{};
@@ -239,6 +272,23 @@ void MeshClassifier::classify(std::span<const Vec3d> points, std::span<PointAnsw
                                      answers.subspan(begin, end - begin));
                });
 }
+
+Value3 MeshClassifier::value(const Box3d& box) const {
+  const ScopedDefaultFp nearest;
+  return body_->value(box);
+}
+
+std::vector<std::uint32_t> MeshClassifier::facets_at(const Vec3d& point) const {
+  const ScopedDefaultFp nearest;
+  return body_->facets_at(point);
+}
+
+std::vector<std::uint32_t> MeshClassifier::facets_at(const ExactPoint& point) const {
+  const ScopedDefaultFp nearest;
+  return body_->facets_at(ScaledPoint(point));
+}
+
+const Box3d& MeshClassifier::box() const { return body_->box(); }
 
 LookupSize MeshClassifier::lookup() const { return body_->lookup(); }
 

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "predicates/vec.h"
+#include "robust/base/box3d.h"
 #include "robust/base/result.h"
 #include "solids/classify/lookup_size.h"
 #include "solids/classify/point_answer.h"
+#include "solids/classify/value3.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
@@ -45,6 +47,16 @@ class MeshClassifier {
   /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.
   void classify(std::span<const Vec3d> points, std::span<PointAnswer> answers, unsigned jobs) const;
 
+  /// 0 or 1 if no facet meets the closed box and its points have the winding number 0, or another one; otherwise mixed,
+  /// also if the surface only touches the box. Exact. REQUIRES a finite box that is not empty.
+  /// @cost  the cells of the octree that meet the box, and their facets
+  Value3 value(const Box3d& box) const;
+  /// All facets that contain the point, in increasing order. REQUIRES finite coordinates.
+  std::vector<std::uint32_t> facets_at(const Vec3d& point) const;
+  std::vector<std::uint32_t> facets_at(const ExactPoint& point) const;
+
+  /// The box of the facets.
+  const Box3d& box() const;
   LookupSize lookup() const;
 
   class Body;

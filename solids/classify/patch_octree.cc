@@ -27,7 +27,7 @@ constexpr double kThin =
 constexpr double kFlat = 0.25;  // a slab that is thinner than this part of its cell is not thick
 constexpr std::size_t kMostNodes = std::size_t{1} << 23;
 
-Point3d corner_of(const Box3d& box, unsigned i) {
+Point3d box_corner(const Box3d& box, unsigned i) {
   return {(i & 1u) != 0 ? box.hi[0] : box.lo[0], (i & 2u) != 0 ? box.hi[1] : box.lo[1],
           (i & 4u) != 0 ? box.hi[2] : box.lo[2]};
 }
@@ -86,8 +86,8 @@ class PatchOctree::Builder {
   bool may_meet(const Piece& piece, const Box3d& box) const {
     if (!meets(piece.hull, box)) return false;
     const unsigned far = farthest_corner(piece.normal);
-    return dot(piece.normal, corner_of(box, far)) + slack() >= piece.range[0] &&
-           dot(piece.normal, corner_of(box, 7 - far)) - slack() <= piece.range[1];
+    return dot(piece.normal, box_corner(box, far)) + slack() >= piece.range[0] &&
+           dot(piece.normal, box_corner(box, 7 - far)) - slack() <= piece.range[1];
   }
 
   // The pieces of `from` that may meet the box, cut until none is longer than the cell.
@@ -147,7 +147,7 @@ class PatchOctree::Builder {
       out.hi = std::max(out.hi, range[1] + slack());
     }
     const unsigned far = farthest_corner(out.normal);
-    const Point3d high = corner_of(box, far), low = corner_of(box, 7 - far);
+    const Point3d high = box_corner(box, far), low = box_corner(box, 7 - far);
     if (dot(out.normal, high) > out.hi) out.above = label_at(high, around);
     if (dot(out.normal, low) < out.lo) out.below = label_at(low, around);
     return out;

@@ -55,6 +55,11 @@ def command_lines():
     yield ["project", "1,2,3", cube]
     yield ["project", "1/3,2,3", "tests/models/splines/objects.g2"]
     yield ["classify", "examples/part_with_hole.stl", "examples/sound_part.stl"]
+    yield ["boolean", "A - (B | !A)", "A=tests/models/valid_nested_three.off", "B=examples/sound_part.stl", "-o", "e.json"]
+    yield ["boolean", "A | (B", f"A={models[0]}", "-o", "x.json"]
+    yield ["boolean", "A | B", f"A={models[0]}", "B=examples/self_crossing.off", "-o", "x.json"]
+    yield ["classify", "e.json", "examples/sound_part.stl"]
+    yield ["certify", "e.json"]
     yield ["cover", cube, "-o", "o.vtu"]
     yield ["cover", cube, "--sweep", "1"]
     for page in ([], ["M3"], ["side-open"], ["undecided"], ["face"]):

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/expression/expression_classifier.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robust/base/parallel.h"
+#include "solids/expression/decision_diagram.h"
+#include "solids/expression/directions.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::size_t kChunkOfExpressionPoints = 256;
+// Beyond it, operands on which the formula does not depend are not dropped: that takes time only.
+constexpr std::size_t kMostDiagramNodes = 100000;
+
+PointWord word_of(bool value) { return value ? PointWord::kIn : PointWord::kOut; }
+
+const ExactPoint& exact_point(const ExactPoint& p) { return p; }
+ExactPoint exact_point(const Vec3d& p) {
+  return {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)};
+}
+
+}  // namespace
+
+// The values of operands at one point, each asked for once.
+class ExpressionClassifier::Values {
+ public:
+  explicit Values(std::size_t num_operands) : values_(num_operands), known_at_(num_operands) {}
+
+  void next_point() { ++point_; }
+  template <typename ValueOf>
+  Value3 of(std::uint32_t variable, ValueOf&& ask) {
+    if (known_at_[variable] != point_) {
+      values_[variable] = ask(variable);
+      known_at_[variable] = point_;
+    }
+    return values_[variable];
+  }
+
+ private:
+  std::vector<Value3> values_;
+  std::vector<std::uint64_t> known_at_;
+  std::uint64_t point_ = 0;
+};
+
+ExpressionClassifier::ExpressionClassifier(Formula formula,
+                                           std::vector<std::shared_ptr<const Operand>> operands)
+    : formula_(std::move(formula)), operands_(std::move(operands)), cells_(formula_, operands_) {}
+
+template <typename Point>
+PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) const {
+  values.next_point();
+  const auto value_of = [&](std::uint32_t variable) {
+    return values.of(variable, [&](std::uint32_t v) { return operands_[v]->value(point); });
+  };
+  const Formula& formula = cells_.at(point);
+  const Value3 value = formula.value(value_of);
+  if (is_constant(value)) return word_of(value == Value3::kOne);
+  return on_walls(point, formula.folded(value_of));
+}
+
+// ESC-4: the point is on the boundaries of all operands of `rest`.
+template <typename Point>
+PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest) const {
+  if (rest.num_literals() == 1) return PointWord::kOn;
+  const auto diagram = DecisionDiagram::make(rest, kMostDiagramNodes);
+  if (diagram && diagram->is_constant())
+    return word_of(diagram->value([](std::uint32_t) { return false; }));
+  const std::vector<std::uint32_t> variables = diagram ? diagram->support() : rest.variables();
+  if (diagram && variables.size() == 1) return PointWord::kOn;
+  std::vector<FlatCone> cones;
+  for (const std::uint32_t v : variables) {
+    std::optional<FlatCone> cone = operands_[v]->flat_cone(exact_point(point));
+    if (!cone) return PointWord::kUndecided;
+    cones.push_back(std::move(*cone));
+  }
+  const auto f = [&](const NearbyBits& bits) {
+    const auto bit_of = [&](std::uint32_t v) {
+      const auto at = std::lower_bound(variables.begin(), variables.end(), v);
+      return bits[static_cast<std::size_t>(at - variables.begin())];
+    };
+    if (diagram) return diagram->value(bit_of);
+    return rest.value([&](std::uint32_t v) { return to_value(bit_of(v)); }) == Value3::kOne;
+  };
+  const std::optional<bool> value = common_value(cones, f);
+  return value ? word_of(*value) : PointWord::kOn;
+}
+
+PointWord ExpressionClassifier::classify(const Vec3d& point) const {
+  Values values(operands_.size());
+  return classify_at(point, values);
+}
+
+PointWord ExpressionClassifier::classify(const ExactPoint& point) const {
+  Values values(operands_.size());
+  return classify_at(point, values);
+}
+
+void ExpressionClassifier::classify(std::span<const Vec3d> points, std::span<PointWord> words,
+                                    unsigned jobs) const {
+  parallel_for(points.size(), kChunkOfExpressionPoints, jobs,
+               [&](std::size_t, std::size_t begin, std::size_t end) {
+                 Values values(operands_.size());
+                 for (std::size_t i = begin; i < end; ++i)
+                   words[i] = classify_at(points[i], values);
+               });
+}
+
+Value3 ExpressionClassifier::value(const Box3d& box) const {
+  return formula_.value([&](std::uint32_t v) { return operands_[v]->value(box); });
+}
+
+LookupSize ExpressionClassifier::lookup() const {
+  LookupSize out{cells_.num_cells(), 0};
+  for (const auto& operand : operands_) {
+    const LookupSize size = operand->lookup();
+    out.cells += size.cells;
+    out.bytes += size.bytes;
+  }
+  return out;
+}
+
+}  // namespace veritope

@@ -197,13 +197,7 @@ class ClassifyRun {
   }
 
   ExitCode take_patches(const SplineFile& file) {
-    Result<std::optional<StandIn>> stand_in = stand_in_of(file);
-    if (!stand_in) return refuse(stand_in.error());
-    const SplineModel& model = *stand_in ? (*stand_in)->file.model : file.model;
-    Result<FilePatches> patches =
-        file_patches(model, PatchOrientation::kKeep,
-                     *stand_in ? std::span<const VolumeFace>((*stand_in)->faces)
-                               : std::span<const VolumeFace>());
+    Result<FilePatches> patches = patches_of(file);
     if (!patches) return refuse(patches.error());
     model_.patches = std::move(*patches);
     const PatchComplex* const complex = model_.patches.complex.get();

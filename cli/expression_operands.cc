@@ -10,7 +10,9 @@
 #include "io/formats.h"
 #include "report/report_text.h"
 #include "report/text_style.h"
+#include "robust/base/check.h"
 #include "solids/polyhedron/box_order.h"
+#include "verify/certify/stand_in.h"
 #include "verify/format/sha256.h"
 
 namespace veritope::cli {
@@ -37,6 +39,22 @@ ExactBox<3> box_around(const TriangleMesh& mesh) {
   ExactBox<3> out;
   for (std::size_t k = 0; k < 3; ++k)
     out[k] = {Rational::from_double(box.lo[k]), Rational::from_double(box.hi[k])};
+  return out;
+}
+
+// Around the control points.
+ExactBox<3> box_around(const PatchComplex& complex) {
+  ExactBox<3> out;
+  bool is_first = true;
+  for (const Patch& patch : complex.patches())
+    for (std::size_t i = 0; i < patch.num_control(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        Rational x = patch.component(static_cast<int>(k))[i];
+        if (patch.is_rational()) x /= patch.component(3)[i];
+        out[k] = is_first ? ExactInterval{x, x} : hull(out[k], ExactInterval{x, x});
+      }
+      is_first = false;
+    }
   return out;
 }
 
@@ -188,10 +206,6 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
                                                             const std::string& sha256) {
   CertifySettings settings = settings_;
   settings.reading.format = format;
-  if (ModelInput(path, settings.reading).kind() != ModelKind::kMesh)
-    return refuse(kExitUndecided,
-                  begin + harmless(path) +
-                      " is a file of splines: curved solids are not covered yet by expressions");
   ModelFile model;
   settings.model = &model;
   const CertifiedFile done = certify_file(path, settings, {}, progress_);
@@ -200,11 +214,18 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
     return refuse(done.report.exit, begin + verdict_text(done.report));
   if (done.report.sha256 != sha256)
     return refuse(kExitUnreadable, begin + harmless(path) + " changed while it was read");
-  auto& mesh = std::get<MeshFile>(model).mesh;
   ExpressionOperand out;
   out.formula = Formula::variable(static_cast<std::uint32_t>(solids_.size()));
-  out.box = box_around(mesh);
-  solids_.emplace_back(std::move(mesh));
+  if (auto* const mesh = std::get_if<MeshFile>(&model)) {
+    out.box = box_around(mesh->mesh);
+    solids_.emplace_back(std::move(mesh->mesh));
+    return out;
+  }
+  Result<FilePatches> patches = patches_of(std::get<SplineFile>(model));
+  VT_CHECK(patches && patches->complex, "a valid model has patches");
+  out.box = box_around(*patches->complex);
+  solids_.emplace_back(std::move(patches->complex));
+  has_patches_ = true;
   return out;
 }
 
@@ -220,9 +241,12 @@ std::uint32_t ExpressionOperands::variable_of(const ExactBox<3>& box) {
 std::vector<std::shared_ptr<const Operand>> ExpressionOperands::take_solids() {
   std::vector<std::shared_ptr<const Operand>> out;
   for (Solid& solid : solids_) {
-    auto* const mesh = std::get_if<TriangleMesh>(&solid);
-    out.push_back(mesh != nullptr ? mesh_operand(std::move(*mesh))
-                                  : box_operand(std::get<ExactBox<3>>(solid)));
+    if (auto* const mesh = std::get_if<TriangleMesh>(&solid))
+      out.push_back(mesh_operand(std::move(*mesh)));
+    else if (const auto* const box = std::get_if<ExactBox<3>>(&solid))
+      out.push_back(box_operand(*box));
+    else
+      out.push_back(patch_operand(std::move(std::get<std::unique_ptr<const PatchComplex>>(solid))));
   }
   solids_.clear();
   return out;

@@ -54,11 +54,13 @@ class ExpressionOperands {
   /// The first of 5, 1, 4, 3, 0 that occurred.
   ExitCode exit() const { return exit_; }
   std::size_t num_solids() const { return solids_.size(); }
+  /// Whether some solids are patches.
+  bool has_patches() const { return has_patches_; }
   /// The solids, in the order of the variables; those of meshes get their look-up. May be called once.
   std::vector<std::shared_ptr<const Operand>> take_solids();
 
  private:
-  using Solid = std::variant<TriangleMesh, ExactBox<3>>;
+  using Solid = std::variant<TriangleMesh, ExactBox<3>, std::unique_ptr<const PatchComplex>>;
 
   std::optional<ExpressionOperand> load(const std::string& path, const std::string& label,
                                         const ChainOperand* expected);
@@ -73,6 +75,7 @@ class ExpressionOperands {
   const CertifySettings& settings_;
   Progress& progress_;
   ExitCode exit_ = kExitValid;
+  bool has_patches_ = false;
   std::vector<Solid> solids_;
   /// By SHA-256 and format; nothing: refused.
   std::map<std::pair<std::string, std::string>, std::optional<ExpressionOperand>> known_;

@@ -174,7 +174,8 @@ constexpr std::array<PatchExplanation, 14> kExplanations = {{
       "volume that was swept or ruled past itself.",
       "Move control points until the determinant has one sign; near the two points the net of "
       "control points shows what has turned over.",
-      "MFEM: negative Jacobian (mesh is inverted); Gmsh: negative scaled Jacobian; finite elements: "
+      "MFEM: negative Jacobian (mesh is inverted); Gmsh: negative scaled Jacobian; finite "
+      "elements: "
       "inverted element"},
      R"(  +.
   |  '.

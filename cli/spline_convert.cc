@@ -214,8 +214,7 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
   lost.insert(lost.end(), loss.shapes.begin(), loss.shapes.end());
   dropped.insert(dropped.end(), loss.dropped.begin(), loss.dropped.end());
   if (!lost.empty() && !options.lossy)
-    return refuse_loss(options, lost,
-                       loss.shapes.empty() ? "" : "; --to vjson keeps every spline");
+    return refuse_loss(options, lost, loss.shapes.empty() ? "" : "; --to vjson keeps every spline");
   return finish(options, *file, bytes, joined(lost), joined(dropped), false, joints, out);
 }
 

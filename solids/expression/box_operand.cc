@@ -40,8 +40,8 @@ class BoxOperand : public Operand {
         return Value3::kMixed;
     return Value3::kOne;
   }
-  std::optional<FlatCone> flat_cone(const ExactPoint& point) const override {
-    return veritope::flat_cone(box_, point);
+  std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
+    return TangentCone{flat_cone(box_, point), true};
   }
   ExactBox<3> box() const override { return box_; }
 

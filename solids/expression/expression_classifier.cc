@@ -61,20 +61,25 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) 
   return on_walls(point, formula.folded(value_of));
 }
 
-// ESC-4: the point is on the boundaries of all operands of `rest`.
+// ESC-4: the point is on the boundaries of all operands of `rest`, or some are open.
 template <typename Point>
 PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest) const {
-  if (rest.num_literals() == 1) return PointWord::kOn;
   const auto diagram = DecisionDiagram::make(rest, kMostDiagramNodes);
   if (diagram && diagram->is_constant())
     return word_of(diagram->value([](std::uint32_t) { return false; }));
   const std::vector<std::uint32_t> variables = diagram ? diagram->support() : rest.variables();
-  if (diagram && variables.size() == 1) return PointWord::kOn;
+  const ExactPoint& exact = exact_point(point);
+  if (std::any_of(variables.begin(), variables.end(),
+                  [&](std::uint32_t v) { return operands_[v]->is_open(exact); }))
+    return PointWord::kUndecided;
+  if (variables.size() == 1) return PointWord::kOn;
   std::vector<FlatCone> cones;
+  bool are_flat = true;
   for (const std::uint32_t v : variables) {
-    std::optional<FlatCone> cone = operands_[v]->flat_cone(exact_point(point));
+    std::optional<TangentCone> cone = operands_[v]->tangent_cone(exact);
     if (!cone) return PointWord::kUndecided;
-    cones.push_back(std::move(*cone));
+    are_flat = are_flat && cone->is_flat;
+    cones.push_back(std::move(cone->sectors));
   }
   const auto f = [&](const NearbyBits& bits) {
     const auto bit_of = [&](std::uint32_t v) {
@@ -85,7 +90,8 @@ PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest
     return rest.value([&](std::uint32_t v) { return to_value(bit_of(v)); }) == Value3::kOne;
   };
   const std::optional<bool> value = common_value(cones, f);
-  return value ? word_of(*value) : PointWord::kOn;
+  if (!value) return PointWord::kOn;
+  return are_flat ? word_of(*value) : PointWord::kUndecided;
 }
 
 PointWord ExpressionClassifier::classify(const Vec3d& point) const {

@@ -14,8 +14,8 @@ class MeshOperand : public Operand {
     return value_of(classifier_.classify(point));
   }
   Value3 value(const Box3d& box) const override { return classifier_.value(box); }
-  std::optional<FlatCone> flat_cone(const ExactPoint& point) const override {
-    return veritope::flat_cone(mesh_, classifier_.facets_at(point), point);
+  std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
+    return TangentCone{flat_cone(mesh_, classifier_.facets_at(point), point), true};
   }
   ExactBox<3> box() const override {
     ExactBox<3> out;

@@ -9,23 +9,31 @@
 #include "robust/base/box3d.h"
 #include "solids/classify/mesh_classifier.h"
 #include "solids/expression/flat_cone.h"
+#include "solids/patches/patch_complex.h"
 
 namespace veritope {
 
-/// A solid: the closure of its interior. Immutable: threads may share it. A kind of solid whose boundary is not flat
-/// has no flat cones where it is curved; points there are decided only if no other operand matters.
+/// The directions in which the boundary of a solid leaves one of its points: the sectors of all patches at the face,
+/// edge or vertex that holds the point.
+struct TangentCone {
+  FlatCone sectors;
+  bool is_flat = true;  ///< near the point the boundary is the cone itself
+};
+
+/// A solid: the closure of its interior. Immutable: threads may share it.
 class Operand {
  public:
   virtual ~Operand() = default;
 
-  /// 1 inside, 0 off the solid, mixed on its boundary. REQUIRES finite coordinates.
+  /// 1 inside, 0 off the solid, mixed on its boundary, or if it is open. REQUIRES finite coordinates.
   virtual Value3 value(const Vec3d& point) const = 0;
   virtual Value3 value(const ExactPoint& point) const = 0;
   /// The value on a closed box; mixed also where the boundary only touches it.
   virtual Value3 value(const Box3d& box) const = 0;
-  /// The sectors of all patches at the face, edge or vertex that holds a point of the boundary; nothing: they are not
-  /// flat.
-  virtual std::optional<FlatCone> flat_cone(const ExactPoint& point) const = 0;
+  /// Whether it is open if a point, whose value is mixed, is on the boundary.
+  virtual bool is_open(const ExactPoint&) const { return false; }
+  /// At a point of the boundary; nothing if the directions are not known as exact numbers, or at a singular point.
+  virtual std::optional<TangentCone> tangent_cone(const ExactPoint& point) const = 0;
   /// A box around the solid.
   virtual ExactBox<3> box() const = 0;
   virtual LookupSize lookup() const { return {}; }
@@ -33,6 +41,8 @@ class Operand {
 
 /// A mesh that bounds a solid, which is moved in. REQUIRES what MeshClassifier does, and a valid mesh.
 std::unique_ptr<const Operand> mesh_operand(TriangleMesh mesh);
+/// Patches that bound a solid. REQUIRES a valid complex of patches.
+std::unique_ptr<const Operand> patch_operand(std::unique_ptr<const PatchComplex> patches);
 /// A box along the axes. REQUIRES positive sides.
 std::unique_ptr<const Operand> box_operand(const ExactBox<3>& box);
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "models/patch_shapes.h"
 #include "robust/base/random.h"
 #include "tests/predicates/test_scale.h"
 #include "tests/support/shapes.h"
@@ -147,7 +148,7 @@ class NotFlat : public Operand {
   Value3 value(const Vec3d& p) const override { return solid_->value(p); }
   Value3 value(const ExactPoint& p) const override { return solid_->value(p); }
   Value3 value(const Box3d& b) const override { return solid_->value(b); }
-  std::optional<FlatCone> flat_cone(const ExactPoint&) const override { return std::nullopt; }
+  std::optional<TangentCone> tangent_cone(const ExactPoint&) const override { return std::nullopt; }
   ExactBox<3> box() const override { return solid_->box(); }
 
  private:
@@ -162,6 +163,46 @@ TEST(ExpressionClassifier, IsUndecidedOnlyWhereAnOperandThatMattersIsNotFlat) {
   const Formula a = variable(0), b = variable(1);
   EXPECT_EQ(word(either(both(a, b), both(a, b.negated())), solids, {1, .5, .5}), "on");
   EXPECT_EQ(word(both(b, b.negated()), solids, {1, .5, .5}), "out");
+}
+
+std::shared_ptr<const Operand> patches(patch_shapes::Patches shape) {
+  return patch_operand(std::make_unique<const PatchComplex>(make_patch_complex(shape).value()));
+}
+
+// PROVES POINT-7
+TEST(ExpressionClassifier, DecidesCurvedWallsThatCross) {
+  const Solids ball_and_block = {patches(patch_shapes::octant_sphere()), block(0, -2, -2, 2, 2, 2)};
+  const auto at = [&](const Solids& solids, const ExactPoint& p) {
+    const Formula a = variable(0), b = variable(1);
+    std::string out;
+    for (const Formula& f : {either(a, b), both(a, b), both(a, b.negated()), both(b, a.negated())})
+      out +=
+          std::string(out.empty() ? "" : " ") + name(ExpressionClassifier(f, solids).classify(p));
+    return out;
+  };
+  const auto r = [](int p, int q) { return Rational(p) / Rational(q); };
+  EXPECT_EQ(at(ball_and_block, {0, r(3, 5), r(4, 5)}), "on on on on");  // the face cuts the sphere
+  EXPECT_EQ(at(ball_and_block, {r(1, 3), r(2, 3), r(2, 3)}), "in on out on");
+  EXPECT_EQ(at(ball_and_block, {0, r(1, 2), 0}), "in on on out");
+  EXPECT_EQ(at(ball_and_block, {1, 0, 0}), "in on out on");
+  // Tangent: the difference is on, the others are open.
+  const Solids tangent = {patches(patch_shapes::sphere()), block(-2, -2, 1, 2, 2, 2)};
+  EXPECT_EQ(at(tangent, {0, 0, 1}), "undecided undecided on on");
+  // Two cylinders, one on the other: flat ends, at irrational parameters, too.
+  const Solids stacked = {
+      patches(patch_shapes::frustum(1, 1, 2)),
+      patches(patch_shapes::placed(patch_shapes::frustum(1, 1, 2), 1, {0, 0, 2}))};
+  EXPECT_EQ(at(stacked, {r(1, 4), r(1, 2), 2}), "in out on on");
+  EXPECT_EQ(at(stacked, {0, 0, 2}), "in out on on");
+  EXPECT_EQ(at(stacked, {r(3, 5), r(4, 5), 2}), "on undecided on on");  // on both rims
+  EXPECT_EQ(at(stacked, {r(3, 5), r(4, 5), 1}), "on out on out");
+  EXPECT_EQ(at(stacked, {0, 0, 1}), "in out in out");
+  // A cylinder through a ball: transversal, but at no rational parameters of both; both values occur.
+  const Solids crossing = {
+      patches(patch_shapes::octant_sphere()),
+      patches(patch_shapes::placed(patch_shapes::frustum(1, 1, 2), r(3, 5), {0, 0, r(-3, 5)}))};
+  EXPECT_EQ(at(crossing, {r(3, 5), 0, r(3, 5)}), "in on on out");
+  EXPECT_EQ(at(crossing, {0, 0, r(3, 5)}), "in on on out");
 }
 
 TEST(ExpressionClassifier, HasTheValueOfBoxes) {

@@ -10,6 +10,7 @@
 #include "io/splines/read_splines.h"
 #include "robust/base/result.h"
 #include "solids/patches/patch_complex.h"
+#include "verify/certify/file_patches.h"
 
 namespace veritope {
 
@@ -36,6 +37,10 @@ struct StandIn {
 /// kMaxPatchDegree; kBadArgument for a volume whose Jacobian determinant has different signs at
 /// its corners, or there and in its middle
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
+
+/// The patches of the file's surfaces and triangles, or of the boundary faces of its volumes, as they are decided when
+/// nothing is reversed. @error as stand_in_of and file_patches
+Result<FilePatches> patches_of(const SplineFile& file);
 
 /// Whether the checkers have a reading rule for the file's own bytes: docs/certificates.
 bool is_read_by_checkers(const SplineFile& file);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/expression/operand.h"
+#include "solids/expression/patch_cone.h"
+
+namespace veritope {
+namespace {
+
+class PatchOperand : public Operand {
+ public:
+  explicit PatchOperand(std::unique_ptr<const PatchComplex> patches)
+      : patches_(std::move(patches)),
+        classifier_(PatchClassifier::make(*patches_, false)),
+        cones_(*patches_) {}
+
+  Value3 value(const Vec3d& point) const override { return value_of(classifier_.classify(point)); }
+  Value3 value(const ExactPoint& point) const override {
+    return value_of(classifier_.classify(point));
+  }
+  Value3 value(const Box3d& box) const override { return classifier_.value(box); }
+  bool is_open(const ExactPoint& point) const override {
+    return !classifier_.classify(point).is_decided;
+  }
+  std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
+    std::optional<OnPatch> where;
+    classifier_.classify(point, &where);
+    if (!where) return std::nullopt;
+    return cones_.at(*where);
+  }
+  ExactBox<3> box() const override {
+    const Box3d box = classifier_.box();
+    ExactBox<3> out;
+    for (std::size_t k = 0; k < 3; ++k)
+      out[k] = {Rational::from_double(box.lo[k]), Rational::from_double(box.hi[k])};
+    return out;
+  }
+  LookupSize lookup() const override { return classifier_.lookup(); }
+
+ private:
+  static Value3 value_of(const PointAnswer& a) {
+    return !a.is_decided || a.is_on() ? Value3::kMixed : to_value(a.winding != 0);
+  }
+
+  const std::unique_ptr<const PatchComplex> patches_;
+  const PatchClassifier classifier_;
+  const PatchCones cones_;
+};
+
+}  // namespace
+
+std::unique_ptr<const Operand> patch_operand(std::unique_ptr<const PatchComplex> patches) {
+  return std::make_unique<const PatchOperand>(std::move(patches));
+}
+
+}  // namespace veritope

@@ -34,7 +34,8 @@ std::array<AlgebraicNumber, 2> as_algebraic(const std::array<Rational, 2>& uv) {
 class PatchClassifier::Body {
  public:
   Body(const PatchComplex& complex, bool has_shells)
-      : rays_(complex),
+      : complex_(complex),
+        rays_(complex),
         has_shells_(has_shells),
         depths_(depths()),
         octree_(rays_, [this](const RayPoint& q) { return label_at(q); }) {}
@@ -89,11 +90,10 @@ class PatchClassifier::Body {
 
   // For each shell, how many others are around it.
   std::vector<std::uint32_t> depths() const {
-    const PatchComplex& complex = rays_.complex();
-    std::vector<std::uint32_t> out(complex.shells().size());
+    std::vector<std::uint32_t> out(complex_.shells().size());
     if (!has_shells_ || out.size() < 2) return out;
     for (std::uint32_t s = 0; s < out.size(); ++s) {
-      const auto corner = point_of(complex.patch(complex.shells()[s].first_patch).corner(0));
+      const auto corner = point_of(complex_.patch(complex_.shells()[s].first_patch).corner(0));
       const RayPoint q(*corner, rays_.scale());
       for (std::uint32_t t = 0; t < out.size(); ++t)
         if (t != s && is_around(t, q)) ++out[s];
@@ -161,9 +161,10 @@ class PatchClassifier::Body {
   PointAnswer on(std::uint32_t patch, std::array<AlgebraicNumber, 2> uv,
                  std::optional<OnPatch>* where) const {
     if (where != nullptr) *where = OnPatch{patch, std::move(uv)};
-    return {0, patch, has_shells_ ? rays_.complex().shell(patch) : kNowhere, true};
+    return {0, patch, has_shells_ ? complex_.shell(patch) : kNowhere, true};
   }
 
+  const PatchComplex& complex_;
   PatchRays rays_;
   bool has_shells_;
   std::vector<std::uint32_t> depths_;

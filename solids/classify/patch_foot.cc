@@ -166,7 +166,7 @@ std::optional<std::array<Rational, 2>> PatchFoot::at_collapsed_side(const Tensor
                                                                     const RayPoint& point) {
   const RayPoint::Fractions q = point.fractions();
   for (std::uint32_t s = 0; s < 4; ++s) {
-    if (!form.is_collapsed[s]) continue;
+    if (!form.sides[s].is_collapsed) continue;
     const std::size_t i = form.first_of_side(s);
     bool is_equal = true;
     for (std::size_t k = 0; k < 3; ++k)

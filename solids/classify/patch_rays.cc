@@ -38,12 +38,24 @@ RayCount finish(RayDescent<Net>& descent, std::size_t num_turns) {
 
 }  // namespace
 
+namespace {
+
+std::vector<TensorForm> forms_of(const PatchComplex& complex, int scale) {
+  std::vector<TensorForm> out;
+  for (std::uint32_t p = 0; p < complex.patches().size(); ++p) out.emplace_back(complex, p, scale);
+  return out;
+}
+
+}  // namespace
+
 PatchRays::PatchRays(const PatchComplex& complex)
-    : complex_(complex), scale_(scale_of(complex)), hull_(empty_box()) {
+    : PatchRays(forms_of(complex, scale_of(complex)), scale_of(complex)) {}
+
+PatchRays::PatchRays(std::vector<TensorForm> forms, int scale)
+    : scale_(scale), forms_(std::move(forms)), hull_(empty_box()) {
   std::vector<Box3d> boxes;
-  for (std::uint32_t p = 0; p < complex.patches().size(); ++p) {
-    forms_.emplace_back(complex, p, scale_);
-    boxes.push_back(tight_hull(forms_.back()));
+  for (const TensorForm& form : forms_) {
+    boxes.push_back(tight_hull(form));
     hull_ = veritope::hull(hull_, boxes.back());
   }
   boxes_ = BoxHierarchy(boxes);
@@ -128,14 +140,14 @@ void PatchRays::visit_patches(const RayPoint& point, const AxisRay& ray, std::ui
     return true;
   };
   boxes_.visit(may_meet, [&](std::uint32_t patch) {
-    if (shell == PatchComplex::kNone || complex_.shell(patch) == shell) visit(patch);
+    if (shell == PatchComplex::kNone || forms_[patch].shell == shell) visit(patch);
   });
 }
 
 RayCount PatchRays::count_rounded(const RayPoint& point, const AxisRay& ray,
                                   std::uint32_t shell) const {
   thread_local NetPool pool;
-  RayDescent<RoundedNet> descent(complex_, ray, {kRoundedLevels, kRoundedVisits, kMostOpen});
+  RayDescent<RoundedNet> descent(ray, {kRoundedLevels, kRoundedVisits, kMostOpen});
   visit_patches(point, ray, shell, [&](std::uint32_t patch) {
     descent.add_patch(patch, RoundedNet(forms_[patch], point, pool));
   });
@@ -144,7 +156,7 @@ RayCount PatchRays::count_rounded(const RayPoint& point, const AxisRay& ray,
 
 RayCount PatchRays::count_exactly(const RayPoint& point, const AxisRay& ray, int levels,
                                   std::uint32_t shell) const {
-  RayDescent<ExactNet> descent(complex_, ray, {levels, kExactVisits, kMostOpen});
+  RayDescent<ExactNet> descent(ray, {levels, kExactVisits, kMostOpen});
   visit_patches(point, ray, shell, [&](std::uint32_t patch) {
     descent.add_patch(patch, ExactNet(forms_[patch], point));
   });

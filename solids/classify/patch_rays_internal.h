@@ -24,10 +24,11 @@ struct RayCount {
 
 class PatchRays {
  public:
-  /// REQUIRES a closed oriented surface with weights > 0; it must outlive this.
+  /// REQUIRES a closed oriented surface with weights > 0.
   explicit PatchRays(const PatchComplex& complex);
+  /// A closed chain of patches, whose coordinates were divided by 2^scale; numbers of edges are below 2^31.
+  PatchRays(std::vector<TensorForm> forms, int scale);
 
-  const PatchComplex& complex() const { return complex_; }
   int scale() const { return scale_; }
   const TensorForm& form(std::uint32_t patch) const { return forms_[patch]; }
   std::size_t num_patches() const { return forms_.size(); }
@@ -51,7 +52,6 @@ class PatchRays {
   void visit_patches(const RayPoint& point, const AxisRay& ray, std::uint32_t shell,
                      Visit visit) const;
 
-  const PatchComplex& complex_;
   int scale_;
   std::vector<TensorForm> forms_;
   Box3d hull_;

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "robust/base/check.h"
 #include "solids/classify/ray_net_internal.h"
 
 namespace veritope::internal {
@@ -89,8 +88,7 @@ class RayDescent {
     std::size_t open = 0;    ///< of open pieces of a patch; the rest of the patch is then left out
   };
 
-  RayDescent(const PatchComplex& complex, const AxisRay& ray, const Limits& limits)
-      : complex_(complex), ray_(ray), limits_(limits) {}
+  RayDescent(const AxisRay& ray, const Limits& limits) : ray_(ray), limits_(limits) {}
 
   void add_patch(std::uint32_t patch, Net net) {
     first_open_ = open_.size();
@@ -156,7 +154,8 @@ class RayDescent {
     const TensorForm& form = net.form();
     std::array<bool, 2> is_at_pole{};
     for (std::uint32_t s = 0; s < 4; ++s)
-      if (form.is_collapsed[s] && is_at_border(piece, s)) is_at_pole[1 - axis_of_side(s)] = true;
+      if (form.sides[s].is_collapsed && is_at_border(piece, s))
+        is_at_pole[1 - axis_of_side(s)] = true;
     if (is_at_pole[0] != is_at_pole[1]) return is_at_pole[0] ? 0 : 1;
     const double u = net.length(0), v = net.length(1);
     if (u == v) return piece.levels[0] <= piece.levels[1] ? 0 : 1;
@@ -182,27 +181,25 @@ class RayDescent {
       Stretch<Net> out;
       out.begin = piece.lo[along];
       out.end = piece.hi[along];
-      out.sign = runs_upward(s) ? 1 : -1;
-      out.shell = complex_.shell(piece.patch);
+      const TensorForm& form = net.form();
+      out.sign = runs_upward(s) ? form.coefficient : -form.coefficient;
+      out.shell = form.shell;
       bool is_reversed = false;
       if (!is_at_border(piece, s)) {
         out.line = std::uint64_t{piece.patch} << 2 | along << 1 | 1;
         out.place = s == 1 || s == 2 ? piece.hi[across] : piece.lo[across];
       } else {
-        if (net.form().is_collapsed[s]) continue;
-        // Parameters of an edge run as its first side is travelled, which its mate travels the other way.
-        const PatchSide side{piece.patch, s};
-        const auto mate = complex_.mate(side);
-        VT_CHECK(mate.has_value(), "an open side in a closed complex");
-        const bool is_first = side < *mate;
-        out.line = std::uint64_t{complex_.edge(side)} << 1;
-        is_reversed = runs_upward(s) != is_first;
+        const GluedSide& side = form.sides[s];
+        if (side.is_collapsed) continue;
+        // Parameters of an edge run as its forward sides are travelled.
+        out.line = std::uint64_t{side.edge} << 1;
+        is_reversed = runs_upward(s) != side.is_forward;
         if (is_reversed) {
           std::swap(out.begin, out.end);
           out.begin = Net::parameter_one() - out.begin;
           out.end = Net::parameter_one() - out.end;
         }
-        out.sign = is_first ? 1 : -1;
+        out.sign = side.is_forward ? form.coefficient : -form.coefficient;
       }
       out.curve = net.curve(s, RayView{ray_.axis, {}}, is_reversed);
       stretches_.push_back(std::move(out));
@@ -240,7 +237,6 @@ class RayDescent {
     return sum;
   }
 
-  const PatchComplex& complex_;
   const AxisRay ray_;
   const Limits limits_;
   std::size_t visits_ = 0;

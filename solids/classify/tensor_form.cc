@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
+#include "robust/base/check.h"
 #include "solids/classify/tensor_form_internal.h"
 #include "splines/bezier_triangle_algebra.h"
 
@@ -41,13 +43,7 @@ int scale_of(const PatchComplex& complex) {
              : static_cast<int>(std::clamp(most, -kLimit, kLimit));
 }
 
-TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int scale) {
-  const Patch& source = complex.patch(patch);
-  const Patch::Tensor map = tensor_of(source);
-  degrees = map.degrees();
-  is_triangle = source.is_triangle();
-  for (std::uint32_t s = 0; s < 4; ++s)
-    is_collapsed[s] = s == source.num_sides() || complex.is_collapsed({patch, s});
+TensorForm::TensorForm(const Patch::Tensor& map, int scale) : degrees(map.degrees()) {
   const std::size_t n = count();
   Integer unit(1);
   for (const Rational& x : map.coefficients()) unit = lcm(unit, x.denominator());
@@ -64,6 +60,20 @@ TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int sca
       exact[k].push_back(x.numerator() * divide_exactly(unit, x.denominator()));
       rounded[k].push_back(nearest_double(divided(x, is_weight ? weight : weight + scale)));
     }
+  }
+}
+
+TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int scale)
+    : TensorForm(tensor_of(complex.patch(patch)), scale) {
+  shell = complex.shell(patch);
+  for (std::uint32_t s = 0; s < 4; ++s) {
+    const PatchSide side{patch, s};
+    sides[s].is_collapsed = s == complex.patch(patch).num_sides() || complex.is_collapsed(side);
+    if (sides[s].is_collapsed) continue;
+    const auto mate = complex.mate(side);
+    VT_CHECK(mate.has_value(), "an open side in a closed complex");
+    sides[s].edge = complex.edge(side);
+    sides[s].is_forward = side < *mate;
   }
 }
 

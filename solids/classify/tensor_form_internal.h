@@ -12,22 +12,31 @@
 
 namespace veritope::internal {
 
+/// How a side of the square is glued: sides of one edge are the same curve, travelled forward by some of them and
+/// backward by the others, and cancel.
+struct GluedSide {
+  bool is_collapsed = false;  ///< one point, which no edge is about
+  std::uint32_t edge = 0;
+  bool is_forward = true;
+};
+
 /// Sides of the square, counterclockwise: v = 0, u = 1, v = 1, u = 0. A triangle becomes S(u, v) = map(1 - u,
 /// u (1 - v), u v): its sides 0, 1, 2 are those of the square, and side 3 is collapsed to corner 0.
 struct TensorForm {
-  static constexpr std::uint32_t kNoSide = 4;
-
   std::array<int, 2> degrees{};
-  bool is_triangle = false;
   /// Homogeneous control points (x, y, z, w), times one positive integer, component by component, v fastest.
   std::array<std::vector<Integer>, 4> exact;
   /// The control points divided by powers of two, one for x, y, z and w of the patch and one for coordinates of the
   /// model, and rounded to nearest.
   std::array<std::vector<double>, 4> rounded;
-  std::array<bool, 4> is_collapsed{};  ///< by side of the square
+  std::array<GluedSide, 4> sides{};
+  int coefficient = 1;      ///< of the patch in its chain
+  std::uint32_t shell = 0;  ///< windings are counted for each
 
   /// @param scale  the power of two by which coordinates are divided
   /// REQUIRES weights > 0, degrees up to kMaxPatchDegree.
+  TensorForm(const Patch::Tensor& map, int scale);
+  /// A patch of a closed oriented surface, glued as there.
   TensorForm(const PatchComplex& complex, std::uint32_t patch, int scale);
 
   std::size_t count() const {

@@ -8,7 +8,7 @@
 
 #include "robust/dyadic.h"
 #include "solids/classify/algebraic_number.h"
-#include "solids/classify/tensor_form_internal.h"
+#include "solids/classify/tensor_form.h"
 
 namespace veritope::internal {
 

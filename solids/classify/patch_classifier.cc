@@ -9,7 +9,7 @@
 #include "robust/base/parallel.h"
 #include "solids/classify/patch_foot_internal.h"
 #include "solids/classify/patch_octree_internal.h"
-#include "solids/classify/patch_rays_internal.h"
+#include "solids/classify/patch_rays.h"
 
 namespace veritope {
 

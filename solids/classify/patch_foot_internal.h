@@ -10,8 +10,8 @@
 #include "robust/dyadic.h"
 #include "robust/rational.h"
 #include "solids/classify/algebraic_foot_internal.h"
-#include "solids/classify/ray_point_internal.h"
-#include "solids/classify/tensor_form_internal.h"
+#include "solids/classify/ray_point.h"
+#include "solids/classify/tensor_form.h"
 
 namespace veritope::internal {
 

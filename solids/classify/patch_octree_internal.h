@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "solids/classify/cell_octree_internal.h"
-#include "solids/classify/patch_rays_internal.h"
+#include "solids/classify/patch_rays.h"
 
 namespace veritope::internal {
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/classify/patch_rays_internal.h"
+#include "solids/classify/patch_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "solids/classify/ray_descent_internal.h"
 #include "solids/classify/sheet_net_internal.h"
 
-namespace veritope::internal {
+namespace veritope {
+
+using namespace internal;
+
 namespace {
 
 constexpr int kRoundedLevels = 46;  // of 2^48 parameters
@@ -163,4 +167,18 @@ RayCount PatchRays::count_exactly(const RayPoint& point, const AxisRay& ray, int
   return finish(descent, 1);
 }
 
-}  // namespace veritope::internal
+RayCount PatchRays::count_some(const RayPoint& point, std::uint32_t first, std::uint32_t last,
+                               int levels) const {
+  const AxisRay ray = ray_from(point);
+  thread_local NetPool pool;
+  RayDescent<RoundedNet> rounded(ray, {kRoundedLevels, kRoundedVisits, kMostOpen});
+  for (std::uint32_t p = first; p < last; ++p)
+    rounded.add_patch(p, RoundedNet(forms_[p], point, pool));
+  RayCount out = finish(rounded, kTurns.size());
+  if (out.state == RayCount::State::kCounted) return out;
+  RayDescent<ExactNet> exact(ray, {levels, kExactVisits, kMostOpen});
+  for (std::uint32_t p = first; p < last; ++p) exact.add_patch(p, ExactNet(forms_[p], point));
+  return finish(exact, 1);
+}
+
+}  // namespace veritope

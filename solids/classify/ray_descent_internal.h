@@ -9,15 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "solids/classify/axis_ray.h"
 #include "solids/classify/ray_net_internal.h"
 
 namespace veritope::internal {
-
-/// A ray from a point along a coordinate axis.
-struct AxisRay {
-  std::size_t axis = 0;
-  bool is_upward = true;
-};
 
 /// How a piece lies to the line of a ray, by its closed hull.
 enum class RayPlace {
@@ -47,15 +42,6 @@ RayPlace place_of(const Net& net, const AxisRay& ray) {
   const bool is_towards_hull = side == CommonSign::kPositive ? ahead > 0 : ahead < 0;
   return is_towards_hull ? RayPlace::kMissesBackward : RayPlace::kMissesRay;
 }
-
-/// A piece that no half-line is known to miss: the point may lie on it.
-struct OpenPiece {
-  std::uint32_t patch = 0;
-  std::array<double, 2> middle{};  ///< parameters
-};
-
-/// The winding number of each shell that the ray meets.
-using ShellWindings = std::vector<std::pair<std::uint32_t, int>>;
 
 /// A part of a line of parameters where tested pieces end; its winding is counted where they do not cancel.
 template <typename Net>

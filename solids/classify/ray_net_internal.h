@@ -14,8 +14,8 @@
 
 #include "robust/dyadic.h"
 #include "solids/classify/ray_bounds.h"
-#include "solids/classify/ray_point_internal.h"
-#include "solids/classify/tensor_form_internal.h"
+#include "solids/classify/ray_point.h"
+#include "solids/classify/tensor_form.h"
 #include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <cmath>
 
-#include "solids/classify/ray_point_internal.h"
+#include "solids/classify/ray_point.h"
 
-namespace veritope::internal {
+namespace veritope {
 
 // Dividing a double by a power of two is exact, or loses less than 2^-1074.
 RayPoint::RayPoint(const Vec3d& p, int scale) : given_(p) {
@@ -45,4 +45,4 @@ RayPoint::Fractions RayPoint::fractions() const {
   return out;
 }
 
-}  // namespace veritope::internal
+}  // namespace veritope

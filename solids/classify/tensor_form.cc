@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "robust/base/check.h"
-#include "solids/classify/tensor_form_internal.h"
+#include "solids/classify/tensor_form.h"
 #include "splines/bezier_triangle_algebra.h"
 
-namespace veritope::internal {
+namespace veritope {
 namespace {
 
 // floor(log2 |x|) or one more.
@@ -77,4 +77,4 @@ TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int sca
   }
 }
 
-}  // namespace veritope::internal
+}  // namespace veritope

@@ -6,7 +6,7 @@
 
 #include "models/patch_shapes.h"
 #include "robust/base/random.h"
-#include "solids/classify/patch_rays_internal.h"
+#include "solids/classify/patch_rays.h"
 #include "tests/solids/patch_support.h"
 
 namespace veritope {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/classify/patch_rays_internal.h: the winding number of a closed patch complex around a point, by a ray along a
-// coordinate axis: in doubles where they decide, else in integers. Theory: docs/THEORY.md, POINT-3. Internal to
-// solids/classify.
+// solids/classify/patch_rays.h: the winding number of a closed patch complex around a point, by a ray along a
+// coordinate axis: in doubles where they decide, else in integers. Theory: docs/THEORY.md, POINT-3.
 #pragma once
 #include <vector>
 
-#include "solids/classify/ray_descent_internal.h"
+#include "solids/classify/axis_ray.h"
+#include "solids/classify/ray_point.h"
+#include "solids/classify/tensor_form.h"
 #include "solids/pieces/box_hierarchy.h"
 
-namespace veritope::internal {
+namespace veritope {
 
 /// What a ray found.
 struct RayCount {
@@ -38,6 +39,11 @@ class PatchRays {
   /// Whether hulls of pieces, cut until they are small beside the box, all miss it; the box is divided as the nets.
   bool misses(const Box3d& box) const;
 
+  /// The windings that patches first, ..., last - 1, a closed chain, have around the point, along ray_from; in doubles,
+  /// then in integers, down to pieces of 2^-levels of a patch. Open if the point may be on one of them.
+  RayCount count_some(const RayPoint& point, std::uint32_t first, std::uint32_t last,
+                      int levels) const;
+
   /// The ray along which the point is nearest to the end of the hull.
   AxisRay ray_from(const RayPoint& point) const;
   /// @param shell  patches of other shells are ignored; PatchComplex::kNone: none is
@@ -58,4 +64,4 @@ class PatchRays {
   BoxHierarchy boxes_;
 };
 
-}  // namespace veritope::internal
+}  // namespace veritope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/classify/tensor_form_internal.h: a patch as a tensor-product map of [0,1]^2, in integers and in doubles, so
-// that rays treat triangles and tensor patches alike. Internal to solids/classify.
+// solids/classify/tensor_form.h: a patch as a tensor-product map of [0,1]^2, in integers and in doubles, so
+// that rays treat triangles and tensor patches alike.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include "robust/integer.h"
 #include "solids/patches/patch_complex.h"
 
-namespace veritope::internal {
+namespace veritope {
 
 /// How a side of the square is glued: sides of one edge are the same curve, travelled forward by some of them and
 /// backward by the others, and cancel.
@@ -62,4 +62,4 @@ inline bool runs_upward(std::uint32_t side) { return side < 2; }
 /// are zero.
 int scale_of(const PatchComplex& complex);
 
-}  // namespace veritope::internal
+}  // namespace veritope

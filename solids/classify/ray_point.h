@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/classify/ray_point_internal.h: a point from which rays start, in doubles with bounds and, on demand, in
-// integers. Internal to solids/classify.
+// solids/classify/ray_point.h: a point from which rays start, in doubles with bounds and, on demand, in
+// integers.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include "robust/integer.h"
 #include "solids/classify/point_answer.h"
 
-namespace veritope::internal {
+namespace veritope {
 
 class RayPoint {
  public:
@@ -40,4 +40,4 @@ class RayPoint {
   Box3d box_{};
 };
 
-}  // namespace veritope::internal
+}  // namespace veritope

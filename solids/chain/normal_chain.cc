@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/chain/normal_chain.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robust/base/fp_guard.h"
+#include "solids/classify/patch_rays.h"
+#include "solids/pieces/box_hierarchy.h"
+
+namespace veritope {
+namespace {
+
+// The determinant of b - a, c - a, d - a.
+Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                 const ExactPoint& d) {
+  std::array<ExactPoint, 3> m;
+  for (std::size_t k = 0; k < 3; ++k) {
+    m[0][k] = b[k] - a[k];
+    m[1][k] = c[k] - a[k];
+    m[2][k] = d[k] - a[k];
+  }
+  return (m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+          m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]))
+      .sign();
+}
+
+Box3d box_of(const BaseTriangle& t) {
+  Box3d out = empty_box();
+  for (const PatchPoint& p : t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      out.lo[k] = std::min(out.lo[k], round_down(p[k]));
+      out.hi[k] = std::max(out.hi[k], round_up(p[k]));
+    }
+  return out;
+}
+
+Box3d box_of(const ExactPoint& p) {
+  Box3d out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.lo[k] = round_down(p[k]);
+    out.hi[k] = round_up(p[k]);
+  }
+  return out;
+}
+
+// How the simplex from the origin over a triangle lies to a point: its coefficient if the point is in its interior, 0 if
+// it is off the closed simplex or that has no interior; nothing on its boundary.
+std::optional<int> simplex_value(const BaseTriangle& t, const ExactPoint& origin,
+                                 const ExactPoint& q) {
+  const Sign sign = orientation(origin, t[0], t[1], t[2]);
+  if (sign == 0) return 0;
+  const std::array<Sign, 4> sides{
+      orientation(q, t[0], t[1], t[2]), orientation(origin, q, t[1], t[2]),
+      orientation(origin, t[0], q, t[2]), orientation(origin, t[0], t[1], q)};
+  bool is_on_side = false;
+  for (const Sign s : sides) {
+    if (s * sign == Sign::kNegative) return 0;
+    is_on_side = is_on_side || s == 0;
+  }
+  if (is_on_side) return std::nullopt;
+  return to_int(sign);
+}
+
+}  // namespace
+
+class NormalChain::Body {
+ public:
+  explicit Body(const PatchComplex& complex) : scale_(scale_of(complex)), surface_(complex) {
+    std::vector<TensorForm> forms;
+    std::vector<Box3d> boxes;
+    std::uint32_t cell = 0;
+    for (const Patch& patch : complex.patches()) {
+      for (const BaseTriangle& t : base_triangles(patch)) {
+        bases_.push_back(t);
+        boxes_of_bases_.push_back(box_of(t));
+      }
+      const CellSign sign = cell_sign(patch);
+      ++(sign == CellSign::kPlus    ? counts_.plus
+         : sign == CellSign::kMinus ? counts_.minus
+         : sign == CellSign::kZero  ? counts_.zero
+                                    : counts_.mixed);
+      if (patch.is_flat_triangle()) continue;  // it is its base
+      first_.push_back(static_cast<std::uint32_t>(forms.size()));
+      Box3d hull = empty_box();
+      for (TensorForm& form : free_form_cell(patch, scale_, cell * kEdgesOfCell, cell)) {
+        hull = veritope::hull(hull, hull_of(form));
+        forms.push_back(std::move(form));
+      }
+      boxes.push_back(hull);
+      ++cell;
+    }
+    first_.push_back(static_cast<std::uint32_t>(forms.size()));
+    cells_ = BoxHierarchy(boxes);
+    rays_.emplace(std::move(forms), scale_);
+  }
+
+  std::optional<int> value(const ExactPoint& q, const ExactPoint& origin) const {
+    if (const auto sum = value_off_walls(q, origin)) return sum;
+    // Beside it, in a direction without a pattern, nearer and nearer until no patch is between.
+    const std::array<Rational, 3> away{Rational(3) / Rational(7), Rational(5) / Rational(11),
+                                       Rational(-8) / Rational(13)};
+    for (int bits = 10; bits <= 200; bits += 10) {
+      const Rational step = Rational::power_of_two(scale_ - bits);
+      ExactPoint beside = q;
+      for (std::size_t k = 0; k < 3; ++k) beside[k] += step * away[k];
+      const RayPoint a(q, scale_), b(beside, scale_);
+      if (!surface_.misses(veritope::hull(a.box(), b.box()))) continue;
+      if (const auto sum = value_off_walls(beside, origin)) return sum;
+    }
+    return std::nullopt;
+  }
+
+  CellCounts simplices(const ExactPoint& origin) const {
+    CellCounts out;
+    for (const BaseTriangle& t : bases_) {
+      const Sign s = orientation(origin, t[0], t[1], t[2]);
+      ++(s > 0 ? out.plus : s < 0 ? out.minus : out.zero);
+    }
+    return out;
+  }
+  const CellCounts& free_form_cells() const { return counts_; }
+
+ private:
+  // Of the control points, divided.
+  static Box3d hull_of(const TensorForm& form) {
+    Box3d out = empty_box();
+    for (std::size_t i = 0; i < form.count(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Rounded twice: by less than 2^-50 of the coordinate.
+        const double x = form.rounded[k][i] / form.rounded[3][i],
+                     slack = 0x1p-50 * std::abs(x) + 0x1p-1000;
+        out.lo[k] = std::min(out.lo[k], x - slack);
+        out.hi[k] = std::max(out.hi[k], x + slack);
+      }
+    return out;
+  }
+
+  // Nothing on a wall, or where it is open whether the point is on one.
+  std::optional<int> value_off_walls(const ExactPoint& q, const ExactPoint& origin) const {
+    int sum = 0;
+    const Box3d at = box_of(q), from = box_of(origin);
+    for (std::size_t i = 0; i < bases_.size(); ++i) {
+      if (!meets(veritope::hull(boxes_of_bases_[i], from), at)) continue;
+      const auto value = simplex_value(bases_[i], origin, q);
+      if (!value) return std::nullopt;
+      sum += *value;
+    }
+    constexpr int kLevels = 256;
+    const RayPoint point(q, scale_);
+    bool is_on_wall = false;
+    cells_.visit([&](const Box3d& box) { return !is_on_wall && meets(box, point.box()); },
+                 [&](std::uint32_t cell) {
+                   const RayCount count =
+                       rays_->count_some(point, first_[cell], first_[cell + 1], kLevels);
+                   is_on_wall = is_on_wall || count.state != RayCount::State::kCounted;
+                   for (const auto& [shell, winding] : count.windings) sum += winding;
+                 });
+    if (is_on_wall) return std::nullopt;
+    return sum;
+  }
+
+  const int scale_;
+  const PatchRays surface_;
+  std::vector<BaseTriangle> bases_;
+  std::vector<Box3d> boxes_of_bases_;
+  std::optional<PatchRays> rays_;     // the patches of all free-form cells
+  std::vector<std::uint32_t> first_;  // of each cell
+  BoxHierarchy cells_;
+  CellCounts counts_;
+};
+
+NormalChain::NormalChain(const PatchComplex& complex) {
+  const ScopedDefaultFp nearest;
+  body_ = std::make_unique<const Body>(complex);
+}
+NormalChain::NormalChain(NormalChain&&) noexcept = default;
+NormalChain::~NormalChain() = default;
+
+std::optional<int> NormalChain::value(const ExactPoint& point, const ExactPoint& origin) const {
+  const ScopedDefaultFp nearest;
+  return body_->value(point, origin);
+}
+CellCounts NormalChain::simplices(const ExactPoint& origin) const {
+  return body_->simplices(origin);
+}
+CellCounts NormalChain::free_form_cells() const { return body_->free_form_cells(); }
+
+}  // namespace veritope

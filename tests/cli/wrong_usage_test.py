@@ -132,7 +132,7 @@ INPUTS = [
     ("explain-certificate a.off", 4, "a.off: not a certificate, as certify --certificate F writes it"),
     ("classify a.off models", 4, "models: cannot be read: it is a directory"),
     ("boolean A A=none.off -o e.json", 4, "operand A: none.off: cannot be read: No such file or directory"),
-    ("boolean A A=cube.itd -o e.json", 3, "curved solids are not covered yet by expressions"),
+    ("boolean A A=notes.txt -o e.json", 4, "operand A: notes.txt"),
     ("project 0,0,0 a.off", 4, "this is a mesh (off); needed is a file of splines"),
     ("certify part.step", 4, "this is a STEP file: not read yet"),
     ("certify note.txt", 4, "neither the ending of the name nor the content says"),

@@ -17,26 +17,35 @@ const uint32_t kRound[64] = {
 
 inline uint32_t rotated(uint32_t x, int n) { return x >> n | x << (32 - n); }
 
+// One round. It computes the new first word at *h and the new fifth word at *d; the other six words only move on.
+inline void sha256_round(uint32_t a, uint32_t b, uint32_t c, uint32_t* d, uint32_t e, uint32_t f,
+                         uint32_t g, uint32_t* h, uint32_t added) {
+  const uint32_t t =
+      *h + (rotated(e, 6) ^ rotated(e, 11) ^ rotated(e, 25)) + ((e & f) ^ (~e & g)) + added;
+  *d += t;
+  *h = t + (rotated(a, 2) ^ rotated(a, 13) ^ rotated(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
+}
+
 inline void sha256_block(uint32_t* h, const uint8_t* p) {
-  uint32_t w[64] = {0}, s[8];
-  std::copy(h, h + 8, s);
-  for (int i = 0; i < 64; ++i) w[i / 4] = w[i / 4] << 8 | p[i];
-  for (int i = 0; i < 64; ++i) {
-    if (i >= 16) {
-      const uint32_t a = w[i - 15], b = w[i - 2];
-      w[i] = w[i - 16] + w[i - 7] + (rotated(a, 7) ^ rotated(a, 18) ^ a >> 3) +
-             (rotated(b, 17) ^ rotated(b, 19) ^ b >> 10);
-    }
-    const uint32_t a = s[0], e = s[4];
-    const uint32_t t = s[7] + (rotated(e, 6) ^ rotated(e, 11) ^ rotated(e, 25)) +
-                       ((e & s[5]) ^ (~e & s[6])) + kRound[i] + w[i];
-    const uint32_t u = (rotated(a, 2) ^ rotated(a, 13) ^ rotated(a, 22)) +
-                       ((a & s[1]) ^ (a & s[2]) ^ (s[1] & s[2]));
-    std::copy_backward(s, s + 7, s + 8);
-    s[4] += t;
-    s[0] = t + u;
+  uint32_t w[64], a = h[0], b = h[1], c = h[2], d = h[3], e = h[4], f = h[5], g = h[6], k = h[7];
+  for (int i = 0; i < 16; ++i, p += 4)
+    w[i] = uint32_t(p[0]) << 24 | uint32_t(p[1]) << 16 | uint32_t(p[2]) << 8 | p[3];
+  for (int i = 16; i < 64; ++i) {
+    const uint32_t x = w[i - 15], y = w[i - 2];
+    w[i] = w[i - 16] + w[i - 7] + (rotated(x, 7) ^ rotated(x, 18) ^ x >> 3) +
+           (rotated(y, 17) ^ rotated(y, 19) ^ y >> 10);
   }
-  for (int i = 0; i < 8; ++i) h[i] += s[i];
+  for (int i = 0; i < 64; i += 8) {  // the eight words change their names instead of their places
+    sha256_round(a, b, c, &d, e, f, g, &k, kRound[i] + w[i]);
+    sha256_round(k, a, b, &c, d, e, f, &g, kRound[i + 1] + w[i + 1]);
+    sha256_round(g, k, a, &b, c, d, e, &f, kRound[i + 2] + w[i + 2]);
+    sha256_round(f, g, k, &a, b, c, d, &e, kRound[i + 3] + w[i + 3]);
+    sha256_round(e, f, g, &k, a, b, c, &d, kRound[i + 4] + w[i + 4]);
+    sha256_round(d, e, f, &g, k, a, b, &c, kRound[i + 5] + w[i + 5]);
+    sha256_round(c, d, e, &f, g, k, a, &b, kRound[i + 6] + w[i + 6]);
+    sha256_round(b, c, d, &e, f, g, k, &a, kRound[i + 7] + w[i + 7]);
+  }
+  h[0] += a, h[1] += b, h[2] += c, h[3] += d, h[4] += e, h[5] += f, h[6] += g, h[7] += k;
 }
 
 inline std::string sha256(const void* data, uint64_t size) {

@@ -3,39 +3,68 @@
 #pragma once
 #include "../common/numbers.h"
 
-// Limbs, the first few of them without an allocation: most integers here have one to three.
+// Limbs, the first few of them without an allocation: most integers here have one to three. Small, because a model may
+// have millions of numbers.
 class LimbList {
  public:
-  size_t size() const { return far_.empty() ? near_size_ : far_.size(); }
-  bool empty() const { return size() == 0; }
-  const uint64_t* begin() const { return far_.empty() ? near_ : far_.data(); }
-  const uint64_t* end() const { return begin() + size(); }
-  uint64_t* begin() { return far_.empty() ? near_ : far_.data(); }
-  uint64_t* end() { return begin() + size(); }
+  LimbList() {}
+  LimbList(const LimbList& a) : at_(a.at_) {
+    if (!a.is_far()) size_ = a.size_;
+    if (a.is_far()) assign(a);
+  }
+  LimbList(LimbList&& a) noexcept : size_(a.size_), room_(a.room_), at_(a.at_) {
+    a.size_ = 0, a.room_ = kNear;
+  }
+  LimbList& operator=(const LimbList& a) {
+    if (this != &a) assign(a);
+    return *this;
+  }
+  LimbList& operator=(LimbList&& a) noexcept {
+    std::swap(size_, a.size_), std::swap(room_, a.room_), std::swap(at_, a.at_);
+    return *this;
+  }
+  ~LimbList() {
+    if (is_far()) delete[] at_.far;
+  }
+  size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const uint64_t* begin() const { return is_far() ? at_.far : at_.near; }
+  const uint64_t* end() const { return begin() + size_; }
+  uint64_t* begin() { return is_far() ? at_.far : at_.near; }
+  uint64_t* end() { return begin() + size_; }
   uint64_t operator[](size_t i) const { return begin()[i]; }
   uint64_t& operator[](size_t i) { return begin()[i]; }
-  uint64_t back() const { return begin()[size() - 1]; }
-  uint64_t& back() { return begin()[size() - 1]; }
-  void push_back(uint64_t limb) { resize(size() + 1, limb); }
+  uint64_t back() const { return begin()[size_ - 1]; }
+  uint64_t& back() { return begin()[size_ - 1]; }
+  void push_back(uint64_t limb) { resize(size_ + 1, limb); }
   void resize(size_t n, uint64_t limb) {
-    if (far_.empty() && n <= kNear) {
-      for (size_t i = near_size_; i < n; ++i) near_[i] = limb;
-      near_size_ = n;
-    } else {
-      if (far_.empty()) far_.assign(near_, near_ + near_size_);
-      near_size_ = 0;
-      far_.resize(n, limb);
+    if (n > room_) {
+      const size_t room = std::max<size_t>(n, 2 * room_);
+      uint64_t* const far = new uint64_t[room];
+      std::copy(begin(), end(), far);
+      if (is_far()) delete[] at_.far;
+      at_.far = far, room_ = uint32_t(room);
     }
+    if (n > size_) std::fill(end(), begin() + n, limb);
+    size_ = uint32_t(n);
   }
   friend bool operator==(const LimbList& a, const LimbList& b) {
-    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+    return a.size_ == b.size_ && std::equal(a.begin(), a.end(), b.begin());
   }
 
  private:
-  static constexpr size_t kNear = 4;
-  uint64_t near_[kNear] = {};
-  size_t near_size_ = 0;  // 0 if the limbs are far
-  std::vector<uint64_t> far_;
+  static constexpr uint32_t kNear = 4;
+  bool is_far() const { return room_ > kNear; }
+  void assign(const LimbList& a) {
+    resize(a.size_, 0);
+    std::copy(a.begin(), a.end(), begin());
+  }
+
+  uint32_t size_ = 0, room_ = kNear;
+  union {
+    uint64_t near[kNear];
+    uint64_t* far;
+  } at_ = {{}};
 };
 
 struct Big {
@@ -70,6 +99,7 @@ struct Big {
     neg = neg && !m.empty();
     return *this;
   }
+  bool is_one() const { return !neg && m.size() == 1 && m[0] == 1; }
   int sign() const { return m.empty() ? 0 : neg ? -1 : 1; }
   int64_t bits() const {  // the magnitude's
     return m.empty() ? 0 : 64 * int64_t(m.size()) - 64 + bit_length(m.back());
@@ -108,6 +138,12 @@ inline Big operator-(const Big& a, const Big& b) { return a + -b; }
 inline Big operator*(const Big& a, const Big& b) {
   Big r;
   r.neg = a.neg != b.neg;
+  if (a.m.size() == 1 && b.m.size() == 1) {
+    const u128 product = u128(a.m[0]) * b.m[0];
+    r.m.push_back(uint64_t(product));
+    if (product >> 64 != 0) r.m.push_back(uint64_t(product >> 64));
+    return r;
+  }
   r.m.resize(a.m.size() + b.m.size(), 0);
   for (size_t i = 0; i < a.m.size(); ++i) {
     u128 carry = 0;
@@ -120,6 +156,7 @@ inline Big operator*(const Big& a, const Big& b) {
   return r.trim();
 }
 inline Big shifted(const Big& a, int64_t up) {  // a 2^up; if up < 0, the magnitude is rounded down
+  if (up == 0) return a;
   Big r;
   r.neg = a.neg;
   const int64_t limbs = up >= 0 ? up / 64 : -((63 - up) / 64), n = int64_t(a.m.size());
@@ -132,7 +169,10 @@ inline Big shifted(const Big& a, int64_t up) {  // a 2^up; if up < 0, the magnit
   }
   return r.trim();
 }
-inline int compare(const Big& a, const Big& b) { return (a - b).sign(); }
+inline int compare(const Big& a, const Big& b) {
+  if (a.neg != b.neg) return a.neg ? -1 : 1;
+  return a.neg ? compare_magnitudes(b, a) : compare_magnitudes(a, b);
+}
 inline bool operator==(const Big& a, const Big& b) { return a.neg == b.neg && a.m == b.m; }
 inline bool operator<(const Big& a, const Big& b) { return compare(a, b) < 0; }
 
@@ -192,7 +232,7 @@ inline Big gcd(Big a, Big b) {  // >= 0
   while (!b.m.empty()) {  // powers of two were counted, and may be divided out of either
     if (!a.m.empty()) a = shifted(a, -a.zeros());
     b = shifted(b, -b.zeros());
-    if (b == Big(1)) return shifted(b, twos);
+    if (b.is_one()) return shifted(b, twos);
     if (a.m.size() <= 1 && b.m.size() == 1) {
       uint64_t x = a.m.empty() ? 0 : a.m[0], y = b.m[0];
       for (; x != 0; std::swap(x, y)) y %= x;
@@ -207,14 +247,16 @@ inline Big gcd(Big a, Big b) {  // >= 0
   return a.m.empty() ? a : shifted(shifted(a, -a.zeros()), twos);
 }
 
-struct Ratio {  // n / d, d > 0; results of functions are in lowest terms
+struct
+    Ratio {  // n / d, d > 0; results of functions are in lowest terms, and then equal iff n and d are
   Big n, d;
-  Ratio(const Big& num = Big(), const Big& den = Big(1)) : n(num), d(den) {}
+  Ratio(Big num = Big(), Big den = Big(1)) : n(std::move(num)), d(std::move(den)) {}
 };
+inline bool operator==(const Ratio& a, const Ratio& b) { return a.n == b.n && a.d == b.d; }
 inline int compare(const Ratio& a, const Ratio& b) { return compare(a.n * b.d, b.n * a.d); }
 inline Ratio lowest(const Ratio& a) {
   const Big g = gcd(a.n, a.d);
-  if (g == Big(1)) return a;
+  if (g.is_one()) return a;
   return Ratio(divide(a.n, g, nullptr), divide(a.d, g, nullptr));
 }
 inline Ratio operator-(const Ratio& a, const Ratio& b) {

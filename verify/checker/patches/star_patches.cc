@@ -10,17 +10,19 @@ namespace {
 std::vector<Big> integers(const std::vector<Ratio>& v, int64_t most) {
   Big factor = 1, common;
   for (const Ratio& x : v) {
+    if (x.d.is_one()) continue;
     factor = factor * divide(x.d, gcd(factor, x.d), nullptr);
     require(factor.bits() <= most, "B2", "a common denominator has more bits than", uint64_t(most));
   }
   std::vector<Big> r;
+  r.reserve(v.size());
   for (const Ratio& x : v) {
-    r.push_back(x.n * divide(factor, x.d, nullptr));
+    r.push_back(factor.is_one() ? x.n : x.n * divide(factor, x.d, nullptr));
     require(r.back().bits() <= most, "B2", "a number has more bits than", uint64_t(most));
   }
-  for (size_t i = r.size(); i-- > 0 && !(common == Big(1));) common = gcd(common, r[i]);
+  for (size_t i = r.size(); i-- > 0 && !common.is_one();) common = gcd(common, r[i]);
   for (Big& x : r)
-    if (!(common == Big(1)) && common.sign() != 0) x = divide(x, common, nullptr);
+    if (!common.is_one() && common.sign() != 0) x = divide(x, common, nullptr);
   return r;
 }
 
@@ -72,6 +74,7 @@ std::vector<Big> window(const Entity& e, const size_t* first, size_t p, size_t q
                         int64_t unit) {
   const size_t components = size_t(e.components);
   std::vector<Ratio> r;
+  r.reserve(4 * p * q);
   for (size_t i = 0; i < p; ++i)
     for (size_t j = 0; j < q; ++j)
       for (size_t c = 0; c < 4; ++c) {
@@ -102,7 +105,7 @@ std::vector<Big> extracted(const Entity& e, const Extraction& u, const Extractio
         if (u.matrix[i][k].sign() != 0)
           r[i * 4 * q + j] = r[i * 4 * q + j] + u.matrix[i][k] * half[k * 4 * q + j];
   Big common;
-  for (size_t i = r.size(); i-- > 0 && !(common == Big(1));) common = gcd(common, r[i]);
+  for (size_t i = r.size(); i-- > 0 && !common.is_one();) common = gcd(common, r[i]);
   for (Big& x : r) x = divide(x, common, nullptr);
   return r;
 }

@@ -25,12 +25,13 @@ const char kUsage[] =
     "--claims prints the claims that it decides, with the keys of their statements.";
 
 std::string read_file(const std::string& name) {
-  struct stat status;
+  struct stat status = {};
   if (stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
     throw Refused{"is not a regular file"};
   std::FILE* const file = std::fopen(name.c_str(), "rb");
   if (file == nullptr) throw Refused{"cannot be opened"};
   std::string bytes;
+  bytes.reserve(size_t(status.st_size));
   char part[65536];
   for (size_t n; (n = std::fread(part, 1, sizeof part, file)) > 0;) bytes.append(part, n);
   const bool failed = std::ferror(file) != 0;

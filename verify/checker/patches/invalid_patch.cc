@@ -30,6 +30,7 @@ struct Reader : InvalidBytes {
     Sides r;
     const uint64_t n = body.count(5);
     require(n >= 1, "B1", "there are no arcs");
+    r.arcs.reserve(n);
     for (uint64_t i = 0; i < n; ++i) {
       Arc a;
       a.patch = patch();
@@ -82,14 +83,16 @@ struct Outer {
 };
 Outer outer_sides(const Cuts& cuts) {
   Outer r;
-  each_patch(cuts, outer_patches(cuts), [&](Patch&& p, uint64_t number) {
+  const std::vector<uint64_t> patches = outer_patches(cuts);
+  r.sides.reserve(4 * patches.size());
+  each_patch(cuts, patches, [&](Patch&& p, uint64_t number) {
     for (int e = 0; e < p.shape.sides(); ++e) {
       if (!p.is_outer[e]) continue;
       ++r.number;
-      const Curve c = side_curve(p, e, false);
+      Curve c = side_curve(p, e, false);
       if (!is_point(c))
-        r.sides.push_back(
-            OuterSide{number, e, cuts.reversed[cuts.entity_of(number)], p.is_rational, c});
+        r.sides.push_back(OuterSide{number, e, cuts.reversed[cuts.entity_of(number)], p.is_rational,
+                                    std::move(c)});
     }
   });
   return r;

@@ -45,13 +45,17 @@ Curve curve_of(const Arc& a, const OuterSide& side) {  // before the flag revers
 }
 void check_curves(const Sides& s, const std::vector<OuterSide>& outer, bool has_flags,
                   uint64_t same, uint64_t opposite) {
-  std::string forward, backward;
+  const OuterSide& of_first = *side_of(s.arcs[0], outer);
+  const Curve first = curve_of(s.arcs[0], of_first), lowest = canonical(first);
+  const std::string forward = text(lowest, of_first.is_reversed);
+  const std::string backward = text(lowest, !of_first.is_reversed);
   uint64_t count[2] = {0, 0};
   for (size_t i = 0; i < s.arcs.size(); ++i) {
     const OuterSide& side = *side_of(s.arcs[i], outer);
-    const Curve c = canonical(curve_of(s.arcs[i], side));
-    const std::string one = text(c, side.is_reversed);
-    if (i == 0) forward = one, backward = text(c, !side.is_reversed);
+    const Curve c = curve_of(s.arcs[i], side);
+    // A copy of a patch has the same coefficients, so that its text is known.
+    const bool is_copy = c == first && side.is_reversed == of_first.is_reversed;
+    const std::string one = is_copy ? forward : text(canonical(c), side.is_reversed);
     require(one == forward || one == backward, "D2", "another curve than the first's: arc", i);
     ++count[one == forward ? 0 : 1];
   }

@@ -34,6 +34,7 @@ bool reduce(Curve* c) {
 Curve side_curve(const Patch& p, int e, bool reversed) {
   const int n = p.shape.side_degree(e);
   Curve c;
+  c.reserve(4 * size_t(n + 1));
   for (int k = 0; k <= n; ++k) {
     const int at = p.shape.on_side(e, reversed ? n - k : k);
     c.insert(c.end(), p.net.begin() + 4 * at, p.net.begin() + 4 * at + 4);
@@ -48,6 +49,7 @@ bool is_point(const Curve& c) {
 
 std::string text(const Curve& c, bool reversed) {
   std::string s;
+  s.reserve(13 * c.size());
   for (size_t i = 0; i < c.size(); ++i) {
     const Big& x = c[reversed ? c.size() - 4 - (i - i % 4) + i % 4 : i];
     s += char(1 + x.sign());
@@ -98,6 +100,7 @@ void cut_before(std::vector<Big>* d, size_t n, const Part& t) {
 }  // namespace
 
 std::vector<Big> restricted(std::vector<Big> row, size_t points, const Part& t) {
+  if (t.a == 0 && t.b == int64_t(1) << t.k) return row;
   const size_t n = row.size() / points;
   cut_behind(&row, n, t);
   if (t.a < t.b) cut_before(&row, n, t);

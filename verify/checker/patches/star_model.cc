@@ -42,6 +42,7 @@ int64_t exponent(std::string s) {
 Ratio read_number(std::string s) {
   const bool below = !s.empty() && s[0] == '-';
   if (!s.empty() && (below || s[0] == '+')) s.erase(0, 1);
+  if (s.size() < 19 && is_natural(s)) return Big(below ? -std::stoll(s) : std::stoll(s));
   Ratio r;
   const size_t slash = s.find('/');
   if (slash != s.npos) {
@@ -174,8 +175,9 @@ std::vector<Entity> read_entities(const std::string& file, const std::string& fo
 std::vector<Entity> read_spline_model(const std::string& file, const std::string& format) {
   const size_t end = std::min(format.find("-faces"), format.size());
   const bool has_volumes = end < format.size();
-  const std::vector<Entity> entities = read_entities(file, format.substr(0, end), has_volumes);
-  return has_volumes ? boundary_faces(entities) : entities;
+  std::vector<Entity> entities = read_entities(file, format.substr(0, end), has_volumes);
+  if (has_volumes) return boundary_faces(entities);
+  return entities;
 }
 
 std::vector<Entity> read_volumes(const std::string& file, const std::string& format) {

@@ -30,6 +30,7 @@ struct Reader {
   size_t& at;
   const bool has_volumes;
   uint64_t groups = 0;
+  Numbers last;  // of the entity before, whose copies share them
 
   Reader(const std::string& file, bool volumes, size_t* begin)
       : text(file), at(*begin), has_volumes(volumes) {}
@@ -125,20 +126,20 @@ struct Reader {
   }
   // Calls value(i) to read the value of keys[i].
   template <class Value>
-  void object(const std::vector<std::string>& keys, Value value) {
-    std::vector<bool> seen(keys.size());
+  void object(std::initializer_list<const char*> keys, Value value) {
+    uint64_t seen = 0;  // a bit for each key
     take('{');
     if (next() != '}') do {
         next();
         const std::string key = string();
         const size_t i = size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
-        expect(i < keys.size() && !seen[i], "a key is unknown or occurs twice");
-        seen[i] = true;
+        expect(i < keys.size() && (seen >> i & 1) == 0, "a key is unknown or occurs twice");
+        seen |= uint64_t(1) << i;
         take(':');
         value(i);
       } while (take_if(','));
     take('}');
-    expect(std::find(seen.begin(), seen.end(), false) == seen.end(), "a key is missing");
+    expect(seen + 1 == uint64_t(1) << keys.size(), "a key is missing");
   }
   void any(int depth) {
     expect(depth < kMostDepth, "nested too deep");
@@ -211,7 +212,10 @@ struct Reader {
     }
     expect(e.components >= 0 && flat.size() == count * uint64_t(e.components),
            "a point has another number of components");
-    e.numbers = std::move(flat);
+    const std::vector<Ratio>& known = last;
+    if (flat != known) last = std::move(flat);
+    e.numbers = last;
+    e.places.reserve(count);
     for (uint64_t i = 0; i < count; ++i) e.places.push_back(i);
     check_entity(e, periodic);
     return e;

@@ -17,7 +17,7 @@ const uint32_t kRound[64] = {
 
 inline uint32_t rotated(uint32_t x, int n) { return x >> n | x << (32 - n); }
 
-// One round. It changes two words: *h, the first word of the next round, and *d, the fifth one; the other six move on.
+// One round. It computes the new first word at *h and the new fifth word at *d; the other six words only move on.
 inline void sha256_round(uint32_t a, uint32_t b, uint32_t c, uint32_t* d, uint32_t e, uint32_t f,
                          uint32_t g, uint32_t* h, uint32_t added) {
   const uint32_t t =

@@ -53,7 +53,7 @@ void check_curves(const Sides& s, const std::vector<OuterSide>& outer, bool has_
   for (size_t i = 0; i < s.arcs.size(); ++i) {
     const OuterSide& side = *side_of(s.arcs[i], outer);
     const Curve c = curve_of(s.arcs[i], side);
-    // Copies of a patch have the same coefficients, too.
+    // A copy of a patch has the same coefficients, so that its text is known.
     const bool is_copy = c == first && side.is_reversed == of_first.is_reversed;
     const std::string one = is_copy ? forward : text(canonical(c), side.is_reversed);
     require(one == forward || one == backward, "D2", "another curve than the first's: arc", i);

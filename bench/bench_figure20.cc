@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_figure20.cc [--svg FILE] [--points N]: figure 20 of seed 001 [GRF03]: how many systems of a ray and a patch
-// are solved for N uniform points, by extended simplicial chains and by counting crossings of a ray (Jordan), for
-// solids of PN triangles. Both reject patches first by the same prism: the control points over the base triangle, between
-// two planes across its normal and three planes along it, parallel to the edges. The chain begins a solve for each prism
-// that holds the point, Jordan for each prism that its ray meets. One JSON line for each solid and number of points.
+// bench/bench_figure20.cc [--svg FILE] [--points N]: figure 20 of seed 001 [GRF03]: how many systems of a ray and a
+// patch are solved for N uniform points, by extended simplicial chains and by counting crossings of a ray (Jordan), for
+// solids of PN triangles. Both reject patches first by the same prism: the control points over the base triangle,
+// between two planes across its normal and three planes along it, parallel to the edges. The chain begins a solve for
+// each prism that holds the point, Jordan for each prism that its ray meets. One JSON line for each solid and number of
+// points.
 #include <algorithm>
 #include <array>
 #include <cmath>

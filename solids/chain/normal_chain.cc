@@ -45,8 +45,8 @@ Box3d box_of(const ExactPoint& p) {
   return out;
 }
 
-// How the simplex from the origin over a triangle lies to a point: its coefficient if the point is in its interior, 0 if
-// it is off the closed simplex or that has no interior; nothing on its boundary.
+// How the simplex from the origin over a triangle lies to a point: its coefficient if the point is in its interior, 0
+// if it is off the closed simplex or that has no interior; nothing on its boundary.
 std::optional<int> simplex_value(const BaseTriangle& t, const ExactPoint& origin,
                                  const ExactPoint& q) {
   const Sign sign = orientation(origin, t[0], t[1], t[2]);
@@ -123,7 +123,7 @@ class NormalChain::Body {
   const CellCounts& free_form_cells() const { return counts_; }
 
  private:
-  // Of the control points, divided.
+  // The box of the control points, divided.
   static Box3d hull_of(const TensorForm& form) {
     Box3d out = empty_box();
     for (std::size_t i = 0; i < form.count(); ++i)

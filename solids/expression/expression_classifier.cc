@@ -61,7 +61,7 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) 
   return on_walls(point, formula.folded(value_of));
 }
 
-// ESC-4: the point is on the boundaries of all operands of `rest`.
+// POINT-3: the point is on the boundaries of all operands of `rest`.
 template <typename Point>
 PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest) const {
   if (rest.num_literals() == 1) return PointWord::kOn;

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_booleans.cc: --trees N --points M --seed S : random expressions of overlapping, touching, coincident and
 // repeated solids, and points with respect to them: random, and on walls, edges, vertices, and where planes of facets
-// meet. CGAL's Nef polyhedra know the truth. One JSON line a figure.
+// meet. CGAL's Nef polyhedra know the truth. With --folder F: each valid mesh of the folder beside a copy with its
+// facets in another order and turned, on walls only, where the truth follows from laws. One JSON line a figure.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/arguments.h"
 #include "bench/nef_solid.h"
 #include "bench/stopwatch.h"
+#include "io/read_model.h"
 #include "robust/base/random.h"
 #include "solids/expression/expression_classifier.h"
 #include "solids/polyhedron/validity.h"
@@ -232,6 +235,55 @@ std::vector<std::pair<Formula, Formula>> laws_of(const Formula& a, const Formula
           {complement(complement(a)), both(box, a)}};
 }
 
+// A mesh and a copy of it with other facets first: A - B is empty, and walls of A are walls of A | B and A & B.
+struct CopyTally {
+  std::uint64_t models = 0, points = 0, wrong = 0;
+  double seconds = 0;
+
+  void add(const std::string& path, const TriangleMesh& mesh, std::uint64_t num, Random& random) {
+    const std::vector<TriangleMesh> meshes = {mesh, shapes::relabelled(mesh, random)};
+    std::vector<std::shared_ptr<const Operand>> solids;
+    for (const TriangleMesh& m : meshes) solids.push_back(mesh_operand(m));
+    const Formula a = Formula::variable(0), b = Formula::variable(1);
+    const std::pair<ExpressionClassifier, PointWord> cases[] = {
+        {ExpressionClassifier(Formula::any_of({a, b}), solids), PointWord::kOn},
+        {ExpressionClassifier(Formula::all_of({a, b}), solids), PointWord::kOn},
+        {ExpressionClassifier(Formula::all_of({a, b.negated()}), solids), PointWord::kOut},
+        {ExpressionClassifier(Formula::any_of({a, b.negated()}), solids), PointWord::kIn}};
+    Places places(meshes, random);
+    ++models;
+    const Stopwatch watch;
+    for (std::uint64_t k = 0; k < num; ++k) {
+      const ExactPoint p = places.place(static_cast<PlaceKind>(kVertices + k % 3));
+      ++points;
+      for (const auto& [classifier, word] : cases) {
+        if (classifier.classify(p) == word) continue;
+        ++wrong;
+        std::fprintf(stderr, "wrong: %s at %s %s %s\n", path.c_str(), p[0].to_string().c_str(),
+                     p[1].to_string().c_str(), p[2].to_string().c_str());
+      }
+    }
+    seconds += watch.ns() * 1e-9;
+  }
+};
+
+CopyTally compare_copies(const std::string& folder, std::uint64_t points, std::uint64_t seed) {
+  constexpr std::size_t kMostFaces = 200000;
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  CopyTally out;
+  Random random(seed);
+  for (const std::string& path : paths) {
+    const auto file = read_model_file(path, {});
+    const auto* mesh = file ? std::get_if<MeshFile>(&*file) : nullptr;
+    if (mesh == nullptr || mesh->mesh.faces.size() > kMostFaces) continue;
+    if (decide_validity(mesh->mesh, {}).is_valid) out.add(path, mesh->mesh, points, random);
+  }
+  return out;
+}
+
 struct Tally {
   std::uint64_t points = 0, walls = 0, on = 0, wrong = 0;
   double seconds = 0;
@@ -244,7 +296,19 @@ int main(int argc, char** argv) {
   using namespace veritope;
   using namespace veritope::bench;
   std::uint64_t trees = 20, points = 200, seed = 1;
-  read_arguments(argc, argv, {{"--trees", &trees}, {"--points", &points}, {"--seed", &seed}});
+  std::string folder;
+  read_arguments(
+      argc, argv,
+      {{"--trees", &trees}, {"--points", &points}, {"--seed", &seed}, {"--folder", &folder}});
+  if (!folder.empty()) {
+    const CopyTally t = compare_copies(folder, points, seed);
+    std::printf(
+        "{\"name\":\"boolean_copies_wrong\",\"value\":%llu,\"goal\":\"0\",\"models\":%llu,"
+        "\"points\":%llu,\"seconds\":%.0f}\n",
+        static_cast<unsigned long long>(t.wrong), static_cast<unsigned long long>(t.models),
+        static_cast<unsigned long long>(t.points), t.seconds);
+    return t.wrong == 0 && t.models > 0 ? 0 : 1;
+  }
   Tally tallies[kNumKinds];
   constexpr std::uint64_t kNumLawPoints = 500;  // of each tree
   std::uint64_t num_laws = 0, broken = 0;

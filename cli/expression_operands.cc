@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/expression_operands.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -110,9 +111,8 @@ std::optional<ExpressionOperand> ExpressionOperands::load(const std::string& pat
                                                           const std::string& label,
                                                           const ChainOperand* expected) {
   const std::string begin = label.empty() ? "" : label + ": ";
-  for (const std::string& chain : open_)
-    if (chain == true_name(path))
-      return refuse(kExitUnreadable, begin + harmless(path) + " is an operand of itself");
+  if (std::find(open_.begin(), open_.end(), true_name(path)) != open_.end())
+    return refuse(kExitUnreadable, begin + harmless(path) + " is an operand of itself");
   progress_.phase(shown_path(path), "reading");
   const Result<ModelBytes> bytes = load_model(path, settings_.reading);
   if (!bytes) return refuse(kExitUnreadable, begin + harmless(to_string(bytes.error())));

@@ -100,4 +100,14 @@ std::optional<DecisionDiagram> DecisionDiagram::make(const Formula& formula,
   return out;
 }
 
+Formula DecisionDiagram::formula_at(std::uint32_t at) const {
+  if (at < kFirst) return Formula::constant(at == 1);
+  const Node& node = nodes_[at - kFirst];
+  const Formula x = Formula::variable(node.variable);
+  const Formula high = formula_at(node.high), low = formula_at(node.low);
+  if (node.low == 1) return Formula::any_of({x.negated(), high});
+  if (node.high == 1) return Formula::any_of({x, low});
+  return Formula::any_of({Formula::all_of({x, high}), Formula::all_of({x.negated(), low})});
+}
+
 }  // namespace veritope

@@ -20,6 +20,8 @@ class DecisionDiagram {
   /// The variables on which the function depends, in increasing order.
   const std::vector<std::uint32_t>& support() const { return support_; }
   bool is_constant() const { return support_.empty(); }
+  /// The function as a formula, by cases: (x & high) | (!x & low). @cost up to 2^(number of variables)
+  Formula formula() const { return formula_at(root_); }
 
   /// `bit_of` is called for the variables on one path.
   template <typename BitOf>
@@ -38,6 +40,8 @@ class DecisionDiagram {
     std::uint32_t variable, low, high;
     friend auto operator<=>(const Node&, const Node&) = default;
   };
+  Formula formula_at(std::uint32_t at) const;
+
   std::vector<Node> nodes_;
   std::uint32_t root_ = 0;
   std::vector<std::uint32_t> support_;

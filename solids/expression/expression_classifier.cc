@@ -61,7 +61,7 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) 
   return on_walls(point, formula.folded(value_of));
 }
 
-// ESC-4: the point is on the boundaries of all operands of `rest`, or some are open.
+// POINT-6 and POINT-7: the point is on the boundaries of all operands of `rest`, or some are open.
 template <typename Point>
 PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest) const {
   const auto diagram = DecisionDiagram::make(rest, kMostDiagramNodes);

@@ -33,6 +33,10 @@ void Formula::close(std::size_t begin, Kind kind, std::vector<Node>& out) {
     last = part;
     if (out[part].kind == kind) same.push_back(part);
   }
+  if (num_parts > 1 && same.empty()) {
+    out[begin].end = static_cast<std::uint32_t>(out.size());
+    return;
+  }
   if (num_parts == 1) {
     same.assign(1, begin);
     if (out[last].kind == kind) same.push_back(last), same.erase(same.begin());
@@ -100,6 +104,18 @@ std::vector<std::uint32_t> Formula::variables() const {
 std::size_t Formula::num_literals() const {
   return static_cast<std::size_t>(std::count_if(
       nodes_.begin(), nodes_.end(), [](const Node& n) { return n.kind == Kind::kLiteral; }));
+}
+
+std::size_t Formula::depth() const {
+  std::size_t most = 0;
+  std::vector<std::uint32_t> ends;  // of the nodes that are open
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    while (!ends.empty() && ends.back() == i) ends.pop_back();
+    if (nodes_[i].end == i + 1) continue;
+    ends.push_back(nodes_[i].end);
+    most = std::max(most, ends.size());
+  }
+  return most;
 }
 
 std::string Formula::to_string() const {

@@ -44,6 +44,8 @@ class Formula {
   /// The variables that occur, each once, in increasing order.
   std::vector<std::uint32_t> variables() const;
   std::size_t num_literals() const;
+  /// The number of unions and intersections around the innermost literal.
+  std::size_t depth() const;
   /// Whether no variable occurs twice. Then it depends on each of them, unless it is constant.
   bool is_read_once() const { return variables().size() == num_literals(); }
 

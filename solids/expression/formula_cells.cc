@@ -6,12 +6,26 @@
 #include <deque>
 #include <utility>
 
+#include "solids/expression/decision_diagram.h"
+
 namespace veritope {
 namespace {
 
 constexpr std::size_t kFewLiterals = 12;
 constexpr int kMostHalvings = 24;
+constexpr std::size_t kFewVariables = 8;
 constexpr std::size_t kMostStoredLiterals = std::size_t{1} << 22;
+// Nodes of formulas times their depth: a second or less.
+constexpr std::size_t kMostFoldingWork = std::size_t{1} << 28;
+
+// A shorter formula of the same function, if it has few variables.
+Formula compact(Formula f) {
+  if (f.num_literals() <= kFewLiterals || f.variables().size() > kFewVariables) return f;
+  const auto diagram = DecisionDiagram::make(f, std::size_t{1} << 14);
+  if (!diagram) return f;
+  Formula by_cases = diagram->formula();
+  return by_cases.num_literals() < f.num_literals() ? by_cases : f;
+}
 
 Box3d box_around(const std::vector<std::uint32_t>& variables,
                  const std::vector<std::shared_ptr<const Operand>>& operands) {
@@ -49,9 +63,12 @@ class FormulaCells::Builder {
 
   // Large cells first, so that the budget serves all places alike.
   void build(const Formula& formula) {
-    parts_.push_back({out_.box_, formula, 0});
+    parts_.push_back({out_.box_, compact(formula), 0});
+    num_literals_ = parts_[0].formula.num_literals();
+    depth_ = formula.depth();
     std::deque<std::size_t> open = {0};
-    while (!open.empty() && num_cells_ < kMostCells && num_literals_ < kMostStoredLiterals) {
+    while (!open.empty() && num_cells_ < kMostCells && num_literals_ < kMostStoredLiterals &&
+           work_ < kMostFoldingWork) {
       const std::size_t i = open.front();
       open.pop_front();
       if (halve(i)) open.insert(open.end(), {parts_[i].lower, parts_[i].lower + 1});
@@ -81,7 +98,8 @@ class FormulaCells::Builder {
     parts_[i].middle = middle;
     parts_[i].lower = parts_.size();
     for (const Box3d& half : halves) {
-      Formula folded = fold(parts_[i].formula, half);
+      work_ += parts_[i].formula.nodes().size() * depth_;
+      Formula folded = compact(fold(parts_[i].formula, half));
       num_literals_ += folded.num_literals();
       parts_.push_back({half, std::move(folded), parts_[i].level + 1});
     }
@@ -119,7 +137,7 @@ class FormulaCells::Builder {
   FormulaCells& out_;
   const std::vector<std::shared_ptr<const Operand>>& operands_;
   std::deque<Part> parts_;
-  std::size_t num_cells_ = 1, num_literals_ = 0;
+  std::size_t num_cells_ = 1, num_literals_ = 0, depth_ = 0, work_ = 0;
 };
 
 FormulaCells::FormulaCells(const Formula& formula,

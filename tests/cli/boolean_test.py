@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import struct
 import unittest
 
 import schema
@@ -152,6 +153,33 @@ class Boolean(Folder):
         self.assertIn("there is no format 'foo'", self.classify("x.json", "0 0 0", status=4))
         self.file("x.json", chain.replace('"-2"', '"0"').replace("b.off", "c.off"))
         self.classify("x.json", "0 0 0", status=4)
+
+    def test_points_of_all_kinds_and_any_number_of_threads(self):
+        self.boolean("A | B", "A=a.off", "B=b.off", "-o", "e.json")
+        rows = [(x / 4, y / 4, 0.5) for x in range(-2, 10) for y in range(-2, 7)]
+        text = "".join("%r,%r;%r\n" % row for row in rows)
+        self.file("points.txt", text)
+        want = run("classify", "e.json", "points.txt", "--jobs", "1", cwd=self.folder).stdout
+        self.assertEqual(len(want.splitlines()), len(rows))
+        self.assertEqual(run("classify", "e.json", "points.txt", "--jobs", "3", cwd=self.folder).stdout, want)
+        self.assertEqual(run("classify", "e.json", "-", cwd=self.folder, input=text).stdout, want)
+        header = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d, 3), }" % len(rows)
+        header += " " * (-(len(header) + 11) % 64) + "\n"
+        (self.folder / "points.npy").write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode() + b"".join(struct.pack("<3d", *r) for r in rows))
+        answers = run("classify", "e.json", "points.npy", cwd=self.folder).stdout
+        self.assertEqual([line.split()[3:] for line in answers.splitlines()], [line.split()[3:] for line in want.splitlines()])
+        self.assertIn("column 5: 'x'", self.classify("e.json", "0 0 x", status=4))
+
+    def test_files_in_files_have_a_limit(self):
+        self.boolean("A", "A=a.off", "-o", "n0.json")
+        for i in range(1001):
+            chain = json.loads((self.folder / f"n{i}.json").read_text())
+            digest = hashlib.sha256((self.folder / f"n{i}.json").read_bytes()).hexdigest()
+            chain["operands"][0].update(path=f"n{i}.json", sha256=digest, format="chain")
+            chain["box"] = [str(-i - 2)] * 3 + [str(i + 3)] * 3
+            self.file(f"n{i + 1}.json", json.dumps(chain))
+        self.assertEqual(self.classify("n999.json", "0 0 0", ".5 .5 .5"), ["on", "in"])
+        self.assertIn("more than 1000 chain files in each other", self.classify("n1001.json", "0 0 0", status=4))
 
     def test_limits(self):
         wide = "|".join(["A"] * 10001)

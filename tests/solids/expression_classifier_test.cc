@@ -309,9 +309,10 @@ TEST(FormulaCells, FoldLongFormulasWithoutAChangeOfWords) {
     const Formula f = i % 2 == 0 ? Formula::any_of(parts)
                                  : Formula::any_of({Formula::all_of(parts), parts[0], parts[3]});
     const FormulaCells tree(f, solids);
-    EXPECT_GT(tree.num_cells(), 4u);
+    EXPECT_GT(tree.num_cells(), 1u);
     EXPECT_LE(tree.num_cells(), FormulaCells::kMostCells);
     const ExpressionClassifier c(f, solids);
+    std::size_t literals = 0;
     for (int k = 0; k < 500; ++k) {
       const auto at = [&] { return static_cast<double>(random.below(28)) / 4 - .75; };
       const Vec3d p{at(), at(), at()};
@@ -321,9 +322,24 @@ TEST(FormulaCells, FoldLongFormulasWithoutAChangeOfWords) {
       const ExactPoint q = {Rational::from_double(p.x), Rational::from_double(p.y),
                             Rational::from_double(p.z)};
       ASSERT_EQ(&tree.at(p), &tree.at(q));
+      literals += tree.at(p).num_literals();
       ASSERT_EQ(c.classify(q), c.classify(p));
     }
+    EXPECT_LT(literals, 500 * 12u);  // those of cells that need no more halvings
   }
+}
+
+// Two solids in a formula of depth 1,000: its short form has one cell.
+TEST(FormulaCells, ShortenLongFormulasOfFewSolids) {
+  const Solids solids = {mesh("box 0,0,0 1,1,1"), block(-1, -1, -1, 2, 2, 2)};
+  Formula f = variable(0);
+  for (int i = 0; i < 1000; ++i) f = both(variable(1), f.negated());
+  const FormulaCells tree(f, solids);
+  EXPECT_EQ(tree.num_cells(), 1u);
+  EXPECT_LE(tree.at(Vec3d{0, 0, 0}).num_literals(), 2u);
+  EXPECT_EQ(word(f, solids, {0, .5, .5}), "on");
+  EXPECT_EQ(word(f, solids, {.5, .5, .5}), "in");
+  EXPECT_EQ(word(f, solids, {2, 2, 2}), "out");
 }
 
 TEST(FormulaCells, AreConstantOutsideOfTheSolids) {

@@ -82,6 +82,9 @@ TEST(Formula, IsWrittenWithSignsAtItsVariables) {
   EXPECT_EQ(Formula::all_of({Formula::constant(false), x(4)}).to_string(), "0");
   EXPECT_EQ(f.variables(), (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_TRUE(f.is_read_once());
+  EXPECT_EQ(f.depth(), 2u);
+  EXPECT_EQ(x(0).depth(), 0u);
+  EXPECT_EQ(Formula::all_of({f, x(3)}).depth(), 3u);
 }
 
 TEST(Formula, AsksForNoMoreVariablesThanItNeeds) {
@@ -141,6 +144,8 @@ TEST(DecisionDiagram, DependsOnExactlyTheVariablesInItsSupport) {
       if (depends) support.push_back(v);
     }
     ASSERT_EQ(diagram->support(), support);
+    ASSERT_EQ(table_of(diagram->formula()), f.table);
+    expect_normal_form(diagram->formula());
     for (std::uint32_t a = 0; a < 32; ++a)
       ASSERT_EQ(diagram->value([a](std::uint32_t v) { return (a >> v & 1u) != 0; }),
                 (f.table >> a & 1u) != 0);

@@ -71,6 +71,7 @@ TEST(NormalChain, IsTheWindingNumberForEveryOrigin) {
   EXPECT_GT(inside, 100u);
 }
 
+// PROVES CHAIN-1
 TEST(NormalChain, HasValuesOnFlatWallsAndNoneOnThePatches) {
   const PatchComplex complex = complex_of(patch_shapes::octant_sphere());
   const NormalChain chain(complex);

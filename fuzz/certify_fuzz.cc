@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if ((in.options & fuzz::MeshInput::kTwoJobs) != 0) {
     const CertifiedMesh two = certified(in.mesh(), as_indexed, 2, kMaxDefects);
     if (two.bytes != c.bytes) fuzz::fail("another certificate with two threads", c.mesh);
-    if (full_text(two.report) != full_text(c.report)) fuzz::fail("another report with two threads", c.mesh);
+    if (full_text(two.report) != full_text(c.report))
+      fuzz::fail("another report with two threads", c.mesh);
   }
   return 0;
 }

@@ -33,12 +33,13 @@ std::array<AlgebraicNumber, 2> as_algebraic(const std::array<Rational, 2>& uv) {
 
 class PatchClassifier::Body {
  public:
-  Body(const PatchComplex& complex, bool has_shells)
+  Body(const PatchComplex& complex, bool has_shells, int levels)
       : complex_(complex),
         rays_(complex),
         has_shells_(has_shells),
         depths_(depths()),
-        octree_(rays_, [this](const RayPoint& q) { return label_at(q); }) {}
+        octree_(
+            rays_, [this](const RayPoint& q) { return label_at(q); }, levels) {}
 
   template <typename Point>
   PointAnswer classify(const Point& p, std::optional<OnPatch>* where) const {
@@ -175,10 +176,10 @@ PatchClassifier::PatchClassifier(std::unique_ptr<const Body> body) : body_(std::
 PatchClassifier::PatchClassifier(PatchClassifier&&) noexcept = default;
 PatchClassifier::~PatchClassifier() = default;
 
-PatchClassifier PatchClassifier::make(const PatchComplex& complex, bool has_shells) {
+PatchClassifier PatchClassifier::make(const PatchComplex& complex, bool has_shells, int levels) {
   VT_CHECK(complex.is_closed_oriented_surface(), "points need a closed oriented surface");
   const ScopedDefaultFp nearest;
-  return PatchClassifier(std::make_unique<const Body>(complex, has_shells));
+  return PatchClassifier(std::make_unique<const Body>(complex, has_shells, levels));
 }
 
 PointAnswer PatchClassifier::classify(const Vec3d& point, std::optional<OnPatch>* where) const {

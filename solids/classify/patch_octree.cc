@@ -20,8 +20,6 @@ enum PatchNodeKind : std::uint32_t {
 };
 constexpr std::uint32_t kKindBits = 3u << 30, kNumberBits = ~kKindBits;
 
-constexpr int kSlabLevel = 8;    // the root is 2 to 4 times as large as the model
-constexpr int kCreaseLevel = 9;  // of cells whose slab is thick
 constexpr double kThin =
     0x1p-18;                    // of a slab, in units of the root's size: no better one is sought
 constexpr double kFlat = 0.25;  // a slab that is thinner than this part of its cell is not thick
@@ -43,8 +41,8 @@ unsigned farthest_corner(const Point3d& n) {
 
 class PatchOctree::Builder {
  public:
-  Builder(PatchOctree& tree, const PatchRays& rays, const LabelOf& label_of)
-      : tree_(tree), rays_(rays), label_of_(label_of) {}
+  Builder(PatchOctree& tree, const PatchRays& rays, const LabelOf& label_of, int levels)
+      : tree_(tree), rays_(rays), label_of_(label_of), levels_(levels) {}
 
   void build() {
     std::vector<Piece> pieces;
@@ -161,7 +159,7 @@ class PatchOctree::Builder {
     const SlabCell slab = slab_of(pieces, box, around);
     const double thickness = slab.hi - slab.lo;
     const bool is_thick = !(thickness < kFlat * cell.size);
-    if (level >= (is_thick ? kCreaseLevel : kSlabLevel) || level >= tree_.frame_->max_level ||
+    if (level >= (is_thick ? levels_ + 1 : levels_) || level >= tree_.frame_->max_level ||
         thickness < kThin * tree_.frame_->size || tree_.nodes_.size() + 8 > kMostNodes)
       return set_slab(node, slab);
     const auto first = static_cast<std::uint32_t>(tree_.nodes_.size());
@@ -189,12 +187,13 @@ class PatchOctree::Builder {
   PatchOctree& tree_;
   const PatchRays& rays_;
   const LabelOf& label_of_;
+  const int levels_;
   std::map<RegionLabel, std::uint32_t> numbers_;
 };
 
-PatchOctree::PatchOctree(const PatchRays& rays, const LabelOf& label_of)
+PatchOctree::PatchOctree(const PatchRays& rays, const LabelOf& label_of, int levels)
     : frame_(OctreeFrame::around(rays.hull())) {
-  if (frame_) Builder(*this, rays, label_of).build();
+  if (frame_) Builder(*this, rays, label_of, levels).build();
 }
 
 // The rounded place of q differs from its own by less than the margin by which cells were taken greater.

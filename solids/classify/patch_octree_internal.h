@@ -29,7 +29,8 @@ class PatchOctree {
  public:
   /// The label of a point, or nothing if it may be on the surface.
   using LabelOf = std::function<std::optional<RegionLabel>(const RayPoint&)>;
-  PatchOctree(const PatchRays& rays, const LabelOf& label_of);
+  /// @param levels  of cells with a thin slab; others are divided once more
+  PatchOctree(const PatchRays& rays, const LabelOf& label_of, int levels);
 
   /// The label of the point; nothing if it lies in a slab, or in a cell without one.
   const RegionLabel* find(const RayPoint& q) const;

@@ -258,7 +258,7 @@ PatchCones::PatchCones(const PatchComplex& complex)
 
 std::optional<TangentCone> PatchCones::at(const OnPatch& where) const {
   const Patch& patch = complex_.patch(where.patch);
-  const auto& [u, v] = where.parameters;
+  const AlgebraicNumber &u = where.parameters[0], &v = where.parameters[1];
   std::vector<SquareSide> sides;
   if (equals(v, 0)) sides.push_back({0, &u, false});
   if (equals(u, 1)) sides.push_back({1, &v, false});

@@ -12,7 +12,7 @@ from ..patches.star_box_patches import glue, longest, patches_of
 from ..patches.star_box_read import Body, read_all_breaks
 from .answers import lines_of
 from .box_tree import BoxTree
-from .patch_winding import LeftOver, Work, winding
+from .patch_winding import LeftOver, TooMuchWork, Work, winding
 
 BYTES_OF_PATCH = 3                      # of the model and the body
 BOX_BITS = 60                           # of the greatest coordinate of a box
@@ -31,13 +31,17 @@ def check(claim, statement, data, model, skip, answers, words):
     patches = [patch for entity, b in zip(entities, breaks) for patch in patches_of(entity, b, 0, 0)]
     glue(patches, fail)
     model = Model([Grid(patch) for patch in patches])
-    work = Work(statement["points"], statement["subject_bytes"] + len(data), lambda why: fail("B1", why))
+    work = Work(statement["points"], statement["subject_bytes"] + len(data))
     for number, ((ratios, word, f), code) in enumerate(zip(lines_of(answers, statement), codes), 1):
-        if word != "undecided":
-            work.begin_point()
+        if word == "undecided":
+            continue
+        work.begin_point()
+        try:
             wrong = p2_not_on(model, work, ratios, *code) if word == "on" else p3_p4(model, work, ratios, f, code)
-            if wrong:
-                fail(wrong[0], "line %d: %s" % (number, wrong[1]))
+        except TooMuchWork:
+            wrong = "B1", "more work than allowed"
+        if wrong:
+            fail(wrong[0], "line %d: %s" % (number, wrong[1]))
 
 
 # ---------------------------------------------------------------- B1: the body

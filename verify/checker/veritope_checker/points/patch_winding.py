@@ -15,12 +15,14 @@ UNITS_OF_POINT, FREE_UNITS, UNITS_OF_BYTE, UNITS_EACH = 1 << 22, 1 << 25, 96, 1 
 class LeftOver(Exception):
     """A piece or a part of a line was halved too often."""
 
+class TooMuchWork(Exception):
+    """More units were spent than the page allows."""
+
 class Work:
     """Units that may still be spent, on all points and on the current one."""
 
-    def __init__(self, num_points, num_bytes, give_up):
-        self.left, self.give_up = FREE_UNITS + UNITS_OF_BYTE * num_bytes + UNITS_EACH * num_points, give_up
-        self.left_of_point = UNITS_OF_POINT
+    def __init__(self, num_points, num_bytes):
+        self.left, self.left_of_point = FREE_UNITS + UNITS_OF_BYTE * num_bytes + UNITS_EACH * num_points, UNITS_OF_POINT
 
     def begin_point(self):
         self.left_of_point = UNITS_OF_POINT
@@ -29,7 +31,7 @@ class Work:
         self.left -= units
         self.left_of_point -= units
         if self.left < 0 or self.left_of_point < 0:
-            self.give_up("more work than allowed")
+            raise TooMuchWork
 
     def add_piece(self, grid, point_bits, cuts):
         (p, q), (i, j) = grid.degrees, cuts

@@ -8,6 +8,7 @@
 #include "robust/base/parallel.h"
 #include "robust/base/stopwatch.h"
 #include "verify/certify/certify.h"
+#include "verify/certify/patch_points_certifier.h"
 #include "verify/certify/points_certifier.h"
 #include "verify/format/sha256.h"
 
@@ -39,12 +40,22 @@ certificate::Subject subject_of(const MeshFile& file) {
   return out;
 }
 
-// Points in, lines out. Classifier: MeshClassifier or PatchClassifier.
-template <typename Classifier>
+void add_to(PointsCertifier& certifier, const PointBatch& batch,
+            std::span<const PointAnswer> answers) {
+  certifier.add(batch.points, answers);
+}
+void add_to(PatchPointsCertifier& certifier, const PointBatch& batch,
+            std::span<const PointAnswer> answers) {
+  certifier.add(batch.points, batch.exact, answers);
+}
+
+// Points in, lines out. Classifier, Certifier: MeshClassifier and PointsCertifier, or PatchClassifier and
+// PatchPointsCertifier.
+template <typename Classifier, typename Certifier>
 class Classification {
  public:
   Classification(const Classifier& classifier, const ClassifySettings& settings,
-                 std::optional<PointsCertifier> certifier, report::ClassifyReport& report)
+                 std::optional<Certifier> certifier, report::ClassifyReport& report)
       : classifier_(classifier),
         settings_(settings),
         certifier_(std::move(certifier)),
@@ -63,21 +74,27 @@ class Classification {
     }
   }
 
-  Result<certificate::Bytes> certificate(const MeshFile& file) {
-    if (!certifier_) return certificate::Bytes();
+  ClassifiedPoints certificate(const certificate::Subject& subject) {
+    ClassifiedPoints out;
+    if (!certifier_) return out;
     certificate::AnswersSubject answers;
     answers.sha256 = to_hex(hash_.finish());
     answers.bytes = num_bytes_;
     answers.are_decimals_exact = settings_.decimals == Decimals::kExact;
     answers.is_winding = settings_.is_winding;
-    return certifier_->finish(subject_of(file), std::move(answers));
+    Result<certificate::Bytes> made = certifier_->finish(subject, std::move(answers));
+    if (made)
+      out.certificate = std::move(*made);
+    else
+      out.refusal = made.error();
+    return out;
   }
 
  private:
   // The lines of the answers of a batch.
   const std::string& answer(const PointBatch& batch) {
     classify(batch);
-    if (certifier_) certifier_->add(batch.points, answers_);
+    if (certifier_) add_to(*certifier_, batch, answers_);
     lines_.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       lines_ += batch.text(i);
@@ -123,7 +140,7 @@ class Classification {
 
   const Classifier& classifier_;
   const ClassifySettings& settings_;
-  std::optional<PointsCertifier> certifier_;
+  std::optional<Certifier> certifier_;
   report::ClassifyReport& report_;
   std::vector<PointAnswer> answers_;
   std::string lines_;
@@ -149,28 +166,26 @@ Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells*
   progress.phase(shown_name, "classifying");
   if (const Status status = run.answer_all(source, write); !status) return status.error();
   report.seconds_classify = watch.lap();
-  Result<certificate::Bytes> made = run.certificate(file);
-  ClassifiedPoints out;
-  if (made)
-    out.certificate = std::move(*made);
-  else
-    out.refusal = made.error();
-  return out;
+  return run.certificate(subject_of(file));
 }
 
-Status classify_points(const PatchComplex& complex, PointSource& source,
-                       const ClassifySettings& settings, const WriteAnswers& write,
-                       Progress& progress, const std::string& shown_name,
-                       report::ClassifyReport& report) {
+Result<ClassifiedPoints> classify_points(const FilePatches& patches,
+                                         const certificate::Subject& subject, PointSource& source,
+                                         const ClassifySettings& settings,
+                                         const WriteAnswers& write, Progress& progress,
+                                         const std::string& shown_name,
+                                         report::ClassifyReport& report) {
   Stopwatch watch;
   progress.phase(shown_name, "building the look-up");
-  const PatchClassifier classifier = PatchClassifier::make(complex, !settings.is_winding);
+  const PatchClassifier classifier = PatchClassifier::make(*patches.complex, !settings.is_winding);
+  std::optional<PatchPointsCertifier> certifier;
+  if (settings.makes_certificate) certifier.emplace(patches, classifier);
   report.seconds_build = watch.lap();
-  Classification run(classifier, settings, std::nullopt, report);
+  Classification run(classifier, settings, std::move(certifier), report);
   progress.phase(shown_name, "classifying");
-  const Status status = run.answer_all(source, write);
+  if (const Status status = run.answer_all(source, write); !status) return status.error();
   report.seconds_classify = watch.lap();
-  return status;
+  return run.certificate(subject);
 }
 
 }  // namespace veritope::cli

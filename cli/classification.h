@@ -12,6 +12,7 @@
 #include "report/classify_report.h"
 #include "solids/classify/mesh_classifier.h"
 #include "solids/classify/patch_classifier.h"
+#include "verify/certify/file_patches.h"
 #include "verify/format/mesh_certificate.h"
 
 namespace veritope::cli {
@@ -29,8 +30,8 @@ using WriteAnswers = std::function<Status(std::string_view lines)>;
 struct ClassifiedPoints {
   certificate::Bytes
       certificate;  ///< empty without makes_certificate, or for the reason in `refusal`
-  std::optional<Error>
-      refusal;  ///< all points are answered, and there is no certificate: see PointsCertifier
+  std::optional<Error> refusal;  ///< all points are answered, and there is no certificate: see
+                                 ///< PointsCertifier and PatchPointsCertifier
 };
 
 /// Answers all points of the source with respect to the mesh of the file. Fills the numbers of the report.
@@ -41,11 +42,14 @@ Result<ClassifiedPoints> classify_points(const MeshFile& file, const MeshShells*
                                          const WriteAnswers& write, Progress& progress,
                                          const std::string& shown_name,
                                          report::ClassifyReport& report);
-/// With respect to patches, without a certificate. REQUIRES complex.is_closed_oriented_surface().
+/// With respect to patches. REQUIRES patches.complex->is_closed_oriented_surface().
+/// @param subject  what the certificate speaks of, if one is made
 /// @error  as PointSource and WriteAnswers
-Status classify_points(const PatchComplex& complex, PointSource& source,
-                       const ClassifySettings& settings, const WriteAnswers& write,
-                       Progress& progress, const std::string& shown_name,
-                       report::ClassifyReport& report);
+Result<ClassifiedPoints> classify_points(const FilePatches& patches,
+                                         const certificate::Subject& subject, PointSource& source,
+                                         const ClassifySettings& settings,
+                                         const WriteAnswers& write, Progress& progress,
+                                         const std::string& shown_name,
+                                         report::ClassifyReport& report);
 
 }  // namespace veritope::cli

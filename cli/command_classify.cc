@@ -71,6 +71,7 @@ struct Model {
   ModelFile file;
   std::optional<MeshShells> shells;  // of a mesh; nothing: --winding
   FilePatches patches;               // of a file of splines
+  std::string no_certificate;        // why checkers do not read the model; empty if they do
 };
 
 class ClassifyRun {
@@ -197,7 +198,15 @@ class ClassifyRun {
   }
 
   ExitCode take_patches(const SplineFile& file) {
-    Result<FilePatches> patches = patches_of(file);
+    const Result<std::optional<StandIn>> stand_in = stand_in_of(file);
+    if (!stand_in) return refuse(stand_in.error());
+    is_by_faces_ = *stand_in && (*stand_in)->is_by_own_faces();
+    if (*stand_in ? (*stand_in)->is_copy() : !is_read_by_checkers(file))
+      model_.no_certificate =
+          "the checkers do not read this file, but a copy; veritope convert writes it as .vjson";
+    else if (file.beyond_default_limits)
+      model_.no_certificate = "the file has longer numbers than certificates may be about";
+    Result<FilePatches> patches = patches_of(file, *stand_in);
     if (!patches) return refuse(patches.error());
     model_.patches = std::move(*patches);
     const PatchComplex* const complex = model_.patches.complex.get();
@@ -265,10 +274,12 @@ class ClassifyRun {
 
   ExitCode classify() {
     const auto* const mesh = std::get_if<MeshFile>(&model_.file);
+    if (mesh != nullptr && mesh->copy)
+      model_.no_certificate =
+          "the checkers read meshes, not these polygons; veritope convert writes them as a mesh";
     ClassifySettings settings;
     settings.is_winding = options_.winding;
-    // Polygons of IRIT, of which checkers read a copy, and patches have no certificate.
-    settings.makes_certificate = options_.certificate && mesh != nullptr && !mesh->copy;
+    settings.makes_certificate = options_.certificate && model_.no_certificate.empty();
     settings.decimals =
         options_.decimals.value_or(mesh != nullptr ? Decimals::kNearest : Decimals::kExact);
     settings.jobs = static_cast<unsigned>(options_.jobs);
@@ -283,10 +294,7 @@ class ClassifyRun {
     if (answered != kExitValid) return answered;
     ExitCode exit = kExitValid;
     if (options_.certificate && !settings.makes_certificate)
-      exit = without_certificate(
-          path() + (mesh != nullptr ? ": the checkers read meshes, not these polygons; veritope "
-                                      "convert writes them as a mesh"
-                                    : ": points of curved models have none yet"));
+      exit = without_certificate(path() + ": " + model_.no_certificate);
     else if (made->refusal)
       exit = without_certificate(path() + ": " + made->refusal->message);
     else
@@ -300,10 +308,9 @@ class ClassifyRun {
     if (mesh != nullptr)
       return classify_points(*mesh, model_.shells ? &*model_.shells : nullptr, source, settings,
                              write, progress_, shown_path(path()), report_);
-    const Status status = classify_points(*model_.patches.complex, source, settings, write,
-                                          progress_, shown_path(path()), report_);
-    if (!status) return status.error();
-    return ClassifiedPoints();
+    const auto subject = subject_of(std::get<SplineFile>(model_.file), tool_name(), is_by_faces_);
+    return classify_points(model_.patches, subject, source, settings, write, progress_,
+                           shown_path(path()), report_);
   }
 
   ExitCode say_undecided() const {
@@ -377,7 +384,8 @@ class ClassifyRun {
   Progress progress_;
   std::string checker_;  // empty: --no-check
   Model model_;
-  std::string model_bytes_;  // if needs_copy(path())
+  bool is_by_faces_ = false;  // certificates number the boundary faces of the file's volumes
+  std::string model_bytes_;   // if needs_copy(path())
   ClassifyReport report_;
 };
 

@@ -221,7 +221,10 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
     solids_.emplace_back(std::move(mesh->mesh));
     return out;
   }
-  Result<FilePatches> patches = patches_of(std::get<SplineFile>(model));
+  const auto& file = std::get<SplineFile>(model);
+  const Result<std::optional<StandIn>> stand_in = stand_in_of(file);
+  VT_CHECK(static_cast<bool>(stand_in), "a valid model of volumes has boundary faces");
+  Result<FilePatches> patches = patches_of(file, *stand_in);
   VT_CHECK(patches && patches->complex, "a valid model has patches");
   out.box = box_around(*patches->complex);
   solids_.emplace_back(std::move(patches->complex));

@@ -342,7 +342,7 @@ class Lines(PointsTest):
     def test_s1(self):
         a = self.four()
         for key, value in (("answers_sha256", "0" * 63), ("answers_sha256", "A" * 64), ("answers_sha256", 5), ("answers_bytes", "5"), ("decimals", ""), ("decimals", "Exact"), ("decimals", "nearest "),
-                           ("decimals", True), ("winding", "true"), ("winding", 1), ("points", "4"), ("on", True), ("undecided", ""), ("more", 1), ("claim", "points-2"), ("subject_format", "vjson")):
+                           ("decimals", True), ("winding", "true"), ("winding", 1), ("points", "4"), ("on", True), ("undecided", ""), ("more", 1), ("claim", "points-2"), ("subject_format", "step")):
             self.says("S1", a.files(**{key: value}))
         for key in ("answers_sha256", "answers_bytes", "decimals", "winding", "points", "on", "undecided", "as_indexed", "reading_rule"):
             model, certificate, text = a.files()

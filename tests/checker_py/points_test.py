@@ -392,7 +392,7 @@ class Boxes(PointsTest):
         rng = random.Random(5)
         for seed in range(60):
             mesh = self.use(points_forge.chain(rng) if seed % 2 else solids.voxels(rng)).mesh
-            tree = box_tree.BoxTree(mesh.p, mesh.tris)
+            tree = box_tree.BoxTree(list(box_tree.boxes_of_triangles(mesh.p, mesh.tris)))
             for point in points_forge.interesting(mesh, rng, 8):
                 q = [c / mesh.unit for c in point]
                 for direction in range(6):

@@ -13,6 +13,7 @@ from fractions import Fraction
 
 import attacks
 import forge
+import patch_points_forge as curved
 import points_forge
 import solids
 
@@ -205,7 +206,144 @@ def too_much_work(rng):
     yield "too_much_work", *case.with_answers(points_forge.Plan(case.mesh, [line] * rng.randint(21, 23), "exact", True))
 
 
+# ---------------------------------------------------------------- spline models
+
+class PatchCase:
+    """A spline model. answers: of the attack."""
+
+    def __init__(self, solid):
+        self.solid, self.bytes, self.answers, self.model = solid, solid.encode(), b"", None
+
+    with_answers = Case.with_answers
+
+
+def patch_case(rng):
+    case = PatchCase(curved.solid(rng))
+    return case, curved.true_plan(case.solid, rng)
+
+
+def patch_lies(name, case, plans):
+    for plan in plans:
+        if not all(curved.holds(plan.mesh, line, plan.decimals) for line in plan.lines):
+            yield name, *case.with_answers(plan)
+
+
+def other_f_of_patches(case, plan, rng):
+    for number in off_lines(plan):
+        f = int(plan.lines[number].f)
+        for other in {f + 1, f - 1, -f, f + 2, rng.randint(-2 ** 31, 2 ** 31)} if plan.winding else {1 - f}:
+            line = points_forge.off_line(plan.lines[number].tokens, other, plan.lines[number].shell, rng.randrange(6), plan.winding)
+            yield plan.with_line(number, **vars(line))
+
+
+def other_parameters(case, plan, rng):
+    """Parameters of another point, of another patch, exchanged, or beyond the domain: planes and spheres go on there."""
+    for number in with_words(plan, "on"):
+        patch, (u, v) = plan.lines[number].code
+        step = Fraction(1, rng.choice((2, 64, 2 ** 70)))
+        for at in ((u + step, v), (u, v - step), (v, u), (1 - u, v), (1 - v, 1 - u), (-u, v), (u, 2 - v), (u + 1, v), (Fraction(0), v)):
+            yield plan.with_line(number, code=(patch, at))
+        yield plan.with_line(number, code=(rng.randrange(len(case.solid.entities)), (u, v)))
+
+
+def beyond_the_domain(case, plan, rng):
+    """A point of the surface on which a patch lies, but not of the patch."""
+    patch = rng.randrange(len(case.solid.entities))
+    for at in ((Fraction(5, 4), Fraction(1, 2)), (Fraction(1, 2), Fraction(-1, 4)), (Fraction(3, 4), Fraction(1, 2)), (Fraction(-1, 2), Fraction(1, 2))):
+        q = curved.point_at(case.solid.entities[patch], at)
+        line = curved.PatchLine([rng.choice(points_forge.tokens_of(c, "exact")) for c in q], "on", "-", "-", (patch, at))
+        yield plan.copy(lines=[*plan.lines, line])
+
+
+def off_as_on_patch(case, plan, rng):
+    for number in off_lines(plan):
+        patch = rng.randrange(len(case.solid.entities))
+        yield plan.with_line(number, word="on", f="-", code=(patch, curved.parameters(case.solid.entities[patch], rng)))
+
+
+def on_patch_as_off(case, plan, rng):
+    """Both checkers cut the patches until the work is too much."""
+    for number in with_words(plan, "on")[:1]:
+        yield plan.with_line(number, **vars(points_forge.off_line(plan.lines[number].tokens, rng.randint(0, 1), "-", rng.randrange(6), plan.winding)))
+
+
+def moved_by_a_hair(case, plan, rng):
+    """Other coordinates, and the answer of those that were there."""
+    for number, line in enumerate(plan.lines):
+        at, k = line.point("exact"), rng.randrange(3)
+        for step in (Fraction(1, 2 ** 70), Fraction(-1, 2 ** 70), Fraction(1, 3), Fraction(rng.randint(-9, 9), 8)):
+            other = [c + step * (i == k) for i, c in enumerate(at)]
+            yield plan.with_line(number, tokens=[rng.choice(points_forge.tokens_of(c, "exact")) for c in other])
+        yield plan.with_line(number, tokens=rng.choice(plan.lines).tokens)
+
+
+ABOUT_PATCHES = (other_f_of_patches, other_parameters, beyond_the_domain, off_as_on_patch, moved_by_a_hair)
+
+
+def false_lines_about_patches(rng):
+    case, plan = patch_case(rng)
+    for liar in ABOUT_PATCHES + ((on_patch_as_off,) if rng.random() < .1 else ()):
+        found = list(patch_lies(liar.__name__, case, liar(case, plan, rng)))
+        yield from rng.sample(found, min(len(found), 6))
+
+
+def open_patches(rng):
+    """An entity is missing, turned, there once more, or has a control point of its own."""
+    case, plan = patch_case(rng)
+    entities = list(case.solid.entities)
+    at = rng.randrange(len(entities))
+    change = rng.randrange(4)
+    if change == 3:
+        entity = copy.deepcopy(entities[at])
+        corner = entity["shape"]["points"][0]
+        corner[rng.randrange(3)] = "1/1048576"
+        entities[at] = entity
+    else:
+        entities[at:at + 1] = ([], [curved.reversed_entity(entities[at])], [entities[at]] * 2)[change]
+    lines = [line for line in plan.lines if line.word != "on"]
+    if entities:
+        solid = curved.Solid(case.solid.parts)
+        solid.entities = entities
+        for some in (lines, lines[:1], []):
+            yield "open_patches", *PatchCase(solid).with_answers(curved.PatchPlan(solid, some, "exact", plan.winding))
+
+
+def wrong_body_of_patches(rng):
+    """Bytes too many, too few or out of range."""
+    case, plan = patch_case(rng)
+    body = plan.body()
+    for changes in ({"extra": rng.choice((b"\0", b"\5", bytes(9)))}, {"magic": b"VTSB"}, {"breaks": b""}, {"breaks": body[20:-1]}):
+        if "breaks" not in changes or plan.copy(**changes).body() != body:
+            yield "wrong_body_of_patches", *case.with_answers(plan.copy(**changes))
+    wrong = {"on": (b"", b"\xff\xff\x7f\0\0\1\0\1", b"\0\1\0\1\0\1", b"\0\xff\0\1\0\1", b"\0\0\4\2\0\1", b"\0\0\2\0\0\1", b"\0\0\0\1"),
+             "undecided": (b"\0",)}
+    for number, line in enumerate(plan.lines):
+        for code in wrong.get(line.word, (b"", b"\6", b"\xff", b"\0\0")):
+            yield "wrong_body_of_patches", *case.with_answers(plan.with_line(number, code=code))
+    for step in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+        other = plan.copy()
+        other.head = lambda step=step: [len(plan.mesh.entities) + s for s in step]
+        yield "wrong_body_of_patches", *case.with_answers(other)
+
+
+def patch_attacks(rng):
+    r = rng.random()
+    return false_lines_about_patches(rng) if r < .7 else open_patches(rng) if r < .85 else wrong_body_of_patches(rng)
+
+
+def honest_about_patches(rng):
+    case, plan = patch_case(rng)
+    yield "patches", *case.with_answers(plan)
+    for number in off_lines(plan)[:2]:
+        for direction in range(6):
+            yield "patches_other_direction", *case.with_answers(plan.with_line(number, code=direction))
+    number = rng.randrange(len(plan.lines))
+    yield "patches_undecided", *case.with_answers(plan.with_line(number, word="undecided", f="-", shell="-", code=None))
+
+
 def points_attacks(rng):
+    if rng.random() < .4:
+        return patch_attacks(rng)
     r = rng.random()
     if r < .004:
         return too_much_work(rng)
@@ -214,6 +352,9 @@ def points_attacks(rng):
 
 def honest(rng):
     """A true certificate, and others of the same claim: in other directions, on other triangles at the point, in other words for a number."""
+    if rng.random() < .4:
+        yield from honest_about_patches(rng)
+        return
     case = closed_case(rng)
     plan = case.plan(rng)
     yield "points", *case.with_answers(plan)

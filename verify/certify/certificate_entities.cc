@@ -6,10 +6,6 @@
 namespace veritope {
 namespace {
 
-certificate::Fraction to_fraction(const Rational& v) {
-  return {v.sign() == Sign::kNegative, to_natural(abs(v).numerator()), to_natural(v.denominator())};
-}
-
 // Bits for the sides of piece (i, j) of m x n that lie on the domain's border, with the file's numbering of sides.
 std::uint8_t border_bits(std::size_t i, std::size_t j, std::size_t m, std::size_t n) {
   const unsigned bits =
@@ -24,6 +20,10 @@ std::uint8_t with_reversed_sides(std::uint8_t bits) {
 }
 
 }  // namespace
+
+certificate::Fraction to_fraction(const Rational& v) {
+  return {v.sign() == Sign::kNegative, to_natural(abs(v).numerator()), to_natural(v.denominator())};
+}
 
 bool breaks_fit_certificate(const StarBoxEntity& entity) {
   constexpr std::uint64_t kMostBits = 2048;

@@ -26,6 +26,8 @@ struct StarBoxEntity {
   std::optional<VolumeFace> face = std::nullopt;
 };
 
+certificate::Fraction to_fraction(const Rational& v);
+
 /// Whether numerators and denominators of the breaks have few enough bits for a certificate: 2048.
 bool breaks_fit_certificate(const StarBoxEntity& entity);
 

@@ -198,11 +198,9 @@ Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
   return std::optional<StandIn>(std::move(out));
 }
 
-Result<FilePatches> patches_of(const SplineFile& file) {
-  const Result<std::optional<StandIn>> stand_in = stand_in_of(file);
-  if (!stand_in) return stand_in.error();
-  if (!*stand_in) return file_patches(file.model, PatchOrientation::kKeep);
-  return file_patches((*stand_in)->file.model, PatchOrientation::kKeep, (*stand_in)->faces);
+Result<FilePatches> patches_of(const SplineFile& file, const std::optional<StandIn>& stand_in) {
+  if (!stand_in) return file_patches(file.model, PatchOrientation::kKeep);
+  return file_patches(stand_in->file.model, PatchOrientation::kKeep, stand_in->faces);
 }
 
 }  // namespace veritope

@@ -39,8 +39,8 @@ struct StandIn {
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
 
 /// The patches of the file's surfaces and triangles, or of the boundary faces of its volumes, as they are decided when
-/// nothing is reversed. @error as stand_in_of and file_patches
-Result<FilePatches> patches_of(const SplineFile& file);
+/// nothing is reversed. @param stand_in  that of the file. @error as file_patches
+Result<FilePatches> patches_of(const SplineFile& file, const std::optional<StandIn>& stand_in);
 
 /// Whether the checkers have a reading rule for the file's own bytes: docs/certificates.
 bool is_read_by_checkers(const SplineFile& file);

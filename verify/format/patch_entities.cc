@@ -21,22 +21,6 @@ std::optional<std::uint64_t> small(const Natural& n) {
   return v;
 }
 
-void write_fraction(ByteWriter& w, const Fraction& f) {
-  const auto p = small(f.numerator), q = small(f.denominator);
-  if (p && q) {
-    w.zigzag(f.is_negative ? -static_cast<std::int64_t>(*p) : static_cast<std::int64_t>(*p));
-    w.varint(*q);
-    return;
-  }
-  w.zigzag(0);
-  w.varint(0);
-  w.varint(f.numerator.size() + 1);
-  w.u8(f.is_negative ? 1 : 0);
-  w.raw(f.numerator);
-  w.varint(f.denominator.size());
-  w.raw(f.denominator);
-}
-
 Natural natural(std::uint64_t v) {
   Natural n;
   for (; v != 0; v >>= 8) n.push_back(static_cast<unsigned char>(v));
@@ -76,12 +60,6 @@ std::uint64_t num_reversed(const std::vector<PatchEntity>& entities) {
 
 namespace {
 
-void write_breaks(ByteWriter& w, const PatchEntity& e) {
-  for (const auto& axis : e.breaks) {
-    w.u32(static_cast<std::uint32_t>(axis.size()));
-    for (const Fraction& f : axis) write_fraction(w, f);
-  }
-}
 void read_breaks(ByteReader& r, PatchEntity& e) {
   for (auto& axis : e.breaks) {
     const std::uint32_t n = r.count(2);
@@ -91,6 +69,29 @@ void read_breaks(ByteReader& r, PatchEntity& e) {
 }
 
 }  // namespace
+
+void internal::write_fraction(ByteWriter& w, const Fraction& f) {
+  const auto p = small(f.numerator), q = small(f.denominator);
+  if (p && q) {
+    w.zigzag(f.is_negative ? -static_cast<std::int64_t>(*p) : static_cast<std::int64_t>(*p));
+    w.varint(*q);
+    return;
+  }
+  w.zigzag(0);
+  w.varint(0);
+  w.varint(f.numerator.size() + 1);
+  w.u8(f.is_negative ? 1 : 0);
+  w.raw(f.numerator);
+  w.varint(f.denominator.size());
+  w.raw(f.denominator);
+}
+
+void internal::write_breaks(ByteWriter& w, const PatchEntity& e) {
+  for (const auto& axis : e.breaks) {
+    w.u32(static_cast<std::uint32_t>(axis.size()));
+    for (const Fraction& f : axis) write_fraction(w, f);
+  }
+}
 
 void internal::write(ByteWriter& w, const std::vector<PatchEntity>& entities) {
   w.u32(static_cast<std::uint32_t>(entities.size()));

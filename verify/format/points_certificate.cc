@@ -12,6 +12,25 @@ namespace veritope::certificate {
 using internal::ByteReader;
 using internal::ByteWriter;
 
+PatchCodes::PatchCodes(const std::vector<PatchEntity>& entities)
+    : writer_(std::make_unique<ByteWriter>()) {
+  for (const PatchEntity& e : entities)
+    if (e.is_surface) internal::write_breaks(*writer_, e);
+}
+PatchCodes::PatchCodes(PatchCodes&&) noexcept = default;
+PatchCodes::~PatchCodes() = default;
+
+void PatchCodes::add_direction(std::uint8_t code) { writer_->u8(code); }
+
+void PatchCodes::add(const PointOnPatch& place) {
+  constexpr std::uint8_t kRationalParameters = 0;
+  writer_->varint(place.patch);
+  writer_->u8(kRationalParameters);
+  for (const Fraction& f : place.parameters) internal::write_fraction(*writer_, f);
+}
+
+Bytes PatchCodes::take() { return writer_->take(); }
+
 Bytes encode(const PointsBody& body) {
   ByteWriter w;
   w.reserve(body.codes.size() + 32);
@@ -56,9 +75,12 @@ std::optional<PointsBody> internal::read_points(ByteReader r) {
 
 std::string explain(const PointsBody& body, std::string_view claim, std::size_t) {
   return "body: " + std::string(claim) + ", " + std::to_string(body.num_faces) + " triangles, " +
-         std::to_string(body.num_vertex_ids) + " vertex ids, " + std::to_string(body.num_points) +
+         std::to_string(body.num_vertex_ids) +
+         " vertex ids (of a spline model: patches, entities), " + std::to_string(body.num_points) +
          " points\n" + std::to_string(body.codes.size()) +
-         " bytes of directions and triangles, whose meaning depends on the words of the answers\n";
+         " bytes of directions and triangles or places on patches, whose meaning depends on the "
+         "words of the "
+         "answers\n";
 }
 
 }  // namespace veritope::certificate

@@ -2,13 +2,16 @@
 // verify/format/points_certificate.h: the certificate about classified points, version 1, as plain data; its encoding
 // and a text dump. The page: docs/certificates/points.md. Nothing here decides anything.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "verify/format/mesh_certificate.h"
+#include "verify/format/patch_entities.h"
 
 namespace veritope::certificate {
 
@@ -25,11 +28,33 @@ struct AnswersSubject {
 };
 
 struct PointsBody {
-  std::uint32_t num_faces = 0, num_vertex_ids = 0;
+  std::uint32_t num_faces = 0, num_vertex_ids = 0;  ///< spline models: of patches and entities
   std::uint64_t num_points = 0;
-  /// For each point off the model its direction, 0 to 5; for each point on it the number of a facet, as varint. The
-  /// words of the answers tell which bytes are which.
+  /// For each point off the model its direction, 0 to 5; for each point on it the number of a facet, as varint, or a
+  /// place on a patch. The words of the answers tell which bytes are which. In the certificate of a spline model the
+  /// breaks of its surfaces come first.
   Bytes codes;
+};
+
+/// Where a point lies on a patch: u and v, or the barycentric coordinates of corners 1 and 2 of a triangle.
+struct PointOnPatch {
+  std::uint64_t patch = 0;
+  std::array<Fraction, 2> parameters;
+};
+
+/// What PointsBody::codes has for spline models.
+class PatchCodes {
+ public:
+  explicit PatchCodes(const std::vector<PatchEntity>& entities);
+  PatchCodes(PatchCodes&&) noexcept;
+  ~PatchCodes();
+
+  void add_direction(std::uint8_t code);
+  void add(const PointOnPatch& place);
+  Bytes take();
+
+ private:
+  std::unique_ptr<internal::ByteWriter> writer_;
 };
 
 Bytes encode(const PointsBody& body);

@@ -99,6 +99,13 @@ Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool has_
     r.reversed.push_back(bytes->at_most(bytes->body.natural(1), 1, "a flag is") == 1);
     r.num_reversed += r.reversed.back();
   }
+  read_breaks(take_bytes, bytes, &r);
+  return r;
+}
+
+void read_breaks(bool take_bytes, Bytes* bytes, Cuts* cuts) {
+  const std::vector<Entity>& entities = *cuts->entities;
+  Cuts& r = *cuts;
   r.first.push_back(0);
   for (size_t i = 0; i < entities.size(); ++i) {
     uint64_t n = entities[i].kind == Entity::kTriangle;
@@ -112,7 +119,6 @@ Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool has_
     require(!take_bytes || r.patches() <= bytes->body.left() / 3, "B1",
             "too few bytes for the patches", r.patches());
   }
-  return r;
 }
 
 void check_kinds(const std::vector<Entity>& entities) {

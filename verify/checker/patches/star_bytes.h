@@ -59,5 +59,7 @@ struct Cuts {  // how a body cuts the model into patches
 // number is compared with the bytes left.
 Cuts read_cuts(const std::vector<Entity>& entities, const char* magic, bool has_kinds,
                bool take_bytes, Bytes* bytes);
+// Fills the cuts from the breaks on. REQUIRES their entities.
+void read_breaks(bool take_bytes, Bytes* bytes, Cuts* cuts);
 // The part of B2 that needs no coefficients.
 void check_kinds(const std::vector<Entity>& entities);

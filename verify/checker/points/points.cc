@@ -3,6 +3,7 @@
 #include <array>
 
 #include "answers.h"
+#include "patch_points.h"
 #include "points_claim.h"
 #include "relation.h"
 
@@ -281,10 +282,16 @@ class PointsCheck {
 
 std::string check_points(const Statement& statement, std::string file, const Body& body) {
   std::vector<Answer> answers = read_answers(statement);
+  const std::string counts =
+      std::to_string(answers.size()) + " points, " + std::to_string(statement.number.at("on")) +
+      " on, " + std::to_string(statement.number.at("undecided")) + " undecided";
+  if (is_about_patches(statement)) {
+    check_points_of_patches(statement, file, body, answers);
+    return counts;
+  }
   const Model model = read_model(std::move(file), statement.text.at("subject_format"),
                                  statement.flag.at("as_indexed"));
   read_body(model, body, &answers);
   PointsCheck(statement, model, body).check(answers);
-  return std::to_string(answers.size()) + " points, " + std::to_string(statement.number.at("on")) +
-         " on, " + std::to_string(statement.number.at("undecided")) + " undecided";
+  return counts;
 }

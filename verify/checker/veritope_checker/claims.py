@@ -26,7 +26,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("mesh-invalid-1", b"VTMI", MESHES, {**OF_MESHES, "rules": r"M[1-9]( M[1-9])*"}, "mesh.mesh_invalid"),
     Claim("mesh-reversed-1", b"VTMR", MESHES, {**OF_SOLIDS, "reversed": int, "reversed_shells": int},
           "mesh.mesh_reversed"),
-    Claim("points-1", b"VTPT", MESHES, OF_POINTS, "points.points_check", about_answers=True),
+    Claim("points-1", b"VTPT", MESHES + SPLINES, OF_POINTS, "points.points_check", about_answers=True),
     Claim("star-box-1", b"VTSB", SPLINES, OF_STARS, "patches.star_box_check"),
     Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
     Claim("star-box-2", b"VTS2", SPLINES, OF_STARS, "patches.star_box_2_check"),

@@ -3,7 +3,9 @@
 from math import gcd, lcm
 
 from .answers import lines_of, read_answers
-from .box_tree import BoxTree
+from . import patch_points_check
+from .box_tree import BoxTree, boxes_of_triangles
+from ..claims import SPLINES
 from ..mesh import mesh_reader
 from ..mesh.mesh_model import TOO_MUCH_WORK, Body, integers_of, line_stabs, sign
 from ..common.errors import Reject
@@ -11,10 +13,13 @@ from ..common.vectors import cross, dot, sub
 
 def check(claim, statement, body, model, skip, answers):
     words = read_answers(answers, statement, skip)                              # A1, A2
+    if statement["subject_format"] in SPLINES:
+        patch_points_check.check(claim, statement, body, model, skip, answers, words)
+        return
     floats, triangles = mesh_reader.read_model(model, statement["subject_format"], statement["as_indexed"])
     codes = read_codes(claim, statement, Body(body), floats, triangles, words)
     points, unit = integers_of(floats)
-    tree, work = BoxTree(points, triangles), 10 * len(triangles) + 1000 * statement["points"]
+    tree, work = BoxTree(list(boxes_of_triangles(points, triangles))), 10 * len(triangles) + 1000 * statement["points"]
     failure = None if "P1" in skip else p1_not_closed(triangles)
     for number, ((point, word, f), code) in enumerate(zip(lines_of(answers, statement), codes), 1):
         if word == "undecided":

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cli/certification.h"
+#include "cli/chain_classification.h"
 #include "cli/checker_process.h"
 #include "cli/classification.h"
 #include "cli/commands.h"
@@ -15,6 +16,7 @@
 #include "io/base/atomic_file.h"
 #include "report/report_text.h"
 #include "robust/base/stopwatch.h"
+#include "solids/patches/patch_sources.h"
 #include "topology/incidence.h"
 #include "topology/surface.h"
 #include "verify/certify/file_patches.h"
@@ -29,13 +31,20 @@ struct ClassifyOptions {
   std::vector<std::string> files;  // MODEL, POINTS
   std::optional<std::string> output, certificate, json;
   std::optional<Decimals> decimals;
-  bool winding = false, no_check = false;
+  bool winding = false, no_check = false, by_chain = false;
+  std::optional<ExactPoint> origin;
   int jobs = default_jobs();
 };
 
 std::string take_decimals(const std::string& text, std::optional<Decimals>& decimals) {
   if (text != "nearest" && text != "exact") return "must be nearest or exact, not " + text;
   decimals = text == "exact" ? Decimals::kExact : Decimals::kNearest;
+  return "";
+}
+
+std::string take_way(const std::string& text, bool& by_chain) {
+  if (text != "service" && text != "normal") return "must be service or normal, not " + text;
+  by_chain = text == "normal";
   return "";
 }
 
@@ -49,6 +58,13 @@ void declare(OptionSet& set, ClassifyOptions& o) {
   set.option(
       "--decimals", "HOW", [&o](const std::string& t) { return take_decimals(t, o.decimals); },
       "nearest: rounded to binary64 (default: meshes); or exact");
+  set.option(
+      "--by", "HOW", [&o](const std::string& t) { return take_way(t, o.by_chain); },
+      "service (default); normal: f by the normal chain");
+  set.option(
+      "--origin", "X,Y,Z",
+      [&o](const std::string& t) { return take_origin(t, o.origin.emplace()); },
+      "the chain's origin (0,0,0)");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
   declare_format(set, o.input);
@@ -59,6 +75,8 @@ std::string contradiction(const ClassifyOptions& o) {
   if (o.certificate && (!o.output || is_stream(*o.output)))
     return "--certificate needs -o with the name of a file, which the checker can read";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
+  if (o.by_chain && o.certificate) return "--certificate is not for --by normal";
+  if (o.origin && !o.by_chain) return "--origin requires --by normal";
   if (o.json == "-" && (!o.output || *o.output == "-"))
     return "the answers and --json would both write standard output";
   if (o.files.size() == 2 && o.files[0] == "-" && o.files[1] == "-")
@@ -89,7 +107,7 @@ class ClassifyRun {
     if (!options_.input.reading.format && !needs_copy(path()) && is_chain_file(path()))
       return run_expression();
     if (const ExitCode exit = take_model(); exit != kExitValid) return exit;
-    const ExitCode exit = classify();
+    const ExitCode exit = options_.by_chain ? classify_by_chain() : classify();
     progress_.clear();
     return exit;
   }
@@ -100,7 +118,8 @@ class ClassifyRun {
   ExitCode run_expression() {
     for (const auto& [option, is_given] :
          {std::pair("--winding", options_.winding),
-          std::pair("--certificate", options_.certificate.has_value())})
+          std::pair("--certificate", options_.certificate.has_value()),
+          std::pair("--by normal", options_.by_chain)})
       if (is_given)
         return complain(std::string(option) + " is for meshes, and " + harmless(path()) +
                         " is an expression of solids"),
@@ -210,15 +229,9 @@ class ClassifyRun {
     if (!patches) return refuse(patches.error());
     model_.patches = std::move(*patches);
     const PatchComplex* const complex = model_.patches.complex.get();
-    if (complex != nullptr && complex->is_closed_oriented_surface()) return kExitValid;
-    if (complex == nullptr) {
-      complain(harmless(path() + ": " + text_of(*model_.patches.not_covered)));
-      return kExitUndecided;
-    }
-    std::string why = "the surface is not closed";
-    if (!complex->findings().empty()) why = describe(*complex, complex->findings().front());
-    complain(harmless(path() + ": " + why));
-    return kExitInvalid;
+    if (complex != nullptr) return check_closed(*complex);
+    complain(harmless(path() + ": " + text_of(*model_.patches.not_covered)));
+    return kExitUndecided;
   }
 
   ExitCode read() {
@@ -270,6 +283,37 @@ class ClassifyRun {
     model_.shells->shell_of_face.assign(topology.shell_of_face.data(),
                                         topology.shell_of_face.data() + mesh.faces.size());
     model_.shells->depth = facts.decision.nesting.depth;
+  }
+
+  ExitCode classify_by_chain() {
+    std::optional<PatchComplex> of_mesh;
+    const auto* const mesh = std::get_if<MeshFile>(&model_.file);
+    if (mesh != nullptr) {
+      Result<PatchInput> patches = patches_of(mesh->mesh);
+      if (!patches) return refuse(patches.error());
+      Result<PatchComplex> made = make_patch_complex(std::move(*patches));
+      if (!made) return refuse(made.error());
+      of_mesh.emplace(std::move(*made));
+      if (const ExitCode exit = check_closed(*of_mesh); exit != kExitValid) return exit;
+    }
+    const PatchComplex& complex = of_mesh ? *of_mesh : *model_.patches.complex;
+    const Decimals decimals =
+        options_.decimals.value_or(mesh != nullptr ? Decimals::kNearest : Decimals::kExact);
+    progress_.phase(shown_path(path()), "classifying");
+    const ExitCode exit =
+        with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
+          return cli::classify_by_chain(complex, options_.origin.value_or(ExactPoint()), source,
+                                        static_cast<unsigned>(options_.jobs), write, report_);
+        });
+    return exit == kExitValid ? write_json() : exit;
+  }
+
+  ExitCode check_closed(const PatchComplex& complex) {
+    if (complex.is_closed_oriented_surface()) return kExitValid;
+    std::string why = "the surface is not closed";
+    if (!complex.findings().empty()) why = describe(complex, complex.findings().front());
+    complain(harmless(path() + ": " + why));
+    return kExitInvalid;
   }
 
   ExitCode classify() {

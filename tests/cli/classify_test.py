@@ -126,7 +126,9 @@ class Classify(Folder):
     def test_usage(self):
         for options in (("--certificate", "c"), ("--json", "-"), ("--decimals", "rounded"), ("-o", self.box), ("-o", self.points),
                         ("-o", "a", "--json", "a"), ("-o", "a", "--certificate", "a"), ("--certificate", "-", "-o", "a"),
-                        ("-o", "/dev/null", "--certificate", "c"), ("-o", "a", "--certificate", ".")):
+                        ("-o", "/dev/null", "--certificate", "c"), ("-o", "a", "--certificate", "."),
+                        ("--by", "literally"), ("--origin", "0,0,0"), ("--by", "normal", "--origin", "1,2"), ("--by", "normal", "--origin", "1,2,x"),
+                        ("--by", "normal", "-o", "a", "--certificate", "c")):
             done = run("classify", self.box, self.points, *options, cwd=self.folder)
             self.assertEqual(done.returncode, 2, (options, done.stderr))
             self.assertEqual(done.stdout, "")
@@ -160,6 +162,18 @@ class Classify(Folder):
             self.assertIn("open", done.stderr)
         done = run("classify", walls, points)                                # a sharp rim of zero thickness at its corners has no star boxes
         self.assertIn(done.returncode, (1, 3))
+
+    def test_the_normal_chain_has_the_same_f_for_every_origin(self):
+        pipe = ROOT / "examples" / "quarter_pipe.itd"
+        points = self.file("many.txt", "".join(f"{x}/5 {y}/5 {z}/5\n" for x in range(-2, 12, 3) for y in range(-2, 12, 3) for z in range(-2, 12, 3)))
+        for model in pipe, self.box:
+            service = [line.split() for line in self.answers(points, model=model).splitlines()]
+            for origin in "0,0,0", "1/3,2,-5", "100,-7,0x1p-3":
+                chain = [line.split() for line in self.answers(points, "--by", "normal", "--origin", origin, model=model).splitlines()]
+                for s, c in zip(service, chain, strict=True):
+                    self.assertEqual((c[:3], c[3], c[5]), (s[:3], "-", "-"))
+                    self.assertIn(c[4], ("wall",) if s[3] == "on" else (s[4],), (s, c, origin))
+        self.assertIn("1 ", " ".join(s[4] + " " for s in service))
 
     def test_a_model_on_standard_input_has_certificates_too(self):
         output, certificate = self.folder / "answers.txt", self.folder / "points.cert"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/chain_classification.h: the f of points by the normal chain of a model, for study: classify --by normal.
+#pragma once
+#include <string>
+
+#include "cli/classification.h"
+#include "solids/patches/patch_complex.h"
+
+namespace veritope::cli {
+
+/// For each point one line: its coordinates, "-", f or "wall", and "-". Fills the numbers of the report.
+/// REQUIRES a closed oriented surface. @error as PointSource and WriteAnswers
+Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, PointSource& source,
+                         unsigned jobs, const WriteAnswers& write, report::ClassifyReport& report);
+
+/// Reads "X,Y,Z": three decimals, fractions or hexadecimal numbers, exactly. @return what is wrong; empty: nothing
+std::string take_origin(const std::string& text, ExactPoint& origin);
+
+}  // namespace veritope::cli

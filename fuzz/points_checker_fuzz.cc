@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // fuzz/points_checker_fuzz.cc: gives any mesh or spline model, any answers file and any certificate to the C++ checker,
 // which must not crash, and whose accepted claims about points must be true: rational arithmetic of the kernel and rays
-// in random directions decide about meshes, the kernel's classifier about patches. The input is the size of the model and that of the answers (4 bytes each, little-endian), the
-// model, the answers, the certificate. The mutator changes each of them, and then corrects the statement's sizes,
-// hashes and numbers of lines.
+// in random directions decide about meshes, the kernel's classifier about patches. The input is the size of the model
+// and that of the answers (4 bytes each, little-endian), the model, the answers, the certificate. The mutator changes
+// each of them, and then corrects the statement's sizes, hashes and numbers of lines.
 #include <algorithm>
 #include <cstring>
 #include <map>

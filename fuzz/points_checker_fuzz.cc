@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/points_checker_fuzz.cc: gives any mesh, any answers file and any certificate to the C++ checker, which must not
-// crash, and whose accepted claims about points must be true: rational arithmetic of the kernel and rays in random
-// directions decide. The input is the size of the model and that of the answers (4 bytes each, little-endian), the
-// model, the answers, the certificate. The mutator changes each of them, and then corrects the statement's sizes,
-// hashes and numbers of lines.
+// fuzz/points_checker_fuzz.cc: gives any mesh or spline model, any answers file and any certificate to the C++ checker,
+// which must not crash, and whose accepted claims about points must be true: rational arithmetic of the kernel and rays
+// in random directions decide about meshes, the kernel's classifier about patches. The input is the size of the model
+// and that of the answers (4 bytes each, little-endian), the model, the answers, the certificate. The mutator changes
+// each of them, and then corrects the statement's sizes, hashes and numbers of lines.
 #include <algorithm>
 #include <cstring>
+#include <map>
+#include <memory>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -15,8 +18,11 @@
 #include "fuzz/decision_laws.h"
 #include "io/base/exact_number.h"
 #include "io/read_model.h"
+#include "solids/classify/patch_classifier.h"
 #include "tests/support/checker_call.h"
 #include "tests/support/exact_geometry.h"
+#include "verify/certify/file_patches.h"
+#include "verify/certify/stand_in.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
@@ -68,14 +74,17 @@ bool contains(const RTriangle& t, const RVec& p) {
   return true;
 }
 
-// Fails unless what the line says is true.
-void check_line(const TriangleMesh& mesh, const std::string& line, bool nearest,
-                const std::string& answer) {
+using Words = std::array<std::string, 6>;
+
+Words words_of(const std::string& line) {
   std::istringstream words(line);
-  std::array<std::string, 6> word;
+  Words word;
   for (std::string& w : word) words >> w;
-  if (word[3] == "undecided") return;
-  RVec p;
+  return word;
+}
+
+// False if the kernel does not read a coordinate.
+bool read_point(const Words& word, bool nearest, RVec& p) {
   for (std::size_t k = 0; k < 3; ++k) {
     const ReadLimits limits{.max_digits = 4096};
     double rounded = 0;
@@ -83,12 +92,22 @@ void check_line(const TriangleMesh& mesh, const std::string& line, bool nearest,
     if (nearest && is_decimal) {
       if (DecimalReader({.max_digits = 4096, .max_exponent = ~0u}).read_slowly(word[k], rounded) !=
           DecimalFault::kNone)
-        fail(answer + "\nbut the kernel does not read " + word[k], mesh);
+        return false;
       p[k] = Rational::from_double(rounded);
     } else if (read_exact_number(word[k], limits, p[k]) != DecimalFault::kNone) {
-      fail(answer + "\nbut the kernel does not read " + word[k], mesh);
+      return false;
     }
   }
+  return true;
+}
+
+// Fails unless what the line says is true.
+void check_line(const TriangleMesh& mesh, const std::string& line, bool nearest,
+                const std::string& answer) {
+  const Words word = words_of(line);
+  if (word[3] == "undecided") return;
+  RVec p;
+  if (!read_point(word, nearest, p)) fail(answer + "\nbut the kernel does not read " + line, mesh);
   bool is_on = false;
   std::vector<std::uint32_t> facets;  // those that are not degenerate
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
@@ -104,6 +123,73 @@ void check_line(const TriangleMesh& mesh, const std::string& line, bool nearest,
     fail(answer + "\nbut winding " + std::to_string(winding) + ": " + line, mesh);
 }
 
+[[noreturn]] void fail(const std::string& why) {
+  std::fprintf(stderr, "%s\n", why.c_str());
+  std::abort();
+}
+
+// The patches as the kernel cuts them; nothing if there are many, or none that it finds closed: certificates may cut
+// surfaces into smaller ones.
+std::unique_ptr<const PatchComplex> closed_patches(const std::string& bytes, std::string format) {
+  const bool by_faces = format.ends_with("-faces");
+  if (by_faces) format.resize(format.size() - 6);
+  const auto file = read_model_bytes(
+      std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()),
+      "model." + (format == "mfem" ? "mesh" : format), {});
+  if (!file || !std::holds_alternative<SplineFile>(*file)) return nullptr;
+  const auto& splines = std::get<SplineFile>(*file);
+  const auto stand_in = stand_in_of(splines);
+  if (!stand_in || stand_in->has_value() != by_faces) return nullptr;
+  if (by_faces && !(*stand_in)->is_by_own_faces()) return nullptr;
+  auto patches =
+      by_faces ? file_patches((*stand_in)->file.model, PatchOrientation::kKeep, (*stand_in)->faces)
+               : file_patches(splines.model, PatchOrientation::kKeep);
+  constexpr std::size_t kMostPatches = 100;
+  if (!patches || patches->complex == nullptr ||
+      patches->complex->patches().size() > kMostPatches ||
+      !patches->complex->is_closed_oriented_surface())
+    return nullptr;
+  return std::move(patches->complex);
+}
+
+// A model and its look-up, which takes longer to make than all else.
+struct Known {
+  std::unique_ptr<const PatchComplex> complex;  // may be null
+  std::optional<PatchClassifier> classifier;
+};
+const Known& known_model(const std::string& bytes, const std::string& format) {
+  constexpr std::size_t kMostKept = 8;
+  static std::map<std::string, Known>* const all = new std::map<std::string, Known>;
+  if (all->size() >= kMostKept) all->clear();
+  const auto [at, is_new] = all->try_emplace(format + hash(bytes));
+  if (is_new) {
+    at->second.complex = closed_patches(bytes, format);
+    if (at->second.complex != nullptr)
+      at->second.classifier.emplace(PatchClassifier::make(*at->second.complex, false));
+  }
+  return at->second;
+}
+
+void check_patches(const PointsInput& in, const std::string& statement, const std::string& answer) {
+  const Known& model = known_model(in.model, get(statement, "subject_format"));
+  if (!model.classifier) return;
+  std::istringstream lines(in.answers);
+  std::string line;
+  for (int n = 0; n < 20 && std::getline(lines, line); ++n) {
+    const Words word = words_of(line);
+    if (word[3] == "undecided") continue;
+    RVec p;
+    if (!read_point(word, get(statement, "decimals") == "nearest", p))
+      fail(answer + "\nbut the kernel does not read " + line);
+    const PointAnswer found = model.classifier->classify(ExactPoint{p[0], p[1], p[2]});
+    if (!found.is_decided) continue;
+    if (found.is_on() != (word[3] == "on") ||
+        (!found.is_on() && std::to_string(found.winding) != word[4]))
+      fail(answer + "\nbut the kernel finds winding " + std::to_string(found.winding) + ": " +
+           line);
+  }
+}
+
 void check(const PointsInput& in) {
   const std::string answer = check_in_process(in.model, in.certificate, in.answers);
   if (answer.substr(0, 4) == "BUG ") {
@@ -112,6 +198,9 @@ void check(const PointsInput& in) {
   }
   if (answer.substr(0, 15) != "ACCEPT points-1") return;
   const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
+  static const std::string_view kMeshes[] = {"stl", "obj", "ply", "off"};
+  if (std::ranges::find(kMeshes, get(statement, "subject_format")) == std::end(kMeshes))
+    return check_patches(in, statement, answer);
   ModelReadOptions options;
   options.as_indexed = get(statement, "as_indexed") == "true";
   options.limits = {~std::uint64_t{0}, ~std::uint64_t{0} >> 1, ~std::uint32_t{0} >> 1,
@@ -215,8 +304,10 @@ class Mutator {
       case 0: set(statement, kFlags[pick(2)], pick(2) == 0 ? "true" : "false"); break;
       case 1: set(statement, "decimals", pick(2) == 0 ? "nearest" : "exact"); break;
       case 2: {
-        static const char* const kFormats[] = {"stl", "obj", "ply", "off"};
-        set(statement, "subject_format", kFormats[pick(4)]);
+        static const char* const kFormats[] = {
+            "stl", "obj",  "ply",         "off",       "vjson",    "itd",
+            "g2",  "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces"};
+        set(statement, "subject_format", kFormats[pick(std::size(kFormats))]);
         break;
       }
       default: change_byte(statement, 0);

@@ -13,6 +13,9 @@ import schema
 import support
 from support import BIN, Folder, run
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import every_claim  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CHECKER = ROOT / "verify" / "checker" / "veritope_check.py"
 
@@ -139,8 +142,7 @@ class Classify(Folder):
     def test_points_of_curved_models(self):
         """A lens: two paraboloids z = +-(1 - x^2) (1 - y^2) over a square, which meet along its sides."""
         def sheet(sign):
-            ends = {0: 1, 1: 0, 2: 0}                                        # 1 - x^2 on [-1, 1]: 0, 2, 0
-            bump = (0, 2, 0)
+            bump = (0, 2, 0)                                                 # 1 - x^2 on [-1, 1]
             rows = [[str((i - 1)), str((j - 1)), str(sign * bump[i] * bump[j])] for i in range(3) for j in range(3)]
             if sign < 0:                                                     # the other normal: axes exchanged
                 rows = [rows[3 * j + i] for i in range(3) for j in range(3)]
@@ -206,6 +208,43 @@ class Classify(Folder):
         done = run("classify", model, self.points, "-o", output, "--certificate", certificate)
         self.assertEqual((done.returncode, output.read_text(), certificate.exists()), (3, ANSWERS, False), done)
         self.assertIn("veritope convert writes them as a mesh", done.stderr.replace("\n", " "))
+
+    def test_points_of_spline_models_have_certificates_in_every_format(self):
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        for name, (make, of_volumes) in every_claim.FORMATS.items():
+            ending, text = make(of_volumes)
+            model = self.file("cube" + ending, text)
+            self.answers(self.points, "-o", output, "--certificate", certificate, model=model)
+            self.assertEqual(output.read_text(), ANSWERS)
+            self.assertIn(b'"subject_format":"%s"' % name.encode(), certificate.read_bytes())
+            lie = self.file("lie.txt", ANSWERS.replace("out 0 -", "in 1 0"))
+            for checker in [BIN / "veritope-check"], [sys.executable, CHECKER]:
+                done = subprocess.run([*checker, model, certificate, output], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stdout[:15]), (0, "ACCEPT points-1"), done)
+                self.assertEqual(subprocess.run([*checker, model, certificate, lie], capture_output=True).returncode, 1)
+        with open(model, "rb") as stream:
+            done = run("classify", "-", self.points, "--format", "mfem", "--winding", "-o", output, "--certificate", certificate, stdin=stream)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_curved_models(self):
+        """A pipe, whose points are on it or beside it by very little."""
+        model = ROOT / "examples" / "quarter_pipe.itd"
+        points = self.file("near.txt", "0 0 0\n1 1 1\n2 0 1/2\n2.00000000000000000000000000000000000000000000001 0 1/2\n")
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        self.answers(points, "-o", output, "--certificate", certificate, model=model, status=0)
+        for checker in [BIN / "veritope-check"], [sys.executable, CHECKER]:
+            self.assertEqual(subprocess.run([*checker, model, certificate, output], capture_output=True).returncode, 0)
+
+    def test_models_of_which_checkers_read_a_copy_have_answers_without_a_certificate(self):
+        faces = [(0, 2, 1, 3), (4, 5, 6, 7), (0, 1, 4, 5), (2, 6, 3, 7), (0, 4, 2, 6), (1, 3, 5, 7)]
+        basis = '<Basis type="BSplineBasis" index="%d"><KnotVector degree="1">0 0 1 1</KnotVector></Basis>'
+        text = "<xml>" + "".join(
+            '<Geometry type="TensorBSpline2" id="%d"><Basis type="TensorBSplineBasis2">%s%s</Basis><coefs geoDim="3">%s</coefs></Geometry>'
+            % (i, basis % 0, basis % 1, " ".join("%d %d %d" % (v & 1, v >> 1 & 1, v >> 2) for v in face)) for i, face in enumerate(faces)) + "</xml>"
+        model, output, certificate = self.file("cube.xml", text), self.folder / "answers.txt", self.folder / "points.cert"
+        done = run("classify", model, self.points, "-o", output, "--certificate", certificate)
+        self.assertEqual((done.returncode, output.read_text(), certificate.exists()), (3, ANSWERS, False), done)
+        self.assertIn("the checkers do not read this file, but a copy; veritope convert writes it as .vjson", done.stderr.replace("\n", " "))
 
     def test_a_program_that_waits_gets_its_answers(self):
         with subprocess.Popen([BIN / "veritope", "classify", self.box, "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:

@@ -28,7 +28,8 @@ class PatchPointsCertifier {
            std::span<const PointAnswer> answers);
 
   /// The certificate; empties this. `answers` says what was written; its numbers of points are set here.
-  /// @error kOverLimit if points lie at irrational parameters, or if checkers do not accept so many patches, or knots of such length
+  /// @error kOverLimit if points lie at irrational parameters, or if checkers do not accept so many patches, or knots
+  /// of such length
   Result<certificate::Bytes> finish(const certificate::Subject& subject,
                                     certificate::AnswersSubject answers);
 

@@ -95,8 +95,8 @@ class PatchPointsCertifier::Body {
     classifier_.classify(p, &where);
     VT_CHECK(where.has_value(), "a point on a patch has parameters");
     ++num_on_;
-    codes_.add(
-        {where->patch, {to_fraction(where->parameters[0]), to_fraction(where->parameters[1])}});
+    codes_.add(certificate::PointOnPatch{
+        where->patch, {to_fraction(where->parameters[0]), to_fraction(where->parameters[1])}});
   }
 
   const FilePatches& patches_;

@@ -158,10 +158,10 @@ def interesting(solid_, rng, count):
 # ---------------------------------------------------------------- lines and plans
 
 class Root:
-    """Parameters of kind 1: the polynomials u and v at the root of a polynomial in [a, b]. root: if it is rational."""
+    """Parameters of kind 1: the polynomials u and v at the root of a polynomial in [a, b]."""
 
-    def __init__(self, modulus, ends, u, v, root=None):
-        self.modulus, self.ends, self.u, self.v, self.root = modulus, ends, u, v, root
+    def __init__(self, modulus, ends, u, v):
+        self.modulus, self.ends, self.u, self.v = modulus, ends, u, v
 
     def bytes(self):
         def poly(p):
@@ -172,13 +172,10 @@ class Root:
         return Root(**{**vars(self), **fields})
 
     def parameters(self):
-        """Those at the root, or None if the modulus is not 0 there, or not of different signs at the ends."""
-        def value(p, t):
-            return sum(c * t ** k for k, c in enumerate(p))
-        a, b = self.ends
-        if value(self.modulus, self.root) != 0 or not a < self.root < b or value(self.modulus, a) * value(self.modulus, b) >= 0:
-            return None
-        return value(self.u, self.root), value(self.v, self.root)
+        """Those at the root, or None if it is not in the interval. The modulus has the degree 1."""
+        constant, slope = self.modulus
+        (a, b), root = self.ends, -constant / slope
+        return tuple(sum(c * root ** k for k, c in enumerate(p)) for p in (self.u, self.v)) if a < root < b else None
 
 
 def as_root(at, rng):
@@ -191,7 +188,7 @@ def as_root(at, rng):
     v = [t + r * r * Q(1, 8) * (0 < t < 1), Q(0), -Q(1, 8) * (0 < t < 1)]
     if 0 < s and 0 < t and s + t == 1 or s in (0, 1) or t in (0, 1):
         u, v = [s], [t]                                   # on a border it must stay there
-    return Root(modulus, (r - width, r + width), u, v, r)
+    return Root(modulus, (r - width, r + width), u, v)
 
 
 class PatchLine(Line):

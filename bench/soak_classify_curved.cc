@@ -283,7 +283,7 @@ class Soak {
 
   // Rational parameters are substituted; of others the middles, with all bits but 64 of their intervals.
   static bool is_there(const Solid& solid, const OnPatch& where, const ExactPoint& p) {
-    const auto& [u, v] = where.parameters;
+    const auto& [u, v] = where.parameters.numbers;
     const Patch& patch = solid.patches[where.patch];
     const ExactPoint q = at(patch, (u.lo + u.hi) / Rational(2), (v.lo + v.hi) / Rational(2));
     if (u.is_rational() && v.is_rational()) return q == p;

@@ -153,11 +153,11 @@ bool stays_inside(const Polynomial& f, const Rational& lo, const Rational& hi) {
 
 }  // namespace
 
-std::optional<std::array<AlgebraicNumber, 2>> algebraic_parameters(
-    const TensorForm& form, const std::array<std::vector<Integer>, 3>& net,
-    const std::array<Dyadic, 2>& at, int bits) {
+std::optional<AlgebraicPair> algebraic_parameters(const TensorForm& form,
+                                                  const std::array<std::vector<Integer>, 3>& net,
+                                                  const std::array<Dyadic, 2>& at, int bits) {
   std::array<Integer, 2> x;
-  std::array<AlgebraicNumber, 2> out;
+  AlgebraicPair out;
   for (std::size_t k = 0; k < 2; ++k) {
     x[k] = fixed_point(at[k], bits);
     if (x[k].sign() < 0 || x[k] > power_of_two(static_cast<std::uint64_t>(bits)))
@@ -166,7 +166,7 @@ std::optional<std::array<AlgebraicNumber, 2>> algebraic_parameters(
     if (m.empty()) return std::nullopt;
     auto root = root_near(std::move(m), at[k].to_rational(), bits / 2);
     if (!root) return std::nullopt;
-    out[k] = std::move(*root);
+    out.numbers[k] = std::move(*root);
   }
   std::array<Rows, 3> f;
   for (std::size_t k = 0; k < 3; ++k) f[k] = powers(form, net[k]);
@@ -175,14 +175,20 @@ std::optional<std::array<AlgebraicNumber, 2>> algebraic_parameters(
   if (all([&](const Rows& g) { return vanishes(g, m, n); })) return out;
   if (out[0].is_rational() || out[1].is_rational()) return std::nullopt;
   // The two depend on each other: one is a polynomial of the other.
-  if (const Polynomial v = expressed(x[1], x[0], m.size() - 1, bits);
+  if (Polynomial v = expressed(x[1], x[0], m.size() - 1, bits);
       !v.empty() && stays_inside(v, out[0].lo, out[0].hi) &&
-      all([&](const Rows& g) { return vanishes_along(g, m, v); }))
+      all([&](const Rows& g) { return vanishes_along(g, m, v); })) {
+    out.relation = std::move(v);
+    out.dependent = 1;
     return out;
-  if (const Polynomial u = expressed(x[0], x[1], n.size() - 1, bits);
+  }
+  if (Polynomial u = expressed(x[0], x[1], n.size() - 1, bits);
       !u.empty() && stays_inside(u, out[1].lo, out[1].hi) &&
-      all([&](const Rows& g) { return vanishes_along(transposed(g), n, u); }))
+      all([&](const Rows& g) { return vanishes_along(transposed(g), n, u); })) {
+    out.relation = std::move(u);
+    out.dependent = 0;
     return out;
+  }
   return std::nullopt;
 }
 

@@ -15,8 +15,8 @@ namespace veritope::internal {
 /// Parameters in [0,1]^2 at which the map whose control points, relative to a point, are `net` (x, y, z in the order of
 /// the form; homogeneous) is 0; nothing if no roots of polynomials up to degree 6 with short coefficients were found
 /// near `at`, of which `bits` bits are right, or if substitution does not confirm them.
-std::optional<std::array<AlgebraicNumber, 2>> algebraic_parameters(
-    const TensorForm& form, const std::array<std::vector<Integer>, 3>& net,
-    const std::array<Dyadic, 2>& at, int bits);
+std::optional<AlgebraicPair> algebraic_parameters(const TensorForm& form,
+                                                  const std::array<std::vector<Integer>, 3>& net,
+                                                  const std::array<Dyadic, 2>& at, int bits);
 
 }  // namespace veritope::internal

@@ -22,10 +22,10 @@ constexpr int kBitsOfCondition =
     24;                         // by which parameters are worse known than the point's distance
 constexpr int kFirstBits = 36;  // how far the middles of the smallest rounded pieces can be trusted
 
-std::array<AlgebraicNumber, 2> as_algebraic(const std::array<Rational, 2>& uv) {
-  std::array<AlgebraicNumber, 2> out;
+AlgebraicPair as_algebraic(const std::array<Rational, 2>& uv) {
+  AlgebraicPair out;
   for (std::size_t k = 0; k < 2; ++k)
-    out[k] = {{-uv[k].numerator(), uv[k].denominator()}, uv[k], uv[k]};
+    out.numbers[k] = {{-uv[k].numerator(), uv[k].denominator()}, uv[k], uv[k]};
   return out;
 }
 
@@ -159,8 +159,7 @@ class PatchClassifier::Body {
     return out;
   }
 
-  PointAnswer on(std::uint32_t patch, std::array<AlgebraicNumber, 2> uv,
-                 std::optional<OnPatch>* where) const {
+  PointAnswer on(std::uint32_t patch, AlgebraicPair uv, std::optional<OnPatch>* where) const {
     if (where != nullptr) *where = OnPatch{patch, std::move(uv)};
     return {0, patch, has_shells_ ? complex_.shell(patch) : kNowhere, true};
   }

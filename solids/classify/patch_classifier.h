@@ -23,7 +23,7 @@ struct OnPatch {
   std::uint32_t patch = 0;
   /// (u, v) of a tensor patch; for a triangle those of S(u, v) = map(1 - u, u (1 - v), u v), whose map has barycentric
   /// coordinates.
-  std::array<AlgebraicNumber, 2> parameters;
+  AlgebraicPair parameters;
 };
 
 /// Answers for points with respect to one complex. Immutable: threads may share it.

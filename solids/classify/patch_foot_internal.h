@@ -29,7 +29,7 @@ class PatchFoot {
   std::optional<std::array<Rational, 2>> exact_parameters(int bits) const;
 
   /// Parameters that are roots of polynomials; see algebraic_parameters.
-  std::optional<std::array<AlgebraicNumber, 2>> irrational_parameters(int bits) const {
+  std::optional<AlgebraicPair> irrational_parameters(int bits) const {
     return algebraic_parameters(form_, net_, at_, bits);
   }
 

@@ -54,9 +54,13 @@ const Rational kThird = Rational(1) / 3, kHalf = Rational(1) / 2;
 TEST(PatchPointsCertifier, HasTheDirectionInWhichTheModelEndsSoonest) {
   const Case c(patch_shapes::box({0, 0, 0}, {1, 1, 1}));
   const Rational near = Rational(1) / 8, far = Rational(7) / 8;
-  const certificate::PointsBody body = body_of(
-      c, {{far, kHalf, kHalf}, {near, kHalf, kHalf}, {kHalf, far, kThird}, {kHalf, near, kThird},
-          {kThird, kHalf, far}, {kThird, kHalf, near}, {kHalf, 5, kHalf}});
+  const certificate::PointsBody body = body_of(c, {{far, kHalf, kHalf},
+                                                   {near, kHalf, kHalf},
+                                                   {kHalf, far, kThird},
+                                                   {kHalf, near, kThird},
+                                                   {kThird, kHalf, far},
+                                                   {kThird, kHalf, near},
+                                                   {kHalf, 5, kHalf}});
   EXPECT_EQ(body.num_faces, 6u);
   EXPECT_EQ(body.num_vertex_ids, 6u);
   EXPECT_EQ(body.num_points, 7u);
@@ -80,6 +84,23 @@ TEST(PatchPointsCertifier, HasThePatchAndTheParametersOfAPointOnIt) {
   const std::vector<Rational> q =
       evaluate(c.patches.complex->patch(patch).tensor(), {number(2), number(4)});
   EXPECT_EQ(q, (std::vector<Rational>{1, kThird, kHalf}));
+}
+
+TEST(PatchCodes, WriteParametersThatAreNotRationalAsPolynomials) {
+  certificate::PatchCodes codes({});
+  const auto number = [](int n) {
+    const certificate::Natural size = n == 0 ? certificate::Natural() : certificate::Natural{1};
+    return certificate::Fraction{n < 0, size, {1}};
+  };
+  codes.add(certificate::AlgebraicPointOnPatch{200,
+                                               {number(-1), number(1)},
+                                               {number(0), number(1)},
+                                               {{{number(0), number(1)}, {number(1)}}}});
+  EXPECT_EQ(codes.take(), (certificate::Bytes{200, 1, 1,        //
+                                              1,   1, 1, 2, 1,  // -1 + t
+                                              0,   1, 2, 1,     // [0, 1]
+                                              1,   0, 1, 2, 1,  // t
+                                              0,   2, 1}));     // 1
 }
 
 TEST(PatchPointsCertifier, AddsBatchesInOrder) {

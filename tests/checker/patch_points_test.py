@@ -8,7 +8,8 @@ import judges
 import patch_points_test as python_tests
 
 judges.judge(python_tests.vc)
-Off, On, Bodies, Models = python_tests.Off, python_tests.On, python_tests.Bodies, python_tests.Models
+Off, On, Algebraic = python_tests.Off, python_tests.On, python_tests.Algebraic
+Bodies, Models = python_tests.Bodies, python_tests.Models
 Work, Bound = python_tests.Work, python_tests.Bound
 
 

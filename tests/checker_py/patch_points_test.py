@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Tests of docs/certificates/points.md, section 6: true answers about spline models are accepted along every direction, and each condition
 rejects lies that break nothing else. What is true say the formulas of patch_points_forge.py."""
+import itertools
 import json
 import pathlib
 import random
@@ -142,6 +143,106 @@ class On(PatchPointsTest):
                 self.rejects("B1", solid, off(q, f, 4))
 
 
+def wavy_cube():
+    """[-1, 1]^3, whose faces have the parameters g(u), g(v) with g(t) = (t + 3 t^2 - 2 t^3) / 2."""
+    g = [2 * c - 1 for c in (Q(0), Q(1, 6), Q(5, 6), Q(1))]
+    faces = [star_box_forge.surface([[at(u, v) for v in g] for u in g]) for at in models.cube_faces()]
+    return Solid([forge.Part(faces, CUBE.level, CUBE.size)])
+
+
+THIRD_OF_G = [Q(-2), Q(3), Q(9), Q(-6)]                   # its root in [0, 1] is where g is 1/3
+
+
+def both_roots(c, d):
+    """The point of the face x = 1 of the wavy cube with g(u) = c and g(v) = d as a Root: u and v are polynomials in u + 2 v, of degree 9."""
+    def times(f, h):                                      # 3 x 3 coefficients of u^i v^j, modulo u^3 = 3/2 u^2 + u/2 - c, and v likewise
+        out = [[Q(0)] * 5 for _ in range(5)]
+        for (i, j), (k, m) in itertools.product(itertools.product(range(3), repeat=2), repeat=2):
+            out[i + k][j + m] += f[i][j] * h[k][m]
+        for e in (4, 3):
+            for j in range(5):
+                for low, factor in ((1, Q(3, 2)), (2, HALF), (3, -c)):
+                    out[e - low][j] += factor * out[e][j]
+        for row in out[:3]:
+            for e in (4, 3):
+                for low, factor in ((1, Q(3, 2)), (2, HALF), (3, -d)):
+                    row[e - low] += factor * row[e]
+        return [row[:3] for row in out[:3]]
+
+    def unit(i, j):
+        return [[Q((i, j) == (k, m)) for m in range(3)] for k in range(3)]
+
+    u, v, theta = unit(1, 0), unit(0, 1), [[Q(0), Q(2), Q(0)], [Q(1), Q(0), Q(0)], [Q(0)] * 3]
+    powers = [unit(0, 0)]
+    for _ in range(9):
+        powers.append(times(powers[-1], theta))
+    columns = [sum(p, []) for p in powers[:9]]
+    rows = [[*(col[r] for col in columns), *(sum(x, [])[r] for x in (powers[9], u, v))] for r in range(9)]
+    for k in range(9):                                    # Gauss and Jordan
+        pivot = next(r for r in range(k, 9) if rows[r][k])
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [x / rows[k][k] for x in rows[k]]
+        rows = [row if r == k else [x - row[k] * y for x, y in zip(row, rows[k])] for r, row in enumerate(rows)]
+    modulus = [-row[9] for row in rows] + [Q(1)]
+
+    def root_of_g(value):
+        low, high = Q(0), Q(1)
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (middle, high) if middle + 3 * middle ** 2 - 2 * middle ** 3 < 2 * value else (low, middle)
+        return low
+    at, width = root_of_g(c) + 2 * root_of_g(d), Q(1, 2 ** 40)
+    return forge.Root(modulus, (at - width, at + width), [row[10] for row in rows], [row[11] for row in rows])
+
+
+class Algebraic(PatchPointsTest):
+    """On the face x = 1, whose parameters are y and z."""
+
+    def at(self, y, z, **how):
+        root = forge.Root(**{"modulus": THIRD_OF_G, "ends": (Q(0), Q(1)), "u": [Q(0), Q(1)], "v": [HALF], **how})
+        return PatchLine(text((1, y, z)), "on", "-", "-", (0, root))
+
+    def test_parameters_that_are_not_rational(self):
+        cube = wavy_cube()
+        self.accepts(cube, self.at(-THIRD, 0), self.at(-THIRD, -THIRD, v=[Q(0), Q(1)]), self.at(-THIRD, THIRD, v=[Q(1), Q(-1)]),
+                     self.at(-THIRD, 1, v=[Q(1)]), self.at(-THIRD, -1, v=[Q(0), Q(0), Q(0)]), self.at(-THIRD, 0, ends=(Q(9, 25), Q(37, 100))),
+                     self.at(-THIRD, 0, u=[Q(-2), Q(4), Q(9), Q(-6)], ends=(Q(9, 25), Q(37, 100))))
+
+    def test_two_parameters_of_two_fields(self):
+        root = both_roots(THIRD, Q(1, 5))
+        self.assertEqual(len(root.modulus), 10)
+        line = PatchLine(text((1, -THIRD, Q(-3, 5))), "on", "-", "-", (0, root))
+        self.accepts(wavy_cube(), line)
+        self.rejects("P2", wavy_cube(), line.changed(tokens=text((1, -THIRD, Q(-3, 5) + TINY))))
+        self.rejects("P2", wavy_cube(), line.changed(code=(0, root.changed(u=root.v, v=root.u))))
+
+    def test_lies(self):
+        cube = wavy_cube()
+        for line in (self.at(THIRD, 0), self.at(-THIRD, Q(1, 2 ** 99)), self.at(-THIRD, 0, modulus=[Q(-1), Q(3)]), self.at(-THIRD, 0, ends=(Q(9, 20), Q(1))),
+                     self.at(-THIRD, 0, ends=(Q(-1), Q(1))), self.at(-THIRD, 0, ends=(Q(-1), Q(2))), self.at(-THIRD, 0, v=[HALF, Q(1, 2 ** 70)]),
+                     self.at(-THIRD, 0, modulus=[c * d for c, d in zip(THIRD_OF_G, (1, 1, 1, 2))]), self.at(-THIRD, 3, v=[Q(2)])):
+            self.rejects("P2", cube, line)
+        for how in ({"modulus": [Q(1)]}, {"modulus": [*THIRD_OF_G, Q(0)]}, {"ends": (Q(1), Q(0))}, {"ends": (Q(1), Q(1))}, {"u": [Q(0)] * 66}):
+            self.says("B1", PatchPlan(cube, [self.at(-THIRD, 0, **how)], "exact", True))
+
+    def test_triangles(self):
+        solid = Solid([TETRAHEDRON])
+        q = forge.point_at(solid.entities[0], (THIRD, Q(1, 5)))
+        fifth = [Q(1, 5)]
+        for root, expected in ((forge.Root([Q(-1), Q(3)], (Q(0), HALF), [Q(0), Q(1)], fifth), "ACCEPT"),
+                               (forge.Root([Q(-1), Q(3)], (Q(0), Q(1)), [Q(0), Q(1)], fifth), "P2"),                # beyond the domain at 1
+                               (forge.Root([Q(1), Q(3)], (-HALF, Q(0)), [Q(0), Q(-1)], fifth), "ACCEPT"),
+                               (forge.Root([Q(-1), Q(0), Q(9)], (Q(0), HALF), [Q(0), Q(0), Q(3)], fifth), "ACCEPT"),
+                               (forge.Root([Q(-1), Q(0), Q(9)], (Q(0), HALF), [Q(0), Q(1)], fifth), "P2"),          # not at the other root
+                               (forge.Root([Q(-1), Q(0), Q(8)], (Q(0), HALF), [Q(0), Q(1)], fifth), "P2")):
+            self.says(expected, PatchPlan(solid, [PatchLine(text(q), "on", "-", "-", (0, root))], "exact", True))
+
+    def test_much_work(self):
+        """Numbers of two thousand bits and polynomials of degree 64."""
+        long = Q(2 ** 2000 + 1, 3 ** 1200)
+        self.rejects("B1", wavy_cube(), self.at(-THIRD, 0, modulus=[long] * 65, u=[long] * 65, v=[long] * 65))
+
+
 class Bodies(PatchPointsTest):
     def setUp(self):
         self.solid = Solid([TETRAHEDRON, SHIFTED])
@@ -158,7 +259,7 @@ class Bodies(PatchPointsTest):
             plan.body = lambda size=size: body[:size]
             self.says("B1", plan)
         good = self.plan.lines[1].bytes()
-        for code in (b"\x0a" + good[1:], good[:1] + b"\1" + good[2:], good[:1] + b"\2" + good[2:], b"\x80\0" + good[1:], good[:2] + b"\4\4" + good[4:],
+        for code in (b"\x0a" + good[1:], good[:1] + b"\2" + good[2:], b"\x80\0" + good[1:], good[:2] + b"\4\4" + good[4:],
                      good[:2] + b"\2\0" + good[4:], good[:2] + b"\0\0\2\0\1\1\1" + good[4:]):
             self.says("B1", self.plan.with_line(1, code=code))
 
@@ -274,7 +375,7 @@ class Work(PatchPointsTest):
 
 
 def load_tests(loader, _tests, _pattern):
-    return unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Off, On, Bodies, Models, Work))
+    return unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Off, On, Algebraic, Bodies, Models, Work))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import unittest
+from fractions import Fraction
 
 import schema
 import support
@@ -164,6 +165,29 @@ class Classify(Folder):
             self.assertIn("open", done.stderr)
         done = run("classify", walls, points)                                # a sharp rim of zero thickness at its corners has no star boxes
         self.assertIn(done.returncode, (1, 3))
+
+    def test_points_at_irrational_parameters_are_proved(self):
+        """z = 1 + x y over x = g(u), y = g(v), g(t) = (t + 3 t^2 - 2 t^3) / 2: most rational points have irrational parameters."""
+        g = [Fraction(0), Fraction(1, 6), Fraction(5, 6), Fraction(1)]
+
+        def surface(degrees, points):
+            return {"kind": "surface", "group": None, "attributes": [],
+                    "shape": {"degrees": degrees, "periodic": [False, False], "knots": [["0"] * (n + 1) + ["1"] * (n + 1) for n in degrees],
+                              "rational": False, "components": 3, "points": [[str(c) for c in p] for p in points]}}
+
+        def wall(x, y):
+            return surface([3, 1], [[x(t), y(t), z * (1 + x(t) * y(t))] for t in g for z in (0, 1)])
+        entities = [surface([3, 3], [[x, y, 1 + x * y] for x in g for y in g]), surface([3, 3], [[y, x, 0] for x in g for y in g]),
+                    wall(lambda t: t, lambda t: 0), wall(lambda t: 1, lambda t: t), wall(lambda t: 1 - t, lambda t: 1), wall(lambda t: 0, lambda t: 1 - t)]
+        model = self.file("bent.vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities}))
+        on = [(Fraction(x, 5), Fraction(y, 7)) for x in range(6) for y in range(8)] + [(Fraction(1, 3), Fraction(1, 3)), (Fraction(1, 3), Fraction(2, 3))]
+        points = self.file("bent.txt", "".join(f"{x} {y} {1 + x * y}\n" for x, y in on) + "1/3 1/3 0\n1/3 1/3 10/9001\n1/3 1/5 2\n")
+        answers, certificate = self.folder / "bent.ans", self.folder / "bent.cert"
+        self.answers(points, "-o", answers, "--certificate", certificate, model=model)
+        self.assertEqual([line.split()[3] for line in answers.read_text().splitlines()], ["on"] * (len(on) + 1) + ["in", "out"])
+        for checker in [BIN / "veritope-check"], [sys.executable, CHECKER]:
+            done = subprocess.run([*checker, model, certificate, answers], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_the_normal_chain_has_the_same_f_for_every_origin(self):
         pipe = ROOT / "examples" / "quarter_pipe.itd"

@@ -23,7 +23,7 @@ import time_limit                                         # noqa: E402
 
 # Found by a greedy cover: with these every condition is needed by at least two attacks.
 SEEDS = (87, 94, 106, 115, 123, 134, 150, 183, 197, 215, 225, 247, 250, 252, 261, 320, 345, 352, 390, 431, 433)
-POINTS_SEEDS = (0, 62, 119, 258, 307)
+POINTS_SEEDS = (0, 1, 2, 3, 8, 9, 10, 23, 158)
 REVERSED_SEEDS = (22, 61, 130, 175, 197, 264, 397)          # found in the same way, for each condition once
 
 

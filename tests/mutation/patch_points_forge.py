@@ -157,8 +157,42 @@ def interesting(solid_, rng, count):
 
 # ---------------------------------------------------------------- lines and plans
 
+class Root:
+    """Parameters of kind 1: the polynomials u and v at the root of a polynomial in [a, b]."""
+
+    def __init__(self, modulus, ends, u, v):
+        self.modulus, self.ends, self.u, self.v = modulus, ends, u, v
+
+    def bytes(self):
+        def poly(p):
+            return bytes([len(p) - 1]) + b"".join(map(patch_forge.rational, p))
+        return poly(self.modulus) + b"".join(map(patch_forge.rational, self.ends)) + poly(self.u) + poly(self.v)
+
+    def changed(self, **fields):
+        return Root(**{**vars(self), **fields})
+
+    def parameters(self):
+        """Those at the root, or None if it is not in the interval. The modulus has the degree 1."""
+        constant, slope = self.modulus
+        (a, b), root = self.ends, -constant / slope
+        return tuple(sum(c * root ** k for k, c in enumerate(p)) for p in (self.u, self.v)) if a < root < b else None
+
+
+def as_root(at, rng):
+    """These parameters, as polynomials at a rational root."""
+    (s, t), r = at, Q(rng.randint(-9, 9), rng.randint(1, 9))
+    c, scale = Q(rng.randint(-3, 3), 4), rng.choice((1, -2, Q(1, 3)))
+    modulus = [-r * scale, scale * Q(1)]
+    width = Q(1, 2 ** 40)
+    u = [s - c * r * (0 < s < 1), c * (0 < s < 1)]
+    v = [t + r * r * Q(1, 8) * (0 < t < 1), Q(0), -Q(1, 8) * (0 < t < 1)]
+    if 0 < s and 0 < t and s + t == 1 or s in (0, 1) or t in (0, 1):
+        u, v = [s], [t]                                   # on a border it must stay there
+    return Root(modulus, (r - width, r + width), u, v)
+
+
 class PatchLine(Line):
-    """code of an `on` line: (patch, parameters)."""
+    """code of an `on` line: (patch, parameters or a Root)."""
     kind = b"\0"
 
     def changed(self, **fields):
@@ -172,6 +206,8 @@ class PatchLine(Line):
         if self.code is None or self.is_off():
             return super().bytes()
         patch, at = self.code
+        if isinstance(at, Root):
+            return forge.varint(patch) + b"\1" + at.bytes()
         return forge.varint(patch) + self.kind + b"".join(map(patch_forge.rational, at))
 
 
@@ -207,7 +243,8 @@ def true_line(solid_, point, code, rng, with_winding):
     tokens = [rng.choice(tokens_of(c, "exact")) for c in point]
     shell = rng.choice(("-", "0", "7"))
     if code:
-        return PatchLine(tokens, "on", "-", shell, code)
+        patch, at = code
+        return PatchLine(tokens, "on", "-", shell, (patch, as_root(at, rng)) if rng.random() < .2 else code)
     w = solid_.truth(point)
     if w is None or w not in (0, 1) and not with_winding:
         return PatchLine(tokens, "undecided", "-", "-", None)
@@ -222,7 +259,9 @@ def holds(solid_, line, decimals):
     if line.word != "on":
         return solid_.truth(q) == int(line.f)
     patch, at = line.code
-    return (patch < len(solid_.entities) and is_in_domain(solid_.entities[patch], at) and
+    if isinstance(at, Root):
+        at = at.parameters()
+    return (at is not None and patch < len(solid_.entities) and is_in_domain(solid_.entities[patch], at) and
             list(point_at(solid_.entities[patch], at)) == list(q))
 
 

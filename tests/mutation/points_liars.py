@@ -239,11 +239,27 @@ def other_f_of_patches(case, plan, rng):
 def other_parameters(case, plan, rng):
     """Parameters of another point, of another patch, exchanged, or beyond the domain: planes and spheres go on there."""
     for number in with_words(plan, "on"):
-        patch, (u, v) = plan.lines[number].code
+        patch, at = plan.lines[number].code
+        if isinstance(at, curved.Root):
+            yield from (plan.with_line(number, code=(patch, root)) for root in other_roots(at, rng))
+            continue
+        u, v = at
         step = Fraction(1, rng.choice((2, 64, 2 ** 70)))
         for at in ((u + step, v), (u, v - step), (v, u), (1 - u, v), (1 - v, 1 - u), (-u, v), (u, 2 - v), (u + 1, v), (Fraction(0), v)):
             yield plan.with_line(number, code=(patch, at))
         yield plan.with_line(number, code=(rng.randrange(len(case.solid.entities)), (u, v)))
+
+
+def other_roots(root, rng):
+    """Another polynomial, an interval without the root, or other functions of it."""
+    step, (a, b) = Fraction(1, rng.choice((2, 64, 2 ** 70))), root.ends
+    yield root.changed(modulus=[root.modulus[0] + step, *root.modulus[1:]])
+    yield root.changed(modulus=[c * c for c in root.modulus])
+    yield root.changed(ends=(b, b + 1))
+    yield root.changed(ends=(a - 1, a))
+    for name, p in (("u", root.u), ("v", root.v)):
+        yield root.changed(**{name: [p[0] + step, *p[1:]]})
+        yield root.changed(**{name: [*p, step]})
 
 
 def beyond_the_domain(case, plan, rng):
@@ -315,7 +331,7 @@ def wrong_body_of_patches(rng):
     for changes in ({"extra": rng.choice((b"\0", b"\5", bytes(9)))}, {"magic": b"VTSB"}, {"breaks": b""}, {"breaks": body[20:-1]}):
         if "breaks" not in changes or plan.copy(**changes).body() != body:
             yield "wrong_body_of_patches", *case.with_answers(plan.copy(**changes))
-    wrong = {"on": (b"", b"\xff\xff\x7f\0\0\1\0\1", b"\0\1\0\1\0\1", b"\0\xff\0\1\0\1", b"\0\0\4\2\0\1", b"\0\0\2\0\0\1", b"\0\0\0\1"),
+    wrong = {"on": (b"", b"\xff\xff\x7f\0\0\1\0\1", b"\0\2\0\1\0\1", b"\0\xff\0\1\0\1", b"\0\0\4\2\0\1", b"\0\0\2\0\0\1", b"\0\0\0\1"),
              "undecided": (b"\0",)}
     for number, line in enumerate(plan.lines):
         for code in wrong.get(line.word, (b"", b"\6", b"\xff", b"\0\0")):

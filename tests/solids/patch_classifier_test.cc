@@ -99,7 +99,7 @@ TEST(PatchClassifier, NamesRationalParametersThatAreThere) {
     ASSERT_TRUE(a.is_on()) << "seed " << kSeed << " point " << i;
     ASSERT_TRUE(where.has_value());
     EXPECT_EQ(where->patch, a.facet);
-    const auto& [u, v] = where->parameters;
+    const auto& [u, v] = where->parameters.numbers;
     ASSERT_TRUE(u.is_rational() && v.is_rational());
     EXPECT_EQ(
         *point_of(evaluate(patches[where->patch].tensor(), std::array<Rational, 2>{u.lo, v.lo})),
@@ -164,7 +164,7 @@ TEST(PatchClassifier, ProvesIrrationalParameters) {
     const PointAnswer a = model.classifier.classify(p, &where);
     ASSERT_TRUE(a.is_decided && a.is_on()) << x.to_string() << ' ' << y.to_string();
     ASSERT_EQ(where->patch, 0u);
-    const auto& [u, v] = where->parameters;
+    const auto& [u, v] = where->parameters.numbers;
     EXPECT_TRUE(u.is_rational() ? x == ratio(1, 2) : is_root_of_cubic(u, x));
     EXPECT_TRUE(is_root_of_cubic(v, y));
     // Its neighbours are on neither side of the surface by accident.

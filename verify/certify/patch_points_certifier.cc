@@ -67,9 +67,8 @@ class PatchPointsCertifier::Body {
     if (num_irrational_ != 0)
       return Error{Code::kOverLimit,
                    {},
-                   "points at irrational parameters of their patches are on the surface (" +
-                       std::to_string(num_irrational_) +
-                       "), and certificates cannot speak of them yet"};
+                   "points on the surface at parameters of two fields (" +
+                       std::to_string(num_irrational_) + ") have no common generator"};
     if (!std::ranges::all_of(patches_.entities, breaks_fit_certificate))
       return Error{Code::kOverLimit, {}, "the knots are longer than certificates may have them"};
     if (kBytesOfPatch * body.num_faces > subject.bytes + body.codes.size())
@@ -101,16 +100,40 @@ class PatchPointsCertifier::Body {
     classifier_.classify(p, &where);
     VT_CHECK(where.has_value(), "a point on a patch has parameters");
     ++num_on_;
-    const auto& [u, v] = where->parameters;
-    if (!u.is_rational() || !v.is_rational()) {
+    // The certificate has barycentric coordinates of triangles.
+    const bool is_triangle = patches_.complex->patch(where->patch).is_triangle();
+    if (where->parameters.is_rational()) {
+      const Rational &u = where->parameters[0].lo, &v = where->parameters[1].lo;
+      codes_.add(certificate::PointOnPatch{where->patch,
+                                           {to_fraction(is_triangle ? u * (Rational(1) - v) : u),
+                                            to_fraction(is_triangle ? u * v : v)}});
+      return;
+    }
+    std::optional<PrimitivePair> pair = primitive_pair(where->parameters);
+    if (!pair) {
       ++num_irrational_;
       return;
     }
-    // The certificate has barycentric coordinates of triangles.
-    const bool is_triangle = patches_.complex->patch(where->patch).is_triangle();
-    codes_.add({where->patch,
-                {to_fraction(is_triangle ? u.lo * (Rational(1) - v.lo) : u.lo),
-                 to_fraction(is_triangle ? u.lo * v.lo : v.lo)}});
+    if (is_triangle) {
+      auto& [u, v] = pair->numbers;
+      std::vector<Rational> rest = v;  // 1 - v
+      for (Rational& x : rest) x.negate();
+      rest.front() += Rational(1);
+      std::vector<Rational> second = product_modulo(u, v, pair->modulus);
+      u = product_modulo(u, rest, pair->modulus);
+      v = std::move(second);
+    }
+    codes_.add(certificate::AlgebraicPointOnPatch{
+        where->patch,
+        fractions(pair->modulus),
+        {to_fraction(pair->lo), to_fraction(pair->hi)},
+        {fractions(pair->numbers[0]), fractions(pair->numbers[1])}});
+  }
+
+  static std::vector<certificate::Fraction> fractions(const std::vector<Rational>& polynomial) {
+    std::vector<certificate::Fraction> out;
+    for (const Rational& x : polynomial) out.push_back(to_fraction(x));
+    return out;
   }
 
   const FilePatches& patches_;

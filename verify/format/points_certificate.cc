@@ -22,8 +22,26 @@ PatchCodes::~PatchCodes() = default;
 
 void PatchCodes::add_direction(std::uint8_t code) { writer_->u8(code); }
 
+namespace {
+
+constexpr std::uint8_t kRationalParameters = 0, kAlgebraicParameters = 1;
+
+void write_polynomial(ByteWriter& w, const std::vector<Fraction>& coefficients) {
+  w.u8(static_cast<std::uint8_t>(coefficients.size() - 1));
+  for (const Fraction& f : coefficients) internal::write_fraction(w, f);
+}
+
+}  // namespace
+
+void PatchCodes::add(const AlgebraicPointOnPatch& place) {
+  writer_->varint(place.patch);
+  writer_->u8(kAlgebraicParameters);
+  write_polynomial(*writer_, place.modulus);
+  for (const Fraction& f : place.interval) internal::write_fraction(*writer_, f);
+  for (const auto& polynomial : place.parameters) write_polynomial(*writer_, polynomial);
+}
+
 void PatchCodes::add(const PointOnPatch& place) {
-  constexpr std::uint8_t kRationalParameters = 0;
   writer_->varint(place.patch);
   writer_->u8(kRationalParameters);
   for (const Fraction& f : place.parameters) internal::write_fraction(*writer_, f);

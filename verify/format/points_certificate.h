@@ -42,6 +42,15 @@ struct PointOnPatch {
   std::array<Fraction, 2> parameters;
 };
 
+/// As PointOnPatch, with parameters that are polynomials in t, at a root of a polynomial in an interval. Coefficients,
+/// the constant one first, of degrees up to 64.
+struct AlgebraicPointOnPatch {
+  std::uint64_t patch = 0;
+  std::vector<Fraction> modulus;
+  std::array<Fraction, 2> interval;
+  std::array<std::vector<Fraction>, 2> parameters;
+};
+
 /// What PointsBody::codes has for spline models.
 class PatchCodes {
  public:
@@ -51,6 +60,7 @@ class PatchCodes {
 
   void add_direction(std::uint8_t code);
   void add(const PointOnPatch& place);
+  void add(const AlgebraicPointOnPatch& place);
   Bytes take();
 
  private:

@@ -42,6 +42,7 @@ Mark::Mark(const Big& numerator, int64_t exponent) : n(numerator), k(exponent) {
 
 Grid::Grid(const Patch& p) : shape{false, p.shape.p, p.shape.q}, is_triangle(p.shape.is_triangle) {
   if (is_triangle) {
+    triangle = p.net;
     for (int r = 0; r <= p.shape.p; ++r) add_elevated(p, r, &net);
   } else {
     net = p.net;

@@ -33,7 +33,8 @@ struct Grid {
   Shape shape;           // no triangle
   bool is_triangle;      // the patch was one; its side 3 is its corner 0 here
   std::vector<Big> net;  // X, Y, Z, W of each control point, v fastest, without a common factor
-  int64_t bits;          // of the longest number
+  std::vector<Big> triangle;  // its own control points, if the patch was one
+  int64_t bits;               // of the longest number of the net
   uint32_t pair[4];   // for each side, 4 * patch + side of the pair's first one; collapsed: kNoPair
   bool is_second[4];  // whether the side is the second one
 

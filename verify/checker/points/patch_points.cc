@@ -2,7 +2,7 @@
 // patch_points.cc: the conditions of docs/certificates/points.md, section 6, in their order.
 #include "patch_points.h"
 
-#include "../patches/star_bytes.h"
+#include "algebraic.h"
 #include "patch_winding.h"
 
 namespace {
@@ -12,14 +12,15 @@ const uint64_t kBytesOfPatch = 3;  // of the model and the body
 struct PointCode {
   int direction;  // of a point off the patches
   uint64_t patch;
-  Ratio at[2];  // parameters
+  Ratio at[2];                           // parameters
+  std::shared_ptr<Algebraic> algebraic;  // instead of them, if not null
 };
 
 struct Reader : Bytes {
   explicit Reader(const Body& bytes) : Bytes(bytes) {}
 
   PointCode code(const Answer& answer, uint64_t patches) {
-    PointCode r = {0, 0, {}};
+    PointCode r = {0, 0, {}, nullptr};
     if (answer.word == Answer::kUndecided) return r;
     if (answer.word == Answer::kOff) {
       r.direction = int(at_most(body.natural(1), 5, "there is no direction"));
@@ -27,8 +28,11 @@ struct Reader : Bytes {
     }
     r.patch = varint();
     require(r.patch < patches, "B1", "there is no patch", r.patch);
-    at_most(body.natural(1), 0, "there is no kind of place");
-    for (Ratio& t : r.at) t = rational();
+    if (at_most(body.natural(1), 1, "there is no kind of place") == 1) {
+      r.algebraic = std::make_shared<Algebraic>(Algebraic::read(this));
+    } else {
+      for (Ratio& t : r.at) t = rational();
+    }
     return r;
   }
 };
@@ -69,6 +73,12 @@ void to_square(const Grid& grid, const Ratio* t, Ratio* uv) {
 }
 void check_on(const Grid& grid, const RationalPoint& q, const PointCode& code,
               const std::string& where, PointUnits* units) {
+  if (code.algebraic != nullptr) {
+    units->add(code.algebraic->units(grid, q));
+    const char* const why = code.algebraic->why_not_on(grid, q);
+    if (why != nullptr) throw Rejected{"P2", why + where};
+    return;
+  }
   uint64_t g = 0;
   for (const Ratio& t : code.at) g = std::max(g, uint64_t(std::max(t.n.bits(), t.d.bits())));
   units->add(16 + (grid.count() * grid.degrees() *

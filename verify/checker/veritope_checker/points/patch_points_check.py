@@ -11,12 +11,13 @@ from ..patches.star_box_check import MAX_DEGREE
 from ..patches.star_box_patches import glue, longest, patches_of
 from ..patches.star_box_read import Body, read_all_breaks
 from .answers import lines_of
+from .algebraic import Algebraic
 from .box_tree import BoxTree
 from .patch_winding import LeftOver, TooMuchWork, Work, winding
 
 BYTES_OF_PATCH = 3                      # of the model and the body
 BOX_BITS = 60                           # of the greatest coordinate of a box
-PARAMETERS = 0                          # the kind of an `on` point's code
+RATIONAL, ALGEBRAIC = 0, 1              # the kind of an `on` point's code
 
 def check(claim, statement, data, model, skip, answers, words):
     def fail(condition, why):
@@ -64,7 +65,7 @@ def read_body(claim, statement, body, entities, words):
     return breaks, codes
 
 def read_code(body, num_patches, word):
-    """A direction, (patch, parameters), or None if there is no code."""
+    """A direction, (patch, two rationals or Algebraic), or None if there is no code."""
     if word == "undecided":
         return None
     if word == "off":
@@ -72,15 +73,17 @@ def read_code(body, num_patches, word):
     patch = body.varint()
     if patch >= num_patches:
         raise Reject("B1", "patch %d does not exist" % patch)
-    body.u8(PARAMETERS)
-    return patch, (body.rational(), body.rational())
+    if body.u8(ALGEBRAIC) == RATIONAL:
+        return patch, (body.rational(), body.rational())
+    return patch, Algebraic(body)
 
 
 # ---------------------------------------------------------------- patches and points
 
 class Grid:
     """A patch as a tensor patch.  rows[i][j]: the coefficient (X, Y, Z, W) of u^i v^j, integers without a common
-    factor.  borders[s]: (edge, whether it is the first of the edge's two sides) of side s, None if it is collapsed."""
+    factor.  borders[s]: (edge, whether it is the first of the edge's two sides) of side s, None if it is collapsed.
+    triangle: its arrays if the patch is one."""
 
     def __init__(self, patch):
         net = tensor_net(patch)
@@ -88,6 +91,7 @@ class Grid:
         net = [[[c // common for c in row] for row in a] for a in net]
         self.bits, self.degrees, self.is_tensor = longest(net), (len(net[0]) - 1, len(net[0][0]) - 1), patch.is_tensor
         self.rows = [list(zip(*rows)) for rows in zip(*net)]
+        self.triangle = None if patch.is_tensor else patch.net
         side = patch.sides
         self.borders = side if patch.is_tensor else [side[2], side[0], side[1], None]
 
@@ -137,6 +141,10 @@ class Point:
 
 def p2_not_on(model, work, ratios, patch, at):
     grid, point = model.grids[patch], Point(ratios)
+    if isinstance(at, Algebraic):
+        work.add_on_algebraic(grid, point.bits, at)
+        why = at.not_on(grid, point)
+        return why and ("P2", "%s, on patch %d" % (why, patch))
     work.add_on(grid, point.bits, at)
     u, v = at
     if min(at) < 0 or (max(at) if grid.is_tensor else u + v) > 1:

@@ -49,6 +49,11 @@ class Work:
         h = grid.bits + point_bits + (p + q) * g
         self.add(16 + ((p + 1) * (q + 1) * (p + q) * h * (64 + g) >> 18))
 
+    def add_on_algebraic(self, grid, point_bits, at):
+        p, q = grid.degrees
+        h = grid.bits + point_bits + (p + q) * (at.size + 1) * at.bits
+        self.add(16 + (((p + 1) * (q + 1) + 4 * (p + q)) * at.size ** 2 * h ** 2 >> 22))
+
 def trailing_zeros(n):
     return (n & -n).bit_length() - 1
 

@@ -121,7 +121,7 @@ class ClassifyRun {
           std::pair("--certificate", options_.certificate.has_value()),
           std::pair("--by normal", options_.by_chain)})
       if (is_given)
-        return complain(std::string(option) + " is for meshes, and " + harmless(path()) +
+        return complain(std::string(option) + " is for models, and " + harmless(path()) +
                         " is an expression of solids"),
                kExitUsage;
     Stopwatch watch;
@@ -139,7 +139,8 @@ class ClassifyRun {
     report_.lookup_cells = lookup.cells;
     report_.lookup_bytes = lookup.bytes;
     report_.seconds_build = watch.lap();
-    const Decimals decimals = options_.decimals.value_or(Decimals::kNearest);
+    const Decimals decimals =
+        options_.decimals.value_or(operands.has_patches() ? Decimals::kExact : Decimals::kNearest);
     const ExitCode exit =
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
           progress_.phase(shown_path(path()), "classifying");

@@ -24,7 +24,9 @@ void count(PointWord word, report::ClassifyReport& report) {
     case PointWord::kOn: ++report.on; break;
     case PointWord::kOut: ++report.out; break;
     case PointWord::kUndecided:
-      report.undecided.push_back({report.points, "boundaries meet that are not flat there"});
+      report.undecided.push_back({report.points,
+                                  "boundaries meet there that are not flat, or at a place that is "
+                                  "not known as exact numbers"});
   }
 }
 

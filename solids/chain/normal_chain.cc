@@ -69,7 +69,6 @@ class NormalChain::Body {
  public:
   explicit Body(const PatchComplex& complex) : scale_(scale_of(complex)), surface_(complex) {
     std::vector<TensorForm> forms;
-    std::vector<Box3d> boxes;
     std::uint32_t cell = 0;
     for (const Patch& patch : complex.patches()) {
       for (const BaseTriangle& t : base_triangles(patch)) {
@@ -83,17 +82,17 @@ class NormalChain::Body {
                                     : counts_.mixed);
       if (patch.is_flat_triangle()) continue;  // it is its base
       first_.push_back(static_cast<std::uint32_t>(forms.size()));
-      Box3d hull = empty_box();
-      for (TensorForm& form : free_form_cell(patch, scale_, cell * kEdgesOfCell, cell)) {
-        hull = veritope::hull(hull, hull_of(form));
+      for (TensorForm& form : free_form_cell(patch, scale_, cell * kEdgesOfCell, cell))
         forms.push_back(std::move(form));
-      }
-      boxes.push_back(hull);
       ++cell;
     }
     first_.push_back(static_cast<std::uint32_t>(forms.size()));
-    cells_ = BoxHierarchy(boxes);
     rays_.emplace(std::move(forms), scale_);
+    std::vector<Box3d> boxes(cell, empty_box());
+    for (std::uint32_t c = 0; c < cell; ++c)
+      for (std::uint32_t p = first_[c]; p < first_[c + 1]; ++p)
+        boxes[c] = veritope::hull(boxes[c], rays_->box(p));
+    cells_ = BoxHierarchy(boxes);
   }
 
   std::optional<int> value(const ExactPoint& q, const ExactPoint& origin) const {
@@ -123,20 +122,6 @@ class NormalChain::Body {
   const CellCounts& free_form_cells() const { return counts_; }
 
  private:
-  // The box of the control points, divided.
-  static Box3d hull_of(const TensorForm& form) {
-    Box3d out = empty_box();
-    for (std::size_t i = 0; i < form.count(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        // Rounded twice: by less than 2^-50 of the coordinate.
-        const double x = form.rounded[k][i] / form.rounded[3][i],
-                     slack = 0x1p-50 * std::abs(x) + 0x1p-1000;
-        out.lo[k] = std::min(out.lo[k], x - slack);
-        out.hi[k] = std::max(out.hi[k], x + slack);
-      }
-    return out;
-  }
-
   // Nothing on a wall, or where it is open whether the point is on one.
   std::optional<int> value_off_walls(const ExactPoint& q, const ExactPoint& origin) const {
     int sum = 0;

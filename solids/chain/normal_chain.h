@@ -29,8 +29,8 @@ class NormalChain {
   ~NormalChain();
 
   /// f(Q), definition 3: the sum of the coefficients of all cells that hold the point. On bases and on sides of
-  /// simplices it is the sum at one point beside Q for all cells, which no patch separates from Q. Nothing on a patch or
-  /// a strip, or if it is not known within 2^-200 of the model's size that Q is on none.
+  /// simplices it is the sum at one point beside Q for all cells, which no patch separates from Q. Nothing on a patch
+  /// or a strip, or if 256 halvings of the patches do not tell that Q is on none.
   std::optional<int> value(const ExactPoint& point, const ExactPoint& origin) const;
 
   CellCounts simplices(const ExactPoint& origin) const;

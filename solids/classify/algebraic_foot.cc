@@ -139,16 +139,23 @@ Polynomial expressed(const Integer& y, const Integer& x, std::size_t d, int bits
   return out;
 }
 
-// Whether the polynomial maps [lo, hi], 0 <= lo, into [0,1].
-bool stays_inside(const Polynomial& f, const Rational& lo, const Rational& hi) {
+// Whether the polynomial maps [x.lo, x.hi], 0 <= x.lo, into [y.lo, y.hi], and every root of x's polynomial to one of
+// y's.
+bool maps_to(const Polynomial& f, const AlgebraicNumber& x, const AlgebraicNumber& y) {
   Rational least, most, a(1), b(1);
   for (const Rational& c : f) {
     least += c * (c.sign() > 0 ? a : b);
     most += c * (c.sign() > 0 ? b : a);
-    a *= lo;
-    b *= hi;
+    a *= x.lo;
+    b *= x.hi;
   }
-  return least.sign() >= 0 && most <= Rational(1);
+  if (least < y.lo || most > y.hi) return false;
+  Polynomial value;
+  for (std::size_t i = y.polynomial.size(); i-- > 0;) {  // Horner's scheme
+    value = remainder(product(value, f), x.polynomial);
+    value[0] += Rational(y.polynomial[i]);
+  }
+  return is_zero(value);
 }
 
 }  // namespace
@@ -174,19 +181,19 @@ std::optional<AlgebraicPair> algebraic_parameters(const TensorForm& form,
   const auto all = [&](auto is_zero_on) { return std::all_of(f.begin(), f.end(), is_zero_on); };
   if (all([&](const Rows& g) { return vanishes(g, m, n); })) return out;
   if (out[0].is_rational() || out[1].is_rational()) return std::nullopt;
-  // The two depend on each other: one is a polynomial of the other.
-  if (Polynomial v = expressed(x[1], x[0], m.size() - 1, bits);
-      !v.empty() && stays_inside(v, out[0].lo, out[0].hi) &&
-      all([&](const Rows& g) { return vanishes_along(g, m, v); })) {
-    out.relation = std::move(v);
-    out.dependent = 1;
-    return out;
-  }
-  if (Polynomial u = expressed(x[0], x[1], n.size() - 1, bits);
-      !u.empty() && stays_inside(u, out[1].lo, out[1].hi) &&
-      all([&](const Rows& g) { return vanishes_along(transposed(g), n, u); })) {
-    out.relation = std::move(u);
-    out.dependent = 0;
+  // The two depend on each other: number k is a polynomial of the other, whose root is enclosed more narrowly.
+  for (const std::size_t k : {std::size_t{1}, std::size_t{0}}) {
+    const std::size_t j = 1 - k;
+    auto narrow = root_near(out[j].polynomial, at[j].to_rational(), bits - 8);
+    Polynomial relation = expressed(x[k], x[j], out[j].polynomial.size() - 1, bits);
+    if (!narrow || relation.empty() || !maps_to(relation, *narrow, out[k])) continue;
+    if (!all([&](const Rows& g) {
+          return vanishes_along(k == 1 ? g : transposed(g), narrow->polynomial, relation);
+        }))
+      continue;
+    out.numbers[j] = std::move(*narrow);
+    out.relation = std::move(relation);
+    out.dependent = k;
     return out;
   }
   return std::nullopt;

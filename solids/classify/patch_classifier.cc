@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::size_t kChunkOfPatchPoints = 256;
 constexpr int kBitsOfCondition =
-    24;                         // by which parameters are worse known than the point's distance
+    24;  // by which parameters are worse known than the point's distance
+constexpr std::size_t kMostFeet = 32;
 constexpr int kFirstBits = 36;  // how far the middles of the smallest rounded pieces can be trusted
 
 AlgebraicPair as_algebraic(const std::array<Rational, 2>& uv) {
@@ -125,34 +126,45 @@ class PatchClassifier::Body {
     return {label.winding, kNowhere, label.chain, true};
   }
 
+  struct Foot {
+    std::uint32_t patch;
+    PatchFoot search;
+  };
+  void add_feet(const std::vector<OpenPiece>& pieces, const RayPoint& q,
+                std::vector<Foot>& feet) const {
+    for (const OpenPiece& piece : pieces)
+      feet.push_back({piece.patch, PatchFoot(rays_.form(piece.patch), q, piece.middle)});
+  }
+
   PointAnswer by_ray(const RayPoint& q, std::optional<OnPatch>* where) const {
     RayCount count = count_rounded(q);
     if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
     const AxisRay ray = rays_.ray_from(q);
     constexpr int kFirstRefined = 160, kMostBits = 2560;
-    std::vector<PatchFoot> feet;
     if (count.state == RayCount::State::kLost) count = rays_.count_exactly(q, ray, 48);
     if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
-    for (const OpenPiece& piece : count.open) {
-      const TensorForm& form = rays_.form(piece.patch);
-      if (auto uv = PatchFoot::at_collapsed_side(form, q))
+    std::vector<Foot> feet;
+    for (const OpenPiece& piece : count.open)
+      if (auto uv = PatchFoot::at_collapsed_side(rays_.form(piece.patch), q))
         return on(piece.patch, as_algebraic(*uv), where);
-      feet.emplace_back(form, q, piece.middle);
-      if (auto uv = feet.back().exact_parameters(kFirstBits))
-        return on(piece.patch, as_algebraic(*uv), where);
-    }
+    add_feet(count.open, q, feet);
+    for (const Foot& foot : feet)
+      if (auto uv = foot.search.exact_parameters(kFirstBits))
+        return on(foot.patch, as_algebraic(*uv), where);
     for (int bits = kFirstRefined; bits <= kMostBits; bits *= 4) {
       bool may_be_on = false;
-      for (std::size_t i = 0; i < feet.size(); ++i) {
-        if (!feet[i].refine(bits)) continue;
+      for (Foot& foot : feet) {
+        if (!foot.search.refine(bits)) continue;
         may_be_on = true;
-        if (auto uv = feet[i].exact_parameters(bits - kBitsOfCondition))
-          return on(count.open[i].patch, as_algebraic(*uv), where);
-        if (auto uv = feet[i].irrational_parameters(bits - kBitsOfCondition))
-          return on(count.open[i].patch, std::move(*uv), where);
+        if (auto uv = foot.search.exact_parameters(bits - kBitsOfCondition))
+          return on(foot.patch, as_algebraic(*uv), where);
+        if (auto uv = foot.search.irrational_parameters(bits - kBitsOfCondition))
+          return on(foot.patch, std::move(*uv), where);
       }
       const RayCount exact = rays_.count_exactly(q, ray, may_be_on ? bits / 4 : bits);
       if (exact.state == RayCount::State::kCounted) return answer(label_of(exact.windings));
+      // Where doubles say little, as far from the origin, integers know better where to search.
+      if (feet.size() < kMostFeet) add_feet(exact.open, q, feet);
     }
     PointAnswer out;
     out.is_decided = false;

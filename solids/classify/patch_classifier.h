@@ -43,8 +43,8 @@ class PatchClassifier {
   PatchClassifier(PatchClassifier&&) noexcept;
   ~PatchClassifier();
 
-  /// Undecided only for a point at which 2560 bits do not tell whether it is on the surface. REQUIRES finite
-  /// coordinates.
+  /// Undecided only for a point at which 2560 bits, or the limit of work (131,072 pieces), do not tell whether it is on
+  /// the surface. REQUIRES finite coordinates.
   PointAnswer classify(const Vec3d& point, std::optional<OnPatch>* where = nullptr) const;
   PointAnswer classify(const ExactPoint& point, std::optional<OnPatch>* where = nullptr) const;
   /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.

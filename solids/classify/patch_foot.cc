@@ -6,22 +6,11 @@
 #include <limits>
 
 #include "robust/simplest.h"
+#include "solids/classify/ray_net_internal.h"
 #include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 namespace {
-
-std::array<std::vector<Integer>, 3> relative_net(const TensorForm& form, const RayPoint& point) {
-  const RayPoint::Fractions q = point.fractions();
-  std::array<std::vector<Integer>, 3> out;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < form.count(); ++i) {
-      Integer x = form.exact[k][i] * q.denominator;
-      x.subtract_product(form.exact[3][i], q.numerators[k]);
-      out[k].push_back(std::move(x));
-    }
-  return out;
-}
 
 std::int64_t bits_of(const Integer& x) { return static_cast<std::int64_t>(x.bit_length()); }
 
@@ -56,7 +45,7 @@ Rational simple_near(const Dyadic& x, int bits) {
 
 PatchFoot::PatchFoot(const TensorForm& form, const RayPoint& point,
                      const std::array<double, 2>& start)
-    : form_(form), net_(relative_net(form, point)) {
+    : form_(form), net_(relative_coefficients(form, point)) {
   for (const auto& values : net_)
     for (const Integer& x : values) net_bits_ = std::max(net_bits_, bits_of(x));
   for (std::size_t k = 0; k < 2; ++k) at_[k] = Dyadic::from_double(start[k]);

@@ -2,6 +2,7 @@
 #include "solids/classify/patch_octree_internal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -24,6 +25,8 @@ constexpr double kThin =
     0x1p-18;                    // of a slab, in units of the root's size: no better one is sought
 constexpr double kFlat = 0.25;  // a slab that is thinner than this part of its cell is not thick
 constexpr std::size_t kMostNodes = std::size_t{1} << 23;
+// Pieces of all cells together, those of inner cells included.
+constexpr std::size_t kMostPieces = std::size_t{1} << 21, kMostPiecesOfPatch = 64;
 
 Point3d box_corner(const Box3d& box, unsigned i) {
   return {(i & 1u) != 0 ? box.hi[0] : box.lo[0], (i & 2u) != 0 ? box.hi[1] : box.lo[1],
@@ -49,7 +52,8 @@ class PatchOctree::Builder {
     for (std::uint32_t p = 0; p < rays_.num_patches(); ++p)
       pieces.push_back(make_piece(SheetNet(rays_.form(p))));
     tree_.nodes_.push_back(0);
-    build(0, OctreeCell{tree_.frame_->origin, tree_.frame_->size}, 0, pieces, SlabCell{});
+    build(0, OctreeCell{tree_.frame_->origin, tree_.frame_->size}, 0, pieces, SlabCell{},
+          kMostPieces + kMostPiecesOfPatch * pieces.size());
   }
 
  private:
@@ -132,8 +136,10 @@ class PatchOctree::Builder {
 
   SlabCell slab_of(const std::vector<Piece>& pieces, const Box3d& box, const SlabCell& around) {
     SlabCell out;
-    for (const Piece& p : pieces)
-      for (std::size_t k = 0; k < 3; ++k) out.normal[k] += p.normal[k];
+    for (const Piece& p : pieces) {  // those of both sides of a thin wall count as one direction
+      const double sign = dot(p.normal, pieces.front().normal) < 0 ? -1 : 1;
+      for (std::size_t k = 0; k < 3; ++k) out.normal[k] += sign * p.normal[k];
+    }
     const double sum = std::abs(out.normal[0]) + std::abs(out.normal[1]) + std::abs(out.normal[2]);
     if (!(sum > 0)) out.normal = {1, 0, 0};
     for (double& x : out.normal) x = sum > 0 ? x / sum * (1 - 0x1p-40) : x;
@@ -152,7 +158,7 @@ class PatchOctree::Builder {
   }
 
   void build(std::size_t node, const OctreeCell& cell, int level, const std::vector<Piece>& from,
-             const SlabCell& around) {
+             const SlabCell& around, std::size_t budget) {
     const Box3d box = box_of(cell);
     const std::vector<Piece> pieces = pieces_in(from, box, cell.size);
     if (pieces.empty()) return set_empty(node, cell, around);
@@ -160,12 +166,25 @@ class PatchOctree::Builder {
     const double thickness = slab.hi - slab.lo;
     const bool is_thick = !(thickness < kFlat * cell.size);
     if (level >= (is_thick ? levels_ + 1 : levels_) || level >= tree_.frame_->max_level ||
-        thickness < kThin * tree_.frame_->size || tree_.nodes_.size() + 8 > kMostNodes)
+        thickness < kThin * tree_.frame_->size || tree_.nodes_.size() + 8 > kMostNodes ||
+        8 * pieces.size() > budget)
       return set_slab(node, slab);
     const auto first = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_[node] = kDivided | first;
     tree_.nodes_.resize(first + 8);
-    for (unsigned i = 0; i < 8; ++i) build(first + i, cell.child(i), level + 1, pieces, slab);
+    // The budget is shared out by the pieces that the children may have.
+    std::array<std::size_t, 8> counts{};
+    std::size_t all = 0;
+    for (unsigned i = 0; i < 8; ++i) {
+      const Box3d part = box_of(cell.child(i));
+      counts[i] = static_cast<std::size_t>(std::count_if(
+          pieces.begin(), pieces.end(), [&](const Piece& p) { return may_meet(p, part); }));
+      all += counts[i];
+    }
+    budget -= pieces.size();
+    for (unsigned i = 0; i < 8; ++i)
+      build(first + i, cell.child(i), level + 1, pieces, slab,
+            budget / std::max<std::size_t>(all, 1) * counts[i]);
   }
 
   void set_empty(std::size_t node, const OctreeCell& cell, const SlabCell& around) {

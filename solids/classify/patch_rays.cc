@@ -52,17 +52,17 @@ std::vector<TensorForm> forms_of(const PatchComplex& complex, int scale) {
 
 }  // namespace
 
-PatchRays::PatchRays(const PatchComplex& complex)
-    : PatchRays(forms_of(complex, scale_of(complex)), scale_of(complex)) {}
+PatchRays::PatchRays(const PatchComplex& complex, int scale)
+    : PatchRays(forms_of(complex, scale), scale) {}
+PatchRays::PatchRays(const PatchComplex& complex) : PatchRays(complex, scale_of(complex)) {}
 
 PatchRays::PatchRays(std::vector<TensorForm> forms, int scale)
     : scale_(scale), forms_(std::move(forms)), hull_(empty_box()) {
-  std::vector<Box3d> boxes;
   for (const TensorForm& form : forms_) {
-    boxes.push_back(tight_hull(form));
-    hull_ = veritope::hull(hull_, boxes.back());
+    boxes_of_patches_.push_back(tight_hull(form));
+    hull_ = veritope::hull(hull_, boxes_of_patches_.back());
   }
-  boxes_ = BoxHierarchy(boxes);
+  boxes_ = BoxHierarchy(boxes_of_patches_);
 }
 
 std::uint64_t PatchRays::bytes() const {

@@ -34,6 +34,8 @@ class PatchRays {
   const TensorForm& form(std::uint32_t patch) const { return forms_[patch]; }
   std::size_t num_patches() const { return forms_.size(); }
   const Box3d& hull() const { return hull_; }
+  /// Contains all points of a patch, divided as the nets.
+  const Box3d& box(std::uint32_t patch) const { return boxes_of_patches_[patch]; }
   std::uint64_t bytes() const;
 
   /// Whether hulls of pieces, cut until they are small beside the box, all miss it; the box is divided as the nets.
@@ -54,12 +56,14 @@ class PatchRays {
                          std::uint32_t shell = PatchComplex::kNone) const;
 
  private:
+  PatchRays(const PatchComplex& complex, int scale);
   template <typename Visit>
   void visit_patches(const RayPoint& point, const AxisRay& ray, std::uint32_t shell,
                      Visit visit) const;
 
   int scale_;
   std::vector<TensorForm> forms_;
+  std::vector<Box3d> boxes_of_patches_;
   Box3d hull_;
   BoxHierarchy boxes_;
 };

@@ -302,15 +302,21 @@ std::optional<int> ExactNet::winding(const Curve& curve, const Parameter& begin,
   return exact_winding_of(part, kMostExactHalvings);
 }
 
-ExactNet::ExactNet(const TensorForm& form, const RayPoint& point) : form_(form) {
+std::array<std::vector<Integer>, 3> relative_coefficients(const TensorForm& form,
+                                                          const RayPoint& point) {
   const RayPoint::Fractions q = point.fractions();
+  std::array<std::vector<Integer>, 3> out;
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < form.count(); ++i) {
       Integer x = form.exact[k][i] * q.denominator;
       x.subtract_product(form.exact[3][i], q.numerators[k]);
-      values_[k].push_back(std::move(x));
+      out[k].push_back(std::move(x));
     }
+  return out;
 }
+
+ExactNet::ExactNet(const TensorForm& form, const RayPoint& point)
+    : form_(form), values_(relative_coefficients(form, point)) {}
 
 CommonSign ExactNet::sign(std::size_t k) const { return common_sign_of(values_[k]); }
 

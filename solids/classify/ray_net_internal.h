@@ -129,6 +129,10 @@ class RoundedNet {
   std::array<std::array<double, 2>, 3> ends_{};  // least and greatest
 };
 
+/// The coordinates of all control points relative to the point, times the weights and one positive number.
+std::array<std::vector<Integer>, 3> relative_coefficients(const TensorForm& form,
+                                                          const RayPoint& point);
+
 /// The net in integers: coordinates relative to the point, times the weights and one positive number.
 class ExactNet {
  public:

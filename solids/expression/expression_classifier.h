@@ -13,7 +13,8 @@
 
 namespace veritope {
 
-/// With respect to the closure of the interior of a set. Undecided: boundaries meet that are not flat.
+/// With respect to the closure of the interior of a set. Undecided: boundaries meet that are not flat,
+/// or at a place that is not known as exact numbers.
 enum class PointWord : std::uint8_t { kIn, kOn, kOut, kUndecided };
 
 /// Answers for points with respect to R = closure(int F), where F is a formula of solids: in the interior of R, off R,

@@ -228,9 +228,29 @@ class ConeBuilder {
     out_.sectors.push_back(half_plane(*n, *along));
     return true;
   }
-  TangentCone take() { return std::move(out_); }
+  // Nothing if two sectors have more than rims in common: then they do not tell which directions are inside.
+  std::optional<TangentCone> take() {
+    for (std::size_t i = 0; i < out_.sectors.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (overlap(out_.sectors[i], out_.sectors[k])) return std::nullopt;
+    return std::move(out_);
+  }
 
  private:
+  static bool overlap(const Sector& a, const Sector& b) {
+    if (is_parallel(a.normal, b.normal)) {
+      const auto inner = [](const Sector& s) { return s.rays[0] + s.rays[1]; };
+      const auto has_ray_inside = [](const Sector& s, const Sector& of) {
+        return std::any_of(of.rays.begin(), of.rays.end(),
+                           [&](const Direction& d) { return s.holds(d); });
+      };
+      return a.holds(inner(b)) || b.holds(inner(a)) || has_ray_inside(a, b) || has_ray_inside(b, a);
+    }
+    const Direction common = cross(a.normal, b.normal);
+    for (const Direction& d : {common, -common})
+      if ((a.holds(d) && b.contains(d)) || (a.contains(d) && b.holds(d))) return true;
+    return false;
+  }
   void note(const Patch& patch) { out_.is_flat = out_.is_flat && flat_normal(patch).has_value(); }
 
   TangentCone out_;

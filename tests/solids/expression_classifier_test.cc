@@ -205,6 +205,45 @@ TEST(ExpressionClassifier, DecidesCurvedWallsThatCross) {
   EXPECT_EQ(at(crossing, {0, 0, r(3, 5)}), "in on on out");
 }
 
+// z = +-(1 - x^2)^2 over [-1, 1] x [0, 1], with flat ends: along x = +-1 both sheets have one tangent plane.
+patch_shapes::Patches sharp_lens() {
+  patch_shapes::Patches out;
+  const Rational top[5] = {0, 0, Rational(8) / Rational(3), 0, 0};
+  const auto x = [](std::size_t i) {
+    return Rational(static_cast<std::int64_t>(i)) / Rational(2) - Rational(1);
+  };
+  for (const int side : {1, -1}) {
+    Patch::Tensor sheet({4, 1}, 3, false), end({4, 1}, 3, false);
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        const std::size_t at = 2 * i + j;
+        sheet.component(0)[at] = end.component(0)[at] = x(i);
+        sheet.component(1)[at] = Rational((j == 0) == (side > 0) ? 0 : 1);
+        sheet.component(2)[at] = Rational(side) * top[i];
+        end.component(1)[at] = Rational(side > 0 ? 0 : 1);
+        end.component(2)[at] = Rational((j == 0) == (side > 0) ? -1 : 1) * top[i];
+      }
+    out.push_back(make_patch(std::move(sheet)).value());
+    out.push_back(make_patch(std::move(end)).value());
+  }
+  return out;
+}
+
+TEST(ExpressionClassifier, IsUndecidedAtEdgesWithoutAnAngle) {
+  ASSERT_TRUE(make_patch_complex(sharp_lens()).value().is_closed_oriented_surface());
+  const Solids solids = {patches(sharp_lens()), block(1, -1, -1, 3, 2, 1)};
+  const Rational half = Rational(1) / Rational(2);
+  const auto at = [&](const Formula& f, const ExactPoint& p) {
+    return std::string(name(ExpressionClassifier(f, solids).classify(p)));
+  };
+  // In truth the intersection misses the point, whose tangent cone is that of an edge of 360 degrees, too.
+  EXPECT_EQ(at(both(variable(0), variable(1)), {1, half, 0}), "undecided");
+  EXPECT_EQ(at(either(variable(0), variable(1)), {1, half, 0}), "undecided");
+  EXPECT_EQ(at(variable(0), {1, half, 0}), "on");
+  EXPECT_EQ(at(both(variable(0), variable(1)), {0, half, 0}), "out");
+  EXPECT_EQ(at(variable(0), {0, half, half}), "in");
+}
+
 TEST(ExpressionClassifier, HasTheValueOfBoxes) {
   const ExpressionClassifier c(both(variable(0), variable(1).negated()),
                                {mesh("box 0,0,0 4,4,4"), mesh("box 2,2,2 6,6,6")});

@@ -96,6 +96,32 @@ TEST(NormalChain, CountsItsCells) {
   EXPECT_EQ(block.free_form_cells().zero, 6u);
 }
 
+// Weights far beyond binary64: no cell may be left out.
+TEST(NormalChain, SeesCellsWithHugeWeights) {
+  Patches patches = unit_box();
+  for (Patch& p : patches) {
+    Patch::Tensor map({1, 1}, 4, true);
+    for (std::size_t i = 0; i < 4; ++i) {
+      // The weight of a corner of the box, equal in all faces.
+      const Rational w = Rational::power_of_two(p.component(0)[i].sign() > 0 ? 1500 : 0);
+      for (int c = 0; c < 3; ++c) map.component(c)[i] = w * p.component(c)[i];
+      map.component(3)[i] = w;
+    }
+    p = make_patch(std::move(map)).value();
+  }
+  const PatchComplex complex = complex_of(patches);
+  const NormalChain chain(complex);
+  const PatchClassifier service = PatchClassifier::make(complex, false, 3);
+  for (const ExactPoint& q :
+       {ExactPoint{ratio(28, 100), ratio(1, 2), ratio(1, 3)},
+        ExactPoint{ratio(1, 7), ratio(2, 7), ratio(4, 7)}, ExactPoint{2, 1, 1}}) {
+    const auto f = chain.value(q, {ratio(1, 3), 0, ratio(1, 5)});
+    if (f) {
+      EXPECT_EQ(*f, service.classify(q).winding);
+    }
+  }
+}
+
 // A cell is closed: all rays have the same winding, which is 0 off the hull.
 TEST(FreeFormCell, IsAClosedChain) {
   Random random(kSeed);

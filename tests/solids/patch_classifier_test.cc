@@ -321,5 +321,36 @@ TEST(PatchClassifier, ModelsMayBeLargeSmallOrFarAway) {
     }
 }
 
+// Doubles tell little there: integers find where to search for the parameters.
+TEST(PatchClassifier, FindsPointsOnModelsThatAreFarAway) {
+  for (const int away : {44, 48, 60}) {
+    const Rational shift = Rational::power_of_two(away);
+    const Patches patches = patch_shapes::placed(patch_shapes::torus(3, 1), 1, {shift, 0, 0});
+    const Model model(patches);
+    for (std::size_t p = 0; p < patches.size(); p += 3)
+      for (int i = 0; i < 16; i += 3) {
+        const std::array<Rational, 2> uv{ratio(i % 4, 3), ratio(i / 4, 3)};
+        const auto on = *point_of(evaluate(patches[p].tensor(), uv));
+        expect_truth(model(on), Sign::kZero, std::to_string(away) + " patch " + std::to_string(p));
+      }
+  }
+}
+
+// Thin plates in a stack: the look-up is bounded, and near a plate one slab has both of its sides.
+TEST(PatchClassifier, BoundsTheLookUpOfStacks) {
+  Patches stack;
+  for (std::int64_t k = 0; k < 30; ++k) {
+    const Patches plate =
+        patch_shapes::box({0, 0, Rational(2 * k)}, {100'000, 100'000, Rational(2 * k + 1)});
+    stack.insert(stack.end(), plate.begin(), plate.end());
+  }
+  const Model model(stack);
+  EXPECT_LT(model.classifier.lookup().cells, 1'000'000u);
+  for (std::int64_t k = 0; k < 59; ++k) {
+    const ExactPoint p{50'001, 50'003, ratio(2 * k + 1, 2)};
+    EXPECT_EQ(model(p).winding, k % 2 == 0 ? 1 : 0) << k;
+  }
+}
+
 }  // namespace
 }  // namespace veritope

@@ -15,9 +15,9 @@ class PatchCones {
   /// The complex must outlive this.
   explicit PatchCones(const PatchComplex& complex);
 
-  /// Nothing at an end of a collapsed side; where two sectors have more than rims in common, as along an edge of angle 0;
-  /// and where a direction is irrational: inside of a patch that is not flat, or
-  /// on a side that is not straight, at irrational parameters.
+  /// Nothing at an end of a collapsed side; where two sectors have more than rims in common, as along an edge of angle
+  /// 0; and where a direction is irrational: inside of a patch that is not flat, or on a side that is not straight, at
+  /// irrational parameters.
   std::optional<TangentCone> at(const OnPatch& where) const;
 
  private:

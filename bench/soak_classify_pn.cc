@@ -301,7 +301,8 @@ int main(int argc, char** argv) {
   std::uint64_t points = 100'000, seed = 1;
   bench::read_arguments(argc, argv, {{"--points", &points}, {"--seed", &seed}});
   bench::Soak soak(points, seed);
-  for (const char* const name : {"releases__knot", "releases__larger_sphere", "vcglib__fertility_tri"})
+  for (const char* const name :
+       {"releases__knot", "releases__larger_sphere", "vcglib__fertility_tri"})
     soak.run(name, bench::data_model("solid1/" + std::string(name) + ".off"));
   return soak.num_bad() == 0 ? 0 : 1;
 }

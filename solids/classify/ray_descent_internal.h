@@ -187,7 +187,7 @@ class RayDescent {
         }
         out.sign = side.is_forward ? form.coefficient : -form.coefficient;
       }
-      out.curve = net.curve(s, RayView{ray_.axis, {}}, is_reversed);
+      out.curve = net.curve(s, ray_.axis, is_reversed);
       stretches_.push_back(std::move(out));
     }
   }

@@ -96,21 +96,20 @@ RoundedNet RoundedNet::halve(std::size_t axis) {
   return right;
 }
 
-RoundedNet::Curve RoundedNet::curve(std::uint32_t side, const RayView& view,
-                                    bool is_reversed) const {
+RoundedNet::Curve RoundedNet::curve(std::uint32_t side, std::size_t along, bool is_reversed) const {
   Curve out;
   const std::size_t axis = axis_of_side(side), stride = form_.stride(axis),
                     first = form_.first_of_side(side);
   out.degree = form_.degrees[axis];
   const auto n = static_cast<std::size_t>(out.degree);
-  const double* const p = component(view.p());
-  const double* const q = component(view.q());
+  const double* const p = component((along + 1) % 3);
+  const double* const q = component((along + 2) % 3);
   for (std::size_t i = 0; i <= n; ++i) {
     const std::size_t from = first + (is_reversed ? n - i : i) * stride;
     out.at[0][i] = p[from];
     out.at[1][i] = q[from];
   }
-  out.error = {error_[view.p()], error_[view.q()]};
+  out.error = {error_[(along + 1) % 3], error_[(along + 2) % 3]};
   return out;
 }
 
@@ -378,15 +377,15 @@ ExactNet ExactNet::halve(std::size_t axis) {
   return right;
 }
 
-ExactNet::Curve ExactNet::curve(std::uint32_t side, const RayView& view, bool is_reversed) const {
+ExactNet::Curve ExactNet::curve(std::uint32_t side, std::size_t along, bool is_reversed) const {
   Curve out;
   const std::size_t axis = axis_of_side(side), stride = form_.stride(axis),
                     first = form_.first_of_side(side);
   const auto n = static_cast<std::size_t>(form_.degrees[axis]);
   for (std::size_t i = 0; i <= n; ++i) {
     const std::size_t from = first + (is_reversed ? n - i : i) * stride;
-    out.at[0].push_back(values_[view.p()][from]);
-    out.at[1].push_back(values_[view.q()][from]);
+    out.at[0].push_back(values_[(along + 1) % 3][from]);
+    out.at[1].push_back(values_[(along + 2) % 3][from]);
   }
   return out;
 }

@@ -32,15 +32,6 @@ PlaneNormal mean_normal(const TensorForm& form, const At& at);
 template <typename At>
 double approx_length(const TensorForm& form, std::size_t axis, const At& at);
 
-/// Which coordinates are seen along a ray, and the half-line at which crossings are counted: the direction in which the
-/// first of them, turned, is positive.
-struct RayView {
-  std::size_t along = 0;
-  std::array<double, 2> turn{1, 0};
-  std::size_t p() const { return (along + 1) % 3; }
-  std::size_t q() const { return (along + 2) % 3; }
-};
-
 /// The cut at 1/2: what error_after_halving bounds.
 inline constexpr HalfBlend<double> kHalfBlend{0.5};
 
@@ -76,7 +67,7 @@ class RoundedNet {
   static Parameter middle(Parameter a, Parameter b) { return a + (b - a) / 2; }
   static double to_double(Parameter t) { return static_cast<double>(t) * 0x1p-48; }
 
-  /// A side, seen along a ray.
+  /// A side, seen along an axis: the coordinates of the two axes after it in cyclic order.
   struct Curve {
     int degree = 0;
     std::array<std::array<double, kMostCoefficients>, 2> at;
@@ -112,7 +103,7 @@ class RoundedNet {
   bool is_exhausted() const;
   /// This becomes the first half, the result is the second.
   RoundedNet halve(std::size_t axis);
-  Curve curve(std::uint32_t side, const RayView& view, bool is_reversed) const;
+  Curve curve(std::uint32_t side, std::size_t along, bool is_reversed) const;
 
  private:
   RoundedNet(const TensorForm& form, NetPool& pool);
@@ -160,7 +151,7 @@ class ExactNet {
   double length(std::size_t axis) const;
   static bool is_exhausted() { return false; }
   ExactNet halve(std::size_t axis);
-  Curve curve(std::uint32_t side, const RayView& view, bool is_reversed) const;
+  Curve curve(std::uint32_t side, std::size_t along, bool is_reversed) const;
 
  private:
   explicit ExactNet(const TensorForm& form) : form_(form) {}

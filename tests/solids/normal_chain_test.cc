@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "models/patch_shapes.h"
 #include "robust/base/random.h"
 #include "solids/classify/patch_classifier.h"
@@ -96,29 +98,39 @@ TEST(NormalChain, CountsItsCells) {
   EXPECT_EQ(block.free_form_cells().zero, 6u);
 }
 
-// Weights far beyond binary64: no cell may be left out.
-TEST(NormalChain, SeesCellsWithHugeWeights) {
-  Patches patches = unit_box();
-  for (Patch& p : patches) {
-    Patch::Tensor map({1, 1}, 4, true);
-    for (std::size_t i = 0; i < 4; ++i) {
-      // The weight of a corner of the box, equal in all faces.
-      const Rational w = Rational::power_of_two(p.component(0)[i].sign() > 0 ? 1500 : 0);
-      for (int c = 0; c < 3; ++c) map.component(c)[i] = w * p.component(c)[i];
+// The unit cube, whose top is pulled up to z = 3 and 5 by control points with weights 2^unit times as great as others.
+Patches pulled_cube(std::int64_t unit) {
+  Patches out;
+  for (const Patch& face : unit_box()) {
+    const Patch::Tensor flat = elevate(elevate(face.tensor(), 0, 3), 1, 3);
+    Patch::Tensor map({4, 4}, 4, true);
+    const auto z = flat.component(2);
+    const bool is_top =
+        std::all_of(z.begin(), z.end(), [](const Rational& x) { return x == Rational(1); });
+    for (std::size_t i = 0; i < 25; ++i) {
+      const std::size_t row = i / 5, column = i % 5;
+      const bool is_pulled = is_top && row % 4 != 0 && column % 4 != 0, is_middle = i == 12;
+      const Rational w = Rational::power_of_two(!is_pulled ? -4 * unit : is_middle ? 0 : -unit);
+      for (int c = 0; c < 3; ++c) map.component(c)[i] = w * flat.component(c)[i];
+      if (is_pulled) map.component(2)[i] = w * Rational(is_middle ? 3 : 5);
       map.component(3)[i] = w;
     }
-    p = make_patch(std::move(map)).value();
+    out.push_back(make_patch(std::move(map)).value());
   }
-  const PatchComplex complex = complex_of(patches);
-  const NormalChain chain(complex);
-  const PatchClassifier service = PatchClassifier::make(complex, false, 3);
-  for (const ExactPoint& q :
-       {ExactPoint{ratio(28, 100), ratio(1, 2), ratio(1, 3)},
-        ExactPoint{ratio(1, 7), ratio(2, 7), ratio(4, 7)}, ExactPoint{2, 1, 1}}) {
-    const auto f = chain.value(q, {ratio(1, 3), 0, ratio(1, 5)});
-    if (f) {
-      EXPECT_EQ(*f, service.classify(q).winding);
+  return out;
+}
+
+// Rounded weights may be 0: no cell is left out for that.
+TEST(NormalChain, SeesCellsWhoseWeightsBinary64DoesNotHave) {
+  const ExactPoint q{ratio(28, 100), ratio(1, 2), 4}, origin{ratio(1, 3), ratio(2, 7), ratio(5, 2)};
+  for (const int unit : {20, 1500}) {
+    const PatchComplex complex = complex_of(pulled_cube(unit));
+    const auto f = NormalChain(complex).value(q, origin);
+    EXPECT_EQ(PatchClassifier::make(complex, false, 3).classify(q).winding, 1) << unit;
+    if (unit == 20) {
+      EXPECT_EQ(f, 1);
     }
+    EXPECT_NE(f, 0) << unit;
   }
 }
 

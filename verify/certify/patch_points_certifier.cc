@@ -67,8 +67,9 @@ class PatchPointsCertifier::Body {
     if (num_irrational_ != 0)
       return Error{Code::kOverLimit,
                    {},
-                   "points on the surface at parameters of two fields (" +
-                       std::to_string(num_irrational_) + ") have no common generator"};
+                   "for " + std::to_string(num_irrational_) +
+                       " points on the surface no common generator of both irrational parameters "
+                       "was found"};
     if (!std::ranges::all_of(patches_.entities, breaks_fit_certificate))
       return Error{Code::kOverLimit, {}, "the knots are longer than certificates may have them"};
     if (kBytesOfPatch * body.num_faces > subject.bytes + body.codes.size())

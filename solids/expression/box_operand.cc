@@ -41,7 +41,7 @@ class BoxOperand : public Operand {
     return Value3::kOne;
   }
   std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
-    return TangentCone{flat_cone(box_, point), true};
+    return flat_tangent_cone(flat_cone(box_, point));
   }
   ExactBox<3> box() const override { return box_; }
 

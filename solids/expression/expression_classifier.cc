@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robust/base/parallel.h"
+#include "solids/expression/contacts.h"
 #include "solids/expression/decision_diagram.h"
 #include "solids/expression/directions.h"
 
@@ -61,7 +62,7 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) 
   return on_walls(point, formula.folded(value_of));
 }
 
-// POINT-6 and POINT-7: the point is on the boundaries of all operands of `rest`, or some are open.
+// POINT-6 to POINT-8: the point is on the boundaries of all operands of `rest`, or some are open.
 template <typename Point>
 PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest) const {
   const auto diagram = DecisionDiagram::make(rest, kMostDiagramNodes);
@@ -73,13 +74,13 @@ PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest
                   [&](std::uint32_t v) { return operands_[v]->is_open(exact); }))
     return PointWord::kUndecided;
   if (variables.size() == 1) return PointWord::kOn;
-  std::vector<FlatCone> cones;
+  std::vector<TangentCone> cones;
   bool are_flat = true;
   for (const std::uint32_t v : variables) {
     std::optional<TangentCone> cone = operands_[v]->tangent_cone(exact);
     if (!cone) return PointWord::kUndecided;
     are_flat = are_flat && cone->is_flat;
-    cones.push_back(std::move(cone->sectors));
+    cones.push_back(std::move(*cone));
   }
   const auto f = [&](const NearbyBits& bits) {
     const auto bit_of = [&](std::uint32_t v) {
@@ -91,7 +92,8 @@ PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest
   };
   const std::optional<bool> value = common_value(cones, f);
   if (!value) return PointWord::kOn;
-  return are_flat ? word_of(*value) : PointWord::kUndecided;
+  if (!are_flat && find_contact(cones, f, *value)) return PointWord::kUndecided;
+  return word_of(*value);
 }
 
 PointWord ExpressionClassifier::classify(const Vec3d& point) const {

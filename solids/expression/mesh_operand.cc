@@ -15,7 +15,10 @@ class MeshOperand : public Operand {
   }
   Value3 value(const Box3d& box) const override { return classifier_.value(box); }
   std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
-    return TangentCone{flat_cone(mesh_, classifier_.facets_at(point), point), true};
+    const std::vector<std::uint32_t> facets = classifier_.facets_at(point);
+    TangentCone out = flat_tangent_cone(flat_cone(mesh_, facets, point));
+    for (std::size_t i = 0; i < facets.size(); ++i) out.sheets[i].number = facets[i];
+    return out;
   }
   ExactBox<3> box() const override {
     ExactBox<3> out;

@@ -8,17 +8,10 @@
 #include "interval/exact_box.h"
 #include "robust/base/box3d.h"
 #include "solids/classify/mesh_classifier.h"
-#include "solids/expression/flat_cone.h"
+#include "solids/expression/tangent_cone.h"
 #include "solids/patches/patch_complex.h"
 
 namespace veritope {
-
-/// The directions in which the boundary of a solid leaves one of its points: the sectors of all patches at the face,
-/// edge or vertex that holds the point.
-struct TangentCone {
-  FlatCone sectors;
-  bool is_flat = true;  ///< near the point the boundary is the cone itself
-};
 
 /// A solid: the closure of its interior. Immutable: threads may share it.
 class Operand {

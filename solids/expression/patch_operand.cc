@@ -24,7 +24,12 @@ class PatchOperand : public Operand {
     std::optional<OnPatch> where;
     classifier_.classify(point, &where);
     if (!where) return std::nullopt;
-    return cones_.at(*where);
+    std::optional<TangentCone> cone = cones_.at(*where);
+    if (cone)
+      cone->place_of = [this](const Patch& patch, const ExactPoint& p) {
+        return place_of(patch, p);
+      };
+    return cone;
   }
   ExactBox<3> box() const override {
     const Box3d box = classifier_.box();
@@ -36,6 +41,12 @@ class PatchOperand : public Operand {
   LookupSize lookup() const override { return classifier_.lookup(); }
 
  private:
+  std::optional<std::array<Rational, 2>> place_of(const Patch& patch, const ExactPoint& p) const {
+    std::optional<OnPatch> where;
+    classifier_.classify(p, &where);
+    if (!where || &patches_->patch(where->patch) != &patch) return std::nullopt;
+    return domain_place(patch, where->parameters);
+  }
   static Value3 value_of(const PointAnswer& a) {
     return !a.is_decided || a.is_on() ? Value3::kMixed : to_value(a.winding != 0);
   }

@@ -85,7 +85,8 @@ TEST(FlatCone, OfABoxIsThatOfItsMesh) {
                         is_inside(of_box, direction(i, j, k)));
             }
         // The symmetric difference of both is empty.
-        const std::vector<FlatCone> both = {of_box, of_mesh};
+        const std::vector<TangentCone> both = {flat_tangent_cone(of_box),
+                                               flat_tangent_cone(of_mesh)};
         EXPECT_EQ(common_value(both, [](const NearbyBits& b) { return b[0] != b[1]; }),
                   std::optional(false));
         EXPECT_EQ(common_value(both, [](const NearbyBits& b) { return b[0] || b[1]; }),

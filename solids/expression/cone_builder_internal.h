@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/expression/cone_builder_internal.h: tangent cones, put together from the patches at a point.
+#pragma once
+#include <optional>
+
+#include "solids/expression/patch_jet_internal.h"
+#include "solids/expression/tangent_cone.h"
+
+namespace veritope::internal {
+
+/// Takes one patch after the other. False: the patch has no sector there, since its normal is 0 or not known.
+class ConeBuilder {
+ public:
+  bool add_interior(const Patch& patch, std::uint32_t number, const DomainPlace& at);
+  bool add_side(const Patch& patch, std::uint32_t number, std::uint32_t side, const Rational& at);
+  bool add_corner(const Patch& patch, std::uint32_t number, std::uint32_t corner);
+  /// The apex is a collapsed side: adds the sectors that the next row of control points spans with it, if they all are
+  /// in one plane, and turn around the apex in one direction.
+  bool add_pole(const Patch& patch, std::uint32_t number, std::uint32_t side);
+  /// Places whose parameters are irrational: of flat patches and straight sides only.
+  bool add_flat_interior(const Patch& patch, std::uint32_t number);
+  bool add_flat_side(const Patch& patch, std::uint32_t number, std::uint32_t side);
+  /// Nothing if two sectors have more than rims in common: then they do not tell which directions are inside.
+  std::optional<TangentCone> take();
+
+ private:
+  ConeSheet& add(Sector sector, const Patch& patch, std::uint32_t number);
+
+  TangentCone out_;
+};
+
+}  // namespace veritope::internal

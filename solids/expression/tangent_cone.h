@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/expression/tangent_cone.h: how the boundary of a solid leaves one of its points: in which directions, and
+// along which surfaces.  Theory: docs/THEORY.md, POINT-7 and POINT-8.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "solids/expression/flat_cone.h"
+#include "solids/patches/patch.h"
+
+namespace veritope {
+
+/// What bounds a sheet along a rim of its sector.
+struct SheetRim {
+  bool is_straight = true;
+  bool is_cut = false;           ///< nothing: the sheet continues in the next sector
+  const Patch* patch = nullptr;  ///< unless straight or cut: the curve is a side of this patch
+  std::uint32_t side = 0;
+  Rational at;  ///< where on the side the apex is, in the direction of travel
+};
+
+/// A part of a patch around the apex, or of a plane.
+struct ConeSheet {
+  bool is_flat = true;
+  std::uint32_t number = 0;      ///< of the facet or patch
+  const Patch* patch = nullptr;  ///< unless flat
+  /// The parameters of the apex: a point of the domain, or a collapsed side.
+  std::array<Rational, 2> at;
+  std::optional<std::uint32_t> pole;
+  std::array<Rational, 2> pole_part;  ///< the part of that side whose directions the sector has
+  std::array<SheetRim, 2> rims;  ///< along the first and the last ray of the sector, if it has rims
+};
+
+/// The directions in which the boundary leaves one of its points: the sectors of all patches at the face, edge or
+/// vertex that holds the point. They meet in rims only.
+struct TangentCone {
+  FlatCone sectors;
+  std::vector<ConeSheet> sheets;  ///< of each sector
+  bool is_flat = true;        ///< near the point the boundary is the cone itself
+  /// The parameters at which a patch of this solid has a point, if that is found and rational. Set if a sheet has a
+  /// pole.
+  std::function<std::optional<std::array<Rational, 2>>(const Patch&, const ExactPoint&)> place_of;
+};
+
+/// The cone of a solid that is flat at the point, with straight rims.
+TangentCone flat_tangent_cone(FlatCone sectors);
+
+}  // namespace veritope

@@ -145,7 +145,7 @@ class ClassifyRun {
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
           progress_.phase(shown_path(path()), "classifying");
           const Status status = classify_points(
-              classifier, source, static_cast<unsigned>(options_.jobs), write, report_);
+              classifier, operands.solid_names(), source, static_cast<unsigned>(options_.jobs), write, report_);
           report_.seconds_classify = watch.lap();
           return status;
         });

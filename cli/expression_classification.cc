@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/expression_classification.h"
 
+#include <algorithm>
+
 #include "robust/base/parallel.h"
 
 namespace veritope::cli {
@@ -17,23 +19,57 @@ std::string_view answer_of(PointWord word) {
   return " undecided - -\n";
 }
 
+std::string reason_text(const OpenWord& open, std::span<const std::string> names) {
+  const auto name = [&](std::size_t i) { return names[open.variables[i]]; };
+  switch (open.reason) {
+    case OpenWord::Reason::kPlace:
+      return "it is not known whether it is on the boundary of " + name(0);
+    case OpenWord::Reason::kDirections:
+      return "the boundary of " + name(0) +
+             " has an apex there, an edge of angle 0, or tangents that are irrational";
+    case OpenWord::Reason::kContact: break;
+  }
+  std::string out;
+  for (std::size_t i = 0; i < open.variables.size(); ++i) {
+    if (i > 0) out += i + 1 < open.variables.size() ? ", " : " and ";
+    out += "face " + std::to_string(open.faces[i]) + " of " + name(i);
+  }
+  return out + " touch there";
+}
+
+// Those of the undecided points of a batch, whose number in it is added to `before`.
+void add_reasons(const ExpressionClassifier& classifier, std::span<const std::string> names,
+                 const PointBatch& batch, std::size_t before, report::ClassifyReport& report,
+                 std::size_t first) {
+  for (std::size_t i = first; i < report.undecided.size(); ++i) {
+    const std::size_t at = report.undecided[i].line - before - 1;
+    const auto given = std::find_if(batch.exact.begin(), batch.exact.end(),
+                                    [&](const auto& e) { return e.first == at; });
+    const Vec3d& p = batch.points[at];
+    const ExactPoint point = given != batch.exact.end() ? given->second
+                                                        : ExactPoint{Rational::from_double(p.x),
+                                                                     Rational::from_double(p.y),
+                                                                     Rational::from_double(p.z)};
+    if (const auto open = classifier.why_undecided(point))
+      report.undecided[i].reason = reason_text(*open, names);
+  }
+}
+
 void count(PointWord word, report::ClassifyReport& report) {
   ++report.points;
   switch (word) {
     case PointWord::kIn: ++report.in; break;
     case PointWord::kOn: ++report.on; break;
     case PointWord::kOut: ++report.out; break;
-    case PointWord::kUndecided:
-      report.undecided.push_back({report.points,
-                                  "boundaries meet there that are not flat, or at a place that is "
-                                  "not known as exact numbers"});
+    case PointWord::kUndecided: report.undecided.push_back({report.points, {}});
   }
 }
 
 }  // namespace
 
-Status classify_points(const ExpressionClassifier& classifier, PointSource& source, unsigned jobs,
-                       const WriteAnswers& write, report::ClassifyReport& report) {
+Status classify_points(const ExpressionClassifier& classifier, std::span<const std::string> names,
+                       PointSource& source, unsigned jobs, const WriteAnswers& write,
+                       report::ClassifyReport& report) {
   PointBatch batch;
   std::vector<PointWord> words;
   std::string lines;
@@ -48,10 +84,12 @@ Status classify_points(const ExpressionClassifier& classifier, PointSource& sour
                      words[batch.exact[k].first] = classifier.classify(batch.exact[k].second);
                  });
     lines.clear();
+    const std::size_t before = report.points, first = report.undecided.size();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       lines.append(batch.text(i)).append(answer_of(words[i]));
       count(words[i], report);
     }
+    add_reasons(classifier, names, batch, before, report, first);
     if (const Status status = write(lines); !status) return status;
   }
 }

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/expression_classification.h: one run of classify with respect to an expression: points in, answers out.
 #pragma once
+#include <span>
+#include <string>
+
 #include "cli/classification.h"
 #include "solids/expression/expression_classifier.h"
 
 namespace veritope::cli {
 
-/// Answers all points of the source. Fills the numbers of the report. @error as PointSource and WriteAnswers
-Status classify_points(const ExpressionClassifier& classifier, PointSource& source, unsigned jobs,
+/// Answers all points of the source. Fills the numbers of the report.
+/// @param names  of the solids, in the order of the variables, for the reasons of undecided points
+/// @error as PointSource and WriteAnswers
+Status classify_points(const ExpressionClassifier& classifier, std::span<const std::string> names,
+                       PointSource& source, unsigned jobs,
                        const WriteAnswers& write, report::ClassifyReport& report);
 
 }  // namespace veritope::cli

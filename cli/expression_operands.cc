@@ -216,6 +216,7 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
     return refuse(kExitUnreadable, begin + harmless(path) + " changed while it was read");
   ExpressionOperand out;
   out.formula = Formula::variable(static_cast<std::uint32_t>(solids_.size()));
+  solid_names_.push_back(harmless(path));
   if (auto* const mesh = std::get_if<MeshFile>(&model)) {
     out.box = box_around(mesh->mesh);
     solids_.emplace_back(std::move(mesh->mesh));
@@ -237,7 +238,10 @@ std::uint32_t ExpressionOperands::variable_of(const ExactBox<3>& box) {
   for (std::size_t k = 0; k < 3; ++k)
     text += box[k].lo.to_string() + " " + box[k].hi.to_string() + " ";
   const auto [at, is_new] = boxes_.emplace(text, static_cast<std::uint32_t>(solids_.size()));
-  if (is_new) solids_.emplace_back(box);
+  if (is_new) {
+    solids_.emplace_back(box);
+    solid_names_.emplace_back("the box");
+  }
   return at->second;
 }
 

@@ -58,6 +58,8 @@ class ExpressionOperands {
   bool has_patches() const { return has_patches_; }
   /// The solids, in the order of the variables; those of meshes get their look-up. May be called once.
   std::vector<std::shared_ptr<const Operand>> take_solids();
+  /// In the order of the variables: the path at which each was read first; "the box" of a complement.
+  const std::vector<std::string>& solid_names() const { return solid_names_; }
 
  private:
   using Solid = std::variant<TriangleMesh, ExactBox<3>, std::unique_ptr<const PatchComplex>>;
@@ -77,6 +79,7 @@ class ExpressionOperands {
   ExitCode exit_ = kExitValid;
   bool has_patches_ = false;
   std::vector<Solid> solids_;
+  std::vector<std::string> solid_names_;
   /// By SHA-256 and format; nothing: refused.
   std::map<std::pair<std::string, std::string>, std::optional<ExpressionOperand>> known_;
   std::map<std::string, std::uint32_t> boxes_;  ///< the variables of boxes, by their text

@@ -51,7 +51,8 @@ ExpressionClassifier::ExpressionClassifier(Formula formula,
     : formula_(std::move(formula)), operands_(std::move(operands)), cells_(formula_, operands_) {}
 
 template <typename Point>
-PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) const {
+PointWord ExpressionClassifier::classify_at(const Point& point, Values& values,
+                                            OpenWord* why) const {
   values.next_point();
   const auto value_of = [&](std::uint32_t variable) {
     return values.of(variable, [&](std::uint32_t v) { return operands_[v]->value(point); });
@@ -59,26 +60,28 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values) 
   const Formula& formula = cells_.at(point);
   const Value3 value = formula.value(value_of);
   if (is_constant(value)) return word_of(value == Value3::kOne);
-  return on_walls(point, formula.folded(value_of));
+  return on_walls(exact_point(point), formula.folded(value_of), why);
 }
 
 // POINT-6 to POINT-8: the point is on the boundaries of all operands of `rest`, or some are open.
-template <typename Point>
-PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest) const {
+PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula& rest,
+                                         OpenWord* why) const {
+  const auto open = [&](OpenWord because) {
+    if (why != nullptr) *why = std::move(because);
+    return PointWord::kUndecided;
+  };
   const auto diagram = DecisionDiagram::make(rest, kMostDiagramNodes);
   if (diagram && diagram->is_constant())
     return word_of(diagram->value([](std::uint32_t) { return false; }));
   const std::vector<std::uint32_t> variables = diagram ? diagram->support() : rest.variables();
-  const ExactPoint& exact = exact_point(point);
-  if (std::any_of(variables.begin(), variables.end(),
-                  [&](std::uint32_t v) { return operands_[v]->is_open(exact); }))
-    return PointWord::kUndecided;
+  for (const std::uint32_t v : variables)
+    if (operands_[v]->is_open(point)) return open({OpenWord::Reason::kPlace, {v}, {}});
   if (variables.size() == 1) return PointWord::kOn;
   std::vector<TangentCone> cones;
   bool are_flat = true;
   for (const std::uint32_t v : variables) {
-    std::optional<TangentCone> cone = operands_[v]->tangent_cone(exact);
-    if (!cone) return PointWord::kUndecided;
+    std::optional<TangentCone> cone = operands_[v]->tangent_cone(point);
+    if (!cone) return open({OpenWord::Reason::kDirections, {v}, {}});
     are_flat = are_flat && cone->is_flat;
     cones.push_back(std::move(*cone));
   }
@@ -92,8 +95,12 @@ PointWord ExpressionClassifier::on_walls(const Point& point, const Formula& rest
   };
   const std::optional<bool> value = common_value(cones, f);
   if (!value) return PointWord::kOn;
-  if (!are_flat && find_contact(cones, f, *value)) return PointWord::kUndecided;
-  return word_of(*value);
+  if (are_flat) return word_of(*value);
+  std::optional<Contact> contact = find_contact(cones, f, *value);
+  if (!contact) return word_of(*value);
+  OpenWord out{OpenWord::Reason::kContact, {}, std::move(contact->sheets)};
+  for (const std::size_t i : contact->cones) out.variables.push_back(variables[i]);
+  return open(std::move(out));
 }
 
 PointWord ExpressionClassifier::classify(const Vec3d& point) const {
@@ -104,6 +111,13 @@ PointWord ExpressionClassifier::classify(const Vec3d& point) const {
 PointWord ExpressionClassifier::classify(const ExactPoint& point) const {
   Values values(operands_.size());
   return classify_at(point, values);
+}
+
+std::optional<OpenWord> ExpressionClassifier::why_undecided(const ExactPoint& point) const {
+  Values values(operands_.size());
+  OpenWord out;
+  if (classify_at(point, values, &out) != PointWord::kUndecided) return std::nullopt;
+  return out;
 }
 
 void ExpressionClassifier::classify(std::span<const Vec3d> points, std::span<PointWord> words,
